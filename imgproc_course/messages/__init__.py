@@ -1,0 +1,27 @@
+"""sensor_msgs/Image to NumPy and back, with the same bytes as cv_bridge.
+
+    from imgproc_course.messages import image_to_array, array_to_image
+
+    frame = image_to_array(msg, "bgr8")          # (H, W, 3) uint8
+    reply = array_to_image(frame, "bgr8", header=msg.header)
+
+Needs NumPy and OpenCV. Reads any object that has the message's fields; makes messages of sensor_msgs where
+ROS is installed, otherwise of rosbags. Whatever is wrong with a message or an array, a ConversionError says.
+"""
+
+from imgproc_course.messages.compressed import array_to_compressed, compressed_to_array
+from imgproc_course.messages.conversion import array_to_image, image_to_array
+from imgproc_course.messages.depth import depth_to_compressed
+from imgproc_course.messages.encodings import EncodingInfo, encoding_info
+from imgproc_course.messages.errors import ConversionError
+
+__all__ = [
+    "ConversionError",
+    "EncodingInfo",
+    "array_to_compressed",
+    "array_to_image",
+    "compressed_to_array",
+    "depth_to_compressed",
+    "encoding_info",
+    "image_to_array",
+]

@@ -1,0 +1,220 @@
+"""sensor_msgs/CompressedImage to a NumPy array and back: JPEG, PNG, and compressedDepth.
+
+The field `format` says, after ROS's compressed_image_transport, "<encoding>; <codec> compressed <order>": the
+encoding of the picture before it was compressed, and the order of the colors in the file. Many cameras write
+only "jpeg" or "png"; then the decoded picture itself says what it is.
+"""
+
+import functools
+
+import cv2
+import numpy as np
+
+from imgproc_course.messages.conversion import bytes_of, described
+from imgproc_course.messages.depth import PNG_SIGNATURE, decode_depth
+from imgproc_course.messages.encodings import encoding_info
+from imgproc_course.messages.errors import ConversionError, shown
+from imgproc_course.messages.message_classes import new_compressed_image
+from imgproc_course.messages.picture_headers import check_jpeg, checked_png
+from imgproc_course.messages.pixels import converter
+
+MAX_VALUES = 2**30  # what OpenCV's encoders take
+JPEG_SIGNATURE = b"\xff\xd8"
+_AS_OPENCV_DECODES = {
+    ("uint8", 1): "mono8",
+    ("uint8", 3): "bgr8",
+    ("uint8", 4): "bgra8",
+    ("uint16", 1): "mono16",
+    ("uint16", 3): "bgr16",
+    ("uint16", 4): "bgra16",
+}
+_OTHER_SIGNATURES = {
+    b"II*\0": "TIFF",
+    b"MM\0*": "TIFF",
+    b"BM": "BMP",
+    b"RIFF": "WebP",
+    b"GIF8": "GIF",
+    b"\0\0\0\x0cjP": "JPEG 2000",
+    b"\0\0\0\1": "H.264 video",
+}
+
+
+def compressed_to_array(msg, desired_encoding="passthrough"):
+    """The picture of a CompressedImage message as an array.
+
+    Parameters
+    ----------
+    msg : sensor_msgs/CompressedImage, or any object with its fields `format` and `data`, which must hold a
+        JPEG, a PNG, or compressedDepth (PNG or RVL)
+    desired_encoding : "passthrough" (also "") takes the picture as it decodes: mono8, bgr8, bgra8, mono16,
+        bgr16 or bgra16, a Bayer mosaic where `format` says so, 16UC1 or 32FC1 of compressedDepth. Any other
+        encoding converts from there, as `image_to_array` does
+
+    Returns
+    -------
+    (H, W) or (H, W, channels) ndarray, fresh and writable
+
+    Raises
+    ------
+    ConversionError : data that is no such picture, or not all of it; a header that claims more pixels than
+        its bytes can hold (refused before memory is taken); a conversion that has no meaning
+
+    Notes
+    -----
+    A JPEG has no checksum: where bits within it are flipped, every decoder makes a picture of them.
+    """
+    format, data = _format(msg), bytes_of(_data(msg))
+    decode = decode_depth if "compressedDepth" in format else _decode_picture
+    try:
+        frame, source = decode(format, data)
+    except cv2.error as error:
+        raise ConversionError(
+            f"OpenCV cannot decode {len(data)} bytes of {shown(format)}: {error.err}"
+        ) from error
+    if isinstance(desired_encoding, str) and desired_encoding in ("passthrough", ""):
+        return frame
+    convert = _conversion(source, encoding_info(desired_encoding))
+    return convert(frame) if convert else frame
+
+
+def array_to_compressed(array, encoding="bgr8", format="jpeg", header=None, quality=90):
+    """A CompressedImage message that holds the array as JPEG or PNG.
+
+    Parameters
+    ----------
+    array : (H, W) or (H, W, channels) ndarray
+    encoding : what the values are: mono8, mono16, rgb8 and the like, bgr16 and the like, 8UC1, 8UC3 (taken as
+        bgr), 16UC1, or a Bayer encoding (PNG only)
+    format : "jpeg" (also "jpg"; 8 bits, loses detail, drops alpha) or "png" (8 or 16 bits, loses nothing)
+    header : std_msgs/Header, kept by reference; None for an empty one
+    quality : of JPEG, 1 to 100
+
+    Returns
+    -------
+    sensor_msgs.msg.CompressedImage (where sensor_msgs is not installed, the class of rosbags), its `format`
+    as ROS's compressed_image_transport writes it, such as "rgb8; jpeg compressed bgr8"
+
+    Raises
+    ------
+    ConversionError : an array that is not what `encoding` says, or that the format would change
+    """
+    codec = {"jpeg": "jpeg", "jpg": "jpeg", "png": "png"}.get(format) if isinstance(format, str) else None
+    if codec is None:
+        raise ConversionError(f"format must be 'jpeg' or 'png', got {shown(format)}")
+    if not isinstance(quality, int) or not 1 <= quality <= 100:
+        raise ConversionError(f"quality must be an int from 1 to 100, got {shown(quality)}")
+    info = described(array, encoding)
+    if not 0 < array.size <= MAX_VALUES:
+        raise ConversionError(f"expected 1 to {MAX_VALUES} values to compress, got shape {array.shape}")
+    stored = _stored_as(info, codec)
+    convert = None if stored.color is None else _conversion(info, stored)
+    pixels = np.ascontiguousarray(array, info.dtype)
+    options = [cv2.IMWRITE_JPEG_QUALITY, quality] if codec == "jpeg" else []
+    try:
+        is_encoded, data = cv2.imencode(f".{codec}", convert(pixels) if convert else pixels, options)
+    except cv2.error as error:
+        raise ConversionError(f"OpenCV cannot encode shape {array.shape} as {codec}: {error.err}") from error
+    if not is_encoded:
+        raise ConversionError(
+            f"OpenCV cannot encode shape {array.shape} as {codec}; a JPEG has at most 65500 rows"
+        )
+    return new_compressed_image(header, f"{info.name}; {codec} compressed {stored.name}", data.tobytes())
+
+
+def decoded_name(dtype, channels):
+    """Encoding of a picture as OpenCV decodes it: "bgr8" of (uint8, 3)."""
+    if (dtype.name, channels) not in _AS_OPENCV_DECODES:
+        raise ConversionError(
+            f"JPEG and PNG hold 1, 3 or 4 channels of uint8 or uint16, not {channels} of {dtype.name}"
+        )
+    return _AS_OPENCV_DECODES[dtype.name, channels]
+
+
+_conversion = functools.lru_cache(maxsize=256)(converter)
+
+
+def _stored_as(info, codec):
+    """EncodingInfo of what goes into the file: what OpenCV's encoders take, of the same depth."""
+    if codec == "jpeg" and info.dtype != np.uint8:
+        raise ConversionError(
+            f"JPEG holds 8 bits, and {info.name!r} has more; use format='png', or scale the values to uint8"
+        )
+    if codec == "jpeg" and (info.color or "").startswith("bayer_"):
+        raise ConversionError(
+            f"JPEG blurs the mosaic of {info.name!r}; use format='png', or convert to 'bgr8'"
+        )
+    bits = 8 * info.dtype.itemsize
+    if info.color in ("rgb", "bgr") or (codec == "jpeg" and info.color in ("rgba", "bgra")):
+        return encoding_info(f"bgr{bits}")
+    if info.color in ("rgba", "bgra"):
+        return encoding_info(f"bgra{bits}")
+    if info.color == "gray":
+        return info
+    is_taken = info.dtype.kind == "u" and info.channels in (1, 3)
+    if is_taken and (info.color is None or info.color.startswith("bayer_")):
+        return info._replace(color=None, name=decoded_name(info.dtype, info.channels))
+    depth = "; depth_to_compressed takes '32FC1'" if info.name == "32FC1" else ""
+    raise ConversionError(f"{codec} cannot hold {info.name!r}; convert it to 'bgr8' or 'mono8' first{depth}")
+
+
+def _format(msg):
+    format = getattr(msg, "format", None)
+    if isinstance(format, str):
+        return format
+    cure = "image_to_array reads an Image" if hasattr(msg, "encoding") else "give the message itself"
+    raise ConversionError(
+        f"expected a sensor_msgs/CompressedImage whose field 'format' is a str, got {shown(msg)}; {cure}"
+    )
+
+
+def _data(msg):
+    try:
+        return msg.data
+    except AttributeError:
+        raise ConversionError(
+            f"expected a sensor_msgs/CompressedImage, got {shown(msg)} without 'data'"
+        ) from None
+
+
+def _decode_picture(format, data):
+    """(array, EncodingInfo) of a JPEG or PNG, whatever the format says: the bytes know better."""
+    start = bytes(data[:8])
+    if start[:2] == JPEG_SIGNATURE:
+        check_jpeg(data)
+    elif start == PNG_SIGNATURE:
+        data = checked_png(data)
+    else:
+        raise ConversionError(_not_a_picture(format, start, len(data)))
+    frame = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_UNCHANGED)
+    if frame is None:
+        raise ConversionError(
+            f"{len(data)} bytes of {shown(format)} do not decode; the message is cut short or damaged"
+        )
+    return frame, _meaning(format, frame)
+
+
+def _meaning(format, frame):
+    """EncodingInfo of a decoded frame: as OpenCV decodes, unless the format says better."""
+    name = decoded_name(frame.dtype, 1 if frame.ndim == 2 else frame.shape[2])
+    before, _, order = format.partition(";")
+    if "compressed rgb" in order:  # the file's writer did not swap to OpenCV's order
+        name = name.replace("bgr", "rgb")
+    decoded = encoding_info(name)
+    try:
+        original = encoding_info(before.strip())
+    except ConversionError:
+        return decoded
+    # Gray levels of 8 bits are what they look like; a mosaic or 16 bits of anything is not.
+    is_more = (original.color or "").startswith("bayer_") or original.name == "16UC1"
+    return original if is_more and original[1:3] == decoded[1:3] else decoded
+
+
+def _not_a_picture(format, start, size):
+    if size == 0:
+        return f"field 'data' is empty, although 'format' is {shown(format)}; the camera sent no picture"
+    kind = next((kind for sign, kind in _OTHER_SIGNATURES.items() if start.startswith(sign)), None)
+    found = f"a {kind}" if kind else shown(start)
+    return (
+        f"expected a JPEG or PNG, and 'data' ({size} bytes) begins with {found}; set the publisher's "
+        "parameter 'format' to 'jpeg' or 'png', or take the raw topic"
+    )

@@ -1,0 +1,270 @@
+"""sensor_msgs/Image to a NumPy array and back, with the same bytes as cv_bridge and without its faults.
+
+A message may be of any class that has the fields: sensor_msgs, rosbags, a SimpleNamespace.
+"""
+
+import functools
+import sys
+from collections.abc import Callable
+from operator import index
+from typing import NamedTuple
+
+import numpy as np
+
+from imgproc_course.messages.encodings import ENCODINGS, EncodingInfo, encoding_info, generic_name
+from imgproc_course.messages.errors import ConversionError, shown
+from imgproc_course.messages.message_classes import new_image
+from imgproc_course.messages.pixels import converter
+
+UINT32_MAX = 2**32 - 1  # the largest height, width and step of a message, and the most bytes it can carry
+
+
+def image_to_array(msg, desired_encoding="passthrough"):
+    """The picture of an Image message as an array.
+
+    Parameters
+    ----------
+    msg : sensor_msgs/Image, or any object with its fields; `data` may be bytes, bytearray, memoryview,
+        array.array, a uint8 ndarray, or a list or tuple of ints
+    desired_encoding : "passthrough" (also "") leaves the values as they are; any other encoding converts
+        them as cv_bridge does: first the colors, then the depth (see `pixels.converter`)
+
+    Returns
+    -------
+    (H, W) or (H, W, channels) ndarray in the machine's byte order; nv12 and nv21 are (H * 3 / 2, W), nv24 is
+    (H * 3, W), as OpenCV lays them out. Where no value must change, it is a READ-ONLY view of `msg.data`,
+    which costs no copy: take `.copy()` before you draw on it. (Where rows are padded, the view has gaps
+    between its rows.) Otherwise it is a fresh array.
+
+    Raises
+    ------
+    ConversionError : a field that is missing, of another type, or at odds with the others; an unknown
+        encoding; a conversion that has no meaning
+    """
+    try:
+        plan = _plan(msg.encoding, desired_encoding)
+        height, width, step = index(msg.height), index(msg.width), index(msg.step)
+        is_bigendian = index(msg.is_bigendian)
+        data = memoryview(msg.data)
+    except ConversionError:
+        raise
+    except (AttributeError, TypeError, ValueError, BufferError):  # look again, slowly, for what is the matter
+        name = _checked_name("encoding", _field(msg, "encoding"))
+        plan = _plan(name, _checked_name("desired_encoding", desired_encoding))
+        height, width, step, is_bigendian = (_number(msg, field) for field in _NUMBER_FIELDS)
+        data = bytes_of(_field(msg, "data"))
+    if data.itemsize != 1 or not data.c_contiguous:
+        data = bytes_of(msg.data)
+
+    source, byte_orders, pixel_bytes, channel_axis, is_planar, convert = plan
+    row, rows = width * pixel_bytes, source.rows(height) if is_planar else height
+    if not (
+        is_bigendian in (0, 1)
+        and 0 <= height <= UINT32_MAX
+        and 0 <= row <= step <= UINT32_MAX
+        and step * rows <= data.nbytes
+        and not (is_planar and _planes_misfit(source, height, width))
+    ):
+        raise ConversionError(_misfit(source, height, width, step, is_bigendian, data.nbytes))
+    dtype = byte_orders[is_bigendian]
+    # frombuffer, unlike ndarray(buffer=...), holds on to the buffer: no view can dangle when `data` grows.
+    if step == row:
+        values = np.frombuffer(data.toreadonly(), dtype, rows * width * source.channels)
+        frame = values.reshape(rows, width, *channel_axis)
+    else:
+        bytes_ = np.frombuffer(data.toreadonly(), np.uint8)
+        frame = _skip_padding(bytes_, source, dtype, height, width, step)
+    if not dtype.isnative:
+        frame = frame.astype(source.dtype)
+    return convert(frame) if convert else frame
+
+
+def array_to_image(array, encoding="passthrough", header=None):
+    """An Image message that holds a copy of the array.
+
+    Parameters
+    ----------
+    array : (H, W) or (H, W, channels) ndarray of uint8, int8, uint16, int16, int32, float32 or float64, of
+        any memory layout and either byte order (which `is_bigendian` then says)
+    encoding : what the values are; it must fit the array, for nothing is converted here. "passthrough" names
+        only how they are stored ("8UC3"), and no receiver can tell rgb from bgr: say "bgr8" where you know
+    header : std_msgs/Header, kept by reference; None for an empty one
+
+    Returns
+    -------
+    sensor_msgs.msg.Image; where sensor_msgs is not installed, the class of rosbags that has the same fields
+
+    Raises
+    ------
+    ConversionError : an array that no message can hold, or that is not what `encoding` says
+    """
+    info = described(array, encoding)
+    rows, width = array.shape[:2]
+    height, step = info.height(rows), width * info.pixel_bytes
+    if max(rows, width, step, step * rows) > UINT32_MAX:
+        raise ConversionError(
+            f"an array of shape {array.shape} is too large for a message, whose fields end at {UINT32_MAX}; "
+            "crop it or scale it down"
+        )
+    is_bigendian = array.dtype.itemsize > 1 and array.dtype.isnative == (sys.byteorder == "big")
+    pixels = np.ascontiguousarray(array).view(np.uint8)
+    return new_image(header, height, width, info.name, int(is_bigendian), step, pixels)
+
+
+class _Plan(NamedTuple):
+    """What can be known of a conversion before the message's sizes are, so that it is found only once."""
+
+    source: EncodingInfo
+    byte_orders: tuple  # dtype of the values where is_bigendian is 0, and where it is 1
+    pixel_bytes: int
+    channel_axis: tuple
+    is_planar: bool
+    convert: Callable | None
+
+
+@functools.lru_cache(maxsize=512)
+def _plan(encoding, desired):
+    source = _known(encoding, "encoding")
+    keeps = desired in ("passthrough", "")
+    convert = None if keeps else converter(source, _known(desired, "desired_encoding"))
+    byte_orders = source.dtype.newbyteorder("<"), source.dtype.newbyteorder(">")
+    channel_axis = () if source.channels == 1 else (source.channels,)
+    return _Plan(source, byte_orders, source.pixel_bytes, channel_axis, source.is_planar, convert)
+
+
+def _known(name, field):
+    try:
+        return encoding_info(name)
+    except ConversionError as error:
+        raise ConversionError(f"{field}: {error}") from None
+
+
+def described(array, encoding):
+    """EncodingInfo of an array that must be what `encoding` says; "passthrough": how it is stored."""
+    if not isinstance(array, np.ndarray):
+        raise ConversionError(f"expected a NumPy array, got {shown(array)}; np.asarray(...) makes one")
+    if np.ma.is_masked(array):
+        raise ConversionError("a message cannot hold a mask; fill it first: array.filled(0)")
+    if array.ndim not in (2, 3):
+        raise ConversionError(
+            f"expected an array of shape (H, W) or (H, W, channels), got {array.shape}; "
+            "send one picture at a time, without axes of batches"
+        )
+    channels = array.shape[2] if array.ndim == 3 else 1
+    stored = encoding_info(generic_name(array.dtype, channels))
+    if _checked_name("encoding", encoding) == "passthrough":
+        return stored
+    info = _known(encoding, "encoding")
+    if info[1:3] != stored[1:3]:
+        raise ConversionError(_mislabelled(array, stored, info))
+    if info.is_planar and (array.shape[0] % 3 or _planes_misfit(info, 0, array.shape[1])):
+        raise ConversionError(
+            f"an array of shape {array.shape} cannot be {info.name!r}: expected "
+            + ("(H * 3, W)" if info.name == "nv24" else "(H * 3 / 2, W) with H and W even")
+        )
+    return info
+
+
+def _mislabelled(array, stored, info):
+    expected = f"{info.dtype.name}, " + ("(H, W)" if info.channels == 1 else f"(H, W, {info.channels})")
+    given = f"{array.dtype.name}, {array.shape}"
+    if info.dtype != stored.dtype:
+        cure = f"convert the values to {info.dtype.name} first"
+    else:
+        cure = f"say what the array is ({_names_of(stored)}), or convert it first"
+    return f"encoding {info.name!r} needs an array of {expected}; got {given}: {cure}"
+
+
+def _names_of(stored):
+    names = [name for name, known in ENCODINGS.items() if known[1:3] == stored[1:3] and known.color]
+    return " or ".join(repr(name) for name in [*names[:2], stored.name])
+
+
+def _planes_misfit(source, height, width):
+    """Whether 2 × 2 pixels, which share one U and one V (not so in nv24), cannot tile this size."""
+    return source.color != "nv24" and (height % 2 or width % 2)
+
+
+def _skip_padding(bytes_, source, dtype, height, width, step):
+    """The rows of pixels without what follows each: a view where rows are alike, a copy of nv24's planes."""
+    if source.color == "nv24":  # a row of U and V pairs is twice as long as one of Y, and so is its padding
+        luma = bytes_[: height * step].reshape(height, step)[:, :width]
+        chroma = bytes_[height * step : 3 * height * step].reshape(height, 2 * step)[:, : 2 * width]
+        return np.concatenate([luma, chroma.reshape(2 * height, width)])
+    shape = source.shape(height, width)
+    strides = (step, source.pixel_bytes, dtype.itemsize)[: len(shape)]
+    frame = np.ndarray(shape, dtype, bytes_, strides=strides)
+    return frame if step % dtype.itemsize == 0 else frame.copy()  # OpenCV takes no step that splits a value
+
+
+# What follows is read only where something is wrong, or where `data` is no buffer.
+
+_NUMBER_FIELDS = ("height", "width", "step", "is_bigendian")
+
+
+def _field(msg, name):
+    try:
+        return getattr(msg, name)
+    except AttributeError:
+        has_format = hasattr(msg, "format")
+        cure = "compressed_to_array reads a CompressedImage" if has_format else "give the message itself"
+        raise ConversionError(
+            f"expected a sensor_msgs/Image, got {shown(msg)} without a field {name!r}; {cure}"
+        ) from None
+
+
+def _checked_name(field, name):
+    if not isinstance(name, str):
+        raise ConversionError(f"{field}: an encoding is a name such as 'bgr8', got {shown(name)}")
+    return name
+
+
+def _number(msg, field):
+    value = _field(msg, field)
+    try:
+        return index(value)
+    except TypeError:
+        raise ConversionError(f"field {field!r} must be an int, got {shown(value)}") from None
+
+
+def bytes_of(data):
+    """`data` of a message as one row of bytes (a memoryview), whatever sequence it came as."""
+    try:
+        view = memoryview(bytes(data) if isinstance(data, list | tuple) else data)
+        if view.itemsize == 1:
+            is_plain = view.c_contiguous and view.ndim == 1 and view.format == "B"
+            return view if is_plain else memoryview(view.tobytes())
+    except (TypeError, ValueError, OverflowError, BufferError):
+        pass
+    raise ConversionError(
+        "field 'data' must be bytes, an array.array('B'), a uint8 array or a list of ints 0..255; "
+        f"got {shown(data)}; array.tobytes() makes bytes of any array"
+    )
+
+
+def _misfit(source, height, width, step, is_bigendian, size):
+    """Why these numbers cannot describe one picture: the first contradiction, and its cure."""
+    if is_bigendian not in (0, 1):
+        return (
+            f"field 'is_bigendian' is {shown(is_bigendian)}; expected 0 or 1: set it to 0, unless the values "
+            "were written by a big-endian machine"
+        )
+    for field, value in {"height": height, "width": width, "step": step}.items():
+        if not 0 <= value <= UINT32_MAX:
+            return f"field {field!r} is {shown(value)}; expected a uint32, 0 to {UINT32_MAX}"
+    if source.is_planar and _planes_misfit(source, height, width):
+        return (
+            f"encoding {source.name!r} with {height} rows × {width} columns: 2 × 2 pixels share one color, "
+            "so both must be even; height and width are those of the picture, not of the stacked planes"
+        )
+    row = width * source.pixel_bytes
+    if step < row:
+        return (
+            f"encoding {source.name!r} with width {width} needs step >= {row} bytes, got {step}; "
+            "the message is cut short or its encoding is mislabelled"
+        )
+    rows = source.rows(height)
+    cure = "the message is cut short, or its height, step or encoding is wrong"
+    if source.is_planar:
+        cure += " (step is the length of a row of Y)"
+    return f"{rows} rows of {step} bytes need {rows * step} bytes of data, got {size}; {cure}"

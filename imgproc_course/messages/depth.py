@@ -1,0 +1,140 @@
+"""compressedDepth: the depth pictures of ROS's compressed_depth_image_transport, as PNG or RVL.
+
+After 12 bytes of header (int32 kind, float32 A, float32 B, little-endian) comes a PNG of 16 bits, or uint32
+columns, uint32 rows and an RVL stream. "16UC1" holds the values themselves, by custom millimetres, and 0
+where nothing was measured; "32FC1" holds q = A / depth + B, in metres, with 0 for NaN.
+"""
+
+import struct
+
+import cv2
+import numpy as np
+
+from imgproc_course.messages.conversion import described
+from imgproc_course.messages.encodings import encoding_info
+from imgproc_course.messages.errors import ConversionError, shown
+from imgproc_course.messages.message_classes import new_compressed_image
+from imgproc_course.messages.picture_headers import MAX_PIXELS, checked_png
+from imgproc_course.messages.rvl import rvl_decode, rvl_encode
+
+PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
+# A run of zeros takes a few bytes at any length, so a blank picture of 4 million pixels may be tiny.
+RVL_BLANK_PIXELS = 2**22
+RVL_PIXELS_PER_BYTE = 1024
+_HEADER = struct.Struct("<iff")
+_SIZE = struct.Struct("<II")
+
+
+def depth_to_compressed(array, encoding="16UC1", format="png", header=None, depth_max=10.0):
+    """A CompressedImage on a .../compressedDepth topic.
+
+    Parameters
+    ----------
+    array : (H, W) uint16 for "16UC1" (kept exactly), or float32 for "32FC1", in metres
+    encoding : "16UC1", "mono16" or "32FC1"
+    format : "png" or "rvl"
+    header : std_msgs/Header, kept by reference; None for an empty one
+    depth_max : of "32FC1" only: metres that the 65535 steps of 1 / depth must reach; what is farther, not
+        positive, infinite or NaN becomes NaN. A step is depth² / 10100 m or less, as in ROS
+
+    Returns
+    -------
+    sensor_msgs.msg.CompressedImage, or the class of rosbags
+
+    Raises
+    ------
+    ConversionError : an array, encoding or format that compressedDepth does not know
+    """
+    if format not in ("png", "rvl"):
+        raise ConversionError(f"format must be 'png' or 'rvl', got {shown(format)}")
+    info = described(array, encoding)
+    _check_depth_encoding(info)
+    if array.size == 0 or array.size > MAX_PIXELS:
+        raise ConversionError(f"a depth picture needs 1 to {MAX_PIXELS} pixels, got shape {array.shape}")
+    array, a, b = array.reshape(array.shape[:2]), 0.0, 0.0
+    if info.dtype == np.float32:
+        array, a, b = _quantized(array, depth_max)
+    values = np.ascontiguousarray(array, np.uint16)
+    if format == "png":
+        body = cv2.imencode(".png", values)[1].tobytes()
+    else:
+        body = _SIZE.pack(values.shape[1], values.shape[0]) + rvl_encode(values)
+    return new_compressed_image(
+        header, f"{info.name}; compressedDepth {format}", _HEADER.pack(0, a, b) + body
+    )
+
+
+def decode_depth(format, data):
+    """(array, EncodingInfo) of a compressedDepth picture.
+
+    Parameters
+    ----------
+    format : the message's field, such as "16UC1; compressedDepth png"
+    data : contiguous memoryview of the message's bytes
+    """
+    info = encoding_info(format.partition(";")[0].strip())
+    _check_depth_encoding(info)
+    if len(data) <= _HEADER.size:
+        raise ConversionError(
+            f"compressedDepth begins with {_HEADER.size} bytes of header and a picture, got {len(data)} "
+            "bytes; the message is cut short"
+        )
+    _, a, b = _HEADER.unpack_from(data)
+    body = data[_HEADER.size :]
+    values = _decode_rvl(body) if format.rstrip().endswith("rvl") else _decode_png(body)
+    if info.dtype == np.uint16:
+        return values, info
+    with np.errstate(divide="ignore", over="ignore", invalid="ignore"):
+        metres = np.float32(a) / (values - np.float32(b))
+    metres[values == 0] = np.nan
+    return metres, info
+
+
+def _check_depth_encoding(info):
+    if info.name not in ("16UC1", "mono16", "32FC1"):
+        raise ConversionError(
+            f"compressedDepth knows '16UC1', 'mono16' and '32FC1', got {shown(info.name)}; "
+            "other pictures go to array_to_compressed"
+        )
+
+
+def _quantized(metres, depth_max):
+    if not isinstance(depth_max, int | float) or not depth_max > 0:
+        raise ConversionError(f"depth_max must be positive metres, got {shown(depth_max)}")
+    a = np.float32(100.0 * 101.0)  # ROS's default quantization of 100
+    b = np.float32(1.0 - a / depth_max)
+    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
+        q = np.rint(a / metres + b)
+    is_measured = (metres > 0) & (metres < depth_max) & (q >= 1) & (q <= 65535)
+    return np.where(is_measured, q, 0).astype(np.uint16), a, b
+
+
+def _decode_png(body):
+    if bytes(body[:8]) != PNG_SIGNATURE:
+        raise ConversionError(
+            f"expected a PNG after the header of compressedDepth, got {shown(bytes(body[:8]))}; "
+            "the format is mislabelled, or the message damaged"
+        )
+    values = cv2.imdecode(np.frombuffer(checked_png(body), np.uint8), cv2.IMREAD_UNCHANGED)
+    if values is None or values.dtype != np.uint16 or values.ndim != 2:
+        kind = "nothing" if values is None else f"{values.dtype.name} of shape {values.shape}"
+        raise ConversionError(
+            f"compressedDepth needs a gray PNG of 16 bits; decoded {kind}; it is mislabelled"
+        )
+    return values
+
+
+def _decode_rvl(body):
+    if len(body) < _SIZE.size:
+        raise ConversionError(
+            f"RVL of {len(body)} bytes, too short to say its size; the message is cut short"
+        )
+    columns, rows = _SIZE.unpack_from(body)
+    stream = body[_SIZE.size :]
+    pixels = rows * columns
+    if not 0 < pixels <= min(MAX_PIXELS, RVL_BLANK_PIXELS + RVL_PIXELS_PER_BYTE * len(stream)):
+        raise ConversionError(
+            f"RVL of {len(stream)} bytes claims {rows} rows × {columns} columns; expected at least 1, and "
+            "not more than so few bytes can mean; the message is damaged or made to exhaust the memory"
+        )
+    return rvl_decode(stream, pixels).reshape(rows, columns)

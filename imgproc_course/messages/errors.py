@@ -1,0 +1,18 @@
+"""The one exception of this room, and how it words what it was given."""
+
+
+class ConversionError(ValueError):
+    """A message or an array that cannot be converted.
+
+    The text names the field, its value, what was expected, and what to do about it.
+    """
+
+
+def shown(value, limit=60):
+    """`repr` of a value that came with a message, cut so that an error stays one readable line."""
+    if isinstance(value, str | bytes | bytearray):
+        text = repr(value[:limit])
+        return text if len(value) <= limit else f"{text}… ({len(value)} in all)"
+    if isinstance(value, int | float | bool | None):
+        return repr(value) if not isinstance(value, int) or value.bit_length() < 200 else "a huge int"
+    return f"a {type(value).__name__}"

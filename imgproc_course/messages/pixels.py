@@ -1,0 +1,207 @@
+"""The values of a frame from one encoding to another: first the colors, then the depth, as cv_bridge does it.
+
+Both steps are exact: the same bytes as cv_bridge, save where cv_bridge itself gives a wrong picture (a float
+beyond the range of int32 comes back at the wrong end of the range).
+"""
+
+import functools
+
+import cv2
+import numpy as np
+
+from imgproc_course.messages.encodings import ENCODINGS
+from imgproc_course.messages.errors import ConversionError
+
+_CHANNEL_ORDERS = {"gray", "rgb", "bgr", "rgba", "bgra"}
+_BAYER_IN_OPENCV = {"rggb": "BG", "bggr": "RG", "gbrg": "GR", "grbg": "GB"}  # named there by the second row
+_PACKED_YUV = {"uyvy": "UYVY", "yuyv": "YUY2"}  # two pixels share one pair of U and V
+_PLANAR_420 = {"nv12": "NV12", "nv21": "NV21"}  # 2 × 2 pixels share one
+
+
+def converter(source, desired):
+    """The function that takes a frame from one encoding to another.
+
+    Parameters
+    ----------
+    source, desired : EncodingInfo
+
+    Returns
+    -------
+    function of a frame (shape as `source.shape` says, native byte order, any strides) that returns a fresh
+    frame of `desired`; None where not one byte would change
+
+    Raises
+    ------
+    ConversionError : no rule leads from one to the other; the text says which would, or how to relabel.
+        The function itself raises it where the picture's size does not fit the encoding.
+
+    Colors change at the depth of `source`; then the depth changes: 8 to 16 bits × 257, 16 to 8 bits / 257
+    rounded, every other pair saturates without scaling; float to integer rounds half to even, and NaN becomes
+    the lowest value.
+    """
+    if source[1:] == desired[1:]:
+        return None
+    keeps_values = desired.color is None and desired.channels == source.channels
+    keeps_meaning = desired.color is not None and desired.color == source.color
+    if keeps_values or keeps_meaning:
+        recolor = None
+    elif source.color and desired.color:
+        recolor = _recolor(source, desired)
+    else:
+        raise ConversionError(_why_not(source, desired))
+    rescale = _rescale(source.dtype, desired.dtype)
+
+    def convert(frame):
+        height, width = source.height(frame.shape[0]), frame.shape[1]
+        if frame.size == 0:
+            return np.empty(desired.shape(height, width) if recolor else frame.shape, desired.dtype)
+        if recolor:
+            _check_size(source, height, width)
+            frame = recolor(frame)
+        return rescale(frame) if rescale else frame
+
+    return convert
+
+
+def _recolor(source, desired):
+    """Function of a frame that changes the meaning of its values at their own depth."""
+    a, b = source.color, desired.color
+    if b not in _CHANNEL_ORDERS:
+        raise ConversionError(_why_not(source, desired))
+    if a == "nv24":
+        return functools.partial(_from_nv24, color=b)
+    if a in _PLANAR_420 and b == "gray":
+        return _luma_plane
+    if a in _CHANNEL_ORDERS:
+        code = f"{a}2{b}".upper()
+    elif a in _PACKED_YUV:
+        code = f"YUV2{b.upper()}_{_PACKED_YUV[a]}"
+    elif a in _PLANAR_420:
+        code = f"YUV2{b.upper()}_{_PLANAR_420[a]}"
+    elif b in {"gray", "rgb", "bgr"}:
+        code = f"Bayer{_BAYER_IN_OPENCV[a.removeprefix('bayer_')]}2{b.upper()}"
+    else:
+        raise ConversionError(_why_not(source, desired))
+    code = getattr(cv2, f"COLOR_{code}")
+    return lambda frame: cv2.cvtColor(frame, code)
+
+
+def _luma_plane(planes):
+    return planes[: planes.shape[0] * 2 // 3].copy()
+
+
+def _from_nv24(planes, color):
+    """One U and one V for every pixel: laid out as yuyv, each pixel twice, for OpenCV's own arithmetic."""
+    height, width = planes.shape[0] // 3, planes.shape[1]
+    luma = planes[:height]
+    if color == "gray":
+        return luma.copy()
+    chroma = planes[height:].reshape(height, width, 2)
+    twice = np.empty((height, 2 * width, 2), np.uint8)
+    twice[:, 0::2, 0] = twice[:, 1::2, 0] = luma
+    twice[:, 0::2, 1], twice[:, 1::2, 1] = chroma[..., 0], chroma[..., 1]
+    wide = cv2.cvtColor(twice, getattr(cv2, f"COLOR_YUV2{color.upper()}_YUY2"))
+    return np.ascontiguousarray(wide[:, ::2])
+
+
+def _check_size(source, height, width):
+    """Sizes for which OpenCV reads beyond the row, or returns black, without a word."""
+    if source.color in _PACKED_YUV and width % 2:
+        raise ConversionError(
+            f"width {width} is odd, but in {source.name!r} two neighbours share their color; "
+            "crop the width to an even number, or take the bytes with 'passthrough'"
+        )
+    if source.color.startswith("bayer_") and min(height, width) < 3:
+        raise ConversionError(
+            f"a {source.name!r} picture of {height} rows × {width} columns is too small: colors come "
+            "from the neighbours, so both sides need at least 3; take the mosaic with 'passthrough'"
+        )
+
+
+def _rescale(source, target):
+    """Function of a frame that changes its depth; None where both are equal."""
+    if source == target:
+        return None
+    if target.kind == "f":
+        return functools.partial(_to_float, dtype=target)
+    if source.kind == "f":
+        return functools.partial(_float_to_integer, dtype=target)
+    if (source.itemsize, target.itemsize) == (1, 2):
+        return functools.partial(_8_to_16_bits, dtype=target)
+    if (source, target) == (np.uint16, np.uint8):
+        return _gray_levels_16_to_8
+    if (source.itemsize, target.itemsize) == (2, 1):
+        return functools.partial(_16_to_8_bits, dtype=target)
+    return functools.partial(_saturate, dtype=target)
+
+
+def _to_float(frame, dtype):
+    with np.errstate(over="ignore", invalid="ignore"):  # a float64 beyond float32 is infinite
+        return frame.astype(dtype)
+
+
+def _float_to_integer(frame, dtype):
+    lowest, highest = np.iinfo(dtype).min, np.iinfo(dtype).max
+    exact = np.float64 if dtype.itemsize == 4 else frame.dtype  # float32 cannot hold 2**31 - 1
+    with np.errstate(invalid="ignore"):  # a signalling NaN is one like any other
+        rounded = np.rint(frame, dtype=exact)
+    np.clip(rounded, lowest, highest, out=rounded)
+    np.copyto(rounded, lowest, where=np.isnan(rounded))
+    return rounded.astype(dtype)
+
+
+def _8_to_16_bits(frame, dtype):
+    if frame.dtype == np.uint8 and dtype == np.uint16:
+        return np.multiply(frame, 257, dtype=np.uint16)
+    return _saturate(np.multiply(frame, 257, dtype=np.int32), dtype)
+
+
+def _gray_levels_16_to_8(frame):
+    flat = frame.reshape(frame.shape[0], -1)  # OpenCV 5 takes at most 128 channels
+    return cv2.convertScaleAbs(flat, alpha=1 / 257).reshape(frame.shape)  # right on all 65536 values
+
+
+def _16_to_8_bits(frame, dtype):
+    wide = np.add(frame, 128, dtype=np.int32)
+    wide //= 257  # an odd divisor: no value lies half way
+    return _saturate(wide, dtype)
+
+
+def _saturate(frame, dtype):
+    narrow, wide = np.iinfo(dtype), np.iinfo(frame.dtype)
+    lowest, highest = max(narrow.min, wide.min), min(narrow.max, wide.max)
+    return np.clip(frame, lowest, highest).astype(dtype)
+
+
+def _why_not(source, desired):
+    """The refusal, and the cure, of a pair that no rule connects."""
+    pair = f"no rule leads from {source.name!r} to {desired.name!r}: "
+    if source.color is None and desired.color:
+        return pair + _meaning_missing(source)
+    if desired.color is None:
+        return pair + (
+            f"{desired.name!r} keeps the values as they are, so it needs {source.channels} channel(s) like "
+            f"the source, and has {desired.channels}; ask for {source.name!r} or 'passthrough', then take "
+            "the channels you want with NumPy"
+        )
+    if desired.color not in _CHANNEL_ORDERS:
+        return (
+            pair
+            + f"nothing converts to {desired.name!r}, which cameras make; ask for 'bgr8', 'rgb8' or 'mono8'"
+        )
+    bits = 8 * source.dtype.itemsize
+    return pair + f"a Bayer mosaic has no alpha; ask for 'bgr{bits}', 'rgb{bits}' or 'mono{bits}'"
+
+
+def _meaning_missing(source):
+    why = f"{source.name!r} says how values are stored, not what they mean; "
+    same = [
+        name
+        for name, known in ENCODINGS.items()
+        if known.color in _CHANNEL_ORDERS and known[1:3] == source[1:3]
+    ]
+    relabel = f"if you know better, set msg.encoding to {' or '.join(map(repr, same))} first" if same else ""
+    if source.channels == 1 and source.name not in {"8U", "8UC1"}:
+        show = "take 'passthrough' and scale it yourself, as in cv2.convertScaleAbs(a, alpha=255 / a.max())"
+        return why + show + (f"; {relabel}" if relabel else "")
+    return why + (relabel or "take 'passthrough' and choose the channels with NumPy")

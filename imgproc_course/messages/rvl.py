@@ -1,0 +1,123 @@
+"""RVL, the lossless depth compression of ROS's compressedDepth.
+
+Source: A. D. Wilson, "Fast Lossless Depth Image Compression", ISS 2017, doi:10.1145/3132272.3134144. The
+pixels become a row of numbers: how many are 0, how many are not, then for each that is not 0 its difference
+to the one before, with the sign in the lowest bit (0, -1, 1, -2 become 0, 1, 2, 3); and so on to the last
+pixel. A number is written in nibbles of 3 bits, the lowest first, the 8 set where more follow. Eight nibbles,
+the first one highest, make a little-endian word of 32 bits.
+"""
+
+import numpy as np
+
+from imgproc_course.messages.errors import ConversionError
+
+_MAX_NIBBLES = 11  # of a number of 32 bits
+
+
+def rvl_encode(depth):
+    """RVL stream of a depth picture.
+
+    Parameters
+    ----------
+    depth : array of uint16, any shape
+
+    Returns
+    -------
+    bytes, a multiple of 4 long
+    """
+    flat = np.ascontiguousarray(depth, np.uint16).ravel()
+    present = np.concatenate([[False], flat != 0, [False]])
+    edges = np.flatnonzero(present[1:] != present[:-1])
+    starts, ends = edges[0::2], edges[1::2]
+    zeros, nonzeros = starts - np.concatenate([[0], ends[:-1]]), ends - starts
+    tail = flat.size - (ends[-1] if ends.size else 0)
+
+    pixels = np.diff(flat[flat != 0].astype(np.int32), prepend=np.int32(0))
+    signed_low = (pixels << 1) ^ (pixels >> 31)
+    numbers = np.empty(2 * zeros.size + pixels.size + (2 if tail else 0), np.uint32)
+    before = np.concatenate([[0], np.cumsum(nonzeros)])  # pixels that are not 0 before each run
+    at = 2 * np.arange(zeros.size) + before[:-1]
+    numbers[at], numbers[at + 1] = zeros, nonzeros
+    numbers[np.arange(pixels.size) + 2 * np.repeat(np.arange(1, zeros.size + 1), nonzeros)] = signed_low
+    if tail:
+        numbers[-2:] = tail, 0
+    return _to_words(numbers)
+
+
+def rvl_decode(stream, pixels):
+    """The pixels of an RVL stream.
+
+    Parameters
+    ----------
+    stream : bytes-like, a multiple of 4 long
+    pixels : how many there are
+
+    Returns
+    -------
+    (pixels,) uint16
+
+    Raises
+    ------
+    ConversionError : the stream does not hold exactly so many pixels
+    """
+    numbers = _from_words(stream)
+    runs = _runs(numbers, pixels)
+    signed_low = np.concatenate([numbers[:0], *(numbers[first : first + count] for first, _, count in runs)])
+    differences = (signed_low >> 1).astype(np.uint16) ^ -(signed_low & 1).astype(np.uint16)
+    values = np.cumsum(differences, dtype=np.uint16)
+    flat, taken = np.zeros(pixels, np.uint16), 0
+    for _, place, count in runs:
+        flat[place : place + count] = values[taken : taken + count]
+        taken += count
+    return flat
+
+
+def _runs(numbers, pixels):
+    """(index of its first difference, of its first pixel, length) of each run of pixels that are not 0."""
+    runs, at, place = [], 0, 0
+    while place < pixels:
+        if at + 2 > numbers.size:
+            raise ConversionError(
+                f"RVL stream that ends after {place} of {pixels} pixels; the message is cut short"
+            )
+        zeros, nonzeros = numbers.item(at), numbers.item(at + 1)
+        first, place = at + 2, place + zeros
+        is_empty = (zeros == 0 and runs) or (nonzeros == 0 and place < pixels)
+        if is_empty or place + nonzeros > pixels or first + nonzeros > numbers.size:
+            raise ConversionError(
+                f"RVL stream whose runs do not make {pixels} pixels; the message is damaged"
+            )
+        runs.append((first, place, nonzeros))
+        at, place = first + nonzeros, place + nonzeros
+    return runs
+
+
+def _to_words(numbers):
+    lengths = np.ones(numbers.size, np.int64)
+    for nibble in range(1, _MAX_NIBBLES):
+        lengths += (numbers >> np.uint32(3 * nibble)) != 0
+    starts = np.cumsum(lengths) - lengths
+    nibbles = np.zeros(-(-int(lengths.sum()) // 8) * 8, np.uint8)
+    for nibble in range(lengths.max(initial=0)):
+        longer = lengths > nibble
+        more = (lengths[longer] > nibble + 1) * np.uint8(8)
+        nibbles[starts[longer] + nibble] = (numbers[longer] >> np.uint32(3 * nibble)) & 7 | more
+    highest_first = nibbles[0::2] << 4 | nibbles[1::2]
+    return highest_first.view(">u4").astype("<u4").tobytes()
+
+
+def _from_words(stream):
+    words = np.frombuffer(stream, "<u4", len(stream) // 4)
+    highest_first = words.astype(">u4").view(np.uint8)
+    nibbles = np.empty(2 * highest_first.size, np.uint8)
+    nibbles[0::2], nibbles[1::2] = highest_first >> 4, highest_first & 15
+    ends = np.flatnonzero(nibbles < 8)
+    starts = np.concatenate([[0], ends[:-1] + 1])[: ends.size]
+    lengths = ends - starts + 1
+    if lengths.max(initial=0) > _MAX_NIBBLES:
+        raise ConversionError("RVL stream with a number of more than 32 bits; the message is damaged")
+    numbers = np.zeros(ends.size, np.uint32)
+    for nibble in range(lengths.max(initial=0)):
+        longer = lengths > nibble
+        numbers[longer] |= (nibbles[starts[longer] + nibble] & 7).astype(np.uint32) << np.uint32(3 * nibble)
+    return numbers

@@ -1,0 +1,161 @@
+"""Message conversion against the least that could be done: np.frombuffer, cv2.cvtColor, memcpy.
+
+Budgets: passthrough 1280×720 at most 2 µs and no copy; to another encoding at most 1.2 × the bare
+cv2.cvtColor; array_to_image at most 1.3 × a copy of the pixels into fresh memory, with and without
+ROS_PYTHON_CHECK_FIELDS=1.
+"""
+
+import os
+import subprocess
+import sys
+import timeit
+from types import SimpleNamespace
+
+import cv2
+import numpy as np
+from rich.console import Console
+from side_by_side import print_ratios, time_in_turns
+
+from imgproc_course.messages import (
+    array_to_compressed,
+    array_to_image,
+    compressed_to_array,
+    depth_to_compressed,
+    image_to_array,
+)
+
+HEIGHT, WIDTH = 720, 1280
+PASSTHROUGH_MICROSECONDS = 2.0
+CONVERSIONS = {
+    ("rgb8", "bgr8"): cv2.COLOR_RGB2BGR,
+    ("bgr8", "mono8"): cv2.COLOR_BGR2GRAY,
+    ("bgr8", "bgra8"): cv2.COLOR_BGR2BGRA,
+    ("mono8", "bgr8"): cv2.COLOR_GRAY2BGR,
+    ("bayer_rggb8", "bgr8"): cv2.COLOR_BayerBG2BGR,
+    ("uyvy", "bgr8"): cv2.COLOR_YUV2BGR_UYVY,
+    ("nv12", "bgr8"): cv2.COLOR_YUV2BGR_NV12,
+}
+console = Console(width=110)
+
+
+def frame_of(channels, rows=HEIGHT):
+    shape = (rows, WIDTH) if channels == 1 else (rows, WIDTH, channels)
+    return np.random.default_rng(0).integers(0, 256, shape, dtype=np.uint8)
+
+
+def passthrough():
+    """Prints µs of a view; it must lie in the message's own memory."""
+    msg = array_to_image(frame_of(3), "bgr8")
+    view = image_to_array(msg)
+    is_copy = not np.shares_memory(view, np.frombuffer(msg.data, np.uint8))
+    ways = {
+        "bare np.frombuffer(...).reshape": lambda: np.frombuffer(msg.data, np.uint8).reshape(
+            HEIGHT, WIDTH, 3
+        ),
+        "image_to_array": lambda: image_to_array(msg),
+    }
+    # One call is too short for the clock, and an absolute budget is on the code, not on what else runs on the
+    # machine: the fastest of many short batches.
+    seconds = {name: [] for name in ways}
+    for _ in range(400):
+        for name, way in ways.items():
+            seconds[name].append(timeit.timeit(way, number=100) / 100)
+    fastest = {name: min(taken) for name, taken in seconds.items()}
+    over = print_ratios("passthrough, 1280×720 bgr8", fastest, "bare np.frombuffer(...).reshape")
+    taken = fastest["image_to_array"] * 1e6
+    is_over = taken > PASSTHROUGH_MICROSECONDS
+    copied = "a COPY" if is_copy else "no copy"
+    console.print(
+        f"{taken:.2f} µs, budget {PASSTHROUGH_MICROSECONDS} µs {'OVER' if is_over else 'kept'}; {copied}"
+    )
+    return over + ["passthrough"] * (is_over or is_copy)
+
+
+def conversions():
+    over = []
+    for (source, desired), code in CONVERSIONS.items():
+        rows = HEIGHT * 3 // 2 if source == "nv12" else HEIGHT
+        channels = {"rgb8": 3, "bgr8": 3, "uyvy": 2}.get(source, 1)
+        frame = frame_of(channels, rows)
+        msg = array_to_image(frame, source)
+        ways = {
+            "bare cv2.cvtColor": lambda frame=frame, code=code: cv2.cvtColor(frame, code),
+            "image_to_array": lambda msg=msg, desired=desired: image_to_array(msg, desired),
+        }
+        medians = time_in_turns(ways, rounds=150)
+        over += print_ratios(
+            f"{source} -> {desired}, 1280×720", medians, "bare cv2.cvtColor", {"image_to_array": 1.2}
+        )
+    return over
+
+
+def padded():
+    frame = frame_of(3)
+    rows = np.zeros((HEIGHT, WIDTH * 3 + 64), np.uint8)
+    rows[:, : WIDTH * 3] = frame.reshape(HEIGHT, -1)
+    msg = SimpleNamespace(
+        encoding="rgb8", height=HEIGHT, width=WIDTH, step=rows.shape[1], is_bigendian=0, data=rows.tobytes()
+    )
+    ways = {
+        "bare cv2.cvtColor, no padding": lambda: cv2.cvtColor(frame, cv2.COLOR_RGB2BGR),
+        "image_to_array": lambda: image_to_array(msg, "bgr8"),
+    }
+    print_ratios("padded rgb8 -> bgr8", time_in_turns(ways, rounds=150), "bare cv2.cvtColor, no padding")
+
+
+def to_messages():
+    """The copy that a message must have anyway, into memory as fresh as the message's own."""
+    over = []
+    checks = os.environ.get("ROS_PYTHON_CHECK_FIELDS", "0")
+    for channels, encoding, budget in ((3, "bgr8", 1.3), (1, "mono8", None)):
+        frame = frame_of(channels)
+        ways = {
+            "memcpy: array.tobytes()": lambda frame=frame: frame.tobytes(),
+            "array_to_image": lambda frame=frame, encoding=encoding: array_to_image(frame, encoding),
+        }
+        title = f"array_to_image, 1280×720 {encoding}, ROS_PYTHON_CHECK_FIELDS={checks}"
+        medians = time_in_turns(ways, rounds=500)
+        over += print_ratios(title, medians, "memcpy: array.tobytes()", {"array_to_image": budget})
+    return over
+
+
+def compressed():
+    """No budget: what checking a picture before decoding it costs."""
+    frame = cv2.GaussianBlur(frame_of(3), (0, 0), 5)
+    depth = cv2.GaussianBlur(np.random.default_rng(0).integers(0, 8000, (360, 640)).astype("f4"), (0, 0), 9)
+    depth = depth.astype(np.uint16)
+    for title, msg in {
+        "JPEG, 1280×720 bgr8": array_to_compressed(frame),
+        "PNG, 1280×720 bgr8": array_to_compressed(frame, format="png"),
+        "compressedDepth PNG, 640×360": depth_to_compressed(depth),
+        "compressedDepth RVL, 640×360 (beside its PNG)": depth_to_compressed(depth, format="rvl"),
+    }.items():
+        data = np.frombuffer(msg.data, np.uint8)
+        if "Depth" in title:
+            data = np.frombuffer(depth_to_compressed(depth).data, np.uint8)[12:]
+        ways = {
+            "bare cv2.imdecode": lambda data=data: cv2.imdecode(data, cv2.IMREAD_UNCHANGED),
+            "compressed_to_array": lambda msg=msg: compressed_to_array(msg),
+        }
+        print_ratios(title, time_in_turns(ways, rounds=20), "bare cv2.imdecode")
+
+
+def main():
+    if "--to-messages" in sys.argv:
+        return bool(to_messages())
+    cv2.setNumThreads(1)
+    over = passthrough() + conversions()
+    padded()
+    compressed()
+    for checks in ("0", "1"):
+        environment = {**os.environ, "ROS_PYTHON_CHECK_FIELDS": checks}
+        over += ["array_to_image"] * subprocess.run(
+            [sys.executable, __file__, "--to-messages"], env=environment
+        ).returncode
+    if over:
+        console.print(f"over budget: {', '.join(over)}")
+    return bool(over)
+
+
+if __name__ == "__main__":
+    sys.exit(main())

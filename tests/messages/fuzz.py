@@ -1,0 +1,360 @@
+"""Malformed messages by the million: nothing but ConversionError may come out, and no memory be taken for
+lies.
+
+    python tests/messages/fuzz.py --count 1000000 [--seed 0]
+
+Prints what came out, the slowest case, and the largest allocation as a multiple of the message's bytes. Exits
+with 1 at the first message that breaks a rule, and prints it. A bounded run of the same is in test_fuzz.py.
+"""
+
+import argparse
+import array
+import contextlib
+import os
+import random
+import resource
+import struct
+import sys
+import tempfile
+import time
+import tracemalloc
+import warnings
+import zlib
+from collections import Counter
+from types import SimpleNamespace
+
+import cv2
+import numpy as np
+
+from imgproc_course.messages import (
+    ConversionError,
+    array_to_compressed,
+    array_to_image,
+    compressed_to_array,
+    depth_to_compressed,
+    encoding_info,
+    image_to_array,
+)
+from imgproc_course.messages.depth import RVL_BLANK_PIXELS, RVL_PIXELS_PER_BYTE
+from imgproc_course.messages.encodings import ENCODINGS
+from imgproc_course.messages.picture_headers import JPEG_PIXELS_PER_BYTE, PNG_EXPANSION
+
+SMALL_CHANGE = 64 * 1024  # bytes: error texts, views, caches of Python's own
+IMAGE_MULTIPLE = 24  # of the message's bytes: 1-byte pixels to 16-bit rgba, with one step between, and lists
+PIXEL_BYTES = 64  # of a decoded picture: up to 4 values of 2 bytes, and the steps of a conversion
+SECONDS = 5.0  # of processor time, for any one message
+
+COMMON = ["bgr8", "rgb8", "mono8", "bgra8", "mono16", "rgba16", "8UC1", "16UC1", "32FC3", "64FC1"]
+NUMBERS = [
+    *(0, 1, 2, 3, 4, 5, 7, 8, 12, 24, 255, 256, 65535, 65536),
+    *(2**31 - 1, 2**31, 2**32 - 1, 2**32, 2**33, 2**63 - 1, 2**63, 2**64, 10**30, -1, -8, -(2**31)),
+    *(
+        True,
+        None,
+        1.5,
+        "3",
+        b"4",
+        float("nan"),
+        np.uint32(4),
+        np.uint32(2**32 - 1),
+        np.uint8(2),
+        np.int64(-1),
+    ),
+    *([4], (1,), np.array([2, 2])),
+]
+NAMES = [
+    *ENCODINGS,
+    *("8U", "32F", "8UC5", "8UC512", "64FC512", "8UC0", "8UC513", "16UC00002", "8UC99999999999999999999"),
+    *(
+        "",
+        "passthrough",
+        "BGR8",
+        "bgr8 ",
+        "foo",
+        "8UC",
+        "C3",
+        "16FC1",
+        "mono",
+        "\0",
+        "ä" * 500,
+        "8UC" + "9" * 5000,
+    ),
+    *(None, 8, b"bgr8", ["bgr8"], ("mono8",), float("nan")),
+]
+
+FORMATS = [
+    *("", "jpeg", ";", "rgb8; jpeg compressed rgb8", "bayer_rggb8; png", "x" * 900, None, 3, b"jpeg"),
+    *("32FC1; compressedDepth rvl", "mono16; compressedDepth", "8UC1; compressedDepth png"),
+]
+
+
+class Fuzzer:
+    """Makes one malformed case after another from a seed, runs it, and keeps count."""
+
+    def __init__(self, seed):
+        self.random = random.Random(seed)
+        self.outcomes = Counter()
+        self.slowest = (0.0, "none")
+        self.largest = {"image": (0.0, "none"), "compressed": (0.0, "none"), "array": (0.0, "none")}
+        self.pictures = list(_small_pictures())
+
+    def run(self, count):
+        tracemalloc.start()
+        try:
+            for number in range(count):
+                self.one(number)
+        finally:
+            tracemalloc.stop()
+
+    def one(self, number):
+        make = self.random.choices((self.image, self.compressed, self.array), (6, 3, 1))[0]
+        name, function, arguments, size, limit = make()
+        tracemalloc.reset_peak()
+        before, started = tracemalloc.get_traced_memory()[0], time.process_time()
+        try:
+            result = function(*arguments)
+            outcome = "answered"
+        except ConversionError as error:
+            result, outcome = None, "refused"
+            assert str(error) and len(str(error)) < 1000, f"case {number}: {error}"
+        taken = time.process_time() - started
+        peak = tracemalloc.get_traced_memory()[1] - before
+        case = f"case {number} of {name}: {_described(arguments)}"
+        assert taken < SECONDS, f"{case} took {taken:.1f} s"
+        assert peak <= limit, f"{case}: {size} bytes, peak of {peak}, limit {limit}"
+        assert not isinstance(result, np.ndarray) or result.dtype.isnative, case
+        self.outcomes[f"{name} {outcome}"] += 1
+        self.slowest = max(self.slowest, (taken, case))
+        if peak > SMALL_CHANGE:
+            self.largest[name] = max(self.largest[name], ((peak - SMALL_CHANGE) / max(size, 1), case))
+
+    def image(self):
+        pick = self.random
+        name = pick.choice(list(ENCODINGS))
+        sides = (0, 1, 2, 3, 4, 4, 6, 6, 8, 8) if pick.random() < 0.99 else (100, 128)
+        info, height, width = encoding_info(name), pick.choice(sides), pick.choice(sides)
+        step = width * info.pixel_bytes + pick.choice((0, 0, 0, 1, 2, 5))
+        data = pick.randbytes(step * info.rows(height))
+        msg = SimpleNamespace(
+            encoding=name, height=height, width=width, step=step, is_bigendian=pick.randrange(2), data=data
+        )
+        for _ in range(pick.choice((0, 0, 1, 1, 2, 3))):
+            self.spoil(msg)
+        desired = pick.choice((pick.choice(NAMES), pick.choice(COMMON), "passthrough"))
+        size = _size(getattr(msg, "data", b""))
+        return "image", image_to_array, (msg, desired), size, SMALL_CHANGE + IMAGE_MULTIPLE * size
+
+    def spoil(self, msg):
+        pick = self.random
+        field = pick.choice(("encoding", "height", "width", "step", "is_bigendian", "data", "data"))
+        if not hasattr(msg, field):
+            return
+        if pick.random() < 0.02:
+            delattr(msg, field)
+        elif field == "encoding":
+            msg.encoding = pick.choice(NAMES)
+        elif field == "data":
+            msg.data = self.spoiled_data(msg.data)
+        else:
+            setattr(msg, field, pick.choice(NUMBERS))
+
+    def spoiled_data(self, data):
+        pick = self.random
+        if not isinstance(data, bytes):
+            return data
+        if pick.random() < 0.5:
+            return data[: pick.randrange(len(data) + 1)] if pick.random() < 0.7 else data + b"more"
+        return pick.choice(
+            (
+                lambda: array.array("B", data),
+                lambda: bytearray(data),
+                lambda: memoryview(data),
+                lambda: memoryview(data)[::2],
+                lambda: memoryview(data)[::-1],
+                lambda: list(data),
+                lambda: tuple(data),
+                lambda: np.frombuffer(data, np.uint8),
+                lambda: np.frombuffer(data, np.uint8).reshape(1, -1)[:, ::-1],
+                lambda: np.frombuffer(data, np.uint8).astype(np.uint16),
+                lambda: array.array("d", [1.0, 2.0]),
+                lambda: np.array(["2020-01-01"], "M8[D]"),
+                lambda: np.array([None, {}], object),
+                lambda: [1, 2, 300],
+                lambda: [1, -2],
+                lambda: [10**30],
+                lambda: ["a", None],
+                lambda: "text",
+                lambda: None,
+                lambda: 10**9,
+                lambda: {1: 2},
+            )
+        )()
+
+    def compressed(self):
+        pick = self.random
+        format, data = pick.choice(self.pictures)
+        for _ in range(pick.randrange(4)):
+            data = self.spoiled_picture(data)
+        if pick.random() < 0.2:
+            format = pick.choice(FORMATS)
+        msg = SimpleNamespace(format=format, data=pick.choice((bytes, bytearray, list, memoryview))(data))
+        desired = pick.choice(NAMES) if pick.random() < 0.4 else "passthrough"
+        # What the message's bytes can be at most: a deflate stream of 1-bit pixels, a JPEG, or a blank RVL.
+        pixels = max(8 * PNG_EXPANSION, JPEG_PIXELS_PER_BYTE, RVL_PIXELS_PER_BYTE) * len(data)
+        is_rvl = isinstance(format, str) and "rvl" in format
+        limit = SMALL_CHANGE + PIXEL_BYTES * (pixels + RVL_BLANK_PIXELS * is_rvl)
+        return "compressed", compressed_to_array, (msg, desired), len(data), limit
+
+    def spoiled_picture(self, data):
+        pick, data = self.random, bytearray(data)
+        way = pick.randrange(6)
+        at = pick.randrange(len(data) + 1)
+        if way == 0:
+            return bytes(data[:at])
+        if way == 1:
+            return bytes(data[:at] + pick.randbytes(pick.randrange(1, 9)) + data[at:])
+        if way == 2:
+            return _with_checksums(bytes(data[:at] + pick.randbytes(4) + data[at + 4 :]))
+        if way == 3:  # a huge size where PNG, compressedDepth PNG, RVL and JPEG have theirs
+            at = pick.choice((12, 16, 20, 28, 32, *range(150, 170)))
+            data[at : at + 4] = pick.choice(
+                (b"\xff\xff\xff\xff", b"\x7f\xff\xff\xff", b"\0\1\0\0", b"\0\0\0\0")
+            )
+            return _with_checksums(bytes(data))
+        if way == 4 and data:
+            data[pick.randrange(len(data))] ^= 1 << pick.randrange(8)
+            return bytes(data)
+        return bytes(data[: pick.randrange(len(data) + 1)] + data[at:])
+
+    def array(self):
+        pick = self.random
+        shape = tuple(pick.randrange(7) for _ in range(pick.choice((0, 1, 2, 2, 2, 3, 3, 3, 3, 4))))
+        dtype = pick.choice(
+            [
+                "?",
+                "i1",
+                "u1",
+                "u1",
+                "u1",
+                "u1",
+                "i2",
+                "u2",
+                ">u2",
+                "i4",
+                "u4",
+                "i8",
+                "f2",
+                "f4",
+                ">f4",
+                "f8",
+                "c8",
+                "O",
+                "S3",
+                "M8[s]",
+            ]
+        )
+        values = np.zeros(shape, dtype)
+        values = pick.choice((values, values.T, values[::-1] if shape else values, values.tolist(), None, 3))
+        if pick.random() < 0.02:
+            values = np.broadcast_to(np.uint8(0), (2**20, 2**20, 3))  # 3 TB in one byte
+        encoding = pick.choice((pick.choice(NAMES), pick.choice(COMMON), "mono8", "passthrough"))
+        function, extra = pick.choice(
+            (
+                (array_to_image, ()),
+                (array_to_compressed, (pick.choice(("jpeg", "png", "jpg", "gif", None, 3)),)),
+                (depth_to_compressed, (pick.choice(("png", "rvl", "", None)),)),
+            )
+        )
+        return "array", function, (values, encoding, *extra), 0, SMALL_CHANGE * 4
+
+
+def _small_pictures():
+    """(format, bytes) of pictures that are whole, to be spoiled."""
+    ramp = np.arange(8 * 10 * 3, dtype=np.uint8).reshape(8, 10, 3)
+    depth = (np.arange(80, dtype=np.uint16) * 50).reshape(8, 10)
+    for msg in (
+        array_to_compressed(ramp),
+        array_to_compressed(np.ascontiguousarray(ramp[..., 0]), "mono8"),
+        array_to_compressed(ramp, "rgb8", "png"),
+        array_to_compressed(depth, "16UC1", "png"),
+        depth_to_compressed(depth),
+        depth_to_compressed(depth, format="rvl"),
+        depth_to_compressed(depth.astype(np.float32) / 1000, "32FC1"),
+        depth_to_compressed(depth.astype(np.float32) / 1000, "32FC1", format="rvl"),
+    ):
+        yield msg.format, bytes(msg.data)
+    progressive = cv2.imencode(".jpg", ramp, [cv2.IMWRITE_JPEG_PROGRESSIVE, 1])[1]
+    yield "jpeg", progressive.tobytes()
+    yield "png", cv2.imencode(".png", ramp[..., 0], [cv2.IMWRITE_PNG_BILEVEL, 1])[1].tobytes()
+
+
+def _with_checksums(data):
+    """The same bytes with PNG's checksums made right again, so that a lie gets past them."""
+    start = data.find(b"\x89PNG\r\n\x1a\n")
+    if start < 0:
+        return data
+    data, at = bytearray(data), start + 8
+    while at + 12 <= len(data):
+        length = int.from_bytes(data[at : at + 4], "big")
+        end = at + 8 + length
+        if end + 4 > len(data):
+            break
+        struct.pack_into(">I", data, end, zlib.crc32(data[at + 4 : end]))
+        at = end + 4
+    return bytes(data)
+
+
+def _size(data):
+    try:
+        return memoryview(data).nbytes
+    except (TypeError, ValueError, BufferError):
+        return 8 * len(data) if isinstance(data, list | tuple) else getattr(data, "nbytes", 0)
+
+
+def _described(arguments):
+    def text(value):
+        if isinstance(value, SimpleNamespace):
+            return ", ".join(f"{field}={text(part)}" for field, part in vars(value).items())
+        return f"{value.dtype}{value.shape}" if isinstance(value, np.ndarray) else repr(value)[:600]
+
+    return "; ".join(map(text, arguments))
+
+
+@contextlib.contextmanager
+def captured_stderr():
+    """The file that takes what decoders print past Python meanwhile."""
+    with tempfile.TemporaryFile("w+") as file:
+        kept = os.dup(2)
+        sys.stderr.flush()
+        os.dup2(file.fileno(), 2)
+        try:
+            yield file
+        finally:
+            os.dup2(kept, 2)
+            os.close(kept)
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
+    parser.add_argument("--count", type=int, default=20_000)
+    parser.add_argument("--seed", type=int, default=0)
+    options = parser.parse_args()
+    warnings.simplefilter("error")
+    fuzzer, started = Fuzzer(options.seed), time.perf_counter()
+    with captured_stderr() as printed:
+        fuzzer.run(options.count)
+        printed.seek(0)
+        lines = Counter(line.split(":")[0].strip() for line in printed)
+    seconds = time.perf_counter() - started
+    print(f"{options.count:,} messages, seed {options.seed}, {seconds:.0f} s: only ConversionError came out")
+    for name, count in sorted(fuzzer.outcomes.items()):
+        print(f"  {name}: {count:,}")
+    print(f"slowest: {fuzzer.slowest[0] * 1e3:.1f} ms, {fuzzer.slowest[1][:300]}")
+    for name, (multiple, case) in fuzzer.largest.items():
+        print(f"largest allocation of {name}: {multiple:.1f} x the message's bytes, {case[:200]}")
+    print(f"peak of the process: {resource.getrusage(resource.RUSAGE_SELF).ru_maxrss / 1024:.0f} MiB")
+    print(f"printed by the decoders: {lines.total()} lines, {dict(lines.most_common(5))}")
+
+
+if __name__ == "__main__":
+    main()

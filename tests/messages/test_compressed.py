@@ -1,0 +1,419 @@
+"""CompressedImage both ways: what the format says, what the bytes say, and what is refused."""
+
+import struct
+import zlib
+from types import SimpleNamespace
+
+import cv2
+import numpy as np
+import pytest
+
+from imgproc_course.messages import (
+    ConversionError,
+    array_to_compressed,
+    compressed_to_array,
+    depth_to_compressed,
+)
+from imgproc_course.messages.rvl import rvl_decode, rvl_encode
+
+BGR = np.array([[[255, 0, 0], [0, 255, 0]], [[0, 0, 255], [9, 99, 199]]], np.uint8)
+LEVELS = np.array([[0, 1, 256], [1000, 40000, 65535]], np.uint16)
+
+
+def message(format, data):
+    return SimpleNamespace(format=format, data=data)
+
+
+def png(array, **options):
+    flags = [part for name, value in options.items() for part in (getattr(cv2, f"IMWRITE_PNG_{name}"), value)]
+    return cv2.imencode(".png", array, flags)[1].tobytes()
+
+
+def jpeg(array):
+    return cv2.imencode(".jpg", array, [cv2.IMWRITE_JPEG_QUALITY, 100])[1].tobytes()
+
+
+def plain_png(width, height, depth, color_type, scanlines, *extra_chunks):
+    """A PNG made by hand; `scanlines` is what the deflate stream holds."""
+
+    def chunk(kind, content):
+        return (
+            struct.pack(">I", len(content)) + kind + content + struct.pack(">I", zlib.crc32(kind + content))
+        )
+
+    header = struct.pack(">IIBBBBB", width, height, depth, color_type, 0, 0, 0)
+    chunks = [(b"IHDR", header), *extra_chunks, (b"IDAT", zlib.compress(scanlines)), (b"IEND", b"")]
+    return b"\x89PNG\r\n\x1a\n" + b"".join(chunk(kind, content) for kind, content in chunks)
+
+
+# --- what cv_bridge gets wrong
+
+
+def test_gray_pictures_become_what_is_asked_for():
+    gray = np.array([[0, 100], [200, 255]], np.uint8)
+    msg = message("png", png(gray))
+    assert compressed_to_array(msg).tolist() == gray.tolist()
+    assert compressed_to_array(msg, "mono8").tolist() == gray.tolist()
+    assert compressed_to_array(msg, "bgr8").tolist() == np.stack([gray] * 3, axis=-1).tolist()
+    assert (
+        compressed_to_array(message("jpeg", jpeg(np.full((8, 8), 70, "u1"))), "rgb8")[3, 3].tolist()
+        == [70] * 3
+    )
+
+
+def test_16_bits_keep_their_values_and_scale_by_257():
+    msg = message("png", png(LEVELS))
+    assert compressed_to_array(msg).tolist() == LEVELS.tolist()
+    assert compressed_to_array(msg, "mono16").tolist() == LEVELS.tolist()
+    assert compressed_to_array(msg, "16UC1").tolist() == LEVELS.tolist()
+    assert compressed_to_array(msg, "mono8").tolist() == np.rint(LEVELS / 257).tolist()
+    color = np.stack([LEVELS, LEVELS[::-1], LEVELS], axis=-1)
+    assert (compressed_to_array(message("png", png(color)), "rgb16") == color[..., ::-1]).all()
+
+
+def test_alpha_is_dropped_or_kept_as_asked():
+    bgra = np.dstack([BGR, np.array([[0, 50], [100, 255]], np.uint8)])
+    msg = message("png", png(bgra))
+    assert (compressed_to_array(msg) == bgra).all()
+    assert (compressed_to_array(msg, "bgr8") == BGR).all()
+    assert (compressed_to_array(msg, "rgba8") == bgra[..., [2, 1, 0, 3]]).all()
+
+
+def test_the_result_is_fresh_and_writable():
+    frame = compressed_to_array(message("png", png(BGR)))
+    frame[:] = 3
+    assert (compressed_to_array(message("png", png(BGR))) == BGR).all()
+
+
+# --- what the format says
+
+
+@pytest.mark.parametrize(
+    ("format", "desired", "expected"),
+    [
+        ("png", "bgr8", BGR),
+        ("rgb8; png compressed bgr8", "rgb8", BGR[..., ::-1]),
+        ("rgb8; png compressed bgr8", "passthrough", BGR),
+        ("rgb8; png compressed rgb8", "rgb8", BGR),  # written by someone who did not swap
+        ("rgb8; png compressed rgb8", "bgr8", BGR[..., ::-1]),
+        ("8UC3; png compressed bgr8", "bgr8", BGR),
+        ("nonsense", "bgr8", BGR),
+        ("jpeg", "bgr8", BGR),  # the bytes know better
+    ],
+)
+def test_colors_by_format(format, desired, expected):
+    assert (compressed_to_array(message(format, png(BGR)), desired) == expected).all()
+
+
+def test_16uc1_is_no_gray_level_in_a_png_either():
+    msg = message("16UC1; png compressed ", png(LEVELS))
+    assert compressed_to_array(msg, "32FC1").tolist() == LEVELS.tolist()
+    with pytest.raises(ConversionError, match="scale it yourself"):
+        compressed_to_array(msg, "mono8")
+
+
+def test_a_mosaic_in_a_png_becomes_colors():
+    tile = np.array([[200, 100], [100, 10]], np.uint8)
+    msg = array_to_compressed(np.tile(tile, (3, 3)), "bayer_rggb8", "png")
+    assert msg.format == "bayer_rggb8; png compressed mono8"
+    assert (compressed_to_array(msg) == np.tile(tile, (3, 3))).all()
+    assert (compressed_to_array(msg, "bgr8") == [10, 100, 200]).all()
+
+
+def test_kinds_of_png_that_opencv_does_not_write():
+    one_bit = plain_png(4, 2, 1, 0, b"\0\xa0\0\x50")
+    assert compressed_to_array(message("png", one_bit)).tolist() == [[255, 0, 255, 0], [0, 255, 0, 255]]
+    palette = (b"PLTE", bytes([1, 2, 3, 40, 50, 60]))
+    indexed = plain_png(2, 1, 8, 3, b"\0\0\1", palette)
+    assert compressed_to_array(message("png", indexed)).tolist() == [[[3, 2, 1], [60, 50, 40]]]
+
+
+def test_chunks_that_make_no_pixels_are_dropped_in_silence(capfd):
+    extras = [(b"gAMA", b"\0"), (b"iCCP", b"?"), (b"tEXt", b"Comment\0hello"), (b"acTL", bytes(8))]
+    data = plain_png(2, 1, 8, 0, b"\0\x05\x06", *extras)
+    assert compressed_to_array(message("png", data)).tolist() == [[5, 6]]
+    assert capfd.readouterr().err == ""
+
+
+# --- array to message
+
+
+@pytest.mark.parametrize(
+    ("encoding", "array", "stored"),
+    [
+        ("bgr8", BGR, "bgr8"),
+        ("rgb8", BGR, "bgr8"),
+        ("8UC3", BGR, "bgr8"),
+        ("mono8", BGR[..., 0], "mono8"),
+        ("8UC1", BGR[..., 0], "mono8"),
+        ("rgba8", np.dstack([BGR, BGR[..., :1]]), "bgra8"),
+        ("mono16", LEVELS, "mono16"),
+        ("16UC1", LEVELS, "mono16"),
+        ("rgb16", np.dstack([LEVELS, LEVELS + 1, LEVELS]), "bgr16"),
+    ],
+)
+def test_png_loses_nothing(encoding, array, stored):
+    header = array_to_compressed(array, encoding, "png").header
+    msg = array_to_compressed(array, encoding, "png", header)
+    assert msg.format == f"{encoding}; png compressed {stored}" and msg.header is header
+    assert (compressed_to_array(msg, encoding) == array).all()
+    swapped = array.astype(array.dtype.newbyteorder(">"))
+    assert bytes(array_to_compressed(swapped, encoding, "png").data) == bytes(msg.data)
+
+
+def test_jpeg_keeps_the_colors_in_their_order():
+    flat = np.full((16, 16, 3), (200, 100, 10), np.uint8)
+    msg = array_to_compressed(flat, "rgb8")
+    assert msg.format == "rgb8; jpeg compressed bgr8"
+    assert np.abs(compressed_to_array(msg, "rgb8").astype(int) - flat).max() <= 3
+    assert len(array_to_compressed(flat, quality=5).data) < len(msg.data)
+    with_alpha = np.dstack([flat, flat[..., :1]])
+    assert (
+        np.abs(compressed_to_array(array_to_compressed(with_alpha, "bgra8"))[0, 0] - [200, 100, 10.0]).max()
+        <= 3
+    )
+
+
+BAD_ARRAYS = {
+    "16 bits to jpeg": ((LEVELS, "mono16"), "format='png'"),
+    "a mosaic to jpeg": ((BGR[..., 0], "bayer_rggb8"), "format='png'"),
+    "floats": ((LEVELS.astype("f4"), "32FC1", "png"), "depth_to_compressed"),
+    "two channels": ((BGR[..., :2], "8UC2", "png"), "convert it to 'bgr8'"),
+    "yuv": ((BGR[..., :2], "uyvy", "png"), "convert it to 'bgr8'"),
+    "gray called bgr8": ((BGR[..., 0],), "'bgr8' needs an array of uint8, (H, W, 3)"),
+    "format": ((BGR, "bgr8", "gif"), "'jpeg' or 'png', got 'gif'"),
+    "quality": ((BGR, "bgr8", "jpeg", None, 101), "1 to 100, got 101"),
+    "empty": ((BGR[:0],), "shape (0, 2, 3)"),
+    "too many rows": ((np.zeros((70000, 1), np.uint8), "mono8"), "65500"),
+}
+
+
+@pytest.mark.parametrize("which", BAD_ARRAYS)
+def test_what_the_format_would_change_is_refused(which):
+    arguments, words = BAD_ARRAYS[which]
+    with pytest.raises(ConversionError) as caught:
+        array_to_compressed(*arguments)
+    assert words in str(caught.value)
+
+
+# --- broken data
+
+WHOLE = png(np.arange(3000, dtype=np.uint8).reshape(30, 100))
+
+
+def lying_png(width, height):
+    return plain_png(width, height, 8, 0, bytes(100))
+
+
+def lying_jpeg(width, height):
+    data = bytearray(jpeg(BGR))
+    at = data.index(b"\xff\xc0") + 5
+    data[at : at + 4] = struct.pack(">HH", height, width)
+    return bytes(data)
+
+
+BROKEN = {
+    "empty": (b"", "'data' is empty"),
+    "text": (b"hello, world", "expected a JPEG or PNG"),
+    "tiff": (b"II*\0" + bytes(50), "begins with a TIFF"),
+    "video": (b"\0\0\0\1gxx", "H.264"),
+    "png cut": (WHOLE[:-20], "cut short"),
+    "png cut within a chunk": (WHOLE[: len(WHOLE) // 2], "cut short"),
+    "png, one bit flipped": (WHOLE[:100] + bytes([WHOLE[100] ^ 1]) + WHOLE[101:], "wrong checksum"),
+    "png without header": (WHOLE[:8] + WHOLE[33:], "not its first chunk"),
+    "png of 7 bits": (plain_png(2, 2, 7, 0, bytes(6)), "does not exist"),
+    "png of no pixel": (plain_png(0, 2, 8, 0, bytes(6)), "no pixel"),
+    "png that claims 4 billion rows": (lying_png(1, 2**32 - 1), "so few bytes"),
+    "png that claims 64 TB": (lying_png(2**23, 2**23), "so few bytes"),
+    "jpeg cut": (jpeg(BGR)[:-40], "do not decode"),
+    "jpeg of two bytes": (b"\xff\xd8", "without a readable header"),
+    "jpeg that claims 65535²": (lying_jpeg(65535, 65535), "so few bytes"),
+    "jpeg without rows": (lying_jpeg(2, 0), "no pixel"),
+}
+
+
+@pytest.mark.parametrize("which", BROKEN)
+def test_broken_data_is_refused_in_words_and_in_silence(which, capfd):
+    data, words = BROKEN[which]
+    with pytest.raises(ConversionError) as caught:
+        compressed_to_array(message("jpeg", data), "bgr8")
+    assert words in str(caught.value)
+    assert capfd.readouterr().err == ""
+
+
+def test_blank_pictures_are_small_and_true():
+    """The bounds on what so few bytes can hold must let the emptiest real picture pass."""
+    blank = np.zeros((4000, 4000), np.uint8)
+    options = [cv2.IMWRITE_JPEG_PROGRESSIVE, 1, cv2.IMWRITE_JPEG_OPTIMIZE, 1, cv2.IMWRITE_JPEG_QUALITY, 1]
+    for data in (
+        cv2.imencode(".jpg", blank, options)[1].tobytes(),
+        cv2.imencode(".jpg", np.dstack([blank] * 3), options)[1].tobytes(),
+        png(blank, COMPRESSION=9),
+        png(blank, BILEVEL=1, COMPRESSION=9),
+    ):
+        frame = compressed_to_array(message("", data))
+        assert frame.shape[:2] == (4000, 4000) and frame.max() <= 1  # JPEG of quality 1
+    depth = depth_to_compressed(np.zeros((1080, 1920), np.uint16), format="rvl")
+    assert len(depth.data) < 40 and not compressed_to_array(depth).any()
+
+
+@pytest.mark.parametrize(
+    "container", [lambda d: np.frombuffer(d, "u1").reshape(3, -1), lambda d: np.frombuffer(d, "i1")]
+)
+def test_data_may_be_bytes_of_any_shape(container):
+    data = jpeg(np.full((8, 8, 3), 50, np.uint8))
+    data += bytes(-len(data) % 3)
+    assert compressed_to_array(message("jpeg", container(data)))[0, 0].tolist() == [50, 50, 50]
+
+
+def test_messages_that_are_no_compressed_images():
+    with pytest.raises(ConversionError, match="image_to_array reads an Image"):
+        compressed_to_array(SimpleNamespace(encoding="bgr8", data=b""))
+    with pytest.raises(ConversionError, match="without 'data'"):
+        compressed_to_array(SimpleNamespace(format="jpeg"))
+    with pytest.raises(ConversionError, match="did you mean 'bgr8'"):
+        compressed_to_array(message("png", WHOLE), "BGR8")
+
+
+# --- compressedDepth
+
+DEPTH = np.array([[0, 0, 500], [501, 499, 65535], [0, 1, 0]], np.uint16)
+
+
+@pytest.mark.parametrize("format", ["png", "rvl"])
+def test_depth_in_millimetres_comes_back_exactly(format):
+    msg = depth_to_compressed(DEPTH, format=format)
+    assert msg.format == f"16UC1; compressedDepth {format}"
+    frame = compressed_to_array(msg)
+    assert frame.dtype == np.uint16 and frame.tolist() == DEPTH.tolist()
+    assert compressed_to_array(msg, "32FC1").tolist() == DEPTH.tolist()
+    with pytest.raises(ConversionError, match="scale it yourself"):
+        compressed_to_array(msg, "mono8")
+
+
+@pytest.mark.parametrize("format", ["png", "rvl"])
+def test_depth_in_metres_within_a_step(format):
+    metres = np.array([[0.3, 1.0, 9.99], [np.nan, np.inf, -1.0], [0.0, 2.5, 10.5]], np.float32)
+    back = compressed_to_array(depth_to_compressed(metres, "32FC1", format))
+    assert back.dtype == np.float32
+    is_measured = np.array([[1, 1, 1], [0, 0, 0], [0, 1, 0]], bool)
+    assert (np.isnan(back) == ~is_measured).all()
+    assert (np.abs(back - metres)[is_measured] <= 0.5 * metres[is_measured] ** 2 / 10100 * 1.01 + 1e-6).all()
+
+
+def test_the_formula_of_inverse_depth():
+    """depth = A / (q - B), by hand: 1000 / (501 - 1) = 2 m; q = 0 is NaN."""
+    body = png(np.array([[501, 0, 1001]], np.uint16))
+    msg = message("32FC1; compressedDepth png", struct.pack("<iff", 0, 1000.0, 1.0) + body)
+    assert compressed_to_array(msg).tolist()[0][::2] == [2.0, 1.0]
+    assert np.isnan(compressed_to_array(msg)[0, 1])
+    old_name = message("32FC1; compressedDepth", msg.data)
+    assert compressed_to_array(old_name)[0, 0] == 2.0
+
+
+def test_an_rvl_stream_worked_out_by_hand():
+    """Pixels 0 0 0 500 502 501 0: [3 zeros] [3 not] +500 +2 -1, [1 zero] [0 not].
+
+    Differences with the sign lowest: 500 -> 1000, 2 -> 4, -1 -> 1. In groups of three bits, lowest first, and
+    8 where more follow: 3 -> 3; 3 -> 3; 1000 = 0b1_111_101_000 -> 8 D F 1; 4 -> 4; 1 -> 1; 1 -> 1; 0 -> 0.
+    The nibbles 3 3 8 D F 1 4 1 | 1 0 (padded with 0), each word's lowest byte first.
+    """
+    stream = bytes.fromhex("41f18d33 00000010".replace(" ", ""))
+    assert rvl_decode(stream, 7).tolist() == [0, 0, 0, 500, 502, 501, 0]
+    assert rvl_encode(np.array([0, 0, 0, 500, 502, 501, 0], np.uint16)) == stream
+    body = struct.pack("<iffII", 0, 0.0, 0.0, 7, 1) + stream
+    assert compressed_to_array(message("16UC1; compressedDepth rvl", body)).tolist() == [
+        [0, 0, 0, 500, 502, 501, 0]
+    ]
+
+
+def plain_rvl_encode(pixels):
+    """RVL as its paper describes it, one number and one nibble after another: the slow twin of rvl_encode."""
+    nibbles = []
+
+    def write(number):
+        while True:
+            number, low = number >> 3, number & 7
+            nibbles.append(low | (8 if number else 0))
+            if not number:
+                return
+
+    at, previous = 0, 0
+    while at < len(pixels):
+        zeros = 0
+        while at + zeros < len(pixels) and pixels[at + zeros] == 0:
+            zeros += 1
+        at += zeros
+        nonzeros = 0
+        while at + nonzeros < len(pixels) and pixels[at + nonzeros] != 0:
+            nonzeros += 1
+        write(zeros)
+        write(nonzeros)
+        for value in pixels[at : at + nonzeros]:
+            difference = value - previous
+            write(2 * difference if difference >= 0 else -2 * difference - 1)
+            previous = value
+        at += nonzeros
+    nibbles += [0] * (-len(nibbles) % 8)
+    words = [int("".join(f"{n:x}" for n in nibbles[i : i + 8]), 16) for i in range(0, len(nibbles), 8)]
+    return struct.pack(f"<{len(words)}I", *words)
+
+
+@pytest.mark.parametrize("share", [0.0, 0.1, 0.7, 1.0])
+def test_rvl_is_its_paper_on_pictures_of_every_kind(share):
+    rng = np.random.default_rng(5)
+    for size in (1, 2, 9, 500):
+        for highest in (2, 300, 65536):
+            pixels = rng.integers(0, highest, size) * (rng.random(size) < share)
+            stream = plain_rvl_encode(pixels.tolist())
+            assert rvl_encode(pixels.astype(np.uint16)) == stream
+            assert rvl_decode(stream, size).tolist() == pixels.tolist()
+
+
+def rvl_message(columns, rows, stream):
+    return message("16UC1; compressedDepth rvl", struct.pack("<iffII", 0, 0, 0, columns, rows) + stream)
+
+
+STREAM = plain_rvl_encode([5] * 12)
+BROKEN_DEPTH = {
+    "no picture": (message("16UC1; compressedDepth png", bytes(12)), "cut short"),
+    "no png": (message("16UC1; compressedDepth png", bytes(40)), "expected a PNG"),
+    "png of 8 bits": (
+        message("16UC1; compressedDepth", bytes(12) + png(BGR[..., 0])),
+        "16 bits; decoded uint8",
+    ),
+    "encoding": (message("bgr8; compressedDepth png", bytes(40)), "'16UC1', 'mono16' and '32FC1'"),
+    "rvl without size": (message("16UC1; compressedDepth rvl", bytes(15)), "too short to say its size"),
+    "rvl cut": (rvl_message(4, 3, STREAM[:4]), "RVL"),
+    "rvl of other size": (rvl_message(4, 4, STREAM), "RVL stream"),
+    "rvl too large for its picture": (rvl_message(2, 3, STREAM), "do not make 6 pixels"),
+    "rvl that claims 2**64": (rvl_message(2**32 - 1, 2**32 - 1, STREAM), "made to exhaust the memory"),
+    "rvl that claims 200 MB": (rvl_message(10_000, 10_000, STREAM), "made to exhaust the memory"),
+    "rvl of no pixel": (rvl_message(0, 3, STREAM), "at least 1"),
+    "rvl of endless numbers": (rvl_message(4, 3, b"\xff" * 40), "RVL"),
+    "rvl of empty runs": (rvl_message(4, 3, bytes(400)), "do not make 12 pixels"),
+}
+
+
+@pytest.mark.parametrize("which", BROKEN_DEPTH)
+def test_broken_depth_is_refused_in_words(which):
+    msg, words = BROKEN_DEPTH[which]
+    with pytest.raises(ConversionError) as caught:
+        compressed_to_array(msg)
+    assert words in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        ((DEPTH, "16UC1", "zip"), "'png' or 'rvl'"),
+        ((DEPTH.astype("u1"), "8UC1"), "compressedDepth knows"),
+        ((DEPTH, "32FC1"), "needs an array of float32"),
+        ((DEPTH[:0],), "1 to"),
+        ((DEPTH.astype("f4"), "32FC1", "png", None, 0), "depth_max must be positive"),
+    ],
+)
+def test_what_is_no_depth_is_refused(arguments, words):
+    with pytest.raises(ConversionError) as caught:
+        depth_to_compressed(*arguments)
+    assert words in str(caught.value)

@@ -1,0 +1,387 @@
+"""image_to_array and array_to_image where cv_bridge is wrong, and what a message may be made of."""
+
+import array
+import os
+import subprocess
+import sys
+from types import SimpleNamespace
+
+import cv2
+import numpy as np
+import pytest
+
+from imgproc_course.messages import ConversionError, array_to_image, encoding_info, image_to_array
+
+
+def message(encoding, rows, width, data, *, step=None, is_bigendian=0):
+    step = width * encoding_info(encoding).pixel_bytes if step is None else step
+    return SimpleNamespace(
+        header=None,
+        height=rows,
+        width=width,
+        encoding=encoding,
+        is_bigendian=is_bigendian,
+        step=step,
+        data=data,
+    )
+
+
+def test_a_pixel_is_read_where_it_stands():
+    msg = message("bgr8", 2, 2, bytes(range(12)))
+    assert image_to_array(msg).tolist() == [[[0, 1, 2], [3, 4, 5]], [[6, 7, 8], [9, 10, 11]]]
+    assert image_to_array(msg, "rgb8")[0, 0].tolist() == [2, 1, 0]
+
+
+def test_padding_that_is_no_multiple_of_a_pixel_does_not_shear():
+    rows = [bytes([1, 2, 3, 4, 5, 6]) + b"!", bytes([7, 8, 9, 10, 11, 12]) + b"!"]
+    msg = message("rgb8", 2, 2, b"".join(rows), step=7)
+    assert image_to_array(msg).tolist() == [[[1, 2, 3], [4, 5, 6]], [[7, 8, 9], [10, 11, 12]]]
+    assert image_to_array(msg, "bgr8")[1, 1].tolist() == [12, 11, 10]
+
+
+def test_padding_may_split_a_value_of_two_bytes():
+    msg = message("mono16", 2, 1, b"\x01\x02!\x03\x04!", step=3)
+    assert image_to_array(msg).tolist() == [[0x0201], [0x0403]]
+    assert image_to_array(msg, "mono8").tolist() == [[2], [4]]
+
+
+def test_big_endian_values_come_out_native():
+    msg = message("16UC1", 1, 2, b"\x01\x02\x03\x04", is_bigendian=1)
+    frame = image_to_array(msg)
+    assert frame.tolist() == [[0x0102, 0x0304]] and frame.dtype == np.uint16 and frame.dtype.isnative
+
+
+def test_passthrough_is_a_read_only_view():
+    data = array.array("B", range(12))
+    frame = image_to_array(message("bgr8", 2, 2, data))
+    data[0] = 99
+    assert frame[0, 0, 0] == 99
+    with pytest.raises(ValueError, match="read-only"):
+        frame[0, 0, 0] = 1
+    assert image_to_array(message("bgr8", 2, 2, data), "bgr8").base is not None
+
+
+@pytest.mark.parametrize("width", [1, 2])
+def test_a_view_keeps_its_bytes_alive(width):
+    data = array.array("B", range(12))
+    frame = image_to_array(message("bgr8", 2, width, data, step=6))
+    with pytest.raises(BufferError):
+        data.frombytes(bytes(10_000_000))
+    del data
+    assert frame[1, 0].tolist() == [6, 7, 8]
+
+
+@pytest.mark.parametrize(
+    "container",
+    [
+        bytes,
+        bytearray,
+        memoryview,
+        list,
+        tuple,
+        lambda data: array.array("B", data),
+        lambda data: np.frombuffer(data, np.uint8),
+        lambda data: memoryview(b"".join(bytes([b, 0]) for b in data))[::2],
+        lambda data: np.frombuffer(data, np.uint8)[::-1].copy()[::-1],
+    ],
+)
+def test_data_may_be_any_sequence_of_bytes(container):
+    values = np.array([[1, 515], [65535, 7]], "<u2")
+    assert (image_to_array(message("16UC1", 2, 2, container(values.tobytes()))) == values).all()
+
+
+def test_more_data_than_the_picture_needs_is_ignored():
+    assert image_to_array(message("mono8", 1, 2, b"abXXX")).tolist() == [[97, 98]]
+
+
+@pytest.mark.parametrize("encoding", ["bgr8", "mono16", "nv12", "bayer_rggb8", "uyvy", "32FC1"])
+@pytest.mark.parametrize("size", [(0, 0), (0, 4), (4, 0)])
+def test_empty_pictures_have_the_shape_that_they_say(encoding, size):
+    msg = message(encoding, *size, b"")
+    info = encoding_info(encoding)
+    assert image_to_array(msg).shape == info.shape(*size)
+    if info.color:
+        frame = image_to_array(msg, "bgr16")
+        assert frame.shape == (*size, 3) and frame.dtype == np.uint16
+
+
+REFUSED = {  # what is changed in a right 4 × 4 bgr8 message: the words that must be in the error
+    "step too short": ({"step": 11}, ["'bgr8'", "width 4", "step >= 12", "got 11", "mislabelled"]),
+    "step 0": ({"step": 0}, ["step >= 12", "got 0"]),
+    "data too short": ({"data": bytes(47)}, ["4 rows of 12 bytes need 48", "got 47", "cut short"]),
+    "no data": ({"data": b""}, ["need 48 bytes of data, got 0"]),
+    "is_bigendian 2": ({"is_bigendian": 2}, ["'is_bigendian' is 2", "0 or 1", "set it to 0"]),
+    "is_bigendian 255": ({"is_bigendian": 255}, ["'is_bigendian' is 255"]),
+    "negative": ({"height": -1}, ["'height' is -1", "uint32"]),
+    "beyond uint32": ({"width": 2**32}, ["'width' is 4294967296", "uint32"]),
+    "a product beyond 64 bits": (
+        {"height": 2**32 - 1, "width": 2**32 - 1, "step": 2**32 - 1},
+        ["'bgr8'", "step >= 12884901885"],
+    ),
+    "a product that NumPy's uint32 would wrap": (
+        {"height": np.uint32(2**16), "width": np.uint32(2**16), "step": np.uint32(3 * 2**16)},
+        ["need 12884901888 bytes", "got 48"],
+    ),
+    "a float": ({"height": 4.0}, ["'height' must be an int", "4.0"]),
+    "a text": ({"step": "12"}, ["'step' must be an int", "'12'"]),
+    "unknown encoding": ({"encoding": "BGR8"}, ["unknown encoding 'BGR8'", "did you mean 'bgr8'"]),
+    "encoding no text": ({"encoding": None}, ["encoding: an encoding is a name", "None"]),
+    "too many channels": ({"encoding": "8UC513"}, ["513 channels", "1 to 512"]),
+    "no channels": ({"encoding": "8UC0"}, ["0 channels"]),
+    "data no bytes": ({"data": "text"}, ["'data' must be bytes", "'text'"]),
+    "data of 16 bits": ({"data": np.zeros(48, np.uint16)}, ["'data' must be bytes", "tobytes"]),
+    "a list beyond 255": ({"data": [256] * 48}, ["'data' must be bytes", "0..255"]),
+}
+
+
+@pytest.mark.parametrize("change", REFUSED)
+def test_a_message_at_odds_with_itself_is_refused_in_words(change):
+    fields, words = REFUSED[change]
+    msg = message("bgr8", 4, 4, bytes(48))
+    vars(msg).update(fields)
+    with pytest.raises(ConversionError) as caught:
+        image_to_array(msg)
+    assert [word for word in words if word not in str(caught.value)] == []
+
+
+@pytest.mark.parametrize("field", ["height", "width", "step", "encoding", "is_bigendian", "data"])
+def test_a_missing_field_is_named(field):
+    msg = message("bgr8", 4, 4, bytes(48))
+    delattr(msg, field)
+    with pytest.raises(ConversionError, match=f"without a field '{field}'"):
+        image_to_array(msg)
+
+
+def test_a_compressed_image_is_sent_to_the_right_function():
+    with pytest.raises(ConversionError, match="compressed_to_array"):
+        image_to_array(SimpleNamespace(format="jpeg", data=b""))
+
+
+REFUSALS = {  # (source, desired): the cure that the error must offer
+    ("16UC1", "mono8"): "scale it yourself",
+    ("8UC1", "mono8"): "set msg.encoding to 'mono8'",
+    ("8UC3", "bgr8"): "'rgb8' or 'bgr8'",
+    ("32FC1", "bgr8"): "scale it yourself",
+    ("rgb8", "mono"): "did you mean 'mono8'",
+    ("rgb8", "16UC1"): "take the channels you want",
+    ("bgr8", "uyvy"): "ask for 'bgr8'",
+    ("bayer_rggb8", "bgra8"): "no alpha; ask for 'bgr8'",
+    ("bgr8", None): "desired_encoding: an encoding is a name such as",
+}
+
+
+@pytest.mark.parametrize(("source", "desired"), REFUSALS)
+def test_a_conversion_without_meaning_names_the_cure(source, desired):
+    msg = message(source, 4, 4, bytes(4 * 4 * 8))
+    with pytest.raises(ConversionError) as caught:
+        image_to_array(msg, desired)
+    assert REFUSALS[source, desired] in str(caught.value)
+
+
+def test_float_to_integer_saturates_at_both_ends():
+    values = np.array([[np.inf, 3e9, 1e10, -np.inf, -3e9, np.nan, 1.5, 2.5, 300.0, -1.0]], "f4")
+    msg = array_to_image(values)
+    assert image_to_array(msg, "8UC1").tolist() == [[255, 255, 255, 0, 0, 0, 2, 2, 255, 0]]
+    top, bottom = 2**31 - 1, -(2**31)
+    assert image_to_array(msg, "32SC1").tolist() == [
+        [top, top, top, bottom, bottom, bottom, 2, 2, 300, -1],
+    ]
+
+
+def test_16_to_8_bits_rounds_on_every_value():
+    levels = np.arange(65536, dtype=np.uint16)[None]
+    expected = np.rint(levels / 257).astype(int)
+    assert (image_to_array(array_to_image(levels, "mono16"), "mono8") == expected).all()
+    signed = np.arange(-32768, 32768, dtype=np.int16)[None]
+    assert (image_to_array(array_to_image(signed), "8SC1") == np.rint(signed / 257)).all()
+
+
+# --- YUV: against a formula of our own (BT.601, limited range), which OpenCV rounds
+
+
+def bt601_bgr(y, u, v):
+    y, u, v = 1.164383 * (np.maximum(y, 16.0) - 16), u - 128.0, v - 128.0
+    bgr = np.stack([y + 2.017232 * u, y - 0.391762 * u - 0.812968 * v, y + 1.596027 * v], axis=-1)
+    return np.clip(bgr, 0, 255)
+
+
+@pytest.fixture
+def yuv():
+    rng = np.random.default_rng(3)
+    return rng.integers(0, 256, (6, 8)), rng.integers(0, 256, (6, 8)), rng.integers(0, 256, (6, 8))
+
+
+def laid_out(encoding, y, u, v):
+    """(bytes, the u and v that each pixel gets) of planes in the order of an encoding."""
+    if encoding in ("uyvy", "yuyv", "yuv422", "yuv422_yuy2"):
+        u, v = np.repeat(u[:, ::2], 2, axis=1), np.repeat(v[:, ::2], 2, axis=1)
+        chroma = np.where(np.arange(8) % 2, v, u)
+        pair = (chroma, y) if encoding in ("uyvy", "yuv422") else (y, chroma)
+        return np.stack(pair, axis=-1).astype("u1").tobytes(), u, v
+    if encoding == "nv24":
+        return np.concatenate([y.ravel(), np.stack([u, v], axis=-1).ravel()]).astype("u1").tobytes(), u, v
+    small_u, small_v = u[::2, ::2], v[::2, ::2]
+    pair = (small_u, small_v) if encoding == "nv12" else (small_v, small_u)
+    data = np.concatenate([y.ravel(), np.stack(pair, axis=-1).ravel()]).astype("u1").tobytes()
+    return data, *(np.repeat(np.repeat(c, 2, axis=0), 2, axis=1) for c in (small_u, small_v))
+
+
+YUV = ["uyvy", "yuyv", "yuv422", "yuv422_yuy2", "nv12", "nv21", "nv24"]
+
+
+@pytest.mark.parametrize("encoding", YUV)
+def test_yuv_to_colors_and_gray(encoding, yuv):
+    y, u, v = yuv
+    data, u, v = laid_out(encoding, y, u, v)
+    msg = message(encoding, 6, 8, data)
+    bgr = image_to_array(msg, "bgr8")
+    assert np.abs(bgr - bt601_bgr(y, u, v)).max() <= 1
+    assert (image_to_array(msg, "rgb8") == bgr[..., ::-1]).all()
+    assert (image_to_array(msg, "bgra8")[..., :3] == bgr).all()
+    assert (image_to_array(msg, "rgba8")[..., 3] == 255).all()
+    assert (image_to_array(msg, "mono8") == y).all()
+    assert (image_to_array(msg, "bgr16") == bgr.astype(int) * 257).all()
+
+
+@pytest.mark.parametrize("encoding", ["nv12", "nv21", "nv24"])
+def test_planar_pictures_with_padding(encoding, yuv):
+    data, *_ = laid_out(encoding, *yuv)
+    tight = message(encoding, 6, 8, data)
+    pads = 5 if encoding != "nv24" else 10
+    rows = [data[i : i + 8] + bytes(5) for i in range(0, 48, 8)]
+    width = 8 if encoding != "nv24" else 16
+    rows += [data[i : i + width] + bytes(pads) for i in range(48, len(data), width)]
+    padded = message(encoding, 6, 8, b"".join(rows), step=13)
+    assert image_to_array(padded).shape == encoding_info(encoding).shape(6, 8)
+    assert (image_to_array(padded) == image_to_array(tight)).all()
+    assert (image_to_array(padded, "bgr8") == image_to_array(tight, "bgr8")).all()
+
+
+def test_odd_sizes_that_opencv_would_read_past():
+    with pytest.raises(ConversionError, match="width 3 is odd"):
+        image_to_array(message("uyvy", 2, 3, bytes(12)), "bgr8")
+    assert image_to_array(message("uyvy", 2, 3, bytes(12))).shape == (2, 3, 2)
+    with pytest.raises(ConversionError, match="both must be even"):
+        image_to_array(message("nv12", 3, 4, bytes(100)))
+    with pytest.raises(ConversionError, match="step is the length of a row of Y"):
+        image_to_array(message("nv12", 4, 4, bytes(24), step=6))
+
+
+def test_bayer_colors_are_those_of_the_mosaic():
+    """A scene of one color: every pattern must find it, whichever pixel comes first."""
+    blue, green, red = 10, 100, 200
+    sites = {"r": red, "g": green, "b": blue}
+    for pattern in ("rggb", "bggr", "gbrg", "grbg"):
+        tile = np.array([sites[c] for c in pattern], np.uint8).reshape(2, 2)
+        msg = array_to_image(np.tile(tile, (4, 4)), f"bayer_{pattern}8")
+        assert (image_to_array(msg, "bgr8") == [blue, green, red]).all(), pattern
+        assert (image_to_array(msg, "rgb8") == [red, green, blue]).all(), pattern
+        gray = image_to_array(msg, "mono8")
+        assert np.abs(gray.astype(float) - (0.114 * blue + 0.587 * green + 0.299 * red)).max() < 1.5
+
+
+# --- array to message
+
+
+def test_a_message_says_everything_of_its_array():
+    array_ = np.arange(24, dtype=np.uint8).reshape(2, 4, 3)
+    header = array_to_image(array_).header
+    msg = array_to_image(array_, "rgb8", header)
+    assert (msg.height, msg.width, msg.encoding, msg.is_bigendian, msg.step) == (2, 4, "rgb8", 0, 12)
+    assert bytes(msg.data) == bytes(range(24)) and msg.header is header
+    array_[0] = 99
+    assert bytes(msg.data) == bytes(range(24))
+
+
+def test_big_endian_arrays_keep_their_bytes():
+    msg = array_to_image(np.array([[1, 2]], ">u2"), "mono16")
+    assert (msg.is_bigendian, bytes(msg.data)) == (1, b"\0\1\0\2")
+    assert image_to_array(msg).tolist() == [[1, 2]]
+
+
+def test_planar_arrays_say_the_height_of_the_picture():
+    msg = array_to_image(np.zeros((6, 4), np.uint8), "nv12")
+    assert (msg.height, msg.width, msg.step, len(msg.data)) == (4, 4, 4, 24)
+    msg = array_to_image(np.zeros((6, 3), np.uint8), "nv24")
+    assert (msg.height, msg.width, msg.step) == (2, 3, 3)
+
+
+U1 = np.zeros((4, 6, 3), np.uint8)
+BAD_ARRAYS = {  # array, encoding, words of the error
+    "no array": ([[1]], "mono8", ["expected a NumPy array", "a list", "np.asarray"]),
+    "one axis": (U1[0, 0], "passthrough", ["(H, W)", "(3,)"]),
+    "four axes": (U1[None], "passthrough", ["(1, 4, 6, 3)", "one picture at a time"]),
+    "bool": (np.zeros((2, 2), bool), "mono8", ["bool", "* 255"]),
+    "int64": (np.zeros((2, 2), np.int64), "mono8", ["int64", "astype('uint8')"]),
+    "float16": (np.zeros((2, 2), np.float16), "32FC1", ["float16", "astype('float32')"]),
+    "channels": (U1, "rgba8", ["'rgba8'", "(H, W, 4)", "(4, 6, 3)", "'rgb8' or 'bgr8'"]),
+    "depth": (U1, "bgr16", ["'bgr16'", "uint16", "convert the values to uint16"]),
+    "unknown": (U1, "bgr", ["unknown encoding 'bgr'", "did you mean 'bgr8'"]),
+    "encoding no text": (U1, None, ["encoding: an encoding is a name"]),
+    "no channels": (U1[..., :0], "passthrough", ["0 channels"]),
+    "600 channels": (np.zeros((1, 1, 600), "u1"), "passthrough", ["600 channels", "512"]),
+    "nv12 of odd width": (U1[:3, :3, 0], "nv12", ["(3, 3)", "'nv12'", "(H * 3 / 2, W)"]),
+    "masked": (np.ma.masked_equal(U1[..., 0], 0), "mono8", ["mask", "filled(0)"]),
+    "too large": (np.broadcast_to(np.uint8(0), (2**20, 2**20)), "mono8", ["too large", "4294967295"]),
+}
+
+
+@pytest.mark.parametrize("which", BAD_ARRAYS)
+def test_an_array_that_no_message_holds_is_refused_in_words(which):
+    array_, encoding, words = BAD_ARRAYS[which]
+    with pytest.raises(ConversionError) as caught:
+        array_to_image(array_, encoding)
+    assert [word for word in words if word not in str(caught.value)] == []
+
+
+# --- where it runs
+
+
+def run_python(code, **environment):
+    done = subprocess.run(
+        [sys.executable, "-c", code],
+        env={**os.environ, **environment},
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    assert done.returncode == 0, done.stderr
+    return done.stdout.strip()
+
+
+def test_importing_the_room_imports_no_message_package():
+    code = "import sys, imgproc_course.messages as m; print([n for n in sys.modules if n.split('.')[0] in "
+    assert run_python(code + "('rclpy', 'sensor_msgs', 'rosbags', 'imgproc_course.imaging')])") == "[]"
+
+
+ROUND_TRIP = """
+import numpy as np
+from imgproc_course.messages import *
+a = np.arange(24, dtype=np.uint8).reshape(2, 4, 3)
+msg = array_to_image(a, "bgr8")
+assert (image_to_array(msg) == a).all()
+assert (compressed_to_array(array_to_compressed(a, format="png")) == a).all()
+print(type(msg).__module__.split(".")[0], type(msg.header).__module__.split(".")[0])
+"""
+
+
+def test_without_sensor_msgs_messages_are_those_of_rosbags():
+    hidden = "import sys; sys.modules['sensor_msgs'] = None\n"
+    assert run_python(hidden + ROUND_TRIP) == "rosbags rosbags"
+
+
+@pytest.mark.ros
+@pytest.mark.parametrize("checks", ["0", "1"])
+def test_with_sensor_msgs_in_every_configuration_of_rclpy(checks):
+    assert run_python(ROUND_TRIP, ROS_PYTHON_CHECK_FIELDS=checks) == "sensor_msgs std_msgs"
+
+
+@pytest.mark.ros
+def test_a_wrong_header_is_refused_where_rclpy_checks_fields():
+    code = "import numpy as np\nfrom imgproc_course.messages import *\n"
+    code += "try: array_to_image(np.zeros((1, 1), 'u1'), header=3)\nexcept ConversionError as e: print(e)"
+    assert "header must be a std_msgs/Header" in run_python(code, ROS_PYTHON_CHECK_FIELDS="1")
+
+
+def test_reads_the_constants_of_this_opencv():
+    assert cv2.COLOR_BayerBG2BGR != cv2.COLOR_BayerRG2BGR

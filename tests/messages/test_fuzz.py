@@ -1,0 +1,18 @@
+"""A bounded run of fuzz.py; the full one is `python tests/messages/fuzz.py --count 1000000`."""
+
+import importlib.util
+from pathlib import Path
+
+SPEC = importlib.util.spec_from_file_location("messages_fuzz", Path(__file__).with_name("fuzz.py"))
+fuzz = importlib.util.module_from_spec(SPEC)
+SPEC.loader.exec_module(fuzz)
+
+
+def test_malformed_messages_raise_nothing_but_conversion_error(capfd):
+    fuzzer = fuzz.Fuzzer(seed=7)
+    with capfd.disabled(), fuzz.captured_stderr():
+        fuzzer.run(8_000)
+    for kind in ("image", "compressed", "array"):  # both ways out were tried, or the fuzz has gone blind
+        assert fuzzer.outcomes[f"{kind} answered"] > 10
+        assert fuzzer.outcomes[f"{kind} refused"] > 100
+    assert 1 < fuzzer.largest["image"][0] < fuzz.IMAGE_MULTIPLE
