@@ -1,0 +1,297 @@
+"""The course's own recording: every number that a lesson may state about it."""
+
+import hashlib
+import threading
+from collections import Counter
+
+import cv2
+import numpy as np
+import pytest
+
+from imgproc_course.recording import FrameIndexError, NotRecordedError, RecordingError, open_recording
+from imgproc_course.recording.message_classes import installed_class
+
+CAMERA = "/kachaka/front_camera/image_raw/compressed"
+POSES = ["camera", "person", "ball", "toycar", "marker"]
+START = 1_767_600_000 * 10**9
+
+
+def digest(data):
+    return hashlib.sha256(data).hexdigest()[:16]
+
+
+def test_every_topic_has_its_type_and_its_count(drive):
+    image, pose = "sensor_msgs/msg/CompressedImage", "geometry_msgs/msg/PoseStamped"
+    assert drive.topics == {
+        CAMERA: image,
+        "/kachaka/front_camera/camera_info": "sensor_msgs/msg/CameraInfo",
+        "/truth/depth": image,
+        "/truth/labels": image,
+        "/truth/scene": "std_msgs/msg/String",
+        **{f"/truth/pose/{name}": pose for name in POSES},
+    }
+    counts = Counter(topic for topic, _ in drive)
+    assert counts == {**dict.fromkeys(drive.topics, 90), "/truth/scene": 1}
+    assert len(drive) == 90
+    assert drive.camera_topic == CAMERA
+
+
+def test_pictures_are_stamped_ten_a_second(drive):
+    assert drive.stamps.dtype == np.int64
+    assert drive.stamps.tolist() == [START + k * 10**8 for k in range(90)]
+    assert drive.rate == pytest.approx(10.0, abs=1e-12)
+
+
+def test_messages_come_in_the_order_of_recording_with_one_stamp_a_moment(drive):
+    stamps = [
+        (message.header.stamp.sec * 10**9 + message.header.stamp.nanosec, topic)
+        for topic, message in drive
+        if topic != "/truth/scene"
+    ]
+    assert [stamp for stamp, _ in stamps] == [START + k * 10**8 for k in range(90) for _ in range(9)]
+    assert stamps[9][1] == CAMERA
+
+
+@pytest.mark.parametrize(
+    ("k", "size", "jpeg"),
+    [(0, 159329, "a7bbcde3737e6f49"), (45, 179165, "eef1bf3b4f4e85af"), (89, 179989, "725cf85255590950")],
+)
+def test_a_picture_is_the_rendered_jpeg_untouched(drive, k, size, jpeg):
+    message = drive.message(k)
+    assert message.format == "jpeg"
+    assert message.header.frame_id == "camera_front"
+    data = np.frombuffer(message.data, np.uint8)
+    assert (data.size, digest(data)) == (size, jpeg)
+    np.testing.assert_array_equal(drive.frame(k), cv2.imdecode(data, cv2.IMREAD_COLOR))
+
+
+def test_a_frame_comes_in_the_encoding_that_was_asked_for(drive):
+    bgr = drive.frame(45)
+    assert (bgr.shape, bgr.dtype) == ((720, 1280, 3), np.uint8)
+    assert (
+        np.abs(bgr[360, 640].astype(int) - [143, 156, 170]).max() <= 2
+    )  # JPEG decoders differ by a level or two
+    np.testing.assert_array_equal(drive.frame(45, "rgb8"), bgr[..., ::-1])
+    np.testing.assert_array_equal(drive.frame(45, "mono8"), cv2.cvtColor(bgr, cv2.COLOR_BGR2GRAY))
+
+
+def test_numbers_count_from_the_end_too(drive):
+    assert bytes(drive.raw(-1)) == bytes(drive.raw(89))
+    np.testing.assert_array_equal(drive.frame(np.int64(-90)), drive.frame(0))
+
+
+def test_camera_info_is_the_true_lens(drive):
+    info = drive.camera_info
+    assert (info.header.frame_id, info.width, info.height) == ("camera_front", 1280, 720)
+    assert info.distortion_model == "plumb_bob"
+    assert list(info.d) == [-0.17, 0.035, 0.0004, -0.0003, 0.0]
+    assert list(info.k) == [705.0, 0, 639.5, 0, 705.0, 359.5, 0, 0, 1]
+    assert list(info.r) == [1, 0, 0, 0, 1, 0, 0, 0, 1]
+    assert list(info.p) == [705.0, 0, 639.5, 0, 0, 705.0, 359.5, 0, 0, 0, 1, 0]
+
+
+@pytest.mark.parametrize(
+    ("k", "millimetres", "whole"),
+    [
+        (0, [1813, 5398, 533, 322], "030c00e35679a560"),
+        (45, [2883, 4586, 505, 323], "cb79257c8082111c"),
+        (89, [1997, 350, 501, 321], "51da41e2662d0b4a"),
+    ],
+)
+def test_depth_is_in_millimetres(drive, k, millimetres, whole):
+    depth = drive.depth(k)
+    assert (depth.shape, depth.dtype) == ((360, 640), np.uint16)
+    assert [int(depth[at]) for at in ((0, 0), (180, 320), (300, 100), (359, 639))] == millimetres
+    assert digest(depth.tobytes()) == whole
+
+
+def test_depth_is_stored_as_compressed_depth_image_transport_writes_it(drive):
+    message = dict(_first_messages(drive))["/truth/depth"]
+    data = bytes(message.data)
+    assert message.format == "16UC1; compressedDepth png"
+    assert data[:12] == bytes(12)
+    assert data[12:20] == b"\x89PNG\r\n\x1a\n"
+
+
+@pytest.mark.parametrize(
+    ("k", "counts", "whole"),
+    [
+        (0, {"floor": 391050, "ball": 2890, "marker": 3449, "person": 6760}, "83c946e06ba3c62a"),
+        (45, {"floor": 234623, "ball": 8144, "marker": 5936, "person": 14550}, "f4b75590fd1d339f"),
+        (89, {"floor": 163888, "ball": 111941, "marker": 16341, "person": 17506}, "9bf884e80b9e635d"),
+    ],
+)
+def test_labels_name_what_each_pixel_shows(drive, k, counts, whole):
+    labels = drive.labels(k)
+    assert (labels.shape, labels.dtype) == ((720, 1280), np.uint8)
+    number = {name: number for number, name in drive.label_names.items()}
+    assert {name: int((labels == number[name]).sum()) for name in counts} == counts
+    assert digest(labels.tobytes()) == whole
+
+
+def test_label_names_and_marker_are_kept(drive):
+    assert len(drive.label_names) == 20
+    assert (drive.label_names[0], drive.label_names[16], drive.label_names[19]) == (
+        "background",
+        "person",
+        "clutter",
+    )
+    assert drive.scene["marker"] == {"dictionary": "DICT_4X4_50", "id": 7, "side": 0.25}
+    assert "rendered" in drive.scene["made_by"]
+
+
+def test_the_marker_is_where_its_pose_says(drive):
+    """Projects the marker's centre through K, D and both poses: it must fall on pixels labelled marker."""
+    camera, marker = drive.pose("camera", 89), drive.pose("marker", 89)
+    x, y, z, w = camera[3:]
+    rotation = np.array(
+        [
+            [1 - 2 * (y * y + z * z), 2 * (x * y - z * w), 2 * (x * z + y * w)],
+            [2 * (x * y + z * w), 1 - 2 * (x * x + z * z), 2 * (y * z - x * w)],
+            [2 * (x * z - y * w), 2 * (y * z + x * w), 1 - 2 * (x * x + y * y)],
+        ]
+    )
+    in_camera = rotation.T @ (marker[:3] - camera[:3])
+    k, d = np.reshape(drive.camera_info.k, (3, 3)), np.array(drive.camera_info.d)
+    (pixel,) = cv2.projectPoints(in_camera.reshape(1, 3), np.zeros(3), np.zeros(3), k, d)[0].reshape(-1, 2)
+    col, row = np.rint(pixel).astype(int)
+    assert drive.label_names[int(drive.labels(89)[row, col])] == "marker"
+    assert int(drive.depth(89)[row // 2, col // 2]) == pytest.approx(1000 * in_camera[2], abs=15)
+
+
+@pytest.mark.parametrize(
+    ("name", "k", "expected"),
+    [
+        ("camera", 0, [0.0, 0.0, 0.20042073726654053]),
+        ("camera", 45, [1.215000033378601, 0.05510295554995537, 0.20006459951400757]),
+        ("person", 45, [4.929999828338623, 0.2729283571243286, 0.0]),
+        ("ball", 45, [2.7365245819091797, 0.14327868819236755, 0.12200000137090683]),
+        ("toycar", 45, [2.519583225250244, -2.220446049250313e-16, 0.012000000104308128]),
+        ("marker", 45, [4.338639736175537, -0.6213698387145996, 0.2255185842514038]),
+    ],
+)
+def test_poses_are_the_rendered_ones(drive, name, k, expected):
+    pose = drive.pose(name, k)
+    assert (pose.shape, pose.dtype) == ((7,), np.float64)
+    assert pose[:3].tolist() == expected
+    assert np.linalg.norm(pose[3:]) == pytest.approx(1, abs=1e-6)
+
+
+def test_the_quaternion_of_a_pose_is_in_the_order_x_y_z_w(drive):
+    assert drive.pose("camera", 45)[3:].tolist() == [
+        -0.42205947637557983,
+        0.5663168430328369,
+        -0.5676221251487732,
+        0.42303207516670227,
+    ]
+
+
+def test_a_pose_is_stamped_in_the_world(drive):
+    message = dict(_first_messages(drive))["/truth/pose/ball"]
+    assert message.header.frame_id == "world"
+
+
+def test_messages_are_of_the_classes_that_publishers_take(drive):
+    for topic, message in _first_messages(drive):
+        package, _, kind = drive.topics[topic].split("/")
+        wanted = installed_class(drive.topics[topic])
+        assert type(message).__name__.endswith(kind)
+        if wanted is not None:
+            assert type(message) is wanted
+            assert type(message).__module__.startswith(f"{package}.msg")
+
+
+def test_a_restamped_serialized_message_differs_in_its_stamp_alone(drive):
+    raw, stamp = drive.raw(3), 1_800_000_000_987_654_321
+    restamped = drive.raw(3, stamp=stamp)
+    assert raw[:4] == restamped[:4]
+    assert raw[12:] == restamped[12:]
+    assert int.from_bytes(restamped[4:8], "little") == 1_800_000_000
+    assert int.from_bytes(restamped[8:12], "little") == 987_654_321
+
+
+@pytest.mark.ros
+def test_serialized_messages_are_those_of_ros(drive):
+    from rclpy.serialization import deserialize_message
+    from sensor_msgs.msg import CameraInfo, CompressedImage
+
+    assert deserialize_message(drive.raw(7), CompressedImage) == drive.message(7)
+    raw = drive.raw(0, "/kachaka/front_camera/camera_info")
+    assert deserialize_message(raw, CameraInfo) == drive.camera_info
+
+
+@pytest.mark.parametrize("k", [90, -91, 10**30])
+def test_a_number_out_of_range_says_the_range(drive, k):
+    for read in (drive.frame, drive.message, drive.raw, drive.depth, drive.labels):
+        with pytest.raises(FrameIndexError, match=r"^drive has pictures 0 to 89, -?\d+ was asked for$"):
+            read(k)
+    with pytest.raises(IndexError, match="0 to 89"):
+        drive.pose("ball", k)
+
+
+@pytest.mark.parametrize("k", [1.0, "3", None])
+def test_a_number_that_is_no_whole_number_is_refused(drive, k):
+    with pytest.raises(FrameIndexError, match="whole number"):
+        drive.frame(k)
+
+
+def test_an_unknown_pose_says_which_there_are(drive):
+    with pytest.raises(KeyError) as caught:
+        drive.pose("cat", 0)
+    assert str(caught.value) == "drive holds no pose 'cat'; it holds camera, person, ball, toycar, marker"
+
+
+def test_an_unknown_topic_says_which_there_are(drive):
+    with pytest.raises(NotRecordedError, match=r"holds no /tf; it holds /kachaka/front_camera/image_raw"):
+        drive.raw(0, "/tf")
+
+
+def test_a_closed_recording_says_so():
+    recording = open_recording()
+    recording.frame(0)
+    recording.close()
+    recording.close()
+    for read in (lambda: recording.frame(0), lambda: next(iter(recording)), lambda: recording.stamps):
+        with pytest.raises(RecordingError, match="is closed; open it again"):
+            read()
+
+
+def test_an_iteration_that_is_left_early_leaves_no_file_open(drive):
+    for topic, message in drive:
+        assert topic == "/truth/scene"
+        assert "label_names" in message.data
+        break
+
+
+def test_many_threads_read_the_right_messages(drive):
+    expected = [digest(drive.raw(k)) for k in range(90)]
+    with open_recording() as shared:
+        found, wrong = threading.Semaphore(0), []
+
+        def read(seed):
+            for k in np.random.default_rng(seed).permutation(90):
+                if digest(shared.raw(int(k))) != expected[k]:
+                    wrong.append(k)
+            found.release()
+
+        threads = [threading.Thread(target=read, args=(seed,)) for seed in range(4)]
+        for thread in threads:
+            thread.start()
+        assert sum(1 for _ in shared) == 811
+        for thread in threads:
+            thread.join()
+        assert wrong == []
+        assert all(found.acquire(blocking=False) for _ in threads)
+
+
+def test_it_says_what_it_is(drive):
+    assert repr(drive) == f"<Recording 'drive': 90 pictures on {CAMERA}, 10 topics>"
+
+
+def _first_messages(recording):
+    seen = {}
+    for topic, message in recording:
+        seen.setdefault(topic, message)
+        if len(seen) == len(recording.topics):
+            return list(seen.items())
+    raise AssertionError(f"only {list(seen)} came")

@@ -1,0 +1,248 @@
+"""A learner's own bags: both storages, folder or file, raw or compressed pictures, any topic name."""
+
+import shutil
+
+import cv2
+import numpy as np
+import pytest
+from rosbags.rosbag2 import CompressionFormat, CompressionMode
+
+from imgproc_course.recording import NotRecordedError, open_recording
+from imgproc_course.recording.message_classes import installed_class
+
+from .conftest import START, TYPES, BagWriter, compressed, gray_pixels, header, raw_image, write_raw_bag
+
+
+@pytest.fixture(params=["mcap", "sqlite3"])
+def storage(request):
+    return request.param
+
+
+@pytest.fixture
+def raw_bag(tmp_path, storage):
+    return write_raw_bag(tmp_path / "mine", storage)
+
+
+def the_file(folder):
+    (file,) = [path for path in folder.iterdir() if path.suffix in (".mcap", ".db3")]
+    return file
+
+
+def assert_holds_the_raw_pictures(recording):
+    assert len(recording) == 6
+    assert recording.camera_topic == "/my/cam"
+    assert recording.topics == {"/my/cam": "sensor_msgs/msg/Image"}
+    for k in (5, 0, 3):
+        np.testing.assert_array_equal(recording.frame(k, "mono8"), gray_pixels(k))
+        np.testing.assert_array_equal(recording.frame(k), np.repeat(gray_pixels(k)[..., None], 3, axis=2))
+    assert recording.stamps.tolist() == [START + k * 10**8 for k in range(6)]
+    assert recording.rate == pytest.approx(10)
+
+
+def test_a_folder(raw_bag):
+    with open_recording(raw_bag) as recording:
+        assert_holds_the_raw_pictures(recording)
+
+
+def test_a_path_as_text(raw_bag):
+    with open_recording(str(raw_bag)) as recording:
+        assert_holds_the_raw_pictures(recording)
+
+
+def test_a_single_file(raw_bag, tmp_path):
+    alone = tmp_path / the_file(raw_bag).name
+    shutil.copy(the_file(raw_bag), alone)
+    with open_recording(alone) as recording:
+        assert_holds_the_raw_pictures(recording)
+
+
+def test_a_folder_whose_metadata_is_gone_but_whose_one_file_is_whole(raw_bag):
+    (raw_bag / "metadata.yaml").unlink()
+    with open_recording(raw_bag) as recording:
+        assert_holds_the_raw_pictures(recording)
+
+
+def test_its_metadata_file(raw_bag):
+    with open_recording(raw_bag / "metadata.yaml") as recording:
+        assert_holds_the_raw_pictures(recording)
+
+
+def test_a_path_in_the_home_folder(raw_bag, monkeypatch):
+    monkeypatch.setenv("HOME", str(raw_bag.parent))
+    monkeypatch.setenv("USERPROFILE", str(raw_bag.parent))
+    with open_recording("~/mine") as recording:
+        assert_holds_the_raw_pictures(recording)
+
+
+@pytest.mark.parametrize("mode", [CompressionMode.FILE, CompressionMode.MESSAGE])
+def test_a_compressed_bag(tmp_path, storage, mode):
+    path = write_raw_bag(tmp_path / "mine", storage, compression=(mode, CompressionFormat.ZSTD))
+    with open_recording(path) as recording:
+        assert_holds_the_raw_pictures(recording)
+
+
+def test_compressed_chunks(tmp_path):
+    compression = (CompressionMode.STORAGE, CompressionFormat.ZSTD)
+    with open_recording(write_raw_bag(tmp_path / "mine", compression=compression)) as recording:
+        assert_holds_the_raw_pictures(recording)
+
+
+def test_iteration_yields_the_messages(raw_bag):
+    with open_recording(raw_bag) as recording:
+        seen = [(topic, np.array(msg.data), msg.encoding, msg.header.frame_id) for topic, msg in recording]
+    assert [(topic, encoding, frame) for topic, _, encoding, frame in seen] == [
+        ("/my/cam", "mono8", "lens")
+    ] * 6
+    for k, (_, data, _, _) in enumerate(seen):
+        np.testing.assert_array_equal(data, gray_pixels(k).ravel())
+
+
+def test_an_mcap_without_an_index(tmp_path):
+    """Such a file is read from its front; finding one message must not lose the place of the search."""
+    pictures = [np.random.default_rng(k).bytes(700_000) for k in range(6)]  # a chunk holds two
+    with BagWriter(tmp_path / "mine") as bag:
+        for k, picture in enumerate(pictures):
+            bag.write("/cam", compressed(picture, START + k), START + k)
+    file = tmp_path / "mine" / "mine.mcap"
+    data = bytearray(file.read_bytes())
+    data[-28:-20] = bytes(8)  # the footer's pointer to the summary
+    file.write_bytes(data)
+    with open_recording(file) as recording:
+        for k in (0, 3, 0, 5, 4, 1):
+            assert bytes(recording.message(k).data) == pictures[k]
+
+
+def test_lists_in_messages_keep_their_elements(tmp_path):
+    point, quaternion = (TYPES.types[f"geometry_msgs/msg/{kind}"] for kind in ("Point", "Quaternion"))
+    pose = TYPES.types["geometry_msgs/msg/Pose"]
+    poses = [pose(point(i, 0.0, 0.0), quaternion(0.0, 0.0, 0.0, 1.0)) for i in (1.5, 2.5)]
+    joints = TYPES.types["sensor_msgs/msg/JointState"]
+    empty = np.zeros(0)
+    with BagWriter(tmp_path / "mine") as bag:
+        bag.write("/poses", TYPES.types["geometry_msgs/msg/PoseArray"](header(START), poses), START)
+        bag.write(
+            "/joints", joints(header(START), ["left", "right"], np.array([0.5, 1.0]), empty, empty), START + 1
+        )
+        bag.write("/cam", raw_image(0, START), START + 2)
+    with open_recording(tmp_path / "mine") as recording:
+        (_, pose_array), (_, joint_state), _ = recording
+    assert [pose.position.x for pose in pose_array.poses] == [1.5, 2.5]
+    assert list(joint_state.name) == ["left", "right"]
+    assert list(joint_state.position) == [0.5, 1.0]
+    pose_class = installed_class("geometry_msgs/msg/Pose")
+    if pose_class is not None:
+        assert {type(pose) for pose in pose_array.poses} == {pose_class}
+
+
+def test_two_recordings_iterate_side_by_side(raw_bag):
+    with open_recording(raw_bag) as recording:
+        pairs = [
+            (np.array(a.data)[0], np.array(b.data)[0])
+            for (_, a), (_, b) in zip(recording, recording, strict=True)
+        ]
+        assert pairs == [(40 * k % 256, 40 * k % 256) for k in range(6)]
+
+
+def test_pictures_recorded_in_the_same_instant_stay_apart(tmp_path, storage):
+    with BagWriter(tmp_path / "burst", storage) as bag:
+        for k in range(6):
+            bag.write("/cam", raw_image(k, START + k), START + k // 3)
+    with open_recording(tmp_path / "burst") as recording:
+        for k in (4, 1, 5, 0, 2, 3):
+            np.testing.assert_array_equal(recording.frame(k, "mono8"), gray_pixels(k))
+
+
+def test_a_stamp_that_the_robot_left_zero_becomes_the_time_of_recording(tmp_path):
+    with BagWriter(tmp_path / "mine") as bag:
+        for k in range(3):
+            bag.write("/cam", raw_image(k, 0), START + k * 10**8)
+    with open_recording(tmp_path / "mine") as recording:
+        assert recording.stamps.tolist() == [START + k * 10**8 for k in range(3)]
+
+
+def test_a_single_picture_has_no_rate(tmp_path):
+    with open_recording(write_raw_bag(tmp_path / "mine", pictures=1)) as recording:
+        assert recording.rate == 0.0
+        assert len(recording) == 1
+
+
+@pytest.fixture
+def robot_bag(tmp_path, storage):
+    """What a robot records: depth first, a camera that said nothing, a compressed camera with its info."""
+    png = cv2.imencode(".png", np.full((2, 3, 3), (10, 20, 30), np.uint8))[1].tobytes()
+    info = TYPES.types["sensor_msgs/msg/CameraInfo"]
+    region = TYPES.types["sensor_msgs/msg/RegionOfInterest"](0, 0, 0, 0, False)
+
+    def camera_info(fx):
+        k = np.array([fx, 0, 1, 0, fx, 1, 0, 0, 1.0])
+        p = np.zeros(12)
+        return info(header(START), 2, 3, "plumb_bob", np.array([0.5]), k, np.eye(3).ravel(), p, 0, 0, region)
+
+    with BagWriter(tmp_path / "robot", storage) as bag:
+        bag.write("/tof/image_raw/compressedDepth", compressed(b"no picture", START), START)
+        bag.topic("/back/image_raw", "sensor_msgs/msg/Image")
+        bag.write("/tof/camera_info", camera_info(80), START)
+        for k in range(4):
+            bag.write("/front/image_raw/compressed", compressed(png, START + k, "png"), START + k)
+            bag.write("/front/camera_info", camera_info(500), START + k)
+    return tmp_path / "robot"
+
+
+def test_the_camera_is_the_first_topic_with_colour_pictures(robot_bag):
+    with open_recording(robot_bag) as recording:
+        assert recording.camera_topic == "/front/image_raw/compressed"
+        assert len(recording) == 4
+        assert recording.frame(3).tolist() == [[[10, 20, 30]] * 3] * 2
+
+
+def test_the_camera_info_is_that_of_the_camera(robot_bag):
+    with open_recording(robot_bag) as recording:
+        assert list(recording.camera_info.k) == [500, 0, 1, 0, 500, 1, 0, 0, 1]
+        assert list(recording.camera_info.d) == [0.5]
+
+
+def test_the_camera_topic_can_be_chosen(robot_bag):
+    with open_recording(robot_bag, camera_topic="/tof/image_raw/compressedDepth") as recording:
+        assert len(recording) == 1
+        assert bytes(recording.message(0).data) == b"no picture"
+
+
+def test_a_camera_topic_that_is_not_there_says_which_are(robot_bag):
+    with pytest.raises(NotRecordedError) as caught:
+        open_recording(robot_bag, camera_topic="/front")
+    assert str(caught.value) == (
+        "robot holds no pictures on /front, but on: "
+        "/tof/image_raw/compressedDepth, /back/image_raw, /front/image_raw/compressed"
+    )
+
+
+@pytest.mark.parametrize(
+    ("read", "missing"),
+    [
+        (lambda r: r.depth(0), r"holds no depth \(/truth/depth\)"),
+        (lambda r: r.labels(0), r"holds no labels \(/truth/labels\)"),
+        (lambda r: r.label_names, "holds no facts about the scene"),
+        (lambda r: r.pose("ball", 0), "holds no pose 'ball'; it holds none"),
+        (lambda r: r.camera_info, "holds no camera info of /my/cam; record /my/camera_info with it"),
+    ],
+)
+def test_what_only_the_course_s_recording_holds_is_said_to_be_missing(raw_bag, read, missing):
+    with open_recording(raw_bag) as recording, pytest.raises(NotRecordedError, match=missing):
+        read(recording)
+
+
+def test_messages_of_a_type_that_is_not_installed_are_read_all_the_same(tmp_path):
+    TYPES.register(_own_type())
+    own = TYPES.types["my_robot/msg/Bumper"](pressed=True, force=2.5)
+    with BagWriter(tmp_path / "mine") as bag:
+        bag.write("/bumper", own, START)
+        bag.write("/cam", raw_image(0, START), START + 1)
+    with open_recording(tmp_path / "mine") as recording:
+        (_, message), _ = recording
+        assert (message.pressed, message.force) == (True, 2.5)
+
+
+def _own_type():
+    from rosbags.typesys import get_types_from_msg
+
+    return get_types_from_msg("bool pressed\nfloat64 force\n", "my_robot/msg/Bumper")
