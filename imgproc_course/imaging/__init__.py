@@ -1,0 +1,68 @@
+"""The mathematics of the course by hand: gray, noise, binarization, gradients and Canny, in NumPy."""
+
+from imgproc_course.imaging.binarization import adaptive_threshold, otsu_threshold, threshold
+from imgproc_course.imaging.canny import (
+    CannyStages,
+    canny_gradient,
+    canny_stages,
+    double_threshold,
+    hysteresis,
+    smooth,
+    suppress,
+    threshold_in_unit,
+)
+from imgproc_course.imaging.canny_fast import canny
+from imgproc_course.imaging.filters import (
+    bilateral_filter,
+    box_blur,
+    gaussian_blur,
+    gaussian_shares,
+    gaussian_weights,
+    median_blur,
+)
+from imgproc_course.imaging.gradients import direction, gradient_angle, magnitude, sobel
+from imgproc_course.imaging.grayscale import (
+    average_gray,
+    lightness_gray,
+    linear_light,
+    linear_light_gray,
+    srgb_levels,
+    to_gray,
+)
+from imgproc_course.imaging.noise import add_gaussian_noise, add_salt_and_pepper
+from imgproc_course.imaging.quality import psnr, ssim
+
+__all__ = [
+    "CannyStages",
+    "adaptive_threshold",
+    "add_gaussian_noise",
+    "add_salt_and_pepper",
+    "average_gray",
+    "bilateral_filter",
+    "box_blur",
+    "canny",
+    "canny_gradient",
+    "canny_stages",
+    "direction",
+    "double_threshold",
+    "gaussian_blur",
+    "gaussian_shares",
+    "gaussian_weights",
+    "gradient_angle",
+    "hysteresis",
+    "lightness_gray",
+    "linear_light",
+    "linear_light_gray",
+    "magnitude",
+    "median_blur",
+    "otsu_threshold",
+    "psnr",
+    "smooth",
+    "sobel",
+    "srgb_levels",
+    "ssim",
+    "suppress",
+    "threshold",
+    "threshold_in_unit",
+    "to_gray",
+]

@@ -1,0 +1,164 @@
+"""From three colour channels to one gray: luma, as OpenCV computes it, and other grays to compare it with."""
+
+import numpy as np
+
+from imgproc_course.imaging.pictures import bands, checked_bgr
+
+# ITU-R BT.601 weights of blue, green, red: 0.114, 0.587, 0.299 times 2**15, rounded; their sum is 2**15.
+LUMA_WEIGHTS = (3735, 19235, 9798)
+LUMA_SHIFT = 15
+
+# Weights of linear blue, green, red in luminance Y, for the primaries of sRGB (ITU-R BT.709).
+LUMINANCE_WEIGHTS = (0.0722, 0.7152, 0.2126)
+
+
+def to_gray(bgr):
+    """Luma of a BGR frame, bit for bit as OpenCV computes it.
+
+    gray = (3735 blue + 19235 green + 9798 red + 2**14) >> 15, all in whole numbers.
+
+    Parameters
+    ----------
+    bgr : (H, W, 3) uint8, channel order blue, green, red, 0..255
+
+    Returns
+    -------
+    (H, W) uint8, rounded half up
+
+    Raises
+    ------
+    ValueError : any other shape or dtype
+
+    Source: ITU-R BT.601 weights scaled by 2**15, as cv2.COLOR_BGR2GRAY.
+    """
+    bgr = checked_bgr(bgr)
+    # Every sum is a whole number below 2**24, and float32 holds those exactly: the matrix product of floats
+    # is twice as fast as one of integers, and dividing by 2**15 only moves the binary point.
+    weights = np.array(LUMA_WEIGHTS, np.float32) / (1 << LUMA_SHIFT)
+    gray = np.empty(bgr.shape[:2], np.uint8)
+    for top, bottom in bands(bgr):
+        luma = bgr[top:bottom].astype(np.float32) @ weights
+        luma += 0.5
+        gray[top:bottom] = luma  # the cast to uint8 drops the fraction
+    return gray
+
+
+def average_gray(bgr):
+    """Mean of the three channels: simple, and blind to how bright each colour looks.
+
+    Parameters
+    ----------
+    bgr : (H, W, 3) uint8, channel order blue, green, red (here of no matter), 0..255
+
+    Returns
+    -------
+    (H, W) uint8, (blue + green + red) / 3 rounded to the nearest (a third is never halfway)
+
+    Raises
+    ------
+    ValueError : any other shape or dtype
+    """
+    wide = checked_bgr(bgr).astype(np.uint16)
+    return ((wide[..., 0] + wide[..., 1] + wide[..., 2] + 1) // 3).astype(np.uint8)
+
+
+def lightness_gray(bgr):
+    """Middle between the strongest and the weakest channel: the L of HSL.
+
+    Parameters
+    ----------
+    bgr : (H, W, 3) uint8, channel order blue, green, red (here of no matter), 0..255
+
+    Returns
+    -------
+    (H, W) uint8, (max + min) / 2, rounded half up
+
+    Raises
+    ------
+    ValueError : any other shape or dtype
+    """
+    blue, green, red = np.moveaxis(checked_bgr(bgr), 2, 0)
+    strongest = np.maximum(np.maximum(blue, green), red).astype(np.uint16)
+    weakest = np.minimum(np.minimum(blue, green), red)
+    return ((strongest + weakest + 1) >> 1).astype(np.uint8)
+
+
+def linear_light(levels):
+    """How much light each grey level of an sRGB picture stands for.
+
+    A camera stores levels that look evenly spaced to the eye, not levels in proportion to light: level 128 is
+    half of 255, but stands for only 22 % of the light of white. Sums of *light* (what a lens blurs, what a
+    lamp adds, what luminance weighs) are right only after this function; `to_gray` weighs the stored levels
+    as they are (luma), which is quick, and what OpenCV does.
+
+    Parameters
+    ----------
+    levels : uint8 array of any shape, 0..255, encoded as sRGB
+
+    Returns
+    -------
+    float64 array of the same shape, 0 (no light) to 1 (as much as white)
+
+    Raises
+    ------
+    ValueError : any other dtype
+
+    Source: IEC 61966-2-1 (sRGB), decoding curve.
+    """
+    levels = np.asarray(levels)
+    if levels.dtype != np.uint8:
+        raise ValueError(
+            f"levels must be uint8, got {levels.dtype}; "
+            f"scale values 0..1 first: np.rint(levels * 255).astype(np.uint8)"
+        )
+    encoded = np.arange(256) / 255
+    curve = np.where(encoded <= 0.04045, encoded / 12.92, ((encoded + 0.055) / 1.055) ** 2.4)
+    return curve[levels]
+
+
+def srgb_levels(light):
+    """The grey level of an sRGB picture that stands for each amount of light; the inverse of `linear_light`.
+
+    Parameters
+    ----------
+    light : real array of any shape; what is below 0 counts as 0, above 1 as 1
+
+    Returns
+    -------
+    uint8 array of the same shape, rounded to the nearest
+
+    Raises
+    ------
+    ValueError : a light that is not a number
+
+    Source: IEC 61966-2-1 (sRGB), encoding curve.
+    """
+    light = np.asarray(light, np.float64)
+    if np.isnan(light).any():
+        raise ValueError("light must be numbers from 0 to 1, got NaN; replace it first: np.nan_to_num(light)")
+    light = light.clip(0, 1)
+    encoded = np.where(light <= 0.0031308, light * 12.92, 1.055 * light ** (1 / 2.4) - 0.055)
+    return np.rint(encoded * 255).astype(np.uint8)
+
+
+def linear_light_gray(bgr):
+    """Gray of the same luminance as the colour: channels weighed as light, not as stored levels.
+
+    Beside `to_gray` this shows what gamma does: on neutral colours both agree, on saturated ones luma comes
+    out too dark (pure red: luma 76, but it shines like gray 127).
+
+    Parameters
+    ----------
+    bgr : (H, W, 3) uint8, channel order blue, green, red, 0..255, encoded as sRGB
+
+    Returns
+    -------
+    (H, W) uint8, encoded as sRGB, rounded to the nearest
+
+    Raises
+    ------
+    ValueError : any other shape or dtype
+
+    Source: luminance Y of ITU-R BT.709 on light decoded by IEC 61966-2-1.
+    """
+    return srgb_levels(linear_light(checked_bgr(bgr)) @ np.array(LUMINANCE_WEIGHTS))

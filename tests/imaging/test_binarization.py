@@ -1,0 +1,88 @@
+"""Thresholds against OpenCV's, ties and rounding included."""
+
+import cv2
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from hypothesis.extra import numpy as arrays
+
+from imgproc_course.imaging import adaptive_threshold, otsu_threshold, threshold
+
+METHODS = {"mean": cv2.ADAPTIVE_THRESH_MEAN_C, "gaussian": cv2.ADAPTIVE_THRESH_GAUSSIAN_C}
+
+
+def opencvs_otsu(gray):
+    return int(cv2.threshold(gray.copy(), 0, 255, cv2.THRESH_BINARY + cv2.THRESH_OTSU)[0])
+
+
+def test_fixed_threshold_equals_opencvs(grays, gray_frames, count):
+    for name, gray in {**grays, "frame": gray_frames[0]}.items():
+        before = gray.copy()
+        for level in (-1, 0, 0.5, 76, 77, 127, 127.9, 254, 254.9, 255, 300):
+            truth = cv2.threshold(before, level, 255, cv2.THRESH_BINARY)[1]
+            count.compare(threshold(gray, level), truth, (name, level))
+        assert np.array_equal(gray, before), name
+    count.report("threshold")
+
+
+def test_a_pixel_on_the_threshold_becomes_black():
+    assert threshold(np.array([[99, 100, 101]], np.uint8), 100).tolist() == [[0, 0, 255]]
+
+
+def test_a_level_beyond_all_integers_is_still_a_level():
+    # OpenCV casts the level to an int, which wraps here: it calls every pixel brighter than 1e20.
+    gray = np.array([[0, 255]], np.uint8)
+    assert threshold(gray, 1e20).tolist() == threshold(gray, np.inf).tolist() == [[0, 0]]
+    assert threshold(gray, -1e20).tolist() == [[255, 255]]
+
+
+def test_otsu_equals_opencvs(grays, gray_frames, count):
+    for name, gray in [*grays.items(), *enumerate(gray_frames)]:
+        before = gray.copy()
+        count.compare(otsu_threshold(gray), opencvs_otsu(gray), name)
+        assert np.array_equal(gray, before), name
+    count.report("otsu_threshold on pictures")
+
+
+def test_otsu_equals_opencvs_where_levels_tie(count):
+    rng = np.random.default_rng(5)
+    for k in range(3000):
+        levels = rng.integers(0, 256, rng.integers(1, 6))
+        gray = rng.choice(levels, rng.integers(1, 40, 2)).astype(np.uint8)
+        count.compare(otsu_threshold(gray), opencvs_otsu(gray), k)
+    count.report("otsu_threshold with ties")
+
+
+@settings(max_examples=200, deadline=None)
+@given(gray=arrays.arrays(np.uint8, st.tuples(st.integers(1, 30), st.integers(1, 30))))
+def test_otsu_equals_opencvs_on_any_picture(gray):
+    assert otsu_threshold(gray) == opencvs_otsu(gray)
+
+
+def test_otsu_takes_the_lowest_of_equal_levels():
+    # Any level from 50 to 199 parts these two; the lowest one is taken.
+    assert otsu_threshold(np.array([[50, 200], [50, 200]], np.uint8)) == 50
+    assert otsu_threshold(np.full((3, 3), 200, np.uint8)) == 0
+
+
+def test_adaptive_threshold_equals_opencvs(grays, count):
+    for name, gray in grays.items():
+        before = gray.copy()
+        for size in (3, 7, 9, 11, 31, 101):
+            for offset in (-300, -7.5, -1, 0, 0.5, 2, 7, 300):
+                for weights, method in METHODS.items():
+                    truth = cv2.adaptiveThreshold(before, 255, method, cv2.THRESH_BINARY, size, offset)
+                    answer = adaptive_threshold(gray, size, offset, weights=weights)
+                    count.compare(answer, truth, (name, size, offset, weights))
+        assert np.array_equal(gray, before), name
+    count.report("adaptive_threshold on samples")
+
+
+@pytest.mark.parametrize("weights", METHODS)
+def test_adaptive_threshold_equals_opencvs_on_the_drive(gray_frames, weights, count):
+    for k, gray in enumerate(gray_frames):
+        for size, offset in ((11, 2), (31, 0), (51, 7)):
+            truth = cv2.adaptiveThreshold(gray, 255, METHODS[weights], cv2.THRESH_BINARY, size, offset)
+            count.compare(adaptive_threshold(gray, size, offset, weights=weights), truth, (k, size, offset))
+    count.report(f"adaptive_threshold ({weights}) on the drive")

@@ -1,0 +1,92 @@
+"""The grays against OpenCV and against their formulas."""
+
+import cv2
+import numpy as np
+import pytest
+
+from imgproc_course.imaging import (
+    average_gray,
+    lightness_gray,
+    linear_light,
+    linear_light_gray,
+    srgb_levels,
+    to_gray,
+)
+
+
+def every_colour():
+    """The 16,777,216 colours of 8 bits, 65,536 at a time as (256, 256, 3) frames."""
+    frame = np.empty((256, 256, 3), np.uint8)
+    frame[..., 1], frame[..., 2] = np.mgrid[:256, :256]
+    for blue in range(256):
+        frame[..., 0] = blue
+        yield frame
+
+
+def test_luma_equals_opencvs_on_every_colour(count):
+    for frame in every_colour():
+        count.compare(to_gray(frame), cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY), frame[0, 0])
+    assert count.pixels == 16_777_216
+    count.report("to_gray on all colours")
+
+
+def test_luma_equals_opencvs_on_every_layout_of_memory(colours, frames, count):
+    for name, frame in [*colours.items(), *enumerate(frames)]:
+        before = frame.copy()
+        gray = to_gray(frame)
+        count.compare(gray, cv2.cvtColor(np.ascontiguousarray(frame), cv2.COLOR_BGR2GRAY), name)
+        assert np.array_equal(frame, before), name
+        assert gray.flags.c_contiguous and gray.flags.writeable, name
+    count.report("to_gray on pictures")
+
+
+def test_luma_is_the_formula_in_whole_numbers():
+    frame = np.array([[[255, 255, 255], [255, 0, 0], [0, 255, 0], [0, 0, 255], [10, 20, 30]]], np.uint8)
+    assert to_gray(frame).tolist() == [[255, 29, 150, 76, (37350 + 384700 + 293940 + 16384) >> 15]]
+
+
+def test_average_is_the_nearest_level_to_the_mean():
+    for frame in every_colour():
+        if frame[0, 0, 0] % 15 == 0:
+            assert np.array_equal(average_gray(frame), np.rint(frame.mean(axis=2)))
+
+
+def test_lightness_is_the_middle_of_extremes_rounded_half_up():
+    for frame in every_colour():
+        if frame[0, 0, 0] % 15 == 0:
+            middle = (frame.max(axis=2) / 2) + (frame.min(axis=2) / 2)
+            assert np.array_equal(lightness_gray(frame), np.floor(middle + 0.5))
+
+
+def test_other_grays_leave_their_input_alone(colours):
+    for name, frame in colours.items():
+        for to_one in (average_gray, lightness_gray, linear_light_gray):
+            before = frame.copy()
+            gray = to_one(frame)
+            assert gray.dtype == np.uint8 and gray.shape == frame.shape[:2], name
+            assert np.array_equal(frame, before), name
+            assert np.array_equal(gray, to_one(before)), name
+
+
+def test_linear_light_follows_the_srgb_curve():
+    assert linear_light(np.uint8([0, 255])).tolist() == [0, 1]
+    # Up to level 10 the curve is a straight line, above it a power.
+    assert linear_light(np.uint8([10]))[0] == pytest.approx(10 / 255 / 12.92, rel=1e-12)
+    assert linear_light(np.uint8([11]))[0] == pytest.approx(((11 / 255 + 0.055) / 1.055) ** 2.4, rel=1e-12)
+    # 188 is the level that stands for half the light of white; 128 stands for 22 %.
+    assert np.allclose(linear_light(np.uint8([128, 188])), [0.215861, 0.502886], atol=5e-7)
+    assert np.all(np.diff(linear_light(np.arange(256, dtype=np.uint8))) > 0)
+
+
+def test_levels_and_light_are_inverses():
+    levels = np.arange(256, dtype=np.uint8)
+    assert np.array_equal(srgb_levels(linear_light(levels)), levels)
+    assert srgb_levels(np.array([-1, 0, 0.5, 1, 7])).tolist() == [0, 0, 188, 255, 255]
+
+
+def test_gamma_makes_luma_of_saturated_colours_too_dark():
+    gray = np.repeat(np.arange(256, dtype=np.uint8)[None, :, None], 3, axis=2)
+    assert np.array_equal(linear_light_gray(gray), to_gray(gray))
+    red, green, blue = ([[[0, 0, 255]]], [[[0, 255, 0]]], [[[255, 0, 0]]])
+    assert [int(linear_light_gray(np.uint8(colour))[0, 0]) for colour in (red, green, blue)] == [127, 220, 76]
+    assert [int(to_gray(np.uint8(colour))[0, 0]) for colour in (red, green, blue)] == [76, 150, 29]
