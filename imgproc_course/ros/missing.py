@@ -1,0 +1,60 @@
+"""What stands in for this room where ROS is missing: the same names; calling one says what to install."""
+
+import ctypes
+import importlib
+import os
+import sys
+
+
+class RosMissingError(ImportError):
+    """ROS 2 is not installed here, or cannot be loaded. The text says what to do."""
+
+
+def import_problem():
+    """Why rclpy cannot be imported here, with the cure, in one line; None where it can."""
+    middleware = os.environ.get("RMW_IMPLEMENTATION")
+    # rclpy ends the whole process, and so the kernel, when this variable names what is not installed.
+    if middleware and sys.platform == "linux" and not _loads(f"lib{middleware}.so"):
+        return (
+            f"RMW_IMPLEMENTATION={middleware} is set, but that middleware is not installed here; "
+            "unset RMW_IMPLEMENTATION, then restart the kernel"
+        )
+    for name in ("rclpy", "rclpy.node", "sensor_msgs.msg"):
+        try:
+            importlib.import_module(name)
+        except ModuleNotFoundError as error:
+            if error.name not in (name, name.partition(".")[0]):
+                return _broken(error)
+            return (
+                f"ROS 2 is missing ({name} is not installed), and this needs a running graph. "
+                "On Linux x86-64: environment/setup. On macOS or ARM: environment/pixi.toml or "
+                "environment/Dockerfile. On Windows: WSL. Without it, use open_recording('drive')"
+            )
+        except ImportError as error:
+            return _broken(error)
+    return None
+
+
+def _loads(library):
+    try:
+        ctypes.CDLL(library)
+    except OSError:
+        return False
+    return True
+
+
+def _broken(error):
+    version = f"{sys.version_info.major}.{sys.version_info.minor}"
+    return (
+        f"ROS 2 is installed, but Python {version} cannot load it ({error}); start JupyterLab with "
+        "environment/lab, or from a shell in which ROS is sourced, with the Python that ROS was built for"
+    )
+
+
+def stand_in(name, problem):
+    """A class of the given name; making one, or calling its `current`, raises RosMissingError(problem)."""
+
+    def refuse(*args, **kwargs):
+        raise RosMissingError(problem)
+
+    return type(name, (), {"__new__": refuse, "current": staticmethod(refuse), "__doc__": problem})

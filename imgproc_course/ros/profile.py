@@ -1,0 +1,169 @@
+"""Which Fast DDS profile this process uses, chosen before the first ROS node of the process exists.
+
+Fast DDS reads the name of its profile file from the environment, once, when the first participant is made.
+"""
+
+import os
+import re
+import shutil
+import sys
+import time
+import warnings
+from dataclasses import dataclass
+from pathlib import Path
+
+# Fast DDS 2 (Humble, Jazzy) reads the first name, Fast DDS 3 (Kilted and later) the second.
+PROFILE_VARIABLES = ("FASTRTPS_DEFAULT_PROFILES_FILE", "FASTDDS_DEFAULT_PROFILES_FILE")
+LARGE = Path(__file__).with_name("fastdds.xml")
+SMALL = Path(__file__).with_name("fastdds_small.xml")
+SEGMENT_BYTES = {LARGE: 64 << 20, SMALL: 16 << 20}
+SHARED_MEMORY = Path("/dev/shm")
+
+# Measured: a segment takes 1.05 times its size, a participant 0.7 MiB more.
+_SMALL_NEEDS = 18 << 20
+# Camera, notebook, and two more, so that the first to come does not take it all.
+_LARGE_NEEDS = 4 * (69 << 20)
+_SEGMENT_NAME = re.compile(r"fastrtps_[0-9a-f]{16}")
+_CURE_SMALL = (
+    "enlarge it (docker run --shm-size=1g, or mount -o remount,size=1g /dev/shm), "
+    "or subscribe to the /compressed topic"
+)
+
+
+@dataclass(frozen=True)
+class DdsProfile:
+    """The profile in force. `str()` of it is one line for people.
+
+    Attributes
+    ----------
+    chosen_by : "course", "user" (a variable or file of the user's decides), or "nobody" (Fast DDS's defaults)
+    path : the profile file, or None where none is in force
+    segment_bytes : size of the shared-memory segment that the course's profile asks for; None otherwise
+    free_bytes : free shared memory when the choice was made; None where there is no /dev/shm
+    note : what is not as it should be, with the cure; None when all is well
+    """
+
+    chosen_by: str
+    path: str | None = None
+    segment_bytes: int | None = None
+    free_bytes: int | None = None
+    note: str | None = None
+
+    def __str__(self):
+        if self.chosen_by == "course":
+            what = (
+                f"the course's {Path(self.path).name}: {self.segment_bytes >> 20} MiB shared memory, and UDP"
+            )
+        elif self.chosen_by == "user":
+            what = f"your own choice ({self.path})" if self.path else "your own choice"
+        else:
+            what = "none: Fast DDS's defaults"
+        return f"{what}; {self.note}" if self.note else what
+
+
+def choose_profile():
+    """Sets the profile for this process and those it starts, unless the user chose; returns a DdsProfile."""
+    chosen = _users_choice()
+    if chosen is not None:
+        return chosen
+    free = free_shared_memory()
+    if free is not None and free < _LARGE_NEEDS and remove_stale_segments():
+        free = free_shared_memory()
+    if _a_node_exists():
+        note = (
+            "a ROS node existed before imgproc_course.ros was imported, so Fast DDS keeps its defaults and "
+            "raw pictures get lost between processes; restart the kernel and import imgproc_course.ros first"
+        )
+        warnings.warn(note, RuntimeWarning, stacklevel=3)
+        return DdsProfile("nobody", free_bytes=free, note=note)
+    if free is not None and free < _SMALL_NEEDS:
+        note = (
+            f"{SHARED_MEMORY} has {free >> 20} MiB free and pictures need {_SMALL_NEEDS >> 20}, so raw "
+            f"pictures get lost between processes; {_CURE_SMALL}"
+        )
+        warnings.warn(note, RuntimeWarning, stacklevel=3)
+        return DdsProfile("nobody", free_bytes=free, note=note)
+    path = LARGE if free is None or free >= _LARGE_NEEDS else SMALL
+    for variable in PROFILE_VARIABLES:
+        os.environ[variable] = str(path)
+    note = None
+    if path is SMALL:
+        note = f"{SHARED_MEMORY} has only {free >> 20} MiB free; docker run --shm-size=1g would give more"
+    return DdsProfile("course", str(path), SEGMENT_BYTES[path], free, note)
+
+
+def _users_choice():
+    middleware = os.environ.get("RMW_IMPLEMENTATION", "")
+    if middleware and "fastrtps" not in middleware:
+        return DdsProfile("user", note=f"RMW_IMPLEMENTATION={middleware}, which takes no Fast DDS profile")
+    own = {str(path) for path in SEGMENT_BYTES}  # inherited from a process that chose it for us
+    files = {name: os.environ[name] for name in PROFILE_VARIABLES if os.environ.get(name)}
+    for name, path in files.items():
+        if path not in own:
+            note = None if Path(path).is_file() else f"{name} names a file that does not exist; unset it"
+            if name != PROFILE_VARIABLES[0] and PROFILE_VARIABLES[0] not in files and note is None:
+                note = f"Fast DDS 2 (ROS 2 Jazzy) reads {PROFILE_VARIABLES[0]} only; set that one too"
+            return DdsProfile("user", path, note=note)
+    if os.environ.get("FASTDDS_BUILTIN_TRANSPORTS"):
+        return DdsProfile(
+            "user", note=f"FASTDDS_BUILTIN_TRANSPORTS={os.environ['FASTDDS_BUILTIN_TRANSPORTS']}"
+        )
+    local = Path("DEFAULT_FASTRTPS_PROFILES.xml")  # Fast DDS reads a file of this name by itself
+    return DdsProfile("user", str(local.absolute())) if local.is_file() else None
+
+
+def _a_node_exists():
+    """Whether this process has a DDS participant already: its memory is mapped, or rclpy is running."""
+    if sys.modules.get("rclpy") is None:
+        return False
+    maps = Path("/proc/self/maps")
+    if maps.exists() and f"{SHARED_MEMORY}/fastrtps_" in maps.read_text():
+        return True
+    import rclpy
+
+    return rclpy.ok()
+
+
+def free_shared_memory():
+    """Free bytes of /dev/shm, or None where there is no such folder."""
+    return shutil.disk_usage(SHARED_MEMORY).free if SHARED_MEMORY.is_dir() else None
+
+
+def remove_stale_segments(folder=SHARED_MEMORY, *, older_than=10.0):
+    """Removes the shared memory of killed processes: up to 67 MB each, which Fast DDS never takes back.
+
+    A living owner holds a lock on its segment's `_el` file; a killed one holds none. Other users' files stay.
+
+    Parameters
+    ----------
+    folder : where the segments lie
+    older_than : seconds; younger files stay, since their owner may be about to lock them
+
+    Returns
+    -------
+    int, the number of segments removed
+    """
+    if sys.platform != "linux" or not folder.is_dir():
+        return 0
+    removed = 0
+    for segment in [path for path in folder.iterdir() if _SEGMENT_NAME.fullmatch(path.name)]:
+        lock = segment.with_name(f"{segment.name}_el")
+        try:
+            if time.time() - segment.stat().st_mtime > older_than and _nobody_holds(lock):
+                segment.unlink()
+                lock.unlink(missing_ok=True)
+                removed += 1
+        except (PermissionError, FileNotFoundError):
+            continue  # another user's, or its owner has just removed it
+    return removed
+
+
+def _nobody_holds(lock):
+    import fcntl
+
+    with lock.open("r+b") as file:
+        try:
+            fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except BlockingIOError:
+            return False
+    return True

@@ -1,0 +1,411 @@
+"""The camera: the recording's own pixels, headers and stamps, at any speed, on the robot's topics."""
+
+import itertools
+import types
+
+import numpy as np
+import pytest
+
+TOPIC = "/kachaka/front_camera/image_raw"
+CLOSED = []
+
+
+class FakeRecording:
+    """Four pictures of one value each, 0.1 s apart save the last gap of 0.3 s; counts what is decoded."""
+
+    def __init__(self, stamps=(0.0, 0.1, 0.2, 0.5), frame_id="camera_front"):
+        self.stamps = np.array([1_700_000_000_000_000_000 + round(s * 1e9) for s in stamps], np.int64)
+        self.rate = (len(stamps) - 1) / stamps[-1] if len(stamps) > 1 else 0.0
+        self.frame_id = frame_id
+        self.decoded = []
+        self.closed = False
+
+    def __len__(self):
+        return len(self.stamps)
+
+    def frame(self, k, encoding="bgr8"):
+        self.decoded.append(k)
+        return np.full((2, 3, 3), k, np.uint8)
+
+    def message(self, k):
+        from sensor_msgs.msg import CompressedImage
+
+        from imgproc_course.messages import array_to_compressed
+
+        msg = array_to_compressed(np.full((2, 3, 3), k, np.uint8), "bgr8", format="png")
+        assert isinstance(msg, CompressedImage)
+        msg.header.frame_id = self.frame_id
+        return msg
+
+    @property
+    def camera_info(self):
+        from sensor_msgs.msg import CameraInfo
+
+        info = CameraInfo(height=2, width=3, distortion_model="plumb_bob", d=[0.1, 0.2, 0.3, 0.4, 0.5])
+        info.k[0] = 500.0
+        return info
+
+    def close(self):
+        self.closed = True
+
+
+@pytest.fixture
+def open_camera(session, monkeypatch):
+    """open_camera, whose cameras end with the test; recording="fake" is a FakeRecording."""
+    from imgproc_course.ros import camera as module
+
+    real = module.open_recording
+    opened = []
+    monkeypatch.setattr(
+        module, "open_recording", lambda path: FakeRecording() if path == "fake" else real(path)
+    )
+
+    def make(*arguments, **options):
+        opened.append(module.open_camera(*arguments, **options))
+        return opened[-1]
+
+    yield make
+    for camera in opened:
+        camera.stop()
+
+
+@pytest.fixture
+def collect(session):
+    """collect(topic, type) -> the list that its messages go to."""
+    from rclpy.qos import qos_profile_sensor_data
+
+    def listen(topic, kind):
+        messages = []
+        session.node.create_subscription(kind, topic, messages.append, qos_profile_sensor_data)
+        return messages
+
+    return listen
+
+
+def stamp_of(msg):
+    return msg.header.stamp.sec * 1_000_000_000 + msg.header.stamp.nanosec
+
+
+@pytest.mark.ros
+def test_the_pixels_are_those_of_the_recording(open_camera, wait_until):
+    from imgproc_course.recording import open_recording
+    from imgproc_course.ros import ImageSubscriber
+
+    seen = {}
+    open_camera(stamps="recorded", speed=3.0)
+    with ImageSubscriber(TOPIC, lambda frame, msg: seen.update({stamp_of(msg): frame})) as subscriber:
+        wait_until(lambda: len(seen) >= 5)
+    with open_recording("drive") as drive:
+        numbers = {int(stamp): k for k, stamp in enumerate(drive.stamps)}
+        for stamp, frame in list(seen.items())[:5]:
+            assert np.array_equal(frame, drive.frame(numbers[stamp]))
+    assert subscriber.failed == 0
+
+
+@pytest.mark.ros
+def test_all_four_topics_carry_the_robots_encoding_and_one_header(open_camera, collect, wait_until):
+    from sensor_msgs.msg import CameraInfo, CompressedImage, Image
+
+    from imgproc_course.recording import open_recording
+
+    raw = collect(TOPIC, Image)
+    compressed = collect(f"{TOPIC}/compressed", CompressedImage)
+    infos = [
+        collect("/kachaka/front_camera/camera_info", CameraInfo),
+        collect(f"{TOPIC}/camera_info", CameraInfo),
+    ]
+    camera = open_camera(speed=3.0)
+    assert (camera.topic, camera.compressed_topic) == (TOPIC, f"{TOPIC}/compressed")
+    wait_until(lambda: all(len(messages) > 8 for messages in (raw, compressed, *infos)))
+    image = raw[-1]
+    assert (image.encoding, image.height, image.width, image.step) == ("rgb8", 720, 1280, 3840)
+    assert (image.is_bigendian, len(image.data), image.header.frame_id) == (0, 2_764_800, "camera_front")
+    stamps = [{stamp_of(msg) for msg in messages} for messages in (raw, compressed, *infos)]
+    assert len(set.intersection(*stamps)) >= 5
+    assert {msg.header.frame_id for msg in (*compressed, *infos[0], *infos[1])} == {"camera_front"}
+    with open_recording("drive") as drive:
+        known = {bytes(drive.message(k).data) for k in range(len(drive))}
+        recorded = drive.camera_info
+    assert {bytes(msg.data) for msg in compressed} <= known
+    for msg in (infos[0][-1], infos[1][-1]):
+        assert (list(msg.k), list(msg.d)) == (list(recorded.k), list(recorded.d))
+        assert (msg.width, msg.height, msg.distortion_model) == (1280, 720, "plumb_bob")
+
+
+@pytest.mark.ros
+def test_the_publishers_offer_sensor_data_qos(open_camera, session, wait_until):
+    from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
+
+    camera = open_camera(recording="fake")
+    for topic in (camera.topic, camera.compressed_topic, *camera.info_topics):
+        wait_until(lambda topic=topic: session.node.count_publishers(topic) == 1)
+        (publisher,) = session.node.get_publishers_info_by_topic(topic)
+        assert publisher.qos_profile.reliability is ReliabilityPolicy.BEST_EFFORT
+        assert publisher.qos_profile.durability is DurabilityPolicy.VOLATILE
+
+
+@pytest.mark.ros
+def test_stamps_are_now_unless_the_recorded_ones_are_asked_for(open_camera, collect, session, wait_until):
+    from sensor_msgs.msg import Image
+
+    before = session.node.get_clock().now().nanoseconds
+    now = collect("/now", Image)
+    open_camera(recording="fake", topic="/now")
+    wait_until(lambda: len(now) >= 3)
+    stamps = [stamp_of(msg) for msg in now]
+    assert before < stamps[0] and stamps == sorted(set(stamps))
+    recorded = collect("/recorded", Image)
+    open_camera(recording="fake", topic="/recorded", stamps="recorded", speed=4)
+    wait_until(lambda: len(recorded) >= 9)
+    kept = {int(msg.data[0]): stamp_of(msg) for msg in recorded}
+    assert kept == dict(enumerate(FakeRecording().stamps.tolist()))
+
+
+@pytest.mark.ros
+def test_without_loop_each_picture_comes_once_and_the_camera_says_it_has_ended(
+    open_camera, collect, wait_until
+):
+    from sensor_msgs.msg import Image
+
+    raw = collect(TOPIC, Image)
+    camera = open_camera(recording="fake", loop=False, speed=0.25)
+    assert camera.wait(60)
+    wait_until(lambda: raw and raw[-1].data[0] == 3)
+    values = [int(msg.data[0]) for msg in raw]
+    assert values == [0, 1, 2, 3][-len(values) :] and len(values) >= 3
+    assert (camera.running, camera.shown, camera.last_error) == (False, 4, None)
+    assert (camera.published, camera._pictures._recording.closed) == (len(values), True)
+
+
+@pytest.mark.ros
+def test_nothing_is_decoded_while_nobody_listens(open_camera, collect, wait_until):
+    from sensor_msgs.msg import Image
+
+    camera = open_camera(recording="fake", speed=10)
+    recording = camera._pictures._recording
+    wait_until(lambda: camera.shown > 6)
+    assert (recording.decoded, camera.published) == ([], 0)
+    assert camera.subscribers() == {TOPIC: 0, f"{TOPIC}/compressed": 0}
+    raw = collect(TOPIC, Image)
+    wait_until(lambda: raw)
+    assert recording.decoded and camera.subscribers()[TOPIC] == 1
+
+
+def due_times(speed=1.0, loop=True, count=12, clock=lambda: 100.0, **recording):
+    pytest.importorskip("rclpy")
+    from imgproc_course.ros import pictures as module
+
+    patch = pytest.MonkeyPatch()
+    patch.setattr(module, "time", types.SimpleNamespace(monotonic=clock))
+    try:
+        pictures = module.RecordedPictures(FakeRecording(**recording), speed, loop, "now")
+        return [round(float(due), 9) for due, _ in itertools.islice(pictures, count)]
+    finally:
+        patch.undo()
+
+
+@pytest.mark.ros
+def test_pictures_are_due_as_recorded_counted_from_the_start():
+    # 4 pictures in 0.5 s: the mean period 1/6 s passes before the next lap.
+    lap = 0.5 + 1 / 6
+    expected = [100 + lap * n + s for n in range(3) for s in (0.0, 0.1, 0.2, 0.5)]
+    assert due_times() == pytest.approx(expected)
+
+
+@pytest.mark.ros
+@pytest.mark.parametrize("speed", [0.5, 2.0, 3.0])
+def test_speed_divides_every_time(speed):
+    normal = np.array(due_times()) - 100
+    assert np.array(due_times(speed)) - 100 == pytest.approx(normal / speed)
+
+
+@pytest.mark.ros
+def test_a_lap_without_loop_ends():
+    assert due_times(loop=False) == pytest.approx([100.0, 100.1, 100.2, 100.5])
+
+
+@pytest.mark.ros
+def test_after_the_machine_slept_it_goes_on_from_there():
+    clock = iter([100.0, 100.0, 100.1, 900.2, 900.2, 900.3])
+    assert due_times(count=4, clock=lambda: next(clock)) == pytest.approx([100.0, 100.1, 900.2, 900.5])
+
+
+@pytest.mark.ros
+def test_a_single_picture_and_stamps_that_jump_back_can_be_played():
+    assert due_times(stamps=(0.0,), count=3) == [100.0, 101.0, 102.0]
+    assert due_times(stamps=(0.0, 0.3, 0.2, 0.4), count=4) == pytest.approx([100.0, 100.3, 100.3, 100.4])
+
+
+@pytest.mark.ros
+def test_a_recording_of_raw_pictures_without_camera_info_can_be_played(session, collect, wait_until):
+    from sensor_msgs.msg import CameraInfo, CompressedImage, Image
+
+    from imgproc_course.messages import compressed_to_array
+    from imgproc_course.recording import NotRecordedError
+    from imgproc_course.ros.camera import Camera
+    from imgproc_course.ros.pictures import RecordedPictures
+
+    class RawRecording(FakeRecording):
+        @property
+        def camera_info(self):
+            raise NotRecordedError("no camera info")
+
+        def message(self, k):
+            return Image()
+
+    images, infos = collect("/own/compressed", CompressedImage), collect("/camera_info", CameraInfo)
+    with Camera("/own", RecordedPictures(RawRecording(), 1.0, True, "now")):
+        wait_until(lambda: images and infos)
+    assert compressed_to_array(images[0], "bgr8").shape == (2, 3, 3)
+    assert images[0].header.frame_id == "camera_front"
+    assert (infos[0].height, infos[0].width, infos[0].k[0]) == (2, 3, 0.0)
+
+
+@pytest.mark.ros
+def test_opening_it_again_replaces_the_former_and_says_so(open_camera, session, wait_until, caplog):
+    first = open_camera(recording="fake")
+    second = open_camera(recording="fake")
+    assert (first.running, second.running) == (False, True)
+    assert [record.message for record in caplog.records] == [f"replaced the camera that published {TOPIC}"]
+    wait_until(lambda: session.node.count_publishers(TOPIC) == 1)
+    first.stop()
+    assert second.running
+    third = open_camera(recording="fake", topic="/elsewhere")
+    assert second.running and third.running
+
+
+@pytest.mark.ros
+def test_it_stops_twice_and_with_its_block_and_with_the_session(open_camera, session, wait_until):
+    with open_camera(recording="fake") as camera:
+        assert camera.running
+    camera.stop()
+    wait_until(lambda: session.node.count_publishers(TOPIC) == 0)
+    camera = open_camera(recording="fake")
+    session.stop()
+    assert (camera.running, camera.last_error) == (False, None)
+    assert open_camera(recording="fake").running
+
+
+@pytest.mark.ros
+def test_another_process_on_the_topic_is_said_once(
+    open_camera, start_python, wait_until, caplog, monkeypatch
+):
+    from imgproc_course.ros import camera as module
+
+    monkeypatch.setattr(module, "LOOK_AROUND", 0.05)
+    other = start_python(
+        "import time\nfrom imgproc_course.ros import open_camera\ncamera = open_camera()\n"
+        "print(camera._node.get_name())\ntime.sleep(60)"
+    )
+    name = other.stdout.readline().strip()
+    camera = open_camera(recording="fake", speed=10)
+    wait_until(lambda: caplog.records)
+    seen = camera.shown
+    wait_until(lambda: camera.shown > seen + 10)
+    (record,) = caplog.records
+    assert record.message.startswith(f"{TOPIC} is published by {name} too, in another process: ")
+    assert "ROS_DOMAIN_ID" in record.message
+
+
+@pytest.mark.ros
+def test_a_recording_that_breaks_off_is_said(open_camera, collect, wait_until, monkeypatch, caplog):
+    from sensor_msgs.msg import Image
+
+    def breaks(self, k, encoding="bgr8"):
+        raise ValueError("the file ends in the middle of a picture")
+
+    monkeypatch.setattr(FakeRecording, "frame", breaks)
+    collect(TOPIC, Image)
+    camera = open_camera(recording="fake")
+    wait_until(lambda: not camera.running)
+    assert camera.last_error == "the file ends in the middle of a picture"
+    assert caplog.records[-1].message == f"the camera on {TOPIC} stopped: {camera.last_error}"
+
+
+@pytest.mark.ros
+def test_a_topic_that_a_robot_publishes_is_taken_as_it_is(open_camera):
+    camera = open_camera("topic", topic="/er_kachaka/front_camera/image_raw")
+    assert camera.topic == "/er_kachaka/front_camera/image_raw"
+    assert camera.compressed_topic == "/er_kachaka/front_camera/image_raw/compressed"
+    assert (camera.rate, camera.running, camera.subscribers()) == (None, False, {})
+    camera.stop()
+
+
+class FakeCapture:
+    """A cv2.VideoCapture of a camera that gives pictures of one value, then none."""
+
+    def __init__(self, number, pictures=40):
+        self.left = pictures
+
+    def isOpened(self):
+        return True
+
+    def get(self, what):
+        return 15.0
+
+    def read(self):
+        self.left -= 1
+        picture = np.empty((2, 3, 3), np.uint8)
+        picture[:] = (10, 20, 30)
+        import time
+
+        time.sleep(0.05)
+        return self.left >= 0, picture
+
+    def release(self):
+        CLOSED.append(self)
+
+
+@pytest.mark.ros
+def test_a_webcam_is_published_like_the_robots_camera(open_camera, collect, wait_until, monkeypatch, caplog):
+    import cv2
+    from sensor_msgs.msg import CameraInfo, CompressedImage, Image
+
+    monkeypatch.setattr(cv2, "VideoCapture", FakeCapture)
+    raw, compressed = collect(TOPIC, Image), collect(f"{TOPIC}/compressed", CompressedImage)
+    infos = collect(f"{TOPIC}/camera_info", CameraInfo)
+    CLOSED.clear()
+    camera = open_camera("webcam")
+    assert camera.rate == 15.0
+    wait_until(lambda: raw and compressed and infos)
+    assert (raw[0].encoding, bytes(raw[0].data), raw[0].header.frame_id) == (
+        "rgb8",
+        bytes([30, 20, 10]) * 6,
+        "webcam",
+    )
+    assert (compressed[0].format, infos[0].width, infos[0].k[0]) != ("", 0, 1.0)
+    wait_until(lambda: not camera.running)
+    assert camera.last_error.startswith("the webcam gives no more pictures; plug one in")
+    assert len(CLOSED) == 1
+
+
+@pytest.mark.ros
+def test_no_webcam_is_said_with_the_cure(open_camera, monkeypatch):
+    import cv2
+
+    monkeypatch.setattr(FakeCapture, "isOpened", lambda self: False)
+    monkeypatch.setattr(cv2, "VideoCapture", FakeCapture)
+    with pytest.raises(RuntimeError, match=r"no webcam answers .*open_camera\(\) for the recorded drive"):
+        open_camera("webcam")
+
+
+@pytest.mark.ros
+@pytest.mark.parametrize(
+    "options, said",
+    [
+        ({"source": "robot"}, "source 'robot' is none of 'recording', 'webcam', 'topic'"),
+        ({"speed": 0}, "speed 0 is no positive number"),
+        ({"speed": -1.0}, "speed -1.0 is no positive number"),
+        ({"speed": float("nan")}, "speed nan is no positive number"),
+        ({"speed": float("inf")}, "speed inf is no positive number"),
+        ({"speed": "fast"}, "speed 'fast' is no positive number"),
+        ({"source": "webcam", "speed": 2.0}, "only a recording has another speed than 1.0"),
+        ({"stamps": "then"}, "stamps 'then' is neither 'now' nor 'recorded'"),
+        ({"topic": "two words"}, "'two words' is no topic name"),
+        ({"recording": "/no/such/bag"}, "/no/such/bag"),
+    ],
+)
+def test_bad_arguments_are_said(open_camera, options, said):
+    with pytest.raises(ValueError) as error:
+        open_camera(**options)
+    assert said in str(error.value) and "\n" not in str(error.value)

@@ -1,0 +1,123 @@
+"""A notebook's kernel: cells run again in any order, restarted, interrupted and killed, without a word."""
+
+import time
+from queue import Empty
+
+import pytest
+from jupyter_client.manager import KernelManager
+
+pytestmark = pytest.mark.ros
+
+OPEN = "from imgproc_course.ros import *\ncamera = open_camera(speed=3.0)"
+SUBSCRIBE = """
+from imgproc_course.ros import *
+frames = []
+def on_image(frame, msg):
+    frames.append(frame.shape)
+subscriber = ImageSubscriber("/kachaka/front_camera/image_raw", on_image)
+"""
+STOP = "RosSession.current().stop()"
+READ = "print(subscriber.wait(20).shape)"
+ALIVE = """
+import threading
+print(sum('ROS session' in t.name for t in threading.enumerate()),
+      sum('camera on' in t.name for t in threading.enumerate()),
+      RosSession.current().node.count_subscribers("/kachaka/front_camera/image_raw"))
+"""
+
+
+class Notebook:
+    """A kernel, and what its cells printed."""
+
+    def __init__(self, stderr):
+        self.manager = KernelManager(kernel_name="python3")
+        self.manager.start_kernel(stderr=stderr)
+        self.connect()
+
+    def connect(self):
+        self.client = self.manager.client()
+        self.client.start_channels()
+        self.client.wait_for_ready(timeout=60)
+
+    def run(self, code, seconds=60):
+        """Runs a cell; returns (stdout, stderr) of it, and fails on an error."""
+        request = self.client.execute(code)
+        printed = {"stdout": "", "stderr": ""}
+        end = time.monotonic() + seconds
+        while time.monotonic() < end:
+            try:
+                msg = self.client.get_iopub_msg(timeout=1)
+            except Empty:
+                continue
+            if msg["parent_header"].get("msg_id") != request:
+                continue
+            if msg["msg_type"] == "stream":
+                printed[msg["content"]["name"]] += msg["content"]["text"]
+            if msg["msg_type"] == "error":
+                pytest.fail("\n".join(msg["content"]["traceback"]))
+            if msg["msg_type"] == "status" and msg["content"]["execution_state"] == "idle":
+                return printed["stdout"], printed["stderr"]
+        pytest.fail("the cell did not end")
+
+    def interrupt(self, code):
+        """Runs a cell that prints something and then waits, and interrupts it there."""
+        request = self.client.execute(code, stop_on_error=False)  # the next cells are not part of this
+        while self.client.get_iopub_msg(timeout=60)["msg_type"] != "stream":
+            pass
+        self.manager.interrupt_kernel()
+        while self.client.get_shell_msg(timeout=60)["parent_header"]["msg_id"] != request:
+            pass
+
+    def close(self):
+        self.client.stop_channels()
+        self.manager.shutdown_kernel(now=False)
+        self.manager.cleanup_resources()
+
+
+@pytest.fixture
+def notebook(tmp_path):
+    """A kernel that ends with the test, and may have written nothing outside its cells."""
+    with (tmp_path / "stderr").open("w") as file:
+        book = Notebook(file)
+        yield book
+        book.close()
+    lines = (tmp_path / "stderr").read_text().splitlines()
+    # What ipykernel and debugpy say of themselves is not ours.
+    ours = ("terminate", "imgproc", "rcl", "RTPS", "Traceback")
+    assert [line for line in lines if any(word in line for word in ours)] == []
+
+
+def test_cells_in_any_order_double_nothing(notebook):
+    for cell in (OPEN, SUBSCRIBE, READ, OPEN, READ, SUBSCRIBE, SUBSCRIBE, READ, STOP, STOP):
+        notebook.run(cell)
+    for cell in (SUBSCRIBE, OPEN, READ, SUBSCRIBE, READ):
+        notebook.run(cell)
+    notebook.run(
+        "import time\nnode = RosSession.current().node\n"
+        "while node.count_subscribers(subscriber.topic) > 1: time.sleep(0.01)"
+    )
+    assert notebook.run(ALIVE) == ("1 1 1\n", "")
+
+
+@pytest.mark.parametrize("now", [False, True], ids=["restarted", "killed"])
+def test_the_kernel_restarts_and_the_cells_run_again(notebook, now):
+    for _ in range(2):
+        notebook.run(OPEN)
+        notebook.run(SUBSCRIBE)
+        assert notebook.run(READ) == ("(720, 1280, 3)\n", "")
+        notebook.client.stop_channels()
+        notebook.manager.restart_kernel(now=now)
+        notebook.connect()
+    notebook.run(OPEN)
+    notebook.run(SUBSCRIBE)
+    assert notebook.run(ALIVE) == ("1 1 1\n", "")
+
+
+@pytest.mark.parametrize("also", ["", "import rclpy; rclpy.init()"], ids=["plain", "with rclpy.init"])
+def test_interrupting_a_waiting_cell_leaves_the_graph_running(notebook, also):
+    notebook.run(OPEN)
+    notebook.run(SUBSCRIBE)
+    notebook.run(also)
+    notebook.interrupt("import time\nprint('waits', flush=True)\ntime.sleep(60)")
+    assert notebook.run(READ) == ("(720, 1280, 3)\n", "")
+    assert notebook.run(ALIVE) == ("1 1 1\n", "")

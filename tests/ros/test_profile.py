@@ -1,0 +1,214 @@
+"""Which Fast DDS profile is in force, and what happens when that cannot be the course's."""
+
+import os
+import re
+import time
+import xml.etree.ElementTree as ET
+
+import pytest
+
+from imgproc_course.ros import profile
+
+MIB = 1 << 20
+
+
+@pytest.fixture
+def untouched(monkeypatch, tmp_path):
+    """An environment in which nobody has chosen, with plenty of shared memory and no node."""
+    for name in (*profile.PROFILE_VARIABLES, "RMW_IMPLEMENTATION", "FASTDDS_BUILTIN_TRANSPORTS"):
+        monkeypatch.setenv(name, "")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setattr(profile, "free_shared_memory", lambda: 1000 * MIB)
+    monkeypatch.setattr(profile, "_a_node_exists", lambda: False)
+    return monkeypatch
+
+
+def test_the_courses_profile_is_chosen_under_both_names(untouched):
+    chosen = profile.choose_profile()
+    assert (chosen.chosen_by, chosen.path) == ("course", str(profile.LARGE))
+    assert chosen.segment_bytes == 64 * MIB
+    assert os.environ["FASTRTPS_DEFAULT_PROFILES_FILE"] == str(profile.LARGE)
+    assert os.environ["FASTDDS_DEFAULT_PROFILES_FILE"] == str(profile.LARGE)
+    assert str(chosen) == "the course's fastdds.xml: 64 MiB shared memory, and UDP"
+
+
+def test_a_process_started_by_ours_knows_that_the_course_chose(untouched):
+    profile.choose_profile()
+    assert profile.choose_profile().chosen_by == "course"
+
+
+@pytest.mark.parametrize("name", profile.PROFILE_VARIABLES)
+def test_a_users_profile_is_left_alone(untouched, tmp_path, name):
+    mine = tmp_path / "mine.xml"
+    mine.write_text("<dds/>")
+    untouched.setenv(name, str(mine))
+    chosen = profile.choose_profile()
+    assert (chosen.chosen_by, chosen.path) == ("user", str(mine))
+    other = next(variable for variable in profile.PROFILE_VARIABLES if variable != name)
+    assert os.environ[other] == ""
+
+
+def test_a_users_profile_that_does_not_exist_is_said(untouched):
+    untouched.setenv("FASTRTPS_DEFAULT_PROFILES_FILE", "/nowhere/mine.xml")
+    note = "FASTRTPS_DEFAULT_PROFILES_FILE names a file that does not exist; unset it"
+    assert profile.choose_profile().note == note
+
+
+def test_the_newer_name_alone_is_not_read_by_this_fast_dds(untouched, tmp_path):
+    (tmp_path / "mine.xml").write_text("<dds/>")
+    untouched.setenv("FASTDDS_DEFAULT_PROFILES_FILE", str(tmp_path / "mine.xml"))
+    assert "reads FASTRTPS_DEFAULT_PROFILES_FILE only" in profile.choose_profile().note
+
+
+@pytest.mark.parametrize(
+    "name, value",
+    [("RMW_IMPLEMENTATION", "rmw_cyclonedds_cpp"), ("FASTDDS_BUILTIN_TRANSPORTS", "UDPv4")],
+)
+def test_another_choice_of_the_users_is_left_alone(untouched, name, value):
+    untouched.setenv(name, value)
+    chosen = profile.choose_profile()
+    assert chosen.chosen_by == "user"
+    assert f"{name}={value}" in chosen.note
+    assert [os.environ[variable] for variable in profile.PROFILE_VARIABLES] == ["", ""]
+
+
+def test_the_middleware_that_is_ours_anyway_is_no_other_choice(untouched):
+    untouched.setenv("RMW_IMPLEMENTATION", "rmw_fastrtps_cpp")
+    assert profile.choose_profile().chosen_by == "course"
+
+
+def test_a_profile_in_the_working_folder_is_the_users(untouched, tmp_path):
+    (tmp_path / "DEFAULT_FASTRTPS_PROFILES.xml").write_text("<dds/>")
+    chosen = profile.choose_profile()
+    assert (chosen.chosen_by, chosen.path) == ("user", str(tmp_path / "DEFAULT_FASTRTPS_PROFILES.xml"))
+
+
+def test_little_shared_memory_takes_the_small_profile_and_says_so(untouched):
+    untouched.setattr(profile, "free_shared_memory", lambda: 64 * MIB)
+    chosen = profile.choose_profile()
+    assert (chosen.path, chosen.segment_bytes) == (str(profile.SMALL), 16 * MIB)
+    assert "/dev/shm has only 64 MiB free" in chosen.note and "--shm-size=1g" in chosen.note
+
+
+def test_what_killed_processes_left_is_removed_before_a_small_profile_is_taken(untouched):
+    free = [64 * MIB, 500 * MIB]
+    untouched.setattr(profile, "free_shared_memory", lambda: free.pop(0))
+    untouched.setattr(profile, "remove_stale_segments", lambda: 3)
+    assert profile.choose_profile().path == str(profile.LARGE)
+
+
+def test_too_little_shared_memory_is_said(untouched):
+    untouched.setattr(profile, "free_shared_memory", lambda: 10 * MIB)
+    with pytest.warns(RuntimeWarning, match="has 10 MiB free and pictures need 18"):
+        chosen = profile.choose_profile()
+    assert chosen.chosen_by == "nobody"
+    assert [os.environ[variable] for variable in profile.PROFILE_VARIABLES] == ["", ""]
+
+
+def test_a_node_made_too_early_is_said(untouched):
+    untouched.setattr(profile, "_a_node_exists", lambda: True)
+    with pytest.warns(RuntimeWarning, match=r"restart the kernel and import imgproc_course\.ros first"):
+        assert profile.choose_profile().chosen_by == "nobody"
+
+
+def test_no_shared_memory_folder_is_no_obstacle(untouched):
+    untouched.setattr(profile, "free_shared_memory", lambda: None)
+    assert profile.choose_profile().path == str(profile.LARGE)
+
+
+def test_the_two_profiles_differ_in_their_sizes_only():
+    def tree(path):
+        return [
+            (element.tag, "" if re.search(r"segment_size|maxMessageSize", element.tag) else element.text)
+            for element in ET.parse(path).iter()
+        ]
+
+    assert tree(profile.LARGE) == tree(profile.SMALL)
+    for path, size in profile.SEGMENT_BYTES.items():
+        assert f"<segment_size>{size}</segment_size>" in path.read_text(encoding="utf-8")
+
+
+@pytest.mark.parametrize("path", profile.SEGMENT_BYTES, ids=lambda path: path.name)
+def test_the_participant_uses_shared_memory_and_udp(path):
+    # On loopback Fast DDS opens UDP sockets without being told, so that no test there could miss this.
+    name = "{http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles}"
+    root = ET.parse(path)
+    kinds = {
+        transport.findtext(f"{name}transport_id"): transport.findtext(f"{name}type")
+        for transport in root.iter(f"{name}transport_descriptor")
+    }
+    used = [kinds[transport.text] for transport in root.find(f".//{name}userTransports")]
+    assert used == ["SHM", "UDPv4"]
+
+
+MAPPED = """
+import os, pathlib, psutil
+from rclpy.context import Context
+from rclpy.node import Node
+context = Context(); context.init(); node = Node("looks", context=context)
+lines = pathlib.Path("/proc/self/maps").read_text().splitlines()
+spans = [line.split()[0].split("-") for line in lines if "/dev/shm/fastrtps_" in line and "port" not in line]
+ports = [socket.laddr.port for socket in psutil.Process().net_connections("udp4")]
+base = 7400 + 250 * int(os.environ["ROS_DOMAIN_ID"])
+print(max(int(b, 16) - int(a, 16) for a, b in spans) >> 20, any(base <= port < base + 250 for port in ports))
+node.destroy_node(); context.try_shutdown()
+"""
+
+
+@pytest.mark.ros
+@pytest.mark.parametrize(
+    "beginning, segment_mib",
+    [
+        ("import imgproc_course.ros", 67),
+        ("import rclpy, imgproc_course.ros", 67),  # imported, and nothing made yet: early enough
+        ("", 0),
+    ],
+)
+def test_fast_dds_takes_the_profile_and_keeps_udp(run_python, beginning, segment_mib):
+    nobody_chose = dict.fromkeys(profile.PROFILE_VARIABLES)
+    code, out, err = run_python(beginning + MAPPED, **nobody_chose)
+    assert (code, out.split(), err) == (0, [str(segment_mib), "True"], "")
+
+
+@pytest.mark.ros
+def test_a_node_that_exists_already_is_noticed(run_python):
+    code, out, err = run_python(
+        "import rclpy, warnings\n"
+        "from rclpy.context import Context; from rclpy.node import Node\n"
+        "context = Context(); context.init(); node = Node('early', context=context)\n"
+        "with warnings.catch_warnings(record=True) as said:\n"
+        "    warnings.simplefilter('always')\n"
+        "    import imgproc_course.ros as ros\n"
+        "print(ros.dds_profile().chosen_by, len(said), 'restart the kernel' in str(said[0].message))\n"
+        "node.destroy_node(); context.try_shutdown()",
+        **dict.fromkeys(profile.PROFILE_VARIABLES),
+    )
+    assert (code, out.split(), err) == (0, ["nobody", "1", "True"], "")
+
+
+@pytest.mark.ros
+def test_the_segment_of_a_killed_process_is_removed_and_that_of_a_living_one_stays(start_python):
+    # In domains of their own, since a process maps the segments of those that it has found, too.
+    living, killed = (start_python(HOLDS_A_SEGMENT, ROS_DOMAIN_ID=domain) for domain in ("18", "19"))
+    kept, left = living.stdout.readline().split(), killed.stdout.readline().split()
+    assert kept and left and not set(kept) & set(left)
+    killed.kill()
+    killed.wait()
+    assert all((profile.SHARED_MEMORY / name).exists() for name in left)
+    long_ago = time.time() - 1000
+    assert profile.remove_stale_segments(older_than=2000) == 0
+    for name in (*kept, *left):  # not the files of others, who may be about to lock theirs
+        os.utime(profile.SHARED_MEMORY / name, (long_ago, long_ago))
+    assert profile.remove_stale_segments(older_than=500) >= len(left)
+    assert not any((profile.SHARED_MEMORY / name).exists() for name in left)
+    assert all((profile.SHARED_MEMORY / name).exists() for name in kept)
+
+
+HOLDS_A_SEGMENT = """
+import pathlib, re, time
+from imgproc_course.ros import RosSession
+RosSession.current()
+maps = pathlib.Path("/proc/self/maps").read_text()
+print(*sorted(set(re.findall(r"/dev/shm/(fastrtps_[0-9a-f]{16})\\b", maps))))
+time.sleep(60)
+"""

@@ -1,0 +1,279 @@
+"""The session of a process: started and stopped in any order, left in any way, and nothing remains."""
+
+import threading
+
+import pytest
+
+pytestmark = pytest.mark.ros
+
+LEAVES = """
+from imgproc_course.ros import ImageSubscriber, RosSession, open_camera
+camera = open_camera(speed=3.0)
+frames = []
+subscriber = ImageSubscriber(camera.topic, lambda frame, msg: frames.append(frame.shape))
+subscriber.wait(20)
+print("a frame came", flush=True)
+"""
+
+
+def ros_threads():
+    return [thread.name for thread in threading.enumerate() if "ROS session" in thread.name]
+
+
+def test_starting_twice_is_starting_once(session):
+    from imgproc_course.ros import RosSession
+
+    node = session.node
+    assert RosSession.current() is session and RosSession() is session and session.start() is session
+    assert session.node is node
+    assert ros_threads() == ["imgproc_course ROS session"]
+
+
+def test_stopping_twice_is_stopping_once(session):
+    session.stop()
+    session.stop()
+    assert (session.running, session.node, session.context, ros_threads()) == (False, None, None, [])
+
+
+def test_stopping_before_starting_does_nothing(run_python):
+    code, out, err = run_python(
+        "from imgproc_course.ros import RosSession; RosSession().stop(); print(RosSession())"
+    )
+    assert (code, out, err) == (0, "<RosSession: stopped>\n", "")
+
+
+def test_ten_starts_and_stops_leave_no_thread_and_no_node(session, wait_until):
+    import psutil
+    from rclpy.context import Context
+    from rclpy.node import Node
+
+    session.stop()
+    before = psutil.Process().num_threads()
+    for _ in range(10):
+        session.start()
+        assert session.node.get_name() in session.node.get_node_names()
+        session.stop()
+    assert ros_threads() == []
+    wait_until(lambda: psutil.Process().num_threads() <= before)
+    context = Context()
+    context.init()
+    looks = Node("looks", context=context)
+    assert looks.get_node_names() == ["looks"]
+    looks.destroy_node()
+    context.try_shutdown()
+
+
+def test_many_threads_start_one_session(session):
+    session.stop()
+    nodes = []
+    threads = [threading.Thread(target=lambda: nodes.append(session.start().node)) for _ in range(8)]
+    for thread in threads:
+        thread.start()
+    for thread in threads:
+        thread.join()
+    assert len(nodes) == 8 and len(set(nodes)) == 1
+    assert ros_threads() == ["imgproc_course ROS session"]
+
+
+def test_run_calls_in_the_spinning_thread_and_returns_the_answer(session):
+    assert session.run(lambda: threading.current_thread().name) == "imgproc_course ROS session"
+    with pytest.raises(ZeroDivisionError):
+        session.run(lambda: 1 / 0)
+    assert session.run(lambda: session.run(lambda: 42)) == 42
+
+
+def test_run_on_a_stopped_session_says_how_to_start_it(session):
+    session.stop()
+    with pytest.raises(RuntimeError, match=r"RosSession\.current\(\) starts it"):
+        session.run(lambda: None)
+
+
+def test_stop_from_within_a_callback(session, wait_until):
+    timer = session.node.create_timer(0.01, session.stop)
+    wait_until(lambda: ros_threads() == [])
+    assert timer is not None and not session.running
+    assert session.start().running
+
+
+def test_starting_from_a_callback_of_a_stopping_session_is_refused(session, wait_until):
+    said = []
+
+    def callback():
+        session.stop()
+        try:
+            session.start()
+        except RuntimeError as error:
+            said.append(str(error))
+
+    session.node.create_timer(0.01, callback)
+    wait_until(lambda: ros_threads() == [])
+    assert said == ["the ROS session is stopping; start it from outside its callbacks"]
+
+
+def test_a_callback_that_raises_is_logged_and_the_graph_goes_on(session, wait_until, caplog):
+    calls = []
+
+    def callback():
+        calls.append(1)
+        raise ValueError("the learner's mistake")
+
+    session.node.create_timer(0.01, callback)
+    wait_until(lambda: len(calls) >= 5)
+    assert session.running
+    assert [record.message for record in caplog.records] == ["a ROS callback failed; the graph goes on"]
+    assert "the learner's mistake" in caplog.text
+
+
+def test_a_node_of_the_learners_is_spun_and_destroyed_with_the_session(session, wait_until):
+    from rclpy.node import Node
+
+    calls = []
+    node = Node("learners_own", context=session.context)
+    node.create_timer(0.01, lambda: calls.append(1))
+    assert session.add_node(node) is node
+    wait_until(lambda: calls)
+    session.remove_node(node)
+    session.remove_node(node)
+    assert "learners_own" not in session.node.get_node_names()
+    session.add_node(Node("another", context=session.context))
+    session.stop()
+    assert ros_threads() == []
+
+
+def test_destroying_while_spinning_stumbles_over_nothing(session, wait_until, caplog):
+    from sensor_msgs.msg import Image
+
+    ticks = []
+    session.node.create_timer(0.001, lambda: ticks.append(1))
+    for _ in range(50):
+        subscription = session.node.create_subscription(Image, "/pictures", lambda msg: None, 5)
+        session.node.destroy_subscription(subscription)  # in this thread, as learners do
+    seen = len(ticks)
+    wait_until(lambda: len(ticks) > seen + 10)
+    assert session.running and caplog.records == []
+
+
+def test_your_own_rclpy_lives_beside_it(run_python):
+    code, out, err = run_python(
+        LEAVES + "import rclpy\n"
+        "rclpy.init(); node = rclpy.create_node('mine')\n"
+        "rclpy.spin_once(node, timeout_sec=0.1)\n"
+        "subscriber.wait(20)\n"
+        "node.destroy_node(); rclpy.shutdown()\n"
+        "subscriber.wait(20); print('both lived')\n"
+    )
+    assert (code, out, err) == (0, "a frame came\nboth lived\n", "")
+
+
+@pytest.mark.parametrize("end", ["", "raise SystemExit(3)", "RosSession.current().stop()"])
+def test_leaving_without_a_word_is_quiet(run_python, end):
+    code, out, err = run_python(LEAVES + end)
+    assert (code, out, err) == (3 if "3" in end else 0, "a frame came\n", "")
+
+
+@pytest.mark.parametrize("also", ["", "import rclpy; rclpy.init()\n"], ids=["plain", "with rclpy.init"])
+def test_ctrl_c_in_a_waiting_script_leaves_with_the_usual_traceback(start_python, also):
+    import signal
+
+    process = start_python(LEAVES + also + "import time\nprint('waiting', flush=True)\ntime.sleep(60)")
+    while process.stdout.readline() != "waiting\n":
+        assert process.poll() is None
+    process.send_signal(signal.SIGINT)
+    _, err = process.communicate(timeout=20)
+    assert process.returncode == -signal.SIGINT
+    assert err.splitlines()[-1] == "KeyboardInterrupt"
+    assert err.count("Traceback") == 1 and "terminate called" not in err
+
+
+def test_after_rclpys_own_handlers_shut_all_down_it_can_be_started_again(run_python):
+    code, out, err = run_python(
+        LEAVES + "import os, rclpy, signal, time\n"
+        "rclpy.init()\n"
+        "session = RosSession.current()\n"
+        "try:\n"
+        "    os.kill(os.getpid(), signal.SIGINT)\n"
+        "    time.sleep(60)\n"
+        "except KeyboardInterrupt:\n"
+        "    while session.running: time.sleep(0.01)\n"
+        "RosSession.current()\n"
+        "print(camera.running, subscriber.stopped)\n"
+        "with open_camera() as camera, ImageSubscriber(camera.topic) as subscriber:\n"
+        "    print(subscriber.wait(20).shape)"
+    )
+    assert (code, err) == (0, "")
+    assert out == "a frame came\nFalse True\n(720, 1280, 3)\n"
+
+
+def test_a_callback_that_never_returns_cannot_keep_the_interpreter(run_python):
+    code, out, err = run_python(
+        "import time\nfrom imgproc_course.ros import session as module\n"
+        "module.PATIENCE = 0.5\n"
+        "session = module.RosSession.current()\n"
+        "session.post(lambda: time.sleep(3600))\n"
+        "print('leaving', flush=True)"
+    )
+    assert (code, out) == (0, "leaving\n")
+    assert err == "a callback has not returned for 0.5 s; the ROS session leaves without it\n"
+
+
+FORK = """
+import os, sys, warnings
+from imgproc_course.ros import RosSession
+warnings.simplefilter("ignore")
+session = RosSession.current()
+sys.stdout.flush()
+pid = os.fork()
+if pid == 0:
+    print("child running:", session.running)
+    try:
+        RosSession.current()
+    except RuntimeError as error:
+        print(error)
+    session.stop()
+    sys.exit(7)
+print("child left with", os.waitstatus_to_exitcode(os.waitpid(pid, 0)[1]))
+print("parent running:", session.running, session.run(lambda: 42))
+"""
+
+
+def test_a_forked_child_inherits_no_session_and_the_parent_keeps_its_own(run_python):
+    code, out, err = run_python(FORK)
+    assert (code, err) == (0, "")
+    assert out.splitlines() == [
+        "child running: False",
+        "this process was forked from one with a running ROS session, which DDS does not survive; "
+        "start it with multiprocessing.get_context('spawn') or subprocess instead",
+        "child left with 7",
+        "parent running: True 42",
+    ]
+
+
+def test_a_child_forked_before_any_session_may_have_one(run_python):
+    code, out, err = run_python(
+        "import os, warnings, imgproc_course.ros as ros\n"
+        "warnings.simplefilter('ignore')  # Python 3.12 warns of the threads of NumPy's own\n"
+        "if os.fork() == 0: print(ros.RosSession.current().run(lambda: 42))\n"
+        "else: os.wait()"
+    )
+    assert (code, out, err) == (0, "42\n", "")
+
+
+@pytest.mark.parametrize("domain", ["abc", "300", "-1"])
+def test_a_domain_that_is_none_is_said(run_python, domain):
+    code, out, err = run_python(
+        "from imgproc_course.ros import RosSession\n"
+        "try: RosSession.current()\n"
+        "except ValueError as error: print(error)",
+        ROS_DOMAIN_ID=domain,
+    )
+    assert (code, err) == (0, "")
+    expected = f"ROS_DOMAIN_ID={domain} is no ROS domain; choose 0 to 101, the same on all machines\n"
+    assert out == expected
+
+
+def test_a_log_folder_that_cannot_be_written_is_no_obstacle(run_python):
+    code, out, err = run_python(
+        "from imgproc_course.ros import RosSession; print(RosSession.current().run(lambda: 42))",
+        ROS_LOG_DIR="/proc/no/such/folder",
+    )
+    assert (code, out, err) == (0, "42\n", "")

@@ -1,0 +1,486 @@
+"""The subscriber: frames with the right pixels, honest counts, and the reason when nothing comes."""
+
+import gc
+import threading
+import types
+import weakref
+
+import numpy as np
+import pytest
+
+pytestmark = pytest.mark.ros
+
+TOPIC = "/pictures/image_raw"
+
+
+@pytest.fixture
+def send(session, wait_until):
+    """send(array, ...) publishes a picture on TOPIC once somebody listens."""
+    from rclpy.qos import qos_profile_sensor_data
+    from sensor_msgs.msg import Image
+
+    from imgproc_course.messages import array_to_image
+
+    publisher = session.node.create_publisher(Image, TOPIC, qos_profile_sensor_data)
+
+    def publish(array, encoding="rgb8", listeners=1):
+        wait_until(lambda: publisher.get_subscription_count() >= listeners)
+        msg = array if isinstance(array, Image) else array_to_image(array, encoding)
+        publisher.publish(msg)
+
+    publish.publisher = publisher
+    return publish
+
+
+@pytest.fixture
+def subscribe(session):
+    """Makes subscribers that end with the test."""
+    from imgproc_course.ros import ImageSubscriber
+
+    made = []
+
+    def make(*arguments, **options):
+        made.append(ImageSubscriber(*arguments, **options))
+        return made[-1]
+
+    yield make
+    for subscriber in made:
+        subscriber.stop()
+
+
+def colours():
+    return np.arange(4 * 5 * 3, dtype=np.uint8).reshape(4, 5, 3)
+
+
+def broken_image():
+    from sensor_msgs.msg import Image
+
+    msg = Image(height=4, width=5, encoding="rgb8", step=15)
+    msg.data.frombytes(bytes(10))
+    return msg
+
+
+def send_soon(send, *arguments):
+    threading.Timer(0.2, send, arguments).start()
+
+
+def test_wait_gives_the_picture_that_was_sent_in_the_encoding_asked_for(send, subscribe):
+    subscriber = subscribe(TOPIC)
+    assert (subscriber.latest(), subscriber.latest_message()) == (None, None)
+    send_soon(send, colours())
+    frame = subscriber.wait(20)
+    assert np.array_equal(frame, colours()[:, :, ::-1])
+    assert subscriber.latest() is frame
+    assert subscriber.latest_message().encoding == "rgb8"
+    assert (subscriber.received, subscriber.failed, subscriber.dropped) == (1, 0, 0)
+
+
+@pytest.mark.parametrize("encoding", ["rgb8", "passthrough"])
+def test_frames_come_in_other_encodings(send, subscribe, encoding):
+    subscriber = subscribe(TOPIC, encoding=encoding)
+    send_soon(send, colours())
+    assert np.array_equal(subscriber.wait(20), colours())
+
+
+def test_wait_message_gives_the_message(send, subscribe):
+    subscriber = subscribe(TOPIC)
+    send_soon(send, colours())
+    msg = subscriber.wait_message(20)
+    assert (msg.height, msg.width, bytes(msg.data)) == (4, 5, colours().tobytes())
+
+
+def test_wait_gives_a_new_frame_and_not_the_one_before(send, subscribe):
+    subscriber = subscribe(TOPIC)
+    send_soon(send, colours())
+    subscriber.wait(20)
+    with pytest.raises(TimeoutError):
+        subscriber.wait(0.2)
+
+
+def test_a_topic_ending_in_compressed_is_read_as_compressed(session, subscribe, wait_until):
+    from rclpy.qos import qos_profile_sensor_data
+    from sensor_msgs.msg import CompressedImage
+
+    from imgproc_course.messages import array_to_compressed
+
+    topic = f"{TOPIC}/compressed"
+    publisher = session.node.create_publisher(CompressedImage, topic, qos_profile_sensor_data)
+    subscriber = subscribe(topic)
+    wait_until(lambda: publisher.get_subscription_count())
+    publisher.publish(array_to_compressed(colours(), "bgr8", format="png"))
+    wait_until(lambda: subscriber.latest() is not None)
+    assert np.array_equal(subscriber.latest(), colours())
+
+
+def test_on_image_gets_frame_and_message_in_order(send, subscribe, wait_until):
+    seen = []
+    subscribe(TOPIC, lambda frame, msg: seen.append((int(frame[0, 0, 0]), msg.encoding)))
+    for value in (1, 2, 3):
+        send(np.full((2, 2), value, np.uint8), "mono8")
+        wait_until(lambda value=value: len(seen) == value)
+    assert seen == [(1, "mono8"), (2, "mono8"), (3, "mono8")]
+
+
+def test_a_frame_that_does_not_convert_is_logged_counted_and_skipped(send, subscribe, wait_until, caplog):
+    seen = []
+    subscriber = subscribe(TOPIC, lambda frame, msg: seen.append(frame))
+    send(broken_image())
+    send(colours())
+    wait_until(lambda: seen)
+    assert (subscriber.received, subscriber.failed, len(seen)) == (2, 1, 1)
+    assert np.array_equal(subscriber.latest(), colours()[:, :, ::-1])
+    assert subscriber.last_error.startswith(f"a message of {TOPIC} does not convert: ")
+    assert [record.message for record in caplog.records] == [
+        f"{subscriber.last_error} (skipped; 1 failed so far)"
+    ]
+
+
+def test_the_same_fault_over_and_over_is_logged_now_and_then(send, subscribe, wait_until, caplog):
+    subscriber = subscribe(TOPIC)
+    for count in range(1, 21):
+        send(broken_image())
+        wait_until(lambda count=count: subscriber.failed == count)
+    assert len(caplog.records) == 1
+
+
+def test_an_exception_in_on_image_is_logged_counted_and_kills_nothing(send, subscribe, wait_until, caplog):
+    seen = []
+
+    def on_image(frame, msg):
+        seen.append(frame)
+        if len(seen) == 1:
+            frame.no_such_thing  # noqa: B018
+
+    subscriber = subscribe(TOPIC, on_image)
+    send(colours())
+    wait_until(lambda: subscriber.failed == 1)
+    send(colours())
+    wait_until(lambda: len(seen) == 2)
+    assert (subscriber.received, subscriber.failed) == (2, 1)
+    assert "(frame.no_such_thing" in subscriber.last_error
+    ending = "AttributeError: 'numpy.ndarray' object has no attribute 'no_such_thing'"
+    assert subscriber.last_error.endswith(ending)
+    assert ending in caplog.text
+
+
+def test_a_reliable_subscriber_is_told_why_it_hears_nothing(send, subscribe, wait_until, caplog):
+    subscriber = subscribe(TOPIC, qos="reliable")
+    wait_until(lambda: subscriber.incompatible_qos)
+    told = (
+        f"{TOPIC} is published with a QoS that does not match: this subscriber asks for RELIABLE, "
+        'the publisher offers BEST_EFFORT; use qos="sensor_data"'
+    )
+    assert subscriber.incompatible_qos == told
+    assert [record.message for record in caplog.records] == [told]
+    with pytest.raises(TimeoutError) as error:
+        subscriber.wait(0.1)
+    assert str(error.value) == f"no frame on {TOPIC} in 0.1 s: {told}"
+
+
+def test_another_policy_that_does_not_match_is_named(send, subscribe, wait_until):
+    from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+
+    subscriber = subscribe(
+        TOPIC,
+        qos=QoSProfile(
+            depth=1,
+            reliability=ReliabilityPolicy.BEST_EFFORT,
+            durability=DurabilityPolicy.TRANSIENT_LOCAL,
+        ),
+    )
+    wait_until(lambda: subscriber.incompatible_qos)
+    assert "asks for TRANSIENT_LOCAL" in subscriber.incompatible_qos
+
+
+def reason(subscriber, seconds=0.3):
+    with pytest.raises(TimeoutError) as error:
+        subscriber.wait(seconds)
+    start = f"no frame on {subscriber.topic} in {seconds:g} s: "
+    assert str(error.value).startswith(start)
+    assert "\n" not in str(error.value)
+    return str(error.value).removeprefix(start)
+
+
+def test_nobody_publishes_and_a_similar_topic_exists(send, subscribe, session):
+    session.node.create_publisher(type(broken_image()), "/pictures/other", 5)
+    text = reason(subscribe("/pictures/image_rw"))
+    domain = session.context.get_domain_id()
+    assert text.startswith(
+        f"nobody publishes it (domain {domain}, discovery range LOCALHOST); pictures come on "
+    )
+    assert text.split("pictures come on ")[1].split(", ")[0] == TOPIC
+
+
+def test_nobody_publishes_anything(subscribe):
+    text = reason(subscribe(TOPIC))
+    assert text.startswith("nobody publishes it, nor any picture (domain ")
+    assert "open_camera()" in text and "imgproc-course play" in text and "ROS_DOMAIN_ID" in text
+
+
+def test_the_publisher_is_silent(send, subscribe, session, wait_until):
+    subscriber = subscribe(TOPIC)
+    wait_until(lambda: subscriber.matched == 1)
+    text = reason(subscriber)
+    assert text.startswith(f"/{session.node.get_name()} publishes it, but nothing came; it is paused")
+    assert f"subscribe to {TOPIC}/compressed" in text
+
+
+def test_frames_arrive_and_none_converts(send, subscribe):
+    subscriber = subscribe(TOPIC)
+    send_soon(send, broken_image())
+    text = reason(subscriber, seconds=2)
+    assert text.startswith(f"1 arrived and failed; a message of {TOPIC} does not convert: ")
+
+
+@pytest.fixture
+def another_process():
+    """A node of another context: to DDS, and to the session, that is another process."""
+    from rclpy.context import Context
+    from rclpy.node import Node
+
+    context = Context()
+    context.init()
+    node = Node("another", context=context)
+    yield node
+    node.destroy_node()
+    context.try_shutdown()
+
+
+@pytest.mark.parametrize(
+    "kind, cure",
+    [
+        ("sensor_msgs/msg/CompressedImage", "its name must end in /compressed to be read as that"),
+        ("std_msgs/msg/String", "no pictures there"),
+    ],
+)
+def test_another_type_is_on_the_topic(another_process, session, subscribe, wait_until, kind, cure):
+    import importlib
+
+    package, name = kind.split("/msg/")
+    another_process.create_publisher(getattr(importlib.import_module(f"{package}.msg"), name), TOPIC, 5)
+    subscriber = subscribe(TOPIC)
+    wait_until(lambda: session.node.count_publishers(TOPIC))
+    text = reason(subscriber)
+    assert text.startswith(f"it carries {kind}, and sensor_msgs/msg/Image was expected; {cure}")
+
+
+def test_a_compressed_topic_that_carries_raw_pictures_is_said(
+    another_process, session, subscribe, wait_until
+):
+    topic = f"{TOPIC}/compressed"
+    another_process.create_publisher(type(broken_image()), topic, 5)
+    subscriber = subscribe(topic)
+    wait_until(lambda: session.node.count_publishers(topic))
+    assert reason(subscriber) == (
+        "it carries sensor_msgs/msg/Image, and sensor_msgs/msg/CompressedImage was expected; "
+        f"subscribe to {TOPIC} for raw pictures"
+    )
+
+
+def test_another_type_in_this_process_is_said(session):
+    from std_msgs.msg import String
+
+    from imgproc_course.ros import ImageSubscriber
+
+    session.node.create_publisher(String, "/words", 5)
+    with pytest.raises(ValueError, match="/words cannot be subscribed as Image: this process has it with"):
+        ImageSubscriber("/words")
+
+
+def test_waiting_on_a_stopped_subscriber_says_so(subscribe):
+    subscriber = subscribe(TOPIC)
+    subscriber.stop()
+    subscriber.stop()
+    with pytest.raises(RuntimeError, match="is stopped; make a new ImageSubscriber"):
+        subscriber.wait()
+
+
+def test_waiting_ends_when_the_session_stops(subscribe, session):
+    subscriber = subscribe(TOPIC)
+    threading.Timer(0.2, session.stop).start()
+    with pytest.raises(RuntimeError, match="is stopped; make a new ImageSubscriber"):
+        subscriber.wait(60)
+    assert subscriber.stopped
+
+
+def test_waiting_in_a_callback_is_refused(subscribe, session):
+    subscriber = subscribe(TOPIC)
+    with pytest.raises(RuntimeError, match=r"use on_image or latest\(\)"):
+        session.run(subscriber.wait)
+
+
+def test_stopping_within_on_image(send, subscribe, wait_until):
+    seen = []
+
+    def on_image(frame, msg):
+        seen.append(frame)
+        subscriber.stop()
+
+    subscriber = subscribe(TOPIC, on_image)
+    send(colours())
+    wait_until(lambda: send.publisher.get_subscription_count() == 0)
+    assert (len(seen), subscriber.stopped) == (1, True)
+
+
+def test_iteration_yields_the_newest_and_ends_with_stop(send, subscribe, wait_until):
+    subscriber = subscribe(TOPIC)
+    seen = []
+
+    def read():
+        for frame in subscriber:
+            seen.append(int(frame[0, 0]))
+            if seen == [1]:  # meanwhile three more come, and only the last is read
+                for value in (2, 3, 4):
+                    send(np.full((2, 2), value, np.uint8), "mono8")
+                    wait_until(lambda value=value: subscriber.received == value)
+
+    subscriber.encoding = "mono8"
+    reader = threading.Thread(target=read)
+    reader.start()
+    send(np.full((2, 2), 1, np.uint8), "mono8")
+    wait_until(lambda: seen == [1, 4])
+    assert (subscriber.skipped, subscriber.dropped) == (2, 0)
+    subscriber.stop()
+    reader.join(20)
+    assert not reader.is_alive()
+
+
+def test_the_rate_is_measured_by_time_of_arrival(subscribe, monkeypatch):
+    from imgproc_course.ros import subscriber as module
+
+    clock = [100.0]
+    monkeypatch.setattr(module, "time", types.SimpleNamespace(monotonic=lambda: clock[0]))
+    subscriber = subscribe(TOPIC)
+    assert subscriber.measured_rate == 0.0
+    image = module.Image(height=1, width=1, encoding="mono8", step=1)
+    image.data.frombytes(b"\0")
+    for _ in range(100):
+        clock[0] += 0.125
+        subscriber._on_message(image, {})
+    assert subscriber.measured_rate == 8.0
+    clock[0] += 0.5
+    assert subscriber.measured_rate == 8.0
+    clock[0] += 2.0
+    assert subscriber.measured_rate == 0.0
+
+
+def test_drops_are_the_gaps_in_the_publishers_count(subscribe):
+    from imgproc_course.ros import subscriber as module
+
+    subscriber = subscribe(TOPIC, encoding="mono8")
+    image = module.Image(height=1, width=1, encoding="mono8", step=1)
+    image.data.frombytes(b"\0")
+
+    def arrive(*sequence):
+        for number in sequence:
+            subscriber._on_message(image, {"publication_sequence_number": number})
+
+    arrive(7, 8, 11)
+    assert subscriber.dropped == 2
+    subscriber._on_matched(types.SimpleNamespace(current_count=1))  # another publisher counts anew
+    arrive(1, 2, 4)
+    assert subscriber.dropped == 3
+    subscriber._on_matched(types.SimpleNamespace(current_count=2))
+    arrive(5, 900, 6)
+    assert subscriber.dropped is None
+    subscriber._on_matched(types.SimpleNamespace(current_count=1))
+    arrive(7, 9)
+    assert subscriber.dropped == 4
+    arrive(None)
+    assert subscriber.dropped is None
+    assert subscriber.received == 12
+
+
+def test_messages_overwritten_while_the_thread_is_busy_count_as_dropped(send, subscribe, wait_until):
+    gate, entered = threading.Event(), threading.Event()
+
+    def on_image(frame, msg):
+        entered.set()
+        gate.wait(20)
+
+    subscriber = subscribe(TOPIC, on_image)
+    send(colours())
+    assert entered.wait(20)
+    for _ in range(12):  # the queue holds 5
+        send(colours())
+    gate.set()
+    wait_until(lambda: subscriber.received + (subscriber.dropped or 0) == 13)
+    assert (subscriber.received, subscriber.dropped) == (6, 7)
+
+
+def test_a_subscriber_that_nobody_holds_goes(send, subscribe, session, wait_until):
+    from imgproc_course.ros import ImageSubscriber
+
+    subscriber = ImageSubscriber(TOPIC)
+    wait_until(lambda: send.publisher.get_subscription_count() == 1)
+    watch = weakref.ref(subscriber)
+    del subscriber
+    gc.collect()
+    assert watch() is None
+    wait_until(lambda: send.publisher.get_subscription_count() == 0)
+
+
+RERUN = """
+from imgproc_course.ros import ImageSubscriber, RosSession
+cell = '''
+def on_image(frame, msg): calls.append(1)
+subscriber{number} = ImageSubscriber("/p", on_image)
+'''
+calls = []
+for number in range(3):
+    exec(cell.format(number=number))
+print(subscriber0.stopped, subscriber1.stopped, subscriber2.stopped)
+def another(frame, msg): pass
+other = ImageSubscriber("/p", another)
+print(subscriber2.stopped, other.stopped)
+"""
+
+
+def test_running_the_cell_again_replaces_the_subscriber(run_python):
+    code, out, err = run_python(RERUN)
+    assert (code, out) == (0, "True True False\nFalse False\n")
+    assert err == "replaced the subscriber that called on_image on /p\n" * 2
+
+
+def test_a_modules_function_may_be_called_by_two_subscribers(send, subscribe, wait_until):
+    seen = []
+
+    def on_image(frame, msg):
+        seen.append(1)
+
+    subscribe(TOPIC, on_image)
+    subscribe(TOPIC, on_image)
+    send(colours(), listeners=2)
+    wait_until(lambda: len(seen) == 2)
+
+
+@pytest.mark.parametrize(
+    "arguments, options, said",
+    [
+        ((TOPIC,), {"qos": "best"}, "qos 'best' is neither 'sensor_data' nor 'reliable'"),
+        ((TOPIC,), {"encoding": "bgr9"}, "bgr9"),
+        (("/two words",), {}, "'/two words' is no topic name"),
+        ((None,), {}, "None is no topic name"),
+    ],
+)
+def test_bad_arguments_are_said(session, arguments, options, said):
+    from imgproc_course.ros import ImageSubscriber
+
+    with pytest.raises(ValueError) as error:
+        ImageSubscriber(*arguments, **options)
+    assert said in str(error.value) and "\n" not in str(error.value)
+
+
+def test_the_default_qos_is_what_cameras_offer():
+    from rclpy.qos import DurabilityPolicy, HistoryPolicy, ReliabilityPolicy
+
+    from imgproc_course.ros.subscriber import QOS
+
+    sensor = QOS["sensor_data"]
+    assert (sensor.reliability, sensor.durability, sensor.history, sensor.depth) == (
+        ReliabilityPolicy.BEST_EFFORT,
+        DurabilityPolicy.VOLATILE,
+        HistoryPolicy.KEEP_LAST,
+        5,
+    )
+    assert (QOS["reliable"].reliability, QOS["reliable"].depth) == (ReliabilityPolicy.RELIABLE, 10)
