@@ -1,0 +1,27 @@
+"""ros2 launch image_gray_processor image_gray_processor.launch.py display:=true"""
+
+from launch import LaunchDescription
+from launch.actions import DeclareLaunchArgument
+from launch.substitutions import LaunchConfiguration
+from launch_ros.actions import Node
+from launch_ros.parameter_descriptions import ParameterValue
+
+TOPIC = "/kachaka/front_camera/image_raw"
+
+
+def generate_launch_description():
+    return LaunchDescription(
+        [
+            DeclareLaunchArgument(
+                "topic", default_value=TOPIC, description="the camera's, raw or /compressed"
+            ),
+            DeclareLaunchArgument("display", default_value="false", description="show windows of OpenCV"),
+            Node(
+                package="image_gray_processor",
+                executable="image_gray_processor",
+                output="screen",
+                remappings=[(TOPIC, LaunchConfiguration("topic"))],
+                parameters=[{"display": ParameterValue(LaunchConfiguration("display"), value_type=bool)}],
+            ),
+        ]
+    )

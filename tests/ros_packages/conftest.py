@@ -1,0 +1,348 @@
+"""Both packages built once by colcon, their executables as processes, and a camera that does as told."""
+
+import json
+import re
+import shutil
+import signal
+import subprocess
+import sys
+import threading
+import time
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+SOURCES = Path(__file__).parents[2] / "environment" / "ros2_ws" / "src"
+PACKAGES = ("image_edge_detection", "image_gray_processor")
+TOPIC = "/kachaka/front_camera/image_raw"
+ASK_THE_INDEX = (
+    "import json\n"
+    "from ament_index_python import get_package_prefix as prefix, get_package_share_directory as share\n"
+    f"print(json.dumps({{name: [prefix(name), share(name)] for name in {PACKAGES}}}))"
+)
+
+
+@pytest.fixture(scope="session")
+def workspace(tmp_path_factory):
+    """A colcon workspace with both packages built, and its environment as sourced."""
+    root = tmp_path_factory.mktemp("ros2_ws")
+    leave_out = shutil.ignore_patterns("__pycache__", "build", "install", "log", ".pytest_cache")
+    shutil.copytree(SOURCES, root / "src", ignore=leave_out)
+    colcon = Path(sys.executable).with_name("colcon")
+    built = subprocess.run(
+        [colcon, "--log-base", "log", "build"], cwd=root, capture_output=True, text=True, timeout=240
+    )
+    assert built.returncode == 0, built.stdout + built.stderr
+    sourced = subprocess.run(
+        ["bash", "-c", "source install/setup.bash && env -0"], cwd=root, capture_output=True, check=True
+    )
+    pairs = (entry.partition("=") for entry in sourced.stdout.decode().split("\0") if entry)
+    environment = {name: value for name, _, value in pairs} | {"ROS_LOG_DIR": str(root / "ros_log")}
+    found = subprocess.run(
+        [sys.executable, "-c", ASK_THE_INDEX], env=environment, capture_output=True, text=True, check=True
+    )
+    found = json.loads(found.stdout)
+    return SimpleNamespace(
+        root=root,
+        colcon=colcon,
+        said=built.stdout,
+        environment=environment,
+        prefix={name: Path(prefix) for name, (prefix, _) in found.items()},
+        share={name: Path(share) for name, (_, share) in found.items()},
+    )
+
+
+class Process:
+    """A process and all that it says."""
+
+    def __init__(self, command, environment):
+        self._process = subprocess.Popen(
+            [str(part) for part in command],
+            env={**environment, "PYTHONUNBUFFERED": "1", "RCUTILS_COLORIZED_OUTPUT": "0"},
+            stdout=subprocess.PIPE,
+            stderr=subprocess.STDOUT,
+            text=True,
+        )
+        self.pid = self._process.pid
+        self.said = ""
+        self._reader = threading.Thread(target=self._read, daemon=True)
+        self._reader.start()
+
+    def _read(self):
+        with self._process.stdout as lines:
+            for line in lines:
+                self.said += line
+
+    @property
+    def running(self):
+        return self._process.poll() is None
+
+    def wait_for(self, pattern, seconds=40.0, times=1):
+        """The match of a regular expression in what it said, once there are so many."""
+        end = time.monotonic() + seconds
+        while len(found := list(re.finditer(pattern, self.said))) < times:
+            if time.monotonic() > end or not (self.running or self._reader.is_alive()):
+                pytest.fail(f"the process never said {pattern!r} {times} times; it said:\n{self.said}")
+            time.sleep(0.02)
+        return found[times - 1]
+
+    def send(self, number):
+        self._process.send_signal(number)
+
+    def leave(self, *numbers, seconds=20.0):
+        """Its exit code after these signals (SIGINT unless said)."""
+        for number in numbers or (signal.SIGINT,):
+            self.send(number)
+        return self.wait(seconds)
+
+    def wait(self, seconds=20.0):
+        """Its exit code, once it has ended by itself."""
+        code = self._process.wait(seconds)
+        self._reader.join(seconds)
+        return code
+
+    def kill(self):
+        self._process.kill()
+        self.wait()
+
+
+@pytest.fixture
+def start(workspace):
+    """Starts a command in the sourced workspace; it ends with the test."""
+    running = []
+
+    def start_process(*command, **variables):
+        environment = {**workspace.environment, **variables}
+        running.append(
+            Process(command, {name: value for name, value in environment.items() if value is not None})
+        )
+        return running[-1]
+
+    yield start_process
+    for process in running:
+        process.kill()
+
+
+@pytest.fixture
+def start_node(start, workspace):
+    """Starts the installed executable of a package, as `ros2 run` does, and waits until it listens."""
+
+    def start_installed(package, *arguments, **variables):
+        executable = workspace.prefix[package] / "lib" / package / package
+        process = start(executable, *(["--ros-args", *arguments] if arguments else []), **variables)
+        process.wait_for("listening to")
+        return process
+
+    return start_installed
+
+
+@pytest.fixture
+def session():
+    from imgproc_course.ros import RosSession
+
+    with RosSession.current() as running:
+        yield running
+
+
+@pytest.fixture
+def wait_until():
+    """Waits for something that other threads or processes bring about; fails when it does not come."""
+
+    def wait(condition, seconds=30.0):
+        end = time.monotonic() + seconds
+        while not (found := condition()):
+            if time.monotonic() > end:
+                pytest.fail("waited in vain")
+            time.sleep(0.01)
+        return found
+
+    return wait
+
+
+class Ear:
+    """Keeps every message of a topic, in the order of arrival."""
+
+    def __init__(self, session, topic, kind=None, qos=None):
+        from rclpy.qos import qos_profile_sensor_data
+        from sensor_msgs.msg import Image
+
+        self.messages = []
+        self._session = session
+        self._subscription = session.node.create_subscription(
+            kind or Image, topic, self.messages.append, qos or qos_profile_sensor_data
+        )
+
+    def stop(self):
+        self._session.run(lambda: self._session.node.destroy_subscription(self._subscription))
+
+    def stamps(self):
+        return [nanoseconds(message) for message in list(self.messages)]
+
+    def of(self, stamp):
+        """The message of that stamp, or None."""
+        return next((message for message in list(self.messages) if nanoseconds(message) == stamp), None)
+
+
+@pytest.fixture
+def listen(session):
+    return lambda topic, kind=None, qos=None: Ear(session, topic, kind, qos)
+
+
+class Camera:
+    """Publishes pictures one by one, each with the next stamp."""
+
+    def __init__(self, session, topic=TOPIC):
+        from rclpy.qos import qos_profile_sensor_data
+        from sensor_msgs.msg import Image
+
+        self._session = session
+        self._publisher = session.node.create_publisher(Image, topic, qos_profile_sensor_data)
+        self.stamp = 1_700_000_000_000_000_000
+        self.sent = 0
+
+    def send(self, message, stamp=None):
+        """Publishes a message under that stamp (or the next), and returns the stamp."""
+        self.stamp = self.stamp + 33_000_000 if stamp is None else stamp
+        message.header.stamp.sec, message.header.stamp.nanosec = divmod(self.stamp, 1_000_000_000)
+        message.header.frame_id = "camera_front"
+        self._publisher.publish(message)
+        self.sent += 1
+        return self.stamp
+
+    def send_until(self, condition, message, seconds=40.0, every=0.03, stamp=None):
+        """Sends the message again and again until the condition holds, for best effort may lose some."""
+        end = time.monotonic() + seconds
+        while not (found := condition()):
+            if time.monotonic() > end:
+                pytest.fail(f"waited in vain, after {self.sent} pictures")
+            self.send(message, stamp)
+            time.sleep(every)
+        return found
+
+    def get_answer(self, ear, message):
+        """What a listener hears of this picture: sent until an answer of this or a later sending comes."""
+        first = self.send(message)
+
+        def answer():
+            return next((m for m in reversed(ear.messages) if nanoseconds(m) >= first), None)
+
+        return self.send_until(answer, message)
+
+
+@pytest.fixture
+def camera(session):
+    return Camera(session)
+
+
+def nanoseconds(message):
+    return message.header.stamp.sec * 1_000_000_000 + message.header.stamp.nanosec
+
+
+def picture(seed=0, height=48, width=64):
+    """A small frame with edges in it: (height, width, 3) uint8, bgr8."""
+    rng = np.random.default_rng(seed)
+    frame = np.full((height, width, 3), 30, np.uint8)
+    for level in (90, 160, 230):
+        row, col = rng.integers(0, height // 2), rng.integers(0, width // 2)
+        frame[row : row + height // 3, col : col + width // 3] = level
+    return frame + rng.integers(0, 8, frame.shape, dtype=np.uint8)
+
+
+def contrasts():
+    """A step that grows from left to right (low ends it), and squares apart (high chooses among them)."""
+    frame = np.zeros((96, 256, 3), np.uint8)
+    frame[72:] = np.arange(256, dtype=np.uint8)[None, :, None]
+    for k, level in enumerate((30, 50, 100, 200)):
+        frame[16:48, 16 + 60 * k : 48 + 60 * k] = level
+    return frame
+
+
+def image(frame, encoding="bgr8"):
+    """A sensor_msgs/Image of the frame."""
+    from sensor_msgs.msg import Image
+
+    message = Image(height=frame.shape[0], width=frame.shape[1], encoding=encoding)
+    message.step = frame.nbytes // frame.shape[0] if frame.size else 0
+    message.data.frombytes(frame.tobytes())
+    return message
+
+
+def pixels(message):
+    """The array in a mono8 or bgr8 message, read from its fields alone."""
+    channels = {"mono8": 1, "bgr8": 3}[message.encoding]
+    assert (message.step, message.is_bigendian) == (message.width * channels, 0)
+    array = np.frombuffer(message.data, np.uint8).reshape(message.height, message.width, channels)
+    return array[..., 0] if channels == 1 else array
+
+
+@pytest.fixture
+def tools():
+    """The functions above, for tests: importlib mode imports no conftest by name."""
+    return SimpleNamespace(
+        image=image,
+        picture=picture,
+        contrasts=contrasts,
+        pixels=pixels,
+        nanoseconds=nanoseconds,
+        topic=TOPIC,
+        packages=PACKAGES,
+        sources=SOURCES,
+    )
+
+
+@pytest.fixture
+def statistics_of(listen):
+    """The newest statistics that a node publishes: a function that returns a dict, or None at first."""
+    from std_msgs.msg import String
+
+    def hear(node_name):
+        ear = listen(f"/{node_name}/statistics", String, 1)
+        return lambda: json.loads(ear.messages[-1].data) if ear.messages else None
+
+    return hear
+
+
+class Parameters:
+    """A node's parameters, through its ROS services."""
+
+    def __init__(self, session, node_name):
+        from rclpy.parameter_client import AsyncParameterClient
+
+        self._client = AsyncParameterClient(session.node, node_name)
+        assert self._client.wait_for_services(30.0)
+
+    def get(self, *names):
+        from rclpy.parameter import parameter_value_to_python
+
+        return [
+            parameter_value_to_python(v) for v in _answer(lambda: self._client.get_parameters(names)).values
+        ]
+
+    def describe(self, *names):
+        return _answer(lambda: self._client.describe_parameters(names)).descriptors
+
+    def set(self, **values):
+        """Sets all or none: (whether they were taken, the reason when not)."""
+        from rclpy.parameter import Parameter
+
+        wanted = [Parameter(name, value=value) for name, value in values.items()]
+        result = _answer(lambda: self._client.set_parameters_atomically(wanted)).result
+        return result.successful, result.reason
+
+
+def _answer(ask):
+    """What a service answers. DDS may know a service before the way back: then the answer is lost."""
+    for _ in range(6):
+        done = threading.Event()
+        future = ask()
+        future.add_done_callback(lambda _, done=done: done.set())
+        if done.wait(8.0):
+            return future.result()
+    pytest.fail("the node's parameter service does not answer")
+
+
+@pytest.fixture
+def parameters_of(session):
+    return lambda node_name: Parameters(session, node_name)

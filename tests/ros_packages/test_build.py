@@ -1,0 +1,181 @@
+"""The two ament_python packages: built by colcon from PyPI, found in the index, tested, launched as they say.
+
+Not tested here, for want of the commands: `ros2 run` and `ros2 launch` themselves (the executables that they
+run are, in the other files of this folder), and rosdep.
+"""
+
+import ast
+import re
+import subprocess
+import sys
+import types
+
+import pytest
+
+pytestmark = pytest.mark.ros
+
+# Keys of rosdistro's python.yaml, and packages of ROS 2 Jazzy, both of which rosdep resolves.
+ROSDEP_KEYS = {"python3-numpy", "python3-opencv", "python3-pytest", "python3-scipy"}
+ROS_PACKAGES = {"rcl_interfaces", "rclpy", "ros2launch", "sensor_msgs", "std_msgs"}
+NO_KEY = {"imgproc_course"}
+
+
+def each_package(function):
+    return pytest.mark.parametrize("name", ["image_edge_detection", "image_gray_processor"])(function)
+
+
+@each_package
+def test_colcon_builds_it_and_the_index_finds_it(workspace, name):
+    assert f"Finished <<< {name}" in workspace.said
+    assert workspace.prefix[name] == workspace.root / "install" / name
+    marker = workspace.prefix[name] / "share/ament_index/resource_index/packages" / name
+    assert marker.read_bytes() == b""
+    installed = {
+        path.relative_to(workspace.share[name]).as_posix() for path in workspace.share[name].rglob("*")
+    }
+    assert {"package.xml", f"launch/{name}.launch.py"} <= installed
+
+
+@each_package
+def test_what_ros2_run_executes_is_run_by_the_python_that_built_it(workspace, name):
+    scripts = [path.name for path in (workspace.prefix[name] / "lib" / name).iterdir()]
+    assert scripts == [name]
+    script = workspace.prefix[name] / "lib" / name / name
+    assert script.read_text().splitlines()[0] == f"#!{sys.executable}"
+    assert script.stat().st_mode & 0o111
+
+
+@each_package
+def test_package_xml_names_what_it_needs_and_nothing_that_rosdep_does_not_know(tools, name):
+    from catkin_pkg.package import parse_package
+
+    warnings = []
+    package = parse_package(tools.sources / name, warnings=warnings)
+    assert warnings == []
+    assert (package.package_format, package.name, package.version) == (3, name, "0.1.0")
+    assert [str(export) for export in package.exports] == ["<build_type>ament_python</build_type>"]
+    assert (package.licenses[0], package.get_build_type()) == ("Apache-2.0", "ament_python")
+    needed = {dependency.name for dependency in package.exec_depends + package.test_depends}
+    assert needed <= ROSDEP_KEYS | ROS_PACKAGES
+    assert needed >= {"rclpy", "sensor_msgs", "std_msgs", "python3-opencv", "python3-numpy", "python3-scipy"}
+    text = (tools.sources / name / "package.xml").read_text()
+    assert re.search(r"<!--.*imgproc_course.*no rosdep key.*-->", text, re.S)
+
+
+@each_package
+def test_every_import_of_the_node_is_declared(tools, name):
+    keys = {"cv2": "python3-opencv", "numpy": "python3-numpy", "scipy": "python3-scipy"}
+    declared = (tools.sources / name / "package.xml").read_text()
+    for module in (tools.sources / name / name).glob("*.py"):
+        for node in ast.walk(ast.parse(module.read_text())):
+            names = [a.name for a in node.names] if isinstance(node, ast.Import) else []
+            names += [node.module] if isinstance(node, ast.ImportFrom) else []
+            for root in {imported.partition(".")[0] for imported in names} - NO_KEY:
+                assert f"<exec_depend>{keys.get(root, root)}</exec_depend>" in declared
+
+
+def test_colcon_test_runs_the_tests_of_both(workspace):
+    plain = {**workspace.environment, "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
+    tested = subprocess.run(
+        [workspace.colcon, "--log-base", "log", "test", "--return-code-on-test-failure"],
+        cwd=workspace.root,
+        env=plain,
+        capture_output=True,
+        text=True,
+        timeout=240,
+    )
+    assert tested.returncode == 0, tested.stdout + tested.stderr
+    result = subprocess.run(
+        [workspace.colcon, "--log-base", "log", "test-result", "--all"],
+        cwd=workspace.root,
+        env=plain,
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    assert result.stdout.splitlines()[-1] == "Summary: 5 tests, 0 errors, 0 failures, 0 skipped"
+
+
+class Recorded:
+    """Stands in for an action of `launch`: keeps what it was made of."""
+
+    def __init__(self, *arguments, **options):
+        self.kind, self.arguments, self.options = type(self).__name__, arguments, options
+
+
+@pytest.fixture
+def launch_stand_ins(monkeypatch):
+    """`launch` has no wheel: its six names, which only record."""
+    modules = {
+        "launch": ["LaunchDescription"],
+        "launch.actions": ["DeclareLaunchArgument"],
+        "launch.substitutions": ["LaunchConfiguration"],
+        "launch_ros": [],
+        "launch_ros.actions": ["Node"],
+        "launch_ros.parameter_descriptions": ["ParameterValue"],
+    }
+    for name, classes in modules.items():
+        module = types.ModuleType(name)
+        for each in classes:
+            setattr(module, each, type(each, (Recorded,), {}))
+        monkeypatch.setitem(sys.modules, name, module)
+
+
+DECLARED = {
+    "image_edge_detection": {"low": 50, "high": 150, "sigma": 0.0, "display": False},
+    "image_gray_processor": {"display": False},
+}
+
+
+@each_package
+def test_the_launch_file_starts_the_executable_with_the_parameters_that_the_node_declares(
+    workspace, launch_stand_ins, tools, name
+):
+    namespace = {}
+    exec((workspace.share[name] / f"launch/{name}.launch.py").read_text(encoding="utf-8"), namespace)
+    *declared, node = namespace["generate_launch_description"]().arguments[0]
+    assert (node.options["package"], node.options["executable"]) == (name, name)
+    assert (workspace.prefix[name] / "lib" / node.options["package"] / node.options["executable"]).is_file()
+    [(source, target)] = node.options["remappings"]
+    assert (source, target.arguments) == (tools.topic, ("topic",))
+    defaults = {argument.arguments[0]: argument.options["default_value"] for argument in declared}
+    assert defaults.pop("topic") == tools.topic
+    [parameters] = node.options["parameters"]
+    assert {
+        key: (value.arguments[0].arguments, value.options["value_type"]) for key, value in parameters.items()
+    } == {key: ((key,), type(value)) for key, value in DECLARED[name].items()}
+    assert {key: ast.literal_eval(value.capitalize()) for key, value in defaults.items()} == DECLARED[name]
+
+
+def test_the_first_values_of_the_launch_files_are_those_of_the_nodes(start_node, parameters_of):
+    for name, values in DECLARED.items():
+        process = start_node(name)
+        assert parameters_of(name).get(*values) == list(values.values())
+        assert process.leave() == 0
+
+
+WITHOUT_ROS = """
+import sys
+sys.modules["rclpy"] = None
+import numpy as np
+from image_edge_detection.image_edge_detection import process as edges_of
+from image_gray_processor.image_gray_processor import main, process as gray_of
+frame = np.full((4, 4, 3), 200, np.uint8)
+print(gray_of(frame)["gray"][0, 0], edges_of(frame, 50, 150, 0.0)["edges"].sum())
+try: main()
+except ImportError as error: print(error)
+"""
+
+
+def test_where_ros_is_missing_the_functions_work_and_main_says_what_to_install(workspace):
+    done = subprocess.run(
+        [sys.executable, "-c", WITHOUT_ROS],
+        env=workspace.environment,
+        capture_output=True,
+        text=True,
+        timeout=60,
+    )
+    assert (done.returncode, done.stderr) == (0, "")
+    numbers, cure = done.stdout.splitlines()
+    assert numbers == "200 0"
+    assert cure.startswith("ROS 2 is missing") and "environment/setup" in cure

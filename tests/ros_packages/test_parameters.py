@@ -1,0 +1,133 @@
+"""The parameters of the edge node: described, changed while pictures come, all of a request or none."""
+
+import cv2
+import pytest
+
+pytestmark = pytest.mark.ros
+
+EDGE = "image_edge_detection"
+
+
+@pytest.fixture
+def gray_of(tools):
+    return lambda frame: cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
+
+
+@pytest.fixture
+def node(start_node):
+    process = start_node(EDGE)
+    yield process
+    assert process.leave() == 0
+
+
+@pytest.fixture
+def parameters(node, parameters_of):
+    return parameters_of(EDGE)
+
+
+def test_each_parameter_has_a_range_and_a_description(parameters):
+    low, high, sigma, display = parameters.describe("low", "high", "sigma", "display")
+    for threshold in (low, high):
+        [span] = threshold.integer_range
+        assert (span.from_value, span.to_value) == (0, 1530)
+        assert "a pixel above it is an edge" in threshold.description and "4 h" in threshold.description
+    [span] = sigma.floating_point_range
+    assert (span.from_value, span.to_value) == (0.0, 10.0)
+    assert "pixels" in sigma.description and "windows" in display.description
+    assert parameters.get("low", "high", "sigma", "display") == [50, 150, 0.0, False]
+
+
+def test_thresholds_changed_in_mid_stream_take_effect_together(
+    parameters, listen, camera, tools, gray_of, wait_until
+):
+    frame = tools.contrasts()
+    gray, message = gray_of(frame), tools.image(frame)
+    before, after, half = (cv2.Canny(gray, *pair) for pair in ((50, 150), (300, 600), (50, 600)))
+    assert (before != after).any() and (before != half).any() and (after != half).any()
+    ear = listen(f"/{EDGE}/edges")
+    camera.send_until(lambda: len(ear.messages) >= 5, message)
+    assert parameters.set(low=300, high=600) == (True, "")
+    camera.send_until(lambda: (tools.pixels(ear.messages[-1]) == after).all(), message)
+    camera.send_until(lambda: len(ear.messages) >= 12, message)
+    seen = [tools.pixels(answer) for answer in list(ear.messages)]
+    is_new = [bool((edges == after).all()) for edges in seen]
+    assert all(new or (edges == before).all() for new, edges in zip(is_new, seen, strict=True))
+    assert is_new == sorted(is_new)  # first the old ones, then the new ones
+
+
+def test_low_above_high_is_refused_with_the_reason_and_nothing_changes(
+    node, parameters, listen, camera, tools, gray_of
+):
+    for request in ({"low": 200}, {"low": 60, "high": 40}, {"sigma": 2.0, "low": 151}):
+        taken, reason = parameters.set(**request)
+        low, high = request["low"], request.get("high", 150)
+        assert not taken
+        assert reason == f"low ({low}) must not be above high ({high}); set both at once, or high first"
+    assert parameters.get("low", "high", "sigma") == [50, 150, 0.0]
+    frame = tools.picture(3)
+    answer = camera.get_answer(listen(f"/{EDGE}/edges"), tools.image(frame))
+    assert (tools.pixels(answer) == cv2.Canny(gray_of(frame), 50, 150)).all()
+
+
+REFUSED = [
+    ({"high": 1531}, "Parameter high out of range. Min: 0, Max: 1530, value: 1531"),
+    ({"low": -1, "high": 400}, "Parameter low out of range. Min: 0, Max: 1530, value: -1"),
+    ({"sigma": 10.5}, "Parameter sigma out of range Min: 0.0, Max: 10.0, value: 10.5"),
+    ({"sigma": float("nan")}, "Parameter sigma out of range Min: 0.0, Max: 10.0, value: nan"),
+    ({"sigma": 11}, "Parameter sigma out of range. Min: 0, Max: 10, value: 11"),
+    ({"sigma": "wide"}, "sigma must be a number, got 'wide'"),
+    ({"sigma": True}, "sigma must be a number, got True"),
+    ({"low": 60.5}, "Wrong parameter type, expected 'Type.INTEGER' got 'Type.DOUBLE'"),
+]
+
+
+def test_a_bad_value_is_refused_with_the_reason(parameters):
+    assert [(request, *parameters.set(**request)) for request, _ in REFUSED] == [
+        (request, False, reason) for request, reason in REFUSED
+    ]
+    assert parameters.get("low", "high", "sigma") == [50, 150, 0.0]
+    assert parameters.set(sigma=1.5, low=50) == (True, "")
+
+
+def test_sigma_takes_whole_numbers_too(parameters, listen, camera, tools, gray_of):
+    assert parameters.set(sigma=2) == (True, "")
+    frame = tools.picture(4)
+    blurred = cv2.GaussianBlur(gray_of(frame), (0, 0), 2)
+    expected = cv2.Canny(blurred, 50, 150)
+    assert (expected != cv2.Canny(gray_of(frame), 50, 150)).any()
+    answer = camera.get_answer(listen(f"/{EDGE}/edges"), tools.image(frame))
+    assert (tools.pixels(answer) == expected).all()
+
+
+def test_display_is_refused_where_opencv_has_no_windows(node, parameters):
+    taken, reason = parameters.set(display=True)
+    assert not taken
+    assert reason.startswith("display needs an OpenCV with windows, and this one is headless: pip uninstall")
+    assert parameters.get("display") == [False]
+
+
+def test_display_asked_for_at_the_start_says_what_to_install_and_goes_on(start_node, parameters_of):
+    process = start_node(EDGE, "-p", "display:=true")
+    process.wait_for(
+        "then pip install opencv-python; or use live_view in a notebook; going on without windows"
+    )
+    assert parameters_of(EDGE).get("display") == [False]
+    assert process.leave() == 0
+    assert "Traceback" not in process.said
+
+
+@pytest.mark.parametrize(
+    "assignment, reason",
+    [
+        ("low:=200", r"low \(200\) must not be above high \(150\); set both at once, or high first"),
+        ("low:=abc", "Trying to set parameter 'low' to 'abc' of type 'STRING', expecting type 'INTEGER'"),
+        ("sigma:=-1.0", r"Parameter sigma out of range Min: 0\.0, Max: 10\.0, value: -1\.0"),
+    ],
+)
+def test_a_bad_first_value_ends_the_start_in_one_line(start, workspace, assignment, reason):
+    executable = workspace.prefix[EDGE] / "lib" / EDGE / EDGE
+    process = start(executable, "--ros-args", "-p", assignment)
+    assert process.wait(60) == 2
+    [line] = process.said.splitlines()
+    assert line.startswith("cannot start: ")
+    process.wait_for(reason)

@@ -1,0 +1,94 @@
+"""The soak, for some seconds: it finds nothing in a sound graph, and finds what is wrong in another."""
+
+import os
+import signal
+import sys
+
+import pytest
+
+pytestmark = pytest.mark.ros
+
+SHORT = "from imgproc_course.ros.soak import soak; raise SystemExit(soak(0.08, 0.5, warm_up=2.0))"
+
+
+@pytest.mark.parametrize("where", ["installed", "sources"])
+def test_a_short_soak_finds_no_loss_and_no_growth(start, where):
+    without = {} if where == "installed" else {"AMENT_PREFIX_PATH": None}
+    process = start(sys.executable, "-c", SHORT, COLUMNS="110", **without)
+    assert process.wait(120) == 0, process.said
+    assert process.said.splitlines()[-1] == "no loss, no growth"
+    rows = {line.split("│")[1].strip(): line for line in process.said.splitlines() if line.startswith("│")}
+    assert list(rows) == ["camera", "image_gray_processor", "image_edge_detection", "notebook"]
+    for node in ("image_gray_processor", "image_edge_detection"):
+        frames, lost, failed = (int(cell) for cell in rows[node].split("│")[2:5])
+        assert frames > 0 and (lost, failed) == (0, 0)
+
+
+def test_a_node_that_ends_is_said_and_costs_the_verdict(start, tmp_path, workspace):
+    broken = tmp_path / "lib" / "image_gray_processor" / "image_gray_processor"
+    broken.parent.mkdir(parents=True)
+    broken.write_text("#!/bin/sh\necho 'the disk is gone' >&2\nexit 3\n")
+    broken.chmod(0o755)
+    path = f"{tmp_path}:{workspace.environment['AMENT_PREFIX_PATH']}"
+    process = start(sys.executable, "-c", SHORT, AMENT_PREFIX_PATH=path)
+    assert process.wait(120) == 1
+    assert "image_gray_processor ended with code 3: the disk is gone" in process.said
+    assert process.said.splitlines()[-1] == "something was lost, or grew"
+
+
+def test_sigterm_leaves_no_process_behind(start):
+    import psutil
+
+    process = start(sys.executable, "-c", SHORT.replace("0.08", "10"))
+    process.wait_for("warm after 2 s; 10 minutes from now on", seconds=90)
+    children = psutil.Process(process.pid).children(recursive=True)
+    assert len(children) >= 3
+    assert process.leave(signal.SIGTERM, seconds=60) in (0, 1)
+    assert "ended by Ctrl-C" in process.said
+    assert not any(child.is_running() for child in children)
+
+
+def test_growth_and_its_size_are_found():
+    from imgproc_course.ros.soak import MEMORY_SLACK, _Watched
+
+    watched = _Watched(os.getpid())
+    watched.sample()
+    [(own, threads, files)] = watched.samples
+    assert 1 << 20 < own < 1 << 33 and threads >= 1 and files >= 3
+    watched.samples = [(50 << 20, 4, 9)] * 100
+    assert list(watched.growth()) == []
+    watched.samples = [((50 << 20) + k * (MEMORY_SLACK // 60), 4 + k // 80, 9 + k // 80) for k in range(100)]
+    assert list(watched.growth()) == [
+        "memory grew by 10.0 MiB",
+        "threads grew from 4 to 5",
+        "open files grew from 9 to 10",
+    ]
+
+
+@pytest.mark.parametrize("minutes", [0, -1, float("inf"), float("nan")])
+def test_a_length_that_is_none_is_refused(minutes):
+    from imgproc_course.ros.soak import soak
+
+    with pytest.raises(ValueError, match="minutes must be a positive number, got"):
+        soak(minutes)
+
+
+def test_the_command_says_what_is_wrong_in_one_line():
+    from click.testing import CliRunner
+
+    from imgproc_course.cli import main
+
+    result = CliRunner().invoke(main, ["soak", "--minutes", "-1"])
+    assert (result.exit_code, result.output) == (1, "Error: minutes must be a positive number, got -1.0\n")
+
+
+def test_packages_that_are_nowhere_are_said(monkeypatch, tmp_path):
+    import imgproc_course
+    from imgproc_course.ros import soak
+
+    monkeypatch.setenv("AMENT_PREFIX_PATH", str(tmp_path))
+    monkeypatch.setattr(
+        imgproc_course, "__file__", str(tmp_path / "site-packages" / "imgproc_course" / "x.py")
+    )
+    with pytest.raises(ValueError, match=r"image_gray_processor is nowhere; source a workspace"):
+        soak._command("image_gray_processor")
