@@ -1,0 +1,7 @@
+"""What a notebook shows: still pictures, the running camera, and sliders beside a picture."""
+
+from imgproc_course.display.figures import draw, show, show_figure
+from imgproc_course.display.live_view import LiveView, live_view
+from imgproc_course.display.tuners import Tuner, tune
+
+__all__ = ["LiveView", "Tuner", "draw", "live_view", "show", "show_figure", "tune"]

@@ -1,0 +1,242 @@
+"""show, live_view and tune in a real browser: pictures move, sliders are alive, the page stays still."""
+
+import textwrap
+
+import pytest
+from jupyter_page import VIEW, write_notebook
+
+pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser")]
+
+LAST_CELL = ".jp-CodeCell >> nth=-1"
+# A camera of 1280 × 720 at 30 Hz: a bright bar that wanders over a gradient.
+CAMERA = textwrap.dedent(
+    """
+    import time
+    import cv2
+    import numpy as np
+    from imgproc_course.display import live_view, show, tune
+
+    class Wandering:
+        rate = 30.0
+        def __len__(self):
+            return 120
+        def frame(self, k, encoding="bgr8"):
+            frame = np.empty((720, 1280, 3), np.uint8)
+            frame[:] = np.linspace(0, 200, 1280).astype(np.uint8)[:, None]
+            frame[:, 10 * k : 10 * k + 60] = (0, 0, 255)
+            return frame
+
+    camera = Wandering()
+    """
+)
+
+
+@pytest.fixture
+def notebook(lab, open_notebook, request):
+    """Writes a notebook of CAMERA and some cells, opens it and runs it all."""
+
+    def make(*cells, run=True):
+        name = f"{request.node.name.partition('[')[0]}.ipynb"
+        write_notebook(lab[1] / name, [CAMERA, *map(textwrap.dedent, cells)])
+        page = open_notebook(name)
+        if run:
+            page.run_all()
+        return page
+
+    return make
+
+
+def colour_at(page, x, y):
+    """[red, green, blue] of the live picture at a place, each a share of its size."""
+    return page.page.evaluate(
+        """([selector, x, y]) => {
+            const image = document.querySelector(selector);
+            const canvas = new OffscreenCanvas(image.naturalWidth, image.naturalHeight);
+            const context = canvas.getContext("2d");
+            context.drawImage(image, 0, 0);
+            const place = [x * canvas.width, y * canvas.height].map(Math.floor);
+            return Array.from(context.getImageData(...place, 1, 1).data).slice(0, 3);
+        }""",
+        [VIEW, x, y],
+    )
+
+
+def test_live_view_moves_and_its_slider_acts_while_it_runs(notebook):
+    page = notebook(
+        """
+        def bright(frame, level=100):
+            return cv2.threshold(cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY), level, 255, cv2.THRESH_BINARY)[1]
+
+        view = live_view(camera, bright, level=(0, 250, 50), caption="What is bright is white.")
+        """,
+        "1 + 1",
+    )
+    assert page.errors() == []
+    page.wait_for_picture()
+    assert page.pictures_per_second(3)["changes"] > 5
+    page.wait_until(lambda: colour_at(page, 0.9, 0.5)[0] > 200 or colour_at(page, 0.9, 0.2)[0] > 200)
+    before = page.place_of(LAST_CELL)
+    for _ in range(5):
+        page.press_on_slider("ArrowRight")
+    page.wait_until(lambda: max(colour_at(page, 0.9, 0.5)) < 60)
+    assert page.readout() == "250"
+    page.page.locator("code", has_text="bright(frame, level=250)").wait_for()
+    assert page.place_of(LAST_CELL) == before
+    page.screenshot("live_view", VIEW)
+
+
+def test_live_view_shows_red_as_red(notebook):
+    page = notebook(
+        """
+        def red(frame):
+            frame[:] = (0, 0, 255)
+            return frame
+
+        view = live_view(camera, red)
+        """
+    )
+    page.wait_for_picture()
+    page.wait_until(lambda: colour_at(page, 0.5, 0.5)[0] > 240)
+    assert max(colour_at(page, 0.5, 0.5)[1:]) < 15
+
+
+def test_error_in_the_function_is_on_the_page_and_stops_nothing(notebook):
+    page = notebook(
+        """
+        count = 0
+        def every_third(frame):
+            global count
+            count += 1
+            print("number", count)
+            if count % 90 > 45:
+                raise ValueError("a frame that I do not like")
+            return frame
+
+        view = live_view(camera, every_third)
+        """,
+        "1 + 1",
+    )
+    words = page.page.get_by_text("ValueError: a frame that I do not like")
+    words.wait_for()
+    place = page.place_of(LAST_CELL)
+    assert 'raise ValueError("a frame that I do not like")' in words.inner_text()
+    assert "in every_third, line 7" in words.inner_text()
+    page.screenshot("live_view_error", VIEW)
+    page.page.get_by_text("number 9").wait_for()
+    assert words.count() == 0
+    assert page.outputs(1) == []
+    assert page.place_of(LAST_CELL) == place
+    assert page.errors() == []
+
+
+def test_stop_start_snapshot_and_running_the_cell_again(notebook, lab):
+    page = notebook(
+        "first = []",
+        "view = live_view(camera); first.append(view)",
+        "print([one.running for one in first])",
+    )
+    page.wait_for_picture()
+    page.press_button("Stop")
+    page.page.get_by_text("stopped after").wait_for()
+    page.page.wait_for_timeout(300)
+    assert page.pictures_per_second(1)["loads"] == 0
+    page.press_button("Snapshot")
+    page.page.get_by_text("kept as .snapshots[0] and snapshot-001.png").wait_for()
+    assert (lab[1] / "snapshot-001.png").stat().st_size > 1000
+    page.press_button("Start")
+    page.wait_until(lambda: page.pictures_per_second(0.5)["loads"] > 0)
+    page.run_cell(2)
+    page.run_cell(3)
+    assert page.outputs(3) == ["[False, True]\n"]
+
+
+def test_live_view_rests_without_its_output(notebook):
+    page = notebook(
+        "view = live_view(camera)",
+        "time.sleep(0.5); a = view.shown; time.sleep(1); print(view.shown - a < 3)",
+    )
+    page.wait_for_picture()
+    page.run_cell(2)
+    assert page.outputs(2) == ["False\n"]
+    page.page.locator(".jp-CodeCell .cm-content").nth(1).click()
+    page.page.get_by_role("menuitem", name="Edit", exact=True).click()
+    page.page.get_by_role("menuitem", name="Clear Cell Output", exact=True).click()
+    page.page.locator(VIEW).wait_for(state="detached")
+    page.run_cell(2)
+    assert page.outputs(2) == ["True\n"]
+
+
+def test_a_view_goes_on_while_another_cell_works(notebook):
+    page = notebook("view = live_view(camera)", "'ready'")
+    page.wait_for_picture()
+    page.page.locator(".jp-CodeCell .cm-content").nth(2).click()
+    page.page.keyboard.press("Control+A")
+    page.page.keyboard.type("time.sleep(6)")
+    page.page.keyboard.press("Control+Enter")
+    page.page.wait_for_timeout(500)
+    assert page.pictures_per_second(3)["loads"] > 2
+    assert "[*]:" in page.prompts()
+    page.wait_until_run(30)
+
+
+def test_tune_follows_its_range_slider_and_resets(notebook):
+    page = notebook(
+        """
+        def canny(gray, low, high, *, sigma=0.0):
+            return cv2.Canny(gray, low, high)
+
+        gray = camera.frame(20)[:, :, 2]
+        tuner = tune(canny, gray, thresholds=(0, 1020), sigma=(0, 5.0), caption="Edges of the bar.")
+        """,
+        "print(tuner.call, tuner.value.sum() // 255)",
+    )
+    assert page.errors() == []
+    page.wait_for_picture()
+    assert page.readout() == "100 – 200"
+    page.press_on_slider("PageUp", 1)
+    page.wait_until(lambda: page.readout() != "100 – 200")
+    call = f"canny(gray, low=100, high={page.readout().split()[-1]}, sigma=0.0)"
+    page.page.locator("code", has_text=call).wait_for()
+    page.run_cell(2)
+    assert page.outputs(2)[0].startswith(call)
+    page.screenshot("tune", VIEW)
+    page.press_button("Reset")
+    page.wait_until(lambda: page.readout() == "100 – 200")
+    assert page.page.locator(VIEW).get_attribute("title") == "Edges of the bar."
+
+
+def test_show_has_an_alt_text_also_in_a_notebook_that_is_not_trusted(notebook, lab, open_notebook):
+    page = notebook(
+        """
+        show([camera.frame(20), camera.frame(20)[:, :, 2]], ["frame", "its red channel"],
+             alt="a red bar on a gray ramp", caption="The bar is white where only red is looked at.")
+        """,
+        "show(np.arange(25, dtype=np.uint8).reshape(5, 5) * 10, alt='five by five numbers')",
+    )
+    alts = page.page.locator("figure img").evaluate_all("all => all.map(one => one.alt)")
+    assert alts == ["a red bar on a gray ramp", "five by five numbers"]
+    page.page.keyboard.press("Control+s")
+    page.screenshot("show")
+    path = lab[1] / "test_show_has_an_alt_text_also_in_a_notebook_that_is_not_trusted.ipynb"
+    page.wait_until(
+        lambda: "five by five numbers" in path.read_text().replace("alt='five by five numbers'", "")
+    )
+    page.close()
+    # Copied, as every lesson is, it is a notebook whose outputs nobody trusts yet.
+    copy = lab[1] / "copied.ipynb"
+    copy.write_text(path.read_text().replace("np.arange(25", "np.arange( 25"))
+    page = open_notebook(copy.name)
+    images = page.page.locator("figure img")
+    images.first.wait_for()
+    seen = images.evaluate_all("all => all.map(one => [one.alt, one.naturalWidth > 300])")
+    assert seen == [["a red bar on a gray ramp", True], ["five by five numbers", True]]
+    assert page.page.locator("figcaption").all_inner_texts() == [
+        "The bar is white where only red is looked at."
+    ]
+
+
+@pytest.mark.parametrize("bad", ["1 / 0", "def"])
+def test_an_error_far_down_the_page_is_found(notebook, bad):
+    page = notebook(*["print('line\\n' * 60)"] * 8, bad, "'never reached'")
+    assert len(page.errors()) == 1
+    assert page.not_run() == [10]

@@ -1,0 +1,286 @@
+"""What `show` stores in a notebook: the right colours, words for the blind, the same bytes each time."""
+
+import base64
+import re
+import sys
+
+import cv2
+import matplotlib as mpl
+import numpy as np
+import pytest
+from matplotlib import pyplot as plt
+
+from imgproc_course.display import draw, show, show_figure
+
+figures = sys.modules["imgproc_course.display.figures"]
+
+RED_BGR = np.full((4, 4, 3), (0, 0, 255), np.uint8)
+
+
+@pytest.fixture
+def shown(monkeypatch):
+    outputs = []
+    monkeypatch.setattr(figures, "display", outputs.append)
+    return outputs
+
+
+def pixels(output):
+    """(rows, cols, 3) uint8 of the stored picture, red first, at the density it was drawn with."""
+    data = re.search(r'src="data:image/\w+;base64,([^"]+)"', output.html)[1]
+    return cv2.imdecode(np.frombuffer(base64.b64decode(data), np.uint8), cv2.IMREAD_COLOR)[:, :, ::-1]
+
+
+def alt_text(output):
+    return re.search(r'alt="([^"]*)"', output.html)[1]
+
+
+def levels_shown(axes):
+    """The gray levels on the screen of a gray picture, by its own pixels."""
+    screen = axes.images[0].get_array()
+    assert (screen[..., 0] == screen[..., 1]).all()
+    assert (screen[..., 1] == screen[..., 2]).all()
+    return screen[..., 0]
+
+
+@pytest.mark.parametrize(
+    ("encoding", "pixel"),
+    [
+        ("bgr8", (0, 0, 255)),
+        ("rgb8", (255, 0, 0)),
+        ("bgra8", (0, 0, 255, 255)),
+        ("rgba8", (255, 0, 0, 255)),
+        ("8UC3", (0, 0, 255)),
+        ("8UC4", (0, 0, 255, 255)),
+    ],
+)
+def test_red_is_red_in_the_stored_picture(shown, encoding, pixel):
+    assert show(np.full((40, 40, len(pixel)), pixel, np.uint8), encoding=encoding) is None
+    stored = pixels(shown[0])
+    middle = stored[stored.shape[0] // 2, stored.shape[1] // 2]
+    assert abs(middle.astype(int) - (255, 0, 0)).max() <= 3  # JPEG and PNG alike
+
+
+def test_each_picture_has_an_encoding_of_its_own():
+    _, axes = draw([RED_BGR, RED_BGR[:, :, ::-1]], encoding=["bgr8", "rgb8"])
+    for one in axes:
+        assert (one.images[0].get_array() == (255, 0, 0)).all()
+
+
+def test_transparent_pixels_are_white():
+    _, [axes] = draw(np.array([[[0, 0, 255, 0], [0, 0, 255, 128]]], np.uint8), encoding="bgra8")
+    screen = axes.images[0].get_array()
+    assert screen[0, 0].tolist() == [255, 255, 255]
+    assert screen[-1, -1].tolist() == [255, 127, 127]
+
+
+def test_uint8_is_never_stretched():
+    _, axes = draw([np.full((3, 3), 100, np.uint8), np.array([[100, 101]], np.uint8)])
+    assert np.unique(levels_shown(axes[0])).tolist() == [100]
+    assert np.unique(levels_shown(axes[1])).tolist() == [100, 101]
+
+
+def test_bool_is_black_and_white():
+    _, [axes] = draw(np.array([[False, True]]))
+    assert np.unique(levels_shown(axes)).tolist() == [0, 255]
+
+
+def test_signed_pictures_share_a_scale_with_zero_in_its_middle():
+    figure, axes = draw([np.array([[-1020, 0]], np.int16), np.array([[0, 510]], np.int32)])
+    assert np.unique(levels_shown(axes[0])).tolist() == [0, 128]
+    assert np.unique(levels_shown(axes[1])).tolist() == [128, 191]
+    bars = [one for one in figure.axes if one not in axes]
+    assert [bar.get_ylim() for bar in bars] == [(-1020, 1020)]
+
+
+def test_unsigned_wide_pictures_go_from_zero_to_the_largest():
+    figure, [axes] = draw(np.array([[0, 1000], [500, 2000]], np.uint16), encoding="16UC1")
+    assert np.unique(levels_shown(axes)).tolist() == [0, 64, 128, 255]
+    assert figure.axes[-1].get_ylim() == (0, 2000)
+
+
+def test_limits_hold_for_all_gray_pictures_and_the_bar_points_beyond():
+    figure, axes = draw([np.array([[0, 50, 100]], np.uint8), np.array([[25.0, -5.0]])], limits=(0, 50))
+    assert np.unique(levels_shown(axes[0])).tolist() == [0, 255]
+    assert np.unique(levels_shown(axes[1])).tolist() == [0, 128]
+    bar = figure.axes[-1]
+    assert bar.get_ylim() == (0, 50)
+    assert bar._colorbar.extend == "both"
+
+
+def test_a_uint8_picture_beside_a_signed_one_keeps_its_own_scale():
+    figure, axes = draw([np.full((2, 2), 200, np.uint8), np.array([[-4, 4]])])
+    assert np.unique(levels_shown(axes[0])).tolist() == [200]
+    assert len(figure.axes) == 3
+
+
+def test_colour_map_shows_an_angle_as_hue():
+    _, [axes] = draw(np.array([[-np.pi, 0.0]]), cmap="hsv", limits=(-np.pi, np.pi))
+    red, cyan = axes.images[0].get_array()[0, 0], axes.images[0].get_array()[0, -1]
+    assert red.tolist() == [255, 0, 0]
+    assert cyan[0] < 10 and cyan[1] > 240 and cyan[2] > 230
+
+
+def test_numbers_stand_in_the_pixels_of_small_arrays_with_a_contrast_that_reads():
+    array = np.array([[0, 127], [128, 255]], np.uint8)
+    _, [axes] = draw(array)
+    words = {text.get_position(): (text.get_text(), text.get_color()) for text in axes.texts}
+    assert words == {
+        (0, 0): ("0", "white"),
+        (1, 0): ("127", "white"),
+        (0, 1): ("128", "black"),
+        (1, 1): ("255", "black"),
+    }
+
+
+def test_numbers_of_a_colour_picture_are_in_its_own_order():
+    _, [axes] = draw(np.array([[[10, 20, 30]]], np.uint8), encoding="rgb8")
+    assert axes.texts[0].get_text() == "10\n20\n30"
+    assert "r, g, b" in axes.get_xlabel()
+
+
+@pytest.mark.parametrize(("size", "count"), [(12, 144), (13, 0)])
+def test_numbers_are_drawn_up_to_twelve_by_twelve(size, count):
+    _, [axes] = draw(np.zeros((size, size), np.uint8))
+    assert len(axes.texts) == count
+
+
+def test_numbers_can_be_refused_and_asked_for():
+    assert not draw(np.zeros((3, 3), np.uint8), numbers=False)[1][0].texts
+    assert len(draw(np.zeros((20, 20), np.uint8), numbers=True)[1][0].texts) == 400
+    with pytest.raises(ValueError, match=r"at most 24 rows and cols"):
+        draw(np.zeros((25, 25), np.uint8), numbers=True)
+
+
+def test_a_part_keeps_the_pixel_numbers_of_the_whole():
+    array = np.arange(10_000, dtype=np.uint16).reshape(100, 100)
+    _, [axes] = draw(array, rows=(40, 45), cols=(60, 64))
+    assert axes.get_xlim() == (59.5, 63.5)
+    assert axes.get_ylim() == (44.5, 39.5)
+    assert [text.get_text() for text in axes.texts][:2] == ["4060", "4061"]
+    assert axes.texts[0].get_position() == (60, 40)
+    assert (axes.get_xlabel(), axes.get_ylabel()) == ("col", "row")
+
+
+def test_pixels_are_squares_of_one_size():
+    figure, axes = draw([np.zeros((5, 5), np.uint8), np.zeros((30, 40), np.uint8)])
+    whole = figure.get_size_inches() * 100
+    for one, shape in zip(axes, [(5, 5), (30, 40)], strict=True):
+        box = one.get_position()
+        width, height = box.width * whole[0] / shape[1], box.height * whole[1] / shape[0]
+        assert width == pytest.approx(height)
+        assert width == pytest.approx(round(width))
+
+
+@pytest.mark.parametrize("col", range(640, 644))
+def test_a_shrunk_picture_averages_so_that_thin_lines_stay(col):
+    array = np.zeros((720, 1280), np.uint8)
+    array[:, col] = 255
+    _, [axes] = draw(array)
+    assert (levels_shown(axes).max(axis=1) > 60).all()
+
+
+def test_many_pictures_wrap_into_lines_that_fit_a_page():
+    figure, axes = draw([np.zeros((12, 12), np.uint8)] * 7)
+    assert len(axes) == 7
+    assert figure.get_size_inches()[0] * 100 <= figures.FIGURE_WIDTH
+    boxes = [one.get_position() for one in axes]
+    for k, box in enumerate(boxes):
+        assert box.x0 >= 0 and box.x1 <= 1 and box.y0 >= 0 and box.y1 <= 1
+        assert not any(box.overlaps(other) for other in boxes[k + 1 :])
+
+
+def test_alt_caption_and_text_are_in_the_output(shown):
+    show(np.zeros((3, 3), np.uint8), alt='nine "black" pixels', caption="All < 1.")
+    bundle = shown[0]._repr_mimebundle_()
+    assert 'alt="nine &quot;black&quot; pixels"' in bundle["text/html"]
+    assert "All &lt; 1.</figcaption>" in bundle["text/html"]
+    assert bundle["text/plain"] == repr(shown[0]) == "All < 1."
+
+
+def test_alt_is_made_of_titles_and_sizes_where_it_is_left_out(shown):
+    show({"frame": RED_BGR, "gray": np.zeros((4, 6), np.uint8)})
+    assert alt_text(shown[0]) == "frame (colour, 4 rows by 4 cols); gray (gray, 4 rows by 6 cols)"
+
+
+def test_same_picture_same_bytes_whatever_style_the_learner_likes(shown):
+    array = np.random.default_rng(1).integers(0, 256, (200, 300, 3), np.uint8)
+    show(array, "noise", caption="Noise.")
+    with mpl.rc_context({"axes.facecolor": "black", "font.size": 20, "figure.dpi": 50, "text.color": "red"}):
+        show(array, "noise", caption="Noise.")
+    show(array.copy(), "noise", caption="Noise.")
+    assert shown[0].html == shown[1].html == shown[2].html
+
+
+def test_a_photograph_stays_small_and_numbers_stay_exact(shown):
+    noise = np.random.default_rng(1).integers(0, 256, (90, 160, 3), np.uint8)
+    show(cv2.resize(noise, (1280, 720), interpolation=cv2.INTER_CUBIC))
+    assert "image/jpeg" in shown[0].html
+    assert len(shown[0].html) < 400_000
+    show(np.arange(25, dtype=np.uint8).reshape(5, 5))
+    assert "image/png" in shown[1].html
+    assert len(shown[1].html) < 60_000
+
+
+def test_nothing_of_the_input_changes(shown):
+    array = np.random.default_rng(1).integers(0, 256, (30, 30, 3), np.uint8)
+    array.flags.writeable = False
+    before = array.copy()
+    show(array[::-1, ::2])
+    assert (array == before).all()
+
+
+def test_no_figure_stays_open(shown):
+    open_before = plt.get_fignums()  # of other tests of this process
+    show(np.zeros((3, 3), np.uint8))
+    figure, axes = plt.subplots()
+    axes.plot([0, 1])
+    show_figure(figure, alt="a line", caption="A line.")
+    assert plt.get_fignums() == open_before
+    assert len(shown) == 2
+
+
+def test_show_figure_wants_words():
+    with pytest.raises(ValueError, match="alt must say in words"):
+        show_figure(draw(RED_BGR)[0], alt=" ")
+
+
+GRAY = np.zeros((4, 4), np.uint8)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "words"),
+    [
+        (
+            {"images": RED_BGR, "encoding": "mono8"},
+            r"shape \(4, 4, 3\), but encoding 'mono8' means \(rows, cols\)",
+        ),
+        ({"images": RED_BGR, "encoding": "bgra8"}, r'means \(rows, cols, 4\); try encoding="bgr8"'),
+        ({"images": np.zeros((4, 4, 2), np.uint8)}, r"try array\[:, :, k\] for one channel"),
+        (
+            {"images": GRAY.astype(float), "encoding": "mono8"},
+            "dtype float64, but encoding 'mono8' means uint8",
+        ),
+        ({"images": GRAY, "encoding": "mono16"}, "dtype uint8, but encoding 'mono16' means uint16"),
+        ({"images": RED_BGR.astype(float)}, r"values 0 to 255; expected 0\.\.1: divide by 255"),
+        ({"images": RED_BGR.astype(np.int32)}, r"colour picture of dtype int32; .*np\.clip"),
+        ({"images": np.array([[0.0, np.nan]])}, r"NaN or infinity.*np\.nan_to_num"),
+        ({"images": GRAY.astype(complex)}, "dtype complex128; expected numbers"),
+        ({"images": GRAY[0]}, r"shape \(4,\); expected \(rows, cols\)"),
+        ({"images": GRAY[:0]}, r"shape \(0, 4\)"),
+        ({"images": []}, "nothing to show"),
+        ({"images": None}, "nothing to show: expected an array or a list of arrays, got NoneType"),
+        ({"images": [[1, 2], [3, 4]]}, r"picture 0 is list, not an array; .*np\.array"),
+        ({"images": [GRAY, None]}, "picture 1 is NoneType"),
+        ({"images": [GRAY, GRAY], "titles": ["one"]}, "1 titles for 2 pictures"),
+        ({"images": [GRAY, GRAY], "encoding": ["mono8"]}, "1 encodings for 2 pictures"),
+        ({"images": {"a": GRAY}, "titles": ["b"]}, "a dict brings its own titles"),
+        ({"images": GRAY, "encoding": "bayer_rggb8"}, "is said to be 'bayer_rggb8'.*convert it first"),
+        ({"images": GRAY, "encoding": "bgr"}, "'bgr'"),
+        ({"images": GRAY, "limits": (5, 5)}, r"limits=\(5, 5\): the value shown black must be below"),
+        ({"images": GRAY, "rows": (2, 9)}, r"rows=\(2, 9\) is no part of the picture: .*within 0\.\.4"),
+        ({"images": GRAY, "columns": 0}, "columns=0: at least one"),
+    ],
+)
+def test_what_cannot_be_shown_is_said_with_a_cure(arguments, words):
+    with pytest.raises(ValueError, match=words):
+        draw(**arguments)

@@ -1,0 +1,381 @@
+"""The live view's thread, without a browser: what it shows, what it survives, when it ends."""
+
+import sys
+import threading
+
+import cv2
+import numpy as np
+import pytest
+
+from imgproc_course.display import live_view
+
+module = sys.modules["imgproc_course.display.live_view"]
+PATIENCE = 20
+
+
+class Drive:
+    """Stands in for a Recording: picture k is gray level 10 k."""
+
+    rate = 100.0
+
+    def __init__(self, count=10):
+        self.asked = []
+        self._count = count
+
+    def __len__(self):
+        return self._count
+
+    def frame(self, k, encoding="bgr8"):
+        self.asked.append((k, encoding))
+        return np.full((72, 128, 3), 10 * k, np.uint8)
+
+
+class Subscriber:
+    """Stands in for an ImageSubscriber."""
+
+    topic = "/camera"
+
+    def __init__(self, frames=()):
+        self.frames, self.stopped = list(frames), False
+
+    def latest(self):
+        return None
+
+    def wait(self, timeout):
+        if self.frames:
+            return self.frames.pop(0)
+        raise TimeoutError("nothing came on /camera: nobody publishes it; call open_camera()")
+
+    def stop(self):
+        self.stopped = True
+
+
+@pytest.fixture
+def watched(monkeypatch):
+    """A live view on which a test can wait; it behaves as if a browser answered."""
+    views = []
+    monkeypatch.setattr(module, "WITHOUT_BROWSER", 0.0)
+    monkeypatch.setattr(module, "display", lambda output: None)
+
+    def watch(*arguments, **options):
+        view = live_view(*arguments, **options)
+        views.append(view)
+        return view
+
+    yield watch
+    for view in views:
+        view.stop()
+
+
+def until(condition):
+    """Waits until a condition of another thread holds."""
+    pause = threading.Event()
+    for _ in range(PATIENCE * 100):
+        if condition():
+            return
+        pause.wait(0.01)
+    raise AssertionError(f"did not happen within {PATIENCE} s")
+
+
+def decoded(view):
+    return cv2.imdecode(np.frombuffer(view._screen.image.value, np.uint8), cv2.IMREAD_COLOR)
+
+
+def message(view):
+    return view._screen._message.value
+
+
+def test_frames_of_a_recording_are_processed_and_shown(watched):
+    seen = []
+    view = watched(Drive(), lambda frame: (seen.append(int(frame[0, 0, 0])), 255 - frame)[1])
+    until(lambda: view.shown >= 3)
+    view.stop()
+    assert seen[:3] == sorted(seen[:3])
+    assert decoded(view).shape == (360, 640, 3)
+    assert abs(int(decoded(view)[5, 5, 0]) - (255 - seen[-1])) <= 2
+    assert (view.value == 255 - seen[-1]).all()
+    assert view.error is None
+
+
+def test_a_recording_is_repeated_and_decoded_as_asked(watched):
+    drive = Drive(3)
+    view = watched(drive, encoding="rgb8")
+    until(lambda: view.shown >= 8)
+    assert {k for k, _ in drive.asked} == {0, 1, 2}
+    assert {encoding for _, encoding in drive.asked} == {"rgb8"}
+
+
+@pytest.mark.parametrize(("encoding", "blue_green_red"), [("bgr8", (250, 0, 0)), ("rgb8", (0, 0, 250))])
+def test_colours_follow_the_encoding(watched, encoding, blue_green_red):
+    colour = np.full((72, 128, 3), (250, 0, 0), np.uint8)
+    view = watched(Drive(), lambda frame: colour, encoding=encoding)
+    until(lambda: view.shown)
+    assert abs(decoded(view)[9, 9].astype(int) - blue_green_red).max() <= 4
+
+
+def test_several_results_stand_side_by_side_under_their_names(watched):
+    def both(frame):
+        return {"dark & cold": np.zeros((72, 128), np.uint8), "edges": np.ones((72, 128), bool)}
+
+    view = watched(Drive(), both)
+    until(lambda: view.shown)
+    picture = decoded(view)
+    assert picture.shape[1] == pytest.approx(960, abs=2)
+    assert picture[100, 100].tolist() == [0, 0, 0]
+    assert picture[100, 800].tolist() == [255, 255, 255]
+    assert "dark &amp; cold" in view._screen._titles.value
+    assert view._screen.image.layout.height == f"{picture.shape[0]}px"
+
+
+def test_sliders_reach_the_function_while_it_runs(watched):
+    given = []
+
+    def edges(frame, low=100, high=200):
+        given.append((low, high))
+        return frame
+
+    view = watched(Drive(), edges, thresholds=(0, 1020))
+    until(lambda: given)
+    view._controls["thresholds"].value = (7, 9)
+    until(lambda: given[-1] == (7, 9))
+    assert view.parameters == {"low": 7, "high": 9}
+    assert view.call == "edges(frame, low=7, high=9)"
+    view.reset()
+    until(lambda: given[-1] == (100, 200))
+
+
+def test_an_exception_is_shown_with_the_learners_line_and_the_view_goes_on(watched):
+    broken = threading.Event()
+    broken.set()
+
+    def edges(frame):
+        if broken.is_set():
+            raise KeyError("<no such key>")
+        return frame
+
+    view = watched(Drive(), edges)
+    until(lambda: "KeyError" in message(view))
+    assert "&lt;no such key&gt;" in message(view)
+    assert "in edges, line" in message(view)
+    assert "raise KeyError(" in message(view)
+    assert isinstance(view.error, KeyError)
+    assert view.shown == 0
+    broken.clear()
+    until(lambda: view.shown >= 2)
+    assert view.error is None
+    assert "KeyError" not in message(view)
+
+
+@pytest.mark.parametrize(
+    ("result", "words"),
+    [
+        (None, "returned None; end it with `return`"),
+        ([], "returned no picture"),
+        (np.zeros((4, 4)), "the result has dtype float64: say which values are black and white, limits="),
+        (np.zeros((4, 4, 2), np.uint8), r"shape (4, 4, 2)"),
+        ("edges", "the result is str, not an array"),
+    ],
+)
+def test_a_result_that_is_no_picture_is_said(watched, result, words):
+    view = watched(Drive(), lambda frame: result)
+    until(lambda: words in message(view).replace("&#x27;", "'"))
+
+
+def test_limits_show_a_signed_result(watched):
+    view = watched(Drive(), lambda frame: np.full((72, 128), -1020, np.int16), limits=(-1020, 1020))
+    until(lambda: view.shown)
+    assert decoded(view)[9, 9].tolist() == [0, 0, 0]
+
+
+def test_leaving_the_program_inside_the_function_does_not_end_the_view(watched):
+    view = watched(Drive(), lambda frame: sys.exit("bye"))
+    until(lambda: "SystemExit: bye" in message(view))
+    assert view.running
+
+
+def test_drawing_on_a_read_only_frame_names_the_cure(watched):
+    def draw(frame):
+        frame = frame.copy()
+        frame.flags.writeable = False
+        return cv2.rectangle(frame, (1, 1), (5, 5), (0, 0, 255))
+
+    view = watched(Drive(), draw)
+    until(lambda: "draw on frame.copy()" in message(view))
+
+
+def test_a_silent_topic_is_said_and_the_view_goes_on(watched):
+    subscriber = Subscriber()
+    view = watched(subscriber)
+    until(lambda: "call open_camera()" in message(view))
+    subscriber.frames.append(np.zeros((72, 128, 3), np.uint8))
+    until(lambda: view.shown == 1)
+    view.stop()
+    assert not subscriber.stopped  # it is the learner's own
+
+
+def test_a_source_that_fails_is_said(watched):
+    class Broken(Drive):
+        def frame(self, k, encoding="bgr8"):
+            raise RuntimeError("the disk is gone")
+
+    view = watched(Broken())
+    until(lambda: "RuntimeError: the disk is gone" in message(view))
+    assert view.running
+
+
+def test_stop_start_and_stop_twice(watched):
+    before = threading.active_count()
+    view = watched(Drive())
+    until(lambda: view.shown)
+    view.stop()
+    view.stop()
+    assert not view.running
+    assert threading.active_count() == before
+    shown = view.shown
+    view.start()
+    view.start()
+    until(lambda: view.shown > shown)
+    view.stop()
+    assert threading.active_count() == before
+
+
+def test_buttons_say_what_can_be_done(watched):
+    view = watched(Drive())
+    until(lambda: view.shown)
+    assert (view._start.disabled, view._stop.disabled) == (True, False)
+    view._stop.click()
+    assert not view.running
+    assert (view._start.disabled, view._stop.disabled) == (False, True)
+
+
+def test_snapshot_keeps_frame_result_and_a_file(watched, tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    view = watched(Drive(), lambda frame: np.full((72, 128), 77, np.uint8))
+    until(lambda: view.shown)
+    view.stop()
+    first, second = view.snapshot(), view.snapshot()
+    assert [first.path.name, second.path.name] == ["snapshot-001.png", "snapshot-002.png"]
+    assert (cv2.imread(str(first.path), cv2.IMREAD_UNCHANGED) == 77).all()
+    assert first.frame.shape == (72, 128, 3)
+    assert view.snapshots[0].result.max() == 77
+    assert ".snapshots[1] and snapshot-002.png" in message(view)
+
+
+def test_snapshot_survives_a_folder_that_cannot_be_written(watched, monkeypatch):
+    def refuse(picture):
+        raise OSError("Read-only file system")
+
+    monkeypatch.setattr(module, "_save", refuse)
+    view = watched(Drive())
+    until(lambda: view.shown)
+    assert view.snapshot().path is None
+    assert "no file was written: Read-only file system" in message(view)
+
+
+def test_running_the_same_cell_again_stops_its_earlier_view(watched, monkeypatch):
+    cell = [("cell-a", 1)]
+    monkeypatch.setattr(module, "_where", lambda: cell[0])
+    first, neighbour = watched(Drive()), watched(Drive())
+    cell[0] = ("cell-b", 2)
+    other = watched(Drive())
+    assert first.running and neighbour.running and other.running
+    cell[0] = ("cell-a", 3)
+    again = watched(Drive())
+    assert [view.running for view in (first, neighbour, other, again)] == [False, False, True, True]
+
+
+def test_it_rests_while_no_page_shows_it(watched):
+    view = watched(Drive())
+    until(lambda: view.shown)
+    view._screen.image._view_count = 1
+    view._screen.image._view_count = 0
+    until(lambda: view._hidden)
+    threading.Event().wait(0.3)
+    shown = view.shown
+    threading.Event().wait(0.3)
+    assert view.shown == shown
+    view._screen.image._view_count = 1
+    until(lambda: view.shown > shown)
+
+
+def test_without_a_browser_a_view_hardly_works(monkeypatch):
+    monkeypatch.setattr(module, "display", lambda output: None)
+    clock = [100.0]
+    monkeypatch.setattr(module.time, "monotonic", lambda: clock[0])
+    beat = module._Beat()
+    assert beat.interval() == module.WITHOUT_BROWSER
+    beat._answer.value = 1
+    assert beat.interval() == pytest.approx(0.85 / 30)
+
+
+def test_a_browser_that_falls_behind_is_sent_less(monkeypatch):
+    clock = [100.0]
+    monkeypatch.setattr(module.time, "monotonic", lambda: clock[0])
+    beat = module._Beat()
+    beat._answer.value = 1
+    intervals = []
+    for _ in range(8):
+        clock[0] += 1
+        beat.ask()
+        clock[0] += 0.6
+        beat._answer.value = beat._question.value
+        intervals.append(beat.interval())
+    assert intervals == sorted(intervals)
+    assert intervals[-1] > 4 * intervals[0]
+    beat.ask()
+    clock[0] += 1.1
+    assert beat.interval() == module.WITHOUT_ANSWER  # no answer at all
+    beat._answer.value = beat._question.value
+    for _ in range(12):
+        clock[0] += 1
+        beat.ask()
+        beat._answer.value = beat._question.value
+    assert beat.interval() == pytest.approx(0.85 / 30)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "options", "words"),
+    [
+        ((np.zeros((4, 4)),), {}, "cannot show ndarray live; expected a Camera"),
+        ((Drive(0),), {}, "holds no camera picture"),
+        ((Drive(), 5), {}, "process is int; expected a function"),
+        ((Drive(),), {"low": (0, 5)}, "low: sliders need a function"),
+        ((Drive(),), {"rate": -1}, "rate=-1"),
+        ((Drive(), lambda frame: frame), {"low": (0, 5)}, "has no parameter 'low'"),
+    ],
+)
+def test_what_cannot_be_live_is_said_at_once(arguments, options, words):
+    with pytest.raises(ValueError, match=words):
+        live_view(*arguments, **options)
+
+
+def test_stored_output_is_the_same_in_every_run(monkeypatch):
+    stored = []
+    monkeypatch.setattr(module, "display", lambda output: stored.append(output._repr_mimebundle_()))
+    for _ in range(2):
+        live_view(Drive(), caption="A <drive>.").stop()
+    for bundle in stored:
+        assert bundle.pop("application/vnd.jupyter.widget-view+json")["version_major"] == 2
+    assert (
+        stored[0]
+        == stored[1]
+        == {
+            "text/plain": "Live view: A <drive>.",
+            "text/html": "<p>Live view: A &lt;drive&gt;. It moves when this cell is run.</p>",
+        }
+    )
+
+
+@pytest.mark.ros
+def test_a_topic_and_a_camera_are_subscribed_and_left(watched):
+    from imgproc_course.ros import open_camera
+
+    with open_camera(speed=3.0) as camera:
+        for source in (camera, camera.topic):
+            view = watched(source, lambda frame: cv2.Canny(frame, 100, 200))
+            until(lambda view=view: view.shown >= 3)
+            assert view.value.shape == (720, 1280)
+            assert set(np.unique(view.value)) == {0, 255}
+            assert view.error is None
+            view.stop()
+            until(lambda: set(camera.subscribers().values()) == {0})

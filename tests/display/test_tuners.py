@@ -1,0 +1,155 @@
+"""Sliders beside a picture: what is computed, with which values, and what is stored."""
+
+import base64
+import re
+import sys
+import threading
+
+import cv2
+import numpy as np
+import pytest
+
+from imgproc_course.display import LiveView, tune
+
+module = sys.modules["imgproc_course.display.live_view"]
+GRAY = cv2.GaussianBlur(np.random.default_rng(3).integers(0, 256, (90, 160), np.uint8), (0, 0), 2)
+
+
+def canny(gray, low, high, *, sigma=0.0):
+    return cv2.Canny(cv2.GaussianBlur(gray, (0, 0), sigma) if sigma else gray, low, high)
+
+
+@pytest.fixture(autouse=True)
+def stored(monkeypatch):
+    outputs = []
+    monkeypatch.setattr(module, "display", lambda output: outputs.append(output._repr_mimebundle_()))
+    return outputs
+
+
+def test_value_follows_the_sliders():
+    tuner = tune(canny, GRAY, thresholds=(0, 1020), sigma=(0, 5.0))
+    assert (tuner.value == cv2.Canny(GRAY, 100, 200)).all()
+    tuner["thresholds"].value = (10, 20)
+    assert (tuner.value == cv2.Canny(GRAY, 10, 20)).all()
+    tuner["sigma"].value = 1.5
+    assert (tuner.value == canny(GRAY, 10, 20, sigma=1.5)).all()
+    assert tuner.parameters == {"low": 10, "high": 20, "sigma": 1.5}
+    assert tuner.call == "canny(gray, low=10, high=20, sigma=1.5)"
+    tuner.reset()
+    assert (tuner.value == cv2.Canny(GRAY, 100, 200)).all()
+
+
+def test_the_picture_on_the_screen_is_the_value():
+    tuner = tune(canny, GRAY, thresholds=(0, 1020))
+    tuner["thresholds"].value = (10, 20)
+    assert tuner.value.any()
+    shown = cv2.imdecode(np.frombuffer(tuner._screen.image.value, np.uint8), cv2.IMREAD_GRAYSCALE)
+    wanted = cv2.resize(tuner.value, (640, 360), interpolation=cv2.INTER_NEAREST)
+    assert np.abs(shown.astype(int) - wanted).mean() < 3
+
+
+def test_while_the_function_runs_only_the_newest_values_wait():
+    calls, go_on, busy = [], threading.Event(), threading.Event()
+
+    def slow(frame, level):
+        calls.append(level)
+        if len(calls) == 2:
+            busy.set()
+            assert go_on.wait(20)
+        return np.full((4, 4), level, np.uint8)
+
+    tuner = tune(slow, GRAY, level=(0, 255))
+    for level in range(1, 100):
+        tuner["level"].value = level
+        if level == 1:
+            assert busy.wait(20)
+    go_on.set()
+    assert (tuner.value == 99).all()
+    assert calls[1:] == [1, 99]
+
+
+def test_an_exception_is_shown_and_the_next_value_tried():
+    def root(frame, level):
+        if level < 100:
+            raise ValueError(f"level {level} is too dark")
+        return np.full((4, 4), level, np.uint8)
+
+    tuner = tune(root, GRAY, level=(0, 200))
+    assert tuner.error is None
+    tuner["level"].value = 50
+    assert tuner.value is None
+    assert isinstance(tuner.error, ValueError)
+    message = tuner._screen._message
+    assert "ValueError: level 50 is too dark\nin root, line" in message.value
+    tuner["level"].value = 150
+    assert (tuner.value == 150).all()
+    assert tuner.error is None
+    assert "ValueError" not in message.value
+
+
+def test_a_function_that_fails_from_the_start_is_shown_too(stored):
+    tuner = tune(lambda frame, level: None, GRAY, level=(0, 10))
+    assert "returned None" in tuner._screen._message.value
+    assert "<img" not in stored[0]["text/html"]
+
+
+def test_a_function_that_does_not_end_is_said(monkeypatch):
+    monkeypatch.setattr(sys.modules["imgproc_course.display.tuners"], "PATIENCE", 0.1)
+    never, calls = threading.Event(), []
+
+    def endless(frame, level):
+        calls.append(level)
+        if len(calls) > 1:
+            never.wait(60)
+        return frame
+
+    tuner = tune(endless, GRAY, level=(0, 10))
+    tuner["level"].value = 1
+    with pytest.raises(TimeoutError, match=r"endless\(frame, level=1\) has not returned"):
+        _ = tuner.value
+    never.set()
+
+
+def test_stored_output_is_the_picture_its_call_and_no_number_of_a_run(stored):
+    for _ in range(2):
+        tune(canny, GRAY, thresholds=(0, 1020), alt="edges of noise")
+    for bundle in stored:
+        assert bundle.pop("application/vnd.jupyter.widget-view+json")
+    assert stored[0] == stored[1]
+    assert stored[0]["text/plain"] == "Sliders for canny: canny(gray, low=100, high=200)"
+    html = stored[0]["text/html"]
+    assert 'alt="edges of noise"' in html
+    assert "<code>canny(gray, low=100, high=200)</code>" in html
+    jpeg = base64.b64decode(re.search(r'base64,([^"]+)"', html)[1])
+    assert cv2.imdecode(np.frombuffer(jpeg, np.uint8), cv2.IMREAD_GRAYSCALE).shape == (360, 640)
+
+
+def test_a_live_source_becomes_a_live_view():
+    class Drive:
+        rate = 50.0
+
+        def __len__(self):
+            return 2
+
+        def frame(self, k, encoding="bgr8"):
+            return np.zeros((9, 16, 3), np.uint8)
+
+    view = tune(canny, Drive(), thresholds=(0, 1020))
+    assert isinstance(view, LiveView)
+    assert view.parameters == {"low": 100, "high": 200}
+    assert view.running
+    view.stop()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "sliders", "words"),
+    [
+        ((canny, GRAY), {}, r"nothing to tune: .*sigma=\(0, 5\.0\)"),
+        ((GRAY, canny), {"sigma": (0, 5.0)}, "ndarray is no function"),
+        ((canny, [1, 2]), {"sigma": (0, 5.0)}, "frame is list; expected an array"),
+        ((canny, GRAY), {"aperture": [3, 5]}, "canny has no parameter 'aperture'"),
+    ],
+)
+def test_what_cannot_be_tuned_is_said(arguments, sliders, words):
+    with pytest.raises(ValueError, match=words):
+        tune(*arguments, **sliders)
