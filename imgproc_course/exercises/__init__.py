@@ -1,0 +1,31 @@
+"""What an answer is: declared in a master, checked in the learner's notebook, graded by the teacher."""
+
+from imgproc_course.exercises.canonical import array_of, canonical
+from imgproc_course.exercises.checking import CheckResult, check, judge
+from imgproc_course.exercises.comparison import Difference, compare
+from imgproc_course.exercises.declaration import (
+    Case,
+    Exercise,
+    MasterError,
+    Mistake,
+    exercise,
+    find_exercise,
+    read_exercises,
+)
+
+__all__ = [
+    "Case",
+    "CheckResult",
+    "Difference",
+    "Exercise",
+    "MasterError",
+    "Mistake",
+    "array_of",
+    "canonical",
+    "check",
+    "compare",
+    "exercise",
+    "find_exercise",
+    "judge",
+    "read_exercises",
+]

@@ -1,0 +1,185 @@
+"""One form for every answer: what a function returned, as JSON, by value.
+
+Grading runs this module inside the learner's kernel, where neither the expected answers nor the masters
+exist: it needs NumPy and nothing else, gives values and never a verdict, and trusts no object's own `__eq__`,
+`__array__` or `__repr__`.
+"""
+
+import array
+import base64
+import hashlib
+import types
+
+import numpy as np
+
+VALUE_BYTES = 65_536  # an array up to this size is written out; a larger one by its digest
+_ITEMS = 20_000  # of all containers together
+_DEPTH = 8
+_TEXT = 10_000
+_INT_BITS = 4_096
+_NAME = 100
+
+# Read through `type` itself: a metaclass may redefine __qualname__ and __module__.
+_QUALNAME = type.__dict__["__qualname__"]
+_MODULE = type.__dict__["__module__"]
+
+
+def canonical(value, limit=VALUE_BYTES):
+    """The canonical form of a value.
+
+    Parameters
+    ----------
+    value : anything
+    limit : int, bytes; arrays above it are given by SHA-256 digest and summary. None: no limit
+
+    Returns
+    -------
+    dict that json.dumps takes, with "type" and, by type:
+        bool, int, float, str, None      "value" (floats that JSON has no number for as "nan", "inf", "-inf")
+        NumPy scalars                    "type" is "numpy.uint8" and so on, "value"
+        tuple, list                      "items"
+        dict                             "items": [[key, value], ...] sorted by key
+        bytes                            "length" and "data" (base64) or "digest"
+        ndarray                          "dtype", "shape", and "data" (base64, little-endian, C order) or
+                                         "digest", "summary"
+        ROS message, SimpleNamespace     "fields": {name: form}
+        whatever else, a subclass too    "opaque": True, and no more than its type's name
+    A value that is too deep, too long or too large has "too_large": True.
+
+    NaN equals NaN and -0.0 equals 0.0 in this form; byte order and memory layout do not show.
+    """
+    return _Writer(limit).write(value, 0)
+
+
+def type_name(value):
+    """`module.name` of the value's type, `name` alone for built-ins; asks nothing of the value itself."""
+    kind = type(value)
+    name = _QUALNAME.__get__(kind)[:_NAME]
+    module = _MODULE.__get__(kind)
+    if not isinstance(module, str) or module in ("builtins", "__main__"):
+        return name
+    return f"{module[:_NAME]}.{name}"
+
+
+class _Writer:
+    def __init__(self, limit):
+        self._limit = limit
+        self._items_left = _ITEMS
+
+    def write(self, value, depth):
+        kind = type(value)
+        if value is None:
+            return {"type": "None"}
+        if kind is bool:
+            return {"type": "bool", "value": value}
+        if kind is int:
+            return _too_large("int") if value.bit_length() > _INT_BITS else {"type": "int", "value": value}
+        if kind is float:
+            return {"type": "float", "value": _number(value)}
+        if kind is str:
+            return self._text(value)
+        if kind is bytes:
+            return {"type": "bytes", "length": len(value), **self._data(value)}
+        if kind is np.ndarray:
+            return self._array(value)
+        if kind in _SCALARS:
+            return {"type": f"numpy.{kind.__name__}", "value": _number(value.item())}
+        if kind in (tuple, list, dict):
+            return self._container(value, depth)
+        names = tuple(value.__dict__) if kind is types.SimpleNamespace else _message_fields(kind)
+        if names and depth < _DEPTH:
+            return {
+                "type": type_name(value),
+                "fields": {name: self._field(value, name, depth) for name in names},
+            }
+        return {"type": type_name(value), "opaque": True}
+
+    def _text(self, value):
+        if len(value) > _TEXT:
+            return _too_large("str", length=len(value))
+        return {"type": "str", "value": value.encode("utf-8", "backslashreplace").decode("utf-8")}
+
+    def _container(self, value, depth):
+        kind = type(value).__name__
+        self._items_left -= len(value)
+        if depth >= _DEPTH or self._items_left < 0:
+            return _too_large(kind, length=len(value))
+        if kind == "dict":
+            pairs = [[self.write(k, depth + 1), self.write(v, depth + 1)] for k, v in value.items()]
+            return {"type": "dict", "items": sorted(pairs, key=lambda pair: repr(pair[0]))}
+        return {"type": kind, "items": [self.write(item, depth + 1) for item in value]}
+
+    def _array(self, value):
+        form = {"type": "ndarray", "dtype": value.dtype.name, "shape": list(value.shape)}
+        if value.dtype.kind not in "biuf" or value.dtype.itemsize > 8:
+            return form | {"opaque": True}
+        plain = np.ascontiguousarray(value).astype(value.dtype.newbyteorder("<"), copy=False)
+        if plain.dtype.kind == "f":
+            plain = plain + plain.dtype.type(0)  # -0.0 becomes 0.0
+            plain[np.isnan(plain)] = np.nan
+        data = self._data(plain.tobytes())
+        return form | data | ({"summary": _summary(plain)} if "digest" in data else {})
+
+    def _data(self, raw):
+        if self._limit is not None and len(raw) > self._limit:
+            return {"digest": hashlib.sha256(raw).hexdigest()}
+        return {"data": base64.b64encode(raw).decode("ascii")}
+
+    def _field(self, message, name, depth):
+        value = getattr(message, name)
+        # rclpy keeps a sequence of numbers as array.array, rosbags as ndarray: in this form they are equal.
+        return self.write(np.array(value) if type(value) is array.array else value, depth + 1)
+
+
+_SCALARS = frozenset(
+    {np.bool_, np.float16, np.float32, np.float64, *(np.dtype(code).type for code in "bBhHiIlLqQ")}
+)
+
+
+def _message_fields(kind):
+    """Field names of a ROS message class, of rclpy's or of rosbags'; () for any other class."""
+    if isinstance(kind.__dict__.get("_fields_and_field_types"), dict):
+        return tuple(kind.__dict__["_fields_and_field_types"])
+    if isinstance(kind.__dict__.get("__msgtype__"), str):
+        return tuple(name for name in kind.__dict__.get("__dataclass_fields__", ()) if name != "__msgtype__")
+    return ()
+
+
+def _number(value):
+    if isinstance(value, float) and (value != value or value in (float("inf"), float("-inf"))):
+        return "nan" if value != value else "inf" if value > 0 else "-inf"
+    return value + 0.0 if isinstance(value, float) else value
+
+
+def _summary(values):
+    """Smallest, largest and mean of an array too large to write out: for people, never for the verdict."""
+    if not values.size:
+        return {}
+    wide = values.astype(np.float64)
+    return {
+        "min": _number(float(wide.min())),
+        "max": _number(float(wide.max())),
+        "mean": _number(float(wide.mean())),
+    }
+
+
+def _too_large(kind, **more):
+    return {"type": kind, "too_large": True, **more}
+
+
+def array_of(form):
+    """The array that a form with "data" stands for.
+
+    Parameters
+    ----------
+    form : dict, canonical form of an ndarray
+
+    Returns
+    -------
+    ndarray, writable, or None where the form holds no data (too large, or no array at all)
+    """
+    if form is None or form["type"] != "ndarray" or "data" not in form:
+        return None
+    raw = base64.b64decode(form["data"])
+    stored = np.dtype(form["dtype"]).newbyteorder("<")
+    return np.frombuffer(raw, stored).reshape(form["shape"]).astype(np.dtype(form["dtype"]))

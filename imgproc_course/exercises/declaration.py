@@ -1,0 +1,444 @@
+"""What an exercise is: its declaration, read from the master that teaches it.
+
+The format stands in `imgproc_course.grading.masters`. This module reads the role cells only, with a splitter
+of its own: importing jupytext takes a second, which a learner would wait for at the first `check`.
+`imgproc_course.grading.masters` reads whole lessons with jupytext, and refuses a master that the two read
+differently.
+"""
+
+import ast
+import difflib
+import json
+import os
+import re
+import zlib
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+import numpy as np
+
+PUBLIC_SEED = 20_240_501  # what `check` draws its inputs from; a teacher's key has a seed of its own
+MASTERS_VARIABLE = "IMGPROC_COURSE_MASTERS"
+ROLES = ("given", "exercise", "answer", "solution", "check", "case", "hidden", "mistake")
+
+_HEADER = re.compile(r"^# ?%%(?!%)(?:\s+(?P<rest>.*))?$")
+_KEY = re.compile(r"(\w+)=")
+_ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)+")
+
+
+class MasterError(ValueError):
+    """A master that cannot be read, or an exercise that none declares; says where and what to do."""
+
+
+def exercise(id, *, function, title="", time_limit=5.0, refused=(), tolerance=0.0, practice=False, hint=""):
+    """Declare an exercise, in a master's `role="exercise"` cell.
+
+    The arguments are literals: they are read without running anything. Whatever else stands in that cell
+    (imports, functions that make inputs) runs before each case and each mistake, and is never seen by the
+    learner nor by the learner's code.
+
+    Parameters
+    ----------
+    id : str, `<lesson>-<what>`, lower case: "grayscale-luma"
+    title : str, the exercise's name in reports; its id where left out
+    function : str, the name of the function that the learner writes
+    time_limit : float, seconds, for one call of the function
+    refused : tuple of str, modules that the answer must do without: ("cv2", "imgproc_course.imaging")
+    tolerance : float >= 0, absolute, in the unit of the answer, for every case that names none
+    practice : bool, checked but not graded
+    hint : str, shown where a case that fails has none of its own
+
+    Returns
+    -------
+    dict of the arguments, checked
+
+    Raises
+    ------
+    MasterError : an argument of the wrong kind
+    """
+    if not isinstance(id, str) or not _ID.fullmatch(id):
+        raise MasterError(
+            f"exercise id {id!r}: expected <lesson>-<what> in lower case, such as 'grayscale-luma'"
+        )
+    if not isinstance(function, str) or not function.isidentifier():
+        raise MasterError(f"exercise {id}: function={function!r}, expected the name of a function")
+    if not time_limit > 0 or not tolerance >= 0:
+        raise MasterError(
+            f"exercise {id}: time_limit must be > 0 and tolerance >= 0, got {time_limit} and {tolerance}"
+        )
+    if isinstance(refused, str):
+        raise MasterError(f"exercise {id}: refused={refused!r}, expected a tuple: ({refused!r},)")
+    return {
+        "id": id,
+        "function": function,
+        "title": title or id,
+        "time_limit": float(time_limit),
+        "refused": tuple(refused),
+        "tolerance": float(tolerance),
+        "practice": bool(practice),
+        "hint": hint,
+    }
+
+
+@dataclass(frozen=True)
+class RoleCell:
+    """One role cell of a master: its header's values, its source, and the line of its header (from 1)."""
+
+    role: str
+    options: dict
+    source: str
+    line: int
+
+
+@dataclass(frozen=True)
+class Case:
+    """One check of an exercise, public or hidden; `source` defines `inputs(rng)`."""
+
+    id: str
+    title: str
+    points: int
+    hint: str
+    tolerance: float
+    hidden: bool
+    source: str
+    line: int
+
+
+@dataclass(frozen=True)
+class Mistake:
+    """A wrong answer that learners give, and what is said to them; `source` defines the function."""
+
+    name: str
+    says: str
+    source: str
+    line: int
+
+
+@dataclass(frozen=True)
+class Exercise:
+    """An exercise as its master declares it; see `exercise` for the fields of the heading."""
+
+    id: str
+    function: str
+    title: str
+    time_limit: float
+    refused: tuple
+    tolerance: float
+    practice: bool
+    hint: str
+    master: Path
+    given: tuple = ()
+    preparation: str = ""
+    stub: str = ""
+    solution: str = ""
+    cases: tuple = ()
+    mistakes: tuple = ()
+
+    @property
+    def public(self):
+        return tuple(case for case in self.cases if not case.hidden)
+
+    @property
+    def hidden(self):
+        return tuple(case for case in self.cases if case.hidden)
+
+    @property
+    def points(self):
+        return sum(case.points for case in self.cases)
+
+    def namespace(self):
+        """A fresh namespace as an answer finds it in grading: np, and what the given cells define."""
+        names = {"np": np, "__name__": self.id}
+        for number, source in enumerate(self.given):
+            _run(source, names, f"{self.master.name}, given cell {number + 1} of {self.id}")
+        return names
+
+    def _prepared(self):
+        """A fresh namespace for the master's own cases and mistakes: with the declaration's helpers in it."""
+        names = self.namespace() | {"exercise": exercise}
+        _run(self.preparation, names, f"{self.master.name}, declaration of {self.id}")
+        return names
+
+    def function_of(self, source, what, *, prepared=False):
+        """The exercise's function as a source defines it, in a namespace of its own.
+
+        Parameters
+        ----------
+        source : str, Python
+        what : str, names the source in errors: "solution"
+        prepared : bool; a mistake finds the declaration's helpers, and the right answer as `solution`
+
+        Raises
+        ------
+        MasterError : the source fails, or does not define the function
+        """
+        names = self.namespace()
+        if prepared:
+            names = self._prepared() | {"solution": self.function_of(self.solution, "solution")}
+        _run(source, names, f"{self.master.name}, {what} of {self.id}")
+        if not callable(names.get(self.function)):
+            raise MasterError(
+                f"{self.master.name}: the {what} of {self.id} does not define {self.function}()"
+            )
+        return names[self.function]
+
+    def arguments(self, case, seed=PUBLIC_SEED):
+        """The arguments of each call that a case makes.
+
+        Parameters
+        ----------
+        case : Case
+        seed : int; the same seed gives the same arguments, whatever else the master holds
+
+        Returns
+        -------
+        list of tuple
+        """
+        where = f"{self.master.name}, line {case.line}: {case.id}"
+        names = self._prepared()
+        _run(case.source, names, where)
+        if "inputs" not in names:
+            raise MasterError(f"{where} does not define inputs(rng)")
+        rng = np.random.default_rng([seed, zlib.crc32(case.id.encode())])
+        try:
+            drawn = names["inputs"](rng)
+        except Exception as error:
+            raise MasterError(f"{where}: inputs(rng) raised {type(error).__name__}: {error}") from error
+        calls = drawn if isinstance(drawn, list) else [drawn]
+        if not calls or not all(isinstance(call, tuple) for call in calls):
+            raise MasterError(
+                f"{where}: inputs(rng) must return a tuple of arguments, (frame,), or a list of such tuples"
+            )
+        return calls
+
+
+def _run(source, names, where):
+    try:
+        exec(compile(source, f"<{where}>", "exec", dont_inherit=True), names)
+    except Exception as error:
+        raise MasterError(f"{where}: {type(error).__name__}: {error}") from error
+
+
+def role_cells(text, name="master"):
+    """The role cells of a percent script, in order.
+
+    Parameters
+    ----------
+    text : str, the script
+    name : str, names it in errors
+
+    Returns
+    -------
+    list of RoleCell
+
+    Raises
+    ------
+    MasterError : a header that cannot be read, an unknown role
+    """
+    lines = text.splitlines()
+    starts = [k for k, line in enumerate(lines) if _HEADER.match(line)]
+    cells = []
+    for start, end in zip(starts, [*starts[1:], len(lines)], strict=True):
+        options = _options(_HEADER.match(lines[start])["rest"] or "", f"{name}, line {start + 1}")
+        if "role" not in options:
+            continue
+        role = options.pop("role")
+        if role not in ROLES:
+            raise MasterError(f"{name}, line {start + 1}: role={role!r}, expected one of {', '.join(ROLES)}")
+        cells.append(RoleCell(role, options, "\n".join(lines[start + 1 : end]).strip("\n"), start + 1))
+    return cells
+
+
+def _options(rest, where):
+    found = _KEY.search(rest)
+    options = {}
+    position = found.start() if found else len(rest)
+    while found := _KEY.match(rest, position):
+        try:
+            options[found[1]], position = json.JSONDecoder().raw_decode(rest, found.end())
+        except json.JSONDecodeError as error:
+            raise MasterError(
+                f"{where}: {found[1]}={rest[found.end() :][:30]} is no JSON value;"
+                ' write "text", 3, 0.5, true or ["a", "b"]'
+            ) from error
+        while position < len(rest) and rest[position].isspace():
+            position += 1
+    if rest[position:].strip():
+        raise MasterError(
+            f'{where}: cannot read {rest[position:][:40]!r} in the cell\'s header; expected key="value" pairs'
+        )
+    return options
+
+
+def read_exercises(path):
+    """The exercises that a master declares, in order.
+
+    Parameters
+    ----------
+    path : Path of a master
+
+    Returns
+    -------
+    tuple of Exercise
+
+    Raises
+    ------
+    MasterError : what is wrong with the declaration, and in which line
+    """
+    path = Path(path)
+    return _read_exercises(path, path.stat().st_mtime_ns)
+
+
+@lru_cache(maxsize=64)
+def _read_exercises(path, _changed):
+    cells = role_cells(path.read_text(encoding="utf-8"), path.name)
+    headings, preparations, owned = {}, {}, []
+    last = None
+    for cell in cells:
+        where = f"{path.name}, line {cell.line}"
+        if cell.role == "exercise":
+            heading = _heading(cell, where)
+            last = heading["id"]
+            if last in headings:
+                raise MasterError(f"{where}: exercise {last} is declared twice")
+            headings[last], preparations[last] = heading, cell
+            continue
+        owners = cell.options.get("exercise", last)
+        if owners is None:
+            raise MasterError(
+                f'{where}: a {cell.role} cell before any exercise; say exercise="..." in its header'
+            )
+        owned.append((cell, [owners] if isinstance(owners, str) else owners, where))
+    for _, owners, where in owned:
+        for owner in owners:
+            if owner not in headings:
+                raise MasterError(f"{where}: exercise={owner!r} is not declared in this master")
+    return tuple(
+        _assemble(
+            path, heading, preparations[id], [(cell, where) for cell, owners, where in owned if id in owners]
+        )
+        for id, heading in headings.items()
+    )
+
+
+def _heading(cell, where):
+    try:
+        calls = [node for node in ast.walk(ast.parse(cell.source)) if _is_declaration(node)]
+        if len(calls) != 1:
+            raise MasterError(f"{where}: expected one call of exercise(...), found {len(calls)}")
+        values = [ast.literal_eval(value) for value in calls[0].args]
+        named = {keyword.arg: ast.literal_eval(keyword.value) for keyword in calls[0].keywords}
+        return exercise(*values, **named)
+    except MasterError as error:
+        raise MasterError(f"{where}: {error}") from error
+    except (SyntaxError, ValueError, TypeError) as error:
+        raise MasterError(
+            f"{where}: cannot read the declaration ({error}); exercise(...) takes literals only"
+        ) from error
+
+
+def _is_declaration(node):
+    return isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "exercise"
+
+
+def _assemble(path, heading, preparation, cells):
+    parts = {role: [(cell, where) for cell, where in cells if cell.role == role] for role in ROLES}
+    for role in ("answer", "solution"):
+        if len(parts[role]) != 1:
+            where = f"{path.name}: exercise {heading['id']}"
+            raise MasterError(f'{where} needs one role="{role}" cell, found {len(parts[role])}')
+    cases = [_case(heading, cell, where, k) for k, (cell, where) in enumerate(parts["case"], 1)]
+    cases += [_case(heading, cell, where, k) for k, (cell, where) in enumerate(parts["hidden"], 1)]
+    mistakes = [
+        Mistake(_text(cell, "name", where), _text(cell, "says", where), cell.source, cell.line)
+        for cell, where in parts["mistake"]
+    ]
+    return Exercise(
+        **heading,
+        master=path,
+        given=tuple(cell.source for cell, _ in parts["given"]),
+        preparation=preparation.source,
+        stub=parts["answer"][0][0].source,
+        solution=parts["solution"][0][0].source,
+        cases=tuple(cases),
+        mistakes=tuple(mistakes),
+    )
+
+
+def _case(heading, cell, where, number):
+    points = 0 if heading["practice"] else cell.options.get("points", 1)
+    if not isinstance(points, int) or points < 0:
+        raise MasterError(f"{where}: points={points!r}, expected a whole number >= 0")
+    return Case(
+        id=f"{cell.role}-{heading['id']}-{number}",
+        title=_text(cell, "title", where),
+        points=points,
+        hint=cell.options.get("hint", heading["hint"]),
+        tolerance=float(cell.options.get("tolerance", heading["tolerance"])),
+        hidden=cell.role == "hidden",
+        source=cell.source,
+        line=cell.line,
+    )
+
+
+def _text(cell, key, where):
+    value = cell.options.get(key)
+    if not isinstance(value, str) or not value.strip():
+        raise MasterError(f'{where}: a {cell.role} cell needs {key}="..." in its header')
+    return value
+
+
+def masters_folders():
+    """Where masters are looked for: IMGPROC_COURSE_MASTERS, then the checkout's notebooks/masters.
+
+    Returns
+    -------
+    list of Path
+
+    Raises
+    ------
+    MasterError : the variable names a folder that does not exist
+    """
+    named = [Path(part) for part in os.environ.get(MASTERS_VARIABLE, "").split(os.pathsep) if part]
+    for folder in named:
+        if not folder.is_dir():
+            raise MasterError(
+                f"{MASTERS_VARIABLE} names {str(folder)!r}, which is no folder; give full paths"
+            )
+    checkout = Path(__file__).resolve().parents[2] / "notebooks" / "masters"
+    return [*named, *([checkout] if checkout.is_dir() else [])]
+
+
+def find_exercise(id):
+    """The exercise with this id, from the first master that declares it.
+
+    Parameters
+    ----------
+    id : str
+
+    Returns
+    -------
+    Exercise
+
+    Raises
+    ------
+    MasterError : no folder of masters, or no such exercise (the message names the nearest)
+    """
+    folders = masters_folders()
+    if not folders:
+        raise MasterError(
+            "no masters found: the exercises stand in notebooks/masters of the course's checkout;"
+            f" start the lesson with environment/lab, or set {MASTERS_VARIABLE} to your own masters' folder"
+        )
+    paths = [path for folder in folders for path in sorted(folder.glob("*.py"))]
+    for path in paths:
+        # A master that does not name the exercise is not read: it may be half written.
+        if str(id) in path.read_text(encoding="utf-8"):
+            found = next((each for each in read_exercises(path) if each.id == id), None)
+            if found is not None:
+                return found
+    known = [each.id for path in paths for each in read_exercises(path)]
+    near = difflib.get_close_matches(str(id), known, n=1)
+    advice = f"did you mean {near[0]!r}?" if near else f"there are: {', '.join(known) or 'none'}"
+    raise MasterError(f"there is no exercise {id!r}; {advice}")

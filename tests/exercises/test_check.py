@@ -1,0 +1,203 @@
+"""What a learner is told."""
+
+import linecache
+import re
+
+import numpy as np
+import pytest
+
+from imgproc_course.exercises import check, find_exercise, judge
+
+
+@pytest.fixture(autouse=True)
+def _master(write_master):
+    write_master()
+
+
+def right(pixels):
+    return np.minimum(pixels.astype(np.uint16) * 2, 255).astype(np.uint8)
+
+
+def test_a_right_answer_passes():
+    result = check("test-double", right)
+    assert result.passed and result.points == 3
+    assert repr(result) == (
+        "test-double: all 2 checks pass.\n✓ Bright\n✓ Dark\n"
+        "Points here: 3 of 3. Grading runs 1 more check on other inputs, worth 3."
+    )
+
+
+def stub(pixels):
+    raise NotImplementedError("your turn")
+
+
+def stub_with_another_word(pixels):
+    raise NotImplementedError
+
+
+@pytest.mark.parametrize("function", [stub, stub_with_another_word])
+def test_the_stub_is_not_attempted(function):
+    result = check("test-double", function)
+    assert not result.attempted and not result.passed and result.points == 0
+    assert repr(result).startswith("test-double: not attempted yet.\nWrite double() in its cell")
+
+
+def test_a_stub_of_dots_is_not_attempted(write_master):
+    write_master(answer='# %% role="answer"\ndef double(pixels):\n    ...')
+
+    def dots(pixels): ...
+
+    assert not check("test-double", dots).attempted
+
+
+def wraps(pixels):
+    return pixels * 2
+
+
+def test_a_known_mistake_is_named_and_shown():
+    result = check("test-double", wraps)
+    assert result.mistake.name == "wraps"
+    assert [each.passed for each in result.results] == [False, True]
+    assert result.points == 1
+    text = repr(result)
+    assert "test-double: 1 of 2 checks pass." in text
+    assert re.search(
+        r"\d+ of 12 values differ; the first at row \d, col \d: \d+ came back, 255 was expected", text
+    )
+    assert "It wraps." in text and "Hint" not in text
+    assert "given pixels: an array of shape (3, 4), uint8" in text
+    assert re.search(r" \d+\*", text)  # a differing number, marked
+
+
+def test_a_mistake_is_named_beside_another_fault():
+    def wraps_and_fails(pixels):
+        return pixels * 2 if pixels.ndim == 2 else None
+
+    result = check("test-double", wraps_and_fails)
+    assert [each.passed for each in result.results] == [False, False]
+    assert result.mistake.name == "wraps"
+
+
+def test_an_unknown_mistake_gets_the_hint():
+    result = check("test-double", lambda pixels: right(pixels) // 2)
+    assert result.mistake is None
+    assert "Hint: Widen." in repr(result)
+
+
+@pytest.mark.parametrize(
+    ("function", "said"),
+    [
+        (lambda pixels: None, "double() gave back None. Did you forget return?"),
+        (lambda pixels: 1 / 0, "double() raised ZeroDivisionError: division by zero\n    in your line"),
+        (lambda pixels: right(pixels).tolist(), "A list of 3 came back, an array of shape (3, 4), uint8 was"),
+        (lambda pixels: right(pixels)[:2], "An array of shape (2, 4) came back, shape (3, 4) was expected"),
+        (lambda pixels: right(pixels).astype(int), "An array of int64 came back, uint8 was expected"),
+        (lambda pixels: right(pixels) + pixels.sort(), "double() raised TypeError"),
+        (lambda: 3, "double() raised TypeError"),
+    ],
+)
+def test_each_way_to_be_wrong_has_its_words(function, said):
+    result = check("test-double", function)
+    assert not result.passed
+    assert said in repr(result)
+    assert "np.minimum" not in repr(result) + result._repr_html_()  # never the solution
+
+
+def test_a_changed_input_is_told_though_the_answer_is_right():
+    def changes(pixels):
+        answer = right(pixels)
+        pixels[:] = 0
+        return answer
+
+    result = check("test-double", changes)
+    assert not result.passed
+    assert "double() changed its input pixels. Work on a copy: begin with pixels = pixels.copy()." in repr(
+        result
+    )
+
+
+def test_an_endless_loop_is_told():
+    def endless(pixels):
+        while True:
+            pass
+
+    result = check("test-double", endless)
+    assert [each.passed for each in result.results] == [False, False] and result.points == 0
+    assert "double() did not come to an end and was stopped. Is there a loop that never ends?" in repr(result)
+    assert "✗ Dark\n    not run, because the call above did not come to an end\n" in repr(result)
+    assert "not run, because" in result._repr_html_()
+
+
+def test_prints_and_warnings_are_shown_beside_the_story():
+    def noisy(pixels):
+        print("shape", pixels.shape)
+        return np.uint8(np.float64(1) / np.zeros(1)[0] > 0) + pixels
+
+    text = repr(check("test-double", noisy))
+    assert "Your function printed:\n    shape (3, 4)" in text
+    assert "NumPy or Python warned: divide by zero" in text
+
+
+def test_a_refused_module_does_not_pass():
+    def uses(pixels):
+        import cv2
+
+        return right(pixels) if cv2 else None
+
+    result = check("test-double", uses)
+    assert result.reach.refused == ("cv2",) and not result.passed
+    assert "double() uses cv2. This exercise is to be written without it" in repr(result)
+    assert "the values are right, but grading would refuse this answer" in repr(result)
+
+
+def test_a_name_of_another_cell_does_not_pass():
+    space = {"np": np, "most": 255}
+    source = "def double(pixels):\n    return np.minimum(pixels.astype(int) * 2, most).astype(np.uint8)\n"
+    linecache.cache["<answer>"] = (len(source), None, source.splitlines(keepends=True), "<answer>")
+    exec(compile(source, "<answer>", "exec"), space)
+    result = check("test-double", space["double"])
+    assert not result.passed and result.points == 3
+    assert "double() uses most, which another cell defines. Grading takes the answer's cell alone" in repr(
+        result
+    )
+
+
+def test_html_is_escaped_and_marks_what_differs(write_master):
+    header = '# %% role="mistake" name="wraps" says="Less <b>than</b> 255"'
+    write_master(mistake=f"{header}\ndef double(pixels):\n    return pixels * 2")
+    html = check("test-double", wraps)._repr_html_()
+    assert "Less &lt;b&gt;than&lt;/b&gt; 255" in html
+    assert html.count("font-weight: 700") > 0
+
+
+def test_feedback_is_the_same_each_time():
+    one, other = check("test-double", wraps), check("test-double", wraps)
+    assert repr(one) == repr(other)
+    assert one._repr_html_() == other._repr_html_()
+
+
+def test_large_arrays_are_drawn_with_the_first_differing_pixel_named():
+    declared = find_exercise("test-double")
+    result = judge(declared, wraps, cases=declared.hidden)
+    html = result._repr_html_()
+    assert 'src="data:image/png;base64,' in html
+    (alt,) = re.findall(r'alt="([^"]*)"', html)
+    found = result.results[0].failed.difference
+    row, col = found.index
+    assert alt.endswith(f"{found.count} pixels differ, the first at row {row}, col {col}.")
+    assert f"row {row}, col {col}" in repr(result)
+
+
+def test_hidden_cases_draw_from_another_seed():
+    declared = find_exercise("test-double")
+    public = judge(declared, wraps, cases=declared.hidden).results[0].failed.arguments[0]
+    secret = judge(declared, wraps, cases=declared.hidden, seed=99).results[0].failed.arguments[0]
+    assert not np.array_equal(public, secret)
+
+
+def test_what_is_no_function_is_answered_with_the_cure():
+    with pytest.raises(
+        TypeError,
+        match="needs your function double itself, got a value of type int; run the cell with your function",
+    ):
+        check("test-double", 3)

@@ -1,0 +1,100 @@
+"""Where two forms differ, in words and numbers."""
+
+import numpy as np
+import pytest
+
+from imgproc_course.exercises.canonical import canonical
+from imgproc_course.exercises.comparison import compare, describe, place
+
+
+def difference(expected, actual, tolerance=0.0, limit=None):
+    return compare(canonical(expected, limit), canonical(actual, limit), tolerance)
+
+
+@pytest.mark.parametrize(
+    ("expected", "actual"),
+    [
+        (3, 3),
+        (3, np.int64(3)),
+        (3.0, 3),
+        (0.3, 0.1 + 0.2),
+        (float("nan"), np.float64("nan")),
+        (float("inf"), float("inf")),
+        (True, np.bool_(True)),
+        ("bgr8", "bgr8"),
+        ({"a": 1, "b": (2, 3)}, {"b": (2, 3), "a": 1}),
+        (np.array([1.0, np.nan, np.inf]), np.array([1.0 + 1e-12, np.nan, np.inf])),
+        (np.array([1], np.uint16), np.array([1], ">u2")),
+        (np.float32([1 / 3]), np.float32([1 / 3 + 1e-7])),
+    ],
+)
+def test_equal_answers_agree(expected, actual):
+    assert difference(expected, actual) is None
+
+
+@pytest.mark.parametrize(
+    ("expected", "actual", "kind"),
+    [
+        (3, 4, "value"),
+        (3, 3.0, "type"),
+        (3, True, "type"),
+        (1.0, 1.0 + 1e-6, "value"),
+        (1.0, float("nan"), "value"),
+        (float("inf"), float("-inf"), "value"),
+        (None, 0, "type"),
+        ((1, 2), [1, 2], "type"),
+        ((1, 2), (1, 2, 3), "length"),
+        ({"a": 1}, {"b": 1}, "keys"),
+        (b"ab", b"ac", "value"),
+        (np.zeros((2, 3)), np.zeros((3, 2)), "shape"),
+        (np.zeros(2, np.uint8), np.zeros(2, np.int64), "dtype"),
+        (np.zeros(()), 0.0, "type"),
+        (np.array([np.inf]), np.array([-np.inf]), "value"),
+        (np.array([2**63 + 1], np.uint64), np.array([2**63], np.uint64), "value"),
+    ],
+)
+def test_different_answers_differ(expected, actual, kind):
+    assert difference(expected, actual).kind == kind
+
+
+def test_the_first_difference_is_named_with_its_place_and_numbers():
+    expected = np.zeros((4, 5), np.uint8)
+    actual = expected.copy()
+    actual[1, 3], actual[2, 0] = 7, 9
+    found = difference(expected, actual)
+    assert (found.index, found.expected, found.actual, found.count, found.total) == ((1, 3), 0, 7, 2, 20)
+    assert found.message == "2 of 20 values differ; the first at row 1, col 3: 7 came back, 0 was expected"
+
+
+def test_a_difference_inside_is_found_by_its_path():
+    found = difference({"edges": (1, [2, 3])}, {"edges": (1, [2, 4])})
+    assert found.where == "['edges'][1][1]"
+    assert (found.expected, found.actual) == (3, 4)
+
+
+def test_the_tolerance_is_absolute_and_inclusive():
+    assert difference(100, 102, tolerance=2) is None
+    assert difference(100, 103, tolerance=2).kind == "value"
+    expected, actual = np.full(3, 100, np.uint8), np.array([100, 102, 103], np.uint8)
+    found = difference(expected, actual, tolerance=2)
+    assert (found.index, found.count) == ((2,), 1)
+
+
+def test_digests_are_compared_where_values_are_not_written_out():
+    expected = np.arange(100_000, dtype=np.int32)
+    actual = expected.copy()
+    assert difference(expected, actual, limit=1_000) is None
+    actual[5] = 0
+    assert difference(expected, actual, limit=1_000).message == "the values differ"
+    assert compare(canonical(expected, 1_000), canonical(expected, None)) is None
+
+
+def test_what_has_no_value_is_never_equal():
+    assert difference(object(), object()).kind == "type"
+
+
+def test_words():
+    assert describe(canonical(np.zeros((5, 4), np.uint8))) == "an array of shape (5, 4), uint8"
+    assert describe(canonical(3)) == "the whole number 3"
+    assert describe(canonical({"a": 1})) == "a dict with the keys 'a'"
+    assert place((3, 7, 2)) == "row 3, col 7, channel 2"

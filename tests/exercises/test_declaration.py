@@ -1,0 +1,163 @@
+"""Exercises as masters declare them."""
+
+import numpy as np
+import pytest
+
+from imgproc_course.exercises.declaration import (
+    PUBLIC_SEED,
+    MasterError,
+    exercise,
+    find_exercise,
+    read_exercises,
+    role_cells,
+)
+
+
+def test_a_whole_exercise_is_read(write_master):
+    (declared,) = read_exercises(write_master())
+    assert (declared.id, declared.function, declared.time_limit) == ("test-double", "double", 0.5)
+    assert (declared.title, declared.refused, declared.practice) == ("test-double", ("cv2",), False)
+    assert [case.id for case in declared.cases] == [
+        "case-test-double-1",
+        "case-test-double-2",
+        "hidden-test-double-1",
+    ]
+    assert [case.points for case in declared.cases] == [2, 1, 3]
+    assert declared.points == 6
+    assert [case.hint for case in declared.public] == ["Widen.", "Start small."]
+    assert [mistake.says for mistake in declared.mistakes] == ["It wraps.", "One too many."]
+    assert declared.given == ("LIMIT = 255",)
+
+
+def test_the_solution_finds_numpy_and_the_given_names_and_nothing_else(write_master):
+    (declared,) = read_exercises(write_master())
+    double = declared.function_of(declared.solution, "solution")
+    np.testing.assert_array_equal(double(np.uint8([3, 200])), np.uint8([6, 255]))
+    assert "SIDE" not in double.__globals__ and "exercise" not in double.__globals__
+
+
+def test_mistakes_may_bend_the_solution(write_master):
+    (declared,) = read_exercises(write_master())
+    wrong = declared.function_of(declared.mistakes[1].source, "mistake", prepared=True)
+    np.testing.assert_array_equal(wrong(np.uint8([3])), np.uint8([7]))
+
+
+def test_inputs_follow_the_seed_and_nothing_else(write_master):
+    (declared,) = read_exercises(write_master())
+    case = declared.public[0]
+    ((first,),) = declared.arguments(case)
+    ((again,),) = declared.arguments(case, PUBLIC_SEED)
+    ((other,),) = declared.arguments(case, 1)
+    np.testing.assert_array_equal(first, again)
+    assert first.shape == (3, 4) and not np.array_equal(first, other)
+    assert len(declared.arguments(declared.public[1])) == 2
+    (moved,) = read_exercises(write_master("81_moved", title="# %% [markdown]\n# # Doubling\n# More words."))
+    np.testing.assert_array_equal(moved.arguments(moved.public[0])[0][0], first)
+
+
+def test_practice_has_no_points(write_master):
+    heading = '# %% role="exercise"\nexercise("test-double", function="double", practice=True)\nSIDE = 3'
+    (declared,) = read_exercises(write_master(exercise=heading))
+    assert declared.points == 0 and declared.practice
+
+
+def test_a_changed_master_is_read_again(write_master):
+    read_exercises(write_master())
+    path = write_master(answer='# %% role="answer"\ndef double(pixels): ...')
+    assert read_exercises(path)[0].stub == "def double(pixels): ..."
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        ({"solution": ""}, 'needs one role="solution" cell, found 0'),
+        ({"case": '# %% role="case"\ndef inputs(rng): ...'}, 'a case cell needs title="..."'),
+        ({"mistake": '# %% role="mistake" name="x"\ndef double(pixels): ...'}, 'needs says="..."'),
+        ({"case": '# %% role="case" title=Bright\ndef inputs(rng): ...'}, "title=Bright is no JSON value"),
+        ({"case": '# %% role="cases" title="x"\n...'}, "role='cases', expected one of given, exercise"),
+        ({"given": '# %% role="given"\nLIMIT = 255'}, "a given cell before any exercise"),
+        (
+            {"given": '# %% role="given" exercise="test-triple"\n...'},
+            "exercise='test-triple' is not declared",
+        ),
+        (
+            {"exercise": '# %% role="exercise"\nexercise("test-double")'},
+            "missing 1 required keyword-only argument",
+        ),
+        ({"exercise": '# %% role="exercise"\nexercise(NAME, function="f")'}, "literals only"),
+        ({"exercise": '# %% role="exercise"\nSIDE = 3'}, "expected one call of exercise(...), found 0"),
+        ({"case": '# %% role="case" title="x" points=0.5\n...'}, "points=0.5, expected a whole number >= 0"),
+        ({"case": '# %% role="case" title="x" points\n...'}, "cannot read 'points'"),
+    ],
+)
+def test_a_broken_declaration_says_what_and_where(write_master, changed, said):
+    with pytest.raises(MasterError) as error:
+        read_exercises(write_master(**changed))
+    assert said in str(error.value)
+    assert "80_doubling.py" in str(error.value)
+
+
+@pytest.mark.parametrize(
+    ("changed", "said"),
+    [
+        (
+            {"case": '# %% role="case" title="x"\ndef inputs(rng): return rng'},
+            "must return a tuple of arguments",
+        ),
+        (
+            {"case": '# %% role="case" title="x"\ndef inputs(rng): return []'},
+            "must return a tuple of arguments",
+        ),
+        ({"case": '# %% role="case" title="x"\ndef inputs(rng): return (sides,)'}, "NameError"),
+        ({"case": '# %% role="case" title="x"\ninput = 3'}, "does not define inputs(rng)"),
+        (
+            {"exercise": '# %% role="exercise"\nexercise("test-double", function="double")\nx = y'},
+            "NameError",
+        ),
+    ],
+)
+def test_a_broken_case_says_what_and_where(write_master, changed, said):
+    (declared,) = read_exercises(write_master(**changed))
+    with pytest.raises(MasterError) as error:
+        declared.arguments(declared.public[0])
+    assert said in str(error.value)
+    assert "80_doubling.py" in str(error.value)
+
+
+def test_arguments_of_a_declaration_are_checked():
+    for arguments in (
+        {"id": "Grayscale Luma", "function": "f"},
+        {"id": "a-b", "function": "f()"},
+        {"id": "a-b", "function": "f", "time_limit": 0},
+        {"id": "a-b", "function": "f", "tolerance": -1},
+        {"id": "a-b", "function": "f", "refused": "cv2"},
+    ):
+        with pytest.raises(MasterError):
+            exercise(**arguments)
+
+
+def test_headers_take_json_values():
+    header = '# %% role="case" title="a \\"b\\" = c" points=3 tags=["x", "y"] tolerance=0.5'
+    text = f"{header}\nx = 1\n\n# %%\ny = 2\n"
+    (cell,) = role_cells(text)
+    assert cell.options == {"title": 'a "b" = c', "points": 3, "tags": ["x", "y"], "tolerance": 0.5}
+    assert (cell.source, cell.line) == ("x = 1", 1)
+
+
+def test_an_unknown_exercise_is_answered_with_the_nearest(write_master):
+    write_master()
+    assert find_exercise("test-double").id == "test-double"
+    with pytest.raises(MasterError, match="did you mean 'test-double'"):
+        find_exercise("test-duoble")
+
+
+def test_a_master_half_written_does_not_stand_in_the_way_of_another(write_master):
+    path = write_master()
+    path.with_name("70_half.py").write_text('# %% role="exercise"\nexercise(', encoding="utf-8")
+    assert find_exercise("test-double").id == "test-double"
+
+
+def test_a_folder_of_masters_that_is_not_there_is_named(monkeypatch, tmp_path):
+    monkeypatch.setenv("IMGPROC_COURSE_MASTERS", str(tmp_path / "nowhere"))
+    with pytest.raises(MasterError, match=r"IMGPROC_COURSE_MASTERS names .*nowhere.*no folder"):
+        find_exercise("test-double")

@@ -1,0 +1,61 @@
+"""What an answer reaches for outside its own cell."""
+
+import linecache
+
+from imgproc_course.exercises.reach import Reach, bound_names, reach_of
+
+
+def function_in_cell(source, *, others="", name="f", file="<cell 1>"):
+    """A function as a notebook holds it: its own cell, and one shared namespace."""
+    space = {}
+    exec(compile(others, "<another cell>", "exec"), space)
+    linecache.cache[file] = (len(source), None, source.splitlines(keepends=True), file)
+    exec(compile(source, file, "exec"), space)
+    return space[name]
+
+
+def test_a_function_that_needs_nothing_reaches_for_nothing():
+    function = function_in_cell("import numpy as np\nK = 3\ndef f(a):\n    return np.sum(a) + K + len(a)\n")
+    assert reach_of(function, ("cv2",), set()) == Reach()
+
+
+def test_names_of_another_cell_are_told_and_given_ones_are_not():
+    function = function_in_cell(
+        "def f(a):\n    return helper(a) + K\n", others="K = 3\ndef helper(a): return a\n"
+    )
+    assert reach_of(function, (), {"K"}).foreign == ("helper",)
+
+
+def test_a_helper_in_the_same_cell_is_followed():
+    function = function_in_cell("def g(a):\n    return K\ndef f(a):\n    return g(a)\n", others="K = 3")
+    assert reach_of(function, (), set()).foreign == ("K",)
+
+
+def test_refused_modules_are_seen_however_they_are_named():
+    refused = ("json", "imgproc_course.imaging", "xml")
+    sources = {
+        "import json\ndef f(a):\n    return json.dumps(a)\n": "json",
+        "import json as j\ndef f(a):\n    return j.dumps(a)\n": "json",
+        "from json import dumps\ndef f(a):\n    return dumps(a)\n": "json",
+        "def f(a):\n    import json\n": "json",
+        "def f(a):\n    from xml.dom import minidom\n": "xml",
+        "def f(a):\n    def inner():\n        import json\n    return inner()\n": "json",
+        "def f(a):\n    from imgproc_course import imaging\n": "imgproc_course.imaging",
+    }
+    for source, module in sources.items():
+        assert reach_of(function_in_cell(source), refused, set()).refused == (module,), source
+    other_cell = function_in_cell("def f(a):\n    return dumps(a)\n", others="from json import dumps")
+    assert reach_of(other_cell, refused, set()) == Reach(refused=("json",))
+
+
+def test_a_name_that_only_begins_like_a_refused_one_is_free():
+    function = function_in_cell("def f(a):\n    import jsonschema\n")
+    assert reach_of(function, ("json",), set()).refused == ()
+
+
+def test_bound_names():
+    source = (
+        "import a.b, c as d\nx, (y, *z) = 1, (2, 3)\ndef g(h): i = 1\nclass J: k = 2\nfor m in []: n = 1\n"
+    )
+    assert bound_names(source) == {"a", "d", "x", "y", "z", "g", "J", "m", "n"}
+    assert bound_names("def (") == set()
