@@ -1,0 +1,89 @@
+"""Arguments as JSON, exactly: byte order, memory layout and the order of a dict's keys survive.
+
+No pickle: what is read cannot run anything. `canonical` forms are for answers, and forget what does not
+count; a function under test must get what the lesson would give it.
+"""
+
+import base64
+import types
+
+import numpy as np
+
+_PLAIN = (bool, int, float, str, type(None))
+_KINDS = "biufc"
+
+
+def encode(value):
+    """A value as JSON.
+
+    Parameters
+    ----------
+    value : None, bool, int, float, str, bytes, ndarray of numbers, NumPy scalar, and tuple, list, dict and
+        types.SimpleNamespace of these
+
+    Returns
+    -------
+    what json.dumps takes
+
+    Raises
+    ------
+    TypeError : any other type; the message names it
+    """
+    kind = type(value)
+    if kind in (bool, str, type(None)):
+        return value
+    if kind is int:
+        return {"int": str(value)} if abs(value) >= 2**53 else value
+    if kind is float:
+        return {"float": value.hex()}
+    if kind is bytes:
+        return {"bytes": base64.b64encode(value).decode("ascii")}
+    if kind is np.ndarray and value.dtype.kind in _KINDS:
+        order = "F" if value.flags.f_contiguous and not value.flags.c_contiguous else "C"
+        data = base64.b64encode(value.tobytes(order)).decode("ascii")
+        return {"array": data, "dtype": value.dtype.str, "shape": list(value.shape), "order": order}
+    if issubclass(kind, np.generic) and value.dtype.kind in _KINDS:
+        return {"scalar": base64.b64encode(value.tobytes()).decode("ascii"), "dtype": value.dtype.str}
+    if kind in (tuple, list):
+        return {kind.__name__: [encode(item) for item in value]}
+    if kind is dict:
+        return {"dict": [[encode(key), encode(item)] for key, item in value.items()]}
+    if kind is types.SimpleNamespace:
+        return {"namespace": [[name, encode(item)] for name, item in vars(value).items()]}
+    raise TypeError(
+        f"a value of type {kind.__module__}.{kind.__qualname__} cannot travel to a kernel as data; use"
+        " numbers, text, bytes, arrays of numbers, tuple, list, dict or types.SimpleNamespace"
+    )
+
+
+def decode(form):
+    """The value that `encode` wrote; arrays are writable and own their data.
+
+    Parameters
+    ----------
+    form : from `encode`
+
+    Returns
+    -------
+    the value
+    """
+    if isinstance(form, _PLAIN):
+        return form
+    if "int" in form:
+        return int(form["int"])
+    if "float" in form:
+        return float.fromhex(form["float"])
+    if "bytes" in form:
+        return base64.b64decode(form["bytes"])
+    if "array" in form:
+        values = np.frombuffer(base64.b64decode(form["array"]), np.dtype(form["dtype"]))
+        return values.reshape(form["shape"], order=form["order"]).copy(order="K")
+    if "scalar" in form:
+        return np.frombuffer(base64.b64decode(form["scalar"]), np.dtype(form["dtype"]))[0]
+    if "tuple" in form:
+        return tuple(decode(item) for item in form["tuple"])
+    if "list" in form:
+        return [decode(item) for item in form["list"]]
+    if "dict" in form:
+        return {decode(key): decode(item) for key, item in form["dict"]}
+    return types.SimpleNamespace(**{name: decode(item) for name, item in form["namespace"]})

@@ -1,0 +1,249 @@
+"""Grading side by side with nbgrader's autograde: the same answers to the same checks, in one session.
+
+Twenty generated submissions, right and wrong ones mixed. nbgrader lives in an environment of its own
+(environment/requirements-nbgrader.txt, made at the first run in ~/.cache or $NBGRADER_VENV). Then the growth:
+`--growth 1000` grades so many submissions and prints time and memory on the way.
+
+    .venv/bin/python tests/benchmarks/bench_grading.py [--lesson 07] [--submissions 20] [--growth 1000]
+"""
+
+import os
+import subprocess
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+import click
+import nbformat
+import numpy as np
+import psutil
+from platformdirs import user_cache_path
+from rich.console import Console
+from rich.table import Table
+
+from imgproc_course.exercises import array_of, read_exercises
+from imgproc_course.grading.judge import judge
+from imgproc_course.grading.kernel.inside.values import decode
+from imgproc_course.grading.key import make_key, sample_answers
+
+ROOT = Path(__file__).parents[2]
+MASTERS = ROOT / "notebooks" / "masters"
+BUDGET = 10.0  # times faster than nbgrader, for each submission
+
+
+def nbgrader_venv():
+    """nbgrader's environment, made where it is not there."""
+    folder = Path(os.environ.get("NBGRADER_VENV") or user_cache_path("imgproc-course") / "nbgrader")
+    if not (folder / "bin" / "nbgrader").exists():
+        print(f"Making nbgrader's environment in {folder} ...")
+        subprocess.run([sys.executable, "-m", "venv", str(folder)], check=True)
+        requirements = ROOT / "environment" / "requirements-nbgrader.txt"
+        pip = [str(folder / "bin" / "python"), "-m", "pip", "install", "-q", "--require-hashes"]
+        subprocess.run([*pip, "-r", str(requirements)], check=True)
+    return folder
+
+
+def answers_of(lesson, count):
+    """Generated submissions: the k-th one answers each exercise with the k-th of its sample answers."""
+    exercises = [each for each in read_exercises(MASTERS / f"{lesson}.py") if not each.practice]
+    samples = {each.id: list(sample_answers(each).values()) for each in exercises}
+    for k in range(count):
+        answers = {
+            id: sources[0 if k % 2 else (k // 2 + shift) % len(sources)]
+            for shift, (id, sources) in enumerate(samples.items())
+        }
+        yield f"student{k:04d}", lesson, answers
+
+
+# ---------------------------------------------------------------- the same work, as nbgrader wants it
+
+
+def _cell(source, name, **more):
+    about = {"schema_version": 3, "grade_id": name, "grade": False, "solution": False, "locked": False}
+    about |= {"task": False} | more
+    return nbformat.v4.new_code_cell(source, metadata={"nbgrader": about})
+
+
+def nbgrader_notebook(key, lesson, answers=None):
+    """The lesson's exercises as an nbgrader assignment; the checks hold inputs and expected values."""
+    cells = [nbformat.v4.new_code_cell("import numpy as np\nfrom types import SimpleNamespace")]
+    for exercise in key.lessons[lesson].exercises:
+        if exercise.practice:
+            continue
+        content = key.content(exercise.id)
+        cells += [
+            nbformat.v4.new_code_cell("".join(cell["source"]))
+            for cell in content.notebook["cells"]
+            if cell["id"].startswith("given-")
+        ]
+        source = answers[exercise.id] if answers else exercise.stub
+        # What stands beside a declaration runs here too, where nothing of the course is installed.
+        source = source.replace(
+            "from imgproc_course.exercises import exercise", "exercise = lambda *a, **k: 0"
+        )
+        cells.append(_cell(source, f"answer-{exercise.id}", solution=True))
+        for case in exercise.cases:
+            tests = [
+                f"_same({exercise.function}(*{_literal(decode(call))}),"
+                f" {_literal(_value(form))}, {case.tolerance})"
+                for call, form in zip(content.inputs[case.id], content.expected[case.id], strict=True)
+            ]
+            cells.append(
+                _cell("\n".join([_SAME, *tests]), case.id, grade=True, locked=True, points=case.points)
+            )
+    kernel = {"display_name": "Python 3", "language": "python", "name": "python3"}
+    return nbformat.v4.new_notebook(cells=cells, metadata={"kernelspec": kernel})
+
+
+_SAME = """def _same(actual, expected, tolerance):
+    if isinstance(expected, (tuple, list)):
+        assert type(actual) is type(expected) and len(actual) == len(expected)
+        for one, other in zip(actual, expected):
+            _same(one, other, tolerance)
+        return
+    assert isinstance(actual, np.ndarray) == isinstance(expected, np.ndarray)
+    assert not isinstance(expected, np.ndarray) or actual.dtype == expected.dtype
+    np.testing.assert_allclose(actual, expected, rtol=1e-9, atol=tolerance)
+"""
+
+
+def _value(form):
+    array = array_of(form)
+    if array is not None:
+        return array
+    if "items" in form:
+        items = [_value(item) for item in form["items"]]
+        return tuple(items) if form["type"] == "tuple" else items
+    value = form["value"]
+    return float(value) if form["type"].endswith(("float", "float64")) else value
+
+
+def _literal(value):
+    """Source for a value; a tuple of arguments too."""
+    if isinstance(value, np.ndarray):
+        return f"np.array({value.tolist()!r}, dtype='{value.dtype.str}').reshape({value.shape})"
+    if isinstance(value, (tuple, list)):
+        inner = "".join(f"{_literal(item)}, " for item in value)
+        return f"({inner})" if isinstance(value, tuple) else f"[{inner}]"
+    if isinstance(value, np.generic):
+        return f"np.{value.dtype.name}({value.item()!r})"
+    if isinstance(value, float):
+        return f"float('{value!r}')"
+    return repr(value) if not hasattr(value, "__dict__") else _namespace(value)
+
+
+def _namespace(value):
+    return f"SimpleNamespace({', '.join(f'{name}={_literal(item)}' for name, item in vars(value).items())})"
+
+
+def prepare_nbgrader(venv, folder, key, lesson, submissions):
+    """A course with the assignment released and the submissions handed in."""
+    source = folder / "source" / "ps1"
+    source.mkdir(parents=True)
+    nbformat.write(nbgrader_notebook(key, lesson), source / "lesson.ipynb")
+    (folder / "nbgrader_config.py").write_text(
+        f"c = get_config()\nc.CourseDirectory.root = {str(folder)!r}\nc.Execute.timeout = 60\n",
+        encoding="utf-8",
+    )
+    run_nbgrader(venv, folder, "generate_assignment", "ps1")
+    released = nbformat.read(folder / "release" / "ps1" / "lesson.ipynb", as_version=4)
+    for name, _, answers in submissions:
+        handed = nbgrader_notebook(key, lesson, answers)
+        for cell, given in zip(handed.cells, released.cells, strict=True):
+            if not cell.metadata.get("nbgrader", {}).get("solution"):
+                cell.source = given.source
+            cell.metadata, cell.id = given.metadata, given.id
+        place = folder / "submitted" / name / "ps1"
+        place.mkdir(parents=True)
+        nbformat.write(handed, place / "lesson.ipynb")
+
+
+def run_nbgrader(venv, folder, *words):
+    """One nbgrader command; nbgrader calls alembic by its bare name, hence the PATH."""
+    environment = os.environ | {"PATH": f"{venv / 'bin'}{os.pathsep}{os.environ['PATH']}", "PYTHONPATH": ""}
+    done = subprocess.run(
+        [str(venv / "bin" / "nbgrader"), *words], cwd=folder, env=environment, capture_output=True, text=True
+    )
+    if done.returncode:
+        raise SystemExit(f"nbgrader {' '.join(words)} failed:\n{done.stderr[-3000:]}")
+
+
+def nbgrader_points(venv, folder):
+    """Points of each student, from nbgrader's gradebook."""
+    run_nbgrader(venv, folder, "export")
+    lines = [line.split(",") for line in (folder / "grades.csv").read_text().splitlines()]
+    student, score = lines[0].index("student_id"), lines[0].index("raw_score")
+    return {line[student]: float(line[score]) for line in lines[1:]}
+
+
+# ---------------------------------------------------------------- measuring
+
+
+def side_by_side(venv, folder, key, lesson, count):
+    """Seconds of both for the same submissions, and their points."""
+    submissions = list(answers_of(lesson, count))
+    prepare_nbgrader(venv, folder, key, lesson, submissions)
+    begun = time.perf_counter()
+    ours = {result["submission"]: result["got"] for result in judge(submissions, key)}
+    between = time.perf_counter()
+    run_nbgrader(venv, folder, "autograde", "ps1")
+    theirs_took = time.perf_counter() - between
+    return between - begun, theirs_took, ours, nbgrader_points(venv, folder)
+
+
+def growth(key, lesson, count):
+    """Time and memory while many submissions are graded."""
+    table = Table("submissions", "s", "ms each", "MB, all processes", title="growth", title_justify="left")
+    marks = sorted({count // 10, count // 4, count // 2, count})
+    begun = time.perf_counter()
+    for number, _ in enumerate(judge(answers_of(lesson, count), key), 1):
+        if number in marks:
+            taken = time.perf_counter() - begun
+            table.add_row(str(number), f"{taken:.1f}", f"{taken / number * 1000:.0f}", f"{_memory():.0f}")
+    Console(width=110).print(table)
+
+
+def _memory():
+    here = psutil.Process()
+    total = 0
+    for process in [here, *here.children(recursive=True)]:
+        try:
+            total += process.memory_full_info().pss
+        except psutil.Error:
+            continue  # a kernel that has just ended
+    return total / 1e6
+
+
+@click.command()
+@click.option("--lesson", default="07", help="Which lesson's exercises.")
+@click.option("--submissions", default=20, help="How many are compared; 0: none.")
+@click.option("--growth", "many", default=0, help="Grade so many afterwards, and show time and memory.")
+def main(lesson, submissions, many):
+    with tempfile.TemporaryDirectory(prefix="bench-") as folder:
+        folder = Path(folder)
+        key = make_key(MASTERS, "benchmark", folder / "key", [lesson])
+        (name,) = key.lessons
+        kept = not submissions or compared(folder / "nbgrader", key, name, submissions)
+        if many:
+            growth(key, name, many)
+    raise SystemExit(0 if kept else 1)
+
+
+def compared(folder, key, name, count):
+    """Print both ways side by side; True where the budget is kept."""
+    ours, theirs, our_points, their_points = side_by_side(nbgrader_venv(), folder, key, name, count)
+    odd = sorted(each for each in our_points if our_points[each] != their_points.get(each))
+    ratio = theirs / ours
+    table = Table("way", "s", "ms a submission", "×", title=f"{name}, {count} submissions")
+    table.add_row("nbgrader autograde", f"{theirs:.1f}", f"{theirs / count * 1000:.0f}", "1")
+    ours = (f"{ours:.1f}", f"{ours / count * 1000:.0f}", f"{ratio:.1f}")
+    table.add_row("imgproc-course, sandboxed", *ours)
+    Console(width=110).print(table)
+    print(f"points agree for {count - len(odd)} of {count}; differ: {odd}")
+    print(f"{ratio:.1f} times faster; budget {BUDGET:g}: {'kept' if ratio >= BUDGET else 'BROKEN'}")
+    return ratio >= BUDGET
+
+
+if __name__ == "__main__":
+    main()
