@@ -1,0 +1,138 @@
+"""The doctor looks at ROS: what is loaded, the DDS profile, shared memory, the domain, the network."""
+
+import contextlib
+import importlib.metadata
+import importlib.util
+import os
+import socket
+import sys
+
+from imgproc_course.doctor.report import failure, ok, warning
+from imgproc_course.doctor.software import SET_UP
+
+MULTICAST_GROUP = "239.255.0.1"  # where DDS programs look for one another
+RANGES = ("SUBNET", "LOCALHOST", "OFF", "SYSTEM_DEFAULT")
+ENOUGH_SHARED_MEMORY = 276 << 20  # the camera, the notebook, and two more programs
+
+
+def look_at_ros():
+    from imgproc_course.ros import dds_profile, ros_problem
+
+    problem = ros_problem()
+    if problem is not None:
+        seen, _, cure = problem.partition("; ")
+        if not cure:
+            seen, _, cure = problem.partition(". ")
+        missing = importlib.util.find_spec("rclpy") is None
+        yield (warning if missing else failure)("ROS 2", seen, cure or SET_UP)
+        return
+    rclpy, messages = (
+        _version_of("ros-jazzy-rclpy", "rclpy"),
+        _version_of("ros-jazzy-sensor-msgs", "sensor_msgs"),
+    )
+    yield ok("ROS 2", f"rclpy {rclpy}, sensor_msgs {messages}")
+    yield ok("middleware", _middleware())
+    profile = dds_profile()
+    if profile.note is None:
+        yield ok("DDS profile", profile)
+    else:
+        yield warning("DDS profile", str(profile).partition("; ")[0], profile.note)
+    yield from _shared_memory(profile.free_bytes)
+    yield from _domain()
+
+
+def _version_of(*distributions):
+    for name in distributions:
+        with contextlib.suppress(importlib.metadata.PackageNotFoundError):
+            return importlib.metadata.version(name)
+    return "of this system"
+
+
+def _middleware():
+    # The ros room has imported rclpy by now; what it loaded tells more than the variable, which may be unset.
+    utilities = sys.modules.get("rclpy.utilities")
+    if utilities is not None:
+        return utilities.get_rmw_implementation_identifier()
+    return os.environ.get("RMW_IMPLEMENTATION", "the default")
+
+
+def _shared_memory(free):
+    if free is None:
+        return  # no /dev/shm on this system
+    if free >= ENOUGH_SHARED_MEMORY:
+        yield ok("shared memory", "enough in /dev/shm for the camera, this notebook, and two programs more")
+    else:
+        yield warning(
+            "shared memory",
+            f"{free >> 20} MiB free in /dev/shm; the camera and a node of yours take 69 MiB each",
+            "docker run --shm-size=1g, or sudo mount -o remount,size=1g /dev/shm; then restart the kernel",
+        )
+
+
+def _domain():
+    domain = os.environ.get("ROS_DOMAIN_ID", "0") or "0"
+    reach = os.environ.get("ROS_AUTOMATIC_DISCOVERY_RANGE", "") or "SUBNET"
+    if not (domain.isdecimal() and int(domain) <= 101):
+        yield failure(
+            "domain", f"ROS_DOMAIN_ID={domain}", "give a number from 0 to 101: export ROS_DOMAIN_ID=7"
+        )
+        return
+    if reach not in RANGES:
+        yield failure(
+            "domain",
+            f"ROS_AUTOMATIC_DISCOVERY_RANGE={reach} is none of {', '.join(RANGES)}",
+            "unset ROS_AUTOMATIC_DISCOVERY_RANGE, then restart the kernel",
+        )
+    elif reach == "OFF":
+        yield failure(
+            "domain",
+            "ROS_AUTOMATIC_DISCOVERY_RANGE=OFF: no program finds another",
+            "unset ROS_AUTOMATIC_DISCOVERY_RANGE, or set it to LOCALHOST; then restart the kernel",
+        )
+    else:
+        alone = reach == "LOCALHOST" or os.environ.get("ROS_LOCALHOST_ONLY") == "1"
+        who = (
+            "this machine alone; a robot is not found"
+            if alone
+            else "everyone on this network in the same domain"
+        )
+        yield ok("domain", f"{domain}; topics are shared with {who}")
+
+
+def look_at_network():
+    """Whether packets to this machine itself arrive, and those to the group where DDS programs meet."""
+    if not _packet_arrives("127.0.0.1"):
+        yield failure(
+            "loopback",
+            "a packet from this machine to itself did not arrive",
+            "a firewall blocks UDP on 127.0.0.1: allow it, e.g. sudo ufw allow in on lo",
+        )
+    elif not _packet_arrives(MULTICAST_GROUP):
+        yield warning(
+            "loopback",
+            "works, but multicast does not, by which programs find one another",
+            "export ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST, or allow multicast: "
+            "sudo ip link set lo multicast on; sudo ufw allow in proto udp to 224.0.0.0/4",
+        )
+    else:
+        yield ok("loopback", "packets and multicast arrive")
+
+
+def _packet_arrives(address, timeout=1.0):
+    loopback = socket.inet_aton("127.0.0.1")
+    with (
+        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as receiver,
+        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender,
+    ):
+        try:
+            receiver.settimeout(timeout)
+            receiver.bind(("" if address == MULTICAST_GROUP else address, 0))
+            if address == MULTICAST_GROUP:
+                group = socket.inet_aton(address) + loopback
+                receiver.setsockopt(socket.IPPROTO_IP, socket.IP_ADD_MEMBERSHIP, group)
+                sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_IF, loopback)
+                sender.setsockopt(socket.IPPROTO_IP, socket.IP_MULTICAST_TTL, 0)
+            sender.sendto(b"doctor", (address, receiver.getsockname()[1]))
+            return receiver.recv(16) == b"doctor"
+        except OSError:
+            return False

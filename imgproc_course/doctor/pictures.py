@@ -1,0 +1,101 @@
+"""The doctor looks at pictures: the recording, room for work, and topics that are alive."""
+
+import contextlib
+import os
+import shutil
+import subprocess
+import sys
+from pathlib import Path
+
+from imgproc_course.doctor.report import failure, ok, warning
+
+ENOUGH_DISK = 200 << 20
+FRAMES = 3
+
+
+def look_at_recording():
+    from imgproc_course.messages import ConversionError
+    from imgproc_course.recording import RecordingError, open_recording
+
+    try:
+        with open_recording("drive") as drive:
+            rows, cols, _ = drive.frame(0).shape
+            yield ok("recording", f"{len(drive)} pictures of {cols}×{rows}, {drive.rate:g} a second")
+    except (RecordingError, ConversionError) as error:
+        seen, _, cure = str(error).partition("; ")
+        yield failure("recording", seen, cure or "git checkout -- imgproc_course/recording/drive")
+
+
+def look_at_disk():
+    free = shutil.disk_usage(Path.cwd()).free
+    if free >= ENOUGH_DISK:
+        yield ok("disk", "room for your work")
+    else:
+        yield warning(
+            "disk", f"{free >> 20} MiB free where your lessons are", "free some space before you go on"
+        )
+
+
+def look_at_topics():
+    """Plays the drive on a topic of its own, in this process and from another one, and waits for pictures."""
+    from imgproc_course.ros import RosSession, ros_available
+
+    if not ros_available():
+        return
+    was_running = RosSession().running
+    try:
+        yield from _topic_in_this_process()
+        yield from _topic_of_another_process()
+    except ValueError as error:  # what starts a node says which variable is wrong
+        seen, _, cure = str(error).partition("; ")
+        yield failure("topic", seen, cure or "correct it, then restart the kernel")
+    finally:
+        if not was_running:
+            RosSession().stop()
+
+
+def _topic_in_this_process():
+    from imgproc_course.ros import open_camera
+
+    topic = f"/doctor_{os.getpid()}/image_raw"
+    with open_camera(topic=topic) as camera:
+        problem = _pictures_arrive(camera.topic)
+    if problem is None:
+        yield ok("topic", "pictures arrive, published in this process")
+    else:
+        seen, _, cure = problem.partition("; ")
+        yield failure("topic", seen, cure or "restart the kernel and ask the doctor again")
+
+
+def _topic_of_another_process():
+    topic = f"/doctor_{os.getpid()}/elsewhere/image_raw"
+    command = [sys.executable, "-c", "from imgproc_course.cli import main; main()", "play", "--topic", topic]
+    player = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+    try:
+        problem = _pictures_arrive(topic, timeout=15.0)
+    finally:
+        player.terminate()
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            player.wait(5)
+        player.kill()
+    if problem is None:
+        yield ok("two programs", "pictures arrive from imgproc-course play, another process")
+    else:
+        yield warning(
+            "two programs",
+            "pictures published by another process do not arrive (in one notebook they do)",
+            "see the lines on DDS profile, shared memory and loopback; a firewall may be between them",
+        )
+
+
+def _pictures_arrive(topic, timeout=5.0):
+    """Why no pictures arrive, in one line; None when they do."""
+    from imgproc_course.ros import ImageSubscriber
+
+    with ImageSubscriber(topic) as subscriber:
+        try:
+            for _ in range(FRAMES):
+                subscriber.wait(timeout)
+        except TimeoutError as error:
+            return str(error)
+    return None

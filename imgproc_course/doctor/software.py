@@ -1,0 +1,110 @@
+"""The doctor looks at software: Python, the kernel, the packages, OpenCV."""
+
+import contextlib
+import importlib.metadata
+import re
+import sys
+from pathlib import Path
+
+import imgproc_course
+from imgproc_course.doctor.report import failure, ok, warning
+
+SET_UP = "run environment/lab once more, which puts the packages right"
+VENV = Path(imgproc_course.__file__).resolve().parents[1] / ".venv"
+
+
+def look_at_python():
+    found = f"{sys.version_info.major}.{sys.version_info.minor}.{sys.version_info.micro}"
+    if (3, 11) <= sys.version_info[:2] <= (3, 13):
+        yield ok("Python", found)
+    else:
+        yield failure("Python", found, "the course wants 3.11 to 3.13: PYTHON=python3.12 environment/lab")
+    yield from _package("imgproc-course")
+
+
+def look_at_kernel():
+    """Whether the notebook, or a JupyterLab started now, uses the environment that holds the course."""
+    if VENV.is_dir() and Path(sys.prefix).resolve() != VENV.resolve():
+        yield warning(
+            "kernel",
+            "this is the Python of another environment than the course's .venv",
+            "start JupyterLab with environment/lab; in the notebook: Kernel > Change Kernel > Python 3",
+        )
+    elif _kernel_of_jupyter() in (
+        None,
+        "python",
+        "python3",
+        f"python3.{sys.version_info.minor}",
+        sys.executable,
+    ):
+        yield ok("kernel", "of the course's own environment")
+    else:
+        yield warning(
+            "kernel",
+            "Jupyter's kernel python3 belongs to another environment, which may not have the course",
+            "start JupyterLab with environment/lab, which takes the course's own",
+        )
+
+
+def _kernel_of_jupyter():
+    from jupyter_client.kernelspec import KernelSpecManager, NoSuchKernel
+
+    if in_notebook():
+        return None
+    try:
+        return KernelSpecManager().get_kernel_spec("python3").argv[0]
+    except (NoSuchKernel, IndexError):
+        return None
+
+
+def look_at_packages():
+    for name in ("numpy", "jupyterlab", "ipywidgets", "nbval"):
+        yield from _package(name)
+    with contextlib.suppress(importlib.metadata.PackageNotFoundError):
+        if importlib.metadata.version("ipykernel") == "7.0.0":
+            yield failure("ipykernel", "7.0.0 loses what threads print", SET_UP)
+
+
+def _package(name):
+    try:
+        yield ok(name, importlib.metadata.version(name))
+    except importlib.metadata.PackageNotFoundError:
+        yield failure(name, "is not installed", SET_UP)
+
+
+def look_at_opencv():
+    """Exactly one distribution, importable, with the cascades."""
+    found = {
+        distribution.metadata["Name"]: distribution.version
+        for distribution in importlib.metadata.distributions()
+        if re.fullmatch(r"opencv(-contrib)?-python(-headless)?", distribution.metadata["Name"] or "")
+    }
+    if len(found) > 1:
+        names = " and ".join(sorted(found))
+        yield failure(
+            "OpenCV",
+            f"{names} are both installed, in one folder, and break one another",
+            f"pip uninstall {' '.join(sorted(found))}; then delete .venv and {SET_UP}",
+        )
+        return
+    try:
+        import cv2
+
+        version = cv2.__version__
+    except (ImportError, AttributeError) as error:
+        yield failure("OpenCV", f"does not load ({error})", f"delete .venv and {SET_UP}")
+        return
+    folder = getattr(getattr(cv2, "data", None), "haarcascades", None)
+    count = len(list(Path(folder).glob("haarcascade_*.xml"))) if folder else 0
+    if count:
+        yield ok("OpenCV", f"{version}, with {count} Haar cascades")
+    else:
+        yield warning(
+            "OpenCV", f"{version}, without Haar cascades", "finding faces needs OpenCV 4: " + SET_UP
+        )
+
+
+def in_notebook():
+    """Whether this runs in the kernel of a notebook."""
+    get_ipython = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)
+    return hasattr(get_ipython(), "kernel")

@@ -1,0 +1,414 @@
+"""The doctor: what it sees, what it says is wrong, and the cure beside it."""
+
+import importlib.metadata
+import io
+import re
+import socket
+import sys
+from pathlib import Path
+
+import cv2
+import pytest
+from rich.console import Console
+
+from imgproc_course import doctor as room
+from imgproc_course.doctor import Finding, Report, doctor, graph, pictures, software
+from imgproc_course.doctor.report import failure, ok, warning
+
+ROOT = Path(__file__).parents[1]
+
+
+def seen(look):
+    return {finding.name: finding for finding in look()}
+
+
+@pytest.fixture(scope="module")
+def examined():
+    return doctor()
+
+
+@pytest.mark.ros
+def test_on_a_machine_that_is_set_up_nothing_fails(examined):
+    assert examined.ready
+    verdicts = {finding.name: finding.verdict for finding in examined.findings}
+    assert [name for name, verdict in verdicts.items() if verdict == "failure"] == []
+    assert {
+        "Python",
+        "kernel",
+        "numpy",
+        "OpenCV",
+        "recording",
+        "ROS 2",
+        "DDS profile",
+        "domain",
+        "topic",
+    } < set(verdicts)
+
+
+@pytest.mark.ros
+def test_pictures_arrive_in_this_process_and_from_another(examined):
+    found = {finding.name: finding for finding in examined.findings}
+    assert found["topic"].saw == "pictures arrive, published in this process"
+    assert found["two programs"].saw == "pictures arrive from imgproc-course play, another process"
+
+
+def test_it_says_what_is_there(examined):
+    found = {finding.name: finding.saw for finding in examined.findings}
+    assert found["Python"] == ".".join(map(str, sys.version_info[:3]))
+    assert found["imgproc-course"] == importlib.metadata.version("imgproc-course")
+    assert found["numpy"] == importlib.metadata.version("numpy")
+    assert found["recording"] == "90 pictures of 1280×720, 10 a second"
+    assert found["OpenCV"].startswith(cv2.__version__)
+
+
+def test_no_path_of_this_machine_is_on_its_page(examined):
+    page = f"{examined}\n{examined._repr_html_()}"
+    for part in (str(ROOT), str(Path.home()), sys.prefix, sys.executable):
+        assert part not in page or part in ("/", "/root")
+    paths = re.findall(r"(?<![\w<./])/[a-z]\w*/[\w./-]+", page)
+    assert [path for path in paths if not path.startswith("/dev/shm")] == []
+
+
+@pytest.mark.parametrize(
+    ("text", "shown"),
+    [
+        ("cannot open /opt/ros/jazzy/lib/librcl.so: no", "cannot open librcl.so: no"),
+        ("'/home/ada/course/.venv/bin/python' is old", "'python' is old"),
+        (r"see C:\Users\ada\course\x.py", "see x.py"),
+        ("5 MiB free in /dev/shm; and on /kachaka/front_camera/image_raw", None),
+        ("git checkout -- imgproc_course/recording/drive", None),
+        ("run environment/lab; or macOS/Windows", None),
+        ("two\nlines", "two lines"),
+    ],
+)
+def test_paths_are_cut_to_their_last_part(text, shown):
+    assert ok("x", text).saw == (shown or text)
+    assert failure("x", "y", text).cure == (shown or text)
+
+
+REPORT = Report(
+    [ok("one", "fine"), warning("two", "so <so>", "leave it"), failure("three", "bad", "mend it & ask")]
+)
+
+
+def test_a_failure_makes_the_report_not_ready_and_a_warning_does_not():
+    assert not REPORT.ready
+    assert REPORT.summary == "1 of 3 failed: do what stands beside ✗, then ask again."
+    assert Report(REPORT.findings[:2]).ready
+    assert Report(REPORT.findings[:2]).summary == "Ready; what stands beside ! may stay as it is."
+    assert Report(REPORT.findings[:1]).summary == "Everything is ready."
+
+
+def test_as_text_each_finding_is_a_line_and_each_cure_below_it():
+    assert str(REPORT).splitlines() == [
+        "✓ one    fine",
+        "! two    so <so>",
+        "         → leave it",
+        "✗ three  bad",
+        "         → mend it & ask",
+        "1 of 3 failed: do what stands beside ✗, then ask again.",
+    ]
+    assert repr(REPORT) == str(REPORT)
+
+
+def test_in_a_notebook_it_is_a_table_without_stray_markup():
+    page = REPORT._repr_html_()
+    assert page.count("<tr>") == 3
+    assert "so &lt;so&gt;" in page
+    assert "mend it &amp; ask" in page
+    assert 'title="failure">✗' in page
+
+
+def test_in_a_terminal_it_is_a_table():
+    console = Console(file=io.StringIO(), width=100, force_terminal=False)
+    REPORT.print(console)
+    lines = [line.rstrip() for line in console.file.getvalue().splitlines()]
+    assert lines[0] == "✓  one    fine"
+    assert lines[1:3] == ["!  two    so <so>", "          → leave it"]
+
+
+# ---------------------------------------------------------------------------------------- software
+
+
+def test_a_python_that_is_too_new(monkeypatch):
+    monkeypatch.setattr(software.sys, "version_info", _Version(3, 14, 0))
+    found = seen(software.look_at_python)["Python"]
+    assert (found.verdict, found.saw) == ("failure", "3.14.0")
+    assert "PYTHON=python3.12 environment/lab" in found.cure
+
+
+class _Version(tuple):
+    __slots__ = ()
+
+    def __new__(cls, *numbers):
+        return super().__new__(cls, numbers)
+
+    major, minor, micro = (property(lambda self, i=i: self[i]) for i in range(3))
+
+
+def test_a_missing_package(monkeypatch):
+    monkeypatch.setattr(importlib.metadata, "version", _missing("nbval"))
+    found = seen(software.look_at_packages)
+    assert found["nbval"] == Finding("nbval", "failure", "is not installed", software.SET_UP)
+    assert found["numpy"].verdict == "ok"
+
+
+def _missing(absent):
+    real = importlib.metadata.version
+
+    def version(name):
+        if name == absent:
+            raise importlib.metadata.PackageNotFoundError(name)
+        return real(name)
+
+    return version
+
+
+def test_the_ipykernel_that_loses_prints(monkeypatch):
+    monkeypatch.setattr(importlib.metadata, "version", lambda _: "7.0.0")
+    assert seen(software.look_at_packages)["ipykernel"].verdict == "failure"
+
+
+def test_a_kernel_of_another_environment(monkeypatch, tmp_path):
+    monkeypatch.setattr(software, "VENV", tmp_path)
+    found = seen(software.look_at_kernel)["kernel"]
+    assert found.verdict == "warning"
+    assert "Kernel > Change Kernel > Python 3" in found.cure
+
+
+def test_a_jupyter_kernel_of_another_environment(monkeypatch):
+    monkeypatch.setattr(software, "VENV", Path(sys.prefix))
+    monkeypatch.setattr(software, "_kernel_of_jupyter", lambda: "/usr/bin/python3")
+    found = seen(software.look_at_kernel)["kernel"]
+    assert (found.verdict, found.cure) == (
+        "warning",
+        "start JupyterLab with environment/lab, which takes the course's own",
+    )
+    monkeypatch.setattr(software, "_kernel_of_jupyter", lambda: sys.executable)
+    assert seen(software.look_at_kernel)["kernel"].verdict == "ok"
+
+
+class _Distribution:
+    version = "4.12.0"
+
+    def __init__(self, name):
+        self.metadata = {"Name": name}
+
+
+def test_two_opencvs_break_one_another(monkeypatch):
+    both = [_Distribution("opencv-python"), _Distribution("opencv-python-headless"), _Distribution("numpy")]
+    monkeypatch.setattr(importlib.metadata, "distributions", lambda: both)
+    found = seen(software.look_at_opencv)["OpenCV"]
+    assert found.verdict == "failure"
+    assert found.saw.startswith("opencv-python and opencv-python-headless are both installed")
+    assert found.cure.startswith("pip uninstall opencv-python opencv-python-headless; then delete .venv")
+
+
+def test_an_opencv_that_does_not_load(monkeypatch):
+    monkeypatch.setitem(sys.modules, "cv2", None)
+    found = seen(software.look_at_opencv)["OpenCV"]
+    assert found.verdict == "failure"
+    assert "delete .venv" in found.cure
+
+
+@pytest.mark.parametrize("where", ["empty folder", "no data"])
+def test_an_opencv_without_cascades_is_a_warning(monkeypatch, tmp_path, where):
+    if where == "no data":
+        monkeypatch.delattr(cv2, "data")
+    else:
+        monkeypatch.setattr(cv2.data, "haarcascades", str(tmp_path))
+    found = seen(software.look_at_opencv)["OpenCV"]
+    assert (found.verdict, found.saw) == ("warning", f"{cv2.__version__}, without Haar cascades")
+
+
+# ---------------------------------------------------------------------------------------- ROS
+
+
+def test_without_ros_the_lessons_still_run(monkeypatch):
+    missing = "ROS 2 is missing (rclpy is not installed), and this needs a running graph"
+    problem = f"{missing}. On Linux x86-64: environment/setup"
+    monkeypatch.setattr("imgproc_course.ros.ros_problem", lambda: problem)
+    monkeypatch.setattr(graph.importlib.util, "find_spec", lambda _: None)
+    (found,) = graph.look_at_ros()
+    assert (found.verdict, found.cure) == ("warning", "On Linux x86-64: environment/setup")
+    assert found.saw == missing
+
+
+@pytest.mark.ros
+def test_a_ros_that_does_not_load_is_a_failure(monkeypatch):
+    problem = (
+        "ROS 2 is installed, but Python 3.11 cannot load it (/opt/ros/x/librcl.so); start JupyterLab anew"
+    )
+    monkeypatch.setattr("imgproc_course.ros.ros_problem", lambda: problem)
+    (found,) = graph.look_at_ros()
+    assert (found.verdict, found.cure) == ("failure", "start JupyterLab anew")
+    assert found.saw == "ROS 2 is installed, but Python 3.11 cannot load it (librcl.so)"
+
+
+@pytest.mark.ros
+def test_a_profile_with_a_note_is_a_warning(monkeypatch):
+    from imgproc_course.ros import DdsProfile
+
+    note = "/dev/shm has 10 MiB free and pictures need 18; enlarge it"
+    profile = DdsProfile("nobody", free_bytes=10 << 20, note=note)
+    monkeypatch.setattr("imgproc_course.ros.dds_profile", lambda: profile)
+    found = seen(graph.look_at_ros)
+    assert found["DDS profile"] == Finding("DDS profile", "warning", "none: Fast DDS's defaults", note)
+    assert found["shared memory"].verdict == "warning"
+    assert found["shared memory"].saw.startswith("10 MiB free in /dev/shm")
+    assert "docker run --shm-size=1g" in found["shared memory"].cure
+
+
+@pytest.mark.parametrize(
+    ("free", "verdicts"),
+    [(None, []), (64 << 20, ["warning"]), ((276 << 20) - 1, ["warning"]), (276 << 20, ["ok"])],
+)
+def test_shared_memory_must_hold_four_segments(free, verdicts):
+    assert [finding.verdict for finding in graph._shared_memory(free)] == verdicts
+
+
+@pytest.mark.parametrize(
+    ("domain", "reach", "verdict", "words"),
+    [
+        ("", "", "ok", "0; topics are shared with everyone on this network in the same domain"),
+        ("7", "LOCALHOST", "ok", "7; topics are shared with this machine alone; a robot is not found"),
+        ("101", "SUBNET", "ok", "101; topics are shared with everyone on this network in the same domain"),
+        ("102", "", "failure", "ROS_DOMAIN_ID=102"),
+        ("-1", "", "failure", "ROS_DOMAIN_ID=-1"),
+        ("seven", "", "failure", "ROS_DOMAIN_ID=seven"),
+        ("7", "OFF", "failure", "ROS_AUTOMATIC_DISCOVERY_RANGE=OFF: no program finds another"),
+        (
+            "7",
+            "localhost",
+            "failure",
+            "ROS_AUTOMATIC_DISCOVERY_RANGE=localhost is none of SUBNET, LOCALHOST, OFF, ",
+        ),
+    ],
+)
+def test_the_domain_says_who_shares_the_topics(monkeypatch, domain, reach, verdict, words):
+    monkeypatch.setenv("ROS_DOMAIN_ID", domain)
+    monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", reach)
+    (found,) = graph._domain()
+    assert found.verdict == verdict
+    assert found.saw.startswith(words)
+    assert bool(found.cure) == (verdict == "failure")
+
+
+def test_the_loopback_carries_packets_and_multicast():
+    assert graph._packet_arrives("127.0.0.1")
+    assert seen(graph.look_at_network)["loopback"].verdict in ("ok", "warning")
+
+
+@pytest.mark.parametrize(
+    ("blocked", "verdict", "cure"),
+    [
+        ({"127.0.0.1", graph.MULTICAST_GROUP}, "failure", "sudo ufw allow in on lo"),
+        ({graph.MULTICAST_GROUP}, "warning", "export ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST"),
+        (set(), "ok", ""),
+    ],
+)
+def test_a_network_that_carries_nothing(monkeypatch, blocked, verdict, cure):
+    monkeypatch.setattr(graph, "_packet_arrives", lambda address: address not in blocked)
+    found = seen(graph.look_at_network)["loopback"]
+    assert found.verdict == verdict
+    assert cure in found.cure
+
+
+def test_a_packet_that_cannot_be_sent_did_not_arrive(monkeypatch):
+    def unreachable(*_):
+        raise OSError(101, "Network is unreachable")
+
+    monkeypatch.setattr(socket.socket, "sendto", unreachable)
+    assert not graph._packet_arrives("127.0.0.1", timeout=0.1)
+
+
+def test_a_packet_that_is_swallowed_did_not_arrive(monkeypatch):
+    monkeypatch.setattr(socket.socket, "sendto", lambda *_: None)
+    assert not graph._packet_arrives("127.0.0.1", timeout=0.1)
+
+
+# ---------------------------------------------------------------------------------------- pictures
+
+
+def test_a_damaged_recording(monkeypatch, tmp_path):
+    monkeypatch.setattr("imgproc_course.recording.recording.DRIVE", tmp_path)
+    found = seen(pictures.look_at_recording)["recording"]
+    assert found.verdict == "failure"
+    assert "git checkout -- imgproc_course/recording/drive" in found.cure
+
+
+def test_a_disk_that_is_nearly_full(monkeypatch):
+    usage = pictures.shutil.disk_usage("/")._replace(free=50 << 20)
+    monkeypatch.setattr(pictures.shutil, "disk_usage", lambda _: usage)
+    found = seen(pictures.look_at_disk)["disk"]
+    assert (found.verdict, found.saw) == ("warning", "50 MiB free where your lessons are")
+
+
+@pytest.mark.ros
+def test_a_topic_that_stays_silent(monkeypatch):
+    monkeypatch.setattr(
+        pictures,
+        "_pictures_arrive",
+        lambda *_, **__: "nothing came on /doctor_1/image_raw in 5 s; restart the kernel",
+    )
+    monkeypatch.setattr(pictures.subprocess, "Popen", _Player)
+    found = seen(pictures.look_at_topics)
+    assert found["topic"].verdict == "failure"
+    assert found["topic"].saw == "nothing came on /doctor_1/image_raw in 5 s"
+    assert found["topic"].cure == "restart the kernel"
+    assert found["two programs"].verdict == "warning"
+
+
+class _Player:
+    def __init__(self, *_, **__):
+        pass
+
+    def terminate(self):
+        pass
+
+    kill = wait = lambda self, *_: None
+
+
+@pytest.mark.ros
+def test_a_domain_that_is_none_is_said_by_the_topic_too(monkeypatch):
+    from imgproc_course.ros import RosSession
+
+    RosSession().stop()
+    monkeypatch.setenv("ROS_DOMAIN_ID", "seven")
+    (found,) = pictures.look_at_topics()
+    assert found.verdict == "failure"
+    assert "ROS_DOMAIN_ID" in found.saw
+
+
+@pytest.mark.ros
+def test_it_leaves_the_session_as_it_was():
+    from imgproc_course.ros import RosSession
+
+    RosSession().stop()
+    list(pictures._topic_in_this_process())
+    assert RosSession().running
+    RosSession().stop()
+
+
+def test_without_ros_no_topic_is_tried(monkeypatch):
+    monkeypatch.setattr("imgproc_course.ros.ros_available", lambda: False)
+    assert list(pictures.look_at_topics()) == []
+
+
+def test_it_tells_what_it_looks_at(monkeypatch, capsys):
+    monkeypatch.setattr(room, "CHECKS", (("the weather", lambda: [ok("weather", "fair")]),))
+    told = []
+    monkeypatch.setattr("rich.status.Status.update", lambda self, what: told.append(what))
+    assert str(doctor()) == "✓ weather  fair\nEverything is ready."
+    assert told == ["The doctor looks at the weather ..."]
+    assert capsys.readouterr().out == ""
+
+
+@pytest.mark.ros
+def test_a_topic_that_nobody_publishes_is_said_to_be_silent():
+    from imgproc_course.ros import RosSession
+
+    problem = pictures._pictures_arrive("/doctor_nobody/image_raw", timeout=0.2)
+    RosSession().stop()
+    assert "/doctor_nobody/image_raw" in problem
+    assert "; " in problem
