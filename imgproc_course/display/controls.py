@@ -53,9 +53,11 @@ class Controls:
             widget.observe(self._changed, "value")
         reset = widgets.Button(description="Reset", icon="undo", layout=widgets.Layout(width="110px"))
         reset.on_click(lambda _: self.reset())
-        self._code = widgets.HTML(layout=widgets.Layout(width="280px"))
+        self._code = widgets.HTML(layout=widgets.Layout(width="auto"))
+        self._note = ""
         self._write_code()
-        column = widgets.Layout(width="290px")
+        # Beside the picture it takes what room is left; under it, the picture's width.
+        column = widgets.Layout(flex="1 1 290px", max_width="640px")
         self.box = widgets.VBox([*self._widgets.values(), reset, self._code], layout=column)
 
     @property
@@ -69,6 +71,11 @@ class Controls:
         first = next(iter(self._parameters or ()), "frame")
         given = ", ".join([first, *(f"{name}={_spell(value)}" for name, value in self._values.items())])
         return f"{_name(self._function)}({given})"
+
+    def note(self, words):
+        """Words under the code."""
+        self._note = f"<div>{html.escape(words)}</div>"
+        self._write_code()
 
     def reset(self):
         """Puts every control back to where it began."""
@@ -86,7 +93,8 @@ class Controls:
     def _write_code(self):
         # One click selects it all, ready to be copied.
         style = "user-select: all; white-space: pre-wrap; overflow-wrap: anywhere"
-        self._code.value = f'<code style="{style}">{html.escape(self.call)}</code>'
+        # Code and note are one message: on its way to the eye a picture waits for every other one.
+        self._code.value = f'<code style="{style}">{html.escape(self.call)}</code>{self._note}'
 
     def _read(self):
         values = {}
@@ -112,7 +120,7 @@ class Controls:
 
     def _make(self, keyword, given):
         style = {"description_width": "80px"}
-        layout = widgets.Layout(width="280px")
+        layout = widgets.Layout(width="auto")
         common = {"description": keyword, "style": style, "layout": layout}
         if isinstance(given, widgets.Widget):
             if not hasattr(given, "value"):

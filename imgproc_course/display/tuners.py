@@ -14,6 +14,7 @@ from imgproc_course.display.printing import last_lines, prints_kept
 from imgproc_course.display.screen import Screen, describe_error
 
 PATIENCE = 10  # seconds that `.value` waits for a computation
+QUICK = 0.05  # seconds that the kernel leaves a computation undisturbed before it takes its next message
 
 
 def tune(function, frame, *, encoding="bgr8", width=None, limits=None, caption=None, alt=None, **sliders):
@@ -76,14 +77,13 @@ class Tuner:
         self._controls = Controls(function, ranges, self._ask)
         self._alt = alt or caption or f"What {self._name} makes of the frame"
         self._screen = Screen(encoding, width, limits, self._alt, caption)
-        self._figures = widgets.Label()
         self._lock = threading.Lock()
         self._asked, self._working = 0, False
         self._idle = threading.Event()
         self.error = self._value = None
         self._jpeg = b""
-        side = widgets.VBox([self._controls.box, self._figures])
-        self._box = widgets.HBox([self._screen.box, side], layout=widgets.Layout(flex_flow="row wrap"))
+        layout = widgets.Layout(flex_flow="row wrap")
+        self._box = widgets.HBox([self._screen.box, self._controls.box], layout=layout)
         self._compute()
         self._idle.set()
 
@@ -142,6 +142,8 @@ class Tuner:
                 return
             self._working = True
         threading.Thread(target=self._work, name=f"tune: {self._name}", daemon=True).start()
+        # Two threads would take turns at the interpreter, 5 ms each: a quick picture comes sooner alone.
+        self._idle.wait(QUICK)
 
     def _work(self):
         while True:
@@ -169,4 +171,4 @@ class Tuner:
         if self.error is not None:
             self._screen.say()
             self.error = None
-        self._figures.value = f"computed in {(time.monotonic() - started) * 1000:.0f} ms"
+        self._controls.note(f"computed in {(time.monotonic() - started) * 1000:.0f} ms")

@@ -23,8 +23,9 @@ from imgproc_course.ros.subscriber import ImageSubscriber
 NODES = {"image_gray_processor": "gray", "image_edge_detection": "edges"}  # node -> the output that is heard
 SAMPLES = 200  # of each process, however long the run
 PATIENCE = 60.0  # seconds that a process may take to start
-# Memory wanders by some MB with the sizes of JPEGs; to keep one picture in 200 is 250 MB in 10 minutes.
-MEMORY_SLACK = 8 << 20
+# Memory comes and goes by the working arrays of one picture (Canny's: 9 MiB), whichever moment is sampled;
+# to keep one picture in 200 is 250 MB in 10 minutes.
+MEMORY_SLACK = 20 << 20
 _PLAY = "import sys; from imgproc_course.ros.player import play; sys.exit(play(topic={!r}, speed={!r}))"
 _RUN = "import sys; sys.path.insert(0, {!r}); from {name}.{name} import main; sys.exit(main())"
 

@@ -59,7 +59,7 @@ def test_growth_and_its_size_are_found():
     assert list(watched.growth()) == []
     watched.samples = [((50 << 20) + k * (MEMORY_SLACK // 60), 4 + k // 80, 9 + k // 80) for k in range(100)]
     assert list(watched.growth()) == [
-        "memory grew by 10.0 MiB",
+        "memory grew by 25.0 MiB",
         "threads grew from 4 to 5",
         "open files grew from 9 to 10",
     ]

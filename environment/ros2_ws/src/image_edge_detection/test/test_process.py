@@ -2,6 +2,8 @@ import numpy as np
 import pytest
 from image_edge_detection.image_edge_detection import check, process
 
+from imgproc_course.imaging import canny, to_gray
+
 
 def step_of(height):
     """Black on the left, `height` grey levels brighter on the right; its gradient is 4 * height."""
@@ -31,3 +33,11 @@ def test_thresholds_in_the_wrong_order_are_refused_with_both_values():
     with pytest.raises(ValueError, match=r"low \(200\) must not be above high \(150\)"):
         check(200, 150, 0.0)
     check(150, 150, 0.0)
+
+
+@pytest.mark.parametrize("low, high, sigma", [(50, 150, 0.0), (20, 60, 1.5), (0, 1530, 0.4), (120, 120, 4.0)])
+def test_gray_and_edges_are_those_computed_by_hand(low, high, sigma):
+    frame = np.random.default_rng(8).integers(0, 256, (12, 16, 3), np.uint8).repeat(5, 0).repeat(5, 1)
+    result = process(frame, low=low, high=high, sigma=sigma)
+    assert (result["gray"] == to_gray(frame)).all()
+    assert (result["edges"] == canny(to_gray(frame), low, high, sigma=sigma)).all()
