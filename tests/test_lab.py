@@ -1,5 +1,6 @@
 """environment/lab's last step: JupyterLab on the learner's lessons; the real one, without a browser."""
 
+import asyncio
 import contextlib
 import json
 import os
@@ -15,11 +16,28 @@ import nbformat
 import psutil
 import pytest
 from nbformat.sign import NotebookNotary
+from tornado.httpclient import HTTPRequest
+from tornado.websocket import websocket_connect
 
 from imgproc_course import lab
 from imgproc_course.lab import LabError, check_own_files, choose_port, lab_arguments, run
 
 RUN = "import sys; from imgproc_course.lab import run; run(sys.argv[1], sys.argv[2:])"
+# The same, and it says whether the socket to the browser sends at once.
+RUN_AND_TELL = (
+    """
+import socket
+from imgproc_course.lab_websocket import PromptWebsocketConnection as Connection
+connect = Connection.connect
+def connect_and_tell(self):
+    answer = connect(self)
+    sends = self.websocket_handler.ws_connection.stream.socket
+    print("TCP_NODELAY", sends.getsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY), flush=True)
+    return answer
+Connection.connect = connect_and_tell
+"""
+    + RUN
+)
 
 
 @pytest.fixture
@@ -292,9 +310,9 @@ def test_a_list_of_servers_that_cannot_be_read_stops_nothing(monkeypatch, tmp_pa
 class Server:
     """A JupyterLab of the course on a folder, in a home of its own."""
 
-    def __init__(self, folder, home, *options):
+    def __init__(self, folder, home, *options, run=RUN):
         environment = {**os.environ, "HOME": str(home), "JUPYTER_RUNTIME_DIR": str(home / "runtime")}
-        command = [sys.executable, "-c", RUN, folder, "--no-browser", *options]
+        command = [sys.executable, "-c", run, folder, "--no-browser", *options]
         self.log = home / f"log{time.monotonic_ns()}.txt"
         with self.log.open("w") as log:
             self.process = subprocess.Popen(command, env=environment, stdout=log, stderr=log)
@@ -317,6 +335,20 @@ class Server:
         request = urllib.request.Request(self.url + path, headers={"Authorization": f"token {self.token}"})
         with urllib.request.urlopen(request, timeout=30) as answer:
             return answer.read().decode()
+
+    def talk_to_a_kernel(self):
+        """Starts one, and opens the websocket that a notebook's page opens."""
+        headers = {"Authorization": f"token {self.token}"}
+        request = urllib.request.Request(self.url + "api/kernels", b"{}", headers)
+        with urllib.request.urlopen(request, timeout=60) as answer:
+            number = json.load(answer)["id"]
+        url = f"{self.url.replace('http', 'ws')}api/kernels/{number}/channels?session_id=one"
+
+        async def meet():
+            connection = await websocket_connect(HTTPRequest(url, headers=headers, connect_timeout=60))
+            connection.close()
+
+        asyncio.run(meet())
 
     def listening(self):
         connections = psutil.Process(self.process.pid).net_connections(kind="tcp")
@@ -364,6 +396,18 @@ def test_it_asks_for_no_news(server):
     config = json.loads(re.search(r'id="jupyter-config-data"[^>]*>(.*?)</script>', page, re.DOTALL)[1])
     assert config["news"] == {"disabled": True}
     assert "@jupyterlab/apputils-extension:announcements" in config["disabledExtensions"]
+
+
+def test_a_short_message_is_not_held_back_on_its_way_to_the_browser(place):
+    server = Server(*place, run=RUN_AND_TELL)
+    try:
+        server.talk_to_a_kernel()
+        end = time.monotonic() + 60
+        while "TCP_NODELAY" not in server.output() and time.monotonic() < end:
+            time.sleep(0.1)
+        assert re.findall(r"TCP_NODELAY (\d)", server.output()) == ["1"]
+    finally:
+        server.stop()
 
 
 def test_it_is_quiet(server):
