@@ -32,12 +32,18 @@ class Entry:
 
 @dataclass
 class HandIn:
-    """What was found in a learner's notebook: entries, one an exercise, and notes about the whole."""
+    """What was found in a learner's notebook.
+
+    entries  one an exercise
+    notes    about the whole
+    ran      whether the answers were run against their checks
+    """
 
     path: Path
     lesson: str
     entries: list = field(default_factory=list)
     notes: list = field(default_factory=list)
+    ran: bool = False
 
     @property
     def ready(self):
@@ -73,7 +79,7 @@ def look_at(path, folders=None):
     _note_version(found, notebook)
     for declared in master.exercises:
         entry = Entry(declared)
-        _look_at_answer(entry, cells)
+        _look_at_answer(entry, cells, master)
         _look_at_shown(entry, cells, master)
         found.entries.append(entry)
     return found
@@ -86,6 +92,7 @@ def run_answers(handin):
     ----------
     handin : HandIn; each attempted entry gets its `result`
     """
+    handin.ran = True
     for entry in handin.entries:
         if entry.state != ANSWERED:
             continue
@@ -95,32 +102,50 @@ def run_answers(handin):
         except MasterError as error:
             entry.broken(f"its cell does not run by itself: {str(error).split(': ', 1)[1]}")
             continue
-        entry.result = judge(declared, function)
+        result = judge(declared, function)
+        if not result.attempted:
+            entry.state = UNTOUCHED
+            continue
+        entry.result = result
+        # What is refused comes first: without it, the errors below may not come up at all.
+        entry.notes += [f"it uses {name}, which this exercise refuses" for name in result.reach.refused]
         wrong = [each for each in entry.result.results if not each.passed]
         if wrong:
             story = story_of(wrong[0].failed.outcome, wrong[0].failed.difference, declared.function)
             entry.notes.append(
                 f"{len(wrong)} of {len(entry.result.results)} checks fail: {wrong[0].case.title}: {story}"
             )
-        entry.notes += [f"it uses {name}, which this exercise refuses" for name in entry.result.reach.refused]
 
 
 def _read(path):
+    if path.is_dir():
+        lessons = sorted(path.glob("*.ipynb"))
+        example = lessons[0] if lessons else "my_lessons/02_images_as_messages.ipynb"
+        raise HandInError(f"{path} is a folder; give the lesson itself, such as {example}")
     if not path.is_file():
         raise HandInError(
-            f"{path}: no such file; give the lesson that you want to hand in, my_lessons/02_....ipynb"
+            f"{path}: no such file; give the lesson that you want to hand in, such as"
+            " my_lessons/02_images_as_messages.ipynb"
         )
     if path.stat().st_size > LARGEST:
         megabytes = path.stat().st_size // 1_000_000
         raise HandInError(f"{path}: {megabytes} MB; clear its outputs (Kernel > Restart and Clear), save it")
+    if path.suffix != ".ipynb":
+        raise HandInError(
+            f"{path} is no notebook: its name does not end in .ipynb; give the lesson's own file"
+        )
     try:
         notebook = json.loads(path.read_text(encoding="utf-8"))
+    except OSError as error:
+        raise HandInError(f"{path} cannot be read: {error.strerror}; change its rights") from error
     except (ValueError, RecursionError) as error:
-        raise HandInError(
-            f"{path}: no notebook ({type(error).__name__}); save it again in JupyterLab"
-        ) from error
+        what = "the file is empty" if path.stat().st_size == 0 else "its content is no JSON"
+        raise HandInError(f"{path} is no notebook: {what}; save it again in JupyterLab") from error
     if not isinstance(notebook, dict) or not isinstance(notebook.get("cells"), list):
-        raise HandInError(f"{path}: no notebook of format 4; open it in JupyterLab and save it again")
+        raise HandInError(
+            f"{path} is no notebook: it has no list of cells (format 4);"
+            " open it in JupyterLab and save it again"
+        )
     return notebook
 
 
@@ -158,12 +183,12 @@ def _source(cell):
     )
 
 
-def _look_at_answer(entry, cells):
+def _look_at_answer(entry, cells, master):
     declared = entry.exercise
     id = f"answer-{declared.id}"
     answers = [cell for cell in cells if cell.get("id") == id]
     if not answers:
-        where = _defined_elsewhere(declared.function, cells)
+        where = _defined_elsewhere(declared.function, cells, master)
         hint = (
             f"; {declared.function}() stands in another cell ({where}), which is not graded" if where else ""
         )
@@ -184,10 +209,10 @@ def _look_at_answer(entry, cells):
     elif _is_stub(entry.source, declared):
         entry.state = UNTOUCHED
     else:
-        _look_at_source(entry, cells)
+        _look_at_source(entry, cells, master)
 
 
-def _look_at_source(entry, cells):
+def _look_at_source(entry, cells, master):
     declared = entry.exercise
     try:
         ast.parse(entry.source)
@@ -196,7 +221,7 @@ def _look_at_source(entry, cells):
         entry.broken(f"line {error.lineno} of its answer cell is no Python: {text} ({error.msg})")
         return
     if declared.function not in bound_names(entry.source):
-        where = _defined_elsewhere(declared.function, cells)
+        where = _defined_elsewhere(declared.function, cells, master)
         place = f", but cell {where} does, and it is not graded" if where else ""
         entry.broken(f"its answer cell does not define {declared.function}(){place}")
 
@@ -213,12 +238,26 @@ def _look_at_shown(entry, cells, master):
             entry.notes.append(f"its {what} ({cell.id}) was changed; grading uses its own")
 
 
-def _defined_elsewhere(function, cells):
+def _defined_elsewhere(function, cells, master):
+    """The id of a learner's cell that defines the function; "" where none does.
+
+    The lesson itself may define a function of the same name, or give another value that name.
+    """
+    ours = {cell.id for cell in master.cells if _has_def(function, cell.source)}
     for cell in cells:
-        graded = cell.get("cell_type") != "code" or str(cell.get("id")).startswith("answer-")
-        if not graded and function in bound_names(_source(cell)):
-            return cell.get("id") or "without an id"
+        id = str(cell.get("id") or "without an id")
+        is_code = cell.get("cell_type") == "code"
+        if is_code and id not in ours and not id.startswith("answer-") and _has_def(function, _source(cell)):
+            return id
     return ""
+
+
+def _has_def(function, source):
+    try:
+        statements = ast.parse(source).body
+    except SyntaxError:
+        return False
+    return any(isinstance(each, ast.FunctionDef) and each.name == function for each in statements)
 
 
 def _code_in(source):
@@ -250,6 +289,11 @@ def report_lines(handin):
     if not handin.ready:
         yield "Not ready yet: see above."
     elif failing:
-        yield "Everything is where grading looks for it, but not every check passes yet."
+        yield "Complete, but grading would not give every point yet: see above."
+    elif handin.ran:
+        yield "Ready to hand in: every check passes."
     else:
-        yield "Ready to hand in."
+        yield (
+            "Complete: every answer cell is there and filled in. This does not run them;"
+            f" `imgproc-course check --run {handin.path}` does."
+        )

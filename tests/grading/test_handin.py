@@ -43,7 +43,8 @@ def test_an_answered_lesson_is_ready(hand_in):
     assert list(report_lines(handin)) == [
         "my_lesson.ipynb: 90_template",
         "  template-double: answered",
-        "Ready to hand in.",
+        "Complete: every answer cell is there and filled in. This does not run them;"
+        f" `imgproc-course check --run {handin.path}` does.",
     ]
 
 
@@ -76,6 +77,17 @@ def move(cells):
     cells[ANSWER] = None
 
 
+def assign(cells):
+    """A name given in another cell is no definition that was misplaced."""
+    cells["mine"] = dict(cells[ANSWER], id="mine", source="double = 3\nfrom math import floor as double")
+    cells[ANSWER] = None
+
+
+def define_in_the_check(cells):
+    cells["check-template-double-1"]["source"] = cells[ANSWER]["source"]
+    cells[ANSWER] = None
+
+
 def split(cells):
     cells["mine"] = dict(cells[ANSWER], id="mine")
     cells[ANSWER]["source"] = "helper = 3"
@@ -86,6 +98,11 @@ def split(cells):
     [
         (remove(ANSWER), "its answer cell (answer-template-double) is missing. Take the lesson afresh"),
         (move, "is missing; double() stands in another cell (mine), which is not graded"),
+        (assign, "its answer cell (answer-template-double) is missing. Take the lesson afresh"),
+        (
+            define_in_the_check,
+            "double() stands in another cell (check-template-double-1), which is not graded",
+        ),
         (duplicate, "stands there 2 times; keep the one that counts"),
         (edit(ANSWER, source=""), "its answer cell is empty"),
         (edit(ANSWER, source="# later"), "its answer cell is empty"),
@@ -103,6 +120,17 @@ def test_an_answer_that_grading_would_not_find_is_said(hand_in, change, said):
     handin, state, notes = found(hand_in(change))
     assert state == "needs your attention" and not handin.ready
     assert said in notes
+
+
+def test_the_lessons_own_function_of_that_name_is_not_a_misplaced_answer(hand_in, write_master):
+    path = hand_in(remove(ANSWER))
+    write_master(("LIMIT = 255", "LIMIT = 255\n\ndef double(pixels):\n    return pixels"))
+    notebook = json.loads(path.read_text())
+    given = next(cell for cell in notebook["cells"] if cell["id"] == "given-template-double-1")
+    given["source"] += "\n\ndef double(pixels):\n    return pixels"
+    path.write_text(json.dumps(notebook))
+    _, _, notes = found(path)
+    assert "its answer cell (answer-template-double) is missing. Take the lesson afresh" in notes
 
 
 @pytest.mark.parametrize(
@@ -148,12 +176,38 @@ def test_a_lesson_without_its_metadata_is_known_by_its_name(hand_in):
         look_at(path)
 
 
-@pytest.mark.parametrize("text", ["", "[]", "{", '{"cells": 3}', "[" * 100_000])
-def test_a_file_that_is_no_notebook_is_answered_with_the_cure(tmp_path, text):
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (b"", "the file is empty; save it again in JupyterLab"),
+        (b"{", "its content is no JSON; save it again in JupyterLab"),
+        (b"[" * 100_000, "its content is no JSON; save it again in JupyterLab"),
+        (b"\x89PNG\r\n", "its content is no JSON; save it again in JupyterLab"),
+        (b"[]", "it has no list of cells (format 4); open it in JupyterLab and save it again"),
+        (b'{"cells": 3}', "it has no list of cells (format 4); open it in JupyterLab and save it again"),
+    ],
+)
+def test_a_file_that_is_no_notebook_is_answered_with_the_cure(tmp_path, content, said):
     path = tmp_path / "my_lesson.ipynb"
-    path.write_text(text)
-    with pytest.raises(HandInError, match=r"no notebook .*save it again"):
+    path.write_bytes(content)
+    with pytest.raises(HandInError) as error:
         look_at(path)
+    assert str(error.value) == f"{path} is no notebook: {said}"
+
+
+def test_a_file_of_another_kind_and_a_folder_are_one_line(tmp_path):
+    (tmp_path / "notes.txt").write_text("hello")
+    done = CliRunner().invoke(check, [str(tmp_path / "notes.txt")])
+    assert done.exit_code == 1 and done.output == (
+        f"Error: {tmp_path / 'notes.txt'} is no notebook: its name does not end in .ipynb;"
+        " give the lesson's own file\n"
+    )
+    folder = f"Error: {tmp_path} is a folder; give the lesson itself, such as"
+    done = CliRunner().invoke(check, [str(tmp_path)])
+    assert done.exit_code == 1 and done.output == f"{folder} my_lessons/02_images_as_messages.ipynb\n"
+    (tmp_path / "03_mine.ipynb").write_text("")
+    done = CliRunner().invoke(check, [str(tmp_path)])
+    assert done.exit_code == 1 and done.output == f"{folder} {tmp_path / '03_mine.ipynb'}\n"
 
 
 def test_a_file_that_is_not_there(tmp_path):
@@ -176,9 +230,29 @@ def test_answers_are_run_by_themselves(hand_in):
 def test_a_wrong_answer_is_told_with_its_story(hand_in):
     handin = run(hand_in(edit(ANSWER, source="def double(pixels): return pixels * 2")))
     assert "1 of 1 checks fail: Bright pixels: 11 of 12 values differ" in handin.entries[0].notes[0]
-    assert list(report_lines(handin))[-1].startswith(
-        "Everything is where grading looks for it, but not every"
+    assert list(report_lines(handin))[-1] == (
+        "Complete, but grading would not give every point yet: see above."
     )
+
+
+def test_an_answer_that_is_wrong_is_not_called_ready_when_it_is_not_run(hand_in):
+    path = hand_in(edit(ANSWER, source="def double(pixels): return pixels * 2"))
+    done = CliRunner().invoke(check, [str(path)])
+    assert done.exit_code == 0 and "eady" not in done.output
+    assert done.output.endswith(f"This does not run them; `imgproc-course check --run {path}` does.\n")
+
+
+def test_a_refused_module_is_told_before_the_error_that_it_leads_to(hand_in):
+    source = "import cv2\ndef double(pixels): return cv2.add(pixels)"
+    handin = run(hand_in(edit(ANSWER, source=source)))
+    assert handin.entries[0].notes[0] == "it uses cv2, which this exercise refuses"
+    assert handin.entries[0].notes[1].startswith("1 of 1 checks fail: Bright pixels: double() raised")
+
+
+def test_an_answer_that_still_raises_its_stubs_error_is_not_attempted(hand_in):
+    source = 'def double(pixels):\n    half = 3\n    raise NotImplementedError("later")'
+    handin = run(hand_in(edit(ANSWER, source=source)))
+    assert handin.entries[0].state == "not attempted" and not handin.ready
 
 
 def test_an_answer_that_needs_another_cell_is_told(hand_in):
@@ -189,7 +263,7 @@ def test_an_answer_that_needs_another_cell_is_told(hand_in):
 
 def test_the_command_says_it_and_fails_while_not_ready(hand_in):
     done = CliRunner().invoke(check, ["--run", str(hand_in())])
-    assert done.exit_code == 0 and done.output.endswith("Ready to hand in.\n")
+    assert done.exit_code == 0 and done.output.endswith("Ready to hand in: every check passes.\n")
     done = CliRunner().invoke(check, [str(hand_in(solved=False))])
     assert done.exit_code == 1 and "template-double: not attempted" in done.output
     done = CliRunner().invoke(check, ["nothing.ipynb"])
