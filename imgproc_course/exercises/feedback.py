@@ -12,9 +12,8 @@ import re
 import numpy as np
 
 from imgproc_course.exercises.canonical import array_of, canonical
-from imgproc_course.exercises.comparison import describe, differing
+from imgproc_course.exercises.values import in_words, parts_of, rows_of, wrong_of
 
-MOST_NUMBERS = 144  # a larger array is described or drawn, not printed
 SMALLEST_PICTURE = 13  # rows and cols; a smaller array is better read as numbers
 _LONGEST = 12  # lines of print
 
@@ -69,90 +68,41 @@ def story_of(outcome, difference, function):
 
 
 class _Part:
-    """A labelled value: `given pixels`, its form, and which elements to mark."""
+    """A labelled value, `given pixels`: its words, its rows, and whether any element of them is marked."""
 
     def __init__(self, label, form, wrong=None):
-        self.label = label
-        self.form = form
-        self.wrong = wrong
+        self.label = label.strip()
+        self.words = in_words(form)
+        self.rows = rows_of(form, wrong)
+        self.marked = any(mark for row in self.rows for _, mark in row)
 
 
 def _parts(result, made):
-    forms = [canonical(value, limit=None) for value in made.arguments]
-    names = [*result.names, *("" for _ in forms)]
-    parts = [_Part(f"given {name}".strip(), form) for name, form in zip(names, forms, strict=False)]
+    names = [*result.names, *("" for _ in made.arguments)]
+    for name, value in zip(names, made.arguments, strict=False):
+        given = canonical(value, limit=None)
+        yield from (_Part(f"given {name}{inner}", form) for inner, form, _ in parts_of(given, given))
     if made.outcome.finished and made.difference is not None:
-        parts.append(_Part("came back", made.outcome.value, _wrong(made)))
-        parts.append(_Part("expected", made.expected.value, _wrong(made)))
-    return parts
+        for inner, expected, actual in _answers(made):
+            wrong = wrong_of(expected, actual, made.case.tolerance)
+            yield _Part(f"came back {inner}", actual, wrong)
+            yield _Part(f"expected {inner}", expected, wrong)
 
 
-def _wrong(made):
-    expected, actual = array_of(made.expected.value), array_of(made.outcome.value)
-    if expected is None or actual is None or (expected.shape, expected.dtype) != (actual.shape, actual.dtype):
-        return None
-    return differing(expected, actual, made.case.tolerance)
+def _answers(made):
+    return parts_of(made.expected.value, made.outcome.value)
 
 
-def _grid(form, wrong):
-    """A small array as rows of (text, marked), or None where it is too large or no grid."""
-    values = array_of(form)
-    if values is None or values.size == 0 or values.size > MOST_NUMBERS or values.ndim not in (1, 2, 3):
-        return None
-    wrong = np.zeros(values.shape, bool) if wrong is None else wrong
-    if values.ndim == 1:
-        values, wrong = values[np.newaxis], wrong[np.newaxis]
-    return [
-        [_cell(value, mark) for value, mark in zip(*row, strict=True)]
-        for row in zip(values, wrong, strict=True)
-    ]
-
-
-def _cell(value, mark):
-    text = " ".join(_number(number) for number in np.atleast_1d(value))
-    return (f"({text})" if np.ndim(value) else text), bool(np.any(mark))
-
-
-def _number(value):
-    return f"{value:.6g}" if value.dtype.kind == "f" else str(value)
-
-
-def _short(form):
-    """A value that is no grid of numbers, in one line."""
-    values = array_of(form)
-    if values is not None and values.size:
-        return f"{describe(form)}, from {_number(values.min())} to {_number(values.max())}"
-    if "fields" in form:
-        fields = ", ".join(f"{name}={_value(value)}" for name, value in form["fields"].items())
-        return f"an object with the fields {fields}"
-    if form["type"] in ("tuple", "list") and len(form.get("items", ())) <= 12:
-        return (
-            f"a {form['type']} of {len(form['items'])}: {', '.join(_value(item) for item in form['items'])}"
+def _refusals(result):
+    for module in result.reach.refused:
+        yield (
+            f"{result.exercise.function}() uses {module}. This exercise is to be written without it:"
+            " grading will not take it."
         )
-    if form["type"] == "dict" and "items" in form:
-        return "a dict: " + ", ".join(f"{_value(key)}: {_value(value)}" for key, value in form["items"])
-    return describe(form)
-
-
-def _value(form):
-    if form["type"] == "bytes" and "data" in form and form["length"] <= MOST_NUMBERS:
-        return f"bytes({list(base64.b64decode(form['data']))})"
-    if form["type"] == "ndarray" and "data" in form:
-        values = array_of(form)
-        return str(values.tolist()) if values.size <= MOST_NUMBERS else describe(form)
-    return (
-        repr(form["value"])
-        if "value" in form
-        else describe(form)
-        if "fields" not in form
-        else f"({_short(form)})"
-    )
 
 
 def _notes(result):
     name = f"{result.exercise.function}()"
-    for module in result.reach.refused:
-        yield f"{name} uses {module}. This exercise is to be written without it: grading will not take it."
     for foreign in result.reach.foreign:
         yield (
             f"{name} uses {foreign}, which another cell defines. Grading takes the answer's cell alone:"
@@ -171,11 +121,15 @@ def _headline(result):
     if not result.attempted:
         return "open", f"{declared.id}: not attempted yet"
     right, count = sum(each.passed for each in result.results), len(result.results)
+    # What is refused comes first: an error below may come of it, and goes with it.
+    if right < count and result.reach.refused:
+        return "failed", f"{declared.id}: grading would refuse this answer"
     if right < count:
         return "failed", f"{declared.id}: {right} of {count} checks pass"
     if not result.passed:
         return "failed", f"{declared.id}: the values are right, but grading would refuse this answer"
-    return "passed", f"{declared.id}: {'the check passes' if count == 1 else f'all {count} checks pass'}"
+    all_pass = {1: "the check passes", 2: "both checks pass"}.get(count, f"all {count} checks pass")
+    return "passed", f"{declared.id}: {all_pass}"
 
 
 def _footer(result):
@@ -226,7 +180,7 @@ def _asides(made):
 def as_text(result):
     """A CheckResult as plain text."""
     _, headline = _headline(result)
-    lines = [f"{headline}."]
+    lines = [f"{headline}.", *_refusals(result)]
     detailed = False
     for each in result.results:
         lines.append(f"{'✓' if each.passed else '✗'} {each.case.title}")
@@ -243,23 +197,12 @@ def as_text(result):
 
 def _details_as_text(result, made):
     for part in _parts(result, made):
-        grid = _grid(part.form, part.wrong)
-        if grid is None:
-            yield f"{part.label}: {_short(part.form)}"
-            continue
-        width = max(len(text) for row in grid for text, _ in row) + 1
-        rows = [
-            "".join(f"{text:>{width}}{'*' if marked else ' '}" for text, marked in row).rstrip()
-            for row in grid
-        ]
-        yield f"{part.label}: {describe(part.form)}" + (", * differs" if _any(part.wrong) else "")
-        yield "\n".join(rows)
+        yield f"{part.label}: {part.words}" + (", * differs" if part.marked else "")
+        width = max((len(text) for row in part.rows for text, _ in row), default=0) + 1
+        for row in part.rows:
+            yield "".join(f"{text:>{width}}{'*' if marked else ' '}" for text, marked in row).rstrip()
     yield _hint(result, made)
     yield from _asides(made)
-
-
-def _any(wrong):
-    return wrong is not None and bool(wrong.any())
 
 
 def _indented(text):
@@ -273,6 +216,7 @@ def as_html(result):
     """A CheckResult as HTML that reads well in a light and in a dark JupyterLab."""
     state, headline = _headline(result)
     body = [f'<div style="font-weight: 600; color: {_COLOURS[state]}">{html.escape(headline)}</div>']
+    body += [_paragraph(note) for note in _refusals(result)]
     detailed = False
     for each in result.results:
         mark, colour = ("✓", _COLOURS["passed"]) if each.passed else ("✗", _COLOURS["failed"])
@@ -295,35 +239,35 @@ def _paragraph(text):
 def _details_as_html(result, made):
     yield _paragraph(_hint(result, made))
     for part in _parts(result, made):
-        grid = _grid(part.form, part.wrong)
-        label = html.escape(part.label)
-        if grid is None:
-            yield f"<div>{label}: {html.escape(_short(part.form))}</div>"
-        else:
-            marked = " (what differs is framed)" if _any(part.wrong) else ""
-            yield f"<div>{label}: {html.escape(describe(part.form))}{marked}</div>{_table(grid)}"
+        marked = " (what differs is framed)" if part.marked else ""
+        yield f"<div>{html.escape(f'{part.label}: {part.words}{marked}')}</div>"
+        if part.rows:
+            yield _table(part.rows)
     yield _picture(result, made)
     yield from (_paragraph(aside) for aside in _asides(made))
 
 
-def _table(grid):
-    plain = "padding: 1px 6px; text-align: right; font-family: monospace; border: 1px solid #9e9e9e"
+def _table(rows):
+    plain = "padding: 1px 6px; text-align: right; white-space: nowrap; font-family: monospace"
+    plain += "; border: 1px solid #9e9e9e"
     marked = f"{plain}; border: 2px solid {_COLOURS['failed']}; font-weight: 700"
-    rows = (
+    lines = (
         "<tr>"
         + "".join(f'<td style="{marked if mark else plain}">{html.escape(text)}</td>' for text, mark in row)
         + "</tr>"
-        for row in grid
+        for row in rows
     )
-    return f'<table style="border-collapse: collapse; margin: 2px 0 4px">{"".join(rows)}</table>'
+    table = f'<table style="border-collapse: collapse; margin: 2px 0 4px">{"".join(lines)}</table>'
+    return f'<div style="overflow-x: auto">{table}</div>'
 
 
 def _picture(result, made):
     """What was given, came back, was expected, and where they differ; "" where nothing is a picture."""
-    actual, expected, wrong = array_of(made.outcome.value), array_of(made.expected.value), _wrong(made)
-    if not _is_picture(actual) or wrong is None or not wrong.any():
+    found = _first_wrong_picture(made)
+    if found is None:
         return ""
-    pictures = {"came back": actual, "expected": expected}
+    inner, expected, actual, wrong = found
+    pictures = {f"came back {inner}".strip(): actual, f"expected {inner}".strip(): expected}
     if made.arguments and _is_picture(made.arguments[0]):
         pictures = {"given": made.arguments[0], **pictures}
     where = wrong.any(axis=2) if wrong.ndim == 3 else wrong
@@ -344,6 +288,15 @@ def _picture(result, made):
     alt = f"Pictures of {', '.join(pictures)}; {count} pixels differ, the first at row {row}, col {col}."
     data = base64.b64encode(buffer.getvalue()).decode("ascii")
     return f'<img alt="{alt}" style="max-width: 100%" src="data:image/png;base64,{data}">'
+
+
+def _first_wrong_picture(made):
+    """(name, expected, actual, which values differ) of the answer's first picture that is wrong, or None."""
+    for inner, expected, actual in _answers(made):
+        wrong = wrong_of(expected, actual, made.case.tolerance)
+        if wrong is not None and wrong.any() and _is_picture(array_of(actual)):
+            return inner, array_of(expected), array_of(actual), wrong
+    return None
 
 
 def _is_picture(values):

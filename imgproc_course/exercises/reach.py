@@ -64,7 +64,10 @@ class _Walker:
             self._refuse(name)
         for name in _global_names(code):
             if name not in space:
-                continue  # a built-in, or a NameError that the call itself will show
+                # A built-in, or a NameError that the call itself will show: of a module that is refused,
+                # there is no use in importing it.
+                self._refuse(name)
+                continue
             value = space[name]
             own = (
                 value.__name__ if isinstance(value, types.ModuleType) else getattr(value, "__module__", None)

@@ -13,7 +13,8 @@ from pathlib import Path
 
 import jinja2
 
-from imgproc_course.grading.report_values import parts_of, pictures_of, value_of, wrong_of
+from imgproc_course.exercises.values import parts_of, wrong_of
+from imgproc_course.grading.report_values import pictures_of, value_of
 from imgproc_course.grading.visible import visible
 
 TEMPLATES = Path(__file__).with_name("pages")
@@ -118,7 +119,7 @@ def _values_view(case, declared):
         [value_of(f"given {name}".strip(), form) for name, form in zip(names, case["given"], strict=False)]
     ]
     pictures, given = [], next(iter(case["given"]), None)
-    for name, expected, actual in parts_of(case):
+    for name, expected, actual in parts_of(case["expected"], case["actual"]):
         wrong = wrong_of(expected, actual, tolerance)
         back = value_of(f"came back {name}".strip(), actual, wrong)
         rows.append([back, value_of(f"expected {name}".strip(), expected, wrong)])

@@ -11,15 +11,13 @@ import numpy as np
 from PIL import Image
 
 from imgproc_course.exercises.canonical import array_of
-from imgproc_course.exercises.comparison import describe, differing
-from imgproc_course.grading.visible import visible, visible_line
+from imgproc_course.exercises.values import MOST_NUMBERS, in_words, rows_of
+from imgproc_course.grading.visible import visible_line
 
-MOST_NUMBERS = 144  # a larger array is described or drawn, not printed
 _SMALLEST = 4  # rows and cols of a picture
 _SIDE = 200  # pixels on the page, about: a small picture is made larger by whole factors
 _LARGEST = 448
 _WORDS = 400
-_MOST_PARTS = 6
 _BEHIND, _DIFFERS = (238, 240, 243), (200, 40, 40)
 
 
@@ -58,97 +56,7 @@ def value_of(label, form, wrong=None):
     """
     if form is None:
         return Value(label, "nothing came back")
-    rows = _rows(array_of(form), wrong)
-    return Value(label, visible(describe(form) if rows else _words(form), _WORDS), rows)
-
-
-def parts_of(case):
-    """An answer's parts: itself, or what its tuple or dict holds, where arrays are among that.
-
-    Parameters
-    ----------
-    case : dict, a public case of a result
-
-    Returns
-    -------
-    list of (name, expected form, actual form or None); the name is "" for the whole answer
-    """
-    expected, actual = case["expected"], case["actual"]
-    inner = _named_items(expected)
-    if not any(form["type"] == "ndarray" for _, form in inner) or len(inner) > _MOST_PARTS:
-        return [("", expected, actual)]
-    came_back = dict(_named_items(actual)) if actual is not None else {}
-    if actual is not None and came_back.keys() != {name for name, _ in inner}:
-        return [("", expected, actual)]
-    return [(name, form, came_back.get(name)) for name, form in inner]
-
-
-def _named_items(form):
-    if form["type"] in ("tuple", "list"):
-        return [(f"[{number}]", item) for number, item in enumerate(form.get("items", ()))]
-    if form["type"] == "dict":
-        return [(f"[{_words(key, 1)}]", value) for key, value in form.get("items", ())]
-    return [(f".{name}", value) for name, value in form.get("fields", {}).items()]
-
-
-def wrong_of(expected, actual, tolerance):
-    """Which elements of an array differ, as a bool array; None where that cannot be said.
-
-    Parameters
-    ----------
-    expected, actual : canonical forms, or None
-    tolerance : float
-    """
-    expected, actual = array_of(expected), array_of(actual)
-    if expected is None or actual is None or (expected.shape, expected.dtype) != (actual.shape, actual.dtype):
-        return None
-    return differing(expected, actual, tolerance)
-
-
-def _rows(values, wrong):
-    if values is None or not 0 < values.size <= MOST_NUMBERS or values.ndim not in (1, 2, 3):
-        return ()
-    wrong = np.zeros(values.shape, bool) if wrong is None else wrong
-    if values.ndim == 1:
-        values, wrong = values[np.newaxis], wrong[np.newaxis]
-    return tuple(
-        tuple((_element(value), bool(np.any(mark))) for value, mark in zip(row, marks, strict=True))
-        for row, marks in zip(values, wrong, strict=True)
-    )
-
-
-def _element(value):
-    text = " ".join(_number(number) for number in np.atleast_1d(value))
-    return f"({text})" if np.ndim(value) else text
-
-
-def _number(value):
-    return f"{value:.6g}" if value.dtype.kind == "f" else str(value)
-
-
-def _words(form, depth=0):
-    """A value in a line."""
-    values = array_of(form)
-    if values is not None and values.size > MOST_NUMBERS:
-        return f"{describe(form)}, from {_number(values.min())} to {_number(values.max())}"
-    if values is not None:
-        return describe(form) if depth == 0 else str(values.tolist())
-    if depth > 2:
-        return describe(form)
-    if "fields" in form:
-        fields = (
-            f"{visible_line(name, 40)}={_words(value, depth + 1)}" for name, value in form["fields"].items()
-        )
-        return f"an object with the fields {', '.join(fields)}"
-    if form["type"] in ("tuple", "list") and 0 < len(form.get("items", ())) <= 60:
-        items = ", ".join(_words(item, depth + 1) for item in form["items"])
-        return f"a {form['type']} of {len(form['items'])}: {items}"
-    if form["type"] == "dict" and "items" in form:
-        pairs = form["items"][:40]
-        return "a dict: " + ", ".join(f"{_words(k, depth + 1)}: {_words(v, depth + 1)}" for k, v in pairs)
-    if form["type"] == "bytes" and "data" in form and form["length"] <= MOST_NUMBERS:
-        return f"bytes({list(base64.b64decode(form['data']))})"
-    return repr(form["value"]) if depth and "value" in form else describe(form)
+    return Value(label, visible_line(in_words(form), _WORDS), rows_of(form, wrong))
 
 
 # ---------------------------------------------------------------- pictures

@@ -22,7 +22,7 @@ def test_a_right_answer_passes():
     result = check("test-double", right)
     assert result.passed and result.points == 3
     assert repr(result) == (
-        "test-double: all 2 checks pass.\n✓ Bright\n✓ Dark\n"
+        "test-double: both checks pass.\n✓ Bright\n✓ Dark\n"
         "Points here: 3 of 3. Grading runs 1 more check on other inputs, worth 3."
     )
 
@@ -148,6 +148,103 @@ def test_a_refused_module_does_not_pass():
     assert result.reach.refused == ("cv2",) and not result.passed
     assert "double() uses cv2. This exercise is to be written without it" in repr(result)
     assert "the values are right, but grading would refuse this answer" in repr(result)
+
+
+def test_a_refused_module_is_told_before_the_error_that_it_leads_to():
+    def uses(pixels):
+        import cv2
+
+        return cv2.add(pixels)
+
+    result = check("test-double", uses)
+    first, second, third = repr(result).splitlines()[:3]
+    assert first == "test-double: grading would refuse this answer."
+    assert second.startswith("double() uses cv2. This exercise is to be written without it")
+    assert third == "✗ Bright" and "double() raised error: OpenCV" in repr(result)
+    html = result._repr_html_()
+    assert html.index("double() uses cv2") < html.index("Bright") < html.index("double() raised")
+    assert html.count("double() uses cv2") == 1
+
+
+def test_a_refused_name_that_no_cell_imported_is_refused_all_the_same():
+    source = "def double(pixels):\n    return cv2.add(pixels, pixels)\n"
+    space = {}
+    exec(compile(source, "<answer>", "exec"), space)
+    result = check("test-double", space["double"])
+    assert result.reach.refused == ("cv2",)
+    assert repr(result).splitlines()[1].startswith("double() uses cv2.")
+
+
+def test_an_answer_of_two_arrays_is_two_tables(write_master):
+    write_master(
+        solution=(
+            '# %% role="solution"\ndef double(pixels):\n'
+            "    wide = pixels[:2, :2].astype(np.int32)\n    return wide * 2, wide"
+        ),
+        case='# %% role="case" title="Pair"\ndef inputs(rng):\n    return (np.uint8([[1, 2], [3, 4]]),)',
+        second="",
+    )
+
+    def swapped(pixels):
+        wide = pixels.astype(np.int32)
+        return wide, wide
+
+    text = repr(check("test-double", swapped))
+    assert "In answer[0]: 4 of 4 values differ" in text
+    assert (
+        "    came back [0]: an array of shape (2, 2), int32, * differs\n     1* 2*\n     3* 4*\n"
+        "    expected [0]: an array of shape (2, 2), int32, * differs\n     2* 4*\n     6* 8*\n"
+        "    came back [1]: an array of shape (2, 2), int32\n     1  2\n     3  4\n"
+        "    expected [1]: an array of shape (2, 2), int32\n     1  2\n     3  4\n"
+    ) in text
+    html = check("test-double", swapped)._repr_html_()
+    assert html.count("<table") == 5 and html.count("font-weight: 700") == 8
+    assert all("white-space: nowrap" in cell for cell in re.findall("<td[^>]*>", html))
+
+
+def test_the_first_wrong_picture_of_several_is_drawn(write_master):
+    write_master(
+        solution=('# %% role="solution"\ndef double(pixels):\n    return pixels, np.minimum(pixels, 100)'),
+        case='# %% role="case" title="Pair"\ndef inputs(rng):\n    return (np.full((20, 20), 200, "u1"),)',
+        second="",
+    )
+
+    def second_wrong(pixels):
+        other = np.minimum(pixels, 100)
+        other[7, 3] = 99
+        return pixels, other
+
+    (alt,) = re.findall(r'alt="([^"]*)"', check("test-double", second_wrong)._repr_html_())
+    assert alt == (
+        "Pictures of given, came back [1], expected [1], white: differs;"
+        " 1 pixels differ, the first at row 7, col 3."
+    )
+
+
+def test_a_message_is_told_by_its_fields_and_a_table_of_its_bytes(write_master):
+    write_master(
+        exercise=(
+            '# %% role="exercise"\nfrom types import SimpleNamespace\n'
+            'exercise("test-double", function="double", time_limit=0.5)'
+        ),
+        answer='# %% role="answer"\ndef double(message):\n    raise NotImplementedError',
+        solution='# %% role="solution"\ndef double(message):\n    return message.height',
+        case=(
+            '# %% role="case" title="Message"\ndef inputs(rng):\n'
+            "    data = bytes(range(100, 112))\n"
+            '    return (SimpleNamespace(height=2, width=5, encoding="mono8", step=6, data=data),)'
+        ),
+        second="",
+        hidden="",
+        mistake="",
+        **{"second mistake": ""},
+    )
+    text = repr(check("test-double", lambda message: message.width))
+    assert (
+        "    given message: an object with the fields height=2, width=5, encoding='mono8', step=6,"
+        " data=12 bytes (100, 101, 102, 103, 104, 105, 106, 107, …); data in rows of step bytes\n"
+        "     100  101  102  103  104  105\n     106  107  108  109  110  111\n"
+    ) in text
 
 
 def test_a_name_of_another_cell_does_not_pass():
