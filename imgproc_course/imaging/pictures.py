@@ -118,13 +118,10 @@ def _checked_uint8(picture, expected, name):
             f"say what masked pixels are, {name}.filled(0)"
         )
     if not isinstance(picture, np.ndarray):
-        raise ValueError(
-            f"{name} must be {expected}, got a {type(picture).__name__}; "
-            f"make an array of it: np.array({name}, dtype=np.uint8)"
-        )
+        raise ValueError(f"{name} must be {expected}, {_no_array(picture, expected, name)}")
     array = np.asarray(picture)
     if array.dtype != np.uint8:
-        raise ValueError(_wrong(name, expected, array, _cure_of_dtype(array.dtype, name)))
+        raise ValueError(_wrong(name, expected, array, _cure_of_dtype(array, name)))
     if array.size == 0:
         raise ValueError(_wrong(name, expected, array, "it has no pixel; look at what made it"))
     return array
@@ -134,13 +131,37 @@ def _wrong(name, expected, array, cure):
     return f"{name} must be {expected}, got {array.shape} {array.dtype}; {cure}"
 
 
-def _cure_of_dtype(dtype, name):
+def _no_array(picture, expected, name):
+    kind = type(picture).__name__
+    if picture is None:
+        return "got None; look at what made it: a function without return gives None"
+    if hasattr(picture, "data") and (hasattr(picture, "encoding") or hasattr(picture, "format")):
+        convert = "image_to_array" if hasattr(picture, "encoding") else "compressed_to_array"
+        encoding = "bgr8" if BGR in expected else "mono8"
+        return f"got a message ({kind}); take its pixels first: {convert}({name}, {encoding!r})"
+    if isinstance(picture, list | tuple) or hasattr(picture, "__array__"):
+        return f"got a {kind}; make an array of it: np.array({name}, dtype=np.uint8)"
+    return f"got {picture!r:.60} of type {kind}; give the array of a picture, such as recording.frame(0)"
+
+
+def _cure_of_dtype(array, name):
+    """What makes it uint8: what 0 and 255 stand for is guessed by the values themselves."""
+    dtype = array.dtype
     if dtype == np.bool_:
         return f"make True white: {name}.astype(np.uint8) * 255"
-    if dtype.kind == "f":
-        return f"scale it to uint8 first: values 0..1 by np.rint({name} * 255).astype(np.uint8)"
-    if dtype == np.uint16:
-        return f"scale it to uint8 first: ({name} >> 8).astype(np.uint8) when it uses all 16 bits"
+    if dtype.kind not in "fiu":
+        return "scale real numbers to 0..255 and make them uint8 first"
+    if array.size == 0:
+        return "it has no pixel; look at what made it"
+    low, high = array.min(), array.max()
+    if not (np.isfinite(low) and np.isfinite(high)):
+        return f"replace what is no number, or infinite, first: np.nan_to_num({name})"
+    values = f"make it uint8 first: its values go from {low:g} to {high:g}"
+    if low < 0 or high > 255:
+        bits = f"({name} >> 8).astype(np.uint8) when it uses all 16 bits, or " if dtype == np.uint16 else ""
+        whole = f"np.rint({name})" if dtype.kind == "f" else name
+        return f"{values}, so {bits}np.clip({whole}, 0, 255).astype(np.uint8)"
     if dtype.kind in "iu":
-        return f"scale it to 0..255 and make it uint8 first: np.clip({name}, 0, 255).astype(np.uint8)"
-    return "scale real numbers to 0..255 and make them uint8 first"
+        return f"{values}, so {name}.astype(np.uint8)"
+    scaled = f"{name} * 255" if high <= 1 else name
+    return f"{values}, so np.rint({scaled}).astype(np.uint8)"

@@ -1,5 +1,7 @@
 """What a function cannot work on raises; the message says what came, what was expected, and the cure."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -57,19 +59,20 @@ ON_BOTH = {
 }
 EVERY = {**ON_GRAY, **ON_BGR, **ON_BOTH}
 
+FIRST = "make it uint8 first: its values go from 0 to 0, so "
 WRONG_DTYPES = {
-    "float64": "scale it to uint8 first",
-    "float32": "scale it to uint8 first",
-    "float16": "scale it to uint8 first",
-    "uint16": "scale it to uint8 first",
-    "int8": "np.clip",
-    "int16": "np.clip",
-    "int32": "np.clip",
-    "uint32": "np.clip",
-    "int64": "np.clip",
-    "bool": r"astype\(np.uint8\) \* 255",
-    "complex64": "scale real numbers",
-    "object": "scale real numbers",
+    "float64": FIRST + r"np.rint\((\w+) \* 255\).astype\(np.uint8\)",
+    "float32": FIRST + r"np.rint\((\w+) \* 255\).astype\(np.uint8\)",
+    "float16": FIRST + r"np.rint\((\w+) \* 255\).astype\(np.uint8\)",
+    "uint16": FIRST + r"\w+.astype\(np.uint8\)",
+    "int8": FIRST + r"\w+.astype\(np.uint8\)",
+    "int16": FIRST + r"\w+.astype\(np.uint8\)",
+    "int32": FIRST + r"\w+.astype\(np.uint8\)",
+    "uint32": FIRST + r"\w+.astype\(np.uint8\)",
+    "int64": FIRST + r"\w+.astype\(np.uint8\)",
+    "bool": r"make True white: \w+.astype\(np.uint8\) \* 255",
+    "complex64": "scale real numbers to 0..255 and make them uint8 first",
+    "object": "scale real numbers to 0..255 and make them uint8 first",
 }
 
 
@@ -80,7 +83,7 @@ def picture_for(name, dtype=np.uint8):
 @pytest.mark.parametrize("dtype", WRONG_DTYPES)
 @pytest.mark.parametrize("name", EVERY)
 def test_every_dtype_but_uint8_raises_with_the_cure(name, dtype):
-    with pytest.raises(ValueError, match=rf"must be .* uint8.*, got .* {dtype}; .*{WRONG_DTYPES[dtype]}"):
+    with pytest.raises(ValueError, match=rf"must be .* uint8.*, got .* {dtype}; {WRONG_DTYPES[dtype]}$"):
         EVERY[name](picture_for(name, dtype))
 
 
@@ -89,11 +92,69 @@ def test_what_is_no_plain_array_raises_with_the_cure(name):
     good = picture_for(name)
     with pytest.raises(ValueError, match=r"got a list; make an array of it: np.array\(.*, dtype=np.uint8\)"):
         EVERY[name](good.tolist())
-    with pytest.raises(ValueError, match="got a NoneType"):
+    with pytest.raises(ValueError, match="got None; look at what made it"):
         EVERY[name](None)
     with pytest.raises(ValueError, match=r"masked array; its mask would be lost: .*filled\(0\)"):
         EVERY[name](np.ma.masked_less(good, 5))
     EVERY[name](good)
+
+
+@pytest.mark.parametrize(
+    ("values", "cure"),
+    [
+        (np.array([0.0, 0.8]), "its values go from 0 to 0.8, so np.rint(bgr * 255).astype(np.uint8)"),
+        (np.array([0.0, 200.4]), "its values go from 0 to 200.4, so np.rint(bgr).astype(np.uint8)"),
+        (
+            np.array([-3.0, 300.0]),
+            "its values go from -3 to 300, so np.clip(np.rint(bgr), 0, 255).astype(np.uint8)",
+        ),
+        (np.array([0, 255]), "its values go from 0 to 255, so bgr.astype(np.uint8)"),
+        (np.array([0, 256]), "its values go from 0 to 256, so np.clip(bgr, 0, 255).astype(np.uint8)"),
+        (
+            np.uint16([0, 65535]),
+            "its values go from 0 to 65535, so (bgr >> 8).astype(np.uint8) when it uses all 16 bits,"
+            " or np.clip(bgr, 0, 255).astype(np.uint8)",
+        ),
+    ],
+)
+def test_the_cure_for_numbers_of_another_type_fits_their_range(values, cure):
+    frame = np.resize(values, (4, 5, 3))
+    with pytest.raises(ValueError) as error:
+        to_gray(frame)
+    given = f"bgr must be (H, W, 3) uint8, got (4, 5, 3) {values.dtype}; make it uint8 first: "
+    assert str(error.value) == given + cure
+    # The cure is code: what it makes is taken.
+    for each in cure.partition(", so ")[2].replace(" when it uses all 16 bits,", "").split(" or "):
+        assert to_gray(eval(each, {"np": np, "bgr": frame})).shape == (4, 5)
+
+
+@pytest.mark.parametrize("value", [np.nan, np.inf])
+def test_what_is_no_number_is_to_be_replaced_first(value):
+    with pytest.raises(ValueError, match=r"no number, or infinite, first: np.nan_to_num\(gray\)"):
+        sobel(np.array([[value, 1.0]]))
+
+
+@pytest.mark.parametrize(
+    ("message", "cure"),
+    [
+        (SimpleNamespace(encoding="rgb8", data=b""), "image_to_array"),
+        (SimpleNamespace(format="jpeg", data=b""), "compressed_to_array"),
+    ],
+)
+def test_a_message_for_a_frame_is_told_how_to_become_one(message, cure):
+    with pytest.raises(ValueError) as error:
+        to_gray(message)
+    assert str(error.value) == (
+        "bgr must be (H, W, 3) uint8, got a message (SimpleNamespace); take its pixels first:"
+        f" {cure}(bgr, 'bgr8')"
+    )
+    with pytest.raises(ValueError, match=rf"{cure}\(gray, 'mono8'\)"):
+        sobel(message)
+
+
+def test_anything_else_for_a_frame_is_shown():
+    with pytest.raises(ValueError, match=r"got 'frame.png' of type str; give the array of a picture"):
+        to_gray("frame.png")
 
 
 @pytest.mark.parametrize("name", EVERY)
