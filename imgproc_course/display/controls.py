@@ -56,8 +56,8 @@ class Controls:
         self._code = widgets.HTML(layout=widgets.Layout(width="auto"))
         self._note = ""
         self._write_code()
-        # Beside the picture it takes what room is left; under it, the picture's width.
-        column = widgets.Layout(flex="1 1 290px", max_width="640px")
+        # Beside the picture while a slider there is long enough to be set by hand, else under it, as wide.
+        column = widgets.Layout(flex="1 1 420px", max_width="640px")
         self.box = widgets.VBox([*self._widgets.values(), reset, self._code], layout=column)
 
     @property
@@ -127,7 +127,7 @@ class Controls:
                 raise ValueError(f"{keyword}: a {type(given).__name__} has no value to give; use a slider")
             return given
         if isinstance(given, bool):
-            return widgets.Checkbox(value=given, indent=False, **common)
+            return widgets.Checkbox(value=given, **common)
         if isinstance(given, (list, dict)) and len(given):
             options = list(given.items()) if isinstance(given, dict) else given
             values = [value for _, value in options] if isinstance(given, dict) else options

@@ -205,6 +205,43 @@ def test_tune_follows_its_range_slider_and_resets(notebook):
     assert page.page.locator(VIEW).get_attribute("title") == "Edges of the bar."
 
 
+@pytest.fixture
+def tuner_page(notebook):
+    return notebook(
+        """
+        def canny(gray, low, high, *, sigma=0.0, l2_gradient=False, stage="edges"):
+            return cv2.Canny(gray, low, high, L2gradient=l2_gradient)
+
+        gray = camera.frame(20)[:, :, 2]
+        tuner = tune(canny, gray, thresholds=(0, 1020), sigma=(0, 5.0), l2_gradient=False, stage=["edges"])
+        """
+    )
+
+
+def left_top_width(page, selector):
+    return page.page.evaluate(
+        """selector => {
+            const box = document.querySelector(selector).getBoundingClientRect();
+            return [box.left, box.top, box.width];
+        }""",
+        selector,
+    )
+
+
+@pytest.mark.parametrize("width, beside", [(1000, False), (1280, False), (1400, False), (1600, True)])
+def test_sliders_are_long_enough_beside_the_picture_or_else_under_it(tuner_page, width, beside):
+    tuner_page.wait_for_picture()
+    tuner_page.page.set_viewport_size({"width": width, "height": 1000})
+    tuner_page.page.wait_for_timeout(500)
+    picture = left_top_width(tuner_page, VIEW)
+    slider = left_top_width(tuner_page, ".noUi-target")
+    assert slider[2] > 240
+    assert (slider[0] > picture[0] + picture[2], slider[1] < picture[1] + 100) == (beside, beside)
+    column = left_top_width(tuner_page, ".noUi-target")[0]
+    for control in (".widget-checkbox input", ".widget-dropdown select"):
+        assert abs(left_top_width(tuner_page, control)[0] - column) < 12
+
+
 def test_show_has_an_alt_text_also_in_a_notebook_that_is_not_trusted(notebook, lab, open_notebook):
     page = notebook(
         """
