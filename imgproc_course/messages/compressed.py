@@ -63,6 +63,13 @@ def compressed_to_array(msg, desired_encoding="passthrough"):
     -----
     A JPEG has no checksum: where bits within it are flipped, every decoder makes a picture of them.
     """
+    try:
+        return _decoded(msg, desired_encoding)
+    except ConversionError as error:
+        raise error.with_traceback(None) from error.__cause__
+
+
+def _decoded(msg, desired_encoding):
     format, data = _format(msg), bytes_of(_data(msg))
     decode = decode_depth if "compressedDepth" in format else _decode_picture
     try:
@@ -98,9 +105,16 @@ def array_to_compressed(array, encoding="bgr8", format="jpeg", header=None, qual
     ------
     ConversionError : an array that is not what `encoding` says, or that the format would change
     """
+    try:
+        return _encoded(array, encoding, format, header, quality)
+    except ConversionError as error:
+        raise error.with_traceback(None) from error.__cause__
+
+
+def _encoded(array, encoding, format, header, quality):
     codec = {"jpeg": "jpeg", "jpg": "jpeg", "png": "png"}.get(format) if isinstance(format, str) else None
     if codec is None:
-        raise ConversionError(f"format must be 'jpeg' or 'png', got {shown(format)}")
+        raise ConversionError(f"format must be 'jpeg' or 'png', got {shown(format)}; 'png' loses nothing")
     if not isinstance(quality, int) or not 1 <= quality <= 100:
         raise ConversionError(f"quality must be an int from 1 to 100, got {shown(quality)}")
     info = described(array, encoding)

@@ -42,6 +42,13 @@ def image_to_array(msg, desired_encoding="passthrough"):
         encoding; a conversion that has no meaning
     """
     try:
+        return _decoded(msg, desired_encoding)
+    except ConversionError as error:
+        raise error.with_traceback(None) from error.__cause__
+
+
+def _decoded(msg, desired_encoding):
+    try:
         plan = _plan(msg.encoding, desired_encoding)
         height, width, step = index(msg.height), index(msg.width), index(msg.step)
         is_bigendian = index(msg.is_bigendian)
@@ -98,6 +105,13 @@ def array_to_image(array, encoding="passthrough", header=None):
     ------
     ConversionError : an array that no message can hold, or that is not what `encoding` says
     """
+    try:
+        return _message_of(array, encoding, header)
+    except ConversionError as error:
+        raise error.with_traceback(None) from error.__cause__
+
+
+def _message_of(array, encoding, header):
     info = described(array, encoding)
     rows, width = array.shape[:2]
     height, step = info.height(rows), width * info.pixel_bytes
@@ -206,11 +220,17 @@ def _field(msg, name):
     try:
         return getattr(msg, name)
     except AttributeError:
-        has_format = hasattr(msg, "format")
-        cure = "compressed_to_array reads a CompressedImage" if has_format else "give the message itself"
         raise ConversionError(
-            f"expected a sensor_msgs/Image, got {shown(msg)} without a field {name!r}; {cure}"
+            f"expected a sensor_msgs/Image, got {shown(msg)} without a field {name!r}; {_cure_for(msg)}"
         ) from None
+
+
+def _cure_for(msg):
+    if isinstance(getattr(msg, "format", None), str):
+        return "compressed_to_array reads a CompressedImage"
+    if isinstance(msg, np.ndarray):
+        return "it is an array already: use it as it is"
+    return "give the message itself, as a subscriber's on_image(frame, msg) gets it"
 
 
 def _checked_name(field, name):

@@ -4,7 +4,8 @@
 class ConversionError(ValueError):
     """A message or an array that cannot be converted.
 
-    The text names the field, its value, what was expected, and what to do about it.
+    The text names the field, its value, what was expected, and what to do about it. It leaves a public
+    function without the calls that found it: a notebook would show the source of each.
     """
 
 

@@ -10,7 +10,14 @@ import cv2
 import numpy as np
 import pytest
 
-from imgproc_course.messages import ConversionError, array_to_image, encoding_info, image_to_array
+from imgproc_course.messages import (
+    ConversionError,
+    array_to_compressed,
+    array_to_image,
+    compressed_to_array,
+    encoding_info,
+    image_to_array,
+)
 
 
 def message(encoding, rows, width, data, *, step=None, is_bigendian=0):
@@ -385,3 +392,37 @@ def test_a_wrong_header_is_refused_where_rclpy_checks_fields():
 
 def test_reads_the_constants_of_this_opencv():
     assert cv2.COLOR_BayerBG2BGR != cv2.COLOR_BayerRG2BGR
+
+
+@pytest.mark.parametrize(
+    ("given", "cure"),
+    [
+        ("hello", "give the message itself, as a subscriber's on_image(frame, msg) gets it"),
+        (np.zeros((2, 2), np.uint8), "it is an array already: use it as it is"),
+        (SimpleNamespace(format="jpeg", data=b""), "compressed_to_array reads a CompressedImage"),
+    ],
+)
+def test_what_is_no_message_is_answered_with_its_own_cure(given, cure):
+    with pytest.raises(ConversionError) as error:
+        image_to_array(given)
+    shown = "'hello'" if isinstance(given, str) else f"a {type(given).__name__}"
+    assert str(error.value) == f"expected a sensor_msgs/Image, got {shown} without a field 'encoding'; {cure}"
+
+
+@pytest.mark.parametrize(
+    "mistake",
+    [
+        lambda: image_to_array("hello"),
+        lambda: image_to_array(array_to_image(np.zeros((2, 2), np.uint8)), "bgr9"),
+        lambda: array_to_image("hello"),
+        lambda: array_to_image(np.zeros((2, 2), bool)),
+        lambda: compressed_to_array("hello"),
+        lambda: array_to_compressed(np.zeros((2, 2), bool)),
+    ],
+)
+def test_a_mistake_is_told_by_the_function_that_was_called_and_none_below(mistake):
+    with pytest.raises(ConversionError) as error:
+        mistake()
+    _, _, last = error.traceback  # this test, the lambda, and the public function
+    assert last.name in ("image_to_array", "array_to_image", "compressed_to_array", "array_to_compressed")
+    assert error.value.__suppress_context__ and error.value.__cause__ is None
