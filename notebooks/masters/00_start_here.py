@@ -115,7 +115,9 @@ def darken(frame, percent=100):
     return (frame.astype("uint16") * percent // 100).astype("uint8")
 
 
-view = live_view(subscriber if ros_available() else recording, darken, percent=(0, 100))
+source = subscriber if ros_available() else recording
+view = live_view(source, darken, percent=(0, 100), caption="The drive, as dark as the slider says.",
+                 alt="The living room seen from close to the floor, while the robot drives.")
 
 # %%
 half = darken(frame, percent=50)

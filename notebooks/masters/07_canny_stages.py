@@ -497,7 +497,8 @@ def growth(frame, steps=0):
     return np.where(edges, 255, 0).astype(np.uint8)
 
 
-growing = tune(growth, gray, steps=(0, 60))
+growing = tune(growth, gray, steps=(0, 60), caption="Edges after so many steps of growth.",
+               alt="White lines on black, longer with each step.")
 
 # %%
 early, late = grown(stages.candidates, stages.seeds, 3), grown(stages.candidates, stages.seeds, 400)
@@ -567,6 +568,19 @@ def inputs(rng):
     return candidates, seeds
 
 
+# %% role="case" title="an island at each border" points=1 hint="The picture's left border does not touch its right one, nor its top the bottom."
+def inputs(rng):
+    candidates = np.zeros((7, 9), dtype=bool)
+    candidates[3, : rng.integers(3, 5)] = True
+    candidates[3, 6:] = True  # at the other end of the seed's row
+    candidates[0, 2:5] = True
+    candidates[6, 2:5] = True
+    candidates[5, 7] = True  # touches nothing, not even across the border
+    seeds = np.zeros_like(candidates)
+    seeds[3, 0] = seeds[0, 3] = True
+    return candidates, seeds
+
+
 # %% role="hidden" title="islands" points=1 hint="An island of candidates without a seed is no edge."
 def inputs(rng):
     candidates = rng.random((24, 30)) < 0.4
@@ -579,6 +593,18 @@ def grow(candidates, seeds):
     while True:
         p = np.pad(edges, 1)
         larger = candidates & (edges | p[:-2, 1:-1] | p[2:, 1:-1] | p[1:-1, :-2] | p[1:-1, 2:])
+        if larger.sum() == edges.sum():
+            return np.where(edges, 255, 0).astype(np.uint8)
+        edges = larger
+
+
+# %% role="mistake" name="np.roll across the border" says="Edges jumped across the picture's border: np.roll pushes a row out at one end and in again at the other, so that the left border touches the right one. Pad with False and take shifted parts instead."
+def grow(candidates, seeds):
+    edges = seeds & candidates
+    while True:
+        steps = [(row, col) for row in (-1, 0, 1) for col in (-1, 0, 1)]
+        near = np.any([np.roll(edges, step, axis=(0, 1)) for step in steps], axis=0)
+        larger = candidates & near
         if larger.sum() == edges.sum():
             return np.where(edges, 255, 0).astype(np.uint8)
         edges = larger
@@ -652,10 +678,11 @@ assert (repaired == canny(gaussian_blur(noisy, 2), 50, 150)).all()
 # %% [markdown]
 # ## 12 · Turn the knobs (8 minutes)
 #
-# Three numbers decide: `low`, `high` and `sigma`. Move them. Look for a setting that keeps the outlines of ball, chair and marker, and loses the floor's grain. The line below the picture is code that you can copy.
+# Three numbers decide: `low`, `high` and `sigma`. Move them. Look for a setting that keeps the outlines of ball, chair and marker, and loses the floor's grain. The line below the sliders is code that you can copy.
 
 # %% tags=["nbval-ignore-output"]
-tuner = tune(canny, gray, thresholds=(0, 1020), sigma=(0, 5.0))
+tuner = tune(canny, gray, thresholds=(0, 1020), sigma=(0, 5.0), caption="Edges of the robot's picture.",
+             alt="White lines on black, as the sliders leave them.")
 
 # %% [markdown]
 # Once on a photograph: a cat, a picture that comes with scikit-image (CC0).

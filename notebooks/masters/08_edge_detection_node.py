@@ -26,9 +26,9 @@ import cv2
 import ipywidgets
 from IPython.display import display
 
-from imgproc_course.display import live_view, show, tune
+from imgproc_course.display import draw, live_view, show, show_figure, tune
 from imgproc_course.exercises import check
-from imgproc_course.imaging import add_gaussian_noise, canny, gaussian_blur, to_gray
+from imgproc_course.imaging import add_gaussian_noise, canny, to_gray
 from imgproc_course.recording import open_recording
 from imgproc_course.ros import ImageSubscriber, RosSession, open_camera, ros_available
 
@@ -40,39 +40,54 @@ print("gray", gray.shape, gray.dtype)
 # %% [markdown]
 # ## 1 · The node (6 minutes)
 #
-# Two lines make the difference to lesson 04: the function returns two pictures, and it has numbers that may be changed.
+# Two things are new against lesson 04: the function returns two pictures, and it has numbers that may be changed.
+#
+# On a robot nobody waits for arithmetic by hand, so the function calls OpenCV, as the package's node in lesson 09 does. The asserts say that gray and edges are those of your own stages in lessons 03 and 07, on every pixel.
 
 # %%
+def edges_of(gray, low=50, high=150, sigma=0.0):
+    smoothed = cv2.GaussianBlur(gray, (0, 0), sigma) if sigma else gray
+    return cv2.Canny(smoothed, low, high)
+
+
 def find_edges(frame, low=50, high=150, sigma=0.0):
-    gray = to_gray(frame)
-    return {"gray": gray, "edges": canny(gray, low, high, sigma=sigma)}
+    gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
+    return {"gray": gray, "edges": edges_of(gray, low, high, sigma)}
 
 
+# %%
 found = find_edges(frame)
 show([frame, found["gray"], found["edges"]], ["original", "gray", "edges"],
      caption="What the node gets, and the two pictures that it publishes.",
      alt="The living room in colour, in gray, and as white outlines on black.")
 
-assert (found["edges"] == cv2.Canny(gray, 50, 150)).all()
+assert (found["gray"] == to_gray(frame)).all()
+assert (found["edges"] == canny(gray, 50, 150)).all()
+assert (edges_of(gray, 50, 150, 2.0) == canny(gray, 50, 150, sigma=2.0)).all()
 
 # %% [markdown]
-# Each number becomes a *ROS parameter* with a range and a description, and can be changed while the node runs.
+# Each number becomes a *ROS parameter* with a range and a description, and can be changed while the node runs. A check of our own looks at all of them together, before any is taken over.
 
-# %% tags=["nbval-ignore-output", "long"]
+# %%
+def check_thresholds(low, high, sigma):
+    if low > high:
+        raise ValueError(f"low must not be above high, got low={low}, high={high}")
+
+
+# %%
 if ros_available():
-    from rclpy.parameter import Parameter
-
-    from imgproc_course.ros import ImageProcessor, Setting
-
-    def check_thresholds(low, high, sigma):
-        if low > high:
-            raise ValueError(f"low must not be above high, got low={low}, high={high}")
+    from imgproc_course.ros import Setting
 
     settings = [
         Setting("low", 50, 0, 1530, "candidates lie above it, in the unit of the Sobel answer"),
         Setting("high", 150, 0, 1530, "seeds lie above it, in the unit of the Sobel answer"),
         Setting("sigma", 0.0, 0.0, 10.0, "blur before, in pixels"),
     ]
+
+# %% tags=["nbval-ignore-output", "long"]
+if ros_available():
+    from imgproc_course.ros import ImageProcessor
+
     session = RosSession.current()
     camera = open_camera("recording")
     node = session.add_node(
@@ -87,25 +102,55 @@ if ros_available():
 # %% [markdown]
 # ## 2 · Change the thresholds and observe (8 minutes)
 #
-# Remember the unit: a straight step of h grey levels has a Sobel answer of 4 h. So `low` = 50 lets steps of more than 12.5 grey levels be candidates, and `high` = 150 makes steps of more than 37.5 seeds.
+# Remember the unit of both thresholds: the Sobel answer, |grad_row| + |grad_col|. A straight step of h grey levels has an answer of 4 h. So `low` = 50 lets steps of more than 12.5 grey levels be candidates, and `high` = 150 makes steps of more than 37.5 seeds.
 #
 # **Predict**, before you move a slider: which of the two decides *how many* lines there are, and which *how long* they are?
 
-# %% tags=["nbval-ignore-output"]
+# %%
+assert 50 / 4 == 12.5 and 150 / 4 == 37.5
+
 if ros_available():
-    thresholds = ipywidgets.IntRangeSlider(value=(50, 150), min=0, max=1020, description="low, high", continuous_update=False)
+    from rclpy.parameter import Parameter
 
     def set_thresholds(change):
         low, high = change["new"]
         node.set_parameters_atomically([Parameter("low", value=low), Parameter("high", value=high)])
 
+# %% tags=["nbval-ignore-output", "long"]
+caption = "Edges of the drive, live. Pull the ends of the slider."
+alt = "The living room as white lines on black, while the robot drives."
+if ros_available():
+    thresholds = ipywidgets.IntRangeSlider(value=(50, 150), min=0, max=1020, description="low, high",
+                                           continuous_update=False, layout={"width": "640px"})
     thresholds.observe(set_thresholds, names="value")
     display(thresholds)
-view = live_view(edge_frames if ros_available() else recording, encoding="mono8" if ros_available() else "bgr8")
-assert 50 / 4 == 12.5 and 150 / 4 == 37.5
+    view = live_view(edge_frames, encoding="mono8", caption=caption, alt=alt)
+else:
+    view = live_view(recording, find_edges, caption=caption, alt=alt, thresholds=(0, 1020))
+assert view.running
 
 # %% [markdown]
 # The slider sets *both* parameters in one step (`set_parameters_atomically`). Set one after the other, there is a moment when `low` is above `high`.
+#
+# **Check** your guess on one frame. A *line* is a group of edge pixels that touch.
+
+# %%
+def count_lines(edges):
+    groups, _ = cv2.connectedComponents(edges, connectivity=8)
+    return groups - 1  # the black ground is a group, too
+
+
+counted = {}
+for low, high in ((50, 150), (50, 300), (150, 150)):
+    edges = edges_of(gray, low, high)
+    counted[low, high] = count_lines(edges)
+    length = (edges > 0).sum() / counted[low, high]
+    print(f"low {low:3}, high {high:3}: {counted[low, high]:5,} lines of {length:3.0f} pixels on average")
+
+assert counted == {(50, 150): 330, (50, 300): 98, (150, 150): 1096}
+
+# %% [markdown]
+# `high` decides which lines there are: of 330 lines 98 are left where a seed must be twice as strong. `low` decides how far a line goes on: with `low` at 150 the lines break into 1096 short pieces.
 #
 # ## 3 · Planned failure: the swapped pair (5 minutes)
 #
@@ -273,12 +318,14 @@ def f1_score(edges, outlines, tolerance):
 # %% [markdown]
 # ## 6 · Dim light (10 minutes)
 #
-# In the bright living room the old 50 and 150 are hard to beat. In the evening the sensor's noise grows; here it is 20 grey levels. **Predict** what F1 the old pair gets now.
+# In the evening the sensor's noise grows; here its standard deviation is 20 grey levels. **Predict** what F1 the pair 50, 150 gets then.
+#
+# `score` is F1 with a tolerance of 2 pixels: what your function computes, made of OpenCV's `dilate`, which is quick enough for hundreds of pictures.
 
 # %%
-def share_near(mask, other, tolerance=2):
-    side = 2 * tolerance + 1
-    return (mask & (cv2.dilate(other.astype(np.uint8), np.ones((side, side), np.uint8)) > 0)).sum() / max(mask.sum(), 1)
+def share_near(mask, other):
+    near = cv2.dilate(other.astype(np.uint8), np.ones((5, 5), np.uint8)) > 0  # 2 pixels to every side
+    return (mask & near).sum() / max(mask.sum(), 1)
 
 
 def score(edges, outlines):
@@ -288,74 +335,107 @@ def score(edges, outlines):
 
 
 # %%
-def dim(k):
-    return add_gaussian_noise(to_gray(recording.frame(k)), 20, seed=k)
+def with_truth(recording, numbers, noise):
+    grays = [add_gaussian_noise(to_gray(recording.frame(k)), noise, seed=k) for k in numbers]
+    return list(zip(grays, [outlines(recording.labels(k)) for k in numbers], strict=True))
 
 
-tuning = [(dim(k), outlines(recording.labels(k))) for k in (5, 45)]
-old = np.mean([score(canny(picture, 50, 150), truth) for picture, truth in tuning])
-bright = np.mean([score(canny(to_gray(recording.frame(k)), 50, 150), tuning[i][1]) for i, k in enumerate((5, 45))])
+def mean_score(pictures, low, high, sigma=0.0):
+    return np.mean([score(edges_of(gray, low, high, sigma), truth) for gray, truth in pictures])
+
+
+# %%
+tuning = with_truth(recording, (5, 45), noise=20)
+bright = mean_score(with_truth(recording, (5, 45), noise=0), 50, 150)
+old = mean_score(tuning, 50, 150)
 print(f"F1 at 50, 150: in bright light {bright:.2f}, in dim light {old:.2f}")
 
-assert bright > 0.4 and old < 0.2
+assert round(bright, 2) == 0.46 and round(old, 2) == 0.13
+
+# %%
+dim = tuning[0][0]
+show([dim, edges_of(dim, 50, 150)], ["dim light", "edges at 50, 150"],
+     caption="In dim light every grain is a jump, and the outlines drown in ghosts.",
+     alt="Left, the living room, grainy; right, white speckle nearly all over.")
 
 # %% [markdown]
-# From usable to useless: the node drowns in ghosts. Now look for something better, for all pairs and for several blurs.
+# From usable to useless: from 0.46 to 0.13. Now look for something better: many pairs, each with several blurs.
 
 # %% tags=["nbval-ignore-output"]
 from tqdm.auto import tqdm
 
-lows, highs, sigmas = (20, 50, 80, 120), (50, 80, 120, 200, 400), (0, 1, 2, 3)
+lows, highs, sigmas = (20, 50, 80, 120, 160), (50, 80, 120, 200, 400, 600), (0, 1, 2, 3)
 f1_map = np.zeros((len(sigmas), len(lows), len(highs)))
 for s, sigma in enumerate(tqdm(sigmas, desc="blurs tried")):
-    calm = [gaussian_blur(picture, sigma) if sigma else picture for picture, _ in tuning]
     for i, low in enumerate(lows):
         for j, high in enumerate(highs):
             if low <= high:
-                tried = [score(canny(c, low, high), truth) for c, (_, truth) in zip(calm, tuning, strict=True)]
-                f1_map[s, i, j] = np.mean(tried)
-assert f1_map.max() <= 1
+                f1_map[s, i, j] = mean_score(tuning, low, high, sigma)
+assert 0 < f1_map.max() <= 1
 
 # %% [markdown]
-# Each square of the map is one pair of thresholds; the brighter, the better.
+# Each square of the map is one pair of thresholds; the brighter, the better. **Look** for the bright spot, and where it goes as the blur grows.
 
 # %%
-show([f1_map[s] for s in range(len(sigmas))], [f"sigma {sigma}" for sigma in sigmas], limits=(0, 0.5), columns=2,
-     caption=f"F1 in dim light; rows are low = {lows}, columns high = {highs}, black where low is above high.",
-     alt="Four maps of four by five squares; without blur most are dark, with a blur of 2 pixels most are bright.")
+figure, axes = draw(list(f1_map.round(2)), [f"sigma {sigma}" for sigma in sigmas], limits=(0, 0.5), columns=2)
+for one in axes:
+    one.set_xticks(range(len(highs)), highs)
+    one.set_yticks(range(len(lows)), lows)
+    one.set(xlabel="high", ylabel="low")
+show_figure(figure, caption="F1 in dim light, for each blur. Pairs with low above high are no pairs, and stay at 0.",
+            alt="Four maps of squares: the bright ones are at the right without blur, and further left with each blur.")
 
-s, i, j = np.unravel_index(f1_map.argmax(), f1_map.shape)
-print(f"best: low {lows[i]}, high {highs[j]}, sigma {sigmas[s]}: F1 {f1_map[s, i, j]:.2f}")
-print(f"best without blur: F1 {f1_map[0].max():.2f}")
-assert sigmas[s] > 0 and f1_map.max() > f1_map[0].max() + 0.02 and f1_map.max() > 2 * old
+# %%
+best = {}
+for s, sigma in enumerate(sigmas):
+    i, j = np.unravel_index(f1_map[s].argmax(), f1_map[s].shape)
+    best[sigma] = (lows[i], highs[j])
+    print(f"sigma {sigma}: best pair {lows[i]:3}, {highs[j]:3}, F1 {f1_map[s, i, j]:.2f}")
+
+assert best == {0: (160, 400), 1: (120, 120), 2: (50, 50), 3: (20, 50)}
+assert f1_map.max() == f1_map[1].max() and f1_map.max() < bright
 
 # %% [markdown]
-# Three lessons in one map. The best settings blur. With a good blur the thresholds hardly matter, and without it they matter much. And no setting brings back what the bright picture had.
+# Three lessons in one map:
+#
+# - Blur and thresholds belong together. A blur flattens the jumps, so the more blur, the lower the best pair: from (160, 400) to (20, 50).
+# - The best setting blurs a little, by one pixel. A blur of three takes outlines away with the noise.
+# - No setting brings back what the bright picture had.
 #
 # ## 7 · Judge on frames that you did not tune on (5 minutes)
 #
-# Whoever tunes on two frames and boasts with the same two is cheating without knowing it. **Check** on others:
+# Whoever tunes on two frames and boasts with the same two is cheating without knowing it. **Predict**: will the best pair still be the better one on two other frames? **Check**:
 
 # %%
-fresh = [(dim(k), outlines(recording.labels(k))) for k in (25, 65)]
-new = np.mean([score(canny(picture, lows[i], highs[j], sigma=sigmas[s]), truth) for picture, truth in fresh])
-old_there = np.mean([score(canny(picture, 50, 150), truth) for picture, truth in fresh])
-print(f"on fresh frames: tuned {new:.2f}, the old 50 and 150 {old_there:.2f}")
+fresh = with_truth(recording, (25, 65), noise=20)
+tuned = mean_score(fresh, *best[1], sigma=1)
+unblurred = mean_score(fresh, *best[0])
+old_there = mean_score(fresh, 50, 150)
+print(f"on fresh frames: tuned {tuned:.2f}, the best without blur {unblurred:.2f}, 50 and 150 {old_there:.2f}")
 
-assert new > 2 * old_there
+assert (round(tuned, 2), round(unblurred, 2), round(old_there, 2)) == (0.42, 0.38, 0.14)
+
+# %% [markdown]
+# The order holds, with F1 a little lower: 0.42 in place of the 0.45 that the tuning frames promised. The 0.42 is the honest number.
+
+# %%
+assert round(f1_map.max(), 2) == 0.45
 
 # %% [markdown]
 # ## 8 · Practice: better than the map (6 minutes)
 #
-# Turn the knobs yourself on a dim frame. Then write your numbers into the cell below the picture and see what they are worth on the fresh frames.
+# Turn the knobs yourself, on a dim frame that is in neither list. Then write your numbers into the cell below the picture and see what they are worth on the fresh frames. Look once: each time you look and turn again, the fresh frames are a little less fresh.
 
 # %% tags=["nbval-ignore-output"]
-tuner = tune(canny, dim(35), thresholds=(0, 1020), sigma=(0, 5.0))
+practice = with_truth(recording, (35,), noise=20)[0][0]
+tuner = tune(edges_of, practice, thresholds=(0, 1020), sigma=(0, 5.0),
+             caption="Edges of a dim frame: keep the outlines, lose the grain.",
+             alt="White lines and speckle on black, as the sliders leave them.")
 
 # %%
 my_low, my_high, my_sigma = 50, 150, 1.0
-mine = np.mean([score(canny(picture, my_low, my_high, sigma=my_sigma), truth) for picture, truth in fresh])
-print(f"mine: {mine:.2f}   the map's: {new:.2f}")
+mine = mean_score(fresh, my_low, my_high, my_sigma)
+print(f"mine: {mine:.2f}   the map's: {tuned:.2f}")
 assert 0 <= mine <= 1
 
 # %% [markdown]
@@ -367,6 +447,7 @@ assert 0 <= mine <= 1
 # |---|---|---|---|---|
 # | *gray* | (720, 1280) | uint8 | 0 to 255 | grey level |
 # | low, high | one number each | int | 0 to 1530 | Sobel answer (a straight step of h gives 4 h) |
+# | sigma | one number | float | 0 to 10 | pixel |
 # | *edges* | (720, 1280) | uint8 | 0 and 255 | no and yes |
 # | outlines | (720, 1280) | bool | False, True | no and yes |
 # | precision, recall, F1 | one number each | float64 | 0 to 1 | share |
