@@ -32,7 +32,25 @@ OUTCOMES = {
     "hostile": "gave out what no answer gives out",
     "not judged": "could not be judged; your teacher will look at it",
 }
-_NOTHING_TO_SHOW = ("not attempted", "missing")
+_NOTHING_TO_SHOW = ("not attempted", "missing", "refused module")
+# Where every check of an exercise ended like this, no inputs are the cause, and no check's hint helps.
+_ADVICE = {
+    "missing": "Grading looks into the lesson's own answer cell alone: take a fresh copy of the lesson, write"
+    " your function there, and let `imgproc-course check` look at it before you hand it in.",
+    "refused module": "The task is to write it by hand: leave out what it refuses.",
+    "time": "It comes to no end in time, whatever it is given: is there a loop whose condition stays true, or"
+    " one that goes over every pixel again for each pixel?",
+    "memory": "It needs too much, whatever it is given: what grows with every turn of a loop?",
+    "output": "Take the print calls out of your function.",
+    "crashed": "Nothing in your function may end Python: no exit(), no quit(), no os._exit().",
+}
+_CELL_ADVICE = (
+    "No check could call your function: run the cell in the lesson, and mend what Python says there."
+)
+_NAME_ADVICE = (
+    "Grading runs the given cell of the exercise and your answer cell, and nothing else of the notebook: what"
+    " your function needs must stand in one of the two."
+)
 LOOK_AT = ("hostile", "crashed", "output", "memory", "refused module", "not judged")
 _BINS = 10
 
@@ -48,8 +66,14 @@ def _environment():
     )
     environment.finalize = lambda value: visible(value, 20_000) if type(value) is str else value
     environment.globals["outcomes"] = OUTCOMES
+    environment.filters["capital"] = _capital
     environment.filters["percent"] = lambda pair: round(100 * pair[0] / pair[1]) if pair[1] else 0
     return environment
+
+
+def _capital(text):
+    """The text with a capital; what begins with a name of Python's, like my_psnr(), stays as it is."""
+    return text[:1].upper() + text[1:] if text.split(" ", 1)[0].isalpha() else text
 
 
 def _page(name, **content):
@@ -101,15 +125,48 @@ def _with_exercise(notice):
 
 
 def _exercise_view(exercise, notes, declared):
+    advice, alike = _advice_of(exercise)
     cases, first = [], True
     for case in exercise["cases"]:
         passed = case["outcome"] == "passed"
         view = case | {"passed": passed, "values": [], "pictures": [], "printed_here": "", "open": first}
-        if not passed and not case["hidden"] and "given" in case and case["outcome"] not in _NOTHING_TO_SHOW:
+        view["story"] = "" if alike else _story_of(case)
+        view["hint"] = "" if alike else case["hint"]
+        shows = case["outcome"] not in _NOTHING_TO_SHOW and advice != _CELL_ADVICE
+        if not passed and not case["hidden"] and "given" in case and shows:
             view |= _values_view(case, declared)
             first = False
         cases.append(view)
-    return exercise | {"cases": cases, "notes": notes, "function": declared.function}
+    said = [exercise["said"]] if exercise["said"] and not (notes and advice == _ADVICE["missing"]) else []
+    if alike and not exercise["said"]:
+        said += list(dict.fromkeys(filter(None, map(_story_of, exercise["cases"]))))[:1]
+    return exercise | {
+        "cases": cases,
+        "notes": [*notes, *said],
+        "advice": advice,
+        "function": declared.function,
+    }
+
+
+def _story_of(case):
+    """What is told of a check beside its title; of a hidden one no more than the exception's name."""
+    if case["outcome"] == "crashed" or (case["hidden"] and case["outcome"] not in ("raised", "memory")):
+        return ""
+    return case["said"]
+
+
+def _advice_of(exercise):
+    """(what to do, whether every check ended alike, so that this stands in place of their hints)."""
+    outcomes = {case["outcome"] for case in exercise["cases"]}
+    if len(outcomes) != 1:
+        return "", False
+    (outcome,) = outcomes
+    if outcome == "raised":
+        said = [case["said"] for case in exercise["cases"]]
+        if exercise["said"]:
+            return _CELL_ADVICE, True
+        return (_NAME_ADVICE if all(each.startswith("NameError") for each in said) else ""), False
+    return _ADVICE.get(outcome, ""), outcome in _ADVICE
 
 
 def _values_view(case, declared):
@@ -227,9 +284,10 @@ def _odd(handed_in):
     """(learner, lesson, [what is odd])."""
     for learner, lesson in handed_in:
         told = [
-            f"{notice['exercise']}: {notice['text']}".removeprefix(": ")
+            _with_exercise(notice)
             for notice in lesson["notices"]
-            if notice["kind"] == "odd" or "check cell" in notice["text"] or "answer cell" in notice["text"]
+            # how often something was handed in, the table of learners tells already
+            if not (lesson["earlier"] and notice["text"].startswith("handed in "))
         ]
         for exercise in lesson["exercises"]:
             words = {case["outcome"] for case in exercise["cases"]} & set(LOOK_AT)

@@ -41,7 +41,7 @@ def pages(masters, key_path, tmp_path_factory):
         submissions / NAME / f"{EVIL[:8]}.ipynb",
         notebook(light, {"light-double": SHOUTS, "light-halves": raising}),
     )
-    write(submissions / "zoe" / "20_light.ipynb", b"{")
+    write(submissions / "zoe" / "notes.ipynb", b"{")
     out = folder / "grades"
     grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
     found = {path.name.split("-")[0]: path for path in (out / "learners").iterdir()}
@@ -144,6 +144,85 @@ def test_the_teachers_page_tells_what_there_is_to_tell(pages):
     assert "100 %" in row and "1 of 1" in row
 
 
+def test_of_a_file_that_could_not_be_read_there_are_no_points_to_tell(pages):
+    text = pages["zoe"].read_text(encoding="utf-8")
+    assert "<title>zoe</title>" in text and "0 of 0" not in text and "fresh Python" not in text
+    assert text.count("notes.ipynb") == 1 and "its JSON is broken" in text
+    row = pages["summary"].read_text(encoding="utf-8").rpartition("<bdi>zoe</bdi>")[2].partition("</tr>")[0]
+    assert "not graded" in row
+
+
+# ---------------------------------------------------------------- one cause for every check
+
+ALIKE = {
+    "syntax": "def double(pixels)\n    return pixels",
+    "refused": "import cv2\n\ndef double(pixels):\n    return cv2.add(pixels, pixels)",
+    "endless": "def double(pixels):\n    while True:\n        pass",
+    "ending": "import os\n\ndef double(pixels):\n    os._exit(0)",
+    "nameless": "def double(pixels):\n    return cv9.add(pixels, pixels)",
+    "at-times": "def double(pixels):\n    assert len(pixels) < 9\n    return pixels",
+    "deleted": None,
+    "behind": "def double(pixels):\n    raise NotImplementedError('your turn')",
+}
+
+
+@pytest.fixture(scope="module")
+def alike(light, key_path, tmp_path_factory):
+    """{learner: what their page tells of light-double}, and the teacher's page as "summary"."""
+    folder = tmp_path_factory.mktemp("alike")
+    for name, source in ALIKE.items():
+        made = notebook(light, {"light-double": source, "light-halves": answers_of(light, 0)["light-halves"]})
+        place = [cell["id"] for cell in made["cells"]].index("answer-light-double")
+        if source is None:
+            del made["cells"][place]
+        if name == "behind":
+            other = {"id": "mine", "source": answers_of(light, "right")["light-double"]}
+            made["cells"].insert(place + 1, made["cells"][place] | other)
+        write(folder / "submissions" / name / "20_light.ipynb", made)
+    out = folder / "grades"
+    grade_submissions(folder / "submissions", [key_path], out, workers=1, quiet=True)
+    found = {"summary": (out / "summary.html").read_text(encoding="utf-8")}
+    for path in (out / "learners").iterdir():
+        text = html.unescape(path.read_text(encoding="utf-8"))
+        found[path.stem.rpartition("-")[0]] = text.partition("Twice as bright")[2].partition("Two halves")[0]
+    return found
+
+
+@pytest.mark.parametrize(
+    ("name", "cause", "advice"),
+    [
+        ("syntax", "SyntaxError: expected ':'", "run the cell in the lesson"),
+        ("refused", "cv2, which this exercise refuses.", "write it by hand"),
+        ("endless", "double() used more than 1 s of processor time.", "loop whose condition stays true"),
+        ("ending", "", "no os._exit()"),
+        ("deleted", "Its answer cell was deleted.", "<code>imgproc-course check</code>"),
+    ],
+)
+def test_one_cause_for_every_check_is_told_once_in_place_of_their_hints(alike, name, cause, advice):
+    text = alike[name]
+    assert text.count(cause) == 1 or not cause
+    assert text.count(advice) == 1 and "Hint:" not in text
+    assert text.count('class="failed"') == 2
+    assert "Double()" not in text and "answer cell is missing" not in text
+
+
+def test_a_name_that_is_nowhere_brings_what_grading_runs_and_the_hints(alike):
+    assert alike["nameless"].count("nothing else of the notebook") == 1
+    assert alike["nameless"].count("Hint:") == 2
+
+
+def test_checks_that_end_differently_keep_their_hints(alike):
+    assert alike["at-times"].count("Hint:") == 2 and "AssertionError" in alike["at-times"]
+
+
+def test_an_answer_in_another_cell_is_among_what_the_teacher_looks_at(alike):
+    _, _, looked_at = alike["summary"].partition("<h2>To look at</h2>")
+    rows = looked_at.partition("</section>")[0].split("<tr>")
+    (row,) = [row for row in rows if "<bdi>behind</bdi>" in row]
+    assert "a cell behind its answer defines double()" in row and "0 of 6" in row
+    assert not [row for row in rows if "<bdi>syntax</bdi>" in row]
+
+
 @pytest.mark.browser
 def test_the_pages_in_a_browser(pages, tmp_path):
     from playwright.sync_api import sync_playwright
@@ -160,6 +239,16 @@ def test_the_pages_in_a_browser(pages, tmp_path):
             page.goto(path.as_uri())
             assert page.evaluate("document.documentElement.scrollWidth") <= 1000
             assert page.evaluate("getComputedStyle(document.querySelector('main')).maxWidth") == "992px"
+        page.set_viewport_size({"width": 400, "height": 900})
+        for path in pages.values():
+            page.goto(path.as_uri())
+            assert page.evaluate("document.documentElement.scrollWidth") <= 400
+            apart = "all => all.map(each => [each.firstElementChild, each.lastElementChild])"
+            apart += ".filter(([title, points]) => points.textContent.trim() && "
+            apart += "points.getBoundingClientRect().top > title.getBoundingClientRect().top + 20).length"
+            assert page.eval_on_selector_all(".line", apart) == 0  # points stand beside their title
+            displays = "all => [...new Set(all.map(each => getComputedStyle(each).display))]"
+            assert page.eval_on_selector_all("table.stack td:not(.drawn)", displays) in ([], ["block"])
         page.goto(pages["ada"].as_uri())
         widths = page.eval_on_selector_all("figure img", "all => all.map(each => each.naturalWidth)")
         assert widths == [192, 192, 192, 192]
