@@ -471,7 +471,7 @@ attack(
         written = 0
         try:
             for number in range(1_000):
-                with open(f"/tmp/work/{number}", "wb") as file:
+                with open(f"/tmp/submission/{number}", "wb") as file:
                     for _ in range(15):
                         written += file.write(bytes(1 << 20))
         except OSError as error:
@@ -501,7 +501,7 @@ attack(
     def double(pixels):
         try:
             for number in range(1_000_000):
-                os.mkdir(f"/tmp/work/{number}")
+                os.mkdir(f"/tmp/submission/{number}")
         except OSError as error:
             raise RuntimeError(f"stopped at {'few' if number < 3000 else 'many'}")
     """,
@@ -645,7 +645,7 @@ attack(
     "sys.path and sys.modules",
     """
     import sys
-    sys.path[:] = ["/tmp/work"]
+    sys.path[:] = ["/tmp/submission"]
     sys.path_importer_cache.clear()
     sys.modules.pop("imgproc_course", None)
     """,
@@ -1045,10 +1045,10 @@ attack(
     def double(pixels):
         libc = ctypes.CDLL(None, use_errno=True)
         libc.shmget.restype = ctypes.c_int
-        left = [str(p) for f in ("/tmp/work", "/dev/shm", "/tmp/home") for p in pathlib.Path(f).rglob("mark*")]
+        left = [str(p) for f in ("/tmp/submission", "/dev/shm", "/tmp/home") for p in pathlib.Path(f).rglob("mark*")]
         if libc.shmget(4242, 4096, 0o666) != -1:
             left.append("shared memory")
-        for folder in ("/tmp/work", "/dev/shm", "/tmp/home"):
+        for folder in ("/tmp/submission", "/dev/shm", "/tmp/home"):
             pathlib.Path(folder, "mark").write_text(str(pixels.tolist()))
         libc.shmget(4242, 4096, 0o1666)
         raise RuntimeError(f"left {left}")

@@ -7,7 +7,8 @@ from datetime import datetime
 
 import jsonschema
 import pytest
-from submissions import answers_of, cell_of, notebook, thirty, write
+from form_attacks import FORM_ATTACKS, edit_checks, grade_attacks, wrong_made
+from submissions import answers_of, notebook, thirty, write
 
 from imgproc_course.grading import grades as grades_module
 from imgproc_course.grading.grades import SCHEMA, Store
@@ -253,138 +254,23 @@ def test_an_older_version_is_graded_with_its_own_key_or_said(light, key_path, su
 # ---------------------------------------------------------------- attacks of form
 
 
-def wrong_made(light):
-    return notebook(
-        light,
-        {"light-double": "def double(p):\n    return p", "light-halves": "def halves(p):\n    return p"},
-    )
-
-
-def claim(made, id="light-double"):
-    cell = cell_of(made, f"check-{id}-1")
-    cell["outputs"] = [{"output_type": "stream", "name": "stdout", "text": f"{id}: the check passes.\n"}]
-    cell["execution_count"] = 3
-
-
-def attack_deleted_checks(made):
-    made["cells"] = [cell for cell in made["cells"] if not cell["id"].startswith("check-")]
-
-
-def attack_edited_checks(made):
-    cell_of(made, "check-light-double-1")["source"] = "print('light-double: the check passes.')"
-
-
-def attack_retyped_checks(made):
-    cell_of(made, "check-light-double-1")["cell_type"] = "raw"
-
-
-def attack_points(made):
-    for cell in made["cells"]:
-        cell["metadata"] = {"nbgrader": {"points": 1000, "grade": True, "locked": False}, "points": 1000}
-    made["metadata"]["imgproc_course"]["points"] = 1000
-
-
-def attack_hidden_case_ids(made):
-    for id in ("hidden-light-double-1", "case-light-double-1", "solution-light-double"):
-        made["cells"].append({"id": id, "cell_type": "code", "metadata": {}, "source": "1", "outputs": []})
-
-
-def attack_duplicates(made):
-    made["cells"] += [dict(cell) for cell in made["cells"]]
-
-
-def attack_reordered(made):
-    made["cells"].reverse()
-
-
-def attack_tags(made):
-    cell_of(made, "answer-light-double")["metadata"]["tags"] = [
-        "nbval-skip",
-        "nbval-ignore-output",
-        "raises-exception",
-    ]
-
-
-def attack_tags_of_another_type(made):
-    cell_of(made, "answer-light-double")["metadata"] = {"tags": {"nbval-skip": 1}}
-
-
-def attack_forged_outputs(made):
-    claim(made)
-
-
-def attack_no_execution_counts(made):
-    claim(made)
-    cell_of(made, "check-light-double-1")["execution_count"] = None
-
-
-def attack_kernelspec(made):
-    made["metadata"]["kernelspec"] = {"name": "bash", "language": "bash", "argv": ["/bin/sh"]}
-
-
-def attack_minor_99(made):
-    made["nbformat_minor"] = 99
-
-
-def attack_widget_state(made):
-    made["metadata"]["widgets"] = {"application/vnd.jupyter.widget-state+json": {"state": "<script>"}}
-
-
-def attack_other_lesson(made):
-    made["metadata"]["imgproc_course"]["lesson"] = "../../../etc/passwd"
-
-
-def attack_huge_id(made):
-    made["cells"].append({"id": "answer-" + "x" * 100_000, "cell_type": "code", "source": "1"})
-
-
-ATTACKS = {
-    name.removeprefix("attack_"): each for name, each in globals().items() if name.startswith("attack_")
-}
-TOLD = {
-    "deleted_checks": "was removed",
-    "edited_checks": "was changed",
-    "retyped_checks": "no code any more",
-    "points": "orders to a grader",
-    "duplicates": "stands there 2 times",
-    "tags": "orders to a grader",
-    "forged_outputs": "stored output says that every check passes",
-    "no_execution_counts": "stored output says that every check passes",
-    "kernelspec": "asks for the kernel 'bash'",
-}
-
-
 @pytest.fixture(scope="module")
 def attacked(light, key_path, tmp_path_factory):
-    """Every attack, each followed by an honest submission; and the honest one graded alone."""
-    folder = tmp_path_factory.mktemp("attacked")
-    honest = notebook(light, answers_of(light, "right"))
-    write(folder / "alone" / "alone.ipynb", honest)
-    for name, change in ATTACKS.items():
-        made = wrong_made(light)
-        change(made)
-        write(folder / "submissions" / f"{name}.ipynb", made)
-        write(folder / "submissions" / f"{name}z.ipynb", honest)
-    found = []
-    for name in ("alone", "submissions"):
-        grade_submissions(folder / name, [key_path], folder / f"{name}-grades", workers=1, quiet=True)
-        found.append(json.loads((folder / f"{name}-grades" / "grades.json").read_text()))
-    return found
+    """What each attack came to."""
+    found = grade_attacks(light, key_path, tmp_path_factory.mktemp("attacked"))
+    return {each.attack.name: each for each in found}
 
 
-@pytest.mark.parametrize("name", ATTACKS)
-def test_an_attack_of_form_gains_nothing_and_harms_nobody(attacked, name):
-    alone, grades = attacked
-    assert lesson_of(grades, name)["got"] == 0
-    assert lesson_of(grades, name)["points"] == 6
-    honest, wanted = lesson_of(grades, f"{name}z"), lesson_of(alone, "alone")
-    assert honest["exercises"] == wanted["exercises"]
-    assert (honest["got"], honest["notices"]) == (6, [])
+@pytest.mark.parametrize("name", [each.name for each in FORM_ATTACKS])
+def test_an_attack_of_form_gains_nothing_harms_nobody_and_is_told(attacked, name):
+    found = attacked[name]
+    assert (found.gained, found.harmed) == (0, ())
+    assert found.attack.told in found.reported
 
 
-@pytest.mark.parametrize("name", TOLD)
-def test_an_attack_of_form_is_told(attacked, name):
-    assert any(TOLD[name] in text for text in told(lesson_of(attacked[1], name)))
+def test_attacks_of_form_have_names_of_their_own():
+    names = [each.name for each in FORM_ATTACKS]
+    assert len(names) == len(set(names)) >= 55
 
 
 def test_modules_and_settings_beside_a_notebook_change_nothing(light, submissions, grade, tmp_path):
@@ -416,7 +302,7 @@ def test_a_key_without_what_was_handed_out_still_grades(light, key_path, submiss
     shutil.copytree(key_path, bare)
     (bare / "handed_out.json").unlink()
     made = notebook(light, answers_of(light, "right"))
-    attack_edited_checks(made)
+    edit_checks(made)
     write(submissions / "ada.ipynb", made)
     grade_submissions(submissions, [bare], tmp_path / "grades", workers=1, quiet=True)
     lesson = lesson_of(json.loads((tmp_path / "grades" / "grades.json").read_text()), "ada")

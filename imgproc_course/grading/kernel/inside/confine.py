@@ -67,11 +67,11 @@ def confine(hidden, limits, user):
     _mount("tmpfs", "/dev/shm", "tmpfs", _NOSUID | _NODEV | _NOEXEC, f"{scratch},mode=1777")
     _mount("proc", "/proc", "proc", _NOSUID | _NODEV | _NOEXEC)
     os.umask(0o022)
-    for name in ("home", "work"):
+    for name in ("home", "submission"):
         Path("/tmp", name).mkdir()
         if user is not None:
             os.chown(f"/tmp/{name}", user, user)
-    os.chdir("/tmp/work")
+    os.chdir("/tmp/submission")
     set_limits(limits)
     _become_nobody(user)
 
