@@ -187,7 +187,7 @@ class LiveView:
             thread.join(timeout=3)
         _running.discard(self)
         self._start.disabled, self._stop.disabled = False, True
-        self._figures.value = f"stopped after {self.shown} frames"
+        self._figures.value = f"stopped after {self.shown} frame{'' if self.shown == 1 else 's'}"
 
     def snapshot(self):
         """Keeps frame and result in `.snapshots`, and the picture as a PNG file in the working folder."""
@@ -352,6 +352,9 @@ class _Beat:
 
 
 def _feed_from(source, encoding, rate):
+    if isinstance(source, str) and source in ("recording", "webcam", "drive"):
+        call = 'open_recording("drive")' if source == "drive" else f'open_camera("{source}")'
+        raise ValueError(f'"{source}" is no topic; show live_view({call})')
     if isinstance(source, str):
         return _Topic(source, encoding)
     if hasattr(source, "wait") and hasattr(source, "latest"):

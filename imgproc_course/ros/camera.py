@@ -1,6 +1,7 @@
 """A camera for a notebook: publishes the recorded drive, or a webcam, as the robot publishes its camera."""
 
 import atexit
+import difflib
 import numbers
 import threading
 import time
@@ -17,6 +18,7 @@ from imgproc_course.ros.session import RosSession, log
 
 TOPIC = "/kachaka/front_camera/image_raw"
 NAME_UNKNOWN = "_NODE_NAME_UNKNOWN_"  # what rclpy calls a node whose name has not arrived yet
+SOURCES = ("recording", "webcam", "topic")
 LOOK_AROUND = 1.0  # seconds between two looks for others who publish the same topic
 
 
@@ -56,8 +58,12 @@ def open_camera(source="recording", *, topic=TOPIC, speed=1.0, loop=True, record
 
 
 def _check(source, speed, stamps):
-    if source not in ("recording", "webcam", "topic"):
-        raise ValueError(f"source {source!r} is none of 'recording', 'webcam', 'topic'")
+    if source not in SOURCES:
+        meant = difflib.get_close_matches(str(source), SOURCES, 1)
+        raise ValueError(
+            f"source {source!r} is none of 'recording', 'webcam', 'topic'"
+            + (f"; did you mean {meant[0]!r}?" if meant else "")
+        )
     if not (isinstance(speed, numbers.Real) and 0 < speed < float("inf")):
         raise ValueError(f"speed {speed!r} is no positive number; 1.0 is the recording's own speed")
     if source != "recording" and speed != 1.0:

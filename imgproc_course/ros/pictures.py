@@ -105,7 +105,10 @@ class Webcam:
     """
 
     def __init__(self, number=0):
+        log_level = cv2.utils.logging.getLogLevel()
+        cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)  # the error below says it all
         self._capture = cv2.VideoCapture(number)
+        cv2.utils.logging.setLogLevel(log_level)
         if not self._capture.isOpened():
             raise RuntimeError(f"no webcam answers on this machine (camera {number}); {_WEBCAM_CURE}")
         self.rate = self._capture.get(cv2.CAP_PROP_FPS) or None

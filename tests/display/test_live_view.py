@@ -337,6 +337,8 @@ def test_a_browser_that_falls_behind_is_sent_less(monkeypatch):
     ("arguments", "options", "words"),
     [
         ((np.zeros((4, 4)),), {}, "cannot show ndarray live; expected a Camera"),
+        (("recording",), {}, r'show live_view\(open_camera\("recording"\)\)'),
+        (("drive",), {}, r'show live_view\(open_recording\("drive"\)\)'),
         ((Drive(0),), {}, "holds no camera picture"),
         ((Drive(), 5), {}, "process is int; expected a function"),
         ((Drive(),), {"low": (0, 5)}, "low: sliders need a function"),

@@ -390,10 +390,20 @@ def test_no_webcam_is_said_with_the_cure(open_camera, monkeypatch):
 
 
 @pytest.mark.ros
+def test_where_no_webcam_is_the_error_says_all(capfd):
+    from imgproc_course.ros.pictures import Webcam
+
+    with pytest.raises(RuntimeError, match=r"camera 97\)"):
+        Webcam(97)
+    assert capfd.readouterr().err == ""  # OpenCV's own lines name its sources
+
+
+@pytest.mark.ros
 @pytest.mark.parametrize(
     "options, said",
     [
         ({"source": "robot"}, "source 'robot' is none of 'recording', 'webcam', 'topic'"),
+        ({"source": "wecbam"}, "did you mean 'webcam'?"),
         ({"speed": 0}, "speed 0 is no positive number"),
         ({"speed": -1.0}, "speed -1.0 is no positive number"),
         ({"speed": float("nan")}, "speed nan is no positive number"),
