@@ -7,7 +7,24 @@ submission (its cells, metadata, files, archives and names) are tried where subm
 # ruff: noqa: E501 - the lines are the attackers' own
 
 from dataclasses import dataclass, field
+from pathlib import Path
 from textwrap import dedent
+
+from tqdm import tqdm
+
+from imgproc_course.grading.judge import Limits, judge
+
+MASTERS = Path(__file__).parent / "masters"
+LESSON = "10_attacked"
+SEED = 8_675_309
+PUBLISHED = range(1, 63)  # numbers of the published list
+# Short, so that what never ends is soon ended; long enough for two kernels on a busy machine.
+SHORT = Limits(grace=0.5, wall_factor=4, wall_grace=2.0, memory=1 << 30, output=2 << 20)
+RIGHT = {
+    "attacked-double": "def double(pixels):\n"
+    "    return np.minimum(pixels.astype(int) * 2, LIMIT).astype(np.uint8)",
+    "attacked-mean": "def mean(values):\n    return sum(values) / len(values)",
+}
 
 
 @dataclass(frozen=True)
@@ -20,6 +37,11 @@ class Attack:
     outcomes: frozenset = field(default_factory=lambda: frozenset({"wrong"}))
     told: str = ""
     silent: str = ""
+
+    @property
+    def title(self):
+        """What it is called; of its own among all."""
+        return f"{self.number}: {self.name}"
 
 
 WRONG = "\ndef double(pixels):\n    return np.zeros(pixels.shape, np.uint8)\n"
@@ -741,6 +763,24 @@ attack(
     told="done []",
     wrong=False,
 )
+for _when, _check in (("every", "True"), ("the last", "len(pixels) == 5")):
+    # Kernels are made ahead: in the same group one would wait for the next check, or the next submission.
+    attack(
+        56,
+        f"killing its process group in {_when} check",
+        f"""
+        import os, signal
+        def double(pixels):
+            if {_check}:
+                for group in (0, -1):
+                    try:
+                        os.kill(group, signal.SIGKILL)
+                    except OSError:
+                        pass
+            return pixels
+        """,
+        wrong=False,
+    )
 attack(
     57,
     "links to files of the system",
@@ -1090,3 +1130,66 @@ attack(
     "crashed",
     "wrong",
 )
+
+
+# ---------------------------------------------------------------- judging them all
+
+
+@dataclass(frozen=True)
+class Attacked:
+    """What an attack came to: results of `judge`, of itself and of the honest submission behind it."""
+
+    attack: Attack
+    result: dict
+    neighbour: dict
+    alone: dict
+
+    @property
+    def exercise(self):
+        """The result of the exercise that was attacked."""
+        return exercise_of(self.result, "attacked-double")
+
+    @property
+    def harmed(self):
+        """What it harmed, in words; empty where everything beside it is graded as if alone."""
+        harm = []
+        if of_submission(self.neighbour) != of_submission(self.alone):
+            harm.append("the next submission")
+        if exercise_of(self.result, "attacked-mean")["got"] != 7:
+            harm.append("its own other exercise")
+        return tuple(harm)
+
+
+def judge_attacks(key, *, quiet=True, **options):
+    """Judge all attacks, an honest submission behind each of them, and the honest one alone before.
+
+    Parameters
+    ----------
+    key : Key of MASTERS
+    quiet : bool or None, as tqdm's `disable`
+    options : as `judge` takes them
+
+    Returns
+    -------
+    list of Attacked
+    """
+    handed = [("alone", LESSON, RIGHT)]
+    for each in ATTACKS:
+        handed.append((each.title, LESSON, RIGHT | {"attacked-double": each.source}))
+        handed.append((f"after {each.title}", LESSON, RIGHT))
+    results = judge(handed, key, **({"limits": SHORT} | options))
+    bar = tqdm(results, "attacks by source", len(handed), unit=" submissions", disable=quiet)
+    found = {result["submission"]: result for result in bar}
+    return [
+        Attacked(each, found[each.title], found[f"after {each.title}"], found["alone"]) for each in ATTACKS
+    ]
+
+
+def exercise_of(result, id):
+    """One exercise's part of a result."""
+    return next(each for each in result["exercises"] if each["id"] == id)
+
+
+def of_submission(result):
+    """A result without its submission's name."""
+    return {name: value for name, value in result.items() if name != "submission"}

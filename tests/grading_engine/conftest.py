@@ -1,17 +1,15 @@
 """A key of a small lesson that is there to be attacked, made once a session."""
 
+import sys
 from pathlib import Path
 
 import pytest
 
-from imgproc_course.grading.judge import judge
-from imgproc_course.grading.kernel.sandbox import Limits
-from imgproc_course.grading.key import make_key
+sys.path.insert(0, str(Path(__file__).parent))
+from attacks import LESSON, MASTERS, RIGHT, SEED, SHORT
 
-MASTERS = Path(__file__).parent / "masters"
-SEED = 8_675_309
-# Short, so that what never ends is soon ended; long enough for two kernels on a busy machine.
-SHORT = Limits(grace=0.5, wall_factor=4, wall_grace=2.0, memory=1 << 30, output=2 << 20)
+from imgproc_course.grading.judge import judge
+from imgproc_course.grading.key import make_key
 
 
 @pytest.fixture(scope="session")
@@ -27,11 +25,7 @@ def key(tmp_path_factory):
 @pytest.fixture(scope="session")
 def right():
     """The right answers of the attacked lesson."""
-    return {
-        "attacked-double": "def double(pixels):\n"
-        "    return np.minimum(pixels.astype(int) * 2, LIMIT).astype(np.uint8)",
-        "attacked-mean": "def mean(values):\n    return sum(values) / len(values)",
-    }
+    return dict(RIGHT)
 
 
 @pytest.fixture
@@ -41,7 +35,7 @@ def grade(key, right):
     def graded(source, *, exercise="attacked-double", **options):
         answers = right | {exercise: source}
         options = {"workers": 1, "limits": SHORT} | options
-        (result,) = judge([("one", "10_attacked", answers)], key, **options)
+        (result,) = judge([("one", LESSON, answers)], key, **options)
         return next(each for each in result["exercises"] if each["id"] == exercise)
 
     return graded

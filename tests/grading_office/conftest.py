@@ -7,14 +7,12 @@ from pathlib import Path
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
+from submissions import MASTERS, SEED
 
 from imgproc_course.grading.key import make_key
 from imgproc_course.grading.masters import find_masters, read_master
 from imgproc_course.grading.office import grade_submissions
 from imgproc_course.grading.term import open_term, write_handed_out
-
-MASTERS = Path(__file__).parent / "masters"
-SEED = "a-secret-that-nobody-is-told"
 
 
 @pytest.fixture(scope="session")

@@ -4,9 +4,12 @@ import json
 import os
 import random
 from datetime import datetime
+from pathlib import Path
 
 from imgproc_course.grading.key import sample_answers
 
+MASTERS = Path(__file__).parent / "masters"
+SEED = "a-secret-that-nobody-is-told"
 VERSION = "0.1.0"
 
 

@@ -3,12 +3,17 @@
 import json
 import random
 import shutil
+import sys
 from datetime import datetime
+from pathlib import Path
 
 import jsonschema
 import pytest
+
+sys.path.append(str(Path(__file__).parents[1] / "grading_engine"))
+from attacks import ATTACKS, PUBLISHED
 from form_attacks import FORM_ATTACKS, edit_checks, grade_attacks, wrong_made
-from submissions import answers_of, notebook, thirty, write
+from submissions import MASTERS, SEED, answers_of, notebook, thirty, write
 
 from imgproc_course.grading import grades as grades_module
 from imgproc_course.grading.grades import SCHEMA, Store
@@ -273,6 +278,12 @@ def test_attacks_of_form_have_names_of_their_own():
     assert len(names) == len(set(names)) >= 55
 
 
+def test_every_number_of_the_published_list_is_tried():
+    tried = {each.number for each in [*ATTACKS, *FORM_ATTACKS]}
+    assert sorted(set(PUBLISHED) - tried) == []
+    assert min(tried - set(PUBLISHED)) > 100  # our own are told apart
+
+
 def test_modules_and_settings_beside_a_notebook_change_nothing(light, submissions, grade, tmp_path):
     write(submissions / "eve" / "20_light.ipynb", wrong_made(light))
     trap = f"open({str(tmp_path / 'trapped')!r}, 'w').close()"
@@ -310,8 +321,6 @@ def test_a_key_without_what_was_handed_out_still_grades(light, key_path, submiss
 
 
 def test_a_key_made_twice_from_one_seed_is_the_same(key_path, tmp_path):
-    from conftest import MASTERS, SEED
-
     again = make_key(MASTERS, SEED, tmp_path / "key")
     write_handed_out(MASTERS, tmp_path / "key")
     assert again.digest == load_key(key_path).digest

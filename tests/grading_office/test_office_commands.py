@@ -7,8 +7,7 @@ import sys
 
 import pytest
 from click.testing import CliRunner
-from conftest import MASTERS
-from submissions import answers_of, notebook, write
+from submissions import MASTERS, answers_of, notebook, write
 
 from imgproc_course.cli import main
 from imgproc_course.exercises.declaration import MasterError
