@@ -61,6 +61,9 @@ def _kernel(control, descriptor, order, settings, loaded):
         signal.signal(signal.SIGINT, signal.default_int_handler)
         control.close()
         if settings["confined"]:
+            # A group of its own: a signal to the group reaches every process in it, in any PID namespace, and
+            # the kernel that waits for the next check has the same user.
+            os.setsid()
             confine.confine(order["hidden"], order["limits"], settings["user"])
         else:
             confine.die_with_parent()
