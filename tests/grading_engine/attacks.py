@@ -782,6 +782,31 @@ for _when, _check in (("every", "True"), ("the last", "len(pixels) == 5")):
         wrong=False,
     )
 attack(
+    34,
+    "memory that belongs to no process",
+    """
+    import os
+    def double(pixels):
+        held = []
+        for child in range(8):
+            if child and os.fork():
+                continue
+            try:
+                while True:
+                    held.append(os.memfd_create("held"))
+                    os.posix_fallocate(held[-1], 0, 15 << 20)
+            except OSError:
+                pass
+            while child: pass
+        return pixels
+    """,
+    "memory",
+    "crashed",
+    "wrong",
+    "time",
+    wrong=False,
+)
+attack(
     57,
     "links to files of the system",
     """

@@ -79,6 +79,10 @@ class ForkedKernel:
             run.ended = str(ended)
             return run
 
+    def answers(self):
+        """Whether it runs cells; one that waited may have been ended for want of memory."""
+        return not self.run("").ended
+
     def _send(self, raw):
         raw = memoryview(raw)
         self._socket.setblocking(False)

@@ -41,7 +41,7 @@ class Kernels:
         wanted = (tuple(refused), seconds)
         if self._kind == "ipykernel":
             return OrdinaryKernel(*wanted, self.limits, confined=self._confined)
-        if self._spare_is == wanted:
+        if self._spare_is == wanted and self._spare.answers():
             kernel, self._spare, self._spare_is = self._spare, None, None
         else:
             self._drop_spare()

@@ -124,6 +124,12 @@ def _drop_capabilities():
     _checked(_libc.capset(header, none), "capset")
 
 
+def die_first():
+    """Where memory runs out, let this process and what it starts be ended before any other; for good."""
+    with suppress(OSError):
+        Path("/proc/self/oom_score_adj").write_text("1000", encoding="ascii")
+
+
 def die_with_parent():
     """End this process when the one that started it ends."""
     with suppress(OSError):

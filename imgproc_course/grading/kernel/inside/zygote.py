@@ -64,6 +64,7 @@ def _kernel(control, descriptor, order, settings, loaded):
             # A group of its own: a signal to the group reaches every process in it, in any PID namespace, and
             # the kernel that waits for the next check has the same user.
             os.setsid()
+            confine.die_first()
             confine.confine(order["hidden"], order["limits"], settings["user"])
         else:
             confine.die_with_parent()
