@@ -221,6 +221,19 @@ def test_a_photograph_stays_small_and_numbers_stay_exact(shown):
     assert len(shown[1].html) < 60_000
 
 
+@pytest.mark.parametrize("cells", [40, 120, 320, 1280])
+def test_a_figure_is_stored_as_the_smallest_png_unless_a_jpeg_is_smaller(shown, cells):
+    noise = np.random.default_rng(2).integers(0, 256, (cells * 9 // 16, cells, 3), np.uint8)
+    figure, _ = draw(cv2.resize(noise, (1280, 720), interpolation=cv2.INTER_NEAREST))
+    show_figure(figure, alt="noise")
+    kind, stored = re.search(r"data:image/(\w+);base64,([\w+/=]+)", shown[0].html).groups()
+    bgr = cv2.cvtColor(np.asarray(figure.canvas.buffer_rgba()), cv2.COLOR_RGBA2BGR)
+    png = cv2.imencode(".png", bgr, [cv2.IMWRITE_PNG_COMPRESSION, 9])[1]
+    jpeg = cv2.imencode(".jpg", bgr, [cv2.IMWRITE_JPEG_QUALITY, 88, cv2.IMWRITE_JPEG_OPTIMIZE, 1])[1]
+    expected = ("png", png) if png.size <= 100_000 or png.size < jpeg.size else ("jpeg", jpeg)
+    assert (kind, base64.b64decode(stored)) == (expected[0], expected[1].tobytes())
+
+
 def test_nothing_of_the_input_changes(shown):
     array = np.random.default_rng(1).integers(0, 256, (30, 30, 3), np.uint8)
     array.flags.writeable = False
