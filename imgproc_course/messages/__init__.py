@@ -5,15 +5,16 @@
     frame = image_to_array(msg, "bgr8")          # (H, W, 3) uint8
     reply = array_to_image(frame, "bgr8", header=msg.header)
 
-Needs NumPy and OpenCV. Reads any object that has the message's fields; makes messages of sensor_msgs where
-ROS is installed, otherwise of rosbags. Whatever is wrong with a message or an array, a ConversionError says.
+Needs NumPy and OpenCV, and works under any name: the folder may be copied into a package of yours. Reads any
+object that has the message's fields; makes messages of sensor_msgs where ROS is installed, otherwise of
+rosbags. Whatever is wrong with a message or an array, a ConversionError says.
 """
 
-from imgproc_course.messages.compressed import array_to_compressed, compressed_to_array
-from imgproc_course.messages.conversion import array_to_image, image_to_array
-from imgproc_course.messages.depth import depth_to_compressed
-from imgproc_course.messages.encodings import EncodingInfo, encoding_info
-from imgproc_course.messages.errors import ConversionError
+from .compressed import array_to_compressed, compressed_to_array
+from .conversion import array_to_image, image_to_array
+from .depth import depth_to_compressed
+from .encodings import EncodingInfo, encoding_info
+from .errors import ConversionError
 
 __all__ = [
     "ConversionError",

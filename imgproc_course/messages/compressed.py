@@ -10,13 +10,13 @@ import functools
 import cv2
 import numpy as np
 
-from imgproc_course.messages.conversion import bytes_of, described
-from imgproc_course.messages.depth import PNG_SIGNATURE, decode_depth
-from imgproc_course.messages.encodings import encoding_info
-from imgproc_course.messages.errors import ConversionError, shown
-from imgproc_course.messages.message_classes import new_compressed_image
-from imgproc_course.messages.picture_headers import check_jpeg, checked_png
-from imgproc_course.messages.pixels import converter
+from .conversion import bytes_of, described
+from .depth import PNG_SIGNATURE, decode_depth
+from .encodings import encoding_info
+from .errors import ConversionError, shown
+from .message_classes import new_compressed_image
+from .picture_headers import check_jpeg, checked_png
+from .pixels import converter
 
 MAX_VALUES = 2**30  # what OpenCV's encoders take
 JPEG_SIGNATURE = b"\xff\xd8"

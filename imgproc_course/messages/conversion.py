@@ -11,10 +11,10 @@ from typing import NamedTuple
 
 import numpy as np
 
-from imgproc_course.messages.encodings import ENCODINGS, EncodingInfo, encoding_info, generic_name
-from imgproc_course.messages.errors import ConversionError, shown
-from imgproc_course.messages.message_classes import new_image
-from imgproc_course.messages.pixels import converter
+from .encodings import ENCODINGS, EncodingInfo, encoding_info, generic_name
+from .errors import ConversionError, shown
+from .message_classes import new_image
+from .pixels import converter
 
 UINT32_MAX = 2**32 - 1  # the largest height, width and step of a message, and the most bytes it can carry
 

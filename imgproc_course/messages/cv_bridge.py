@@ -12,11 +12,11 @@ import functools
 import cv2
 import numpy as np
 
-from imgproc_course.messages.compressed import array_to_compressed, compressed_to_array, decoded_name
-from imgproc_course.messages.conversion import array_to_image, described, image_to_array
-from imgproc_course.messages.encodings import encoding_info, generic_name
-from imgproc_course.messages.errors import ConversionError, shown
-from imgproc_course.messages.pixels import converter
+from .compressed import array_to_compressed, compressed_to_array, decoded_name
+from .conversion import array_to_image, described, image_to_array
+from .encodings import encoding_info, generic_name
+from .errors import ConversionError, shown
+from .pixels import converter
 
 __all__ = ["CvBridge", "CvBridgeError", "cvtColorForDisplay", "getCvType"]
 

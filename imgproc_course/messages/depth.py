@@ -10,12 +10,12 @@ import struct
 import cv2
 import numpy as np
 
-from imgproc_course.messages.conversion import described
-from imgproc_course.messages.encodings import encoding_info
-from imgproc_course.messages.errors import ConversionError, shown
-from imgproc_course.messages.message_classes import new_compressed_image
-from imgproc_course.messages.picture_headers import MAX_PIXELS, checked_png
-from imgproc_course.messages.rvl import rvl_decode, rvl_encode
+from .conversion import described
+from .encodings import encoding_info
+from .errors import ConversionError, shown
+from .message_classes import new_compressed_image
+from .picture_headers import MAX_PIXELS, checked_png
+from .rvl import rvl_decode, rvl_encode
 
 PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
 # A run of zeros takes a few bytes at any length, so a blank picture of 4 million pixels may be tiny.

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from imgproc_course.messages.errors import ConversionError, shown
+from .errors import ConversionError, shown
 
 MAX_CHANNELS = 512  # as OpenCV 4 counts them
 

@@ -7,7 +7,7 @@ import functools
 
 import numpy as np
 
-from imgproc_course.messages.errors import ConversionError, shown
+from .errors import ConversionError, shown
 
 
 @functools.cache
@@ -23,7 +23,13 @@ def _ros_classes():
 @functools.cache
 def _rosbags_classes():
     """(Image, CompressedImage, function that makes an empty Header) of rosbags, as in ROS 2 Jazzy."""
-    from rosbags.typesys import Stores, get_typestore
+    try:
+        from rosbags.typesys import Stores, get_typestore
+    except ImportError:
+        raise ImportError(
+            "a new message needs the message classes of ROS 2, and sensor_msgs is not installed here; "
+            "source ROS (source /opt/ros/jazzy/setup.bash), or pip install rosbags"
+        ) from None
 
     types = get_typestore(Stores.ROS2_JAZZY).types
     time, header = types["builtin_interfaces/msg/Time"], types["std_msgs/msg/Header"]

@@ -8,7 +8,7 @@ libpng has nothing to complain of on stderr.
 import struct
 import zlib
 
-from imgproc_course.messages.errors import ConversionError, shown
+from .errors import ConversionError, shown
 
 MAX_PIXELS = 2**27  # 134 million: more than any camera on a robot has
 PNG_EXPANSION = 1032  # bytes that one byte of a deflate stream can become: 258 from 2 bits

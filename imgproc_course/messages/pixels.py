@@ -9,8 +9,8 @@ import functools
 import cv2
 import numpy as np
 
-from imgproc_course.messages.encodings import ENCODINGS
-from imgproc_course.messages.errors import ConversionError
+from .encodings import ENCODINGS
+from .errors import ConversionError
 
 _CHANNEL_ORDERS = {"gray", "rgb", "bgr", "rgba", "bgra"}
 _BAYER_IN_OPENCV = {"rggb": "BG", "bggr": "RG", "gbrg": "GR", "grbg": "GB"}  # named there by the second row

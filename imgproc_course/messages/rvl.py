@@ -9,7 +9,7 @@ the first one highest, make a little-endian word of 32 bits.
 
 import numpy as np
 
-from imgproc_course.messages.errors import ConversionError
+from .errors import ConversionError
 
 _MAX_NIBBLES = 11  # of a number of 32 bits
 
