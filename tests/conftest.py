@@ -32,6 +32,44 @@ def pytest_runtest_setup(item):
             pytest.skip(reason)
 
 
+# What takes long begins first: begun last, it would leave the other workers nothing to do meanwhile.
+LONGEST_FIRST = ("ros_packages", "browser", "grading_engine", "grading_office", "notebooks", "ros")
+# A worker takes a file at a time; of these folders all files, for what they share (a colcon workspace, a
+# JupyterLab with its browser) takes long to make; and of these a test at a time, for each is a whole lesson.
+WHOLE_FOLDERS = ("ros_packages", "browser")
+SINGLE_TESTS = ("notebooks",)
+
+
+def _folder(nodeid):
+    """The folder below tests/, or the file that lies in none."""
+    return nodeid.partition("::")[0].removeprefix("tests/").partition("/")[0]
+
+
+def pytest_collection_modifyitems(items):
+    order = {folder: number for number, folder in enumerate(LONGEST_FIRST)}
+    items.sort(key=lambda item: order.get(_folder(item.nodeid), len(order)))
+
+
+def scope_of(nodeid):
+    """What one worker runs one after another: tests with the same answer."""
+    if (folder := _folder(nodeid)) in SINGLE_TESTS:
+        return nodeid
+    return folder if folder in WHOLE_FOLDERS else nodeid.partition("::")[0]
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config, log):
+    if config.getoption("dist") != "loadfile":
+        return None
+    from xdist.scheduler import LoadScopeScheduling
+
+    class Scheduling(LoadScopeScheduling):
+        def _split_scope(self, nodeid):
+            return scope_of(nodeid)
+
+    return Scheduling(config, log)
+
+
 def pytest_addoption(parser):
     parser.addoption("--no-skips", action="store_true", help="a skipped test is a failure (as in .ci/run)")
 

@@ -33,16 +33,17 @@ OURS = (
 )
 
 
+# nbval alone, as the judge starts it: other plugins, and what JupyterLab brings, cost seconds a notebook.
+NBVAL = ["-p", "imgproc_course.grading.judge_start", "-p", "nbval.plugin", "--nbval"]
+
+
 def by_lesson(paths):
-    """One lesson's tests go to one worker, so that no lesson is built twice."""
-    return [pytest.param(path, id=path.stem, marks=pytest.mark.xdist_group(path.stem)) for path in paths]
+    return [pytest.param(path, id=path.stem) for path in paths]
 
 
 def exercises():
     return [
-        pytest.param(declared, id=declared.id, marks=pytest.mark.xdist_group(path.stem))
-        for path in MASTERS
-        for declared in read_exercises(path)
+        pytest.param(declared, id=declared.id) for path in MASTERS for declared in read_exercises(path)
     ]
 
 
@@ -50,9 +51,9 @@ def run_nbval(path, folder):
     """nbval's own words on a notebook, and whether it found it as stored."""
     environment = {name: value for name, value in os.environ.items() if name not in OURS}
     done = subprocess.run(
-        [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "-q", "--nbval", str(path)],
+        [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "-q", *NBVAL, str(path)],
         cwd=NOTEBOOKS.parent,
-        env=environment | {"IPYTHONDIR": str(folder / ".ipython")},
+        env=environment | {"IPYTHONDIR": str(folder / ".ipython"), "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"},
         capture_output=True,
         text=True,
     )

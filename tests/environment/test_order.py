@@ -1,0 +1,44 @@
+"""The order of the tests, and what one worker takes: long ones first, some folders whole."""
+
+import importlib.util
+from pathlib import Path
+from types import SimpleNamespace
+
+import pytest
+
+TESTS = Path(__file__).parents[1]
+
+
+@pytest.fixture(scope="module")
+def conftest():
+    spec = importlib.util.spec_from_file_location("conftest_of_all", TESTS / "conftest.py")
+    module = importlib.util.module_from_spec(spec)
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setenv("ROS_DOMAIN_ID", "1")  # which the module sets
+        spec.loader.exec_module(module)
+    return module
+
+
+def test_every_folder_that_is_named_exists(conftest):
+    for name in {*conftest.LONGEST_FIRST, *conftest.WHOLE_FOLDERS, *conftest.SINGLE_TESTS}:
+        assert list((TESTS / name).glob("test_*.py")), name
+
+
+@pytest.mark.parametrize(
+    ("test", "scope"),
+    [
+        ("tests/ros/test_camera.py::test_a[x::y]", "tests/ros/test_camera.py"),
+        ("tests/test_cli.py::test_b", "tests/test_cli.py"),
+        ("tests/browser/test_lessons.py::test_c[03_grayscale]", "browser"),
+        ("tests/notebooks/test_lessons.py::test_d[01]", "tests/notebooks/test_lessons.py::test_d[01]"),
+    ],
+)
+def test_what_a_worker_runs_one_after_another(conftest, test, scope):
+    assert conftest.scope_of(test) == scope
+
+
+def test_long_ones_come_first_and_the_rest_keeps_its_order(conftest):
+    names = ["tests/imaging/b.py::t", "tests/test_cli.py::t", "tests/ros/a.py::t", "tests/browser/a.py::t"]
+    items = [SimpleNamespace(nodeid=name) for name in names]
+    conftest.pytest_collection_modifyitems(items)
+    assert [item.nodeid for item in items] == [names[3], names[2], names[0], names[1]]
