@@ -42,9 +42,7 @@ def by_lesson(paths):
 
 
 def exercises():
-    return [
-        pytest.param(declared, id=declared.id) for path in MASTERS for declared in read_exercises(path)
-    ]
+    return [pytest.param(declared, id=declared.id) for path in MASTERS for declared in read_exercises(path)]
 
 
 def run_nbval(path, folder):
