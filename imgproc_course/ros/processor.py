@@ -351,6 +351,7 @@ class ImageProcessor(Node):
             topic=self._topic,
             message_type=self._kind,
             qos=SENSOR_DATA,
+            received=self._tally.received,
             matched=self._subscription.get_publisher_count(),
             incompatible_qos=None,
             last_error=None,

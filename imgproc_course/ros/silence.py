@@ -13,7 +13,8 @@ def why_nothing_came(subscriber, waited, failed):
 
     Parameters
     ----------
-    subscriber : ImageSubscriber, running
+    subscriber : ImageSubscriber, running (or what has its attributes); `received` tells one that has heard
+        pictures before from one that never has
     waited : seconds that it waited in vain
     failed : frames that arrived meanwhile and did not convert
     """
@@ -78,6 +79,11 @@ def _silent(publishers, subscriber):
         f"{p.node_namespace.rstrip('/')}/{p.node_name}" for p in publishers if "UNKNOWN_" not in p.node_name
     }
     who = ", ".join(sorted(known)) or "a node whose name is not known yet"
+    if subscriber.received:
+        return (
+            f"{who} publishes it, and nothing came any more; it is paused, or was killed or cut off (ROS "
+            "notices only after some 20 s)"
+        )
     compressed = subscriber.topic.endswith("compressed")
     lost = (
         ""

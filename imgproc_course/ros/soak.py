@@ -43,25 +43,32 @@ def soak(minutes=10.0, speed=3.0, *, warm_up=25.0, say=print):
     Returns
     -------
     int, the exit code: 0, or 1 when a picture was lost or failed, memory, threads or open files grew, or a
-    process ended; Ctrl-C ends the run and judges what there is
+    process ended; Ctrl-C ends the run and judges what there is, or is 130 where nothing was measured yet
 
     Raises
     ------
-    ValueError : a length that is none; the two packages are nowhere
+    ValueError : a length, speed or warm-up that is none; the two packages are nowhere
     """
-    if not 0 < minutes < float("inf"):
-        raise ValueError(f"minutes must be a positive number, got {minutes!r}")
+    for name, number in (("minutes", minutes), ("speed", speed)):
+        if not 0 < number < float("inf"):
+            raise ValueError(f"{name} must be a positive number, got {number!r}")
+    if not 0 <= warm_up < float("inf"):
+        raise ValueError(f"the warm-up must be 0 or more seconds, got {warm_up!r}")
     graph = _Graph(speed, say)
     # Ended by SIGTERM like by Ctrl-C, so that no camera and no node is left behind.
     former = signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
         graph.start()
         graph.run(warm_up)
-        graph.forget()
-        say(f"warm after {warm_up:g} s; {minutes:g} minutes from now on (Ctrl-C ends them)")
-        graph.run(minutes * 60)
-        graph.catch_up()
+        if graph.is_whole:
+            graph.forget()
+            say(f"warm after {warm_up:g} s; {minutes:g} minutes from now on (Ctrl-C ends them)")
+            graph.run(minutes * 60)
+            graph.catch_up()
     except KeyboardInterrupt:
+        if not graph.is_warm:
+            say("ended by Ctrl-C during the warm-up: nothing was measured")
+            return 130
         say("ended by Ctrl-C")
     finally:
         graph.stop()
@@ -80,9 +87,15 @@ class _Graph:
         self._commands = {"camera": [sys.executable, "-c", _PLAY.format(self._topic, speed)]}
         self._commands |= {name: [*_command(name), *rename] for name in NODES}
         self._processes, self._watched, self._subscribers, self._before = {}, {}, {}, {}
+        self._said = dict.fromkeys(self._commands, b"")  # the end of what each wrote to stderr
         self._numbers = {}
         self._problems = []
         self._seconds = 0.0
+        self.is_warm = False
+
+    @property
+    def is_whole(self):
+        return not self._problems
 
     def start(self):
         for name, command in self._commands.items():
@@ -134,17 +147,18 @@ class _Graph:
 
     def _look_for_ends(self):
         for name, process in self._processes.items():
-            if process.poll() is not None and not self._problems:
-                said = (process.stderr.read() or b"").decode(errors="replace").strip().splitlines()
-                self._problems.append(f"{name} ended with code {process.returncode}: {' / '.join(said[-2:])}")
-            elif process.poll() is None:
-                process.stderr.read()  # a full pipe would stop the process
+            code = process.poll()  # before the pipe is read: what it said last is in there
+            self._said[name] = (self._said[name] + (process.stderr.read() or b""))[-4000:]
+            if code is not None and not self._problems:
+                said = self._said[name].decode(errors="replace").strip().splitlines()
+                self._problems.append(f"{name} ended with code {code}: {' / '.join(said[-2:])}")
 
     def _line(self):
         return "; ".join(f"{name} {self._frames(name)} frames, {self._losses(name)} lost" for name in NODES)
 
     def forget(self):
         """What came so far does not count."""
+        self.is_warm = True
         for watched in self._watched.values():
             watched.samples.clear()
         self._before = {name: self._counts(name) for name in NODES}

@@ -7,6 +7,7 @@ import numpy as np
 
 SILENCE = 3.0  # seconds without a picture after which a stream is silent
 RECENT = 600  # pictures that rate and times are taken from
+LATE = 1.5  # seconds from one look to the next, due after one, by which something has held up the thread
 
 
 class Stream:
@@ -95,12 +96,15 @@ class Tally:
             return None
         sent = lost + self.received - received
         share = (self.busy - busy) / (now - then)
-        start = f"{lost} of {sent} pictures of the last second never came: "
+        lasted = "second" if now - then < LATE else f"{now - then:.1f} s"
+        start = f"{lost} of {sent} pictures of the last {lasted} never came: "
         if share > 0.5:
             return f"{start}this node is busy {share:.0%} of the time, so the oldest are dropped"
+        if now - then >= LATE:
+            return f"{start}this node's thread was held up meanwhile, so the oldest were dropped"
         return (
-            f"{start}lost on the way; the camera's process needs the course's DDS profile "
-            "(import imgproc_course.ros there), or subscribe to the /compressed topic"
+            f"{start}lost on the way; does the camera's process use the course's DDS profile (import "
+            "imgproc_course.ros there)? Or this machine is too busy: subscribe to the /compressed topic"
         )
 
     def as_dict(self):

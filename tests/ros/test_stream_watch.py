@@ -50,18 +50,20 @@ def test_a_middleware_that_does_not_number_messages_tells_no_losses():
 
 
 @pytest.mark.parametrize(
-    "busy, cause",
+    "busy, passed, told",
     [
-        (0.9, "this node is busy 90% of the time, so the oldest are dropped"),
-        (0.1, "lost on the way; the camera's process needs the course's DDS profile"),
+        (0.9, 1.0, "last second never came: this node is busy 90% of the time, so the oldest are dropped"),
+        (0.1, 1.0, "last second never came: lost on the way; does the camera's process use the course's DDS"),
+        (0.1, 2.7, "last 2.7 s never came: this node's thread was held up meanwhile, so the oldest were"),
+        (2.7, 3.0, "last 3.0 s never came: this node is busy 90% of the time, so the oldest are dropped"),
     ],
 )
-def test_losses_are_told_once_with_their_cause(clock, busy, cause):
+def test_losses_are_told_once_with_their_cause(clock, busy, passed, told):
     tally = Tally()
     for number in (1, 2, 6):
         tally.arrived(number)
-    tally.busy, clock.now = busy, clock.now + 1.0
-    assert tally.new_losses().startswith(f"3 of 6 pictures of the last second never came: {cause}")
+    tally.busy, clock.now = busy, clock.now + passed
+    assert tally.new_losses().startswith(f"3 of 6 pictures of the {told}")
     clock.now += 1.0
     assert tally.new_losses() is None
 

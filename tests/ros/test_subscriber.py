@@ -225,6 +225,16 @@ def test_the_publisher_is_silent(send, subscribe, session, wait_until):
     assert f"subscribe to {TOPIC}/compressed" in text
 
 
+def test_the_publisher_has_fallen_silent(send, subscribe, session):
+    subscriber = subscribe(TOPIC)
+    send_soon(send, colours())
+    subscriber.wait(5)
+    assert reason(subscriber) == (
+        f"/{session.node.get_name()} publishes it, and nothing came any more; it is paused, or was killed "
+        "or cut off (ROS notices only after some 20 s)"
+    )
+
+
 def test_frames_arrive_and_none_converts(send, subscribe):
     subscriber = subscribe(TOPIC)
     send_soon(send, broken_image())

@@ -65,12 +65,41 @@ def test_growth_and_its_size_are_found():
     ]
 
 
-@pytest.mark.parametrize("minutes", [0, -1, float("inf"), float("nan")])
-def test_a_length_that_is_none_is_refused(minutes):
+def test_ctrl_c_before_anything_was_measured_is_no_verdict(start):
+    process = start(sys.executable, "-c", SHORT.replace("2.0", "100.0"))
+    process.wait_for(r"10 s: image_gray_processor \d+ frames", seconds=90)
+    assert process.leave(signal.SIGINT, seconds=60) == 130
+    assert process.said.splitlines()[-1] == "ended by Ctrl-C during the warm-up: nothing was measured"
+    assert "┃" not in process.said
+
+
+def test_what_a_process_said_before_it_ended_is_told_whenever_it_was_read(start, tmp_path, workspace):
+    broken = tmp_path / "lib" / "image_gray_processor" / "image_gray_processor"
+    broken.parent.mkdir(parents=True)
+    broken.write_text("#!/bin/sh\necho 'the disk is gone' >&2\nsleep 2\nexit 3\n")
+    broken.chmod(0o755)
+    path = f"{tmp_path}:{workspace.environment['AMENT_PREFIX_PATH']}"
+    process = start(sys.executable, "-c", SHORT, AMENT_PREFIX_PATH=path)
+    assert process.wait(120) == 1
+    assert "image_gray_processor ended with code 3: the disk is gone" in process.said
+    assert "minutes from now on" not in process.said
+
+
+@pytest.mark.parametrize("number", [0, -1, float("inf"), float("nan")])
+@pytest.mark.parametrize("name", ["minutes", "speed"])
+def test_a_length_or_speed_that_is_none_is_refused(name, number):
     from imgproc_course.ros.soak import soak
 
-    with pytest.raises(ValueError, match="minutes must be a positive number, got"):
-        soak(minutes)
+    with pytest.raises(ValueError, match=f"{name} must be a positive number, got"):
+        soak(**{name: number})
+
+
+@pytest.mark.parametrize("seconds", [-1, float("inf"), float("nan")])
+def test_a_warm_up_that_is_none_is_refused(seconds):
+    from imgproc_course.ros.soak import soak
+
+    with pytest.raises(ValueError, match="the warm-up must be 0 or more seconds, got"):
+        soak(warm_up=seconds)
 
 
 def test_the_command_says_what_is_wrong_in_one_line():
