@@ -171,6 +171,12 @@ class TopicIndex:
             self.stamps.append(header_stamp(raw) or time)
 
 
+def _messages(reader, topic, start=None, stop=None):
+    connections = [connection for connection in reader.connections if connection.topic == topic]
+    for _, time, raw in reader.messages(connections, start, stop):
+        yield time, raw
+
+
 def header_stamp(raw):
     """Stamp in ns of a serialized message that begins with a header; 0 where it is unset or there is none."""
     if len(raw) < 12:
@@ -224,7 +230,7 @@ class Bag:
             self._no_such_message(topic, k, len(index.places))
         time, ordinal = index.places[k]
         with self._lock, reading(self.path):
-            for i, (_, raw) in enumerate(self._messages(self._reader, topic, time, time + 1)):
+            for i, (_, raw) in enumerate(_messages(self._reader, topic, time, time + 1)):
                 if i == ordinal:
                     return bytes(raw)
         raise RecordingError(
@@ -242,7 +248,9 @@ class Bag:
                     )
                 # A reader of its own: its place in the file must not move while another message is read.
                 reader = self._stack.enter_context(Reader(self.path))
-                self._indexes[topic] = TopicIndex(self._messages(reader, topic))
+                messages = _messages(reader, topic)
+                self._stack.callback(messages.close)  # first: sqlite closes no file that is still read
+                self._indexes[topic] = TopicIndex(messages)
             index = self._indexes[topic]
             index.reach(k)
             return index
@@ -257,11 +265,6 @@ class Bag:
     def deserialize(self, raw, kind):
         with reading(self.path):
             return self.types.deserialize_cdr(raw, kind)
-
-    def _messages(self, reader, topic, start=None, stop=None):
-        connections = [connection for connection in reader.connections if connection.topic == topic]
-        for _, time, raw in reader.messages(connections, start, stop):
-            yield time, raw
 
     def _no_such_message(self, topic, k, found):
         promised = self.count(topic)

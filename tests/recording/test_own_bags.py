@@ -1,6 +1,8 @@
 """A learner's own bags: both storages, folder or file, raw or compressed pictures, any topic name."""
 
+import gc
 import shutil
+import sys
 
 import cv2
 import numpy as np
@@ -141,6 +143,19 @@ def test_two_recordings_iterate_side_by_side(raw_bag):
             for (_, a), (_, b) in zip(recording, recording, strict=True)
         ]
         assert pairs == [(40 * k % 256, 40 * k % 256) for k in range(6)]
+
+
+@pytest.mark.parametrize("is_in_a_cycle", [False, True])
+def test_a_recording_that_is_dropped_half_read_goes_in_silence(raw_bag, monkeypatch, is_in_a_cycle):
+    said = []
+    monkeypatch.setattr(sys, "unraisablehook", lambda what: said.append(what.exc_value))
+    held = [open_recording(raw_bag)]
+    np.testing.assert_array_equal(held[0].frame(1, "mono8"), gray_pixels(1))
+    if is_in_a_cycle:
+        held.append(held)
+    del held
+    gc.collect()
+    assert said == []
 
 
 def test_pictures_recorded_in_the_same_instant_stay_apart(tmp_path, storage):
