@@ -3,6 +3,7 @@
 import importlib.util
 import os
 import shutil
+import signal
 import zlib
 
 import pytest
@@ -15,6 +16,9 @@ os.environ["ROS_DOMAIN_ID"] = str(20 + _run % 20 * 4 + _worker % 4)
 os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
 os.environ.pop("ROS_LOCALHOST_ONLY", None)
 os.environ.setdefault("MPLBACKEND", "agg")
+# In the background of a script pytest ignores Ctrl-C, and so would every process that a test ends by it.
+if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
+    signal.signal(signal.SIGINT, signal.default_int_handler)
 
 MISSING = {
     "ros": (
