@@ -807,6 +807,37 @@ attack(
     wrong=False,
 )
 attack(
+    34,
+    "twenty processes, each with no more memory than it may have",
+    """
+    import os, time
+    def double(pixels):
+        for _ in range(20):
+            if os.fork() == 0:
+                held = np.ones(120 << 20, np.uint8)
+                time.sleep(600)
+        time.sleep(600)
+    """,
+    "memory",
+    "time",  # where filling it takes longer than the answer has
+    wrong=False,
+)
+attack(
+    34,
+    "memory in segments and file systems of its own",
+    """
+    import ctypes, os
+    def double(pixels):
+        libc = ctypes.CDLL(None, use_errno=True)
+        done = [libc.shmget(0, 1 << 30, 0o1600) != -1, libc.unshare(0x10000000 | 0x20000) == 0]
+        done += [libc.mount(b"t", b"/tmp", b"tmpfs", 0, b"size=1g") == 0]
+        raise RuntimeError(f"done {done}")
+    """,
+    "raised",
+    told="done [False, False, False]",
+    wrong=False,
+)
+attack(
     57,
     "links to files of the system",
     """

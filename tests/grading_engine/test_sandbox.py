@@ -1,13 +1,17 @@
 """The sandbox: what it hides, what it says where there is none, and what it leaves."""
 
 import os
+import platform
 import subprocess
 import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
+import psutil
 import pytest
 
-from imgproc_course.grading.kernel import sandbox
+from imgproc_course.grading.kernel import groups, sandbox
 from imgproc_course.grading.kernel.groups import Group
 from imgproc_course.grading.kernel.sandbox import Limits, places_of
 from imgproc_course.grading.kernel.starting import Kernels
@@ -98,44 +102,107 @@ def test_elsewhere_than_on_linux_it_says_where_to_grade(monkeypatch):
     sandbox.why_not.cache_clear()
 
 
-def test_a_group_that_cannot_be_made_is_none(monkeypatch):
-    from imgproc_course.grading.kernel import groups
+# ---------------------------------------------------------------- all processes together
 
+
+def test_a_group_that_cannot_be_made_looks_at_the_sizes(monkeypatch):
     monkeypatch.setattr(groups, "_ROOT", Path("/nowhere"))
-    group = Group(1 << 30, 64)
-    assert group.folders == [] and not group.ran_out()
+    group = Group(1 << 40, 64)
+    assert group.folders == [] and not group.ran_out(os.getpid())
     group.remove()
+    nothing = Group(-groups._BESIDES, 64)
+    assert nothing.ran_out(os.getpid())
+    assert not nothing.ran_out(2**22 + 1)  # there is no such process
 
 
-def test_all_processes_of_a_kernel_together_keep_to_its_memory():
-    group = Group(1 << 30, 64)
-    made = bool(group.folders)
-    group.remove()
-    bomb = """
+def test_pages_that_processes_share_are_counted_once():
+    code = "import os, time\nheld = bytearray(b'x' * (200 << 20))\n"
+    code += "[os.fork() or time.sleep(60) for _ in range(3)]\nprint(flush=True)\ntime.sleep(60)"
+    top = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE)
+    top.stdout.readline()
+    apart, once = (groups._memory_under(top.pid, enough) for enough in (1 << 40, 0))
+    for process in [*psutil.Process(top.pid).children(), top]:
+        process.kill()
+    top.communicate()
+    assert apart > 4 * (200 << 20) and 200 << 20 < once < 300 << 20
+
+
+BOMB = """
 import os, time
-for _ in range(12):
+for _ in range(20):
     if os.fork() == 0:
-        x = np.ones(300 << 20, np.uint8)
-        time.sleep(60)
-x = np.ones(300 << 20, np.uint8)
-time.sleep(1)
+        x = np.ones(120 << 20, np.uint8)
+        time.sleep(600)
+time.sleep(600)
 """
-    with Kernels("fast", limits=Limits(memory=1 << 30, wall_grace=120)) as kernels:
+
+
+@pytest.mark.parametrize(
+    ("kind", "root"), [("fast", groups._ROOT), ("fast", "/nowhere"), ("ipykernel", groups._ROOT)]
+)
+def test_all_processes_of_a_kernel_together_keep_to_its_memory(kind, root, monkeypatch):
+    monkeypatch.setattr(groups, "_ROOT", Path(root))  # where there are no control groups, or none for us
+    most = 0
+    with Kernels(kind, limits=Limits(memory=1 << 30, wall_grace=15)) as kernels:
         kernel = kernels.start((), 5)
-        ended = kernel.run(bomb).ended
-        assert not made or ended == "memory" or kernels._zygote.ran_out()
+        with ThreadPoolExecutor(1) as beside:
+            ended = beside.submit(kernel.run, BOMB)
+            while not ended.done():
+                most = max(most, groups._memory_under(os.getpid(), 0))
+                time.sleep(0.2)
+        assert ended.result().ended == "memory"
+        assert most < 2 << 30  # of what it would take: 2.4 GB
         kernel.stop()
         after = kernels.start((), 5)
-        assert after.run("print(1)").printed == "1\n"
+        ran = after.run("import time\nx = np.ones(120 << 20, np.uint8)\ntime.sleep(0.2)\nprint(x[-1])")
+        assert (ran.printed, ran.ended) == ("1\n", "")
         after.stop()
 
 
-NOBODYS = """
+UNCOUNTED = """
+import ctypes, os, subprocess, threading
+libc = ctypes.CDLL(None, use_errno=True)
+def refused(call, *arguments):
+    return call(*arguments) == -1 and ctypes.get_errno() == 1
+print(refused(libc.shmget, 0, 1 << 30, 0o1600), refused(libc.memfd_create, b"x", 0))
+print(refused(libc.unshare, 0x10000000), refused(libc.mount, b"t", b"/tmp", b"tmpfs", 0, None))
+print(refused(libc.syscall, 56, 0x10000000 | 17, 0, 0, 0, 0), refused(libc.syscall, 425, 8, 0))
+thread = threading.Thread(target=print, args=("a thread",))
+thread.start()
+thread.join()
+print(subprocess.run(["echo", "a process"], capture_output=True, text=True).stdout, end="")
+"""
+
+
+@pytest.mark.skipif(platform.machine() != "x86_64", reason="two of the calls are made by their numbers")
+def test_memory_that_no_process_holds_is_refused_and_threads_and_processes_are_not():
+    with Kernels("fast") as kernels:
+        kernel = kernels.start((), 30)
+        lines = kernel.run(UNCOUNTED).printed.splitlines()
+        kernel.stop()
+    assert lines == [*["True True"] * 3, "a thread", "a process"]
+
+
+# ---------------------------------------------------------------- another user
+
+MARKS = """
+import os
+written = set()
+for place in {line.split()[1] for line in open("/proc/mounts")}:
+    try:
+        os.mkdir(place + "/mark")
+        written.add(place)
+    except OSError:
+        pass
+"""
+NOBODYS = f"""
 from imgproc_course.grading.kernel.starting import Kernels
 with Kernels("fast") as kernels:
     kernel = kernels.start(("cv2",), 30)
     print(kernel.run("import os; print(os.getuid(), os.listdir('/course/site-packages/cv2'))").printed)
     print(kernel.run("print(open('/proc/self/status').read().count('0000000000000000'))").printed)
+    kernel.run({MARKS!r})
+    print(kernel.run("print(sorted(written))").printed)
     kernel.stop()
 """
 
@@ -164,4 +231,5 @@ def test_a_user_who_is_not_root_has_a_sandbox_too():
     )
     lines = done.stdout.split("\n")
     assert lines[0].endswith(" []"), done.stderr[-2000:]
+    assert lines[4] == "['/dev/shm', '/tmp']"  # its own; what it wrote elsewhere the next would find
     assert int(lines[2]) >= 5  # inheritable, permitted, effective, bounding, ambient: all empty

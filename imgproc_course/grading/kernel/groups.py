@@ -1,7 +1,8 @@
-"""Control groups, where this system lets us make them: what all processes of a sandbox may use together.
+"""What all processes of a sandbox may use together: control groups, or a look at their sizes now and then.
 
 The limits of `inside/confine.py` hold for each process; sixty processes of two gigabytes each are a hundred
-and twenty. Versions 1 and 2 are known; where neither lets us, the limits for each process stand alone.
+and twenty. Versions 1 and 2 of control groups are known. Where neither lets us make one, as is usual for a
+user who is not root, whoever waits for the processes asks for the sum of their sizes.
 """
 
 import os
@@ -9,22 +10,26 @@ import time
 from contextlib import suppress
 from pathlib import Path
 
+import psutil
+
 _ROOT = Path("/sys/fs/cgroup")
 _PREFIX = "imgproc-course-"
 _BESIDES = 256 << 20  # the forking process, and a kernel that waits
 
 
 class Group:
-    """A control group for one sandbox; `folders` is empty where none could be made."""
+    """A sandbox's processes; `folders` of control groups, empty where none could be made or are wanted."""
 
-    def __init__(self, memory, processes):
+    def __init__(self, memory, processes, *, control=True):
         self.folders = []
+        self._most = memory + _BESIDES
         limits = {
-            "memory": {"memory.limit_in_bytes": memory + _BESIDES, "memory.max": memory + _BESIDES},
+            "memory": {"memory.limit_in_bytes": self._most, "memory.max": self._most},
             "pids": {"pids.max": 2 * processes + 8},
         }
-        for controller, values in limits.items():
+        for controller, values in limits.items() if control else ():
             self._limit(controller, values)
+        self._without_swap()
         self._killed = self._kills()
 
     def _limit(self, controller, values):
@@ -44,24 +49,49 @@ class Group:
             with suppress(OSError):
                 folder.rmdir()
 
+    def _without_swap(self):
+        """Memory that is swapped out is memory too, and slow; some systems do not count it."""
+        for folder in self.folders:
+            for name, most in (("memory.memsw.limit_in_bytes", self._most), ("memory.swap.max", 0)):
+                if (folder / name).exists():
+                    with suppress(OSError):
+                        (folder / name).write_text(str(most), encoding="ascii")
+
     def enter(self):
         """Put this process into it, before it becomes the sandbox."""
         for folder in self.folders:
             with suppress(OSError):
                 (folder / "cgroup.procs").write_text(str(os.getpid()), encoding="ascii")
 
-    def ran_out(self):
-        """Whether a process of it was ended for want of memory since this was last asked."""
-        before, self._killed = self._killed, self._kills()
-        return self._killed > before
+    def forget(self):
+        """Let what was ended before now count no more: it is not the next kernel's doing."""
+        self._killed = self._kills() or 0
+
+    def ran_out(self, root):
+        """Whether the processes use more than they may.
+
+        Parameters
+        ----------
+        root : int, the process that they are all under
+
+        Returns
+        -------
+        bool; with a control group, whether the system ended one of them for it since this was last asked
+        """
+        kills = self._kills()
+        if kills is None:
+            return _memory_under(root, self._most) > self._most
+        before, self._killed = self._killed, kills
+        return self._killed > (before or 0)
 
     def _kills(self):
+        """How many processes the system has ended for want of memory; None where it does not count that."""
         for folder in self.folders:
             for name in ("memory.events", "memory.oom_control"):
                 with suppress(OSError, ValueError):
                     words = (folder / name).read_text(encoding="ascii").split()
                     return int(words[words.index("oom_kill") + 1])
-        return 0
+        return None
 
     def remove(self):
         """Remove it, as soon as its last process is gone."""
@@ -70,6 +100,33 @@ class Group:
             if not self.folders:
                 return
             time.sleep(0.025)
+
+
+def _memory_under(root, enough):
+    """Bytes that a process and all under it use; beyond `enough`, with the pages that they share once."""
+    try:
+        top = psutil.Process(root)
+        processes = [top, *top.children(recursive=True)]
+    except psutil.Error:
+        return 0
+    used = sum(_resident(process) for process in processes)
+    return used if used <= enough else sum(_proportional(process) for process in processes)
+
+
+def _resident(process):
+    with suppress(psutil.Error):
+        return process.memory_info().rss
+    return 0  # it has ended meanwhile
+
+
+def _proportional(process):
+    try:
+        found = process.memory_full_info()
+    except psutil.AccessDenied:
+        return _resident(process)
+    except psutil.Error:
+        return 0
+    return found.pss + found.swap
 
 
 def _removed(folder):

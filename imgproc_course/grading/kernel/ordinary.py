@@ -15,7 +15,7 @@ from jupyter_client.kernelspec import KernelSpec, KernelSpecManager
 from jupyter_client.manager import KernelManager
 
 from imgproc_course.grading.kernel import sandbox
-from imgproc_course.grading.kernel.running import CellRun, take
+from imgproc_course.grading.kernel.running import LOOK, CellRun, take
 
 _SOCKETS = "/course/kernel"  # the folder as the sandbox sees it
 
@@ -30,9 +30,9 @@ class _OneSpec(KernelSpecManager):
 class OrdinaryKernel:
     """An ipykernel of its own for one check; `run` and `stop` as `ForkedKernel` has them."""
 
-    def __init__(self, refused, seconds, limits, *, confined):
-        self._limits, self._seconds = limits, seconds
-        self._deadline = None
+    def __init__(self, refused, seconds, limits, group, *, confined):
+        self._limits, self._seconds, self._group = limits, seconds, group
+        self._deadline, self._next_look = None, 0.0
         self._cpu = limits.of_system(seconds)["cpu"] + 2  # its start costs more than a fork
         self._folder = Path(tempfile.mkdtemp(prefix="kernel-"))
         shared = self._folder / "shared"
@@ -49,7 +49,14 @@ class OrdinaryKernel:
         )
         self._manager.kernel_spec_manager.words = words
         with Path(os.devnull).open("w", encoding="utf-8") as null:
-            self._manager.start_kernel(env=sandbox.environment(), cwd=str(shared), stdout=null, stderr=null)
+            self._group.forget()
+            self._manager.start_kernel(
+                env=sandbox.environment(),
+                cwd=str(shared),
+                stdout=null,
+                stderr=null,
+                preexec_fn=self._group.enter,
+            )
         self._client = self._manager.client()
         self._client.start_channels()
         try:
@@ -85,10 +92,11 @@ class OrdinaryKernel:
         name = self._client.execute(code, store_history=False, allow_stdin=False, stop_on_error=False)
         left = self._limits.output
         while not run.ended:
+            self._look(run)
             try:
-                message = self._client.get_iopub_msg(timeout=0.2)
+                message = self._client.get_iopub_msg(timeout=0.0 if run.ended else LOOK)
             except Empty:
-                self._look_after(run)
+                self._see_whether_it_is_there(run)
                 continue
             except (ValueError, KeyError, TypeError):  # a forged message
                 run.ended = "hostile"
@@ -117,10 +125,18 @@ class OrdinaryKernel:
         if reply["content"].get("status") == "error" and not run.error[0]:
             take(run, "idle", {"ename": "", "evalue": ""} | reply["content"])
 
-    def _look_after(self, run):
+    def _look(self, run):
+        """End the cell whose time or memory is used up, whatever it says meanwhile."""
+        if time.monotonic() < self._next_look:
+            return
+        self._next_look = time.monotonic() + LOOK
         if time.monotonic() > self._deadline:
             run.ended = "time"
-        elif not self._manager.is_alive():
+        elif self._group.ran_out(self._manager.provisioner.pid):
+            run.ended = "memory"
+
+    def _see_whether_it_is_there(self, run):
+        if not run.ended and not self._manager.is_alive():
             used = time.monotonic() - self._deadline + self._limits.deadline(self._seconds)
             run.ended = "time" if used > self._cpu - 1 else "crashed"
 

@@ -13,7 +13,6 @@ from contextlib import suppress
 from dataclasses import dataclass, field
 
 from imgproc_course.grading.kernel import sandbox
-from imgproc_course.grading.kernel.groups import Group
 
 MIME = "application/vnd.imgproc-course.answer+json"
 _KINDS = {
@@ -25,6 +24,7 @@ _KINDS = {
     "error": {"ename": str, "evalue": str, "traceback": list},
     "idle": {"ename": str, "evalue": str},
 }
+LOOK = 0.05  # seconds between looks at the memory of all processes together
 _SAID = 2_000  # characters of an error's text, and of what a cell printed, that are kept
 
 
@@ -55,6 +55,7 @@ class ForkedKernel:
     def __init__(self, zygote, refused, seconds, limits):
         self._zygote, self._limits = zygote, limits
         self._seconds, self._deadline = seconds, None
+        self._next_look, self._looked = 0.0, False
         self._cpu = limits.of_system(seconds)["cpu"]
         self._kept = b""
         ours, theirs = socket.socketpair()
@@ -67,6 +68,8 @@ class ForkedKernel:
         run = CellRun()
         if self._deadline is None:  # the clock starts with the first cell: a kernel may have waited for it
             self._deadline = time.monotonic() + self._limits.deadline(self._seconds)
+            self._next_look = time.monotonic() + LOOK
+            self._zygote.group.forget()
         try:
             self._send((json.dumps({"n": 1, "code": code}) + "\n").encode("ascii"))
             left = self._limits.output
@@ -99,7 +102,21 @@ class ForkedKernel:
     def _wait(self, event):
         poll = select.poll()
         poll.register(self._socket, event)
-        return poll.poll(max(0.0, self._deadline - time.monotonic()) * 1000)
+        while True:
+            left = self._deadline - time.monotonic()
+            ready = poll.poll(max(0.0, min(left, LOOK)) * 1000)
+            self._look()
+            if ready or left <= 0:
+                return ready
+
+    def _look(self):
+        """End it where it and all that it started use too much memory together."""
+        if time.monotonic() < self._next_look:
+            return
+        self._looked = True
+        if self._zygote.ran_out():
+            raise Ended("memory")
+        self._next_look = time.monotonic() + LOOK
 
     def _line(self, most):
         while b"\n" not in self._kept:
@@ -145,7 +162,10 @@ class ForkedKernel:
             self._socket.close()
         if self._id is not None:
             name, self._id = self._id, None
-            self._zygote.drop(name)
+            if self._looked:  # it had the time to fill memory: the next one begins when that is free again
+                self._zygote.end(name, patience=0)
+            else:
+                self._zygote.drop(name)
 
 
 def _read_line(line):
@@ -180,11 +200,14 @@ def take(run, kind, content):
 
 
 class Zygote:
-    """The process that forks kernels, seen from outside; started again when it is gone."""
+    """The process that forks kernels, seen from outside; started again when it is gone.
 
-    def __init__(self, limits, *, confined):
+    group     Group of all of them
+    """
+
+    def __init__(self, group, *, confined):
         self._confined = confined
-        self._group = Group(limits.memory, limits.processes) if confined else None
+        self.group = group
         self._process = None
         self._control = None
         self._ready = False
@@ -194,7 +217,7 @@ class Zygote:
         """Start it, without waiting until it is ready."""
         ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with theirs:
-            self._process = sandbox.start_zygote(theirs, self._group, confined=self._confined)
+            self._process = sandbox.start_zygote(theirs, self.group, confined=self._confined)
         self._control, self._ready = ours, False
 
     def _await(self):
@@ -262,14 +285,8 @@ class Zygote:
             self.stop()
 
     def ran_out(self):
-        """Whether the system ended a process of the sandbox for want of memory."""
-        return self._group is not None and self._group.ran_out()
-
-    def close(self):
-        """End it for good."""
-        self.stop()
-        if self._group is not None:
-            self._group.remove()
+        """Whether all its kernels' processes together use more memory than they may."""
+        return self._process is not None and self.group.ran_out(self._process.pid)
 
     def stop(self):
         """End it and every kernel; the next fork starts another."""

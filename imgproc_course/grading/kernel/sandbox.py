@@ -169,16 +169,22 @@ def command(settings, *, shared=None):
     if inside != base:
         words += _folder(str(base), str(inside))
     for path in _other_packages():
-        words += ["--tmpfs", path]
+        words += _emptied(path)
     words += _packages()
     for folder, place in (shared or {}).items():
         words += ["--bind", folder, place]
-    words += ["--chdir", "/tmp", "--remount-ro", "/", _interpreter(), *_OPTIONS]
+    # Without a real change of user, kernels own what stands here: what one wrote the next would find.
+    words += ["--remount-ro", "/dev", "--remount-ro", "/"]
+    words += ["--chdir", "/tmp", _interpreter(), *_OPTIONS]
     return words
 
 
 def _folder(source, inside=None):
     return ["--ro-bind", source, inside or source]
+
+
+def _emptied(path):
+    return ["--tmpfs", path, "--remount-ro", path]
 
 
 def _system_folders():
@@ -212,7 +218,7 @@ def _packages():
     # The course itself: an installed copy would hold the grader, and a link to the checkout its path.
     for path in sorted(folder.glob("*imgproc_course*")):
         inside = f"{SITE}/{path.name}"
-        words += ["--tmpfs", inside] if path.is_dir() else ["--ro-bind", os.devnull, inside]
+        words += _emptied(inside) if path.is_dir() else ["--ro-bind", os.devnull, inside]
     words += ["--perms", "0755", "--dir", OURS, "--perms", "0755", "--dir", f"{OURS}/imgproc_course"]
     words += _folder(str(PACKAGE / "__init__.py"), f"{OURS}/imgproc_course/__init__.py")
     for room in ROOMS:
@@ -326,7 +332,7 @@ def start_zygote(control, group, *, confined):
     Parameters
     ----------
     control : socket, its end of a SOCK_SEQPACKET pair
-    group : Group that it is to be in, or None
+    group : Group that it is to be in
     confined : bool; False is --unsafe
 
     Returns
@@ -344,7 +350,7 @@ def start_zygote(control, group, *, confined):
         stdout=subprocess.DEVNULL,
         stderr=subprocess.PIPE,
         pass_fds=[control.fileno()],
-        preexec_fn=group.enter if group is not None else None,
+        preexec_fn=group.enter,
         start_new_session=True,
     )
 

@@ -3,6 +3,7 @@
 import json
 
 from imgproc_course.grading.kernel import sandbox
+from imgproc_course.grading.kernel.groups import Group
 from imgproc_course.grading.kernel.ordinary import OrdinaryKernel
 from imgproc_course.grading.kernel.running import ForkedKernel, Zygote
 
@@ -24,7 +25,8 @@ class Kernels:
             sandbox.demand()
         self._kind, self._confined = kind, not unsafe
         self.limits = limits or sandbox.Limits()
-        self._zygote = Zygote(self.limits, confined=self._confined)
+        self._group = Group(self.limits.memory, self.limits.processes, control=self._confined)
+        self._zygote = Zygote(self._group, confined=self._confined)
         if kind == "fast":
             self._zygote.begin()
         self._spare, self._spare_is = None, None
@@ -40,7 +42,7 @@ class Kernels:
         """
         wanted = (tuple(refused), seconds)
         if self._kind == "ipykernel":
-            return OrdinaryKernel(*wanted, self.limits, confined=self._confined)
+            return OrdinaryKernel(*wanted, self.limits, self._group, confined=self._confined)
         if self._spare_is == wanted and self._spare.answers():
             kernel, self._spare, self._spare_is = self._spare, None, None
         else:
@@ -62,7 +64,8 @@ class Kernels:
     def close(self):
         """End them all."""
         self._drop_spare()
-        self._zygote.close()
+        self._zygote.stop()
+        self._group.remove()
 
     def __enter__(self):
         return self
