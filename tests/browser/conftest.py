@@ -6,7 +6,7 @@ from pathlib import Path
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))
-from jupyter_page import NotebookPage, running_chromium, running_lab
+from jupyter_page import NotebookPage, open_tab, running_chromium, running_lab
 
 
 @pytest.fixture(scope="session")
@@ -23,13 +23,28 @@ def lab(tmp_path_factory):
         yield address, folder
 
 
+@pytest.fixture(scope="session")
+def tab(lab, browser):
+    """A function that gives the tab of all tests; a new one where a test has left a dialog in it."""
+    tabs = []
+
+    def usable():
+        if tabs and tabs[-1].locator(".jp-Dialog").count():
+            tabs.pop().close()
+        if not tabs:
+            tabs.append(open_tab(browser, lab[0]))
+        return tabs[-1]
+
+    return usable
+
+
 @pytest.fixture
-def open_notebook(lab, browser):
-    """Opens a notebook of the lab's folder in a tab; closes the tab and its kernel afterwards."""
+def open_notebook(lab, browser, tab):
+    """Opens a notebook of the lab's folder (by its address: in its own tab); closes it and its kernel."""
     pages = []
 
-    def open_one(name, **options):
-        page = NotebookPage(browser, lab[0], name, **options)
+    def open_one(name, *, by_its_address=False):
+        page = NotebookPage(browser, lab[0], name, tab=None if by_its_address else tab())
         pages.append(page)
         return page
 

@@ -59,6 +59,23 @@ WATCH_LATENCY = """selector => {
         moved = null;
     });
 }"""
+# Whether a JupyterLab that loads can do what OPEN_NOTEBOOK asks for.
+READY = """() => {
+    const app = window.jupyterapp;
+    return app?.commands.hasCommand("docmanager:open") && app.docRegistry.getWidgetFactory("Notebook");
+}"""
+# Opens a notebook in a JupyterLab that runs already, in place of what was open.
+OPEN_NOTEBOOK = """async name => {
+    const app = window.jupyterapp;
+    await app.restored;
+    for (const widget of [...app.shell.widgets("main")]) widget.dispose();
+    const widget = await app.commands.execute("docmanager:open", {path: name});
+    await widget.context.ready;
+    await widget.sessionContext.ready;
+}"""
+CLOSE_ALL = (
+    """() => { for (const widget of [...window.jupyterapp.shell.widgets("main")]) widget.dispose(); }"""
+)
 VIEW = "img.widget-image"
 TRACEBACK = re.compile(r"Traceback \(most recent call last\)|Cell In\[\d+\], line \d+")
 
@@ -83,6 +100,7 @@ def _command(folder, port):
         f"--port={port}",
         f"--ServerApp.root_dir={folder}",
         f"--IdentityProvider.token={TOKEN}",
+        "--expose-app-in-browser",  # for OPEN_NOTEBOOK
     ]
     if list((ROOT / "notebooks").glob("*.ipynb")):
         return [ROOT / "environment/lab", *options]
@@ -154,23 +172,40 @@ def running_chromium():
             browser.close()
 
 
-class NotebookPage:
-    """One notebook in one tab."""
+def open_tab(browser, address):
+    """A tab with JupyterLab in it, for one notebook after another: to load JupyterLab takes seconds."""
+    page = browser.new_page(viewport={"width": 1400, "height": 1000})
+    page.goto(f"{address}/lab/workspaces/tests?reset&token={TOKEN}")
+    page.wait_for_function(READY)
+    return page
 
-    def __init__(self, browser, address, name, *, height=1000):
-        self.page = browser.new_page(viewport={"width": 1400, "height": height})
+
+class NotebookPage:
+    """One notebook in one tab: in a tab of its own, or in a `tab` from `open_tab`."""
+
+    def __init__(self, browser, address, name, *, height=1000, tab=None):
+        self.page = tab or browser.new_page()
+        self.page.set_viewport_size({"width": 1400, "height": height})
         self.page.set_default_timeout(60_000)
-        self._address, self._name = address, name
-        workspace = re.sub(r"\W", "-", name)
-        self.page.goto(f"{address}/lab/workspaces/{workspace}/tree/{name}?reset&token={TOKEN}")
+        self._address, self._name, self._shares = address, name, tab is not None
+        self._closed = False
+        if tab:
+            tab.evaluate(OPEN_NOTEBOOK, name)
+        else:
+            workspace = re.sub(r"\W", "-", name)
+            self.page.goto(f"{address}/lab/workspaces/{workspace}/tree/{name}?reset&token={TOKEN}")
         self.page.wait_for_selector(".jp-Notebook .jp-Cell")
         self.page.locator(".jp-StatusBar-Left", has_text="| Idle").wait_for()
 
     def close(self):
-        """Closes the tab, and ends the kernel that would go on without it."""
-        if self.page.is_closed():
+        """Closes the tab, or the notebook in it, and ends the kernel that would go on without it."""
+        if self._closed:
             return
-        self.page.close()
+        self._closed = True
+        if self._shares:
+            self.page.evaluate(CLOSE_ALL)
+        else:
+            self.page.close()
         for session in json.load(self._ask("GET", "sessions")):
             if session["path"] == self._name:
                 self._ask("DELETE", f"sessions/{session['id']}").close()

@@ -5,7 +5,7 @@ import textwrap
 import pytest
 from jupyter_page import VIEW, write_notebook
 
-pytestmark = [pytest.mark.browser, pytest.mark.xdist_group("browser")]
+pytestmark = pytest.mark.browser
 
 LAST_CELL = ".jp-CodeCell >> nth=-1"
 # A camera of 1280 × 720 at 30 Hz: a bright bar that wanders over a gradient.

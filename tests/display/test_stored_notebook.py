@@ -1,5 +1,6 @@
 """A notebook with every kind of output, executed as lessons are: two runs agree, and so does nbval."""
 
+import os
 import subprocess
 import sys
 import textwrap
@@ -7,6 +8,8 @@ import textwrap
 import nbformat
 from nbclient import NotebookClient
 
+# nbval alone: other plugins, and what JupyterLab brings, cost seconds.
+NBVAL = ["-p", "imgproc_course.grading.judge_start", "-p", "nbval.plugin", "--nbval"]
 WIDGET = "application/vnd.jupyter.widget-view+json"
 CELLS = [
     """
@@ -67,8 +70,9 @@ def test_two_runs_agree_and_nbval_agrees(tmp_path):
     path = tmp_path / "stored.ipynb"
     nbformat.write(first, path)
     ran = subprocess.run(
-        [sys.executable, "-m", "pytest", "--nbval", "-p", "no:cacheprovider", "-q", path],
+        [sys.executable, "-m", "pytest", *NBVAL, "-p", "no:cacheprovider", "-q", path],
         cwd=tmp_path,
+        env={**os.environ, "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"},
         capture_output=True,
         text=True,
     )
