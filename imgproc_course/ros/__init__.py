@@ -4,7 +4,7 @@ Importing this chooses the Fast DDS profile (unless you set one), and never fail
 `ros_available()` is False, and what needs a graph raises RosMissingError, which says what to install.
 """
 
-from imgproc_course.ros.missing import RosMissingError, import_problem, stand_in
+from imgproc_course.ros.missing import RosMissingError, import_problem, stand_in, stand_in_main
 from imgproc_course.ros.profile import DdsProfile, choose_profile
 from imgproc_course.ros.setting import Setting
 
@@ -21,7 +21,7 @@ else:
     Camera, ImageSubscriber, RosSession, open_camera = (
         stand_in(name, _problem) for name in ("Camera", "ImageSubscriber", "RosSession", "open_camera")
     )
-    ImageProcessor, run_processor = (stand_in(name, _problem) for name in ("ImageProcessor", "run_processor"))
+    ImageProcessor, run_processor = stand_in("ImageProcessor", _problem), stand_in_main(_problem)
 
 
 def ros_available():

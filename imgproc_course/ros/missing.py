@@ -17,7 +17,7 @@ def import_problem():
     if middleware and sys.platform == "linux" and not _loads(f"lib{middleware}.so"):
         return (
             f"RMW_IMPLEMENTATION={middleware} is set, but that middleware is not installed here; "
-            "unset RMW_IMPLEMENTATION, then restart the kernel"
+            "unset RMW_IMPLEMENTATION, then start again (in a notebook: restart the kernel)"
         )
     for name in ("rclpy", "rclpy.node", "sensor_msgs.msg"):
         try:
@@ -49,6 +49,16 @@ def _broken(error):
         f"ROS 2 is installed, but Python {version} cannot load it ({error}); start JupyterLab with "
         "environment/lab, or from a shell in which ROS is sourced, with the Python that ROS was built for"
     )
+
+
+def stand_in_main(problem):
+    """A `run_processor` for a node that cannot start: it says why in one line, and returns exit code 2."""
+
+    def run_processor(make_node, args=None):
+        print(f"cannot start: {problem}", file=sys.stderr)
+        return 2
+
+    return run_processor
 
 
 def stand_in(name, problem):

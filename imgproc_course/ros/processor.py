@@ -32,6 +32,7 @@ from rclpy.node import Node
 from rclpy.parameter import Parameter
 from rclpy.qos import qos_policy_name_from_kind
 from rclpy.signals import SignalHandlerOptions
+from rclpy.utilities import remove_ros_args
 from sensor_msgs.msg import CompressedImage, Image
 from std_msgs.msg import String
 
@@ -372,7 +373,7 @@ def run_processor(make_node, args=None):
     Parameters
     ----------
     make_node : function without arguments that returns the node
-    args : of the command line; None for sys.argv
+    args : for ROS; None for those of the command line, which must hold no others
 
     Returns
     -------
@@ -381,6 +382,8 @@ def run_processor(make_node, args=None):
     node, leaving = None, _Leaving()
     try:
         try:
+            if args is None:
+                _refuse_what_is_not_for_ros(sys.argv)
             # ROS's own handlers would shut the context down from another thread, in the middle of a call.
             rclpy.init(args=args, signal_handler_options=SignalHandlerOptions.NO)
             node = make_node()
@@ -397,6 +400,16 @@ def run_processor(make_node, args=None):
             node.destroy_node()
         rclpy.try_shutdown()
     return 0
+
+
+def _refuse_what_is_not_for_ros(command_line):
+    """ROS itself drops it in silence: `--low 40` would start a node with the low of every day."""
+    others = remove_ros_args(command_line)[1:]
+    if others:
+        raise ValueError(
+            f"'{' '.join(others)}' says nothing to a node; a parameter is given as "
+            "--ros-args -p NAME:=VALUE, another topic as --ros-args -r FROM:=TO"
+        )
 
 
 class _Leaving:

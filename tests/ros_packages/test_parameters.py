@@ -131,3 +131,30 @@ def test_a_bad_first_value_ends_the_start_in_one_line(start, workspace, assignme
     [line] = process.said.splitlines()
     assert line.startswith("cannot start: ")
     process.wait_for(reason)
+
+
+@pytest.mark.parametrize(
+    "given, others",
+    [
+        (["--low", "40"], "--low 40"),
+        (["--help"], "--help"),
+        (["--ros-args", "-p", "low:=40", "--", "extra"], "extra"),
+    ],
+)
+def test_what_ros_would_drop_in_silence_ends_the_start(start, workspace, given, others):
+    process = start(workspace.prefix[EDGE] / "lib" / EDGE / EDGE, *given)
+    assert process.wait(60) == 2
+    assert process.said == (
+        f"cannot start: '{others}' says nothing to a node; a parameter is given as "
+        "--ros-args -p NAME:=VALUE, another topic as --ros-args -r FROM:=TO\n"
+    )
+
+
+def test_a_middleware_that_is_not_installed_ends_the_start_in_one_line(start, workspace):
+    executable = workspace.prefix[EDGE] / "lib" / EDGE / EDGE
+    process = start(executable, RMW_IMPLEMENTATION="rmw_none_such_cpp")
+    assert process.wait(60) == 2
+    assert process.said == (
+        "cannot start: RMW_IMPLEMENTATION=rmw_none_such_cpp is set, but that middleware is not installed "
+        "here; unset RMW_IMPLEMENTATION, then start again (in a notebook: restart the kernel)\n"
+    )
