@@ -4,12 +4,20 @@ grades.csv
     a row a learner and lesson; UTF-8 with the mark that spreadsheets know it by
 exports/moodle-<lesson>.csv, of what came from Moodle
     the offline grading worksheet of one assignment, for "Upload grading worksheet": Identifier
-    ("Participant 123"), Full name, Grade, Last modified (grade), Feedback comments
+    ("Participant 123"), Full name, Grade, Last modified (grade), Feedback comments. Moodle finds the columns
+    by their English names and a learner by the Identifier; it passes over a grade above the assignment's
+    maximum, and, as no date stands here, one that takes the place of another, unless "Allow updating records
+    that have been modified more recently" is ticked
 exports/canvas.csv, of what came from Canvas
-    the gradebook: Student, ID, SIS User ID, SIS Login ID, Section, a column a lesson; the row Points Possible
+    the gradebook: Student, ID, SIS User ID, SIS Login ID, Section, a column a lesson that was handed in; the
+    row Points Possible. Canvas finds a learner by the ID, and an assignment by the column's name: one that is
+    called otherwise there is offered as a new one. The row of points changes the assignment's own, and an
+    empty cell takes a grade away
 exports/nbgrader.csv
     the columns of `nbgrader export`: assignment, duedate, timestamp, student_id, last_name, first_name,
     email, raw_score, late_submission_penalty, score, max_score
+
+Where that does not fit, the platform's own table is filled instead (`roster`).
 
 No cell begins like a formula: an apostrophe stands before one that would.
 """
@@ -79,9 +87,7 @@ def exports(grades):
     -------
     {file name: text}
     """
-    lessons = {
-        each["lesson"]: each for key in reversed(grades["keys"]) for each in key["lessons"] if each["points"]
-    }
+    lessons = lessons_of(grades)
     files = {"nbgrader.csv": _nbgrader(grades, lessons)}
     for name in lessons:
         rows = list(_moodle_rows(grades, name))
@@ -92,6 +98,13 @@ def exports(grades):
     if canvas:
         files["canvas.csv"] = _canvas(canvas, lessons)
     return files
+
+
+def lessons_of(grades):
+    """{lesson: what the first key says of it}, of lessons with points."""
+    return {
+        each["lesson"]: each for key in reversed(grades["keys"]) for each in key["lessons"] if each["points"]
+    }
 
 
 def _of_platform(learner, platform):
@@ -108,6 +121,9 @@ def _moodle_rows(grades, name):
 
 
 def _canvas(learners, lessons):
+    # A column of nothing would make a new assignment, or take away the grades of an old one.
+    handed_in = {each["lesson"] for learner in learners for each in learner["lessons"]}
+    lessons = {name: about for name, about in lessons.items() if name in handed_in}
     columns = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section", *lessons)
     rows = [("    Points Possible", "", "", "", "", *(each["points"] for each in lessons.values()))]
     for learner in learners:

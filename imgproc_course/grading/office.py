@@ -21,6 +21,7 @@ from imgproc_course.grading.judge import open_scheduler
 from imgproc_course.grading.kernel import sandbox
 from imgproc_course.grading.register import read_all
 from imgproc_course.grading.report import learner_page, summary_page
+from imgproc_course.grading.roster import RosterError, fill, read_rosters
 from imgproc_course.grading.term import open_term
 
 
@@ -33,7 +34,16 @@ class Told:
 
 
 def grade_submissions(
-    submissions, keys, out, *, deadline=None, afresh=False, scheduler=None, quiet=None, **options
+    submissions,
+    keys,
+    out,
+    *,
+    deadline=None,
+    afresh=False,
+    scheduler=None,
+    rosters=(),
+    quiet=None,
+    **options,
 ):
     """Grade what was handed in, and write everything.
 
@@ -45,6 +55,7 @@ def grade_submissions(
     deadline : datetime, local, or None
     afresh : bool, judge again what was judged before
     scheduler : str, address of a Dask scheduler, or None
+    rosters : sequence of Path, tables that platforms exported, to be filled with points
     quiet : True for no progress bars; None: where stderr is no terminal
     options : kernel, unsafe, workers, limits, as `judge` takes them
 
@@ -59,6 +70,7 @@ def grade_submissions(
     out, submissions = Path(out), Path(submissions)
     term = open_term(keys)
     _refuse_muddle(submissions, keys, out)
+    rosters = read_rosters(rosters)
     unsafe, kernel = options.get("unsafe", False), options.get("kernel", "fast")
     if not unsafe and scheduler is None:
         sandbox.demand()
@@ -72,7 +84,21 @@ def grade_submissions(
         judged = judge_all(learners, term, store, afresh=afresh, quiet=quiet, **options)
     grades = grades_of(learners, term, store, sandbox=not unsafe, deadline=deadline, ignored=intake.ignored)
     _write(out, grades, learners, term, store)
-    return _told(grades, judged, out)
+    return _told(grades, judged, out, _fill(rosters, grades, out))
+
+
+def _fill(rosters, grades, out):
+    """Write the platforms' tables with points in them; gives what is to be said of them."""
+    told = []
+    for roster in rosters:
+        try:
+            text, said = fill(roster, grades)
+        except RosterError as error:  # the points stand in the other tables all the same
+            told.append(f"Not filled: {error}")
+            continue
+        write_whole(out / "exports" / f"filled-{roster.path.name}", text)
+        told += said
+    return told
 
 
 def _refuse_muddle(submissions, keys, out):
@@ -108,7 +134,7 @@ def _remove_others(folder, pattern, kept):
             path.unlink()
 
 
-def _told(grades, judged, out):
+def _told(grades, judged, out, filled):
     handed_in = [lesson for learner in grades["learners"] for lesson in learner["lessons"]]
     graded = [lesson for lesson in handed_in if lesson["status"] == "graded"]
     late = sum(lesson["late"] for lesson in handed_in)
@@ -125,6 +151,7 @@ def _told(grades, judged, out):
         lines[11:] = [f"  and {len(lines) - 11} more"]
     if not grades["sandbox"]:
         lines.append("Graded without a sandbox; grades.json says so.")
+    lines += filled
     width = shutil.get_terminal_size().columns * 3
     lines = [line[:width] for line in lines]
     lines += [f"Points: {out}/grades.csv   Yours: {out}/summary.html   To hand back: {out}/learners/"]

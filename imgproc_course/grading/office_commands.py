@@ -118,8 +118,15 @@ def _would_be_committed(path):
 @click.option("--deadline", type=_Moment(), help="Mark what came later: 2026-12-01T23:59, in local time.")
 @click.option("--unsafe", is_flag=True, help="Run learners' code without a sandbox, as you, with your files.")
 @click.option("--fresh", is_flag=True, help="Grade again what was graded before.")
+@click.option(
+    "--roster",
+    "rosters",
+    type=click.Path(path_type=Path, dir_okay=False),
+    multiple=True,
+    help="Canvas's gradebook or Moodle's grading worksheet, as exported: filled with points, to import back.",
+)
 @click.option("--scheduler", metavar="ADDRESS", help="Grade on a Dask cluster: tcp://10.0.0.5:8786.")
-def grade(submissions, keys, out, workers, kernel, deadline, unsafe, fresh, scheduler):
+def grade(submissions, keys, out, workers, kernel, deadline, unsafe, fresh, rosters, scheduler):
     """Grade everything in SUBMISSIONS: a folder, or the zip of a learning platform.
 
     What was graded before, with the same key and the same answers, is not graded again: a run that was
@@ -140,6 +147,7 @@ def grade(submissions, keys, out, workers, kernel, deadline, unsafe, fresh, sche
             deadline=deadline,
             afresh=fresh,
             scheduler=scheduler,
+            rosters=rosters,
             kernel=kernel,
             unsafe=unsafe,
             workers=workers,

@@ -105,6 +105,18 @@ def test_what_cannot_be_is_said_in_one_line(run, light, key_path, tmp_path, word
     assert code == 2 or len(ended.output.strip().splitlines()) == 1
 
 
+def test_a_platforms_table_is_filled(run, light, key_path, tmp_path):
+    write(tmp_path / "submissions" / "ada_7_100_20_light.ipynb", notebook(light, answers_of(light, "right")))
+    table = tmp_path / "gradebook.csv"
+    table.write_text("Student,ID,Section,20_light (1)\nAda,7,A,\n", encoding="utf-8")
+    done = run("grade", "submissions", "--key", key_path, "--workers", 1, "--roster", table)
+    assert done.exit_code == 0 and "gradebook.csv: 1 points filled in." in done.output
+    filled = (tmp_path / "grades" / "exports" / "filled-gradebook.csv").read_text(encoding="utf-8")
+    assert filled.splitlines() == ["Student,ID,Section,20_light (1)", "Ada,7,A,6"]
+    missing = run("grade", "submissions", "--key", key_path, "--roster", "none.csv")
+    assert missing.exit_code == 1 and "Error: none.csv: it cannot be read" in missing.output
+
+
 def test_without_bubblewrap_it_refuses_unless_told(light, key_path, tmp_path):
     write(tmp_path / "in" / "ada.ipynb", notebook(light, answers_of(light, "right")))
     environment = os.environ | {"PATH": str(tmp_path)}
