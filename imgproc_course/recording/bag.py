@@ -154,6 +154,7 @@ class TopicIndex:
 
     def __init__(self, messages):
         self._messages = messages  # iterator of (log time in ns, serialized message)
+        self._broken = None  # what the iterator ended with: it would go on as if the bag ended here
         self._seen = {}  # log time -> how many of the topic's messages carry it
         self.places = []  # (log time, which of the messages of that time)
         self.stamps = []  # header stamp in ns, or the log time where the robot left it zero
@@ -161,7 +162,13 @@ class TopicIndex:
     def reach(self, k=None):
         """Goes on until message k is known, or to the end."""
         while k is None or len(self.places) <= k:
-            found = next(self._messages, None)
+            if self._broken is not None:
+                raise self._broken
+            try:
+                found = next(self._messages, None)
+            except READ_ERRORS as error:
+                self._broken = error
+                raise
             if found is None:
                 return
             time, raw = found

@@ -5,7 +5,7 @@ from pathlib import Path
 
 import numpy as np
 
-from ..messages import compressed_to_array, image_to_array
+from ..messages import ConversionError, compressed_to_array, encoding_info, image_to_array
 from . import topics as names
 from .bag import Bag, with_stamp
 from .errors import FrameIndexError, NotRecordedError, RecordingError
@@ -19,13 +19,14 @@ STRING = "std_msgs/msg/String"
 
 
 def open_recording(source="drive", *, camera_topic=None):
-    """Opens a recording; nothing but its table of contents is read.
+    """Opens a recording; little but its table of contents is read.
 
     Parameters
     ----------
     source : "drive" for the course's own recording, or the path of a rosbag2 recording of yours:
         its folder, its .mcap or its .db3
-    camera_topic : the topic whose pictures are the frames; without it the first topic of pictures
+    camera_topic : the topic whose pictures are the frames; without it the first topic of colour or gray
+        pictures
 
     Returns
     -------
@@ -235,13 +236,25 @@ class Recording:
             )
         # Depth and labels are pictures too, and may have been recorded first.
         colour = [t for t in pictures if not t.endswith("/compressedDepth") and not t.startswith("/truth/")]
-        chosen = wanted or next((t for t in [*colour, *pictures] if pictures[t]), None)
+        held = [t for t in dict.fromkeys([*colour, *pictures]) if pictures[t]]
+        seen = filter(self._is_to_look_at, held) if len(held) > 1 else ()
+        chosen = wanted or next(iter(seen), held[0] if held else None)
         if chosen is None or not pictures[chosen]:
             raise RecordingError(
                 f"{self.name} holds no message on {wanted or ', '.join(pictures)}; a reliable recorder hears "
                 "nothing of a best-effort camera: record again with --qos-profile-overrides-path"
             )
         return chosen
+
+    def _is_to_look_at(self, topic):
+        """Whether a topic's first picture is one in colour or gray, and no depth in 16UC1 or 32FC1."""
+        if self.topics[topic] == COMPRESSED:
+            return True
+        try:
+            msg = self._bag.deserialize(self._bag.raw(topic, 0), IMAGE)
+            return encoding_info(msg.encoding).color is not None
+        except (RecordingError, ConversionError):
+            return False
 
     def _beside(self, topic, what):
         if topic not in self.topics:

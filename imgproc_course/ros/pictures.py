@@ -7,7 +7,7 @@ import cv2
 import numpy as np
 from sensor_msgs.msg import CameraInfo
 
-from imgproc_course.messages import array_to_compressed, array_to_image
+from imgproc_course.messages import array_to_compressed, array_to_image, encoding_info
 from imgproc_course.recording import NotRecordedError
 
 FRAME_ID = "camera_front"
@@ -23,6 +23,10 @@ class RecordedPictures:
     speed : times the recording's own rate
     loop : whether it starts again at its end
     stamps : "now" or "recorded"
+
+    Raises
+    ------
+    ValueError : its pictures are nothing to look at, such as depth
     """
 
     def __init__(self, recording, speed, loop, stamps):
@@ -33,6 +37,12 @@ class RecordedPictures:
         first = recording.message(0)
         self._frame_id = first.header.frame_id or FRAME_ID
         self._is_compressed = hasattr(first, "format")
+        if not self._is_compressed and encoding_info(first.encoding).color is None:
+            raise ValueError(
+                f"{recording.name} cannot be played as a camera: the pictures on {recording.camera_topic} "
+                f"are {first.encoding}, neither colour nor gray (depth?); record a colour camera's topic "
+                "too, or read these with open_recording(...).frame(k, 'passthrough')"
+            )
         try:
             self._info = recording.camera_info
         except NotRecordedError:

@@ -89,8 +89,10 @@ def test_an_unknown_compression_of_chunks(tmp_path):
     path = write_raw_bag(tmp_path / "mine", compression=(CompressionMode.STORAGE, CompressionFormat.ZSTD))
     file = path / "mine.mcap"
     file.write_bytes(file.read_bytes().replace(b"\x04\0\0\0zstd", b"\x04\0\0\0gzip"))
-    with open_recording(path) as bag, pytest.raises(RecordingError, match="compression that rosbags knows"):
-        bag.frame(0)
+    with open_recording(path) as bag:
+        for _ in range(2):  # asked again, it has the same reason
+            with pytest.raises(RecordingError, match="compression that rosbags knows"):
+                bag.frame(0)
 
 
 def test_no_topic_of_pictures(tmp_path):

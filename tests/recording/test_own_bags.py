@@ -210,6 +210,31 @@ def test_the_camera_is_the_first_topic_with_colour_pictures(robot_bag):
         assert recording.frame(3).tolist() == [[[10, 20, 30]] * 3] * 2
 
 
+@pytest.mark.parametrize("encoding, bytes_a_pixel", [("16UC1", 2), ("32FC1", 4), ("no such", 1)])
+def test_raw_depth_that_was_recorded_first_is_not_taken_for_the_camera(tmp_path, encoding, bytes_a_pixel):
+    depth = raw_image(0, START)
+    depth.encoding, depth.step, depth.data = encoding, 5 * bytes_a_pixel, np.zeros(20 * bytes_a_pixel, "u1")
+    with BagWriter(tmp_path / "realsense") as bag:
+        bag.write("/camera/depth/image_rect_raw", depth, START)
+        bag.write("/camera/color/image_raw", raw_image(2, START), START)
+    with open_recording(tmp_path / "realsense") as recording:
+        assert recording.camera_topic == "/camera/color/image_raw"
+        np.testing.assert_array_equal(recording.frame(0, "mono8"), gray_pixels(2))
+
+
+def test_depth_is_the_camera_where_there_is_nothing_else(tmp_path):
+    depth = raw_image(0, START)
+    depth.encoding, depth.step, depth.data = "16UC1", 10, np.arange(20, dtype=np.uint16).view("u1")
+    with BagWriter(tmp_path / "tof") as bag:
+        bag.write("/left/image", depth, START)
+        bag.write("/right/image", depth, START)
+    with open_recording(tmp_path / "tof") as recording:
+        assert recording.camera_topic == "/left/image"
+        np.testing.assert_array_equal(
+            recording.frame(0, "passthrough"), np.arange(20, dtype=np.uint16).reshape(4, 5)
+        )
+
+
 def test_the_camera_info_is_that_of_the_camera(robot_bag):
     with open_recording(robot_bag) as recording:
         assert list(recording.camera_info.k) == [500, 0, 1, 0, 500, 1, 0, 0, 1]

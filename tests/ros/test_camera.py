@@ -237,6 +237,28 @@ def test_a_single_picture_and_stamps_that_jump_back_can_be_played():
 
 
 @pytest.mark.ros
+@pytest.mark.parametrize("encoding", ["16UC1", "32FC1", "8UC3"])
+def test_a_recording_of_depth_is_no_camera_s(encoding):
+    from sensor_msgs.msg import Image
+
+    from imgproc_course.ros.pictures import RecordedPictures
+
+    class Depth(FakeRecording):
+        name, camera_topic = "tof", "/tof/image_raw"
+
+        def message(self, k):
+            return Image(encoding=encoding)
+
+    with pytest.raises(ValueError) as caught:
+        RecordedPictures(Depth(), 1.0, True, "now")
+    assert str(caught.value) == (
+        f"tof cannot be played as a camera: the pictures on /tof/image_raw are {encoding}, neither colour "
+        "nor gray (depth?); record a colour camera's topic too, or read these with "
+        "open_recording(...).frame(k, 'passthrough')"
+    )
+
+
+@pytest.mark.ros
 def test_a_recording_of_raw_pictures_without_camera_info_can_be_played(session, collect, wait_until):
     from sensor_msgs.msg import CameraInfo, CompressedImage, Image
 
@@ -251,7 +273,7 @@ def test_a_recording_of_raw_pictures_without_camera_info_can_be_played(session, 
             raise NotRecordedError("no camera info")
 
         def message(self, k):
-            return Image()
+            return Image(encoding="rgb8")
 
     images, infos = collect("/own/compressed", CompressedImage), collect("/camera_info", CameraInfo)
     with Camera("/own", RecordedPictures(RawRecording(), 1.0, True, "now")):
