@@ -108,10 +108,12 @@ def test_elsewhere_than_on_linux_it_says_where_to_grade(monkeypatch):
 def test_a_group_that_cannot_be_made_looks_at_the_sizes(monkeypatch):
     monkeypatch.setattr(groups, "_ROOT", Path("/nowhere"))
     group = Group(1 << 40, 64)
-    assert group.folders == [] and not group.ran_out(os.getpid())
+    assert group.folders == [] and not group.ran_out(os.getpid()) and not group.is_crowded()
     group.remove()
     nothing = Group(-groups._BESIDES, 64)
-    assert nothing.ran_out(os.getpid())
+    assert nothing.ran_out(os.getpid()) and nothing.is_crowded()
+    nothing.forget()
+    assert not nothing.is_crowded()
     assert not nothing.ran_out(2**22 + 1)  # there is no such process
 
 
@@ -137,13 +139,11 @@ time.sleep(600)
 """
 
 
-@pytest.mark.parametrize(
-    ("kind", "root"), [("fast", groups._ROOT), ("fast", "/nowhere"), ("ipykernel", groups._ROOT)]
-)
-def test_all_processes_of_a_kernel_together_keep_to_its_memory(kind, root, monkeypatch):
+@pytest.mark.parametrize("root", [groups._ROOT, "/nowhere"])
+def test_all_processes_of_a_kernel_together_keep_to_its_memory(root, monkeypatch):
     monkeypatch.setattr(groups, "_ROOT", Path(root))  # where there are no control groups, or none for us
     most = 0
-    with Kernels(kind, limits=Limits(memory=1 << 30, wall_grace=15)) as kernels:
+    with Kernels("fast", limits=Limits(memory=1 << 30, wall_grace=15)) as kernels:
         kernel = kernels.start((), 5)
         with ThreadPoolExecutor(1) as beside:
             ended = beside.submit(kernel.run, BOMB)
@@ -157,6 +157,21 @@ def test_all_processes_of_a_kernel_together_keep_to_its_memory(kind, root, monke
         ran = after.run("import time\nx = np.ones(120 << 20, np.uint8)\ntime.sleep(0.2)\nprint(x[-1])")
         assert (ran.printed, ran.ended) == ("1\n", "")
         after.stop()
+
+
+ORDINARY = f"""
+from imgproc_course.grading.kernel.sandbox import Limits
+from imgproc_course.grading.kernel.starting import Kernels
+with Kernels("ipykernel", limits=Limits(memory=1 << 30, wall_grace=15)) as kernels:
+    kernel = kernels.start((), 5)
+    print(kernel.run({BOMB!r}).ended)
+    kernel.stop()
+"""
+
+
+def test_jupyters_own_kernel_keeps_to_its_memory_with_all_its_processes():
+    done = subprocess.run([sys.executable, "-c", ORDINARY], capture_output=True, text=True, timeout=200)
+    assert done.stdout == "memory\n", done.stderr[-2000:]
 
 
 UNCOUNTED = """

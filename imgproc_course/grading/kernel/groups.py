@@ -30,7 +30,7 @@ class Group:
         for controller, values in limits.items() if control else ():
             self._limit(controller, values)
         self._without_swap()
-        self._killed = self._kills()
+        self._killed, self._used = self._kills(), 0
 
     def _limit(self, controller, values):
         for parent in _parents(controller):
@@ -65,7 +65,7 @@ class Group:
 
     def forget(self):
         """Let what was ended before now count no more: it is not the next kernel's doing."""
-        self._killed = self._kills() or 0
+        self._killed, self._used = self._kills() or 0, 0
 
     def ran_out(self, root):
         """Whether the processes use more than they may.
@@ -80,9 +80,18 @@ class Group:
         """
         kills = self._kills()
         if kills is None:
-            return _memory_under(root, self._most) > self._most
+            self._used = _memory_under(root, self._most)
+            return self._used > self._most
         before, self._killed = self._killed, kills
         return self._killed > (before or 0)
+
+    def is_crowded(self):
+        """Whether half of the memory is in use, or was at the last look where there is no control group."""
+        for folder in self.folders:
+            for name in ("memory.current", "memory.usage_in_bytes"):
+                with suppress(OSError, ValueError):
+                    return int((folder / name).read_text(encoding="ascii")) > self._most // 2
+        return self._used > self._most // 2
 
     def _kills(self):
         """How many processes the system has ended for want of memory; None where it does not count that."""
@@ -135,7 +144,7 @@ def _removed(folder):
     except FileNotFoundError:
         return True
     except OSError:
-        return False
+        return self._used > self._most // 2
     return True
 
 

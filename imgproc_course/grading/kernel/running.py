@@ -162,7 +162,7 @@ class ForkedKernel:
             self._socket.close()
         if self._id is not None:
             name, self._id = self._id, None
-            if self._looked:  # it had the time to fill memory: the next one begins when that is free again
+            if self._looked and self._zygote.group.is_crowded():  # the next one needs that memory
                 self._zygote.end(name, patience=0)
             else:
                 self._zygote.drop(name)
