@@ -144,7 +144,7 @@ def _removed(folder):
     except FileNotFoundError:
         return True
     except OSError:
-        return self._used > self._most // 2
+        return False
     return True
 
 
