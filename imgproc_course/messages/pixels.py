@@ -202,6 +202,10 @@ def _meaning_missing(source):
     ]
     relabel = f"if you know better, set msg.encoding to {' or '.join(map(repr, same))} first" if same else ""
     if source.channels == 1 and source.name not in {"8U", "8UC1"}:
-        show = "take 'passthrough' and scale it yourself, as in cv2.convertScaleAbs(a, alpha=255 / a.max())"
+        # Depth in metres is NaN or infinite where nothing was measured: its maximum would make all black.
+        largest = "a[np.isfinite(a)].max()" if source.dtype.kind == "f" else "a.max()"
+        show = (
+            f"take 'passthrough' and scale it yourself, as in cv2.convertScaleAbs(a, alpha=255 / {largest})"
+        )
         return why + show + (f"; {relabel}" if relabel else "")
     return why + (relabel or "take 'passthrough' and choose the channels with NumPy")

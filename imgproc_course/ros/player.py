@@ -33,8 +33,10 @@ def play(recording="drive", topic=TOPIC, speed=1.0, loop=True, stamps="now", sta
             print(_opening(camera, recording), flush=True)
             _watch(camera, leaving, status_seconds)
             if camera.last_error is None:
+                why = "" if camera.published else ", as nobody subscribed to these"
                 print(
-                    f"stopped after {camera.shown} pictures, {camera.published} of them sent raw", flush=True
+                    f"stopped after {camera.shown} pictures, {camera.published} of them sent raw{why}",
+                    flush=True,
                 )
             return 0 if camera.last_error is None else 1
     finally:

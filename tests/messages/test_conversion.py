@@ -2,6 +2,7 @@
 
 import array
 import os
+import re
 import subprocess
 import sys
 from types import SimpleNamespace
@@ -183,6 +184,15 @@ def test_a_conversion_without_meaning_names_the_cure(source, desired):
     with pytest.raises(ConversionError) as caught:
         image_to_array(msg, desired)
     assert REFUSALS[source, desired] in str(caught.value)
+
+
+@pytest.mark.parametrize("values", [[500, 2000, 0, 1000], [0.5, 2.0, np.nan, np.inf]])
+def test_the_cure_for_depth_shows_what_was_measured(values):
+    a = np.array([values], np.uint16 if isinstance(values[0], int) else np.float32)
+    with pytest.raises(ConversionError) as caught:
+        image_to_array(array_to_image(a), "mono8")
+    recipe = re.search(r"as in (cv2\.convertScaleAbs\(.*\))(?:;|$)", str(caught.value))[1]
+    assert eval(recipe, {"a": a, "cv2": cv2, "np": np})[0, :2].tolist() == [64, 255]
 
 
 def test_float_to_integer_saturates_at_both_ends():

@@ -34,7 +34,9 @@ def test_it_plays_until_it_is_told_to_stop(start_python, session, wait_until, nu
 def test_without_loop_it_ends_by_itself(run_python):
     code, out, err = run_python(PLAY.format("speed=30.0, loop=False"))
     assert (code, err) == (0, "")
-    assert out.splitlines()[-1] == "stopped after 90 pictures, 0 of them sent raw"
+    assert (
+        out.splitlines()[-1] == "stopped after 90 pictures, 0 of them sent raw, as nobody subscribed to these"
+    )
 
 
 def test_a_status_without_subscribers_says_so(start_python):
