@@ -659,6 +659,7 @@ attack(
     "missing",
     "raised",
     "crashed",
+    "time",  # where walking through all of it takes longer than the answer has
     wrong=False,
 )
 attack(49, "magics that reset", "%cd /\n%load_ext autoreload\n%autoreload 2\n%reset -f\n", "wrong", "raised")
