@@ -26,6 +26,19 @@ class LazyGroup(click.Group):
         module, _, attribute = ELSEWHERE[name].partition(":")
         return getattr(importlib.import_module(module), attribute)
 
+    def invoke(self, ctx):
+        try:
+            return super().invoke(ctx)
+        except ModuleNotFoundError as error:
+            # The course without all that it needs, as in a robot's environment.
+            missing = (error.name or "").partition(".")[0]
+            if missing in ("", "imgproc_course"):
+                raise
+            raise click.ClickException(
+                f"{missing} is not installed for this Python, and this command needs it; use the "
+                "imgproc-course of the course's own .venv, which environment/setup makes"
+            ) from error
+
 
 @click.group(cls=LazyGroup, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(package_name="imgproc-course")

@@ -57,6 +57,17 @@ def test_help_loads_nothing_heavy():
     assert done.stdout.strip() == "[]"
 
 
+def test_a_command_whose_packages_are_not_installed_says_so_in_one_line():
+    code = "import sys; sys.modules['nbformat'] = None; from imgproc_course.cli import main; main()"
+    for command in (["start"], ["check", "x.ipynb"]):
+        done = subprocess.run([sys.executable, "-c", code, *command], capture_output=True, text=True)
+        assert (done.returncode, done.stdout) == (1, "")
+        assert done.stderr == (
+            "Error: nbformat is not installed for this Python, and this command needs it; use the "
+            "imgproc-course of the course's own .venv, which environment/setup makes\n"
+        )
+
+
 # ---------------------------------------------------------------------------------------- doctor
 
 

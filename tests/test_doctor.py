@@ -1,6 +1,7 @@
 """The doctor: what it sees, what it says is wrong, and the cure beside it."""
 
 import importlib.metadata
+import importlib.util
 import io
 import re
 import socket
@@ -174,6 +175,16 @@ def test_a_kernel_of_another_environment(monkeypatch, tmp_path):
     found = seen(software.look_at_kernel)["kernel"]
     assert found.verdict == "warning"
     assert "Kernel > Change Kernel > Python 3" in found.cure
+
+
+def test_an_environment_without_jupyter_has_no_kernel_to_look_at(monkeypatch):
+    monkeypatch.setattr(software, "VENV", Path(sys.prefix))
+    monkeypatch.setitem(sys.modules, "jupyter_client.kernelspec", None)
+    find = importlib.util.find_spec
+    monkeypatch.setattr(
+        importlib.util, "find_spec", lambda name: None if name == "jupyter_client" else find(name)
+    )
+    assert seen(software.look_at_kernel) == {}
 
 
 def test_a_jupyter_kernel_of_another_environment(monkeypatch):

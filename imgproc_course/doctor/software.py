@@ -2,6 +2,7 @@
 
 import contextlib
 import importlib.metadata
+import importlib.util
 import re
 import sys
 from pathlib import Path
@@ -24,6 +25,8 @@ def look_at_python():
 
 def look_at_kernel():
     """Whether the notebook, or a JupyterLab started now, uses the environment that holds the course."""
+    if importlib.util.find_spec("jupyter_client") is None:
+        return  # that JupyterLab is missing is found among the packages
     if VENV.is_dir() and Path(sys.prefix).resolve() != VENV.resolve():
         yield warning(
             "kernel",
