@@ -10,7 +10,7 @@ import shutil
 import numpy as np
 import pytest
 from PIL import Image
-from submissions import answers_of, notebook, write
+from submissions import SEED, answers_of, notebook, write
 
 from imgproc_course.exercises.canonical import canonical
 from imgproc_course.exercises.values import wrong_of
@@ -118,8 +118,6 @@ def test_of_a_hidden_check_nothing_is_shown_whatever_the_result_holds(
 
 
 def test_a_page_holds_nothing_of_anybody_else_nor_of_the_key(pages, key_path, term):
-    from conftest import SEED
-
     text = pages["ada"].read_text(encoding="utf-8")
     for secret in (SEED, term.keys[0].digest, str(key_path), "zoe", "img src=x", "astype(np.uint16)", "rng"):
         assert secret not in text
