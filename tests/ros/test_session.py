@@ -175,7 +175,9 @@ def test_leaving_without_a_word_is_quiet(run_python, end):
 def test_ctrl_c_in_a_waiting_script_leaves_with_the_usual_traceback(start_python, also):
     import signal
 
-    process = start_python(LEAVES + also + "import time\nprint('waiting', flush=True)\ntime.sleep(60)")
+    # Short sleeps: a long one does not see a signal that came between the print and its beginning.
+    waits = "import time\nprint('waiting', flush=True)\nfor _ in range(1200): time.sleep(0.05)"
+    process = start_python(LEAVES + also + waits)
     while process.stdout.readline() != "waiting\n":
         assert process.poll() is None
     process.send_signal(signal.SIGINT)
