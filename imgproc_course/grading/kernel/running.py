@@ -242,10 +242,10 @@ class Zygote:
         """Fork a kernel; returns its number."""
         if self._process is None or self._process.poll() is not None:
             self.begin()
+        self._count += 1
+        hidden = [place for module in refused for place in sandbox.places_of(module)]  # while it loads
         if not self._ready:
             self._await()
-        self._count += 1
-        hidden = [place for module in refused for place in sandbox.places_of(module)]
         order = {
             "op": "fork",
             "id": self._count,

@@ -5,6 +5,7 @@ teaches, and `inside/`, all read-only; no network, no home folder, no environmen
 `inside/confine.py` for what each kernel is shut in with once more.
 """
 
+import csv
 import json
 import os
 import shutil
@@ -284,16 +285,24 @@ def places_of(module):
     top, _, inner = module.partition(".")
     names = {top}
     if not inner:
-        for distribution in _distributions().get(top, ()):
-            files = metadata.files(distribution) or ()
+        for files in _installed_with(top):
             names |= {file.parts[0] for file in files if file.parts[0] not in ("..", "__pycache__")}
     found = [_inside_site(path) for name in names for path in _entries(name, inner)]
     return tuple(sorted({*found, *_in_standard_library(module)}))
 
 
-@lru_cache(maxsize=1)
-def _distributions():
-    return metadata.packages_distributions()
+def _installed_with(top):
+    """The files of each distribution that installs a top-level module.
+
+    As metadata.packages_distributions() finds them, without reading what 250 distributions say of themselves,
+    which takes a third of a second.
+    """
+    for folder in _site_folders():
+        for record in folder.glob("*.dist-info/RECORD"):
+            with record.open(encoding="utf-8", newline="") as lines:
+                files = [Path(row[0]) for row in csv.reader(lines) if row and row[0].startswith(top)]
+            if any(file.parts[0].partition(".")[0] == top for file in files):
+                yield metadata.PathDistribution(record.parent).files or ()
 
 
 def _entries(name, inner):
