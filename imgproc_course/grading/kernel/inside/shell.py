@@ -170,6 +170,9 @@ def serve(shell, descriptor):
     runner = _Runner(shell)
     for request in _requests(descriptor):
         LINE.cell = request["n"]
+        if not request["code"]:  # asked whether it is there
+            LINE.send("idle", ename="", evalue="")
+            continue
         result = runner.run(request["code"])
         _flush()
         error = result.error_before_exec or result.error_in_exec

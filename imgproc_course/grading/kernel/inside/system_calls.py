@@ -39,11 +39,10 @@ def refuse_system_calls():
     ------
     OSError : this system has no filters
     """
-    if platform.machine() not in _CALLS:
+    if not _PROGRAM:
         return
-    program = b"".join(_filter(*_CALLS[platform.machine()]))
-    held = ctypes.create_string_buffer(program, len(program))
-    described = struct.pack("HxxxxxxP", len(program) // 8, ctypes.addressof(held))
+    held = ctypes.create_string_buffer(_PROGRAM, len(_PROGRAM))
+    described = struct.pack("HxxxxxxP", len(_PROGRAM) // 8, ctypes.addressof(held))
     libc = ctypes.CDLL(None, use_errno=True)
     if libc.prctl(_PR_SET_SECCOMP, _FILTER, described, 0, 0) != 0:
         number = ctypes.get_errno()
@@ -80,3 +79,7 @@ def _fail(number):
 
 def _step(code, value, if_so=0, if_not=0):
     return struct.pack("HBBI", code, if_so, if_not, value)
+
+
+# Made when this is loaded: each kernel is forked after that.
+_PROGRAM = b"".join(_filter(*_CALLS[platform.machine()])) if platform.machine() in _CALLS else b""
