@@ -845,7 +845,7 @@ attack(
     import os
     def double(pixels):
         os.symlink("/etc/passwd", "data.txt")
-        os.symlink("/proc/1/root/etc/shadow", "more.txt")
+        os.symlink("/etc/shadow", "more.txt")
         done = []
         for name in ("data.txt", "more.txt"):
             try:

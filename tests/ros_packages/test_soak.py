@@ -24,15 +24,17 @@ def test_a_short_soak_finds_no_loss_and_no_growth(start, where):
         assert frames > 0 and (lost, failed) == (0, 0)
 
 
-def test_a_node_that_ends_is_said_and_costs_the_verdict(start, tmp_path, workspace):
+@pytest.mark.parametrize("pause", ["", "sleep 2\n"], ids=["at once", "after what it said was read"])
+def test_a_node_that_ends_is_said_and_costs_the_verdict(start, tmp_path, workspace, pause):
     broken = tmp_path / "lib" / "image_gray_processor" / "image_gray_processor"
     broken.parent.mkdir(parents=True)
-    broken.write_text("#!/bin/sh\necho 'the disk is gone' >&2\nexit 3\n")
+    broken.write_text(f"#!/bin/sh\necho 'the disk is gone' >&2\n{pause}exit 3\n")
     broken.chmod(0o755)
     path = f"{tmp_path}:{workspace.environment['AMENT_PREFIX_PATH']}"
     process = start(sys.executable, "-c", SHORT, AMENT_PREFIX_PATH=path)
     assert process.wait(120) == 1
     assert "image_gray_processor ended with code 3: the disk is gone" in process.said
+    assert "minutes from now on" not in process.said
     assert process.said.splitlines()[-1] == "something was lost, or grew"
 
 
@@ -71,18 +73,6 @@ def test_ctrl_c_before_anything_was_measured_is_no_verdict(start):
     assert process.leave(signal.SIGINT, seconds=60) == 130
     assert process.said.splitlines()[-1] == "ended by Ctrl-C during the warm-up: nothing was measured"
     assert "┃" not in process.said
-
-
-def test_what_a_process_said_before_it_ended_is_told_whenever_it_was_read(start, tmp_path, workspace):
-    broken = tmp_path / "lib" / "image_gray_processor" / "image_gray_processor"
-    broken.parent.mkdir(parents=True)
-    broken.write_text("#!/bin/sh\necho 'the disk is gone' >&2\nsleep 2\nexit 3\n")
-    broken.chmod(0o755)
-    path = f"{tmp_path}:{workspace.environment['AMENT_PREFIX_PATH']}"
-    process = start(sys.executable, "-c", SHORT, AMENT_PREFIX_PATH=path)
-    assert process.wait(120) == 1
-    assert "image_gray_processor ended with code 3: the disk is gone" in process.said
-    assert "minutes from now on" not in process.said
 
 
 @pytest.mark.parametrize("number", [0, -1, float("inf"), float("nan")])
