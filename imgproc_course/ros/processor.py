@@ -38,7 +38,7 @@ from std_msgs.msg import String
 
 from imgproc_course.messages import ConversionError, array_to_image, compressed_to_array, image_to_array
 from imgproc_course.ros.camera import TOPIC
-from imgproc_course.ros.session import Throttle
+from imgproc_course.ros.session import Throttle, spin_once
 from imgproc_course.ros.silence import why_nothing_came
 from imgproc_course.ros.stream_watch import SILENCE, Stream, Tally, in_words
 from imgproc_course.ros.subscriber import QOS
@@ -137,7 +137,7 @@ class ImageProcessor(Node):
         executor.add_node(self)
         try:
             while not leaving():
-                executor.spin_once(timeout_sec=0.05 if self._display else 0.1)
+                spin_once(executor, timeout_sec=0.05 if self._display else 0.1)
                 self._show()
         finally:
             executor.shutdown()

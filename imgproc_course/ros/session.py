@@ -284,7 +284,7 @@ class _Graph:
 
     def _spin_once(self):
         try:
-            self.executor.spin_once()
+            spin_once(self.executor)
         except ExternalShutdownException:
             raise
         except InvalidHandle:
@@ -305,6 +305,23 @@ class _Graph:
             self.executor.shutdown()
             self.closed = True
         self.context.try_shutdown()
+
+
+def spin_once(executor, timeout_sec=None):
+    """Executes what is ready, as `executor.spin_once`, and knows every end of ROS as one.
+
+    Raises
+    ------
+    rclpy.executors.ExternalShutdownException : ROS was shut down meanwhile
+    """
+    try:
+        executor.spin_once(timeout_sec)
+    except RCLError as error:
+        # rclpy asks whether the context lives only after the wait: one that was shut down between two rounds
+        # (by ROS's signal handlers, from their own thread) fails while the wait is prepared.
+        if executor.context.ok():
+            raise
+        raise ExternalShutdownException from error
 
 
 def _new_context():

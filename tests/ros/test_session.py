@@ -187,6 +187,40 @@ def test_ctrl_c_in_a_waiting_script_leaves_with_the_usual_traceback(start_python
     assert err.count("Traceback") == 1 and "terminate called" not in err
 
 
+def shut_down_before_its_next_wait(node):
+    """Brings the moment about in which a signal handler comes between two rounds of an executor."""
+    from rclpy.waitable import NumberOfEntities, Waitable
+
+    class Handler(Waitable):
+        def get_num_entities(self):
+            node.context.try_shutdown()
+            return NumberOfEntities()
+
+    node.add_waitable(Handler(node.default_callback_group))
+
+
+def test_a_shutdown_between_two_rounds_ends_the_session_without_a_word(session, wait_until, caplog):
+    session.run(lambda: shut_down_before_its_next_wait(session.node))
+    wait_until(lambda: ros_threads() == [])
+    assert caplog.records == [] and not session.running
+    assert session.start().run(lambda: 42) == 42
+
+
+def test_a_shutdown_between_two_rounds_ends_a_node_as_any_other():
+    from rclpy.context import Context
+    from rclpy.executors import ExternalShutdownException
+
+    from imgproc_course.ros import ImageProcessor
+
+    context = Context()
+    context.init()
+    node = ImageProcessor("ends", lambda frame: {}, [], context=context)
+    shut_down_before_its_next_wait(node)
+    with pytest.raises(ExternalShutdownException):
+        node.spin()
+    node.destroy_node()
+
+
 def test_after_rclpys_own_handlers_shut_all_down_it_can_be_started_again(run_python):
     code, out, err = run_python(
         LEAVES + "import os, rclpy, signal, time\n"
