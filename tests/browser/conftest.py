@@ -1,4 +1,5 @@
-"""One JupyterLab and one Chromium for all browser tests of a worker."""
+"""One JupyterLab and one Chromium for all tests of this package, ended before those of another begin: while a
+Playwright is open, its thread has an event loop that runs, and no other can."""
 
 import sys
 from pathlib import Path
@@ -9,13 +10,13 @@ sys.path.insert(0, str(Path(__file__).parent))
 from jupyter_page import NotebookPage, open_tab, running_chromium, running_lab
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def browser():
     with running_chromium() as chromium:
         yield chromium
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def lab(tmp_path_factory):
     """(address, folder) of a JupyterLab, started as environment/lab starts it, that serves `folder`."""
     folder = tmp_path_factory.mktemp("lessons")
@@ -23,7 +24,7 @@ def lab(tmp_path_factory):
         yield address, folder
 
 
-@pytest.fixture(scope="session")
+@pytest.fixture(scope="package")
 def tab(lab, browser):
     """A function that gives the tab of all tests; a new one where a test has left a dialog in it."""
     tabs = []

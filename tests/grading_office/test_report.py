@@ -6,7 +6,6 @@ import io
 import json
 import re
 import shutil
-from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pytest
@@ -224,13 +223,6 @@ def test_an_answer_in_another_cell_is_among_what_the_teacher_looks_at(alike):
 
 @pytest.mark.browser
 def test_the_pages_in_a_browser(pages):
-    # In a thread of its own: Playwright allows one browser a thread, and another test's may still be open.
-    with ThreadPoolExecutor(1) as thread:
-        assert thread.submit(_look_at, pages).result() == []
-
-
-def _look_at(pages):
-    """Looks at every page, wide and narrow; returns what the browser complained of."""
     from playwright.sync_api import sync_playwright
 
     options = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"]
@@ -259,7 +251,7 @@ def _look_at(pages):
         widths = page.eval_on_selector_all("figure img", "all => all.map(each => each.naturalWidth)")
         assert widths == [192, 192, 192, 192]
         browser.close()
-    return complaints
+    assert complaints == []
 
 
 # ---------------------------------------------------------------- values and pictures
