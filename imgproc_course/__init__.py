@@ -6,9 +6,14 @@ display    what a notebook shows                   exercises   what an answer is
 grading    the teacher's wing                      cli         imgproc-course
 """
 
-from importlib.metadata import PackageNotFoundError, version
 
-try:
-    __version__ = version("imgproc-course")  # pyproject.toml holds the one number
-except PackageNotFoundError:  # a copy of the folder beside a robot's own code
-    __version__ = "0+unknown"
+def __getattr__(name):
+    if name != "__version__":
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    # Here, and not above: it takes longer to import than the rest of most rooms.
+    from importlib.metadata import PackageNotFoundError, version
+
+    try:
+        return version("imgproc-course")  # pyproject.toml holds the one number
+    except PackageNotFoundError:  # a copy of the folder beside a robot's own code
+        return "0+unknown"

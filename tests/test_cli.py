@@ -57,6 +57,15 @@ def test_help_loads_nothing_heavy():
     assert done.stdout.strip() == "[]"
 
 
+def test_the_package_itself_loads_nothing_and_has_no_other_names():
+    code = (
+        "import sys; before = set(sys.modules); import imgproc_course; "
+        "print(sorted(set(sys.modules) - before), hasattr(imgproc_course, 'dance'))"
+    )
+    done = subprocess.run([sys.executable, "-I", "-c", code], capture_output=True, text=True)
+    assert done.stdout.strip() == "['imgproc_course'] False"
+
+
 def test_a_command_whose_packages_are_not_installed_says_so_in_one_line():
     code = "import sys; sys.modules['nbformat'] = None; from imgproc_course.cli import main; main()"
     for command in (["start"], ["check", "x.ipynb"]):

@@ -31,7 +31,6 @@ from imgproc_course.grading.judge_reference import did_the_same, failing_call, i
 from imgproc_course.grading.kernel.inside.course_cells import MIME, argument_names, told_of
 from imgproc_course.grading.kernel.inside.values import decode, encode
 from imgproc_course.grading.kernel.starting import Kernels, delivery
-from imgproc_course.grading.masters import find_masters, read_master
 
 FORMAT = 1
 EMIT = "from imgproc_course.grading.kernel.inside.course_cells import emit"
@@ -271,6 +270,9 @@ def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False):
     KeyFolderError : there is a key already, or the folder cannot be written
     SandboxError : there is no sandbox here
     """
+    # Here, and not above: it loads jupytext, which no judge needs, and each would wait for.
+    from imgproc_course.grading.masters import find_masters, read_master
+
     out = Path(out)
     if out.exists() and not replace and (not out.is_dir() or any(out.iterdir())):
         raise KeyFolderError(

@@ -4,6 +4,8 @@ import itertools
 import json
 import random
 import signal
+import subprocess
+import sys
 import threading
 import time
 from concurrent.futures import ProcessPoolExecutor
@@ -302,3 +304,13 @@ def test_the_judge_itself_says_why_it_does_not_start(key, right, monkeypatch, tm
     monkeypatch.setattr(judging.sys, "executable", str(broken))
     with pytest.raises(SandboxError, match="the judge did not start: no such plugin"):
         grade_one(("a", LESSON, right), key, unsafe=True)
+
+
+def test_a_judge_loads_nothing_that_only_teachers_tools_need():
+    code = (
+        "import sys; import imgproc_course.grading.judge_start, imgproc_course.grading.judge_plugin; "
+        "heavy = ('jupytext', 'rfc3987_syntax', 'isoduration', 'arrow', 'cv2', 'matplotlib'); "
+        "print([name for name in heavy if sys.modules.get(name)])"
+    )
+    done = subprocess.run([sys.executable, "-I", "-c", code], capture_output=True, text=True)
+    assert (done.stdout, done.stderr) == ("[]\n", "")

@@ -5,7 +5,6 @@ teaches, and `inside/`, all read-only; no network, no home folder, no environmen
 `inside/confine.py` for what each kernel is shut in with once more.
 """
 
-import csv
 import json
 import os
 import shutil
@@ -294,15 +293,22 @@ def places_of(module):
 def _installed_with(top):
     """The files of each distribution that installs a top-level module.
 
-    As metadata.packages_distributions() finds them, without reading what 250 distributions say of themselves,
-    which takes a third of a second.
+    As metadata.packages_distributions() finds them, without taking apart what 250 distributions say of
+    themselves, which takes a third of a second.
     """
-    for folder in _site_folders():
-        for record in folder.glob("*.dist-info/RECORD"):
-            with record.open(encoding="utf-8", newline="") as lines:
-                files = [Path(row[0]) for row in csv.reader(lines) if row and row[0].startswith(top)]
+    begins = (f"\n{top}".encode(), f'\n"{top}'.encode())
+    for folder, rows in _records():
+        if any(each in rows for each in begins):
+            files = metadata.PathDistribution(folder).files or ()
             if any(file.parts[0].partition(".")[0] == top for file in files):
-                yield metadata.PathDistribution(record.parent).files or ()
+                yield files
+
+
+@lru_cache(maxsize=1)
+def _records():
+    """The folder of each distribution, and its list of files as it stands there, after a line's end."""
+    found = [path for folder in _site_folders() for path in folder.glob("*.dist-info/RECORD")]
+    return [(path.parent, b"\n" + path.read_bytes()) for path in found]
 
 
 def _entries(name, inner):

@@ -34,6 +34,7 @@ def _load():
     made = shell.make_shell()
     made.user_ns["np"] = np
     _warm_up(made, shell, course_cells)
+    np.random.seed(0)  # noqa: NPY002 - for answers that draw from it
     return made, shell.serve, course_cells.surround
 
 
@@ -70,20 +71,13 @@ def _kernel(control, descriptor, order, settings, loaded):
             confine.die_with_parent()
             confine.set_limits(order["limits"] | {"processes": 4096})
         made, serve, surround = loaded
-        _seed()
+        random.seed(0)  # Python draws another seed in each fork
         surround(order["refused"])
         code = 71  # something of the learner's ended it
         serve(made, descriptor)
         code = 0
     finally:
         os._exit(code)
-
-
-def _seed():
-    import numpy as np
-
-    random.seed(0)
-    np.random.seed(0)  # noqa: NPY002 - for answers that draw from it
 
 
 def main():
