@@ -248,6 +248,8 @@ def stop_judges(threads=""):
     with _lock:
         judges = [each for each in _all_judges.values() if each.thread.startswith(threads)]
     for each in judges:
+        each.hang_up()
+    for each in judges:
         each.stop()
 
 
@@ -358,6 +360,11 @@ class _Judge:
             self._kept += more
         line, _, self._kept = self._kept.partition(b"\n")
         return json.loads(line)
+
+    def hang_up(self):
+        """Tell the pytest that nothing more comes, and do not wait for its end."""
+        with contextlib.suppress(OSError):
+            self._socket.shutdown(socket.SHUT_RDWR)
 
     def stop(self, *, tell=True):
         """End the pytest, the kernels' process with it."""

@@ -10,7 +10,6 @@ import json
 import os
 import re
 import socket
-import tempfile
 from pathlib import Path
 
 import nbval.plugin
@@ -26,7 +25,7 @@ from imgproc_course.grading.judge_result import (
 )
 from imgproc_course.grading.kernel.running import CellRun
 from imgproc_course.grading.kernel.sandbox import Limits
-from imgproc_course.grading.kernel.starting import Kernels, delivery
+from imgproc_course.grading.kernel.starting import Kernels
 from imgproc_course.grading.key import MIME, load_key
 
 DESCRIPTOR = "IMGPROC_JUDGE_SOCKET"
@@ -124,7 +123,7 @@ class Session:
                 run.answer = kernel.run(source)
                 if run.answer.ended:
                     return
-            delivered = kernel.run(delivery(inputs, exercise.time_limit, exercise.refused))
+            delivered = kernel.deliver(inputs, exercise.time_limit, exercise.refused)
             run.check = kernel.run(check) if not delivered.ended else CellRun(ended=delivered.ended)
         finally:
             kernel.stop()
@@ -156,13 +155,14 @@ class Judge:
         self._session = None
 
     def serve(self, session):
-        """Judge submissions until there are no more."""
+        """Judge submissions until there are no more, then end this process."""
         self._session = session
         self._send({"ready": True})
         with self._kernels:
             for line in self._lines:
                 job = json.loads(line)
                 self._send(self._judge(job))
+        os._exit(0)  # somebody waits, and nothing that pytest would still do is of use to anybody
 
     def _send(self, message):
         self._connection.sendall((json.dumps(message) + "\n").encode("ascii"))
@@ -186,10 +186,9 @@ class Judge:
     def _judge_exercise(self, exercise, source, then):
         content = self._key.content(exercise.id)
         work = ExerciseKernel.current = Session(exercise, content, self._kernels, then)
-        with tempfile.TemporaryDirectory(dir=self._folder) as folder:
-            path = Path(folder) / "exercise.ipynb"
-            path.write_text(json.dumps(_with_answer(content.notebook, exercise, source)), encoding="utf-8")
-            self._let_nbval_judge(path, work)
+        path = self._folder / "exercise.ipynb"
+        path.write_text(json.dumps(_with_answer(content.notebook, exercise, source)), encoding="utf-8")
+        self._let_nbval_judge(path, work)
         return exercise_result(exercise, content, work)
 
     def _let_nbval_judge(self, path, work):

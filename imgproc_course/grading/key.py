@@ -30,7 +30,7 @@ from imgproc_course.exercises.declaration import MasterError
 from imgproc_course.grading.judge_reference import did_the_same, failing_call, is_form, read_answer
 from imgproc_course.grading.kernel.inside.course_cells import MIME, argument_names, told_of
 from imgproc_course.grading.kernel.inside.values import decode, encode
-from imgproc_course.grading.kernel.starting import Kernels, delivery
+from imgproc_course.grading.kernel.starting import Kernels
 
 FORMAT = 1
 EMIT = "from imgproc_course.grading.kernel.inside.course_cells import emit"
@@ -397,13 +397,9 @@ class _Maker:
         kernel = self._kernels.start(declared.refused, declared.time_limit * len(inputs))
         try:
             runs = [
-                kernel.run(source)
-                for source in (
-                    *declared.given,
-                    declared.solution,
-                    delivery(inputs, declared.time_limit, declared.refused),
-                    _check_source(declared.function),
-                )
+                *(kernel.run(source) for source in (*declared.given, declared.solution)),
+                kernel.deliver(inputs, declared.time_limit, declared.refused),
+                kernel.run(_check_source(declared.function)),
             ]
         finally:
             kernel.stop()

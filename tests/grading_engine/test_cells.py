@@ -1,11 +1,18 @@
 """Cells behave as in JupyterLab, in both kernels."""
 
+import warnings
+from pathlib import Path
+
 import pytest
 
+from imgproc_course.exercises import read_exercises
 from imgproc_course.grading.kernel.sandbox import Limits
 from imgproc_course.grading.kernel.starting import Kernels
+from imgproc_course.grading.key import sample_answers
+from imgproc_course.grading.masters import find_masters
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("cells")]
+MASTERS = Path(__file__).parents[2] / "notebooks" / "masters"
 
 
 @pytest.fixture(scope="module", params=["fast", "ipykernel"])
@@ -83,3 +90,69 @@ def test_a_kernel_takes_no_more_time_than_it_may():
         after = kernels.start((), 1)
         assert after.run("print(1)").printed == "1\n"
         after.stop()
+
+
+TRICKY = [
+    "",
+    "\n\n",
+    "x = 1",
+    "# a comment alone",
+    "   # indented\n   x = 1",
+    "%time x = 1",
+    "x = %time 1",
+    "%%time\nx = 1",
+    "files = !ls\nprint(files)",
+    "!ls\n!pwd",
+    "print?",
+    "?print",
+    "a.b??\nc",
+    "/f 1",
+    ",f a b",
+    ";f a b",
+    "ls",
+    "exit",
+    ">>> x = 1\n>>> y",
+    "In [1]: x = 1\n\nIn [2]: y = 2",
+    "x = (1\n  % 2\n  / 3)",
+    "x = 5 \\\n% 3",
+    "text = '''\n%time\n!ls\n? x\n'''",
+    "def f():\n    ...\n...\nx",
+    "f'{x!r}' + f'{x?}'",
+    "def f(:",
+    "if x:\n%time y",
+    "await g()",
+    "'\\d'",
+    "x\0y",
+    "(" * 300 + ")" * 300,
+    "\tx",
+    "x = 1\r\ny = 2\r\n",
+]
+
+
+def test_cells_are_translated_as_ipython_translates_them():
+    from IPython.core.inputtransformer2 import TransformerManager
+
+    from imgproc_course.grading.kernel.inside.shell import Translation
+
+    def translated(manager, cell):
+        try:
+            return manager.transform_cell(cell)
+        except SyntaxError as error:
+            return str(error)
+
+    cells = [*TRICKY, *(cell[0] for cell in CELLS)]
+    for master in find_masters(MASTERS):
+        for exercise in read_exercises(master):
+            cells += [*exercise.given, *sample_answers(exercise).values()]
+    assert len(cells) > 150
+    for cell in cells:
+        assert translated(Translation(), cell) == translated(TransformerManager(), cell), cell
+
+
+def test_translating_warns_of_nothing_that_running_will_warn_of():
+    from imgproc_course.grading.kernel.inside.shell import Translation
+
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        assert Translation().transform_cell("x = '\\d'\ny = x") == "x = '\\d'\ny = x\n"
+    assert said == []

@@ -30,6 +30,7 @@ class Group:
         for controller, values in limits.items() if control else ():
             self._limit(controller, values)
         self._without_swap()
+        self._counts = self._file_that_counts()
         self._killed, self._used = self._kills(), 0
 
     def _limit(self, controller, values):
@@ -93,13 +94,22 @@ class Group:
                     return int((folder / name).read_text(encoding="ascii")) > self._most // 2
         return self._used > self._most // 2
 
+    def _file_that_counts(self):
+        """The file with the number of processes that the system has ended for want of memory, or None."""
+        names = [folder / name for folder in self.folders for name in ("memory.events", "memory.oom_control")]
+        for path in names:
+            with suppress(OSError):
+                if "oom_kill" in path.read_text(encoding="ascii").split():
+                    return path
+        return None
+
     def _kills(self):
         """How many processes the system has ended for want of memory; None where it does not count that."""
-        for folder in self.folders:
-            for name in ("memory.events", "memory.oom_control"):
-                with suppress(OSError, ValueError):
-                    words = (folder / name).read_text(encoding="ascii").split()
-                    return int(words[words.index("oom_kill") + 1])
+        if self._counts is None:
+            return None
+        with suppress(OSError, ValueError):
+            words = self._counts.read_text(encoding="ascii").split()
+            return int(words[words.index("oom_kill") + 1])
         return None
 
     def remove(self):

@@ -20,17 +20,23 @@ from imgproc_course.grading.kernel.inside.values import decode
 
 MIME = "application/vnd.imgproc-course.answer+json"
 LARGEST = 1_000_000  # bytes of one array; a larger one is shown by its digest
-_case = {}
+_case = {}  # "calls", "seconds", "refused"
 
 
 class RefusedModule(ImportError):
     """The answer uses a module that its exercise refuses."""
 
 
-def deliver(text):
-    """Take the inputs of the next check: JSON with "calls", "seconds", "refused"."""
-    _case.clear()
-    _case.update(json.loads(text))
+def deliver(case):
+    """Take the inputs of the next check.
+
+    Parameters
+    ----------
+    case : dict, or its JSON: "calls", one list of `values.encode`d arguments each; "seconds" that a call may
+        take; "refused", modules
+    """
+    global _case
+    _case = json.loads(case) if isinstance(case, str) else case
 
 
 def emit(function):

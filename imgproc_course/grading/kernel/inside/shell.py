@@ -1,21 +1,24 @@
 """An IPython shell without ZMQ: cells come in over a socket, messages go out, as lines of JSON.
 
-In:  {"n": 3, "code": "..."}
+In:  {"n": 3, "code": "..."}, or {"n": 3, "case": {...}}: the inputs of the next check
 Out: {"n": 3, "type": "stream" | "display_data" | "execute_result" | "update_display_data" | "clear_output" |
       "error" | "idle", "content": {...}}, the content as Jupyter's messaging has it.
 """
 
+import ast
 import asyncio
 import json
 import os
 import re
 import sys
 import threading
+import warnings
 
 from IPython.core.displayhook import DisplayHook
 from IPython.core.displaypub import DisplayPublisher
+from IPython.core.inputtransformer2 import TransformerManager
 from IPython.core.interactiveshell import InteractiveShell
-from traitlets import Type
+from traitlets import Instance, Type
 
 _TEXT_KEPT = 8_192  # characters of a stream that are gathered before they are sent
 
@@ -115,11 +118,32 @@ class Hook(DisplayHook):
         self._is_active = False
 
 
+class Translation(TransformerManager):
+    """IPython's, and quicker: it looks for magics and commands only where the cell is not Python as it is.
+
+    Neither is ever Python, and IPython takes a cell apart token by token to see that there is none.
+    """
+
+    def do_token_transforms(self, lines):
+        return lines if _is_python("".join(lines)) else super().do_token_transforms(lines)
+
+
+def _is_python(source):
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # the cell's own run tells them
+        try:
+            ast.parse(source)
+        except (SyntaxError, ValueError, RecursionError, MemoryError):
+            return False
+    return True
+
+
 class Shell(InteractiveShell):
     """The shell that runs cells: what ipykernel's does, without its sockets."""
 
     displayhook_class = Type(Hook)
     display_pub_class = Type(Publisher)
+    input_transformer_manager = Instance(Translation, ())
     system = InteractiveShell.system_piped
     readline_use = False
 
@@ -157,20 +181,23 @@ def make_shell():
     return shell
 
 
-def serve(shell, descriptor):
+def serve(shell, descriptor, deliver):
     """Run cells from a socket until it is closed.
 
     Parameters
     ----------
     shell : Shell
     descriptor : int, a connected stream socket
+    deliver : function that takes the inputs of the next check
     """
     LINE.descriptor = descriptor
     sys.stdout, sys.stderr = Stream("stdout"), Stream("stderr")
     runner = _Runner(shell)
     for request in _requests(descriptor):
         LINE.cell = request["n"]
-        if not request["code"]:  # asked whether it is there
+        if "case" in request:
+            deliver(request["case"])
+        if not request.get("code"):  # a delivery, or asked whether it is there
             LINE.send("idle", ename="", evalue="")
             continue
         result = runner.run(request["code"])

@@ -35,7 +35,7 @@ def _load():
     made.user_ns["np"] = np
     _warm_up(made, shell, course_cells)
     np.random.seed(0)  # noqa: NPY002 - for answers that draw from it
-    return made, shell.serve, course_cells.surround
+    return made, shell.serve, course_cells.surround, course_cells.deliver
 
 
 def _warm_up(made, shell, course_cells):
@@ -70,11 +70,11 @@ def _kernel(control, descriptor, order, settings, loaded):
         else:
             confine.die_with_parent()
             confine.set_limits(order["limits"] | {"processes": 4096})
-        made, serve, surround = loaded
+        made, serve, surround, deliver = loaded
         random.seed(0)  # Python draws another seed in each fork
         surround(order["refused"])
         code = 71  # something of the learner's ended it
-        serve(made, descriptor)
+        serve(made, descriptor, deliver)
         code = 0
     finally:
         os._exit(code)
