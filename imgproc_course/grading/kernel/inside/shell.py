@@ -151,6 +151,12 @@ class Shell(InteractiveShell):
         super().init_history()
         self.history_manager.enabled = False
 
+    def should_run_async(self, raw_cell, **translated):
+        # IPython compiles the cell to see it; most can be seen not to wait for anything.
+        return ("await" in raw_cell or "async" in raw_cell) and super().should_run_async(
+            raw_cell, **translated
+        )
+
     def enable_gui(self, gui=None):
         pass
 
