@@ -265,6 +265,8 @@ class _Judge:
         key = load_key(path)
         if digest is not None and key.digest != digest:
             raise ValueError(f"{path}: another key stands there than the one that grading began with")
+        if not unsafe:
+            sandbox.demand()
         self._key = key
         self._limits = limits or Limits()
         self._folder = tempfile.TemporaryDirectory(prefix="judge-")

@@ -28,6 +28,7 @@ from imgproc_course.exercises import running
 from imgproc_course.exercises.canonical import canonical
 from imgproc_course.exercises.declaration import MasterError
 from imgproc_course.grading.judge_reference import did_the_same, failing_call, is_form, read_answer
+from imgproc_course.grading.kernel import sandbox
 from imgproc_course.grading.kernel.inside.course_cells import MIME, argument_names, told_of
 from imgproc_course.grading.kernel.inside.values import decode, encode
 from imgproc_course.grading.kernel.starting import Kernels
@@ -279,6 +280,8 @@ def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False):
             f"{out}: there is something already, and grades may depend on it: name another folder, or say"
             " --replace"
         )
+    if not unsafe:
+        sandbox.demand()
     masters = [read_master(path) for path in find_masters(masters_dir, names)]
     parts = [(master, each) for master in masters for each in master.exercises]
     written = {}
