@@ -41,7 +41,8 @@ Given, expected and actual are `exercises.canonical` forms: `array_of`, `describ
 
 How it works: each thread or process that judges keeps one pytest with nbval at its side (`judge_plugin`),
 started so that nothing on this machine or in a submission can configure it, and sends it one submission after
-another. That pytest never runs learners' code either; kernels do (`kernel/`).
+another. That pytest never runs learners' code either; kernels do (`kernel/`). The checks of an exercise share
+a kernel as long as they pass; whatever else comes of a check comes from a kernel of its own.
 """
 
 import atexit

@@ -15,7 +15,7 @@ from pathlib import Path
 import nbval.plugin
 import pytest
 
-from imgproc_course.grading.judge_reference import Reference
+from imgproc_course.grading.judge_reference import Reference, failing_call, read_answer
 from imgproc_course.grading.judge_result import (
     CaseRun,
     exercise_result,
@@ -23,7 +23,6 @@ from imgproc_course.grading.judge_result import (
     refused_result,
     submission_result,
 )
-from imgproc_course.grading.kernel.running import CellRun
 from imgproc_course.grading.kernel.sandbox import Limits
 from imgproc_course.grading.kernel.starting import Kernels
 from imgproc_course.grading.key import MIME, load_key
@@ -36,9 +35,8 @@ _ORDER = re.compile(r"^(\s*#+\s*)(NBVAL_\w+|PYTEST_VALIDATE_\w+)(\s*)$", re.M)
 class ExerciseKernel:
     """What nbval takes for its kernel, for one exercise.
 
-    The given cells and the answer are run once more before each check, in a kernel of that check's own: a
-    patch, a crash or a thread in one check touches no other. Of what a check cell shows nbval gets the values
-    alone: what the function printed or drew beside them costs nothing, as in a lesson.
+    Of what a check cell shows nbval gets the values alone: what the function printed or drew beside them
+    costs nothing, as in a lesson.
     """
 
     current = None  # the Session whose notebook nbval runs now
@@ -90,11 +88,17 @@ class ExerciseKernel:
 
 
 class Session:
-    """One exercise of one submission on its way through nbval."""
+    """One exercise of one submission on its way through nbval.
+
+    Its checks run one after another in one kernel, as in JupyterLab, for as long as they pass. One that does
+    not is run in a new kernel, after the given cells and the answer, and what it does there counts: a patch,
+    a crash or a thread in one check costs no other.
+    """
 
     def __init__(self, exercise, content, kernels, then):
         self._exercise, self._content, self._kernels, self._then = exercise, content, kernels, then
         self._cases = {}
+        self._kernel, self._answer = None, None
         self.runs, self.passed = {}, set()
         code = [cell for cell in content.notebook["cells"] if cell["cell_type"] == "code"]
         known = {case.id: case for case in exercise.cases}
@@ -106,34 +110,57 @@ class Session:
         return self._cases[number]
 
     def run(self, case, before, check):
-        """Run one case in a kernel of its own; again where the process that forked it was ended."""
-        for _ in range(2):
-            self._run(case, before, check)
-            if self.runs[case.id].ended != "gone":
+        """Run one case, its check cell after the cells before it; returns its CaseRun."""
+        run = self._in_the_same_kernel(case, check)
+        for _ in range(2):  # again where the process that forks kernels was ended
+            if run is None or run.ended == "gone":
+                run = self._in_a_new_kernel(case, before, check)
+        self.runs[case.id] = run
+        return run
+
+    def _in_the_same_kernel(self, case, check):
+        """A CaseRun that passed, or None; of a kernel that lets a case use no more than its own would."""
+        if self._kernel is None or self._seconds > seconds_of(self._exercise, case):
+            return None
+        run = CaseRun(answer=self._answer)
+        self._check(run, case, check)
+        return run if self._has_passed(run, case) else None
+
+    def _in_a_new_kernel(self, case, before, check):
+        self.close()
+        self._seconds = seconds_of(self._exercise, case)
+        self._kernel = self._kernels.start(self._exercise.refused, self._seconds, self._then)
+        run = CaseRun()
+        for source in before:
+            run.answer = self._kernel.run(source)
+            if run.ended:
                 break
-        return self.runs[case.id]
+        else:
+            self._check(run, case, check)
+        self._answer = run.answer
+        if not self._has_passed(run, case):
+            self.close()
+        return run
 
-    def _run(self, case, before, check):
+    def _check(self, run, case, check):
         exercise = self._exercise
-        kernel = self._kernels.start(exercise.refused, seconds_of(exercise, case), self._next(case))
-        run = self.runs[case.id] = CaseRun()
-        inputs = self._content.inputs[case.id]
-        try:
-            for source in before:
-                run.answer = kernel.run(source)
-                if run.answer.ended:
-                    return
-            delivered = kernel.deliver(inputs, exercise.time_limit, exercise.refused)
-            run.check = kernel.run(check) if not delivered.ended else CellRun(ended=delivered.ended)
-        finally:
-            kernel.stop()
+        run.check = self._kernel.deliver(self._content.inputs[case.id], exercise.time_limit, exercise.refused)
+        if not run.ended:
+            run.check = self._kernel.run(check)
 
-    def _next(self, case):
-        cases = self._exercise.cases
-        position = cases.index(case) + 1
-        if position < len(cases):
-            return self._exercise.refused, seconds_of(self._exercise, cases[position])
-        return self._then
+    def _has_passed(self, run, case):
+        if run.ended or run.check.error[0] or len(run.check.answers) != 1:
+            return False
+        read = read_answer(run.check.answers[0])
+        if read is None or read[1]:
+            return False
+        return failing_call(self._content.expected[case.id], read[0], case.tolerance) is None
+
+    def close(self):
+        """End its kernel, if it has one."""
+        if self._kernel is not None:
+            self._kernel.stop()
+        self._kernel = None
 
 
 def seconds_of(exercise, case):
@@ -188,7 +215,10 @@ class Judge:
         work = ExerciseKernel.current = Session(exercise, content, self._kernels, then)
         path = self._folder / "exercise.ipynb"
         path.write_text(json.dumps(_with_answer(content.notebook, exercise, source)), encoding="utf-8")
-        self._let_nbval_judge(path, work)
+        try:
+            self._let_nbval_judge(path, work)
+        finally:
+            work.close()
         return exercise_result(exercise, content, work)
 
     def _let_nbval_judge(self, path, work):

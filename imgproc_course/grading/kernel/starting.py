@@ -39,14 +39,16 @@ class Kernels:
         wanted = (tuple(refused), seconds)
         if self._kind == "ipykernel":
             return OrdinaryKernel(*wanted, self.limits, self._group, confined=self._confined)
-        if self._spare_is == wanted and self._spare.answers():
+        if self._spare_is == wanted and not self._spare.answers():
+            self._drop_spare()
+        if self._spare_is == wanted:
             kernel, self._spare, self._spare_is = self._spare, None, None
         else:
-            self._drop_spare()
             kernel = self._fork(wanted)
-        if then is not None:
-            self._spare_is = (tuple(then[0]), then[1])
-            self._spare = self._fork(self._spare_is)
+        then = then and (tuple(then[0]), then[1])
+        if self._spare_is != then:
+            self._drop_spare()
+            self._spare, self._spare_is = then and self._fork(then), then
         return kernel
 
     def _fork(self, wanted):
