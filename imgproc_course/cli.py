@@ -79,6 +79,7 @@ def start(jupyter_options):
 @click.option("--speed", type=float, default=1.0, show_default=True, help="Times the recording's own rate.")
 @click.option("--loop/--once", default=True, show_default=True, help="Start again at the end, or stop there.")
 @click.option("--recording", default="drive", show_default=True, help="'drive', or the path of a rosbag2.")
+@click.option("--camera-topic", help="Which of its cameras to play; the first of colour unless said.")
 @click.option(
     "--topic", default="/kachaka/front_camera/image_raw", show_default=True, help="Raw pictures' topic."
 )
@@ -89,7 +90,7 @@ def start(jupyter_options):
     show_default=True,
     help="Stamp each picture with the time it is sent, or as it was recorded.",
 )
-def play(speed, loop, recording, topic, stamps):
+def play(**options):
     """Publish the recorded drive as the robot publishes its camera, until Ctrl-C."""
     from imgproc_course.ros import ros_problem
 
@@ -99,7 +100,7 @@ def play(speed, loop, recording, topic, stamps):
     from imgproc_course.ros.player import play as play_recording
 
     try:
-        code = play_recording(recording, topic, speed, loop, stamps)
+        code = play_recording(**options)
     except ValueError as error:
         raise click.ClickException(str(error)) from error
     raise SystemExit(code)

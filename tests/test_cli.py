@@ -136,19 +136,22 @@ def test_start_brings_the_lessons_before_it_runs_jupyterlab(call, monkeypatch, t
 @pytest.mark.ros
 def test_play_hands_its_options_on(call, monkeypatch):
     given = []
-    monkeypatch.setattr("imgproc_course.ros.player.play", lambda *options: given.append(options) or 0)
+    monkeypatch.setattr("imgproc_course.ros.player.play", lambda **options: given.append(options) or 0)
     assert call("play").exit_code == 0
     options = ["--speed", "3", "--once", "--recording", "my_bag", "--topic", "/cam", "--stamps", "recorded"]
+    options += ["--camera-topic", "/back"]
     assert call("play", *options).exit_code == 0
+    usual = {"topic": "/kachaka/front_camera/image_raw", "camera_topic": None, "stamps": "now"}
+    mine = {"topic": "/cam", "camera_topic": "/back", "stamps": "recorded"}
     assert given == [
-        ("drive", "/kachaka/front_camera/image_raw", 1.0, True, "now"),
-        ("my_bag", "/cam", 3.0, False, "recorded"),
+        {"recording": "drive", "speed": 1.0, "loop": True, **usual},
+        {"recording": "my_bag", "speed": 3.0, "loop": False, **mine},
     ]
 
 
 @pytest.mark.ros
 def test_a_camera_that_stopped_on_an_error_fails_the_command(call, monkeypatch):
-    monkeypatch.setattr("imgproc_course.ros.player.play", lambda *_: 1)
+    monkeypatch.setattr("imgproc_course.ros.player.play", lambda **_: 1)
     assert call("play").exit_code == 1
 
 
@@ -159,6 +162,10 @@ def test_a_camera_that_stopped_on_an_error_fails_the_command(call, monkeypatch):
         (
             ["--recording", "/no/such/bag"],
             "Error: there is no recording /no/such/bag; give the path of a rosbag2",
+        ),
+        (
+            ["--camera-topic", "/back"],
+            "Error: drive holds no pictures on /back, but on: /kachaka/front_camera/",
         ),
         (["--speed", "-1"], "Error: speed -1.0 is no positive number"),
         (["--topic", "no topic"], "Error: 'no topic' is no topic name"),

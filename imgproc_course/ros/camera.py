@@ -22,7 +22,16 @@ SOURCES = ("recording", "webcam", "topic")
 LOOK_AROUND = 1.0  # seconds between two looks for others who publish the same topic
 
 
-def open_camera(source="recording", *, topic=TOPIC, speed=1.0, loop=True, recording="drive", stamps="now"):
+def open_camera(
+    source="recording",
+    *,
+    topic=TOPIC,
+    speed=1.0,
+    loop=True,
+    recording="drive",
+    camera_topic=None,
+    stamps="now",
+):
     """Publishes pictures on a topic, with the topics, headers and QoS of the robot's own camera.
 
     Parameters
@@ -33,6 +42,7 @@ def open_camera(source="recording", *, topic=TOPIC, speed=1.0, loop=True, record
     speed : times the recording's own rate: 3.0 plays a drive of 10 Hz at 30 Hz
     loop : whether the recording starts again at its end
     recording : "drive", or the path of a recording of yours
+    camera_topic : which of the recording's topics is played; None as in `open_recording`
     stamps : "now", or "recorded" for the stamps of the recording (which jump back where it starts again)
 
     Returns
@@ -42,7 +52,7 @@ def open_camera(source="recording", *, topic=TOPIC, speed=1.0, loop=True, record
     Raises
     ------
     ValueError : no such source, speed, stamps or topic name
-    RecordingError : the recording does not open
+    RecordingError : the recording does not open, or holds no pictures on that topic
     RuntimeError : no webcam answers
 
     Opening a camera on the topic of another one of this process replaces that one.
@@ -53,7 +63,7 @@ def open_camera(source="recording", *, topic=TOPIC, speed=1.0, loop=True, record
     if source == "webcam":
         pictures = Webcam()
     else:
-        pictures = RecordedPictures(open_recording(recording), speed, loop, stamps)
+        pictures = RecordedPictures(open_recording(recording, camera_topic=camera_topic), speed, loop, stamps)
     return Camera(topic, pictures)
 
 

@@ -4,18 +4,18 @@ import signal
 import threading
 import time
 
-from imgproc_course.ros.camera import TOPIC, open_camera
+from imgproc_course.ros.camera import open_camera
 from imgproc_course.ros.session import RosSession
 
 STATUS_SECONDS = 10.0
 
 
-def play(recording="drive", topic=TOPIC, speed=1.0, loop=True, stamps="now", status_seconds=STATUS_SECONDS):
+def play(*, recording="drive", status_seconds=STATUS_SECONDS, **options):
     """Publishes a recording until Ctrl-C, SIGTERM, or its end (without loop). Runs in the main thread.
 
     Parameters
     ----------
-    recording, topic, speed, loop, stamps : as in `open_camera`
+    recording, and `topic`, `camera_topic`, `speed`, `loop`, `stamps` : as in `open_camera`
     status_seconds : time between two lines that say how it goes
 
     Returns
@@ -29,7 +29,7 @@ def play(recording="drive", topic=TOPIC, speed=1.0, loop=True, stamps="now", sta
     leaving = threading.Event()
     former = {number: signal.signal(number, lambda *_: leaving.set()) for number in _SIGNALS}
     try:
-        with open_camera(topic=topic, speed=speed, loop=loop, recording=recording, stamps=stamps) as camera:
+        with open_camera(recording=recording, **options) as camera:
             print(_opening(camera, recording), flush=True)
             _watch(camera, leaving, status_seconds)
             if camera.last_error is None:

@@ -57,7 +57,11 @@ def open_camera(session, monkeypatch):
     real = module.open_recording
     opened = []
     monkeypatch.setattr(
-        module, "open_recording", lambda path: FakeRecording() if path == "fake" else real(path)
+        module,
+        "open_recording",
+        lambda path, camera_topic: (
+            FakeRecording() if path == "fake" else real(path, camera_topic=camera_topic)
+        ),
     )
 
     def make(*arguments, **options):
@@ -100,6 +104,19 @@ def test_the_pixels_are_those_of_the_recording(open_camera, wait_until):
         for stamp, frame in list(seen.items())[:5]:
             assert np.array_equal(frame, drive.frame(numbers[stamp]))
     assert subscriber.failed == 0
+
+
+@pytest.mark.ros
+def test_another_of_the_recordings_cameras_can_be_played(open_camera):
+    from imgproc_course.recording import NotRecordedError, open_recording
+    from imgproc_course.ros import ImageSubscriber
+
+    with open_recording("drive", camera_topic="/truth/labels") as labels:
+        known = {labels.frame(k).tobytes() for k in range(len(labels))}
+    with open_camera(camera_topic="/truth/labels") as camera, ImageSubscriber(camera.topic) as subscriber:
+        assert subscriber.wait(20).tobytes() in known
+    with pytest.raises(NotRecordedError, match="holds no pictures on /back, but on: "):
+        open_camera(camera_topic="/back")
 
 
 @pytest.mark.ros
