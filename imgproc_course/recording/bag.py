@@ -126,7 +126,7 @@ def _cure(path, error):
         return "write it again with a compression that rosbags knows (none, zstd, lz4): ros2 bag convert"
     if path.is_dir() and ("metadata" in words or "missing" in words):
         return f"its metadata.yaml is broken or a file is missing: ros2 bag reindex {path}"
-    if path.suffix == ".db3":
+    if path.suffix == ".db3" or (path.is_dir() and any(path.glob("*.db3"))):
         return "it is cut short or no bag; try: sqlite3 broken.db3 .recover | sqlite3 mended.db3"
     return (
         "it is cut short or no bag; try: ros2 bag reindex FOLDER, or: mcap recover broken.mcap -o mended.mcap"
