@@ -15,6 +15,9 @@ ANSWERS = {
     "patches numpy": f"def mean(values):\n    got = {MEAN}\n    np.mean = lambda values: 0\n    return got",
     "ends soon": "import os, threading\ndef mean(values):\n    threading.Timer(0.3, os._exit, [1]).start()\n"
     f"    return {MEAN}",
+    "spoils from beside": f"import threading\ndef mean(values):\n    got = {MEAN}\n    def spoil():\n"
+    "        while True:\n            np.mean = lambda values: 0\n"
+    "    threading.Thread(target=spoil, daemon=True).start()\n    return got",
     "begins late": "seen = []\ndef mean(values):\n    seen.append(1)\n"
     f"    return {MEAN} if len(seen) > 1 else 0.0",
     "spins later": "import signal\ndef mean(values):\n    if len(values) > 5:\n"
@@ -26,6 +29,7 @@ OUTCOMES = {
     "works once": ["passed", "passed"],
     "patches numpy": ["passed", "passed"],
     "ends soon": ["passed", "passed"],
+    "spoils from beside": ["passed", "passed"],
     "begins late": ["wrong", "wrong"],
     "spins later": ["passed", "time"],
     "ends later": ["passed", "crashed"],
