@@ -118,6 +118,7 @@ def test_interrupting_a_waiting_cell_leaves_the_graph_running(notebook, also):
     notebook.run(OPEN)
     notebook.run(SUBSCRIBE)
     notebook.run(also)
-    notebook.interrupt("import time\nprint('waits', flush=True)\ntime.sleep(60)")
+    # Short sleeps: a long one does not see a signal that came between the print and its beginning.
+    notebook.interrupt("import time\nprint('waits', flush=True)\nfor _ in range(1200): time.sleep(0.05)")
     assert notebook.run(READ) == ("(720, 1280, 3)\n", "")
     assert notebook.run(ALIVE) == ("1 1 1\n", "")
