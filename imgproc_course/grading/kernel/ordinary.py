@@ -28,7 +28,7 @@ class _OneSpec(KernelSpecManager):
 
 
 class OrdinaryKernel:
-    """An ipykernel of its own for one check; `run`, `deliver` and `stop` as `ForkedKernel` has them."""
+    """An ipykernel for the checks of an exercise; `run`, `deliver` and `stop` as `ForkedKernel` has them."""
 
     def __init__(self, refused, seconds, limits, group, *, confined):
         self._limits, self._seconds, self._group = limits, seconds, group

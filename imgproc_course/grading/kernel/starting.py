@@ -33,7 +33,7 @@ class Kernels:
         Parameters
         ----------
         refused : sequence of str, modules that it must not have
-        seconds : float, processor time that its case may use
+        seconds : float, processor time that the first case may use, and with it all that share the kernel
         then : (refused, seconds) of the kernel that will be wanted next, or None
         """
         wanted = (tuple(refused), seconds)

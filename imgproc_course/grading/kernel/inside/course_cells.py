@@ -1,7 +1,7 @@
 """What a check cell calls: it gives the learner's function its inputs, and shows what came back.
 
-Values, never verdicts. The inputs of one case are delivered just before its cell runs, in a process of its
-own; the expected values are elsewhere.
+Values, never verdicts. The inputs of one case are delivered just before its cell runs; the expected values
+are elsewhere.
 """
 
 import base64
