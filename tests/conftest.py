@@ -37,7 +37,7 @@ def pytest_runtest_setup(item):
 
 
 # What takes long begins first: begun last, it would leave the other workers nothing to do meanwhile.
-LONGEST_FIRST = ("ros_packages", "browser", "grading_engine", "grading_office", "notebooks", "ros")
+LONGEST_FIRST = ("ros_packages", "browser", "autograder", "gradebook", "notebooks", "ros")
 # A worker takes a file at a time; of these folders all files, for what they share (a colcon workspace, a
 # JupyterLab with its browser) takes long to make; and of these a test at a time, for each is a whole lesson.
 WHOLE_FOLDERS = ("ros_packages", "browser")

@@ -1,7 +1,7 @@
 """What an answer is: declared in a master, checked in the learner's notebook, graded by the teacher."""
 
 from imgproc_course.exercises.canonical import array_of, canonical
-from imgproc_course.exercises.checking import CheckResult, check, judge
+from imgproc_course.exercises.checking import CheckResult, check, run_cases
 from imgproc_course.exercises.comparison import Difference, compare
 from imgproc_course.exercises.declaration import (
     Case,
@@ -26,6 +26,6 @@ __all__ = [
     "compare",
     "exercise",
     "find_exercise",
-    "judge",
     "read_exercises",
+    "run_cases",
 ]

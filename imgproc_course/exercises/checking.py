@@ -106,10 +106,10 @@ def check(exercise_id, function):
             f" {type(function).__name__}; run the cell with your function first (if it shows an error, repair"
             f" that), and write check({exercise_id!r}, {declared.function}), no parentheses after the name"
         )
-    return judge(declared, function)
+    return run_cases(declared, function)
 
 
-def judge(declared, function, *, cases=None, seed=PUBLIC_SEED):
+def run_cases(declared, function, *, cases=None, seed=PUBLIC_SEED):
     """Run an answer through cases of an exercise.
 
     Parameters

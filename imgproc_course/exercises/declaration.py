@@ -1,8 +1,8 @@
 """What an exercise is: its declaration, read from the master that teaches it.
 
-The format stands in `imgproc_course.grading.masters`. This module reads the role cells only, with a splitter
-of its own: importing jupytext takes a second, which a learner would wait for at the first `check`.
-`imgproc_course.grading.masters` reads whole lessons with jupytext, and refuses a master that the two read
+The format stands in `imgproc_course.authoring.masters`. This module reads the role cells only, with a
+splitter of its own: importing jupytext takes a second, which a learner would wait for at the first `check`.
+`imgproc_course.authoring.masters` reads whole lessons with jupytext, and refuses a master that the two read
 differently.
 """
 

@@ -1,7 +1,7 @@
 """Every attack on the grader in one table: points gained, neighbours harmed, what was reported.
 
-These are the very attacks of tests/grading_engine/attacks.py (an answer's source) and
-tests/grading_office/form_attacks.py (cells, files, archives, names), each with an honest submission
+These are the very attacks of tests/autograder/attacks.py (an answer's source) and
+tests/gradebook/form_attacks.py (cells, files, archives, names), each with an honest submission
 behind it. Ends with exit code 1 where one gained a point or harmed a neighbour, or where one of the published
 list of 62 is not tried.
 
@@ -17,17 +17,16 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "grading_engine"))
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "grading_office"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "autograder"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "gradebook"))
 
 from attacks import MASTERS, PUBLISHED, SEED, judge_attacks
 from form_attacks import LESSON, grade_attacks
 from submissions import MASTERS as OFFICE_MASTERS
 
-from imgproc_course.grading.key import make_key
-from imgproc_course.grading.masters import read_master
-from imgproc_course.grading.term import write_handed_out
-from imgproc_course.grading.visible import visible_line
+from imgproc_course.authoring.masters import read_master
+from imgproc_course.autograder.make_answer_key import make_key
+from imgproc_course.gradebook.sanitize import visible_line
 
 
 def source_rows(folder, workers):
@@ -43,7 +42,6 @@ def source_rows(folder, workers):
 def form_rows(folder, workers):
     """The same of attacks by a submission's form."""
     make_key(OFFICE_MASTERS, SEED, folder / "form-key")
-    write_handed_out(OFFICE_MASTERS, folder / "form-key")
     light = read_master(OFFICE_MASTERS / f"{LESSON}.py")
     for found in grade_attacks(light, folder / "form-key", folder / "form", quiet=None, workers=workers):
         yield found.attack.number, found.attack.name, found.gained, found.harmed, found.reported

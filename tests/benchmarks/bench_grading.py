@@ -22,10 +22,10 @@ from platformdirs import user_cache_path
 from rich.console import Console
 from rich.table import Table
 
+from imgproc_course.autograder.make_answer_key import make_key, sample_answers
+from imgproc_course.autograder.pool import autograde
+from imgproc_course.autograder.sandbox.inside.input_encoding import decode
 from imgproc_course.exercises import array_of, read_exercises
-from imgproc_course.grading.judge import judge
-from imgproc_course.grading.kernel.inside.values import decode
-from imgproc_course.grading.key import make_key, sample_answers
 
 ROOT = Path(__file__).parents[2]
 MASTERS = ROOT / "notebooks" / "masters"
@@ -185,7 +185,7 @@ def side_by_side(venv, folder, key, lesson, count):
     submissions = list(answers_of(lesson, count))
     prepare_nbgrader(venv, folder, key, lesson, submissions)
     begun = time.perf_counter()
-    ours = {result["submission"]: result["got"] for result in judge(submissions, key)}
+    ours = {result["submission"]: result["got"] for result in autograde(submissions, key)}
     between = time.perf_counter()
     run_nbgrader(venv, folder, "autograde", "ps1")
     theirs_took = time.perf_counter() - between
@@ -197,7 +197,7 @@ def growth(key, lesson, count):
     table = Table("submissions", "s", "ms each", "MB, all processes", title="growth", title_justify="left")
     marks = sorted({count // 10, count // 4, count // 2, count})
     begun = time.perf_counter()
-    for number, _ in enumerate(judge(answers_of(lesson, count), key), 1):
+    for number, _ in enumerate(autograde(answers_of(lesson, count), key), 1):
         if number in marks:
             taken = time.perf_counter() - begun
             table.add_row(str(number), f"{taken:.1f}", f"{taken / number * 1000:.0f}", f"{_memory():.0f}")

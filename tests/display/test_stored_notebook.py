@@ -9,7 +9,7 @@ import nbformat
 from nbclient import NotebookClient
 
 # nbval alone: other plugins, and what JupyterLab brings, cost seconds.
-NBVAL = ["-p", "imgproc_course.grading.judge_start", "-p", "nbval.plugin", "--nbval"]
+NBVAL = ["-p", "imgproc_course.autograder.blocked_imports", "-p", "nbval.plugin", "--nbval"]
 WIDGET = "application/vnd.jupyter.widget-view+json"
 CELLS = [
     """

@@ -6,7 +6,7 @@ import re
 import numpy as np
 import pytest
 
-from imgproc_course.exercises import check, find_exercise, judge
+from imgproc_course.exercises import check, find_exercise, run_cases
 
 
 @pytest.fixture(autouse=True)
@@ -275,7 +275,7 @@ def test_feedback_is_the_same_each_time():
 
 def test_large_arrays_are_drawn_with_the_first_differing_pixel_named():
     declared = find_exercise("test-double")
-    result = judge(declared, wraps, cases=declared.hidden)
+    result = run_cases(declared, wraps, cases=declared.hidden)
     html = result._repr_html_()
     assert 'src="data:image/png;base64,' in html
     (alt,) = re.findall(r'alt="([^"]*)"', html)
@@ -287,8 +287,8 @@ def test_large_arrays_are_drawn_with_the_first_differing_pixel_named():
 
 def test_hidden_cases_draw_from_another_seed():
     declared = find_exercise("test-double")
-    public = judge(declared, wraps, cases=declared.hidden).results[0].failed.arguments[0]
-    secret = judge(declared, wraps, cases=declared.hidden, seed=99).results[0].failed.arguments[0]
+    public = run_cases(declared, wraps, cases=declared.hidden).results[0].failed.arguments[0]
+    secret = run_cases(declared, wraps, cases=declared.hidden, seed=99).results[0].failed.arguments[0]
     assert not np.array_equal(public, secret)
 
 

@@ -16,11 +16,11 @@ from pathlib import Path
 import nbformat
 import pytest
 
+from imgproc_course.authoring.build import build_solved, execute
+from imgproc_course.authoring.masters import read_master
+from imgproc_course.authoring.validation import prove
 from imgproc_course.exercises import read_exercises
-from imgproc_course.exercises.checking import judge
-from imgproc_course.grading.build import build_solved, execute
-from imgproc_course.grading.masters import read_master
-from imgproc_course.grading.proving import prove
+from imgproc_course.exercises.checking import run_cases
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 MASTERS = sorted((NOTEBOOKS / "masters").glob("[0-9][0-9]_*.py"))
@@ -35,7 +35,7 @@ OURS = (
 
 
 # nbval alone, as the judge starts it: other plugins, and what JupyterLab brings, cost seconds a notebook.
-NBVAL = ["-p", "imgproc_course.grading.judge_start", "-p", "nbval.plugin", "--nbval"]
+NBVAL = ["-p", "imgproc_course.autograder.blocked_imports", "-p", "nbval.plugin", "--nbval"]
 
 
 def by_lesson(paths):
@@ -90,10 +90,10 @@ def test_nbval_finds_the_solved_twin_as_built(master, tmp_path):
 @pytest.mark.parametrize("declared", exercises())
 def test_an_exercise_grades_justly(declared):
     assert prove(declared) == []
-    stub = judge(declared, declared.function_of(declared.stub, "stub"), cases=declared.cases)
+    stub = run_cases(declared, declared.function_of(declared.stub, "stub"), cases=declared.cases)
     assert not stub.attempted and stub.points == 0
     solution = declared.function_of(declared.solution, "solution")
-    right = judge(declared, solution, cases=declared.cases, seed=7)
+    right = run_cases(declared, solution, cases=declared.cases, seed=7)
     assert right.passed and right.points == declared.points
 
 
@@ -102,7 +102,7 @@ def test_every_known_mistake_is_caught_under_its_own_name(declared):
     caught = {}
     for mistake in declared.mistakes:
         wrong = declared.function_of(mistake.source, mistake.name, prepared=True)
-        result = judge(declared, wrong)
+        result = run_cases(declared, wrong)
         assert result.attempted and not result.passed
         caught[mistake.name] = result.mistake and result.mistake.name
         assert mistake.says in repr(result)

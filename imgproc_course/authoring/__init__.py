@@ -1,0 +1,1 @@
+"""From masters to lessons: read, validate, execute, build."""

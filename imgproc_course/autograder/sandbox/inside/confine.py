@@ -1,0 +1,140 @@
+"""Shut this process in: namespaces, mounts, limits, identity. Linux; the standard library only.
+
+Called in each fork before anything of a learner's is there. What bubblewrap did around the forking process is
+done again here, so that nothing passes from one fork to the next. By the plainest calls (`os`, no `pathlib`):
+each page of memory that a fork touches has to be copied.
+"""
+
+import ctypes
+import os
+import resource
+import signal
+from contextlib import suppress
+
+from imgproc_course.autograder.sandbox.inside.seccomp import refuse_system_calls
+
+NEWNS, NEWUTS, NEWIPC, NEWPID = 0x20000, 0x4000000, 0x8000000, 0x20000000
+_RDONLY, _NOSUID, _NODEV, _NOEXEC, _REC, _PRIVATE, _BIND = 1, 2, 4, 8, 0x4000, 0x40000, 0x1000
+_PR_CAPBSET_DROP, _PR_SET_NO_NEW_PRIVS, _PR_SET_DUMPABLE = 24, 38, 4
+_LAST_CAPABILITY = 63
+NOTHING = "/course/nothing"  # an empty folder, read-only
+_libc = ctypes.CDLL(None, use_errno=True)
+
+
+def _checked(result, what):
+    if result != 0:
+        number = ctypes.get_errno()
+        raise OSError(number, f"{what}: {os.strerror(number)}")
+
+
+def unshare(flags):
+    """Move this process (for NEWPID: its next children) into namespaces of its own."""
+    _checked(_libc.unshare(ctypes.c_int(flags)), "unshare")
+
+
+def own_pid_namespace():
+    """A descriptor of this process's own PID namespace, for `back_to`."""
+    return os.open("/proc/self/ns/pid", os.O_RDONLY | os.O_CLOEXEC)
+
+
+def back_to(descriptor):
+    """Let the next children be born in the namespace of `own_pid_namespace` again."""
+    _checked(_libc.setns(descriptor, ctypes.c_int(NEWPID)), "setns")
+
+
+def _mount(source, target, kind, flags, data=""):
+    texts = [text.encode() if text else None for text in (source, target, kind)]
+    _checked(_libc.mount(*texts, ctypes.c_ulong(flags), data.encode() or None), f"mount {target}")
+
+
+def confine(hidden, limits, user):
+    """Shut this process in, for good.
+
+    Parameters
+    ----------
+    hidden : list of str, paths that are to be empty here: what the exercise refuses
+    limits : dict, see `set_limits`; also "scratch", bytes that may be written to /tmp
+    user : int or None, the user and group to become; None inside a user namespace, where root is nobody
+
+    Raises
+    ------
+    OSError : the system refuses a step; nothing of a learner's may run then
+    """
+    unshare(NEWNS | NEWIPC | NEWUTS)  # bubblewrap's network namespace is empty, and nothing stays in it
+    _mount("", "/", "", _REC | _PRIVATE)
+    for path in hidden:
+        _hide(path)
+    scratch = f"size={limits['scratch']},nr_inodes=2000"
+    _mount("tmpfs", "/tmp", "tmpfs", _NOSUID | _NODEV, f"{scratch},mode=1777")
+    _mount("tmpfs", "/dev/shm", "tmpfs", _NOSUID | _NODEV | _NOEXEC, f"{scratch},mode=1777")
+    _mount("proc", "/proc", "proc", _NOSUID | _NODEV | _NOEXEC)
+    os.umask(0o022)
+    for folder in ("/tmp/home", "/tmp/submission"):
+        os.mkdir(folder)
+        if user is not None:
+            os.chown(folder, user, user)
+    os.chdir("/tmp/submission")
+    set_limits(limits)
+    _become_nobody(user)
+
+
+def _hide(path):
+    if os.path.isdir(path):
+        _mount(NOTHING, path, "", _BIND)
+    elif os.path.exists(path):
+        _mount("/dev/null", path, "", _BIND)
+
+
+def set_limits(limits):
+    """The limits that the kernel of the system holds, for this process and all that it starts.
+
+    Parameters
+    ----------
+    limits : dict of "cpu" seconds, "memory" bytes, "processes", "file" bytes
+    """
+    for kind, most in (
+        (resource.RLIMIT_CPU, limits["cpu"]),
+        (resource.RLIMIT_AS, limits["memory"]),
+        (resource.RLIMIT_NPROC, limits["processes"]),
+        (resource.RLIMIT_FSIZE, limits["file"]),
+        (resource.RLIMIT_NOFILE, 256),
+        (resource.RLIMIT_CORE, 0),
+    ):
+        _, hard = resource.getrlimit(kind)
+        most = most if hard == resource.RLIM_INFINITY else min(most, hard)
+        resource.setrlimit(kind, (most, most))
+
+
+def _become_nobody(user):
+    _checked(_libc.prctl(_PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0), "no_new_privs")
+    for capability in range(_LAST_CAPABILITY + 1):
+        if _libc.prctl(_PR_CAPBSET_DROP, capability, 0, 0, 0) != 0:
+            break  # the last one that this system knows
+    if user is not None:
+        os.setgroups([])
+        os.setresgid(user, user, user)
+        os.setresuid(user, user, user)
+    _drop_capabilities()
+    _checked(_libc.prctl(_PR_SET_DUMPABLE, 1, 0, 0, 0), "dumpable")
+    refuse_system_calls()
+
+
+def _drop_capabilities():
+    """Empty the effective, permitted and inheritable sets (capset, version 3)."""
+    header = (ctypes.c_uint32 * 2)(0x20080522, 0)
+    none = (ctypes.c_uint32 * 6)(0, 0, 0, 0, 0, 0)
+    _checked(_libc.capset(header, none), "capset")
+
+
+def die_first():
+    """Where memory runs out, let this process and what it starts be ended before any other; for good."""
+    with suppress(OSError):
+        descriptor = os.open("/proc/self/oom_score_adj", os.O_WRONLY)
+        os.write(descriptor, b"1000")
+        os.close(descriptor)
+
+
+def die_with_parent():
+    """End this process when the one that started it ends."""
+    with suppress(OSError):
+        _checked(_libc.prctl(1, signal.SIGKILL, 0, 0, 0), "pdeathsig")

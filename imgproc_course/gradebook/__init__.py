@@ -1,0 +1,1 @@
+"""From submissions to grades: collect, read, record, report, export."""

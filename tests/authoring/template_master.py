@@ -1,0 +1,36 @@
+"""The example master of the format's description, and a fixture that writes it, changed, into a folder."""
+
+import re
+import textwrap
+
+import pytest
+
+from imgproc_course.authoring import masters
+
+# The example in the format's description, so that what is described is what is tested.
+TEMPLATE = textwrap.dedent(re.search(r"A whole one:\n\n(.*?)\nFront matter", masters.__doc__, re.S)[1])
+
+
+@pytest.fixture(scope="session")
+def template():
+    """The template master, as text."""
+    return TEMPLATE
+
+
+@pytest.fixture
+def write_master(tmp_path, monkeypatch):
+    """Writes the template with pieces of it replaced, or text added, and lets `check` find it."""
+
+    def write(*replacements, add="", name="90_template"):
+        text = TEMPLATE
+        for old, new in replacements:
+            assert old in text
+            text = text.replace(old, new)
+        folder = tmp_path / "masters"
+        folder.mkdir(exist_ok=True)
+        path = folder / f"{name}.py"
+        path.write_text(text + add, encoding="utf-8")
+        monkeypatch.setenv("IMGPROC_COURSE_MASTERS", str(folder))
+        return path
+
+    return write

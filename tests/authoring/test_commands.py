@@ -1,0 +1,43 @@
+"""`imgproc-course build`, as a teacher calls it."""
+
+import pytest
+from click.testing import CliRunner
+
+from imgproc_course.cli import build
+
+
+@pytest.fixture
+def call(tmp_path):
+    def run(path, *options):
+        folders = [
+            "--masters",
+            str(path.parent),
+            "--out",
+            str(tmp_path / "out"),
+            "--solved",
+            str(tmp_path / "twins"),
+        ]
+        return CliRunner().invoke(build, [*folders, *options])
+
+    return run
+
+
+def test_build_then_check_agree(write_master, call, tmp_path):
+    path = write_master()
+    done = call(path)
+    assert done.exit_code == 0 and done.stdout.endswith(f"Lessons built into {tmp_path / 'out'}: 1.\n")
+    assert (tmp_path / "twins" / "90_template.ipynb").is_file()
+    done = call(path, "--check", "90")
+    assert done.exit_code == 0 and "Lessons as their masters say: 1." in done.stdout
+    write_master(("Write `double`", "Please write `double`"))
+    done = call(path, "--check")
+    assert done.exit_code == 1
+    assert "90_template.ipynb: cell 90_template-4: its source differs from the master" in done.stderr
+
+
+def test_what_cannot_be_built_is_said_in_a_line(write_master, call):
+    done = call(write_master(("minutes: 5", "minutes: 0")))
+    assert done.exit_code == 1
+    assert done.stderr.startswith("90_template.py: the front matter needs")
+    done = call(write_master(), "77")
+    assert done.exit_code == 1 and "Error: '77' names no lesson" in done.stderr

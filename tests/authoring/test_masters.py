@@ -1,0 +1,89 @@
+"""The format's rules."""
+
+import pytest
+
+from imgproc_course.authoring.masters import find_masters, read_master
+from imgproc_course.exercises import MasterError
+
+
+def test_a_master_is_read_whole(write_master):
+    master = read_master(write_master())
+    assert (master.name, master.title, master.minutes) == ("90_template", "Doubling", 5)
+    assert [(cell.id, cell.role) for cell in master.cells] == [
+        ("90_template-1", ""),
+        ("given-template-double-1", "given"),
+        ("90_template-3", ""),
+        ("90_template-4", ""),
+        ("answer-template-double", "answer"),
+        ("check-template-double-1", "check"),
+    ]
+    answer = master.cells[4]
+    assert "NotImplementedError" in answer.source and "NotImplementedError" not in answer.solved_source
+    assert "np.minimum" in answer.solved_source and "np.minimum" not in answer.source
+    assert all(cell.source == cell.solved_source for cell in master.cells if cell.role != "answer")
+
+
+THIRTEEN = "\n".join(f"x{k} = {k}" for k in range(13))
+
+
+@pytest.mark.parametrize(
+    ("replacements", "added", "said"),
+    [
+        ([("title: Doubling", "title: Trebling")], "", "begins with the heading '# Trebling'"),
+        ([("minutes: 5", "minutes: few")], "", "the front matter needs"),
+        ([('role="hidden"', 'role="case"')], "", 'has no role="hidden"'),
+        ([('role="case"', 'role="hidden"')], "", 'has no role="case"'),
+        ([('check("template-double", double)', "double")], "", 'must call check("template-double", ...)'),
+        ([], '\n# %% role="mistake" name="uint8 wraps" says="x"\nx = 1\n', "the mistake 'uint8 wraps' twice"),
+        ([], '\n# %% role="answer"\ndef double(pixels): ...\n', 'needs one role="answer" cell, found 2'),
+        ([], f"\n# %%\n{THIRTEEN}\n", "13 lines of code, at most 12"),
+        ([], "\n# %%\nfrom math import *\n", "star imports"),
+        ([], "\n# %%\n# %%capture\nx = 1\n", "cells that hide their work"),
+        ([], "\n# %%\nx = 1\nx;\n", "ends with ';'"),
+        ([], '\n# %% tags=["hide-input"]\nx = 1\n', "a tag hides this cell"),
+        ([], "\n# %%\n# NBVAL_IGNORE_OUTPUT\nx = 1\n", "as a tag"),
+        ([], "\n# %%\n# only words\n", "a code cell without code"),
+        ([], '\n# %% tags=["nbval-ignore-output"]\nx = 1\n\n# %%\ny = x\n', "it must hold an assert"),
+        ([], "\n# %%\ndouble = 2 * 3\n", "binds double, which an exercise asks the learner for"),
+        ([], '\n# %% role="given"\n# !ls\n', "reads differently in jupytext"),
+    ],
+)  # fmt: skip
+def test_a_rule_that_is_broken_is_named(write_master, replacements, added, said):
+    with pytest.raises(MasterError) as error:
+        read_master(write_master(*replacements, add=added))
+    assert said in str(error.value)
+    assert str(error.value).startswith("90_template.py")
+
+
+@pytest.mark.parametrize(
+    "added",
+    [
+        f'\n# %% tags=["long"]\n{THIRTEEN}\n',
+        '\n# %% tags=["nbval-ignore-output"]\nx = 1\nassert x\n',
+        '\n# %% tags=["nbval-ignore-output"]\nx = 1\n\n# %% [markdown]\n# Words.\n\n# %%\nassert x\n',
+        "\n# %%\n# !echo hello\n",
+    ],
+)
+def test_a_rule_that_is_kept_is_kept_silent(write_master, added):
+    assert len(read_master(write_master(add=added)).cells) > 6
+
+
+def test_every_broken_rule_is_said_at_once(write_master):
+    with pytest.raises(MasterError) as error:
+        read_master(write_master(("minutes: 5", "minutes: 0"), add="\n# %%\nfrom math import *\n"))
+    assert len(str(error.value).splitlines()) == 3  # the second names its line too
+
+
+def test_lessons_are_found_by_number_and_by_name(write_master, tmp_path):
+    first, second = write_master(name="01_first_steps"), write_master(name="02_images")
+    write_master(name="notes")
+    folder = tmp_path / "masters"
+    assert find_masters(folder) == [first, second]
+    assert find_masters(folder, ["02"]) == [second]
+    assert find_masters(folder, ["02_images.ipynb", "01_first"]) == [first, second]
+    with pytest.raises(MasterError, match="'03' names no lesson: 01_first_steps, 02_images"):
+        find_masters(folder, ["03"])
+    with pytest.raises(MasterError, match="'0' names several lessons"):
+        find_masters(folder, ["0"])
+    with pytest.raises(MasterError, match="no masters in"):
+        find_masters(tmp_path)

@@ -1,0 +1,1252 @@
+"""Attacks on the grader: each the source of an answer's cell, wrong in truth, that tries to gain by a trick.
+
+`number` is the attack's in the published list of 62; from 101 on they are our own. Attacks on the form of a
+submission (its cells, metadata, files, archives and names) are tried where submissions are taken in.
+"""
+
+# ruff: noqa: E501 - the lines are the attackers' own
+
+from dataclasses import dataclass, field
+from pathlib import Path
+from textwrap import dedent
+
+from tqdm import tqdm
+
+from imgproc_course.autograder.pool import Limits, autograde
+
+MASTERS = Path(__file__).parent / "masters"
+LESSON = "10_attacked"
+SEED = 8_675_309
+PUBLISHED = range(1, 63)  # numbers of the published list
+# Short, so that what never ends is soon ended; long enough for two kernels on a busy machine.
+SHORT = Limits(grace=0.5, wall_factor=4, wall_grace=2.0, memory=1 << 30, output=2 << 20)
+RIGHT = {
+    "attacked-double": "def double(pixels):\n"
+    "    return np.minimum(pixels.astype(int) * 2, LIMIT).astype(np.uint8)",
+    "attacked-mean": "def mean(values):\n    return sum(values) / len(values)",
+}
+
+
+@dataclass(frozen=True)
+class Attack:
+    """outcomes: what may be said of its cases; told: what its public case's words must hold, and not hold."""
+
+    number: int
+    name: str
+    source: object
+    outcomes: frozenset = field(default_factory=lambda: frozenset({"wrong"}))
+    told: str = ""
+    silent: str = ""
+
+    @property
+    def title(self):
+        """What it is called; of its own among all."""
+        return f"{self.number}: {self.name}"
+
+
+WRONG = "\ndef double(pixels):\n    return np.zeros(pixels.shape, np.uint8)\n"
+ATTACKS = []
+
+
+def attack(number, name, source, *outcomes, told="", silent="", wrong=True):
+    """Add an attack; `wrong` puts an honest wrong answer behind it."""
+    if isinstance(source, str):
+        source = dedent(source) + (WRONG if wrong else "")
+    ATTACKS.append(Attack(number, name, source, frozenset(outcomes or ("wrong",)), told, silent))
+
+
+# ---------------------------------------------------------------- orders to nbval, and sources that are none
+
+attack(8, "NBVAL_SKIP in the answer", "# NBVAL_SKIP\n")
+attack(9, "NBVAL_RAISES_EXCEPTION in the answer", "# NBVAL_RAISES_EXCEPTION\n# NBVAL_IGNORE_OUTPUT\n")
+attack(14, "a source that is a number", 7, "missing", wrong=False)
+attack(14, "lone surrogates and null bytes", "x = '\ud800'\ny = '\x00'\n", "wrong", "raised")
+attack(15, "a source of a megabyte", "x = '" + "a" * 1_000_000 + "'\n", "hostile")
+
+# ---------------------------------------------------------------- the shell and the check cell
+
+attack(
+    16,
+    "transformers of source and syntax tree",
+    """
+    import ast
+    class Drop(ast.NodeTransformer):
+        def visit_Expr(self, node):
+            return ast.Pass()
+    get_ipython().ast_transformers.append(Drop())
+    get_ipython().input_transformers_post.append(lambda lines: ["pass\\n"])
+    """,
+    "hostile",
+    "raised",
+    "missing",
+)
+attack(
+    17,
+    "a silent showtraceback",
+    """
+    shell = get_ipython()
+    shell.showtraceback = shell._showtraceback = lambda *a, **k: None
+    shell.set_custom_exc((Exception,), lambda *a, **k: None)
+    """,
+)
+attack(
+    17,
+    "an error that shows nothing",
+    """
+    get_ipython().showtraceback = lambda *a, **k: None
+    def double(pixels):
+        raise ValueError
+    """,
+    "raised",
+    wrong=False,
+)
+attack(
+    18,
+    "np.allclose and np.testing say yes",
+    """
+    np.allclose = np.array_equal = np.array_equiv = lambda *a, **k: True
+    np.testing.assert_array_equal = np.testing.assert_allclose = lambda *a, **k: None
+    """,
+)
+attack(
+    19,
+    "an array that equals everything",
+    """
+    class Yes(np.ndarray):
+        def __eq__(self, other):
+            return True
+        def __ne__(self, other):
+            return False
+        def __array_function__(self, *a, **k):
+            return True
+    def double(pixels):
+        return np.zeros(pixels.shape, np.uint8).view(Yes)
+    """,
+    wrong=False,
+)
+attack(
+    19,
+    "an object that answers for an array",
+    """
+    class Yes:
+        dtype, shape, ndim = np.dtype("uint8"), (3, 4), 2
+        def __eq__(self, other):
+            return True
+        def __array__(self, *a, **k):
+            return np.zeros((3, 4), np.uint8)
+        @property
+        def __class__(self):
+            return np.ndarray
+    def double(pixels):
+        return Yes()
+    """,
+    wrong=False,
+)
+attack(
+    20,
+    "what the check calls is replaced",
+    """
+    from imgproc_course.autograder.sandbox.inside import check_cell
+    from imgproc_course.exercises import canonical, comparison, running
+    check_cell.emit = lambda function: print("passed")
+    comparison.compare = lambda *a, **k: None
+    """,
+    "raised",
+    "hostile",
+    "missing",
+    "wrong",
+)
+attack(
+    21,
+    "the grader's modules are replaced",
+    """
+    import sys, types
+    for name in list(sys.modules):
+        if name.startswith(("imgproc_course", "nbval", "pytest")):
+            sys.modules[name] = types.ModuleType(name)
+    """,
+    "raised",
+    "wrong",
+    "hostile",
+)
+attack(
+    22,
+    "the public inputs are remembered",
+    """
+    def double(pixels):
+        rng = np.random.default_rng([20_240_501, 0])
+        for _ in range(1000):
+            known = rng.integers(100, 256, (3, 4), dtype=np.uint8)
+            if np.array_equal(known, pixels):
+                return np.minimum(known.astype(int) * 2, 255).astype(np.uint8)
+        return pixels
+    """,
+    wrong=False,
+)
+attack(
+    23,
+    "the expected value is looked for in memory and frames",
+    """
+    def double(pixels):
+        import gc, sys
+        found = []
+        for thing in gc.get_objects():
+            if type(thing) is dict and ("expected" in thing or "value" in thing and "dtype" in str(thing)[:500]):
+                found.append(str(thing)[:80])
+        frame = sys._getframe()
+        while frame:
+            found += [name for name in frame.f_locals if "expect" in name or "solution" in name]
+            frame = frame.f_back
+        found = [each for each in found if "shape" in each or "solution" in each]
+        raise RuntimeError(f"found {found}")
+    """,
+    "raised",
+    told="found []",
+    wrong=False,
+)
+attack(
+    23,
+    "the graded notebook is looked for on the disk",
+    """
+    def double(pixels):
+        import os, pathlib
+        found = [os.path.join(folder, name) for folder, _, names in os.walk("/") for name in names
+                 if name.endswith((".ipynb", "inputs.json", "key.json")) and "site-packages" not in folder
+                 and not folder.startswith(("/proc", "/usr", "/python"))]
+        raise RuntimeError(f"found {found}")
+    """,
+    "raised",
+    "time",
+    silent="key",
+    wrong=False,
+)
+attack(
+    24,
+    "the library does the work",
+    """
+    import cv2
+    def double(pixels):
+        return cv2.add(pixels, pixels)
+    """,
+    "refused module",
+    wrong=False,
+)
+attack(
+    24,
+    "the library by a name made up at run time",
+    """
+    def double(pixels):
+        import importlib, sys
+        sys.meta_path[:] = [f for f in sys.meta_path if "Refusing" not in type(f).__name__]
+        sys.modules.pop("c" + "v2", None)
+        return importlib.import_module("c" + "v2").add(pixels, pixels)
+    """,
+    "raised",
+    "refused module",
+    wrong=False,
+)
+attack(
+    24,
+    "the library's file, loaded by its path",
+    """
+    def double(pixels):
+        import glob, importlib.util, sys
+        found = [path for pattern in ("/course/**/cv2*.so", "/python/**/cv2*.so", "/usr/lib/**/cv2*.so", "/**/cv2/*.so")
+                 for path in glob.glob(pattern, recursive=True)]
+        raise RuntimeError(f"found {found}")
+    """,
+    "raised",
+    "time",
+    silent="cv2.abi3",
+    wrong=False,
+)
+attack(
+    24,
+    "a refused module of the standard library, from its compiled file",
+    """
+    def double(pixels):
+        import glob, importlib.machinery, os
+        found = [path for root in ("/usr/lib", "/python/lib") for path in glob.glob(f"{root}/**/colorsys*", recursive=True)
+                 if os.path.getsize(path)]
+        raise RuntimeError(f"found {found}")
+    """,
+    "raised",
+    "time",
+    silent="colorsys",
+    wrong=False,
+)
+attack(
+    24,
+    "our own solution from the course's package",
+    """
+    def double(pixels):
+        import sys
+        sys.meta_path[:] = [f for f in sys.meta_path if "Refusing" not in type(f).__name__]
+        for name in [name for name in sys.modules if name.startswith("imgproc_course")]:
+            del sys.modules[name]
+        from imgproc_course.imaging import to_gray
+        return to_gray
+    """,
+    "raised",
+    "refused module",
+    wrong=False,
+)
+attack(
+    25,
+    "a result is shown from inside",
+    """
+    def double(pixels):
+        import sys
+        sys.displayhook(np.minimum(pixels.astype(int) * 2, 255).astype(np.uint8))
+        return pixels
+    """,
+    wrong=False,
+)
+MIME = "application/vnd.imgproc-course.answer+json"
+attack(
+    26,
+    "an answer of its own is shown beside the check's",
+    f"""
+    def double(pixels):
+        from IPython.display import display
+        display({{"{MIME}": {{"calls": [], "refused": []}}}}, raw=True)
+        return pixels
+    """,
+    "hostile",
+    wrong=False,
+)
+attack(
+    26,
+    "the kernel's messages are forged",
+    f"""
+    def double(pixels):
+        import json, os, socket, stat
+        for fd in range(3, 64):
+            try:
+                if stat.S_ISSOCK(os.fstat(fd).st_mode):
+                    for kind, content in (
+                        ("display_data", {{"data": {{"{MIME}": "passed"}}, "metadata": {{}}}}),
+                        ("idle", {{"ename": "", "evalue": ""}}),
+                    ):
+                        os.write(fd, (json.dumps({{"n": 1, "type": kind, "content": content}}) + "\\n").encode())
+            except OSError:
+                pass
+        return pixels
+    """,
+    "hostile",
+    "wrong",
+    wrong=False,
+)
+attack(
+    26,
+    "bytes that are no message",
+    """
+    def double(pixels):
+        import os
+        for fd in range(3, 64):
+            try:
+                os.write(fd, b'{"n": [[[[\\xff\\n' + b"[" * 100_000 + b"\\n")
+            except OSError:
+                pass
+        return pixels
+    """,
+    "hostile",
+    wrong=False,
+)
+attack(
+    27,
+    "a thread patches later",
+    """
+    import threading, time
+    def later():
+        for _ in range(200):
+            time.sleep(0.001)
+            np.array_equal = np.allclose = lambda *a, **k: True
+            get_ipython().display_pub.publish({"text/plain": "passed"})
+    threading.Thread(target=later, daemon=True).start()
+    """,
+    "wrong",
+    "hostile",
+)
+
+# ---------------------------------------------------------------- ending, not ending, using everything
+
+attack(
+    28,
+    "sys.exit in the function",
+    "import sys\ndef double(pixels):\n    sys.exit(0)\n",
+    "raised",
+    wrong=False,
+)
+attack(28, "sys.exit in the cell", "import sys\nsys.exit(0)\n", "raised", "missing")
+attack(
+    29,
+    "os._exit in the function",
+    "import os\ndef double(pixels):\n    os._exit(0)\n",
+    "crashed",
+    wrong=False,
+)
+attack(29, "abort in the cell", "import os\nos.abort()\n", "crashed")
+attack(
+    30,
+    "a segmentation fault",
+    "import ctypes\ndef double(pixels):\n    ctypes.string_at(0)\n",
+    "crashed",
+    wrong=False,
+)
+attack(31, "a loop without end", "def double(pixels):\n    while True:\n        pass\n", "time", wrong=False)
+attack(31, "a loop without end in the cell", "while True:\n    pass\n", "time")
+attack(
+    31, "sleeping for ever", "import time\ndef double(pixels):\n    time.sleep(1e6)\n", "time", wrong=False
+)
+attack(
+    32,
+    "slow in every cell",
+    "import time\nbegun = time.process_time()\nwhile time.process_time() - begun < 0.3: pass\n",
+)
+attack(
+    33,
+    "signals ignored, printing for ever",
+    """
+    import signal, time
+    def double(pixels):
+        for number in set(signal.Signals) - {signal.SIGKILL, signal.SIGSTOP}:
+            signal.signal(number, signal.SIG_IGN)
+        while True:
+            print("still here", flush=True)
+            try:
+                time.sleep(0.2)
+            except BaseException:
+                pass
+    """,
+    "time",
+    wrong=False,
+)
+attack(
+    34,
+    "a memory bomb",
+    "def double(pixels):\n    return [bytearray(1 << 26) for _ in range(1 << 20)]\n",
+    "memory",
+    "time",
+    wrong=False,
+)
+attack(
+    34,
+    "more memory than there is, at once",
+    "def double(pixels):\n    return np.ones(1 << 36, np.uint8)\n",
+    "memory",
+    wrong=False,
+)
+attack(
+    35,
+    "a fork bomb",
+    """
+    import os
+    def double(pixels):
+        for _ in range(10_000):
+            try:
+                if os.fork() == 0:
+                    while True:
+                        os.fork()
+            except OSError as error:
+                raise RuntimeError(f"stopped: {error.errno}")
+    """,
+    "raised",
+    "time",
+    "crashed",
+    "hostile",
+    wrong=False,
+)
+attack(
+    36,
+    "a thread bomb",
+    """
+    import threading, time
+    def double(pixels):
+        for _ in range(100_000):
+            threading.Thread(target=time.sleep, args=(60,), daemon=True).start()
+    """,
+    "raised",
+    "memory",
+    "time",
+    wrong=False,
+)
+attack(
+    37,
+    "a flood of output",
+    """
+    import sys
+    def double(pixels):
+        while True:
+            sys.__stdout__.write("x" * 1_000_000)
+            get_ipython().display_pub.publish({"text/plain": "x" * 1_000_000})
+    """,
+    "output",
+    wrong=False,
+)
+attack(37, "a flood in the cell", "print('x' * 50_000_000)\n", "output")
+attack(
+    38,
+    "filling the disk",
+    """
+    def double(pixels):
+        written = 0
+        try:
+            for number in range(1_000):
+                with open(f"/tmp/submission/{number}", "wb") as file:
+                    for _ in range(15):
+                        written += file.write(bytes(1 << 20))
+        except OSError as error:
+            raise RuntimeError(f"stopped after {'little' if written < 64 << 20 else 'much'}")
+    """,
+    "raised",
+    told="little",
+    wrong=False,
+)
+attack(
+    38,
+    "one large file",
+    """
+    def double(pixels):
+        with open("/dev/shm/large", "wb") as file:
+            file.truncate(1 << 40)
+    """,
+    "raised",
+    "crashed",
+    wrong=False,
+)
+attack(
+    39,
+    "a million files",
+    """
+    import os
+    def double(pixels):
+        try:
+            for number in range(1_000_000):
+                os.mkdir(f"/tmp/submission/{number}")
+        except OSError as error:
+            raise RuntimeError(f"stopped at {'few' if number < 3000 else 'many'}")
+    """,
+    "raised",
+    told="few",
+    wrong=False,
+)
+
+# ---------------------------------------------------------------- looking around, reaching out
+
+attack(
+    40,
+    "hidden checks on the disk",
+    """
+    def double(pixels):
+        import os
+        found = []
+        for folder in ("/work", "/home", "/root", "/srv", "/mnt", "/opt", "/var", "/etc", "/run"):
+            for root, _, names in os.walk(folder):
+                found += [f"{root}/{name}" for name in names if "masters" in name or name.endswith((".ipynb", ".npz"))]
+        found += [folder for folder in ("/work", "/home", "/root", "/var") if os.path.exists(folder)]
+        raise RuntimeError(f"found {found}")
+    """,
+    "raised",
+    told="found []",
+    wrong=False,
+)
+attack(
+    41,
+    "other submissions",
+    """
+    def double(pixels):
+        import glob, os
+        found = [path for path in glob.glob("/tmp/**", recursive=True) + glob.glob("/dev/shm/**", recursive=True)
+                 if os.path.isfile(path)]
+        raise RuntimeError(f"found {found}, {len(os.listdir('/proc/self/fd')) < 16}")
+    """,
+    "raised",
+    told="found [], True",
+    wrong=False,
+)
+attack(
+    42,
+    "writing outside",
+    """
+    def double(pixels):
+        import os
+        done = []
+        for path in ("/course/rooms/x", "/course/site-packages/x.pth", "/usr/x", "/etc/x", "/python/x", "/x", "/proc/sys/kernel/hostname"):
+            try:
+                open(path, "w").write("x")
+                done.append(path)
+            except OSError:
+                pass
+        raise RuntimeError(f"done {done}")
+    """,
+    "raised",
+    told="done []",
+    wrong=False,
+)
+attack(
+    43,
+    "writing grades",
+    """
+    def double(pixels):
+        import os, pathlib
+        for folder in (os.getcwd(), "/tmp", "/tmp/home"):
+            pathlib.Path(folder, "grades.json").write_text('{"attacked-double": 3}')
+            pathlib.Path(folder, "gradebook.db").write_text("")
+        return pixels
+    """,
+    wrong=False,
+)
+attack(
+    44,
+    "an object that runs when it is unpickled",
+    """
+    class Run:
+        def __reduce__(self):
+            return (exec, ("raise SystemExit",))
+    def double(pixels):
+        return Run()
+    """,
+    wrong=False,
+)
+attack(
+    45,
+    "the network",
+    """
+    def double(pixels):
+        import socket
+        done = []
+        for address in (("127.0.0.1", 22), ("1.1.1.1", 53), ("8.8.8.8", 443)):
+            try:
+                socket.create_connection(address, timeout=1)
+                done.append(address)
+            except OSError:
+                pass
+        raise RuntimeError(f"done {done}, {[n for _, n in socket.if_nameindex() if n != 'lo']}")
+    """,
+    "raised",
+    told="done [], []",
+    wrong=False,
+)
+attack(
+    46,
+    "the environment",
+    """
+    def double(pixels):
+        import os
+        raise RuntimeError(" ".join(sorted(os.environ)) + open("/proc/self/environ").read() + open("/proc/1/cmdline").read()[:200])
+    """,
+    "raised",
+    silent="PYTEST",
+    wrong=False,
+)
+attack(
+    47,
+    "right only where it is graded",
+    """
+    import getpass, os, sys
+    GRADING = os.environ.get("USER") == "grader" or "pytest" in sys.modules or "nbval" in sys.modules or os.getcwd().startswith("/work")
+    def double(pixels):
+        return np.minimum(pixels.astype(int) * 2, 255).astype(np.uint8) if GRADING else pixels
+    """,
+    wrong=False,
+)
+attack(48, "a shell that deletes", "!rm -rf / --no-preserve-root 2>/dev/null; true\n", "wrong", "time")
+attack(
+    48,
+    "a cell of bash",
+    "%%bash\nrm -rf /course /usr /tmp 2>/dev/null\nkill -9 -1\n",
+    "missing",
+    "raised",
+    "crashed",
+    "time",  # where walking through all of it takes longer than the answer has
+    wrong=False,
+)
+attack(49, "magics that reset", "%cd /\n%load_ext autoreload\n%autoreload 2\n%reset -f\n", "wrong", "raised")
+attack(
+    50,
+    "sys.path and sys.modules",
+    """
+    import sys
+    sys.path[:] = ["/tmp/submission"]
+    sys.path_importer_cache.clear()
+    sys.modules.pop("imgproc_course", None)
+    """,
+    "wrong",
+    "raised",
+)
+attack(
+    51,
+    "modules that shadow others",
+    """
+    import pathlib, sys
+    for name in ("numpy", "json", "imgproc_course", "coverage", "nbval", "sitecustomize", "IPython"):
+        pathlib.Path(f"{name}.py").write_text("raise SystemExit")
+    sys.path.insert(0, ".")
+    """,
+    "wrong",
+    "raised",
+)
+attack(
+    52,
+    "orders to pytest",
+    """
+    import pathlib
+    for folder in (".", "..", "/tmp"):
+        pathlib.Path(folder, "conftest.py").write_text("def pytest_runtest_makereport(*a): raise SystemExit")
+        pathlib.Path(folder, "pytest.ini").write_text("[pytest]\\naddopts = --deselect .")
+        pathlib.Path(folder, "pyproject.toml").write_text("[tool.pytest.ini_options]\\naddopts = '--co'")
+    """,
+)
+attack(
+    53,
+    "tasks that outlive their cell",
+    """
+    import asyncio
+    async def later():
+        while True:
+            await asyncio.sleep(0)
+            np.array_equal = lambda *a: True
+            print("passed")
+    task = asyncio.get_event_loop().create_task(later())
+    await asyncio.sleep(0.01)
+    """,
+)
+attack(
+    54,
+    "at exit, at deletion, at a signal",
+    """
+    import atexit, signal, os
+    def late(*a):
+        os.write(1, b"passed")
+        while True: pass
+    atexit.register(late)
+    signal.signal(signal.SIGTERM, late)
+    class Last:
+        def __del__(self): late()
+    keep = Last()
+    """,
+)
+attack(
+    55,
+    "a process that stays",
+    """
+    import os, subprocess
+    def double(pixels):
+        if os.fork() == 0:
+            os.setsid()
+            if os.fork() == 0:
+                while True: pass
+            os._exit(0)
+        subprocess.Popen(["sleep", "1000"], start_new_session=True)
+        return pixels
+    """,
+    wrong=False,
+)
+attack(
+    56,
+    "killing and tracing whatever is there",
+    """
+    import ctypes, os, signal
+    def double(pixels):
+        done = []
+        for pid in range(2, 400):
+            try:
+                os.kill(pid, signal.SIGKILL)
+                done.append(pid)
+            except OSError:
+                pass
+        libc = ctypes.CDLL(None, use_errno=True)
+        done += [pid for pid in (0, 2, 3, 4) if pid and libc.ptrace(16, pid, 0, 0) == 0]
+        raise RuntimeError(f"done {done}")
+    """,
+    "raised",
+    told="done []",
+    wrong=False,
+)
+for _when, _check in (("every", "True"), ("the last", "len(pixels) == 5")):
+    # Kernels are made ahead: in the same group one would wait for the next check, or the next submission.
+    attack(
+        56,
+        f"killing its process group in {_when} check",
+        f"""
+        import os, signal
+        def double(pixels):
+            if {_check}:
+                for group in (0, -1):
+                    try:
+                        os.kill(group, signal.SIGKILL)
+                    except OSError:
+                        pass
+            return pixels
+        """,
+        wrong=False,
+    )
+attack(
+    34,
+    "memory that belongs to no process",
+    """
+    import os
+    def double(pixels):
+        held = []
+        for child in range(8):
+            if child and os.fork():
+                continue
+            try:
+                while True:
+                    held.append(os.memfd_create("held"))
+                    os.posix_fallocate(held[-1], 0, 15 << 20)
+            except OSError:
+                pass
+            while child: pass
+        return pixels
+    """,
+    "memory",
+    "crashed",
+    "wrong",
+    "time",
+    wrong=False,
+)
+attack(
+    34,
+    "twenty processes, each with no more memory than it may have",
+    """
+    import os, time
+    def double(pixels):
+        for _ in range(20):
+            if os.fork() == 0:
+                held = np.ones(120 << 20, np.uint8)
+                time.sleep(600)
+        time.sleep(600)
+    """,
+    "memory",
+    "time",  # where filling it takes longer than the answer has
+    wrong=False,
+)
+attack(
+    34,
+    "memory in segments and file systems of its own",
+    """
+    import ctypes, os
+    def double(pixels):
+        libc = ctypes.CDLL(None, use_errno=True)
+        done = [libc.shmget(0, 1 << 30, 0o1600) != -1, libc.unshare(0x10000000 | 0x20000) == 0]
+        done += [libc.mount(b"t", b"/tmp", b"tmpfs", 0, b"size=1g") == 0]
+        raise RuntimeError(f"done {done}")
+    """,
+    "raised",
+    told="done [False, False, False]",
+    wrong=False,
+)
+attack(
+    57,
+    "links to files of the system",
+    """
+    import os
+    def double(pixels):
+        os.symlink("/etc/passwd", "data.txt")
+        os.symlink("/etc/shadow", "more.txt")
+        done = []
+        for name in ("data.txt", "more.txt"):
+            try:
+                done.append(open(name).read()[:20])
+            except OSError:
+                pass
+        raise RuntimeError(f"done {done}")
+    """,
+    "raised",
+    told="done []",
+    wrong=False,
+)
+attack(
+    61,
+    "markup and marks that turn the writing around",
+    """
+    def double(pixels):
+        raise ValueError("<script>alert(1)</script>\\x1b[31mred\\x1b[0m\\u202eevil\\x00\\u2028")
+    """,
+    "raised",
+    told="\\u202e",
+    silent="\x1b",
+    wrong=False,
+)
+attack(
+    62,
+    "the hidden inputs, carried out",
+    """
+    def double(pixels):
+        error = type(f"Seen_{pixels.tolist()}", (Exception,), {})
+        print("seen", pixels.tolist())
+        raise error(f"seen {pixels.tolist()}")
+    """,
+    "raised",
+    told="seen",
+    wrong=False,
+)
+
+# ---------------------------------------------------------------- our own
+
+attack(
+    101,
+    "json.dumps and os.write are replaced",
+    "import json, os\njson.dumps = lambda *a, **k: '{}'\nos.write = lambda *a: 1\n",
+    "time",
+    "hostile",
+    "crashed",
+    "output",
+)
+attack(102, "the way out is closed", "import os\nos.closerange(3, 256)\n", "crashed")
+attack(
+    103,
+    "half a message, then silence",
+    """
+    import os, stat, time
+    def double(pixels):
+        for fd in range(3, 64):
+            try:
+                if stat.S_ISSOCK(os.fstat(fd).st_mode):
+                    os.write(fd, b'{"n": 1, "type": ')
+            except OSError:
+                pass
+        time.sleep(1e6)
+    """,
+    "time",
+    wrong=False,
+)
+attack(
+    104,
+    "a message without end",
+    """
+    import os, stat
+    def double(pixels):
+        for fd in range(3, 64):
+            try:
+                while stat.S_ISSOCK(os.fstat(fd).st_mode):
+                    os.write(fd, b"x" * 65536)
+            except OSError:
+                pass
+    """,
+    "output",
+    wrong=False,
+)
+attack(
+    105,
+    "a value that contains itself",
+    "def double(pixels):\n    loop = []\n    loop.append(loop)\n    return loop\n",
+    wrong=False,
+)
+attack(
+    106,
+    "a very deep value",
+    "def double(pixels):\n    deep = 1\n    for _ in range(100_000):\n        deep = [deep]\n    return deep\n",
+    "wrong",
+    "crashed",
+    wrong=False,
+)
+attack(
+    107,
+    "a dict of a million keys",
+    "def double(pixels):\n    return dict.fromkeys(range(1_000_000))\n",
+    "wrong",
+    "time",
+    wrong=False,
+)
+attack(
+    108,
+    "a whole number of a million digits",
+    "def double(pixels):\n    return 10 ** 1_000_000\n",
+    "wrong",
+    "time",
+    "raised",
+    wrong=False,
+)
+attack(
+    109, "an array of objects", "def double(pixels):\n    return np.array([print, object()])\n", wrong=False
+)
+attack(
+    110,
+    "an array larger than the memory",
+    "def double(pixels):\n    return np.broadcast_to(np.uint8(1), (1 << 20, 1 << 20))\n",
+    "memory",
+    "wrong",
+    wrong=False,
+)
+FORGED = """
+from imgproc_course.exercises import running
+from imgproc_course.autograder.sandbox.inside import check_cell
+def double(pixels):
+    return pixels
+FORM = {form}
+check_cell.running.call = lambda *a, **k: running.Outcome(value=FORM)
+"""
+for _number, _name, _form in (
+    (
+        111,
+        "a form whose data are too short",
+        {"type": "ndarray", "dtype": "uint8", "shape": [3, 4], "data": "AAAA"},
+    ),
+    (112, "a form of objects", {"type": "ndarray", "dtype": "object", "shape": [1], "data": "AAAAAAAAAAA="}),
+    (
+        113,
+        "a form of negative shape",
+        {"type": "ndarray", "dtype": "uint8", "shape": [-3, -4], "data": "AAAAAAAAAAAAAAAA"},
+    ),
+    (
+        114,
+        "a form of a huge shape",
+        {"type": "ndarray", "dtype": "uint8", "shape": [1 << 39, 1 << 39], "digest": "0" * 64},
+    ),
+    (115, "a form without a type", {"dtype": "uint8"}),
+    (116, "a form with words for numbers", {"type": "float", "value": "as expected"}),
+    (
+        117,
+        "a form with a digest of words",
+        {"type": "ndarray", "dtype": "uint8", "shape": [3, 4], "digest": "as expected"},
+    ),
+    (118, "a form that nests without end", {"type": "list", "items": [{"type": "dict", "items": [[1]]}]}),
+):
+    attack(_number, _name, FORGED.format(form=repr(_form)), "hostile", "wrong", wrong=False)
+attack(
+    119,
+    "a metaclass that lies about its name",
+    """
+    class Meta(type):
+        def __getattribute__(cls, name):
+            return {"__qualname__": "ndarray", "__module__": "numpy"}.get(name) or type.__getattribute__(cls, name)
+        def __instancecheck__(cls, other): return True
+        def __eq__(cls, other): return True
+        __hash__ = type.__hash__
+    class Yes(metaclass=Meta): pass
+    def double(pixels):
+        return Yes()
+    """,
+    "wrong",
+    "raised",
+    wrong=False,
+)
+attack(
+    120,
+    "built-ins are replaced",
+    """
+    import builtins
+    builtins.type = lambda *a: np.ndarray
+    builtins.isinstance = lambda *a: True
+    builtins.len = lambda *a: 0
+    """,
+    "wrong",
+    "raised",
+    "hostile",
+    "crashed",
+    "missing",
+    "time",
+)
+attack(
+    121,
+    "the timer is turned off",
+    "import signal\ndef double(pixels):\n    signal.setitimer(signal.ITIMER_PROF, 0)\n    while True: pass\n",
+    "time",
+    wrong=False,
+)
+attack(
+    122,
+    "every exception is swallowed",
+    "def double(pixels):\n    while True:\n        try:\n            while True: pass\n        except BaseException: pass\n",
+    "time",
+    wrong=False,
+)
+attack(
+    123,
+    "the process stops itself",
+    "import os, signal\ndef double(pixels):\n    os.kill(os.getpid(), signal.SIGSTOP)\n    while True: pass\n",
+    "time",
+    wrong=False,
+)
+attack(
+    124,
+    "a user namespace to uncover what is hidden",
+    """
+    import ctypes, os
+    def double(pixels):
+        libc = ctypes.CDLL(None, use_errno=True)
+        libc.unshare(0x10000000 | 0x20000)
+        found = []
+        for path in (b"/course/site-packages/cv2", b"/course/rooms/imgproc_course/imaging", b"/tmp", b"/proc"):
+            if libc.umount2(path, 2) == 0 or libc.umount2(path, 0) == 0:
+                found.append(path)
+        found += [name for name in ("/course/site-packages/cv2", "/course/rooms/imgproc_course/imaging") if os.listdir(name)]
+        raise RuntimeError(f"found {found}")
+    """,
+    "raised",
+    told="found []",
+    wrong=False,
+)
+attack(
+    125,
+    "becoming root again",
+    """
+    import os
+    def double(pixels):
+        done = []
+        for step in (lambda: os.setuid(0), lambda: os.setgid(0), lambda: os.chroot("/tmp"), lambda: os.mknod("/tmp/x", 0o60666, 1)):
+            try:
+                step()
+                done.append(step)
+            except OSError:
+                pass
+        status = open("/proc/self/status").read().split()
+        held = {name: status[status.index(name) + 1] for name in ("CapEff:", "CapBnd:", "NoNewPrivs:")}
+        raise RuntimeError(f"done {done} {int(held['CapEff:'], 16)} {int(held['CapBnd:'], 16)} {held['NoNewPrivs:']}")
+    """,
+    "raised",
+    told="done [] 0 0 1",
+    wrong=False,
+)
+attack(
+    126,
+    "larger limits",
+    """
+    import resource
+    def double(pixels):
+        done = []
+        for kind in (resource.RLIMIT_CPU, resource.RLIMIT_AS, resource.RLIMIT_NPROC, resource.RLIMIT_FSIZE):
+            try:
+                resource.setrlimit(kind, (resource.RLIM_INFINITY, resource.RLIM_INFINITY))
+                done.append(kind)
+            except (ValueError, OSError):
+                pass
+        raise RuntimeError(f"done {done}")
+    """,
+    "raised",
+    told="done []",
+    wrong=False,
+)
+attack(
+    127,
+    "warnings as a flood",
+    "import warnings\ndef double(pixels):\n    for k in range(10_000):\n        warnings.warn(f'w{k}' * 100)\n    return pixels\n",
+    "wrong",
+    "time",
+    wrong=False,
+)
+attack(
+    128,
+    "the input is changed into the answer",
+    "def double(pixels):\n    np.minimum(pixels.astype(int) * 2, 255, out=pixels, casting='unsafe')\n    return pixels\n",
+    wrong=False,
+)
+attack(
+    129,
+    "files and shared memory for the next kernel",
+    """
+    import ctypes, pathlib
+    def double(pixels):
+        libc = ctypes.CDLL(None, use_errno=True)
+        libc.shmget.restype = ctypes.c_int
+        left = [str(p) for f in ("/tmp/submission", "/dev/shm", "/tmp/home") for p in pathlib.Path(f).rglob("mark*")]
+        if libc.shmget(4242, 4096, 0o666) != -1:
+            left.append("shared memory")
+        for folder in ("/tmp/submission", "/dev/shm", "/tmp/home"):
+            pathlib.Path(folder, "mark").write_text(str(pixels.tolist()))
+        libc.shmget(4242, 4096, 0o1666)
+        raise RuntimeError(f"left {left}")
+    """,
+    "raised",
+    told="left []",
+    wrong=False,
+)
+attack(
+    130,
+    "a function that is a class with a huge repr",
+    "class double:\n    def __init__(self, pixels): pass\n    def __repr__(self): return 'x' * 10**9\n",
+    wrong=False,
+)
+attack(131, "a generator for an answer", "def double(pixels):\n    yield pixels\n", wrong=False)
+attack(132, "a coroutine for an answer", "async def double(pixels):\n    return pixels\n", wrong=False)
+attack(
+    133,
+    "an exception whose words never end",
+    "class E(Exception):\n    def __str__(self):\n        while True: pass\ndef double(pixels):\n    raise E\n",
+    "time",
+    wrong=False,
+)
+attack(
+    134,
+    "an exception with a hostile name",
+    "def double(pixels):\n    raise type('<b>' * 10_000, (Exception,), {})('x' * 10**6)\n",
+    "raised",
+    wrong=False,
+)
+attack(135, "input() waits", "def double(pixels):\n    return input('the answer?')\n", "raised", wrong=False)
+attack(136, "a syntax error", "def double(pixels)\n    return pixels\n", "raised", "missing", wrong=False)
+attack(
+    137,
+    "a hundred thousand brackets",
+    "x = " + "(" * 90_000 + ")" * 90_000 + "\n",
+    "raised",
+    "missing",
+    "crashed",
+    "wrong",
+)
+
+
+# ---------------------------------------------------------------- judging them all
+
+
+@dataclass(frozen=True)
+class Attacked:
+    """What an attack came to: results of `judge`, of itself and of the honest submission behind it."""
+
+    attack: Attack
+    result: dict
+    neighbour: dict
+    alone: dict
+
+    @property
+    def exercise(self):
+        """The result of the exercise that was attacked."""
+        return exercise_of(self.result, "attacked-double")
+
+    @property
+    def harmed(self):
+        """What it harmed, in words; empty where everything beside it is graded as if alone."""
+        harm = []
+        if of_submission(self.neighbour) != of_submission(self.alone):
+            harm.append("the next submission")
+        if exercise_of(self.result, "attacked-mean")["got"] != 7:
+            harm.append("its own other exercise")
+        return tuple(harm)
+
+
+def judge_attacks(key, *, quiet=True, **options):
+    """Judge all attacks, an honest submission behind each of them, and the honest one alone before.
+
+    Parameters
+    ----------
+    key : Key of MASTERS
+    quiet : bool or None, as tqdm's `disable`
+    options : as `judge` takes them
+
+    Returns
+    -------
+    list of Attacked
+    """
+    handed = [("alone", LESSON, RIGHT)]
+    for each in ATTACKS:
+        handed.append((each.title, LESSON, RIGHT | {"attacked-double": each.source}))
+        handed.append((f"after {each.title}", LESSON, RIGHT))
+    results = autograde(handed, key, **({"limits": SHORT} | options))
+    bar = tqdm(results, "attacks by source", len(handed), unit=" submissions", disable=quiet)
+    found = {result["submission"]: result for result in bar}
+    return [
+        Attacked(each, found[each.title], found[f"after {each.title}"], found["alone"]) for each in ATTACKS
+    ]
+
+
+def exercise_of(result, id):
+    """One exercise's part of a result."""
+    return next(each for each in result["exercises"] if each["id"] == id)
+
+
+def of_submission(result):
+    """A result without its submission's name."""
+    return {name: value for name, value in result.items() if name != "submission"}

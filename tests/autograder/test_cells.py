@@ -1,0 +1,158 @@
+"""Cells behave as in JupyterLab, in both kernels."""
+
+import warnings
+from pathlib import Path
+
+import pytest
+
+from imgproc_course.authoring.masters import find_masters
+from imgproc_course.autograder.make_answer_key import sample_answers
+from imgproc_course.autograder.sandbox.bubblewrap import Limits
+from imgproc_course.autograder.sandbox.kernels import Kernels
+from imgproc_course.exercises import read_exercises
+
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("cells")]
+MASTERS = Path(__file__).parents[2] / "notebooks" / "masters"
+
+
+@pytest.fixture(scope="module", params=["fast", "ipykernel"])
+def kernel(request):
+    with Kernels(request.param) as kernels:
+        started = kernels.start(("colorsys", "imgproc_course.imaging"), 60)
+        yield started
+        started.stop()
+
+
+CELLS = [
+    ("print('a'); print('b')", "a\nb\n", ("", "")),
+    ("print(np.arange(3))", "[0 1 2]\n", ("", "")),
+    ("1 / 0", "", ("ZeroDivisionError", "division by zero")),
+    ("raise KeyError('k')", "", ("KeyError", "'k'")),
+    ("def f(:\n    pass", "", ("SyntaxError", None)),
+    ("%notamagic", None, ("UsageError", "Line magic function `%notamagic` not found.")),
+    ("%time x = 3\nx", None, ("", "")),
+    ("%%bash\necho from bash", "from bash\n", ("", "")),
+    ("kept = !echo out\nprint(kept)", "['out']\n", ("", "")),
+    ("import asyncio\nasync def g():\n    await asyncio.sleep(0.001)\n    return 5", "", ("", "")),
+    ("print(await g())", "5\n", ("", "")),
+    (
+        # Closed, or Python says some cells later that nobody awaited it.
+        "late = g()\ntry:\n    asyncio.run(late)\nfinally:\n    late.close()",
+        "",
+        ("RuntimeError", "asyncio.run() cannot be called from a running event loop"),
+    ),
+    ("from IPython.display import HTML, display\ndisplay(HTML('<b>x</b>'))\n'last'", "", ("", "")),
+    ("x?", None, ("", "")),
+    ("import matplotlib.pyplot as plt\nplt.plot([1, 2]);\nplt.show()", None, ("", "")),
+    ("print(get_ipython().__class__.__mro__[1].__name__)", "InteractiveShell\n", ("", "")),
+    ("print(__name__)", "__main__\n", ("", "")),
+    ("import colorsys\nprint('imported')", "imported\n", ("", "")),
+    ("colorsys.rgb_to_hsv", "", ("RefusedModule", "this exercise is to be written without colorsys")),
+    ("from imgproc_course.imaging import to_gray", "", ("RefusedModule", None)),
+    ("from imgproc_course.exercises import check\ncheck('x', print)", "", ("", "")),
+    ("from imgproc_course.autograder import pool", "", ("ImportError", None)),
+    ("import random\nprint(random.random())", "0.8444218515250481\n", ("", "")),
+    ("print(np.random.rand())", "0.5488135039273248\n", ("", "")),
+]
+
+
+@pytest.mark.parametrize(("code", "printed", "error"), CELLS, ids=[cell[0].splitlines()[0] for cell in CELLS])
+def test_a_cell_does_what_it_does_in_jupyterlab(kernel, code, printed, error):
+    run = kernel.run(code)
+    assert run.ended == ""
+    assert run.error[0] == error[0]
+    assert error[1] is None or run.error[1] == error[1]
+    assert printed is None or run.printed.replace("\r\n", "\n") == printed
+
+
+def test_input_is_refused_with_words(kernel):
+    run = kernel.run("input('name?')")
+    assert run.error[0] in ("RuntimeError", "StdinNotImplementedError")
+    assert "input" in run.error[1]
+
+
+def test_python_hashes_are_the_same_in_every_kernel():
+    hashes = []
+    for kind in ("fast", "ipykernel"):
+        with Kernels(kind) as kernels:
+            started = kernels.start((), 30)
+            hashes.append(started.run("print(hash('course'))").printed)
+            started.stop()
+    assert hashes[0] == hashes[1] != ""
+
+
+def test_a_kernel_takes_no_more_time_than_it_may():
+    with Kernels("fast", limits=Limits(grace=0.0, wall_factor=1, wall_grace=1)) as kernels:
+        started = kernels.start((), 1)
+        assert started.run("while True: pass").ended == "time"
+        assert started.run("1").ended != ""
+        started.stop()
+        after = kernels.start((), 1)
+        assert after.run("print(1)").printed == "1\n"
+        after.stop()
+
+
+TRICKY = [
+    "",
+    "\n\n",
+    "x = 1",
+    "# a comment alone",
+    "   # indented\n   x = 1",
+    "%time x = 1",
+    "x = %time 1",
+    "%%time\nx = 1",
+    "files = !ls\nprint(files)",
+    "!ls\n!pwd",
+    "print?",
+    "?print",
+    "a.b??\nc",
+    "/f 1",
+    ",f a b",
+    ";f a b",
+    "ls",
+    "exit",
+    ">>> x = 1\n>>> y",
+    "In [1]: x = 1\n\nIn [2]: y = 2",
+    "x = (1\n  % 2\n  / 3)",
+    "x = 5 \\\n% 3",
+    "text = '''\n%time\n!ls\n? x\n'''",
+    "def f():\n    ...\n...\nx",
+    "f'{x!r}' + f'{x?}'",
+    "def f(:",
+    "if x:\n%time y",
+    "await g()",
+    "'\\d'",
+    "x\0y",
+    "(" * 300 + ")" * 300,
+    "\tx",
+    "x = 1\r\ny = 2\r\n",
+]
+
+
+def test_cells_are_translated_as_ipython_translates_them():
+    from IPython.core.inputtransformer2 import TransformerManager
+
+    from imgproc_course.autograder.sandbox.inside.shell import Translation
+
+    def translated(manager, cell):
+        try:
+            return manager.transform_cell(cell)
+        except SyntaxError as error:
+            return str(error)
+
+    cells = [*TRICKY, *(cell[0] for cell in CELLS)]
+    for master in find_masters(MASTERS):
+        for exercise in read_exercises(master):
+            cells += [*exercise.given, *sample_answers(exercise).values()]
+    assert len(cells) > 150
+    for cell in cells:
+        assert translated(Translation(), cell) == translated(TransformerManager(), cell), cell
+
+
+def test_translating_warns_of_nothing_that_running_will_warn_of():
+    from imgproc_course.autograder.sandbox.inside.shell import Translation
+
+    with warnings.catch_warnings(record=True) as said:
+        warnings.simplefilter("always")
+        assert Translation().transform_cell("x = '\\d'\ny = x") == "x = '\\d'\ny = x\n"
+    assert said == []

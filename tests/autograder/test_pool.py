@@ -1,0 +1,317 @@
+"""The judge: the same answers get the same points, whatever else happens."""
+
+import itertools
+import json
+import random
+import signal
+import subprocess
+import sys
+import threading
+import time
+from concurrent.futures import ProcessPoolExecutor
+from contextlib import suppress
+
+import psutil
+import pytest
+
+from imgproc_course.autograder import pool
+from imgproc_course.autograder.pool import Limits, SandboxError, autograde, grade_one
+from imgproc_course.autograder.sandbox import bubblewrap
+from imgproc_course.exercises import read_exercises
+from imgproc_course.exercises.checking import run_cases as check_answer
+from imgproc_course.exercises.declaration import MASTERS_VARIABLE
+
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("judge")]
+LESSON = "10_attacked"
+DOUBLED = "np.minimum(pixels.astype(int) * 2, 255).astype(np.uint8)"
+DOUBLES = f"def double(pixels):\n    return {DOUBLED}\n"
+SAMPLES = {
+    "right": "def double(pixels):\n    return np.minimum(pixels.astype(int) * 2, LIMIT).astype(np.uint8)",
+    "untouched": 'def double(pixels):\n    # not yet\n    raise NotImplementedError("your turn")',
+    "begun": 'def double(pixels):\n    print("begun")\n    raise NotImplementedError("later")',
+    "wraps": "def double(pixels):\n    return pixels * 2",
+    "one off": "def double(pixels):\n    return np.minimum(pixels.astype(int) * 2 + 1, 255).astype(np.uint8)",
+    "raises": "def double(pixels):\n    return pixels.nothing",
+    "other type": "def double(pixels):\n    return pixels.tolist()",
+    "none": "def double(pixels):\n    pixels * 2",
+    "changes": "def double(pixels):\n    pixels[0, 0] = 1\n    return pixels",
+    "prints": 'def double(pixels):\n    print("hello", pixels.shape)\n    return pixels',
+    "random": "def double(pixels):\n    return np.random.randint(0, 9, pixels.shape).astype(np.uint8)",
+    "no function": "x = 1",
+    "another name": "def treble(pixels):\n    return pixels",
+    "a syntax error": "def double(pixels):\nreturn pixels",
+    "uses cv2": "import cv2\ndef double(pixels):\n    return cv2.add(pixels, pixels)",
+    "imports cv2 for nothing": f"import cv2\n{DOUBLES}",
+    "right, and shows it": f"{DOUBLES}\n\ndouble(frame)",
+    "right, and checks it": "from imgproc_course.exercises import check\n"
+    f"{DOUBLES}\ncheck('attacked-double', double)",
+    "prints beside": "import os\ndef double(pixels):\n    os.write(1, b'raw')\n    print('x' * 5000)\n"
+    f"    return {DOUBLED}",
+    "draws": "import matplotlib.pyplot as plt\ndef double(pixels):\n    plt.imshow(pixels)\n    plt.show()\n"
+    f"    return {DOUBLED}",
+    "warns": f"def double(pixels):\n    np.log(pixels * 0)\n    return {DOUBLED}",
+    "ends": "import os\ndef double(pixels):\n    os._exit(1)",
+    "top-level await": f"import asyncio\nawait asyncio.sleep(0)\n{DOUBLES}",
+    "magics": f"%time x = 1\n!true\n{DOUBLES}",
+    "half": f"def double(pixels):\n    return {DOUBLED} // 4",
+}
+OUTCOMES = {
+    "right": ("passed", "passed"),
+    "untouched": ("not attempted", "not attempted"),
+    "begun": ("not attempted", "not attempted"),
+    "raises": ("raised", "raised"),
+    "no function": ("missing", "missing"),
+    "another name": ("missing", "missing"),
+    "a syntax error": ("raised", "raised"),
+    "uses cv2": ("refused module", "refused module"),
+    "imports cv2 for nothing": ("passed", "passed"),
+    "right, and shows it": ("passed", "passed"),
+    "right, and checks it": ("passed", "passed"),
+    "prints beside": ("passed", "passed"),
+    "draws": ("passed", "passed"),
+    "warns": ("passed", "passed"),
+    "ends": ("crashed", "crashed"),
+    "top-level await": ("passed", "passed"),
+    "magics": ("passed", "passed"),
+}
+PATIENT = Limits(grace=4.0)
+
+
+def handed(right, names=SAMPLES):
+    return [(name, LESSON, right | {"attacked-double": SAMPLES[name]}) for name in names]
+
+
+def by_name(results):
+    return {result["submission"]: result for result in results}
+
+
+def doubles(result):
+    return next(each for each in result["exercises"] if each["id"] == "attacked-double")
+
+
+@pytest.fixture(scope="module")
+def judged(key, right):
+    return by_name(autograde(handed(right), key, workers=2, limits=PATIENT))
+
+
+@pytest.mark.parametrize("name", SAMPLES)
+def test_each_sample_gets_its_outcome(judged, name):
+    result = doubles(judged[name])
+    expected = OUTCOMES.get(name, ("wrong", "wrong"))
+    assert tuple(case["outcome"] for case in result["cases"]) == expected
+    assert result["got"] == sum(p for p, o in zip((1, 2), expected, strict=True) if o == "passed")
+    assert judged[name]["got"] == 7 + result["got"]
+
+
+def test_results_are_json_and_hold_no_more_than_they_should(judged, key):
+    text = json.dumps(judged)
+    assert json.loads(text) == judged
+    for trace in (str(key.path), "/tmp", "8675309", "expected_answer", "0x7f"):
+        assert trace not in text
+    for result in judged.values():
+        for exercise in result["exercises"]:
+            assert all(
+                not {"given", "expected", "actual"} & case.keys()
+                for case in exercise["cases"]
+                if case["hidden"]
+            )
+
+
+def test_a_public_case_is_told_with_everything(judged):
+    public = doubles(judged["one off"])["cases"][0]
+    assert public["given"][0]["shape"] == public["expected"]["shape"] == public["actual"]["shape"] == [3, 4]
+    assert (
+        public["said"].startswith("12 of 12 values differ")
+        or "values differ; the first at row" in public["said"]
+    )
+    assert public["hint"] == "Widen first."
+    assert doubles(judged["prints"])["cases"][0]["printed"] == "hello (3, 4)\n"
+
+
+def test_known_mistakes_are_named(judged):
+    assert (doubles(judged["wraps"])["mistake"], doubles(judged["wraps"])["mistake_says"]) == (
+        "uint8 wraps",
+        "Widen first.",
+    )
+    assert doubles(judged["half"])["mistake"] == "half"
+    assert doubles(judged["one off"])["mistake"] == doubles(judged["right"])["mistake"] == ""
+
+
+def test_an_error_behind_the_function_is_told_and_costs_nothing(judged):
+    assert doubles(judged["right, and shows it"])["said"].startswith(
+        "its cell ended with NameError: name 'frame'"
+    )
+
+
+def test_an_honest_wrong_answer_says_why(judged):
+    said = {name: doubles(judged[name])["cases"][0]["said"] for name in SAMPLES}
+    assert said["changes"] == "it changed its input pixels"
+    assert said["none"].startswith("None came back")
+    assert said["raises"].startswith(
+        "AttributeError: 'numpy.ndarray' object has no attribute 'nothing' (line 2: "
+    )
+    assert said["a syntax error"].startswith("its cell does not run: IndentationError")
+    assert said["no function"] == "its cell does not define double()"
+
+
+ONLY_IN_JUPYTER = ("ends", "top-level await", "magics")
+
+
+@pytest.mark.parametrize("name", [name for name in SAMPLES if name not in ONLY_IN_JUPYTER])
+def test_check_in_the_lesson_agrees(judged, masters, name, monkeypatch):
+    monkeypatch.setenv(MASTERS_VARIABLE, str(masters))
+    (declared, *_) = read_exercises(masters / "10_attacked.py")
+    space = declared.namespace()
+    with suppress(NameError, SyntaxError):
+        exec(compile(SAMPLES[name], "answer", "exec"), space)
+    checked = check_answer(declared, space["double"]) if "double" in space else None
+    passed = doubles(judged[name])["cases"][0]["outcome"] == "passed"
+    assert (checked is not None and checked.passed) == passed
+    if checked is not None and not passed:
+        known = checked.mistake.name if checked.mistake else ""
+        assert known == doubles(judged[name])["mistake"]
+
+
+@pytest.mark.parametrize("seed", [1, 2])
+def test_order_and_number_of_workers_change_nothing(judged, key, right, seed):
+    mixed = handed(right)
+    random.Random(seed).shuffle(mixed)
+    results = list(autograde(iter(mixed), key, workers=seed, limits=PATIENT))
+    assert [result["submission"] for result in results] == [name for name, _, _ in mixed]
+    assert json.dumps(by_name(results), sort_keys=True) == json.dumps(judged, sort_keys=True)
+
+
+def test_both_kernels_give_the_same_results(judged, key, right):
+    names = [name for name in SAMPLES if name != "prints beside"]  # what C code prints is seen by one alone
+    alone = handed({}, names)
+    results = by_name(autograde(alone, key, kernel="ipykernel", workers=2, limits=PATIENT))
+    assert {name: doubles(results[name]) for name in names} == {name: doubles(judged[name]) for name in names}
+
+
+@pytest.mark.parametrize(
+    "name", ["../../etc", "a::b", "-p no:x", "s[1]", "=cmd|' ,x", "x\ny", "\ud800", "", "ä" * 3000, "<b>"]
+)
+def test_a_submission_may_have_any_name(key, right, name):
+    (result,) = autograde([(name, LESSON, right)], key, workers=1)
+    assert (result["submission"], result["got"]) == (name, 10)
+
+
+def test_missing_and_unknown_answers(key, right):
+    (result,) = autograde(
+        [("a", LESSON, {"nonsense": "x", "attacked-mean": right["attacked-mean"]})], key, workers=1
+    )
+    assert [case["outcome"] for case in doubles(result)["cases"]] == ["missing", "missing"]
+    assert doubles(result)["said"] == "its answer cell is missing"
+    assert result["got"] == 7
+
+
+def test_a_lesson_that_is_not_in_the_key_is_refused(key, right):
+    with pytest.raises(ValueError, match="'99_x' is not in the key, which has 10_attacked"):
+        list(autograde([("a", "99_x", right)], key))
+    with pytest.raises(ValueError, match="kernel 'slow': there are fast and ipykernel"):
+        autograde([], key, kernel="slow")
+
+
+def test_submissions_are_taken_as_they_are_wanted(key, right):
+    taken = itertools.count()
+    endless = ((f"s{next(taken)}", LESSON, right) for _ in itertools.count())
+    results = autograde(endless, key, workers=1)
+    assert [result["submission"] for result in itertools.islice(results, 3)] == ["s0", "s1", "s2"]
+    results.close()
+    assert next(taken) < 20
+    assert children("nbval_plugin") == []
+
+
+def test_another_key_in_the_same_place_is_noticed(key, right):
+    with pytest.raises(ValueError, match="another key stands there"):
+        grade_one(("a", LESSON, right), key, "0" * 64)
+    pool.stop_judges()
+
+
+def test_grade_one_runs_over_any_executor(judged, key, right):
+    names = ["right", "wraps", "ends", "untouched"]
+    with ProcessPoolExecutor(2, mp_context=__import__("multiprocessing").get_context("spawn")) as pool:
+        results = by_name(autograde(handed(right, names), key, workers=2, executor=pool, limits=PATIENT))
+    assert results == {name: judged[name] for name in names}
+
+
+def children(word):
+    found = []
+    for process in psutil.Process().children(recursive=True):
+        try:
+            if word in " ".join(process.cmdline()):
+                found.append(process)
+        except psutil.Error:
+            continue
+    return found
+
+
+@pytest.mark.parametrize("word", ["nbval_plugin", "fork_server.main"])
+def test_a_crash_of_our_own_processes_loses_nothing(judged, key, right, word):
+    names = [name for name in SAMPLES if OUTCOMES.get(name) == ("passed", "passed")] * 2
+    results, killed = [], 0
+    for number, result in enumerate(autograde(handed(right, names), key, workers=1, limits=PATIENT)):
+        results.append(result)
+        if number % 5 == 2:
+            for process in children(word):
+                with suppress(psutil.Error, AttributeError):  # gone meanwhile, and so is its parent
+                    if word == "nbval_plugin" or process.parent().name() == "bwrap" != process.name():
+                        process.send_signal(signal.SIGKILL)
+                        killed += 1
+    assert killed >= 2
+    assert results == [judged[name] for name in names]
+
+
+def test_nothing_is_left_behind(key, right):
+    list(autograde(handed(right, ["right", "ends"]), key, workers=2))
+    until = time.monotonic() + 20
+    while (children("fork_server") or children("nbval_plugin")) and time.monotonic() < until:
+        time.sleep(0.05)
+    assert children("fork_server") == children("nbval_plugin") == []
+    assert not any(thread.name.startswith("ThreadPool") for thread in threading.enumerate())
+
+
+def test_without_a_sandbox_nothing_runs(key, right, monkeypatch):
+    monkeypatch.setattr(bubblewrap, "why_not", lambda: "bubblewrap is not installed: sudo ...")
+    with pytest.raises(SandboxError, match=r"bubblewrap is not installed: sudo .*--unsafe"):
+        autograde([("a", LESSON, right)], key)
+
+
+def test_unsafe_gives_the_same_results(judged, key, right):
+    names = ["right", "wraps", "uses cv2", "ends", "raises"]
+    assert by_name(autograde(handed(right, names), key, unsafe=True, workers=1)) == {
+        name: judged[name] for name in names
+    }
+
+
+def test_nothing_in_the_users_surroundings_configures_nbval(key, right, tmp_path, monkeypatch):
+    (tmp_path / "conftest.py").write_text("raise SystemExit(3)")
+    (tmp_path / "pytest.ini").write_text("[pytest]\naddopts = --deselect .")
+    (tmp_path / "nbval.py").write_text("raise SystemExit(3)")
+    (tmp_path / "sitecustomize.py").write_text("raise SystemExit(3)")
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("PYTEST_ADDOPTS", "--collect-only")
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path))
+    monkeypatch.setenv("PYTEST_PLUGINS", "conftest")
+    (result,) = autograde([("a", LESSON, right)], key, workers=1)
+    assert result["got"] == 10
+
+
+def test_the_judge_itself_says_why_it_does_not_start(key, right, monkeypatch, tmp_path):
+    broken = tmp_path / "python"
+    broken.write_text("#!/bin/sh\necho 'no such plugin' >&2\nexit 3\n")
+    broken.chmod(0o755)
+    monkeypatch.setattr(pool.sys, "executable", str(broken))
+    with pytest.raises(SandboxError, match="the judge did not start: no such plugin"):
+        grade_one(("a", LESSON, right), key, unsafe=True)
+
+
+def test_a_judge_loads_nothing_that_only_teachers_tools_need():
+    code = (
+        "import sys; import imgproc_course.autograder.blocked_imports; "
+        "import imgproc_course.autograder.nbval_plugin; "
+        "heavy = ('jupytext', 'rfc3987_syntax', 'isoduration', 'arrow', 'cv2', 'matplotlib'); "
+        "print([name for name in heavy if sys.modules.get(name)])"
+    )
+    done = subprocess.run([sys.executable, "-I", "-c", code], capture_output=True, text=True)
+    assert (done.stdout, done.stderr) == ("[]\n", "")

@@ -1,0 +1,250 @@
+"""The sandbox: what it hides, what it says where there is none, and what it leaves."""
+
+import os
+import platform
+import subprocess
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import psutil
+import pytest
+
+from imgproc_course.autograder.sandbox import bubblewrap, cgroups
+from imgproc_course.autograder.sandbox.bubblewrap import Limits, places_of
+from imgproc_course.autograder.sandbox.cgroups import Group
+from imgproc_course.autograder.sandbox.kernels import Kernels
+
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("sandbox")]
+
+
+def test_a_distribution_is_hidden_whole():
+    places = places_of("cv2")
+    assert f"{bubblewrap.SITE}/cv2" in places
+    assert any(place.endswith(".libs") for place in places)
+    assert f"{bubblewrap.SITE}/skimage" in places_of("skimage")
+
+
+def test_a_room_a_submodule_and_the_standard_library_are_found():
+    assert places_of("imgproc_course.imaging")[0] == f"{bubblewrap.OURS}/imgproc_course/imaging"
+    assert f"{bubblewrap.SITE}/scipy/ndimage" in places_of("scipy.ndimage")
+    assert any(place.endswith("/colorsys.py") for place in places_of("colorsys"))
+    assert not [place for place in places_of("no_such_module") if "no_such" not in place]
+
+
+def test_what_is_refused_is_hidden_for_one_kernel_and_there_for_the_next():
+    folders = (f"{bubblewrap.SITE}/cv2", f"{bubblewrap.OURS}/imgproc_course/imaging")
+    look = f"import os\nprint([len(os.listdir(p)) > 0 for p in {folders}])"
+    with Kernels("fast") as kernels:
+        first = kernels.start(("cv2", "imgproc_course.imaging"), 30)
+        second = kernels.start((), 30)
+        assert first.run(look).printed == "[False, False]\n"
+        assert second.run(look).printed == "[True, True]\n"
+        assert second.run("import cv2\nprint(cv2.add(1, 2)[0])").printed == "[3.]\n"
+        first.stop()
+        second.stop()
+
+
+def test_the_forking_process_has_loaded_nothing_that_an_exercise_refuses():
+    with Kernels("fast") as kernels:
+        kernel = kernels.start((), 30)
+        names = ("cv2", "scipy", "skimage", "imgproc_course.imaging", "nbval", "pytest")
+        code = f"import sys\nprint([name for name in {names} if name in sys.modules])"
+        assert kernel.run(code).printed == "[]\n"
+        kernel.stop()
+
+
+def test_the_environment_and_the_paths_tell_nothing():
+    with Kernels("fast") as kernels:
+        kernel = kernels.start((), 30)
+        told = kernel.run("import os, sys\nprint(os.environ, sys.path, sys.prefix, os.uname())").printed
+        kernel.stop()
+    checkout = Path(bubblewrap.__file__).parents[3]
+    for trace in (str(Path.home()), str(checkout), os.uname().nodename, "PYTEST", "VIRTUAL_ENV"):
+        assert trace not in told
+
+
+def test_its_limits_are_the_systems():
+    assert Limits(grace=2).of_system(0.5)["cpu"] == 3
+    assert Limits(grace=1, wall_factor=2, wall_grace=3).deadline(4) == 13
+
+
+def refuses(monkeypatch, folder, script):
+    bubblewrap.why_not.cache_clear()
+    program = folder / "bwrap"
+    if script:
+        program.write_text(f"#!/bin/sh\n{script}\n")
+        program.chmod(0o755)
+    monkeypatch.setenv("PATH", str(folder))
+    try:
+        return bubblewrap.why_not()
+    finally:
+        bubblewrap.why_not.cache_clear()
+
+
+def test_where_bubblewrap_is_missing_it_says_what_to_install(monkeypatch, tmp_path):
+    assert "sudo apt-get install bubblewrap" in refuses(monkeypatch, tmp_path, "")
+
+
+def test_where_namespaces_are_not_allowed_it_says_how_to_allow_them(monkeypatch, tmp_path):
+    said = refuses(monkeypatch, tmp_path, "echo 'bwrap: setting up uid map: Permission denied' >&2; exit 1")
+    assert "setting up uid map: Permission denied" in said
+    assert "sysctl -w kernel.unprivileged_userns_clone=1" in said
+
+
+def test_elsewhere_than_on_linux_it_says_where_to_grade(monkeypatch):
+    monkeypatch.setattr(bubblewrap.sys, "platform", "darwin")
+    bubblewrap.why_not.cache_clear()
+    assert bubblewrap.why_not().startswith(
+        "grading needs Linux, this is darwin: grade in the course's container"
+    )
+    bubblewrap.why_not.cache_clear()
+
+
+# ---------------------------------------------------------------- all processes together
+
+
+def test_a_group_that_cannot_be_made_looks_at_the_sizes(monkeypatch):
+    monkeypatch.setattr(cgroups, "_ROOT", Path("/nowhere"))
+    group = Group(1 << 40, 64)
+    assert group.folders == [] and not group.ran_out(os.getpid()) and not group.is_crowded()
+    group.remove()
+    nothing = Group(-cgroups._BESIDES, 64)
+    assert nothing.ran_out(os.getpid()) and nothing.is_crowded()
+    nothing.forget()
+    assert not nothing.is_crowded()
+    assert not nothing.ran_out(2**22 + 1)  # there is no such process
+
+
+def test_pages_that_processes_share_are_counted_once():
+    code = "import os, time\nheld = bytearray(b'x' * (200 << 20))\n"
+    code += "[os.fork() or time.sleep(60) for _ in range(3)]\nprint(flush=True)\ntime.sleep(60)"
+    top = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE)
+    top.stdout.readline()
+    apart, once = (cgroups._memory_under(top.pid, enough) for enough in (1 << 40, 0))
+    for process in [*psutil.Process(top.pid).children(), top]:
+        process.kill()
+    top.communicate()
+    assert apart > 4 * (200 << 20) and 200 << 20 < once < 300 << 20
+
+
+BOMB = """
+import os, time
+for _ in range(20):
+    if os.fork() == 0:
+        x = np.ones(120 << 20, np.uint8)
+        time.sleep(600)
+time.sleep(600)
+"""
+
+
+@pytest.mark.parametrize("root", [cgroups._ROOT, "/nowhere"])
+def test_all_processes_of_a_kernel_together_keep_to_its_memory(root, monkeypatch):
+    monkeypatch.setattr(cgroups, "_ROOT", Path(root))  # where there are no control groups, or none for us
+    most = 0
+    with Kernels("fast", limits=Limits(memory=1 << 30, wall_grace=15)) as kernels:
+        kernel = kernels.start((), 5)
+        with ThreadPoolExecutor(1) as beside:
+            ended = beside.submit(kernel.run, BOMB)
+            while not ended.done():
+                most = max(most, cgroups._memory_under(kernels._zygote._process.pid, 0))
+                time.sleep(0.2)
+        assert ended.result().ended == "memory"
+        assert most < 2 << 30  # of what it would take: 2.4 GB
+        kernel.stop()
+        after = kernels.start((), 5)
+        ran = after.run("import time\nx = np.ones(120 << 20, np.uint8)\ntime.sleep(0.2)\nprint(x[-1])")
+        assert (ran.printed, ran.ended) == ("1\n", "")
+        after.stop()
+
+
+ORDINARY = f"""
+from imgproc_course.autograder.sandbox.bubblewrap import Limits
+from imgproc_course.autograder.sandbox.kernels import Kernels
+with Kernels("ipykernel", limits=Limits(memory=1 << 30, wall_grace=15)) as kernels:
+    kernel = kernels.start((), 5)
+    print(kernel.run({BOMB!r}).ended)
+    kernel.stop()
+"""
+
+
+def test_jupyters_own_kernel_keeps_to_its_memory_with_all_its_processes():
+    done = subprocess.run([sys.executable, "-c", ORDINARY], capture_output=True, text=True, timeout=200)
+    assert done.stdout == "memory\n", done.stderr[-2000:]
+
+
+UNCOUNTED = """
+import ctypes, os, subprocess, threading
+libc = ctypes.CDLL(None, use_errno=True)
+def refused(call, *arguments):
+    return call(*arguments) == -1 and ctypes.get_errno() == 1
+print(refused(libc.shmget, 0, 1 << 30, 0o1600), refused(libc.memfd_create, b"x", 0))
+print(refused(libc.unshare, 0x10000000), refused(libc.mount, b"t", b"/tmp", b"tmpfs", 0, None))
+print(refused(libc.syscall, 56, 0x10000000 | 17, 0, 0, 0, 0), refused(libc.syscall, 425, 8, 0))
+thread = threading.Thread(target=print, args=("a thread",))
+thread.start()
+thread.join()
+print(subprocess.run(["echo", "a process"], capture_output=True, text=True).stdout, end="")
+"""
+
+
+@pytest.mark.skipif(platform.machine() != "x86_64", reason="two of the calls are made by their numbers")
+def test_memory_that_no_process_holds_is_refused_and_threads_and_processes_are_not():
+    with Kernels("fast") as kernels:
+        kernel = kernels.start((), 30)
+        lines = kernel.run(UNCOUNTED).printed.splitlines()
+        kernel.stop()
+    assert lines == [*["True True"] * 3, "a thread", "a process"]
+
+
+# ---------------------------------------------------------------- another user
+
+MARKS = """
+import os
+written = set()
+for place in {line.split()[1] for line in open("/proc/mounts")}:
+    try:
+        os.mkdir(place + "/mark")
+        written.add(place)
+    except OSError:
+        pass
+"""
+NOBODYS = f"""
+from imgproc_course.autograder.sandbox.kernels import Kernels
+with Kernels("fast") as kernels:
+    kernel = kernels.start(("cv2",), 30)
+    print(kernel.run("import os; print(os.getuid(), os.listdir('/course/site-packages/cv2'))").printed)
+    print(kernel.run("print(open('/proc/self/status').read().count('0000000000000000'))").printed)
+    kernel.run({MARKS!r})
+    print(kernel.run("print(sorted(written))").printed)
+    kernel.stop()
+"""
+
+
+def as_another_user():
+    """The words that run Python as a user who is not root, with Python's folder opened to everybody."""
+    if os.geteuid() != 0:
+        return [sys.executable]
+    base, home = Path(sys.base_prefix).resolve(), Path.home()
+    opened = ""
+    if base.is_relative_to(home):
+        opened = f"mount --bind {base} /mnt && mount -t tmpfs -o mode=755 t {home} && mkdir -p {base}"
+        opened += f" && mount --bind /mnt {base} && "
+    user = "setpriv --reuid 4242 --regid 4242 --clear-groups"
+    return ["unshare", "--mount", "sh", "-c", f'{opened}exec {user} {sys.executable} "$@"', "sh"]
+
+
+def test_a_user_who_is_not_root_has_a_sandbox_too():
+    done = subprocess.run(
+        [*as_another_user(), "-c", NOBODYS],
+        env={"PATH": os.environ["PATH"], "HOME": "/tmp"},
+        cwd="/",
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    lines = done.stdout.split("\n")
+    assert lines[0].endswith(" []"), done.stderr[-2000:]
+    assert lines[4] == "['/dev/shm', '/tmp']"  # its own; what it wrote elsewhere the next would find
+    assert int(lines[2]) >= 5  # inheritable, permitted, effective, bounding, ambient: all empty

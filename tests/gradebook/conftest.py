@@ -1,0 +1,60 @@
+"""A key of two small lessons, made once a session, and what grades with it."""
+
+import json
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+sys.path.append(str(Path(__file__).parents[1] / "authoring"))
+from submissions import MASTERS, SEED
+from template_master import write_master
+
+from imgproc_course.authoring.masters import find_masters, read_master
+from imgproc_course.autograder.make_answer_key import make_key
+from imgproc_course.gradebook.answer_keys import open_term
+from imgproc_course.gradebook.grade import grade_submissions
+
+__all__ = ["write_master"]
+
+
+@pytest.fixture(scope="session")
+def masters():
+    return {path.stem: read_master(path) for path in find_masters(MASTERS)}
+
+
+@pytest.fixture(scope="session")
+def light(masters):
+    return masters["20_light"]
+
+
+@pytest.fixture(scope="session")
+def key_path(tmp_path_factory):
+    path = tmp_path_factory.mktemp("office") / "key"
+    make_key(MASTERS, SEED, path)
+    return path
+
+
+@pytest.fixture(scope="session")
+def term(key_path):
+    return open_term([key_path])
+
+
+@pytest.fixture
+def grade(key_path, tmp_path):
+    """Grade a folder; gives what grades.json holds."""
+
+    def graded(submissions, out=None, **options):
+        out = out or tmp_path / "grades"
+        grade_submissions(submissions, [key_path], out, **({"workers": 1, "quiet": True} | options))
+        return json.loads((out / "grades.json").read_text(encoding="utf-8"))
+
+    return graded
+
+
+@pytest.fixture
+def submissions(tmp_path):
+    folder = tmp_path / "submissions"
+    folder.mkdir()
+    return folder

@@ -1,0 +1,452 @@
+"""Attacks on the form of a submission: its cells, metadata, files, archives and names.
+
+Each stands for a wrong answer in truth, tries to gain by a trick, and is put into a folder of submissions
+between honest ones. `number` is the attack's in the published list of 62. Attacks by an answer's source stand
+with the grading engine.
+"""
+
+import io
+import json
+import os
+import zipfile
+from dataclasses import dataclass
+from pathlib import Path
+
+from submissions import answers_of, cell_of, notebook, write
+
+from imgproc_course.gradebook.grade import grade_submissions
+from imgproc_course.gradebook.sanitize import visible_line
+
+LESSON = "20_light"
+
+
+@dataclass(frozen=True)
+class FormAttack:
+    """An attack; it hands in as a learner of its own.
+
+    put     function of the learner's folder, which is not made yet, and the master
+    told    words that the teacher must find in what is reported; "" where there is nothing to tell
+    folder  the learner's folder, where its very name is the attack
+    never   (pattern, text) pairs: no file of the grades of that name may hold that text
+    """
+
+    number: int
+    name: str
+    put: object
+    told: str = ""
+    folder: str = ""
+    never: tuple = ()
+
+    @property
+    def learner(self):
+        """The name that its grades are found by."""
+        return visible_line(self.handed_in_as, 120)
+
+    @property
+    def handed_in_as(self):
+        return self.folder or f"{self.number:02d} {self.name}"
+
+    @property
+    def neighbour(self):
+        """The honest learner whose submission stands behind it."""
+        return f"{self.number:02d} {self.name}, neighbour"
+
+
+FORM_ATTACKS = []
+
+
+def attack(number, name, told="", **more):
+    """Make an attack of a function of (folder, master)."""
+
+    def added(put):
+        FORM_ATTACKS.append(FormAttack(number, name, put, told, **more))
+        return put
+
+    return added
+
+
+def of_cells(number, name, told="", **more):
+    """Make an attack of a function that changes a wrong notebook in place."""
+
+    def added(change):
+        def put(folder, light):
+            made = wrong_made(light)
+            change(made)
+            write(folder / f"{LESSON}.ipynb", made)
+
+        FORM_ATTACKS.append(FormAttack(number, name, put, told, **more))
+        return change
+
+    return added
+
+
+def wrong_made(light):
+    """The lesson with wrong answers; a dict."""
+    return notebook(
+        light,
+        {"light-double": "def double(p):\n    return p", "light-halves": "def halves(p):\n    return p"},
+    )
+
+
+def claim(made, id="light-double"):
+    """Store an output that says that a check passes."""
+    cell = cell_of(made, f"check-{id}-1")
+    cell["outputs"] = [{"output_type": "stream", "name": "stdout", "text": f"{id}: the check passes.\n"}]
+    cell["execution_count"] = 3
+
+
+# ---------------------------------------------------------------- cells and metadata
+
+
+@of_cells(1, "deleted checks", "was removed")
+def _deleted_checks(made):
+    made["cells"] = [cell for cell in made["cells"] if not cell["id"].startswith("check-")]
+
+
+@of_cells(2, "edited checks", "was changed")
+def edit_checks(made):
+    cell_of(made, "check-light-double-1")["source"] = "print('light-double: the check passes.')"
+
+
+@of_cells(3, "checks made raw cells", "no code any more")
+def _retyped_checks(made):
+    cell_of(made, "check-light-double-1")["cell_type"] = "raw"
+
+
+@of_cells(4, "points in the metadata", "orders to a grader")
+def _points(made):
+    for cell in made["cells"]:
+        cell["metadata"] = {"nbgrader": {"points": 1000, "grade": True, "locked": False}, "points": 1000}
+    made["metadata"]["imgproc_course"]["points"] = 1000
+
+
+@of_cells(4, "cells with the ids of hidden checks")
+def _hidden_case_ids(made):
+    for id in ("hidden-light-double-1", "case-light-double-1", "solution-light-double"):
+        made["cells"].append({"id": id, "cell_type": "code", "metadata": {}, "source": "1", "outputs": []})
+
+
+@of_cells(5, "every cell twice", "stands there 2 times")
+def _duplicates(made):
+    made["cells"] += [dict(cell) for cell in made["cells"]]
+
+
+@of_cells(6, "cells in another order")
+def _reordered(made):
+    made["cells"].reverse()
+
+
+@of_cells(7, "the answer in another cell", "stands in another cell (mine), which is not graded")
+def _moved(made):
+    cell_of(made, "answer-light-double")["id"] = "mine"
+
+
+@of_cells(8, "tags that skip", "orders to a grader")
+def _skipping_tags(made):
+    cell_of(made, "answer-light-double")["metadata"]["tags"] = ["nbval-skip", "nbval-ignore-output"]
+
+
+@of_cells(9, "tags that allow an exception", "orders to a grader")
+def _raising_tags(made):
+    cell_of(made, "answer-light-double")["metadata"]["tags"] = ["nbval-raises-exception", "raises-exception"]
+
+
+@of_cells(9, "tags that are no list")
+def _tags_of_another_type(made):
+    cell_of(made, "answer-light-double")["metadata"] = {"tags": {"nbval-skip": 1}}
+
+
+@of_cells(10, "forged outputs", "stored output says that every check passes")
+def _forged_outputs(made):
+    claim(made)
+
+
+@of_cells(11, "no execution counts", "stored output says that every check passes")
+def _no_execution_counts(made):
+    claim(made)
+    cell_of(made, "check-light-double-1")["execution_count"] = None
+
+
+@of_cells(12, "another kernel", "asks for the kernel 'bash'")
+def _kernelspec(made):
+    made["metadata"]["kernelspec"] = {"name": "bash", "language": "bash", "argv": ["/bin/sh"]}
+
+
+@of_cells(13, "notebook format 4.99")
+def _minor_99(made):
+    made["nbformat_minor"] = 99
+
+
+@of_cells(15, "an id of a hundred thousand letters")
+def _huge_id(made):
+    made["cells"].append({"id": "answer-" + "x" * 100_000, "cell_type": "code", "source": "1"})
+
+
+@of_cells(58, "a lesson's name that is a path")
+def _other_lesson(made):
+    made["metadata"]["imgproc_course"]["lesson"] = "../../../etc/passwd"
+
+
+@of_cells(61, "widget state with a script", never=(("**/*.html", "<script"),))
+def _widget_state(made):
+    made["metadata"]["widgets"] = {"application/vnd.jupyter.widget-state+json": {"state": "<script>"}}
+
+
+@of_cells(61, "outputs with a script", never=(("**/*.html", "<script"), ("**/*.html", "onload=")))
+def _script_in_outputs(made):
+    html = {"text/html": "<script>alert(1)</script>", "image/svg+xml": "<svg onload=alert(1)>"}
+    shown = {"output_type": "display_data", "data": html, "metadata": {}}
+    cell_of(made, "check-light-double-1")["outputs"] = [shown]
+
+
+# ---------------------------------------------------------------- notebooks that are none
+
+DEEP = 100_000
+MALFORMED = {  # name: (number of the attack, the file's bytes, the reason that is given)
+    "empty": (14, b"", "the file is empty"),
+    "blank": (14, b" \n", "the file is empty"),
+    "cut off": (14, b'{"nbformat": 4, "cells": [', "its JSON is broken (line 1)"),
+    "UTF-16": (14, '{"nbformat": 4}'.encode("utf-16"), "it is not UTF-8"),
+    "latin-1": (14, '{"nbformat": 4, "ä": 1}'.encode("latin-1"), "it is not UTF-8"),
+    "no JSON": (14, b"<html>", "its JSON is broken"),
+    "a list": (14, b"[]", "its JSON holds something else"),
+    "a number": (14, b"7", "its JSON holds something else"),
+    "no format": (13, b'{"cells": []}', "which notebook format"),
+    "format true": (13, b'{"nbformat": true, "cells": []}', "which notebook format"),
+    "format 3": (13, b'{"nbformat": 3, "worksheets": []}', "notebook format 3"),
+    "format 5": (13, b'{"nbformat": 5, "cells": []}', "notebook format 5"),
+    "format huge": (13, b'{"nbformat": 1' + b"0" * 400 + b', "cells": []}', "notebook format 1000"),
+    "no cells": (14, b'{"nbformat": 4}', "no list of cells"),
+    "cells a dict": (14, b'{"nbformat": 4, "cells": {}}', "no list of cells"),
+    "deep lists": (14, b"[" * DEEP + b"]" * DEEP, "nested too deep"),
+    "deep dicts": (14, b'{"a":' * DEEP + b"1" + b"}" * DEEP, "nested too deep"),
+    "deep metadata": (14, b'{"nbformat": 4, "metadata": ' + b"[" * DEEP, "nested too deep"),
+    "a long number": (14, b'{"nbformat": 4, "cells": ' + b"9" * 10_000 + b"}", "its JSON is broken"),
+    "too many cells": (15, b'{"nbformat": 4, "cells": [' + b"1," * 6_000 + b"1]}", "6001 cells"),
+    "null bytes": (14, b"\x00" * 100, "its JSON is broken"),
+}
+
+
+def _malformed(data):
+    return lambda folder, light: write(folder / f"{LESSON}.ipynb", data)
+
+
+for _name, (_number, _data, _reason) in MALFORMED.items():
+    attack(_number, f"a file with {_name}", _reason)(_malformed(_data))
+
+
+@attack(15, "two hundred megabytes", "it has 200 MB")
+def _huge(folder, light):
+    with write(folder / f"{LESSON}.ipynb", b"").open("wb") as file:
+        file.truncate(200_000_000)
+
+
+# ---------------------------------------------------------------- files, archives and names
+
+
+def trap_of(folder):
+    """The file that code writes which must never run."""
+    return folder.parents[1] / "trapped"
+
+
+@attack(51, "modules beside the notebook")
+def _modules_beside(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_made(light))
+    for name in ("numpy", "sitecustomize", "usercustomize", "coverage", "imgproc_course", "json"):
+        write(folder / f"{name}.py", f"open({str(trap_of(folder))!r}, 'w').close()")
+    write(folder / "x.pth", f"import os; open({str(trap_of(folder))!r}, 'w').close()")
+
+
+@attack(52, "conftest.py and pytest.ini beside the notebook")
+def _settings_beside(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_made(light))
+    write(folder / "conftest.py", f"open({str(trap_of(folder))!r}, 'w').close()")
+    write(folder / "pytest.ini", "[pytest]\naddopts = --nbval-lax")
+    for name in ("pyproject.toml", "tox.ini"):
+        write(folder / name, "[tool.pytest.ini_options]\naddopts = '--co'\n")
+
+
+@attack(57, "a link to a neighbour's notebook", "links are not followed")
+def _link(folder, light):
+    right = write(folder.parents[1] / "right.ipynb", notebook(light, answers_of(light, "right")))
+    folder.mkdir(parents=True)
+    (folder / f"{LESSON}.ipynb").symlink_to(right)
+
+
+@attack(57, "a hard link to a neighbour's notebook", "hard link")
+def _hard_link(folder, light):
+    right = write(folder.parents[1] / "right-too.ipynb", notebook(light, answers_of(light, "right")))
+    folder.mkdir(parents=True)
+    (folder / f"{LESSON}.ipynb").hardlink_to(right)
+
+
+@attack(57, "a folder that is a link")
+def _link_to_folder(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_made(light))
+    (folder / "more").symlink_to("/etc")
+
+
+@attack(57, "a pipe that nobody writes into", "no ordinary file")
+def _pipe(folder, light):
+    folder.mkdir(parents=True)
+    os.mkfifo(folder / f"{LESSON}.ipynb")
+
+
+@attack(57, "a link in a zip", "a link or a device in a zip")
+def _link_in_zip(folder, light):
+    link = zipfile.ZipInfo(f"{LESSON}.ipynb")
+    link.external_attr = 0o120777 << 16
+    _zip(folder, [(link, "/etc/passwd")])
+
+
+@attack(58, "a name in a zip that leads out of it", "leads out of the zip")
+def _out_of_zip(folder, light):
+    _zip(folder, [(f"../../{LESSON}.ipynb", json.dumps(wrong_made(light)))])
+
+
+@attack(58, "an absolute name in a zip", "leads out of the zip")
+def _absolute_in_zip(folder, light):
+    _zip(folder, [(f"/etc/{LESSON}.ipynb", json.dumps(wrong_made(light)))])
+
+
+@attack(58, "a name that is options and markup", folder="-p x::[1] <b>\u202egpj.\nx")
+def _odd_name(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_made(light))
+
+
+@attack(58, "a name that is no text", folder=os.fsdecode(b"\xff\xfe"))
+def _name_of_bytes(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_made(light))
+
+
+@attack(59, "a zip bomb", "200 times its size")
+def _bomb(folder, light):
+    _zip(folder, [(f"{LESSON}.ipynb", b"0" * 20_000_000)])
+
+
+@attack(59, "a zip in a zip", "a zip in a zip")
+def _nested(folder, light):
+    inner = io.BytesIO()
+    with zipfile.ZipFile(inner, "w") as archive:
+        archive.writestr(f"{LESSON}.ipynb", json.dumps(wrong_made(light)))
+    _zip(folder, [("inner.zip", inner.getvalue())])
+
+
+@attack(59, "a zip that lies about its sizes", "cannot be")
+def _lying(folder, light):
+    path = _zip(folder, [(f"{LESSON}.ipynb", os.urandom(5_000))])
+    data = bytearray(path.read_bytes())
+    for signature, offset in ((b"PK\x03\x04", 22), (b"PK\x01\x02", 24)):
+        at = data.index(signature) + offset
+        data[at : at + 4] = (100).to_bytes(4, "little")
+    path.write_bytes(data)
+
+
+@attack(59, "a zip that is none", "zip cannot be read")
+def _no_zip(folder, light):
+    write(folder / "work.zip", b"PK\x03\x04 no zip")
+
+
+@attack(
+    60,
+    "a name that is a formula",
+    folder='=cmd|"calc"!A1,x\t;y',
+    never=(("**/*.csv", '"=cmd'), ("**/*.csv", "\t")),
+)
+def _formula(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_made(light))
+
+
+@attack(
+    61, "a name that is a script", folder="<img src=x onerror=alert(1)>", never=(("**/*.html", "<img src=x"),)
+)
+def _script(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_made(light))
+
+
+def _zip(folder, members):
+    folder.mkdir(parents=True)
+    path = folder / "work.zip"
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, data in members:
+            if isinstance(name, str):  # as it stands: writestr() would take a leading slash away
+                info = zipfile.ZipInfo("x")
+                info.filename, info.compress_type = name, zipfile.ZIP_DEFLATED
+            else:
+                info = name
+            archive.writestr(info, data)
+    return path
+
+
+# ---------------------------------------------------------------- grading them all
+
+
+@dataclass(frozen=True)
+class Attacked:
+    """What an attack came to.
+
+    gained    its points;  reported: what the teacher is told of it, one line
+    harmed    what it harmed, in words; empty where every neighbour is graded as if alone
+    """
+
+    attack: FormAttack
+    gained: int
+    reported: str
+    harmed: tuple
+
+
+def grade_attacks(light, key_path, folder, **options):
+    """Grade all attacks at once, an honest submission behind each of them, and one honest one alone.
+
+    Parameters
+    ----------
+    light : Master
+    key_path : Path of its key
+    folder : Path, empty
+    options : as `grade_submissions` takes them
+
+    Returns
+    -------
+    list of Attacked
+    """
+    honest = notebook(light, answers_of(light, "right"))
+    write(folder / "alone" / "alone.ipynb", honest)
+    for each in FORM_ATTACKS:
+        each.put(folder / "submissions" / each.handed_in_as, light)
+        write(folder / "submissions" / each.neighbour / f"{LESSON}.ipynb", honest)
+    found = []
+    for name in ("alone", "submissions"):
+        out = folder / f"{name}-grades"
+        grade_submissions(folder / name, [key_path], out, **({"workers": 1, "quiet": True} | options))
+        grades = json.loads((out / "grades.json").read_text(encoding="utf-8"))
+        found.append({learner["name"]: learner for learner in grades["learners"]})
+    (alone,) = found[0]["alone"]["lessons"]
+    return [_attacked(each, found[1], alone, folder) for each in FORM_ATTACKS]
+
+
+def _attacked(attack, learners, alone, folder):
+    lessons = learners[attack.learner]["lessons"]
+    told = [lesson["reason"] for lesson in lessons if lesson["reason"]]
+    told += [notice["text"] for lesson in lessons for notice in lesson["notices"]]
+    outcomes = {
+        case["outcome"] for lesson in lessons for each in lesson["exercises"] for case in each["cases"]
+    }
+    told = told or [", ".join(sorted(outcomes))]
+    return Attacked(
+        attack, learners[attack.learner]["got"], "; ".join(told), _harm(attack, learners, alone, folder)
+    )
+
+
+def _harm(attack, learners, alone, folder):
+    harm = []
+    (neighbour,) = learners[attack.neighbour]["lessons"]
+    for part in ("got", "points", "exercises", "notices"):
+        if neighbour[part] != alone[part]:
+            harm.append(f"its neighbour's {part}")
+    if trap_of(folder / "submissions" / "any").exists():
+        harm.append("code beside a notebook ran")
+    for pattern, text in attack.never:
+        for path in sorted(Path(folder, "submissions-grades").glob(pattern)):
+            if text in path.read_text(encoding="utf-8", errors="replace"):
+                harm.append(f"{text!r} stands in {path.name}")
+    return tuple(harm)

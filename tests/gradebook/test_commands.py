@@ -1,0 +1,193 @@
+"""The teacher's commands: what they say, what they refuse, and how they end."""
+
+import json
+import os
+import subprocess
+import sys
+
+import pytest
+from click.testing import CliRunner
+from submissions import MASTERS, answers_of, notebook, write
+
+from imgproc_course import cli
+from imgproc_course.authoring.masters import read_master
+from imgproc_course.authoring.new_lesson import new_lesson
+from imgproc_course.autograder.answer_key import load_key
+from imgproc_course.cli import main
+from imgproc_course.exercises.declaration import MasterError
+from imgproc_course.gradebook import grade
+
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("office")]
+
+
+@pytest.fixture
+def run(tmp_path, monkeypatch):
+    monkeypatch.chdir(tmp_path)
+    monkeypatch.setenv("GIT_CEILING_DIRECTORIES", str(tmp_path.parent))
+
+    def run(*words):
+        return CliRunner().invoke(main, [str(word) for word in words])
+
+    return run
+
+
+# ---------------------------------------------------------------- key
+
+
+def test_a_key_without_a_seed_keeps_one_and_makes_the_same_key_again(run, tmp_path):
+    made = run("key", "21", "--masters", MASTERS, "--out", "k")
+    assert made.exit_code == 0, made.output
+    assert "Key of 1 lessons and 1 exercises: k/" in made.output and "k.seed" in made.output
+    seed = (tmp_path / "k.seed").read_text().strip()
+    assert len(seed) == 32 and (tmp_path / "k.seed").stat().st_mode & 0o777 == 0o600
+    first = load_key(tmp_path / "k").digest
+    refused = run("key", "21", "--masters", MASTERS, "--out", "k")
+    assert refused.exit_code == 1 and "there is something already" in refused.output
+    assert load_key(tmp_path / "k").digest == first
+    assert run("key", "21", "--masters", MASTERS, "--out", "k", "--force").exit_code == 0
+    assert load_key(tmp_path / "k").digest == first
+    other = run("key", "21", "--masters", MASTERS, "--out", "k", "--force", "--seed", "another")
+    assert "Its seed is kept nowhere" in other.output
+    assert load_key(tmp_path / "k").digest != first
+    handed_out = json.loads((tmp_path / "k" / "handed_out.json").read_text())
+    assert handed_out["21_sound"]["check-sound-mean-1"] == 'check("sound-mean", mean)'
+    assert handed_out["21_sound"]["answer-sound-mean"] is None
+
+
+def test_a_key_in_a_checkout_that_does_not_ignore_it_is_warned_of(run, tmp_path):
+    subprocess.run(["git", "init", "-q", "."], cwd=tmp_path, check=True)
+    words = ("key", "21", "--masters", MASTERS, "--out", "k", "--force")
+    warned = run(*words).output
+    assert "Warning: k is in a git checkout and not ignored" in warned and "k.seed is in a git" in warned
+    (tmp_path / ".gitignore").write_text("/k/\n/k.seed\n")
+    assert "Warning" not in run(*words).output
+
+
+def test_masters_of_ones_own_are_found_by_the_variable(run, tmp_path, monkeypatch):
+    monkeypatch.setenv("IMGPROC_COURSE_MASTERS", str(MASTERS))
+    assert "Key of 1 lessons" in run("key", "21", "--out", "k", "--seed", "x").output
+    monkeypatch.setenv("IMGPROC_COURSE_MASTERS", str(tmp_path / "nowhere"))
+    wrong = run("key", "--out", "k2", "--seed", "x")
+    assert wrong.exit_code == 1 and "which is no folder" in wrong.output
+    assert "no masters in" in run("key", "--masters", tmp_path, "--out", "k2", "--seed", "x").output
+
+
+# ---------------------------------------------------------------- grade
+
+
+def test_exit_codes(run, light, key_path, tmp_path):
+    write(tmp_path / "in" / "ada.ipynb", notebook(light, answers_of(light, "right")))
+    good = run("grade", "in", "--key", key_path, "--out", "out")
+    assert good.exit_code == 0, good.output
+    assert "1 learners, 1 lessons graded (1 now), 0 late, 0 could not be graded." in good.output
+    write(tmp_path / "in" / "bob.ipynb", b"{")
+    some = run(
+        "grade", "in", "--key", key_path, "--out", "out", "--deadline", "2026-11-01T00:00", "--workers", 1
+    )
+    assert some.exit_code == 3
+    assert "bob: bob.ipynb: it is no notebook" in some.output and "(0 now), 2 late" in some.output
+
+
+@pytest.mark.parametrize(
+    ("words", "code", "told"),
+    [
+        (("grade", "nowhere", "--key", "KEY"), 1, "nowhere: there is nothing"),
+        (("grade", "in", "--key", "nokey"), 1, "there is no key; make one: imgproc-course key"),
+        (("grade", "in", "--key", "KEY", "--out", "in/grades"), 1, "name a folder outside it"),
+        (("grade", "in", "--key", "KEY", "--deadline", "tomorrow"), 2, "2026-12-01T23:59"),
+        (("grade", "in", "--key", "KEY", "--workers", "0"), 2, "0 is not in the range"),
+        (("grade", "in", "--key", "KEY", "--kernel", "bash"), 2, "'fast', 'ipykernel'"),
+    ],
+)
+def test_what_cannot_be_is_said_in_one_line(run, light, key_path, tmp_path, words, code, told):
+    write(tmp_path / "in" / "ada.ipynb", notebook(light))
+    ended = run(*(key_path if word == "KEY" else word for word in words))
+    assert ended.exit_code == code and told in ended.output
+    assert code == 2 or len(ended.output.strip().splitlines()) == 1
+
+
+def test_a_platforms_table_is_filled(run, light, key_path, tmp_path):
+    write(tmp_path / "submissions" / "ada_7_100_20_light.ipynb", notebook(light, answers_of(light, "right")))
+    table = tmp_path / "gradebook.csv"
+    table.write_text("Student,ID,Section,20_light (1)\nAda,7,A,\n", encoding="utf-8")
+    done = run("grade", "submissions", "--key", key_path, "--workers", 1, "--roster", table)
+    assert done.exit_code == 0 and "gradebook.csv: 1 points filled in." in done.output
+    filled = (tmp_path / "grades" / "exports" / "filled-gradebook.csv").read_text(encoding="utf-8")
+    assert filled.splitlines() == ["Student,ID,Section,20_light (1)", "Ada,7,A,6"]
+    missing = run("grade", "submissions", "--key", key_path, "--roster", "none.csv")
+    assert missing.exit_code == 1 and "Error: none.csv: it cannot be read" in missing.output
+
+
+def test_without_bubblewrap_it_refuses_unless_told(light, key_path, tmp_path):
+    write(tmp_path / "in" / "ada.ipynb", notebook(light, answers_of(light, "right")))
+    environment = os.environ | {"PATH": str(tmp_path)}
+    words = [sys.executable, "-c", "from imgproc_course.cli import main; main()"]
+    words += ["grade", "in", "--key", str(key_path)]
+    refused = subprocess.run(
+        words, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False
+    )
+    assert refused.returncode == 1 and len(refused.stderr.splitlines()) == 1
+    assert "bubblewrap is not installed" in refused.stderr and "--unsafe" in refused.stderr
+    unsafe = subprocess.run(
+        [*words, "--unsafe"], cwd=tmp_path, env=environment, capture_output=True, text=True, check=False
+    )
+    assert unsafe.returncode == 0, unsafe.stderr
+    assert "without a sandbox" in unsafe.stdout
+    grades = json.loads((tmp_path / "grades" / "grades.json").read_text())
+    assert grades["sandbox"] is False and grades["learners"][0]["got"] == 6
+
+
+def test_ctrl_c_says_that_it_goes_on(run, light, key_path, tmp_path, monkeypatch):
+    write(tmp_path / "in" / "ada.ipynb", notebook(light))
+
+    def interrupted(*_words, **_options):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(grade, "judge_all", interrupted)
+    ended = run("grade", "in", "--key", key_path)
+    assert ended.exit_code == 130 and "goes on from here" in ended.output
+
+
+def test_a_scheduler_is_asked_for_by_its_address(run, light, key_path, tmp_path, monkeypatch):
+    write(tmp_path / "in" / "ada.ipynb", notebook(light))
+    asked = []
+
+    def no_scheduler(address):
+        asked.append(address)
+        raise ValueError("no Dask scheduler answers at tcp://127.0.0.1:9")
+
+    monkeypatch.setattr(grade, "open_scheduler", no_scheduler)
+    ended = run("grade", "in", "--key", key_path, "--scheduler", "tcp://127.0.0.1:9")
+    assert asked == ["tcp://127.0.0.1:9"]
+    assert ended.exit_code == 1 and "no Dask scheduler answers" in ended.output
+
+
+def test_a_deadline_with_a_zone_is_in_local_time():
+    moment = cli._Moment().convert("2026-12-01T23:59+00:00", None, None)
+    assert moment.tzinfo is None
+    assert moment.astimezone().utctimetuple()[:5] == (2026, 12, 1, 23, 59)
+
+
+# ---------------------------------------------------------------- a lesson of one's own
+
+
+def test_a_new_lesson_is_a_master_that_reads(tmp_path):
+    path = new_lesson("Brightness & contrast", tmp_path / "mine")
+    assert path.name == "10_brightness_contrast.py"
+    master = read_master(path)
+    assert (master.title, [each.id for each in master.exercises]) == (
+        "Brightness contrast",
+        ["brightness-contrast-double"],
+    )
+    assert new_lesson("other", tmp_path / "mine").name == "11_other.py"
+    assert new_lesson("42_other", tmp_path / "mine").name == "42_other.py"
+
+
+def test_a_new_lesson_overwrites_nothing(run, tmp_path):
+    assert run("new-lesson", "42_light", "--out", "mine").exit_code == 0
+    (tmp_path / "mine" / "42_light.py").write_text("changed")
+    again = run("new-lesson", "42_light", "--out", "mine")
+    assert again.exit_code == 1 and "there is a lesson of that name" in again.output
+    assert (tmp_path / "mine" / "42_light.py").read_text() == "changed"
+    with pytest.raises(MasterError, match="cannot name a lesson"):
+        new_lesson("!!", tmp_path)

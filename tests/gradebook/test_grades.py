@@ -1,0 +1,327 @@
+"""Thirty submissions from end to end; attacks of form gain nothing; the same grades each time."""
+
+import json
+import random
+import shutil
+import sys
+from datetime import datetime
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+sys.path.append(str(Path(__file__).parents[1] / "autograder"))
+from attacks import ATTACKS, PUBLISHED
+from form_attacks import FORM_ATTACKS, edit_checks, grade_attacks, wrong_made
+from submissions import MASTERS, SEED, answers_of, notebook, thirty, write
+
+from imgproc_course.autograder.answer_key import load_key
+from imgproc_course.autograder.make_answer_key import make_key
+from imgproc_course.autograder.pool import SandboxError
+from imgproc_course.autograder.sandbox import bubblewrap
+from imgproc_course.gradebook import grades_json as grades_module
+from imgproc_course.gradebook.grade import grade_submissions
+from imgproc_course.gradebook.grades_json import SCHEMA, Store
+
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("office")]
+
+
+def lesson_of(grades, learner, lesson="20_light"):
+    of = next(each for each in grades["learners"] if each["name"] == learner)
+    return next(each for each in of["lessons"] if each["lesson"] == lesson)
+
+
+def told(lesson):
+    return [notice["text"] for notice in lesson["notices"]]
+
+
+@pytest.fixture(scope="module")
+def classroom(tmp_path_factory, masters):
+    folder = tmp_path_factory.mktemp("classroom") / "submissions"
+    return folder, thirty(folder, list(masters.values()))
+
+
+@pytest.fixture(scope="module")
+def graded(classroom, key_path, tmp_path_factory):
+    out = tmp_path_factory.mktemp("graded") / "grades"
+    said = grade_submissions(classroom[0], [key_path], out, workers=1, quiet=True)
+    return out, said
+
+
+def test_thirty_submissions_get_what_they_deserve(graded, classroom):
+    grades = json.loads((graded[0] / "grades.json").read_text())
+    points = {"20_light": 6, "21_sound": 4}
+    for learner, lesson, kind in classroom[1]:
+        got = lesson_of(grades, learner, lesson)
+        assert got["points"] == points[lesson], learner
+        if kind == "right":
+            assert got["got"] == points[lesson]
+        elif kind == "broken":
+            assert (got["got"], got["status"]) == (0, "not graded") and got["reason"]
+        else:
+            assert got["got"] == 0, (learner, kind)
+        mistakes = [each["mistake"] for each in got["exercises"]]
+        assert all(mistakes) == (kind in (0, 1)) or not mistakes
+        outcomes = {case["outcome"] for each in got["exercises"] for case in each["cases"]}
+        assert outcomes == {
+            "right": {"passed"},
+            "untouched": {"not attempted"},
+            "raising": {"raised"},
+            "broken": set(),
+        }.get(kind, {"wrong"})
+    assert graded[1].not_graded == 4
+    assert "30 learners, 26 lessons graded" in graded[1].text
+
+
+def test_grades_are_as_their_schema_says(graded):
+    grades = json.loads((graded[0] / "grades.json").read_text())
+    schema = json.loads(SCHEMA.read_text())
+    jsonschema.Draft202012Validator.check_schema(schema)
+    jsonschema.validate(grades, schema)
+    grades["learners"][0]["seed"] = 1
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.validate(grades, schema)
+
+
+def test_another_order_and_more_workers_give_the_same_bytes(graded, classroom, key_path, tmp_path):
+    mixed = tmp_path / "submissions"
+    learners = sorted(classroom[0].iterdir())
+    random.Random(3).shuffle(learners)
+    for learner in learners:
+        shutil.copytree(learner, mixed / learner.name)
+    out = tmp_path / "grades"
+    grade_submissions(mixed, [key_path], out, workers=3, quiet=True)
+    for path in sorted(graded[0].rglob("*")):
+        if path.is_file() and path.parent.name != "judged":
+            assert (out / path.relative_to(graded[0])).read_bytes() == path.read_bytes(), path.name
+
+
+def test_the_ordinary_kernel_gives_the_same_grades(masters, key_path, submissions, tmp_path):
+    for learner, kind in (("ada", "right"), ("bob", 0), ("eve", "raising")):
+        write(
+            submissions / learner / "x.ipynb",
+            notebook(masters["21_sound"], answers_of(masters["21_sound"], kind)),
+        )
+    texts = []
+    for kernel in ("fast", "ipykernel"):
+        out = tmp_path / kernel
+        grade_submissions(submissions, [key_path], out, kernel=kernel, workers=1, quiet=True)
+        texts.append((out / "grades.json").read_bytes())
+    assert texts[0] == texts[1]
+
+
+# ---------------------------------------------------------------- going on, and what is kept
+
+
+def test_an_interrupted_run_goes_on_where_it_stopped(light, key_path, submissions, tmp_path, monkeypatch):
+    for number in range(6):
+        answers = answers_of(light, "right")
+        answers["light-double"] += f"\n# {number}"
+        write(submissions / f"{number}.ipynb", notebook(light, answers))
+    judged, keep = [], Store.keep_result
+
+    def keep_three(store, digest, result):
+        if len(judged) == 3:
+            raise KeyboardInterrupt
+        judged.append(digest)
+        keep(store, digest, result)
+
+    monkeypatch.setattr(Store, "keep_result", keep_three)
+    out = tmp_path / "grades"
+    with pytest.raises(KeyboardInterrupt):
+        grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
+    assert not (out / "grades.json").exists()
+    monkeypatch.setattr(Store, "keep_result", keep)
+    assert (
+        "6 lessons graded (3 now)"
+        in grade_submissions(submissions, [key_path], out, workers=1, quiet=True).text
+    )
+    assert "(0 now)" in grade_submissions(submissions, [key_path], out, workers=1, quiet=True).text
+    again = grade_submissions(submissions, [key_path], out, workers=1, quiet=True, afresh=True)
+    assert "(6 now)" in again.text
+
+
+def test_half_a_result_is_judged_again(light, key_path, submissions, grade, tmp_path):
+    write(submissions / "ada.ipynb", notebook(light, answers_of(light, "right")))
+    first = grade(submissions)
+    (path,) = [each for each in (tmp_path / "grades" / "judged").iterdir() if "answers" not in each.name]
+    path.write_text(path.read_text()[:40])
+    assert grade(submissions) == first
+    assert json.loads(path.read_text())["got"] == 6
+
+
+def test_equal_answers_are_judged_once(light, key_path, submissions, tmp_path):
+    for name in ("ada", "bob", "eve"):
+        write(submissions / f"{name}.ipynb", notebook(light, answers_of(light, "right")))
+    said = grade_submissions(submissions, [key_path], tmp_path / "grades", workers=1, quiet=True)
+    assert "3 lessons graded (1 now)" in said.text
+
+
+def test_grades_of_learners_who_are_gone_are_not_handed_back(light, submissions, grade, tmp_path):
+    write(submissions / "ada.ipynb", notebook(light))
+    write(submissions / "bob.ipynb", notebook(light))
+    grade(submissions)
+    (submissions / "bob.ipynb").unlink()
+    grade(submissions)
+    assert [path.name.split("-")[0] for path in (tmp_path / "grades" / "learners").iterdir()] == ["ada"]
+
+
+def test_no_grades_among_the_submissions(light, key_path, submissions):
+    write(submissions / "ada.ipynb", notebook(light))
+    for out in (submissions, submissions / "grades", key_path / "grades"):
+        with pytest.raises(ValueError, match="name a folder outside it"):
+            grade_submissions(submissions, [key_path], out, quiet=True)
+
+
+def test_grading_without_a_sandbox_is_refused_before_anything_is_read(
+    light, key_path, submissions, tmp_path, monkeypatch
+):
+    write(submissions / "ada.ipynb", notebook(light))
+    monkeypatch.setattr(bubblewrap, "why_not", lambda: "bubblewrap is not installed")
+    with pytest.raises(SandboxError, match="--unsafe"):
+        grade_submissions(submissions, [key_path], tmp_path / "grades", quiet=True)
+    assert not (tmp_path / "grades").exists()
+
+
+def test_a_disk_that_is_full_is_said(light, key_path, submissions, tmp_path):
+    write(submissions / "ada.ipynb", notebook(light))
+    (tmp_path / "file").write_text("")
+    with pytest.raises(grades_module.GradesFolderError, match="cannot be"):
+        grade_submissions(submissions, [key_path], tmp_path / "file" / "grades", quiet=True)
+
+
+# ---------------------------------------------------------------- late, again, other versions
+
+
+def test_the_latest_counts_and_all_are_listed(light, submissions, grade):
+    write(submissions / "ada" / "a.ipynb", notebook(light, answers_of(light, "right")), datetime(2026, 11, 1))
+    write(submissions / "ada" / "b.ipynb", notebook(light, answers_of(light, 0)), datetime(2026, 12, 2))
+    write(submissions / "ada" / "c.ipynb", notebook(light), datetime(2026, 10, 1))
+    write(submissions / "ada" / "d.ipynb", b"{", datetime(2026, 12, 3))
+    grades = grade(submissions, deadline=datetime(2026, 12, 1, 23, 59))
+    lesson = lesson_of(grades, "ada")
+    assert (lesson["got"], lesson["source"], lesson["late"]) == (0, "ada/b.ipynb", True)
+    assert [(each["source"], each["late"]) for each in lesson["earlier"]] == [
+        ("ada/c.ipynb", False),
+        ("ada/a.ipynb", False),
+    ]
+    assert "handed in 3 times; the latest counts (ada/b.ipynb)" in told(lesson)
+    assert lesson_of(grades, "ada", None)["reason"].startswith("it is no notebook")
+
+
+def test_a_broken_hand_in_does_not_take_the_place_of_a_good_one(light, submissions, grade):
+    write(
+        submissions / "ada" / "20_light.ipynb",
+        notebook(light, answers_of(light, "right")),
+        datetime(2026, 11, 1),
+    )
+    write(submissions / "ada" / "20_light-1.ipynb", b"{", datetime(2026, 12, 2))
+    lesson = lesson_of(grade(submissions), "ada")
+    assert (lesson["got"], lesson["status"]) == (6, "graded")
+    assert lesson["earlier"][0]["source"] == "ada/20_light-1.ipynb"
+
+
+def test_canvas_hand_ins_are_ordered_by_their_number_and_late_as_canvas_says(light, submissions, grade):
+    right, wrong = notebook(light, answers_of(light, "right")), notebook(light, answers_of(light, 0))
+    write(submissions / "lovelaceada_77_100_20_light.ipynb", wrong, datetime(2026, 11, 5))
+    write(submissions / "lovelaceada_LATE_77_200_20_light-1.ipynb", right, datetime(2026, 11, 1))
+    lesson = lesson_of(grade(submissions), "lovelaceada")
+    assert (lesson["got"], lesson["late"], lesson["platform_id"]) == (6, True, "77")
+
+
+def test_namesakes_are_two_people(light, submissions, grade):
+    right, wrong = notebook(light, answers_of(light, "right")), notebook(light, answers_of(light, 0))
+    write(submissions / "Anna_1_assignsubmission_file_" / "x.ipynb", right)
+    write(submissions / "Anna_2_assignsubmission_file_" / "x.ipynb", wrong)
+    grades = grade(submissions)
+    assert {each["name"]: each["got"] for each in grades["learners"]} == {"Anna (1)": 6, "Anna (2)": 0}
+
+
+def test_an_older_version_is_graded_with_its_own_key_or_said(light, key_path, submissions, tmp_path, grade):
+    old = tmp_path / "old-key"
+    shutil.copytree(key_path, old)
+    text = (old / "key.json").read_text().replace('"version": "0.1.0"', '"version": "0.0.9"')
+    (old / "key.json").write_text(text)
+    write(submissions / "ada.ipynb", notebook(light, answers_of(light, "right"), version="0.0.9"))
+    write(submissions / "bob.ipynb", notebook(light, answers_of(light, "right")))
+    lesson = lesson_of(grade(submissions), "ada")
+    assert lesson["got"] == 6
+    assert "it was made from version '0.0.9' of the lesson, and graded with the key of version 0.1.0" in told(
+        lesson
+    )
+    grade_submissions(submissions, [key_path, old], tmp_path / "both", workers=1, quiet=True)
+    both = json.loads((tmp_path / "both" / "grades.json").read_text())
+    for learner, path in (("ada", old), ("bob", key_path)):
+        lesson = lesson_of(both, learner)
+        assert (lesson["key"], lesson["got"], lesson["notices"]) == (load_key(path).digest, 6, [])
+
+
+# ---------------------------------------------------------------- attacks of form
+
+
+@pytest.fixture(scope="module")
+def attacked(light, key_path, tmp_path_factory):
+    """What each attack came to."""
+    found = grade_attacks(light, key_path, tmp_path_factory.mktemp("attacked"))
+    return {each.attack.name: each for each in found}
+
+
+@pytest.mark.parametrize("name", [each.name for each in FORM_ATTACKS])
+def test_an_attack_of_form_gains_nothing_harms_nobody_and_is_told(attacked, name):
+    found = attacked[name]
+    assert (found.gained, found.harmed) == (0, ())
+    assert found.attack.told in found.reported
+
+
+def test_attacks_of_form_have_names_of_their_own():
+    names = [each.name for each in FORM_ATTACKS]
+    assert len(names) == len(set(names)) >= 55
+
+
+def test_every_number_of_the_published_list_is_tried():
+    tried = {each.number for each in [*ATTACKS, *FORM_ATTACKS]}
+    assert sorted(set(PUBLISHED) - tried) == []
+    assert min(tried - set(PUBLISHED)) > 100  # our own are told apart
+
+
+def test_modules_and_settings_beside_a_notebook_change_nothing(light, submissions, grade, tmp_path):
+    write(submissions / "eve" / "20_light.ipynb", wrong_made(light))
+    trap = f"open({str(tmp_path / 'trapped')!r}, 'w').close()"
+    for name in ("conftest.py", "numpy.py", "sitecustomize.py", "coverage.py", "imgproc_course.py"):
+        write(submissions / "eve" / name, trap)
+    write(submissions / "eve" / "pytest.ini", "[pytest]\naddopts = --nbval-lax")
+    grades = grade(submissions)
+    assert lesson_of(grades, "eve")["got"] == 0
+    assert len(grades["ignored"]) == 6
+    assert not (tmp_path / "trapped").exists()
+
+
+def test_two_hundred_megabytes_and_links_get_a_reason_and_end_nothing(light, submissions, grade):
+    with (submissions / "big_20_light.ipynb").open("wb") as file:
+        file.truncate(200_000_000)
+    (submissions / "link.ipynb").symlink_to("/etc/passwd")
+    write(submissions / "zoe.ipynb", notebook(light, answers_of(light, "right")))
+    grades = grade(submissions)
+    assert "200 MB" in lesson_of(grades, "big")["reason"]
+    assert (lesson_of(grades, "big")["got"], lesson_of(grades, "big")["points"]) == (0, 6)
+    assert "links are not followed" in lesson_of(grades, "link", None)["reason"]
+    assert lesson_of(grades, "zoe")["got"] == 6
+
+
+def test_a_key_without_what_was_handed_out_still_grades(light, key_path, submissions, tmp_path):
+    bare = tmp_path / "bare"
+    shutil.copytree(key_path, bare)
+    (bare / "handed_out.json").unlink()
+    made = notebook(light, answers_of(light, "right"))
+    edit_checks(made)
+    write(submissions / "ada.ipynb", made)
+    grade_submissions(submissions, [bare], tmp_path / "grades", workers=1, quiet=True)
+    lesson = lesson_of(json.loads((tmp_path / "grades" / "grades.json").read_text()), "ada")
+    assert (lesson["got"], lesson["notices"]) == (6, [])
+
+
+def test_a_key_made_twice_from_one_seed_is_the_same(key_path, tmp_path):
+    again = make_key(MASTERS, SEED, tmp_path / "key")
+    assert again.digest == load_key(key_path).digest
+    for path in key_path.rglob("*.json"):
+        assert SEED not in path.read_text()

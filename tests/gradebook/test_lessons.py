@@ -1,0 +1,52 @@
+"""Every lesson of the course as it is handed out gets no point, and with its solutions every point."""
+
+import json
+from pathlib import Path
+
+import pytest
+from submissions import notebook, write
+
+from imgproc_course.authoring.masters import find_masters, read_master
+from imgproc_course.autograder.make_answer_key import make_key
+from imgproc_course.gradebook.grade import grade_submissions
+
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("office")]
+NOTEBOOKS = Path(__file__).resolve().parents[2] / "notebooks"
+NAMES = [path.stem for path in find_masters(NOTEBOOKS / "masters")]
+
+
+@pytest.fixture(scope="module")
+def learners(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("lessons")
+    make_key(NOTEBOOKS / "masters", "of this test", folder / "key")
+    for path in find_masters(NOTEBOOKS / "masters"):
+        master = read_master(path)
+        write(
+            folder / "in" / "pristine" / f"{master.name}.ipynb",
+            (NOTEBOOKS / f"{master.name}.ipynb").read_bytes(),
+        )
+        solutions = {each.id: each.solution for each in master.exercises}
+        write(folder / "in" / "solved" / f"{master.name}.ipynb", notebook(master, solutions))
+    grade_submissions(folder / "in", [folder / "key"], folder / "grades", workers=2, quiet=True)
+    grades = json.loads((folder / "grades" / "grades.json").read_text(encoding="utf-8"))
+    return {
+        learner["name"]: {lesson["lesson"]: lesson for lesson in learner["lessons"]}
+        for learner in grades["learners"]
+    }
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_lesson_as_handed_out_gets_nothing(learners, name):
+    lesson = learners["pristine"][name]
+    assert (lesson["got"], lesson["notices"], lesson["status"]) == (0, [], "graded")
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_the_solved_lesson_gets_everything(learners, name):
+    lesson = learners["solved"][name]
+    assert lesson["got"] == lesson["points"]
+    assert (lesson["points"] > 0) == bool(lesson["exercises"])
+
+
+def test_nothing_else_was_found(learners):
+    assert sorted(learners["pristine"]) == sorted(learners["solved"]) == sorted(NAMES)

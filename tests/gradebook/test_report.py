@@ -1,0 +1,338 @@
+"""The pages: everything escaped, nothing loaded, nobody else's in it; and looked at in a browser."""
+
+import base64
+import html.parser
+import io
+import json
+import re
+import shutil
+
+import numpy as np
+import pytest
+from PIL import Image
+from submissions import SEED, answers_of, notebook, write
+
+from imgproc_course.exercises.canonical import canonical
+from imgproc_course.exercises.values import wrong_of
+from imgproc_course.gradebook.grade import grade_submissions
+from imgproc_course.gradebook.report import learner_page
+from imgproc_course.gradebook.report_values import pictures_of, value_of
+from imgproc_course.gradebook.sanitize import for_spreadsheet, visible, visible_line
+
+pytestmark = pytest.mark.sandbox
+EVIL = "<script>alert(1)</script>"
+SHOUTS = f"""
+def double(pixels):
+    print({EVIL!r}, '\\u202e', '\\x1b[31m')
+    return pixels[::-1] * 1
+"""
+NAME = "<img src=x onerror=alert(1)>\u202e {{ 7*7 }}"
+
+
+@pytest.fixture(scope="module")
+def pages(masters, key_path, tmp_path_factory):
+    """{learner's first word: page}, and the teacher's as "summary"."""
+    folder = tmp_path_factory.mktemp("pages")
+    submissions, light, sound = folder / "submissions", masters["20_light"], masters["21_sound"]
+    write(submissions / "ada" / "a.ipynb", notebook(light, answers_of(light, 0)))
+    write(submissions / "ada" / "b.ipynb", notebook(sound, answers_of(sound, "right")))
+    raising = f"def halves(pixels):\n    raise ValueError({EVIL!r} + str(pixels.tolist()))"
+    write(
+        submissions / NAME / f"{EVIL[:8]}.ipynb",
+        notebook(light, {"light-double": SHOUTS, "light-halves": raising}),
+    )
+    write(submissions / "zoe" / "notes.ipynb", b"{")
+    out = folder / "grades"
+    grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
+    found = {path.name.split("-")[0]: path for path in (out / "learners").iterdir()}
+    return found | {"summary": out / "summary.html"}
+
+
+class Tags(html.parser.HTMLParser):
+    def __init__(self, text):
+        super().__init__()
+        self.found, self.attributes = set(), []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs):
+        self.found.add(tag)
+        self.attributes += attrs
+
+
+def test_no_page_holds_anything_that_runs_or_loads(pages):
+    for path in pages.values():
+        text = path.read_text(encoding="utf-8")
+        tags = Tags(text)
+        assert not tags.found & {"script", "iframe", "object", "embed", "link", "form", "base", "video"}
+        assert not [name for name, _ in tags.attributes if name.startswith("on") or name == "style"]
+        sources = [value for name, value in tags.attributes if name == "src"]
+        assert all(re.fullmatch(r"data:image/png;base64,[A-Za-z0-9+/=]+", value) for value in sources)
+        links = [value for name, value in tags.attributes if name == "href"]
+        assert all(re.fullmatch(r"learners/[a-z0-9-]+\.html", value) for value in links)
+        (policy,) = [value for name, value in tags.attributes if name == "content" and "default-src" in value]
+        assert re.fullmatch(r"default-src 'none'; style-src 'sha256-[A-Za-z0-9+/=]+'; img-src data:", policy)
+
+
+def test_what_a_learner_writes_is_shown_as_text(pages):
+    text = pages["img"].read_text(encoding="utf-8")
+    assert "&lt;script&gt;alert(1)&lt;/script&gt; \\u202e" in text
+    assert "{{ 7*7 }}" in text and "\u202e" not in text and "\x1b" not in text
+    assert "<script" not in text and "<img src=x" not in text
+    assert "&lt;img src=x onerror=alert(1)&gt;\\u202e" in pages["summary"].read_text(encoding="utf-8")
+
+
+def test_a_learners_page_names_the_mistake_and_shows_the_public_check(pages):
+    text = pages["ada"].read_text(encoding="utf-8")
+    assert "A known mistake: uint8 wraps." in text and "uint8 ends at 255: widen first." in text
+    assert "given pixels" in text and "came back [0]" in text and "expected [1]" in text
+    assert text.count("data:image/png") == 4  # given, came back, expected, where they differ
+    assert "4 <small>of 10 points" in text
+
+
+def test_of_a_hidden_check_there_is_its_title_and_hint_alone(pages):
+    text = pages["img"].read_text(encoding="utf-8")
+    after = text.partition("Four rows more")[2].partition("</li>")[0]
+    assert "Both halves are wanted." in after and "ValueError" in after
+    assert "script" not in after and "[[" not in after and "given" not in after
+
+
+def test_of_a_hidden_check_nothing_is_shown_whatever_the_result_holds(
+    light, term, submissions, grade, tmp_path
+):
+    write(submissions / "ada.ipynb", notebook(light, answers_of(light, 0)))
+    (entry,) = grade(submissions)["learners"]
+    kept = (tmp_path / "grades" / "judged").glob("*.json")
+    (result,) = [json.loads(path.read_text()) for path in kept if "answers" not in path.name]
+    for exercise in result["exercises"]:
+        public, hidden = exercise["cases"]
+        hidden |= {name: public[name] for name in ("call", "expected", "actual")}
+        hidden |= {
+            "given": [canonical("a secret input")],
+            "printed": "a secret word",
+            "said": "a secret value",
+        }
+        exercise["said"] = "its \u202e eye"
+    text = learner_page(entry, {"20_light": result}, term)
+    assert "came back" in text and "a secret" not in text
+    assert "Its \\u202e eye." in text and "\u202e" not in text
+
+
+def test_a_page_holds_nothing_of_anybody_else_nor_of_the_key(pages, key_path, term):
+    text = pages["ada"].read_text(encoding="utf-8")
+    for secret in (SEED, term.keys[0].digest, str(key_path), "zoe", "img src=x", "astype(np.uint16)", "rng"):
+        assert secret not in text
+    for path in key_path.rglob("*.inputs.json"):
+        hidden = re.findall(r'"hidden-[^"]+": \[\[.*?"data": "([^"]{12,})"', path.read_text())
+        for data in hidden:
+            assert data not in text
+
+
+def test_the_teachers_page_tells_what_there_is_to_tell(pages):
+    text = pages["summary"].read_text(encoding="utf-8")
+    for expected in (
+        "<b>3</b>learners",
+        "<b>3</b>of 4 hand-ins graded",
+        "Could not be graded",
+        "uint8 wraps",
+    ):
+        assert expected in text
+    row = text.partition("A picture")[2].partition("</tr>")[0]
+    assert "0 %" in row and "2 of 2" in row
+    row = text.partition("Fifty numbers")[2].partition("</tr>")[0]
+    assert "100 %" in row and "1 of 1" in row
+
+
+def test_of_a_file_that_could_not_be_read_there_are_no_points_to_tell(pages):
+    text = pages["zoe"].read_text(encoding="utf-8")
+    assert "<title>zoe</title>" in text and "0 of 0" not in text and "fresh Python" not in text
+    assert text.count("notes.ipynb") == 1 and "its JSON is broken" in text
+    row = pages["summary"].read_text(encoding="utf-8").rpartition("<bdi>zoe</bdi>")[2].partition("</tr>")[0]
+    assert "not graded" in row
+
+
+# ---------------------------------------------------------------- one cause for every check
+
+ALIKE = {
+    "syntax": "def double(pixels)\n    return pixels",
+    "refused": "import cv2\n\ndef double(pixels):\n    return cv2.add(pixels, pixels)",
+    "endless": "def double(pixels):\n    while True:\n        pass",
+    "ending": "import os\n\ndef double(pixels):\n    os._exit(0)",
+    "nameless": "def double(pixels):\n    return cv9.add(pixels, pixels)",
+    "at-times": "def double(pixels):\n    assert len(pixels) < 9\n    return pixels",
+    "deleted": None,
+    "behind": "def double(pixels):\n    raise NotImplementedError('your turn')",
+}
+
+
+@pytest.fixture(scope="module")
+def alike(light, key_path, tmp_path_factory):
+    """{learner: what their page tells of light-double}, and the teacher's page as "summary"."""
+    folder = tmp_path_factory.mktemp("alike")
+    for name, source in ALIKE.items():
+        made = notebook(light, {"light-double": source, "light-halves": answers_of(light, 0)["light-halves"]})
+        place = [cell["id"] for cell in made["cells"]].index("answer-light-double")
+        if source is None:
+            del made["cells"][place]
+        if name == "behind":
+            other = {"id": "mine", "source": answers_of(light, "right")["light-double"]}
+            made["cells"].insert(place + 1, made["cells"][place] | other)
+        write(folder / "submissions" / name / "20_light.ipynb", made)
+    out = folder / "grades"
+    grade_submissions(folder / "submissions", [key_path], out, workers=1, quiet=True)
+    found = {"summary": (out / "summary.html").read_text(encoding="utf-8")}
+    for path in (out / "learners").iterdir():
+        text = html.unescape(path.read_text(encoding="utf-8"))
+        found[path.stem.rpartition("-")[0]] = text.partition("Twice as bright")[2].partition("Two halves")[0]
+    return found
+
+
+@pytest.mark.parametrize(
+    ("name", "cause", "advice"),
+    [
+        ("syntax", "SyntaxError: expected ':'", "run the cell in the lesson"),
+        ("refused", "cv2, which this exercise refuses.", "write it by hand"),
+        ("endless", "double() used more than 1 s of processor time.", "loop whose condition stays true"),
+        ("ending", "", "no os._exit()"),
+        ("deleted", "Its answer cell was deleted.", "<code>imgproc-course check</code>"),
+    ],
+)
+def test_one_cause_for_every_check_is_told_once_in_place_of_their_hints(alike, name, cause, advice):
+    text = alike[name]
+    assert text.count(cause) == 1 or not cause
+    assert text.count(advice) == 1 and "Hint:" not in text
+    assert text.count('class="failed"') == 2
+    assert "Double()" not in text and "answer cell is missing" not in text
+
+
+def test_a_name_that_is_nowhere_brings_what_grading_runs_and_the_hints(alike):
+    assert alike["nameless"].count("nothing else of the notebook") == 1
+    assert alike["nameless"].count("Hint:") == 2
+
+
+def test_checks_that_end_differently_keep_their_hints(alike):
+    assert alike["at-times"].count("Hint:") == 2 and "AssertionError" in alike["at-times"]
+
+
+def test_an_answer_in_another_cell_is_among_what_the_teacher_looks_at(alike):
+    _, _, looked_at = alike["summary"].partition("<h2>To look at</h2>")
+    rows = looked_at.partition("</section>")[0].split("<tr>")
+    (row,) = [row for row in rows if "<bdi>behind</bdi>" in row]
+    assert "a cell behind its answer defines double()" in row and "0 of 6" in row
+    assert not [row for row in rows if "<bdi>syntax</bdi>" in row]
+
+
+@pytest.mark.browser
+def test_the_pages_in_a_browser(pages):
+    from playwright.sync_api import sync_playwright
+
+    options = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"]
+    options += ["--disable-background-networking", "--disable-component-update", "--disable-sync"]
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=options)
+        page = browser.new_page(viewport={"width": 1000, "height": 900})
+        complaints = []
+        page.on("console", lambda message: complaints.append(message.text))
+        page.on("dialog", lambda dialog: complaints.append("a dialog"))
+        for path in pages.values():
+            page.goto(path.as_uri())
+            assert page.evaluate("document.documentElement.scrollWidth") <= 1000
+            assert page.evaluate("getComputedStyle(document.querySelector('main')).maxWidth") == "992px"
+        page.set_viewport_size({"width": 400, "height": 900})
+        for path in pages.values():
+            page.goto(path.as_uri())
+            assert page.evaluate("document.documentElement.scrollWidth") <= 400
+            apart = "all => all.map(each => [each.firstElementChild, each.lastElementChild])"
+            apart += ".filter(([title, points]) => points.textContent.trim() && "
+            apart += "points.getBoundingClientRect().top > title.getBoundingClientRect().top + 20).length"
+            assert page.eval_on_selector_all(".line", apart) == 0  # points stand beside their title
+            displays = "all => [...new Set(all.map(each => getComputedStyle(each).display))]"
+            assert page.eval_on_selector_all("table.stack td:not(.drawn)", displays) in ([], ["block"])
+        page.goto(pages["ada"].as_uri())
+        widths = page.eval_on_selector_all("figure img", "all => all.map(each => each.naturalWidth)")
+        assert widths == [192, 192, 192, 192]
+        browser.close()
+    assert complaints == []
+
+
+# ---------------------------------------------------------------- values and pictures
+
+
+def case_of(given, actual, expected):
+    forms = [canonical(value) for value in (given, actual, expected)]
+    return {"given": [forms[0]], "actual": forms[1], "expected": forms[2]}
+
+
+def pixels_of(picture):
+    data = base64.b64decode(picture.data.partition(",")[2])
+    return np.asarray(Image.open(io.BytesIO(data)))
+
+
+def test_a_small_array_is_a_table_with_what_differs_marked():
+    case = case_of(0, np.array([[1, 2]]), np.array([[1, 3]]))
+    wrong = wrong_of(case["expected"], case["actual"], 0)
+    value = value_of("came back", case["actual"], wrong)
+    assert value.rows == ((("1", False), ("2", True)),)
+    assert value.words == "an array of shape (1, 2), int64"
+
+
+def test_pictures_are_drawn_from_pixels_blue_first():
+    bgr = np.zeros((20, 20, 3), np.uint8)
+    bgr[..., 0] = 200
+    other = bgr.copy()
+    other[0, 0, 1] = 9
+    form, expected = canonical(bgr), canonical(other)
+    given, back, wanted, differs = pictures_of(form, "", expected, form, wrong_of(expected, form, 0))
+    assert pixels_of(given)[0, 0].tolist() == pixels_of(back)[0, 0].tolist() == [0, 0, 200]
+    assert pixels_of(wanted)[0, 0].tolist() == [0, 9, 200]
+    assert pixels_of(differs)[0, 0].tolist() == [200, 40, 40]
+    assert pixels_of(differs)[-1, -1].tolist() == [238, 240, 243]
+    assert (back.width, back.height) == (200, 200)
+    assert "1 of 400 pixels differ, the first at row 0, col 0" in differs.alt
+
+
+def test_pictures_of_floats_share_their_limits_and_bear_what_is_no_number():
+    actual = np.full((20, 20), np.nan)
+    actual[0] = [-1.0] * 10 + [np.inf] * 10
+    expected = np.linspace(0, 3, 400).reshape(20, 20)
+    _, back, wanted, _ = pictures_of(
+        canonical(expected), "", canonical(expected), canonical(actual), np.ones((20, 20), bool)
+    )
+    assert "black -1, white 3" in back.caption and "black -1, white 3" in wanted.caption
+    assert pixels_of(wanted)[0, 0] == 64 and pixels_of(back)[0, -1] == 255 and pixels_of(back)[5, 5] == 0
+
+
+@pytest.mark.parametrize(
+    "value", [np.zeros((0, 9)), np.zeros((500, 1)), np.zeros((3, 3, 3, 50)), "x", None, 3]
+)
+def test_what_is_no_picture_is_none(value):
+    form = canonical(value)
+    assert pictures_of(form, "", form, form, None) == []
+    assert value_of("came back", form).words
+
+
+def test_hostile_forms_are_words():
+    nested = canonical([[[[["<b>\u202e"]]]]])
+    assert "\u202e" not in value_of("x", nested).words
+    assert value_of("x", canonical({"a": {"b": "\ud800"}})).words.encode("utf-8")
+    assert value_of("x", None).words == "nothing came back"
+
+
+# ---------------------------------------------------------------- text
+
+
+def test_what_the_eye_would_not_see_is_made_visible():
+    assert visible("a\u202eb\x1b[0m\n\ud800é") == "a\\u202eb\\x1b[0m\n\\ud800é".replace("\\x1b", "\\u001b")
+    assert visible_line("a\nb\tc") == "a\\nb\\tc"
+    assert visible("x" * 400, 10) == "x" * 9 + "…"
+
+
+@pytest.mark.parametrize(
+    "text", ["=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "\r=1", " =1", "＝1", '"=1', "'=1", "\n-1"]
+)
+def test_no_cell_begins_like_a_formula(text):
+    assert for_spreadsheet(text).startswith("'")
+
+
+def test_other_cells_stay_as_they_are():
+    assert for_spreadsheet("Ada = Lovelace") == "Ada = Lovelace"
+    assert for_spreadsheet(-3.5) == -3.5 and for_spreadsheet("") == ""

@@ -1,0 +1,164 @@
+"""The rules of the project: which package imports which, and what no file may contain."""
+
+import ast
+import re
+import subprocess
+from graphlib import TopologicalSorter
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+PACKAGE = ROOT / "imgproc_course"
+
+# Each package, and the packages of ours that its modules import. Exactly these: an arrow that is missing here
+# is an import that the design does not allow, and one that is not used any more has to go.
+ARROWS = {
+    "messages": set(),
+    "imaging": set(),
+    "recording": {"messages"},
+    "ros": {"messages", "recording"},
+    "display": {"messages", "ros"},
+    "exercises": {"display"},
+    "authoring": {"exercises"},
+    "autograder": {"authoring", "exercises"},
+    "gradebook": {"authoring", "autograder", "exercises"},
+}
+# An arrow that only some modules of a package may use.
+ONLY_IN = {
+    ("display", "ros"): {"display/live_view.py"},
+    ("exercises", "display"): {"exercises/feedback.py"},
+    ("autograder", "authoring"): {"autograder/make_answer_key.py"},
+}
+# These call what they need: the command line, and what stands beside it.
+CALLERS = {
+    "cli.py",
+    "doctor",
+    "lab.py",
+    "lab_websocket.py",
+    "working_copies.py",
+    "__init__.py",
+    "jupyter_config",
+}
+CALLS_OTHER_PEOPLES_CODE = {"ros", "display", "exercises"}
+
+
+def modules():
+    return sorted(path for path in PACKAGE.rglob("*.py"))
+
+
+def relative(path):
+    return path.relative_to(PACKAGE).as_posix()
+
+
+def imported_names(path):
+    """Absolute names of everything that a module imports, wherever in the module it does."""
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names)
+        elif isinstance(node, ast.ImportFrom):
+            base = node.module or ""
+            if node.level:
+                package = ["imgproc_course", *path.relative_to(PACKAGE).parent.parts]
+                package = package[: len(package) - node.level + 1]
+                base = ".".join([*package, base] if base else package)
+            yield base
+            yield from (f"{base}.{alias.name}" for alias in node.names)
+
+
+def package_of(path):
+    return path.relative_to(PACKAGE).parts[0]
+
+
+def packages_imported(path):
+    """The other packages of ours that a module imports."""
+    parts = (name.split(".") for name in imported_names(path))
+    names = {part[1] for part in parts if part[0] == "imgproc_course" and len(part) > 1}
+    return (names & ARROWS.keys()) - {package_of(path)}
+
+
+@pytest.mark.parametrize("package", ARROWS)
+def test_a_package_imports_exactly_what_the_design_says(package):
+    paths = [path for path in modules() if package_of(path) == package]
+    assert set().union(*map(packages_imported, paths)) == ARROWS[package]
+
+
+@pytest.mark.parametrize(("arrow", "allowed"), ONLY_IN.items())
+def test_an_arrow_that_only_some_modules_may_use(arrow, allowed):
+    package, imported = arrow
+    paths = [path for path in modules() if package_of(path) == package]
+    assert {relative(path) for path in paths if imported in packages_imported(path)} == allowed
+
+
+def test_the_arrows_make_no_circle():
+    assert list(TopologicalSorter(ARROWS).static_order())[-1] == "gradebook"
+
+
+def test_every_package_has_its_arrows():
+    assert {package_of(path) for path in modules()} - CALLERS == ARROWS.keys()
+
+
+@pytest.mark.parametrize("path", modules(), ids=relative)
+def test_only_ros_imports_rclpy(path):
+    roots = {name.split(".")[0] for name in imported_names(path)}
+    assert package_of(path) == "ros" or "rclpy" not in roots
+
+
+@pytest.mark.parametrize("path", modules(), ids=relative)
+def test_every_exception_is_caught_only_where_other_peoples_code_is_called(path):
+    for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
+        if isinstance(node, ast.ExceptHandler):
+            names = [n.id for n in ast.walk(node.type) if isinstance(n, ast.Name)] if node.type else ["bare"]
+            if {"Exception", "BaseException", "bare"} & set(names):
+                assert package_of(path) in CALLS_OTHER_PEOPLES_CODE, f"line {node.lineno}"
+
+
+def test_modules_are_named_after_what_they_are_about():
+    vague = {"utils", "helpers", "common", "misc", "util", "helper"}
+    assert [relative(p) for p in modules() if p.stem in vague] == []
+
+
+def tracked_files():
+    listed = subprocess.run(["git", "ls-files", "-z"], cwd=ROOT, capture_output=True, text=True)
+    if listed.returncode:
+        pytest.fail("not a git checkout: the files to look at are those that git tracks")
+    return [ROOT / name for name in listed.stdout.split("\0") if name]
+
+
+def test_no_file_names_this_machine_or_a_package_index():
+    here = re.compile(
+        "|".join(
+            [
+                re.escape(f"{ROOT}/"),
+                r"(?<![\w.])" + re.escape(f"{Path.home()}/"),
+                r"--(?:extra-)?index-url",
+                r"pypi\." + "org",
+            ]
+        )
+    )
+    allowed = {"tests/test_imports.py"}
+    found = []
+    for path in tracked_files():
+        name = path.relative_to(ROOT).as_posix()
+        if name in allowed or not path.is_file() or path.suffix in {".mcap", ".gz", ".png", ".jpg", ".db3"}:
+            continue
+        text = path.read_text(encoding="utf-8", errors="replace")
+        found += [f"{name}: {match[0]}" for match in here.finditer(text)]
+    assert found == []
+
+
+@pytest.mark.parametrize("which", ["lab", "test", "opencv5", "uv", "nbgrader"])
+def test_requirements_are_pinned_and_hashed(which):
+    text = (ROOT / f"environment/requirements-{which}.txt").read_text(encoding="utf-8")
+    requirements = re.split(r"\n(?=\S)", text.strip())
+    assert len(requirements) >= (1 if which in ("opencv5", "uv") else 50)
+    for requirement in requirements:
+        assert re.match(r"[a-z0-9][a-z0-9.-]*==\S+", requirement), requirement.splitlines()[0]
+        assert requirement.count("--hash=sha256:") >= 1, requirement.splitlines()[0]
+
+
+def test_the_real_rclpy_is_asked_for_only_where_its_wheels_exist():
+    text = (ROOT / "environment/requirements-lab.txt").read_text(encoding="utf-8")
+    lines = [line for line in text.splitlines() if line.startswith("ros-")]
+    assert len(lines) > 50
+    assert all("platform_machine == 'x86_64' and sys_platform == 'linux'" in line for line in lines)
