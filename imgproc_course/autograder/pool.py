@@ -236,7 +236,7 @@ _pools = itertools.count(1)
 def _judge_at_side(path, digest, kernel, unsafe, limits):
     """This thread's judge, for that key; one for another key is stopped."""
     wanted = (str(path), digest, kernel, unsafe, limits)
-    side = getattr(_sides, "autograde", None)
+    side = getattr(_sides, "judge", None)
     if side is None or side.wanted != wanted or not side.alive:
         if side is not None:
             side.stop()
