@@ -36,7 +36,7 @@ def main():
 
 @main.command()
 def doctor():
-    """Look at everything that the lessons use; each failure names its cure."""
+    """Look at everything that the lessons use; each failure names its remedy."""
     from imgproc_course.doctor import doctor as examine
 
     report = examine()

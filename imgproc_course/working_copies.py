@@ -261,9 +261,9 @@ def _one_at_a_time(path):
 def _what_to_do(target, error):
     why = error.strerror or str(error)
     if error.errno in (errno.ENOSPC, errno.EDQUOT):
-        cure = "free 100 MB and start again"
+        remedy = "free 100 MB and start again"
     elif error.errno in (errno.EACCES, errno.EPERM, errno.EROFS):
-        cure = "give yourself the right to write there, or clone the course to a folder of your own"
+        remedy = "give yourself the right to write there, or clone the course to a folder of your own"
     else:
-        cure = "see that it is an ordinary folder of yours, and start again"
-    return f"no lessons were brought into {target.name}/, and nothing in it was changed ({why}); {cure}"
+        remedy = "see that it is an ordinary folder of yours, and start again"
+    return f"no lessons were brought into {target.name}/, and nothing in it was changed ({why}); {remedy}"

@@ -1,4 +1,4 @@
-"""The doctor: what it sees, what it says is wrong, and the cure beside it."""
+"""The doctor: what it sees, what it says is wrong, and the remedy beside it."""
 
 import importlib.metadata
 import importlib.util
@@ -84,7 +84,7 @@ def test_no_path_of_this_machine_is_on_its_page(examined):
 )
 def test_paths_are_cut_to_their_last_part(text, shown):
     assert ok("x", text).saw == (shown or text)
-    assert failure("x", "y", text).cure == (shown or text)
+    assert failure("x", "y", text).remedy == (shown or text)
 
 
 REPORT = Report(
@@ -135,7 +135,7 @@ def test_a_python_that_is_too_new(monkeypatch):
     monkeypatch.setattr(software.sys, "version_info", _Version(3, 14, 0))
     found = seen(software.look_at_python)["Python"]
     assert (found.verdict, found.saw) == ("failure", "3.14.0")
-    assert "PYTHON=python3.12 environment/lab" in found.cure
+    assert "PYTHON=python3.12 environment/lab" in found.remedy
 
 
 class _Version(tuple):
@@ -174,7 +174,7 @@ def test_a_kernel_of_another_environment(monkeypatch, tmp_path):
     monkeypatch.setattr(software, "VENV", tmp_path)
     found = seen(software.look_at_kernel)["kernel"]
     assert found.verdict == "warning"
-    assert "Kernel > Change Kernel > Python 3" in found.cure
+    assert "Kernel > Change Kernel > Python 3" in found.remedy
 
 
 def test_an_environment_without_jupyter_has_no_kernel_to_look_at(monkeypatch):
@@ -191,7 +191,7 @@ def test_a_jupyter_kernel_of_another_environment(monkeypatch):
     monkeypatch.setattr(software, "VENV", Path(sys.prefix))
     monkeypatch.setattr(software, "_kernel_of_jupyter", lambda: "/usr/bin/python3")
     found = seen(software.look_at_kernel)["kernel"]
-    assert (found.verdict, found.cure) == (
+    assert (found.verdict, found.remedy) == (
         "warning",
         "start JupyterLab with environment/lab, which takes the course's own",
     )
@@ -212,14 +212,14 @@ def test_two_opencvs_break_one_another(monkeypatch):
     found = seen(software.look_at_opencv)["OpenCV"]
     assert found.verdict == "failure"
     assert found.saw.startswith("opencv-python and opencv-python-headless are both installed")
-    assert found.cure.startswith("pip uninstall opencv-python opencv-python-headless; then delete .venv")
+    assert found.remedy.startswith("pip uninstall opencv-python opencv-python-headless; then delete .venv")
 
 
 def test_an_opencv_that_does_not_load(monkeypatch):
     monkeypatch.setitem(sys.modules, "cv2", None)
     found = seen(software.look_at_opencv)["OpenCV"]
     assert found.verdict == "failure"
-    assert "delete .venv" in found.cure
+    assert "delete .venv" in found.remedy
 
 
 @pytest.mark.parametrize("where", ["empty folder", "no data"])
@@ -241,7 +241,7 @@ def test_without_ros_the_lessons_still_run(monkeypatch):
     monkeypatch.setattr("imgproc_course.ros.ros_problem", lambda: problem)
     monkeypatch.setattr(graph.importlib.util, "find_spec", lambda _: None)
     (found,) = graph.look_at_ros()
-    assert (found.verdict, found.cure) == ("warning", "On Linux x86-64: environment/setup")
+    assert (found.verdict, found.remedy) == ("warning", "On Linux x86-64: environment/setup")
     assert found.saw == missing
 
 
@@ -252,7 +252,7 @@ def test_a_ros_that_does_not_load_is_a_failure(monkeypatch):
     )
     monkeypatch.setattr("imgproc_course.ros.ros_problem", lambda: problem)
     (found,) = graph.look_at_ros()
-    assert (found.verdict, found.cure) == ("failure", "start JupyterLab anew")
+    assert (found.verdict, found.remedy) == ("failure", "start JupyterLab anew")
     assert found.saw == "ROS 2 is installed, but Python 3.11 cannot load it (librcl.so)"
 
 
@@ -267,7 +267,7 @@ def test_a_profile_with_a_note_is_a_warning(monkeypatch):
     assert found["DDS profile"] == Finding("DDS profile", "warning", "none: Fast DDS's defaults", note)
     assert found["shared memory"].verdict == "warning"
     assert found["shared memory"].saw.startswith("10 MiB free in /dev/shm")
-    assert "docker run --shm-size=1g" in found["shared memory"].cure
+    assert "docker run --shm-size=1g" in found["shared memory"].remedy
 
 
 @pytest.mark.parametrize(
@@ -302,7 +302,7 @@ def test_the_domain_says_who_shares_the_topics(monkeypatch, domain, reach, verdi
     (found,) = graph._domain()
     assert found.verdict == verdict
     assert found.saw.startswith(words)
-    assert bool(found.cure) == (verdict == "failure")
+    assert bool(found.remedy) == (verdict == "failure")
 
 
 def test_the_loopback_carries_packets_and_multicast():
@@ -311,18 +311,18 @@ def test_the_loopback_carries_packets_and_multicast():
 
 
 @pytest.mark.parametrize(
-    ("blocked", "verdict", "cure"),
+    ("blocked", "verdict", "remedy"),
     [
         ({"127.0.0.1", graph.MULTICAST_GROUP}, "failure", "sudo ufw allow in on lo"),
         ({graph.MULTICAST_GROUP}, "warning", "export ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST"),
         (set(), "ok", ""),
     ],
 )
-def test_a_network_that_carries_nothing(monkeypatch, blocked, verdict, cure):
+def test_a_network_that_carries_nothing(monkeypatch, blocked, verdict, remedy):
     monkeypatch.setattr(graph, "_packet_arrives", lambda address: address not in blocked)
     found = seen(graph.look_at_network)["loopback"]
     assert found.verdict == verdict
-    assert cure in found.cure
+    assert remedy in found.remedy
 
 
 def test_a_packet_that_cannot_be_sent_did_not_arrive(monkeypatch):
@@ -345,7 +345,7 @@ def test_a_damaged_recording(monkeypatch, tmp_path):
     monkeypatch.setattr("imgproc_course.recording.recording.DRIVE", tmp_path)
     found = seen(pictures.look_at_recording)["recording"]
     assert found.verdict == "failure"
-    assert "git checkout -- imgproc_course/recording/drive" in found.cure
+    assert "git checkout -- imgproc_course/recording/drive" in found.remedy
 
 
 def test_a_disk_that_is_nearly_full(monkeypatch):
@@ -366,7 +366,7 @@ def test_a_topic_that_stays_silent(monkeypatch):
     found = seen(pictures.look_at_topics)
     assert found["topic"].verdict == "failure"
     assert found["topic"].saw == "nothing came on /doctor_1/image_raw in 5 s"
-    assert found["topic"].cure == "restart the kernel"
+    assert found["topic"].remedy == "restart the kernel"
     assert found["two programs"].verdict == "warning"
 
 

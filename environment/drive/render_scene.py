@@ -748,18 +748,18 @@ def build_person():
 
 def build_toycar():
     root = link(bpy.data.objects.new('toycar', None))
-    red, dark, grey = plain('d0391f', .25, 0, .05, 15), plain('1d1d1f', .6), plain('c9ccd0', .3, .6)
+    red, dark, gray = plain('d0391f', .25, 0, .05, 15), plain('1d1d1f', .6), plain('c9ccd0', .3, .6)
     cushion('body', (.22, .115, .055), (0, 0, .05), red, 'toy', puff=.55, parent=root)
     cushion('cab', (.115, .1, .05), (-.015, 0, .088), plain('e9e4d8', .25), 'toy', puff=.7, parent=root)
     box('glass', (.118, .085, .022), (-.015, 0, .09), plain('20303a', .1), 'toy', .006, parent=root)
-    box('bump', (.012, .11, .016), (.112, 0, .035), grey, 'toy', .004, parent=root)
+    box('bump', (.012, .11, .016), (.112, 0, .035), gray, 'toy', .004, parent=root)
     wheels = []
     for x in (-.07, .07):
         for y in (-.058, .058):
             w = link(bpy.data.objects.new('wheel', None))
             w.parent, w.location = root, (x, y, .028)
             cyl('tyre', .028, .024, (0, 0, 0), dark, 'toy', (math.pi / 2, 0, 0), parent=w, bevel=.006)
-            cyl('rim', .016, .026, (0, 0, 0), grey, 'toy', (math.pi / 2, 0, 0), parent=w)
+            cyl('rim', .016, .026, (0, 0, 0), gray, 'toy', (math.pi / 2, 0, 0), parent=w)
             box('spoke', (.026, .0265, .004), (0, 0, 0), dark, 'toy', 0, parent=w)
             wheels.append(w)
     for f in range(-2, NFRAMES + 3):

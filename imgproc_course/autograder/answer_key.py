@@ -29,7 +29,7 @@ HANDED_OUT = "handed_out.json"
 
 
 class KeyFolderError(ValueError):
-    """A key that cannot be read or written; one line with the cure."""
+    """A key that cannot be read or written; one line with the remedy."""
 
 
 @dataclass(frozen=True)

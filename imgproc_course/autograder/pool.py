@@ -97,7 +97,7 @@ def autograde(submissions, key, *, kernel="fast", unsafe=False, workers=None, ex
 
     Raises
     ------
-    SandboxError : there is no sandbox here, before anything is run; one line with the cure
+    SandboxError : there is no sandbox here, before anything is run; one line with the remedy
     ValueError : a lesson that is not in the key, an unknown kernel; before anything is run of it
     """
     if kernel not in KINDS:

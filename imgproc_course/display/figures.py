@@ -253,11 +253,11 @@ def _check_colour(array, order, encoding, name):
     channels = len(CHANNEL_ORDERS.get(order, "1"))
     if array.shape[2] != channels:
         wanted = "(rows, cols)" if channels == 1 else f"(rows, cols, {channels})"
-        cure = {3: 'encoding="bgr8"', 4: 'encoding="bgra8"'}.get(
+        remedy = {3: 'encoding="bgr8"', 4: 'encoding="bgra8"'}.get(
             array.shape[2], "array[:, :, k] for one channel"
         )
         raise ValueError(
-            f"{name} has shape {array.shape}, but encoding {encoding!r} means {wanted}; try {cure}"
+            f"{name} has shape {array.shape}, but encoding {encoding!r} means {wanted}; try {remedy}"
         )
     if array.dtype.kind == "f":
         if array.min() < 0 or array.max() > 1:

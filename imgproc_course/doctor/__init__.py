@@ -1,4 +1,4 @@
-"""The doctor: looks at everything that the lessons use, and names the cure of what is not well.
+"""The doctor: looks at everything that the lessons use, and names the remedy of what is not well.
 
 `doctor()` in a notebook, `imgproc-course doctor` in a terminal.
 """

@@ -20,11 +20,11 @@ def look_at_ros():
 
     problem = ros_problem()
     if problem is not None:
-        seen, _, cure = problem.partition("; ")
-        if not cure:
-            seen, _, cure = problem.partition(". ")
+        seen, _, remedy = problem.partition("; ")
+        if not remedy:
+            seen, _, remedy = problem.partition(". ")
         missing = importlib.util.find_spec("rclpy") is None
-        yield (warning if missing else failure)("ROS 2", seen, cure or SET_UP)
+        yield (warning if missing else failure)("ROS 2", seen, remedy or SET_UP)
         return
     rclpy, messages = (
         _version_of("ros-jazzy-rclpy", "rclpy"),

@@ -22,8 +22,8 @@ def look_at_recording():
             rows, cols, _ = drive.frame(0).shape
             yield ok("recording", f"{len(drive)} pictures of {cols}×{rows}, {drive.rate:g} a second")
     except (RecordingError, ConversionError) as error:
-        seen, _, cure = str(error).partition("; ")
-        yield failure("recording", seen, cure or "git checkout -- imgproc_course/recording/drive")
+        seen, _, remedy = str(error).partition("; ")
+        yield failure("recording", seen, remedy or "git checkout -- imgproc_course/recording/drive")
 
 
 def look_at_disk():
@@ -47,8 +47,8 @@ def look_at_topics():
         yield from _topic_in_this_process()
         yield from _topic_of_another_process()
     except ValueError as error:  # what starts a node says which variable is wrong
-        seen, _, cure = str(error).partition("; ")
-        yield failure("topic", seen, cure or "correct it, then restart the kernel")
+        seen, _, remedy = str(error).partition("; ")
+        yield failure("topic", seen, remedy or "correct it, then restart the kernel")
     finally:
         if not was_running:
             RosSession().stop()
@@ -63,8 +63,8 @@ def _topic_in_this_process():
     if problem is None:
         yield ok("topic", "pictures arrive, published in this process")
     else:
-        seen, _, cure = problem.partition("; ")
-        yield failure("topic", seen, cure or "restart the kernel and ask the doctor again")
+        seen, _, remedy = problem.partition("; ")
+        yield failure("topic", seen, remedy or "restart the kernel and ask the doctor again")
 
 
 def _topic_of_another_process():

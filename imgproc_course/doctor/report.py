@@ -21,25 +21,25 @@ class Finding:
     ----------
     name : what it is
     verdict : "ok", "warning" (may stay as it is) or "failure"
-    saw, cure : what is the case, and what to do about it; no path of this machine is in either
+    saw, remedy : what is the case, and what to do about it; no path of this machine is in either
     """
 
     name: str
     verdict: str
     saw: str
-    cure: str = ""
+    remedy: str = ""
 
 
 def ok(name, saw):
     return Finding(name, "ok", _without_paths(saw))
 
 
-def warning(name, saw, cure):
-    return Finding(name, "warning", _without_paths(saw), _without_paths(cure))
+def warning(name, saw, remedy):
+    return Finding(name, "warning", _without_paths(saw), _without_paths(remedy))
 
 
-def failure(name, saw, cure):
-    return Finding(name, "failure", _without_paths(saw), _without_paths(cure))
+def failure(name, saw, remedy):
+    return Finding(name, "failure", _without_paths(saw), _without_paths(remedy))
 
 
 def _without_paths(text):
@@ -82,8 +82,8 @@ class Report:
         for finding in self.findings:
             colour = TERMINAL_COLOURS[finding.verdict]
             said = Text(finding.saw)
-            if finding.cure:
-                said.append(f"\n→ {finding.cure}", style=colour)
+            if finding.remedy:
+                said.append(f"\n→ {finding.remedy}", style=colour)
             table.add_row(Text(MARKS[finding.verdict], style=colour), Text(finding.name), said)
         console = console or Console()
         console.print(table)
@@ -94,8 +94,8 @@ class Report:
         lines = []
         for finding in self.findings:
             lines.append(f"{MARKS[finding.verdict]} {finding.name:{width}}  {finding.saw}")
-            if finding.cure:
-                lines.append(f"  {'':{width}}  → {finding.cure}")
+            if finding.remedy:
+                lines.append(f"  {'':{width}}  → {finding.remedy}")
         return "\n".join([*lines, self.summary])
 
     __repr__ = __str__
@@ -108,6 +108,6 @@ class Report:
 def _html_row(finding):
     verdict = finding.verdict
     mark = f'<b style="color:{HTML_COLOURS[verdict]}" title="{verdict}">{MARKS[verdict]}</b>'
-    cure = f"<br><b>→ {html.escape(finding.cure)}</b>" if finding.cure else ""
-    cells = (mark, html.escape(finding.name), html.escape(finding.saw) + cure)
+    remedy = f"<br><b>→ {html.escape(finding.remedy)}</b>" if finding.remedy else ""
+    cells = (mark, html.escape(finding.name), html.escape(finding.saw) + remedy)
     return "<tr>" + "".join(f'<td style="text-align:left">{cell}</td>' for cell in cells) + "</tr>"

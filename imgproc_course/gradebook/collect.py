@@ -41,7 +41,7 @@ _PASSED_OVER = {".ipynb_checkpoints", "__MACOSX", "__pycache__", ".git"}
 
 
 class IntakeError(ValueError):
-    """Nothing can be taken in from there; one line with the cure."""
+    """Nothing can be taken in from there; one line with the remedy."""
 
 
 @dataclass(frozen=True)

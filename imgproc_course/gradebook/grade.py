@@ -65,7 +65,7 @@ def grade_submissions(
 
     Raises
     ------
-    IntakeError, KeyFolderError, SandboxError, GradesFolderError, ValueError : one line with the cure
+    IntakeError, KeyFolderError, SandboxError, GradesFolderError, ValueError : one line with the remedy
     """
     out, submissions = Path(out), Path(submissions)
     term = open_term(keys)

@@ -26,7 +26,7 @@ _CASE = ("id", "title", "hidden", "points", "got", "outcome", "hint", "said")
 
 
 class GradesFolderError(ValueError):
-    """A folder that cannot be written; one line with the cure."""
+    """A folder that cannot be written; one line with the remedy."""
 
 
 def write_whole(path, data):

@@ -22,7 +22,7 @@ _LARGEST = 50_000_000
 
 
 class RosterError(ValueError):
-    """A table that cannot be filled; one line with the cure."""
+    """A table that cannot be filled; one line with the remedy."""
 
 
 @dataclass(frozen=True)

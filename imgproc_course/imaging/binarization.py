@@ -12,12 +12,12 @@ SMALLEST_SHARE = 2.0**-23
 
 
 def threshold(gray, level):
-    """White where the grey level is above `level`, black elsewhere.
+    """White where the gray level is above `level`, black elsewhere.
 
     Parameters
     ----------
     gray : (H, W) uint8
-    level : grey level; a pixel of just this level becomes black
+    level : gray level; a pixel of just this level becomes black
 
     Returns
     -------
@@ -81,7 +81,7 @@ def otsu_threshold(gray):
 
 
 def adaptive_threshold(gray, size, offset, *, weights="mean"):
-    """White where the grey level is above a local mean minus `offset`: a threshold for each neighbourhood.
+    """White where the gray level is above a local mean minus `offset`: a threshold for each neighbourhood.
 
     One threshold for all fails when one half of the floor lies in the sun; against its own surroundings a
     dark line is dark in either half.
@@ -90,7 +90,7 @@ def adaptive_threshold(gray, size, offset, *, weights="mean"):
     ----------
     gray : (H, W) uint8
     size : odd side of the neighbourhood in pixels, at least 3; larger than what is to be told apart
-    offset : grey levels below the local mean that still count as white (OpenCV's C); rounded up
+    offset : gray levels below the local mean that still count as white (OpenCV's C); rounded up
     weights : "mean": all neighbours weigh the same; "gaussian": near ones more (OpenCV's sigma for the size)
 
     Returns

@@ -39,9 +39,9 @@ class CannyStages(NamedTuple):
 
     Attributes
     ----------
-    smoothed : uint8 grey levels, the picture after the Gaussian; with sigma=0 a copy of the picture
-    grad_row, grad_col : int32, Sobel's gradient downwards and to the right, in grey levels times the sum of
-        Sobel's weights (aperture 3: a straight step of h grey levels gives 4 h); aperture 7: divided by 16
+    smoothed : uint8 gray levels, the picture after the Gaussian; with sigma=0 a copy of the picture
+    grad_row, grad_col : int32, Sobel's gradient downwards and to the right, in gray levels times the sum of
+        Sobel's weights (aperture 3: a straight step of h gray levels gives 4 h); aperture 7: divided by 16
         and rounded, halves to even, as OpenCV does
     magnitude : L1: int32, |grad_row| + |grad_col|, in the unit of the gradient;
         L2: int64, grad_row² + grad_col², the *square* of that unit, as OpenCV compares it
@@ -71,7 +71,7 @@ def canny_stages(gray, low, high, *, sigma=0, aperture=3, l2_gradient=False):
     ----------
     gray : (H, W) uint8
     low, high : numbers, low <= high, in the unit of the gradient's norm: with aperture 3 and L1 a straight
-        step of h grey levels has magnitude 4 h. Below 0 counts as 0; above 32767 there is nothing.
+        step of h gray levels has magnitude 4 h. Below 0 counts as 0; above 32767 there is nothing.
     sigma : pixels, standard deviation of the Gaussian that smooths first, as cv2.GaussianBlur(gray, (0, 0),
         sigma); 0: no smoothing, as cv2.Canny
     aperture : 3, 5 or 7, side of Sobel's window

@@ -30,7 +30,7 @@ def canny(gray, low, high, *, sigma=0, aperture=3, l2_gradient=False):
     ----------
     gray : (H, W) uint8
     low, high : numbers, low <= high, in the unit of the gradient's norm: with aperture 3 and L1 a straight
-        step of h grey levels has magnitude 4 h. Below 0 counts as 0; above 32767 there is nothing.
+        step of h gray levels has magnitude 4 h. Below 0 counts as 0; above 32767 there is nothing.
     sigma : pixels, standard deviation of the Gaussian that smooths first, as cv2.GaussianBlur(gray, (0, 0),
         sigma); 0: no smoothing, as cv2.Canny
     aperture : 3, 5 or 7, side of Sobel's window

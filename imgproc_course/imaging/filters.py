@@ -172,7 +172,7 @@ def gaussian_blur(picture, sigma, size=None):
 
 
 def median_blur(picture, size=3):
-    """The middle one of the size × size grey levels around each pixel, sorted.
+    """The middle one of the size × size gray levels around each pixel, sorted.
 
     One wild pixel among nine moves a mean, but not the middle: the filter against salt and pepper.
 
@@ -245,7 +245,7 @@ def bilateral_filter(gray, sigma_color, sigma_space, size=None):
     Parameters
     ----------
     gray : (H, W) uint8
-    sigma_color : grey levels; neighbours this far off in level weigh exp(-1/2), farther ones less
+    sigma_color : gray levels; neighbours this far off in level weigh exp(-1/2), farther ones less
     sigma_space : pixels; neighbours this far away weigh exp(-1/2), farther ones less
     size : odd side of the round window in pixels; None: OpenCV's choice, a radius of 1.5 sigma_space
 
@@ -259,7 +259,7 @@ def bilateral_filter(gray, sigma_color, sigma_space, size=None):
 
     Source: cv2.bilateralFilter(gray, size, sigma_color, sigma_space), with its border BORDER_REFLECT_101. It
     adds float32 numbers, and in what order and with what rounding depends on the processor: OpenCV's own
-    results differ from one another, and from these, by one grey level in a few of 100 000 pixels. Where it
+    results differ from one another, and from these, by one gray level in a few of 100 000 pixels. Where it
     hands windows of 3 and 5 to Intel's IPP (wheels for x86), it drops the fraction instead of rounding: half
     the pixels come out one darker.
     """
@@ -305,5 +305,5 @@ def _window_sum(values, size, axis):
 
 def _checked_sigma(value, name):
     if checked_number(value, name) <= 0:
-        raise ValueError(f"{name} must be above 0, got {value!r}; try 25 grey levels and 3 pixels")
+        raise ValueError(f"{name} must be above 0, got {value!r}; try 25 gray levels and 3 pixels")
     return float(value)

@@ -1,4 +1,4 @@
-"""How fast, and in which direction, the grey levels rise: Sobel's gradient, its size and its direction."""
+"""How fast, and in which direction, the gray levels rise: Sobel's gradient, its size and its direction."""
 
 import numpy as np
 
@@ -31,7 +31,7 @@ def sobel(gray, aperture=3):
     """Gradient of a picture by Sobel's weights: a difference along one axis, a smoothing across it.
 
     Aperture 3: grad_col weighs the eight neighbours by  -1 0 1 / -2 0 2 / -1 0 1, grad_row by its transpose.
-    A straight step of h grey levels gives 4 h (aperture 3), 48 h (5), 640 h (7) at its steepest.
+    A straight step of h gray levels gives 4 h (aperture 3), 48 h (5), 640 h (7) at its steepest.
 
     Parameters
     ----------

@@ -84,7 +84,7 @@ def lightness_gray(bgr):
 
 
 def linear_light(levels):
-    """How much light each grey level of an sRGB picture stands for.
+    """How much light each gray level of an sRGB picture stands for.
 
     A camera stores levels that look evenly spaced to the eye, not levels in proportion to light: level 128 is
     half of 255, but stands for only 22 % of the light of white. Sums of *light* (what a lens blurs, what a
@@ -117,7 +117,7 @@ def linear_light(levels):
 
 
 def srgb_levels(light):
-    """The grey level of an sRGB picture that stands for each amount of light; the inverse of `linear_light`.
+    """The gray level of an sRGB picture that stands for each amount of light; the inverse of `linear_light`.
 
     Parameters
     ----------

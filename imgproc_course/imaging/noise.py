@@ -11,7 +11,7 @@ def add_gaussian_noise(picture, sigma, *, seed=0):
     Parameters
     ----------
     picture : (H, W) or (H, W, 3) uint8
-    sigma : standard deviation in grey levels, 0 or more
+    sigma : standard deviation in gray levels, 0 or more
     seed : int, or a numpy.random.Generator, which is drawn from; the same seed gives the same noise
 
     Returns

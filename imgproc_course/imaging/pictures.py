@@ -127,8 +127,8 @@ def _checked_uint8(picture, expected, name):
     return array
 
 
-def _wrong(name, expected, array, cure):
-    return f"{name} must be {expected}, got {array.shape} {array.dtype}; {cure}"
+def _wrong(name, expected, array, remedy):
+    return f"{name} must be {expected}, got {array.shape} {array.dtype}; {remedy}"
 
 
 def _no_array(picture, expected, name):

@@ -175,9 +175,9 @@ def _format(msg):
     format = getattr(msg, "format", None)
     if isinstance(format, str):
         return format
-    cure = "image_to_array reads an Image" if hasattr(msg, "encoding") else "give the message itself"
+    remedy = "image_to_array reads an Image" if hasattr(msg, "encoding") else "give the message itself"
     raise ConversionError(
-        f"expected a sensor_msgs/CompressedImage whose field 'format' is a str, got {shown(msg)}; {cure}"
+        f"expected a sensor_msgs/CompressedImage whose field 'format' is a str, got {shown(msg)}; {remedy}"
     )
 
 

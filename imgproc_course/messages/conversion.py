@@ -183,10 +183,10 @@ def _mislabelled(array, stored, info):
     expected = f"{info.dtype.name}, " + ("(H, W)" if info.channels == 1 else f"(H, W, {info.channels})")
     given = f"{array.dtype.name}, {array.shape}"
     if info.dtype != stored.dtype:
-        cure = f"convert the values to {info.dtype.name} first"
+        remedy = f"convert the values to {info.dtype.name} first"
     else:
-        cure = f"say what the array is ({_names_of(stored)}), or convert it first"
-    return f"encoding {info.name!r} needs an array of {expected}; got {given}: {cure}"
+        remedy = f"say what the array is ({_names_of(stored)}), or convert it first"
+    return f"encoding {info.name!r} needs an array of {expected}; got {given}: {remedy}"
 
 
 def _names_of(stored):
@@ -263,7 +263,7 @@ def bytes_of(data):
 
 
 def _misfit(source, height, width, step, is_bigendian, size):
-    """Why these numbers cannot describe one picture: the first contradiction, and its cure."""
+    """Why these numbers cannot describe one picture: the first contradiction, and its remedy."""
     if is_bigendian not in (0, 1):
         return (
             f"field 'is_bigendian' is {shown(is_bigendian)}; expected 0 or 1: set it to 0, unless the values "
@@ -284,7 +284,7 @@ def _misfit(source, height, width, step, is_bigendian, size):
             "the message is cut short or its encoding is mislabelled"
         )
     rows = source.rows(height)
-    cure = "the message is cut short, or its height, step or encoding is wrong"
+    remedy = "the message is cut short, or its height, step or encoding is wrong"
     if source.is_planar:
-        cure += " (step is the length of a row of Y)"
-    return f"{rows} rows of {step} bytes need {rows * step} bytes of data, got {size}; {cure}"
+        remedy += " (step is the length of a row of Y)"
+    return f"{rows} rows of {step} bytes need {rows * step} bytes of data, got {size}; {remedy}"

@@ -174,7 +174,7 @@ def _saturate(frame, dtype):
 
 
 def _why_not(source, desired):
-    """The refusal, and the cure, of a pair that no rule connects."""
+    """The refusal, and the remedy, of a pair that no rule connects."""
     pair = f"no rule leads from {source.name!r} to {desired.name!r}: "
     if source.color is None and desired.color:
         return pair + _meaning_missing(source)

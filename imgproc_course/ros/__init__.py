@@ -30,7 +30,7 @@ def ros_available():
 
 
 def ros_problem():
-    """Why no ROS graph can run here, with the cure, in one line; None where one can."""
+    """Why no ROS graph can run here, with the remedy, in one line; None where one can."""
     return _problem
 
 

@@ -11,7 +11,7 @@ class RosMissingError(ImportError):
 
 
 def import_problem():
-    """Why rclpy cannot be imported here, with the cure, in one line; None where it can."""
+    """Why rclpy cannot be imported here, with the remedy, in one line; None where it can."""
     middleware = os.environ.get("RMW_IMPLEMENTATION")
     # rclpy ends the whole process, and so the kernel, when this variable names what is not installed.
     if middleware and sys.platform == "linux" and not _loads(f"lib{middleware}.so"):

@@ -40,7 +40,7 @@ class DdsProfile:
     path : the profile file, or None where none is in force
     segment_bytes : size of the shared-memory segment that the course's profile asks for; None otherwise
     free_bytes : free shared memory when the choice was made; None where there is no /dev/shm
-    note : what is not as it should be, with the cure; None when all is well
+    note : what is not as it should be, with the remedy; None when all is well
     """
 
     chosen_by: str

@@ -9,7 +9,7 @@ IMAGE_TYPES = ("sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage")
 
 
 def why_nothing_came(subscriber, waited, failed):
-    """The cause and the cure, in one line.
+    """The cause and the remedy, in one line.
 
     Parameters
     ----------
@@ -57,14 +57,14 @@ def _discovery_range():
 
 
 def _wrong_type(found, wanted, topic):
-    cure = "no pictures there"
+    remedy = "no pictures there"
     if found == IMAGE_TYPES[1]:
-        cure = (
+        remedy = (
             "its name must end in /compressed to be read as that: remap it, or publish it under such a name"
         )
     elif found == IMAGE_TYPES[0]:
-        cure = f"subscribe to {topic.rpartition('/')[0]} for raw pictures"
-    return f"it carries {found}, and {wanted} was expected; {cure}"
+        remedy = f"subscribe to {topic.rpartition('/')[0]} for raw pictures"
+    return f"it carries {found}, and {wanted} was expected; {remedy}"
 
 
 def _unmatched(publisher, subscriber):

@@ -33,7 +33,7 @@ QOS = {
 }
 RATE_WINDOW = 2.0  # seconds over which the rate is measured
 
-_QOS_CURES = {
+_QOS_REMEDIES = {
     QoSPolicyKind.RELIABILITY: (
         'this subscriber asks for RELIABLE, the publisher offers BEST_EFFORT; use qos="sensor_data"'
     ),
@@ -64,7 +64,7 @@ class ImageSubscriber:
     dropped : messages lost on the way, or overwritten while ROS's thread was busy, by the gaps in the
         publisher's own count; None where the middleware does not count, or while several publish the topic
     skipped : frames that a loop over this subscriber passed over to get to the newest
-    incompatible_qos : what does not match, with the cure; None
+    incompatible_qos : what does not match, with the remedy; None
     measured_rate : frames a second, by time of arrival, over the last two seconds
 
     Any thread may use it. It stops with `.stop()`, at the end of its `with`, with the RosSession, or when
@@ -165,7 +165,7 @@ class ImageSubscriber:
         Raises
         ------
         TimeoutError : none came; the text says why (nobody publishes, QoS does not match, frames do not
-            convert, ...) and the cure
+            convert, ...) and the remedy
         RuntimeError : the subscriber is stopped, or the caller is a ROS callback, during which none can come
         """
         return self._wait(timeout)[0]
@@ -294,11 +294,11 @@ class ImageSubscriber:
             self._counts = event.current_count <= 1
 
     def _on_incompatible_qos(self, event):
-        cure = _QOS_CURES.get(
+        remedy = _QOS_REMEDIES.get(
             event.last_policy_kind,
             f"the policy {event.last_policy_kind.name} differs; compare both sides' QoS",
         )
-        text = f"{self.topic} is published with a QoS that does not match: {cure}"
+        text = f"{self.topic} is published with a QoS that does not match: {remedy}"
         if text != self.incompatible_qos:
             self.incompatible_qos = text
             log.warning("%s", text)

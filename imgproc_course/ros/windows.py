@@ -11,7 +11,7 @@ _PROBE = "import cv2; cv2.namedWindow('probe'); cv2.destroyAllWindows()"
 
 
 def window_problem():
-    """Why no window can be opened here, with the cure, in one line; None where one can."""
+    """Why no window can be opened here, with the remedy, in one line; None where one can."""
     # Tried in a child: where no screen answers, OpenCV's window library ends the whole process.
     try:
         done = subprocess.run(

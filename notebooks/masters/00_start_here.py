@@ -39,7 +39,7 @@ print("The course is here, version", imgproc_course.__version__)
 # %% [markdown]
 # ## 2 · Is this machine ready? (3 minutes)
 #
-# The doctor looks at everything that the lessons use. A line with ✗ names its cure beside it; a line with ! may stay as it is. (The same in a terminal: `imgproc-course doctor`.)
+# The doctor looks at everything that the lessons use. A line with ✗ names its remedy beside it; a line with ! may stay as it is. (The same in a terminal: `imgproc-course doctor`.)
 
 # %% tags=["nbval-ignore-output"]
 from imgproc_course.doctor import doctor
@@ -187,6 +187,6 @@ def count_pixels(frame):
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
-# | *frame*, from the recording or the topic | (720, 1280, 3) | uint8 | 0 to 255 | grey level of blue, green, red |
+# | *frame*, from the recording or the topic | (720, 1280, 3) | uint8 | 0 to 255 | gray level of blue, green, red |
 #
 # **Next:** lesson 01, what image processing is for.

@@ -205,7 +205,7 @@ show([noisy[window], cleaned[window]], ["with noise", "after a 3 × 3 median"],
 
 error_before = np.abs(noisy.astype(int) - frame).mean()
 error_after = np.abs(cleaned.astype(int) - frame).mean()
-print(f"mean error: {error_before:.1f} before, {error_after:.1f} after, in grey levels")
+print(f"mean error: {error_before:.1f} before, {error_after:.1f} after, in gray levels")
 assert error_after < error_before / 2
 
 # %% [markdown]
@@ -320,11 +320,11 @@ def name_operation(before, after):
 #
 # | operation | shape | dtype | different values | unit |
 # |---|---|---|---|---|
-# | *frame*, `bgr8` | (720, 1280, 3) | uint8 | up to 256 a channel | grey level of blue, green, red |
-# | grayscale | (720, 1280) | uint8 | up to 256 | grey level |
+# | *frame*, `bgr8` | (720, 1280, 3) | uint8 | up to 256 a channel | gray level of blue, green, red |
+# | grayscale | (720, 1280) | uint8 | up to 256 | gray level |
 # | binarization | (720, 1280) | uint8 | two, in areas | black 0, white 255 |
 # | edges | (720, 1280) | uint8 | two, in lines | no edge 0, edge 255 |
-# | noise removal | (720, 1280, 3) | uint8 | up to 256 a channel | grey level of blue, green, red |
+# | noise removal | (720, 1280, 3) | uint8 | up to 256 a channel | gray level of blue, green, red |
 
 # %%
 for name, picture in {"gray": gray, "binary": binary, "edges": edges, "cleaned": cleaned}.items():

@@ -426,7 +426,7 @@ assert -(-raw_bytes // 65_507) == 43
 once = compressed_to_array(compressed, "bgr8")
 again = cv2.imdecode(cv2.imencode(".jpg", once, [cv2.IMWRITE_JPEG_QUALITY, 90])[1], cv2.IMREAD_COLOR)
 difference = np.abs(once.astype(np.int16) - again)
-print("compressed once more: mean change", round(float(difference.mean()), 2), "grey levels, largest", difference.max())
+print("compressed once more: mean change", round(float(difference.mean()), 2), "gray levels, largest", difference.max())
 
 assert 0 < difference.mean() < 2
 
@@ -490,7 +490,7 @@ view = live_view(source, shift_channels, shift=(0, 40), caption="The drive, its 
 # |---|---|---|---|---|
 # | `message.data` | (2764800,) | uint8 | 0 to 255 | byte |
 # | rows, cut by `step` | (720, 3840) | uint8 | 0 to 255 | byte |
-# | *frame*, `rgb8` or `bgr8` | (720, 1280, 3) | uint8 | 0 to 255 | grey level of a channel |
+# | *frame*, `rgb8` or `bgr8` | (720, 1280, 3) | uint8 | 0 to 255 | gray level of a channel |
 # | depth, `16UC1` | (360, 640) | uint16 | 0 to 65,535 | millimetre |
 
 # %%

@@ -151,7 +151,7 @@ print(f"truncating differs from rounding on {(truncated != rounded).mean():.0%} 
 assert round((truncated != rounded).mean() * 100) == 53
 
 # %% [markdown]
-# On more than half of them, by one grey level. Nobody sees it; but an edge threshold that a pixel just misses does.
+# On more than half of them, by one gray level. Nobody sees it; but an edge threshold that a pixel just misses does.
 #
 # ## 5 · A picture small enough to read (4 minutes)
 
@@ -206,7 +206,7 @@ assert (coffee_gray == cv2.cvtColor(np.ascontiguousarray(coffee), cv2.COLOR_BGR2
 # %%
 swapped = to_gray(frame[..., ::-1])
 off = np.abs(swapped.astype(np.int16) - gray)
-print("mean difference:", round(float(off.mean()), 1), "  largest:", off.max(), "grey levels")
+print("mean difference:", round(float(off.mean()), 1), "  largest:", off.max(), "gray levels")
 
 assert round(float(off.mean()), 1) == 8.6 and off.max() == 38
 
@@ -352,10 +352,10 @@ def luma(bgr):
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
-# | *frame* | (720, 1280, 3) | uint8 | 0 to 255 | grey level of blue, green, red |
-# | widened | (720, 1280, 3) | uint32 | 0 to 255 | grey level |
-# | weighted sum | (720, 1280) | uint32 | 0 to 8,355,840 | 1/32768 grey level |
-# | *gray* | (720, 1280) | uint8 | 0 to 255 | grey level (luma) |
+# | *frame* | (720, 1280, 3) | uint8 | 0 to 255 | gray level of blue, green, red |
+# | widened | (720, 1280, 3) | uint32 | 0 to 255 | gray level |
+# | weighted sum | (720, 1280) | uint32 | 0 to 8,355,840 | 1/32768 gray level |
+# | *gray* | (720, 1280) | uint8 | 0 to 255 | gray level (luma) |
 
 # %%
 assert 255 * 2**15 == 8_355_840

@@ -102,7 +102,7 @@ if ros_available():
 #
 # Every ROS tutorial ends with `rclpy.spin(node)`. In a script that is right: it runs until Ctrl-C. **Predict** what it does in a notebook cell.
 #
-# You would sit before a `[*]` that never goes away, with every other cell waiting behind it. (The cure for that is **Kernel → Interrupt Kernel**.) So that this lesson goes on, the next cell spins for three seconds only. Try to run another cell meanwhile.
+# You would sit before a `[*]` that never goes away, with every other cell waiting behind it. (The remedy for that is **Kernel → Interrupt Kernel**.) So that this lesson goes on, the next cell spins for three seconds only. Try to run another cell meanwhile.
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
@@ -271,8 +271,8 @@ if ros_available():
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
 # | `msg.data` | (2764800,) | uint8 | 0 to 255 | byte |
-# | *frame*, `bgr8` | (720, 1280, 3) | uint8 | 0 to 255 | grey level of blue, green, red |
-# | *gray*, published as `mono8` | (720, 1280) | uint8 | 0 to 255 | grey level |
+# | *frame*, `bgr8` | (720, 1280, 3) | uint8 | 0 to 255 | gray level of blue, green, red |
+# | *gray*, published as `mono8` | (720, 1280) | uint8 | 0 to 255 | gray level |
 
 # %%
 assert frame.shape == (720, 1280, 3) and frame.size == 2_764_800

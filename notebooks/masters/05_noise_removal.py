@@ -51,14 +51,14 @@ wall = gray[120:128, 880:888]
 show(wall, "a piece of the wall", encoding="mono8",
      caption="One wall, one colour, and yet the numbers differ: this is the sensor's own noise.",
      alt="An eight by eight grid of nearly equal gray squares with their numbers.")
-print("smallest", wall.min(), "  largest", wall.max(), "  standard deviation", round(float(wall.std()), 1), "grey levels")
+print("smallest", wall.min(), "  largest", wall.max(), "  standard deviation", round(float(wall.std()), 1), "gray levels")
 
 assert 0 < wall.std() < 5
 
 # %% [markdown]
 # ## 2 · One row, one step (8 minutes)
 #
-# A picture is many rows, and one row is easier to read. Take a dark and a bright part with a step between them, and let the sensor err by a few grey levels.
+# A picture is many rows, and one row is easier to read. Take a dark and a bright part with a step between them, and let the sensor err by a few gray levels.
 
 # %%
 clean_row = np.array([50] * 6 + [200] * 6)
@@ -88,7 +88,7 @@ assert averaged[5] == 101 and averaged[6] == 146
 #
 # ## 3 · Planned failure: a mean against salt and pepper (6 minutes)
 #
-# A broken pixel does not err by a few grey levels: it is black or white. This is *salt and pepper* noise. **Predict** what the mean makes of one single white pixel among fifties.
+# A broken pixel does not err by a few gray levels: it is black or white. This is *salt and pepper* noise. **Predict** what the mean makes of one single white pixel among fifties.
 
 # %%
 salted_row = np.array([50, 50, 50, 50, 255, 50, 50, 50, 50])
@@ -154,7 +154,7 @@ assert 0.04 < changed < 0.06
 
 # %%
 part = dict(rows=(310, 440), cols=(430, 740))
-show([salted, grainy], ["salt and pepper", "Gaussian, 20 grey levels"], encoding="mono8", **part,
+show([salted, grainy], ["salt and pepper", "Gaussian, 20 gray levels"], encoding="mono8", **part,
      caption="Left, few pixels are spoiled, but wholly; right, every pixel is spoiled a little.",
      alt="The ball and the marker twice: left with white and black specks, right with an even grain.")
 
@@ -458,10 +458,10 @@ def best_filter(clean, noisy, filters):
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
-# | *gray* | (720, 1280) | uint8 | 0 to 255 | grey level |
-# | noisy | (720, 1280) | uint8 | 0 to 255 | grey level |
-# | filtered | (720, 1280) | uint8 | 0 to 255 | grey level |
-# | MSE | one number | float64 | 0 to 65,025 | grey level squared |
+# | *gray* | (720, 1280) | uint8 | 0 to 255 | gray level |
+# | noisy | (720, 1280) | uint8 | 0 to 255 | gray level |
+# | filtered | (720, 1280) | uint8 | 0 to 255 | gray level |
+# | MSE | one number | float64 | 0 to 65,025 | gray level squared |
 # | PSNR | one number | float64 | 0 to infinity | decibel |
 
 # %%

@@ -55,7 +55,7 @@ assert (threshold(tiny, 100) == binary).all()
 # %% [markdown]
 # ## 2 · The histogram shows where to cut (7 minutes)
 #
-# The marker at the back wall is black print on white paper. A *histogram* counts for each grey level how many pixels have it. **Predict** its shape: one hill, or two?
+# The marker at the back wall is black print on white paper. A *histogram* counts for each gray level how many pixels have it. **Predict** its shape: one hill, or two?
 
 # %%
 marker = gray[319:395, 656:724]
@@ -73,12 +73,12 @@ def draw_histogram(counts, lines, title):
     axes.bar(np.arange(256), counts, width=1, color="0.35")
     for name, (value, colour) in lines.items():
         axes.axvline(value, color=colour, label=f"{name} = {value}")
-    axes.set(title=title, xlabel="grey level", ylabel="pixels", xlim=(0, 255))
+    axes.set(title=title, xlabel="gray level", ylabel="pixels", xlim=(0, 255))
     axes.legend()
     return figure
 
 
-show_figure(draw_histogram(counts, {"cut in the middle": (128, "tab:blue")}, "pixels of each grey level"),
+show_figure(draw_histogram(counts, {"cut in the middle": (128, "tab:blue")}, "pixels of each gray level"),
             caption="Two hills, ink left and paper right; any cut in the valley between them will do.",
             alt="A histogram with one dark and one bright hill, and a blue line at 128 between them.")
 
@@ -89,7 +89,7 @@ show_figure(draw_histogram(counts, {"cut in the middle": (128, "tab:blue")}, "pi
 #
 # $$\sigma_B^2(t) = w_0\, w_1\, (\mu_0 - \mu_1)^2$$
 #
-# $w_0$ and $w_1$ are the shares of the pixels at or below $t$ and above it, $\mu_0$ and $\mu_1$ the mean grey levels of the two groups.
+# $w_0$ and $w_1$ are the shares of the pixels at or below $t$ and above it, $\mu_0$ and $\mu_1$ the mean gray levels of the two groups.
 #
 # By hand, on eight pixels and four thresholds. **Predict** which of the four wins.
 
@@ -130,7 +130,7 @@ lower.plot(variances, color="tab:orange")
 for axes in (upper, lower):
     axes.axvline(best, color="tab:red")
 upper.set(ylabel="pixels", title=f"Otsu's threshold is {best}")
-lower.set(xlabel="threshold t (grey level)", ylabel="between-class\nvariance (level²)", xlim=(0, 255))
+lower.set(xlabel="threshold t (gray level)", ylabel="between-class\nvariance (level²)", xlim=(0, 255))
 show_figure(figure, caption="The curve is highest where the cut parts the two hills best: the red line marks it.",
             alt="Above, the marker's histogram; below, a curve with one broad maximum; a red line through both.")
 
@@ -278,12 +278,12 @@ def otsu(gray):
     return (int(gray.min()) + int(gray.max())) // 2
 
 
-# %% role="mistake" name="the mean grey level" says="The mean follows the larger group. Otsu looks for the cut that parts the two."
+# %% role="mistake" name="the mean gray level" says="The mean follows the larger group. Otsu looks for the cut that parts the two."
 def otsu(gray):
     return int(gray.mean())
 
 
-# %% role="mistake" name="one too high" says="Your threshold is one too high: a pixel equal to t belongs to the lower group, so t is the last grey level of that group."
+# %% role="mistake" name="one too high" says="Your threshold is one too high: a pixel equal to t belongs to the lower group, so t is the last gray level of that group."
 def otsu(gray):
     return solution(gray) + 1
 
@@ -291,14 +291,14 @@ def otsu(gray):
 # %% [markdown]
 # ## Recap
 #
-# A threshold turns grey levels into yes or no. Otsu finds the cut between two hills; where light changes over the picture, each pixel needs a threshold of its own.
+# A threshold turns gray levels into yes or no. Otsu finds the cut between two hills; where light changes over the picture, each pixel needs a threshold of its own.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
-# | *gray* | (720, 1280) | uint8 | 0 to 255 | grey level |
+# | *gray* | (720, 1280) | uint8 | 0 to 255 | gray level |
 # | histogram | (256,) | int64 | 0 to 921,600 | pixels |
-# | between-class variance | (256,) | float64 | 0 to 16,256.25 | grey level squared |
-# | threshold | one number | int | 0 to 255 | grey level |
+# | between-class variance | (256,) | float64 | 0 to 16,256.25 | gray level squared |
+# | threshold | one number | int | 0 to 255 | gray level |
 # | binary | (720, 1280) | uint8 | 0 and 255 | no and yes |
 
 # %%

@@ -78,7 +78,7 @@ show([step, grad_col, grad_row], ["gray", "grad_col (along a row)", "grad_row (d
 assert grad_col.max() == 600 == 4 * 150 and not grad_row.any()
 
 # %% [markdown]
-# Remember that **4**: a threshold of 50 for Canny means a straight step of 12.5 grey levels, and 150 one of 37.5. The unit of every threshold below is the *Sobel answer*, not the grey level.
+# Remember that **4**: a threshold of 50 for Canny means a straight step of 12.5 gray levels, and 150 one of 37.5. The unit of every threshold below is the *Sobel answer*, not the gray level.
 
 # %%
 assert 50 / 4 == 12.5 and 150 / 4 == 37.5
@@ -651,12 +651,12 @@ assert (canny(gray, 50, 150) == stages.edges).all()
 # %% [markdown]
 # ## 11 · Planned failure: Canny on a noisy frame (6 minutes)
 #
-# What is sold as Canny starts with a Gaussian blur. `cv2.Canny` does **not** blur: that is left to you. **Predict** what a little noise, 15 grey levels, does to the edges.
+# What is sold as Canny starts with a Gaussian blur. `cv2.Canny` does **not** blur: that is left to you. **Predict** what a little noise, 15 gray levels, does to the edges.
 
 # %%
 noisy = add_gaussian_noise(gray, 15, seed=1)
 unblurred = canny(noisy, 50, 150)
-show([canny(gray, 50, 150), unblurred], ["edges of the frame", "edges with noise of 15 grey levels"],
+show([canny(gray, 50, 150), unblurred], ["edges of the frame", "edges with noise of 15 gray levels"],
      caption="The noise is faint to the eye, and the edges drown in it: every grain is a jump.",
      alt="Left, clear outlines of the room; right, white speckle nearly all over.")
 print(f"edge pixels: {(canny(gray, 50, 150) > 0).mean():.1%} before, {(unblurred > 0).mean():.1%} with noise")
@@ -704,7 +704,7 @@ assert (canny(cat, 50, 150) == cv2.Canny(cat, 50, 150)).all()
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
-# | *gray* | (720, 1280) | uint8 | 0 to 255 | grey level |
+# | *gray* | (720, 1280) | uint8 | 0 to 255 | gray level |
 # | grad_row, grad_col | (720, 1280) | int32 | −1020 to 1020 | Sobel answer (a straight step of h gives 4 h) |
 # | magnitude (L1) | (720, 1280) | int32 | 0 to 1530 | Sobel answer |
 # | thinned | (720, 1280) | int32 | 0 to 1530 | Sobel answer |

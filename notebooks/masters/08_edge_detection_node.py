@@ -102,7 +102,7 @@ if ros_available():
 # %% [markdown]
 # ## 2 · Change the thresholds and observe (8 minutes)
 #
-# Remember the unit of both thresholds: the Sobel answer, |grad_row| + |grad_col|. A straight step of h grey levels has an answer of 4 h. So `low` = 50 lets steps of more than 12.5 grey levels be candidates, and `high` = 150 makes steps of more than 37.5 seeds.
+# Remember the unit of both thresholds: the Sobel answer, |grad_row| + |grad_col|. A straight step of h gray levels has an answer of 4 h. So `low` = 50 lets steps of more than 12.5 gray levels be candidates, and `high` = 150 makes steps of more than 37.5 seeds.
 #
 # **Predict**, before you move a slider: which of the two decides *how many* lines there are, and which *how long* they are?
 
@@ -318,7 +318,7 @@ def f1_score(edges, outlines, tolerance):
 # %% [markdown]
 # ## 6 · Dim light (10 minutes)
 #
-# In the evening the sensor's noise grows; here its standard deviation is 20 grey levels. **Predict** what F1 the pair 50, 150 gets then.
+# In the evening the sensor's noise grows; here its standard deviation is 20 gray levels. **Predict** what F1 the pair 50, 150 gets then.
 #
 # `score` is F1 with a tolerance of 2 pixels: what your function computes, made of OpenCV's `dilate`, which is quick enough for hundreds of pictures.
 
@@ -445,7 +445,7 @@ assert 0 <= mine <= 1
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
-# | *gray* | (720, 1280) | uint8 | 0 to 255 | grey level |
+# | *gray* | (720, 1280) | uint8 | 0 to 255 | gray level |
 # | low, high | one number each | int | 0 to 1530 | Sobel answer (a straight step of h gives 4 h) |
 # | sigma | one number | float | 0 to 10 | pixel |
 # | *edges* | (720, 1280) | uint8 | 0 and 255 | no and yes |

@@ -326,8 +326,8 @@ if ros_available() and enough:
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
-# | `…/image_raw`, `rgb8` | (720, 1280, 3) | uint8 | 0 to 255 | grey level of red, green, blue |
-# | `/image_gray_processor/gray`, `mono8` | (720, 1280) | uint8 | 0 to 255 | grey level |
+# | `…/image_raw`, `rgb8` | (720, 1280, 3) | uint8 | 0 to 255 | gray level of red, green, blue |
+# | `/image_gray_processor/gray`, `mono8` | (720, 1280) | uint8 | 0 to 255 | gray level |
 # | `/image_edge_detection/edges`, `mono8` | (720, 1280) | uint8 | 0 and 255 | no and yes |
 
 # %%

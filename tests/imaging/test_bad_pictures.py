@@ -1,4 +1,4 @@
-"""What a function cannot work on raises; the message says what came, what was expected, and the cure."""
+"""What a function cannot work on raises; the message says what came, what was expected, and the remedy."""
 
 from types import SimpleNamespace
 
@@ -100,7 +100,7 @@ def test_what_is_no_plain_array_raises_with_the_cure(name):
 
 
 @pytest.mark.parametrize(
-    ("values", "cure"),
+    ("values", "remedy"),
     [
         (np.array([0.0, 0.8]), "its values go from 0 to 0.8, so np.rint(bgr * 255).astype(np.uint8)"),
         (np.array([0.0, 200.4]), "its values go from 0 to 200.4, so np.rint(bgr).astype(np.uint8)"),
@@ -117,14 +117,14 @@ def test_what_is_no_plain_array_raises_with_the_cure(name):
         ),
     ],
 )
-def test_the_cure_for_numbers_of_another_type_fits_their_range(values, cure):
+def test_the_cure_for_numbers_of_another_type_fits_their_range(values, remedy):
     frame = np.resize(values, (4, 5, 3))
     with pytest.raises(ValueError) as error:
         to_gray(frame)
     given = f"bgr must be (H, W, 3) uint8, got (4, 5, 3) {values.dtype}; make it uint8 first: "
-    assert str(error.value) == given + cure
-    # The cure is code: what it makes is taken.
-    for each in cure.partition(", so ")[2].replace(" when it uses all 16 bits,", "").split(" or "):
+    assert str(error.value) == given + remedy
+    # The remedy is code: what it makes is taken.
+    for each in remedy.partition(", so ")[2].replace(" when it uses all 16 bits,", "").split(" or "):
         assert to_gray(eval(each, {"np": np, "bgr": frame})).shape == (4, 5)
 
 
@@ -135,20 +135,20 @@ def test_what_is_no_number_is_to_be_replaced_first(value):
 
 
 @pytest.mark.parametrize(
-    ("message", "cure"),
+    ("message", "remedy"),
     [
         (SimpleNamespace(encoding="rgb8", data=b""), "image_to_array"),
         (SimpleNamespace(format="jpeg", data=b""), "compressed_to_array"),
     ],
 )
-def test_a_message_for_a_frame_is_told_how_to_become_one(message, cure):
+def test_a_message_for_a_frame_is_told_how_to_become_one(message, remedy):
     with pytest.raises(ValueError) as error:
         to_gray(message)
     assert str(error.value) == (
         "bgr must be (H, W, 3) uint8, got a message (SimpleNamespace); take its pixels first:"
-        f" {cure}(bgr, 'bgr8')"
+        f" {remedy}(bgr, 'bgr8')"
     )
-    with pytest.raises(ValueError, match=rf"{cure}\(gray, 'mono8'\)"):
+    with pytest.raises(ValueError, match=rf"{remedy}\(gray, 'mono8'\)"):
         sobel(message)
 
 

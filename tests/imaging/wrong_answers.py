@@ -576,7 +576,7 @@ def _(gray, low, high, stages):
     return stages.hysteresis(*stages.double_threshold(thinned, low, high))
 
 
-@mistake("canny", "thresholds in grey levels: a quarter of the unit")
+@mistake("canny", "thresholds in gray levels: a quarter of the unit")
 def _(gray, low, high, stages):
     return _edges(stages.sobel(stages.smooth(gray, 1.4)), low / 4, high / 4, stages)
 

@@ -165,7 +165,7 @@ def test_a_compressed_image_is_sent_to_the_right_function():
         image_to_array(SimpleNamespace(format="jpeg", data=b""))
 
 
-REFUSALS = {  # (source, desired): the cure that the error must offer
+REFUSALS = {  # (source, desired): the remedy that the error must offer
     ("16UC1", "mono8"): "scale it yourself",
     ("8UC1", "mono8"): "set msg.encoding to 'mono8'",
     ("8UC3", "bgr8"): "'rgb8' or 'bgr8'",
@@ -405,18 +405,20 @@ def test_reads_the_constants_of_this_opencv():
 
 
 @pytest.mark.parametrize(
-    ("given", "cure"),
+    ("given", "remedy"),
     [
         ("hello", "give the message itself, as a subscriber's on_image(frame, msg) gets it"),
         (np.zeros((2, 2), np.uint8), "it is an array already: use it as it is"),
         (SimpleNamespace(format="jpeg", data=b""), "compressed_to_array reads a CompressedImage"),
     ],
 )
-def test_what_is_no_message_is_answered_with_its_own_cure(given, cure):
+def test_what_is_no_message_is_answered_with_its_own_cure(given, remedy):
     with pytest.raises(ConversionError) as error:
         image_to_array(given)
     shown = "'hello'" if isinstance(given, str) else f"a {type(given).__name__}"
-    assert str(error.value) == f"expected a sensor_msgs/Image, got {shown} without a field 'encoding'; {cure}"
+    assert (
+        str(error.value) == f"expected a sensor_msgs/Image, got {shown} without a field 'encoding'; {remedy}"
+    )
 
 
 @pytest.mark.parametrize(

@@ -17,14 +17,14 @@ def test_what_needs_a_graph_says_what_to_install(run_python, call):
     )
     assert (code, err) == (0, "")
     assert out.count("\n") == 1
-    for cure in (
+    for remedy in (
         "environment/setup",
         "environment/pixi.toml",
         "Dockerfile",
         "WSL",
         "open_recording('drive')",
     ):
-        assert cure in out
+        assert remedy in out
 
 
 def test_the_error_is_an_import_error():

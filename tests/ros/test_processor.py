@@ -244,7 +244,7 @@ def test_settings_reach_process_and_a_check_refuses_what_does_not_go_together(
         seen.append((gain, offset))
         return {"gray": frame}
 
-    settings = [Setting("gain", 1.0, 0, 4, "times"), Setting("offset", 5, 0, 255, "grey levels")]
+    settings = [Setting("gain", 1.0, 0, 4, "times"), Setting("offset", 5, 0, 255, "gray levels")]
     node = make_node(process, settings=settings, check=check)
     messages = ear()
     send_until(lambda: messages, publish, wait_until)

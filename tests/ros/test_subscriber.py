@@ -257,13 +257,13 @@ def another_process():
 
 
 @pytest.mark.parametrize(
-    "kind, cure",
+    "kind, remedy",
     [
         ("sensor_msgs/msg/CompressedImage", "its name must end in /compressed to be read as that"),
         ("std_msgs/msg/String", "no pictures there"),
     ],
 )
-def test_another_type_is_on_the_topic(another_process, session, subscribe, wait_until, kind, cure):
+def test_another_type_is_on_the_topic(another_process, session, subscribe, wait_until, kind, remedy):
     import importlib
 
     package, name = kind.split("/msg/")
@@ -271,7 +271,7 @@ def test_another_type_is_on_the_topic(another_process, session, subscribe, wait_
     subscriber = subscribe(TOPIC)
     wait_until(lambda: session.node.count_publishers(TOPIC))
     text = reason(subscriber)
-    assert text.startswith(f"it carries {kind}, and sensor_msgs/msg/Image was expected; {cure}")
+    assert text.startswith(f"it carries {kind}, and sensor_msgs/msg/Image was expected; {remedy}")
 
 
 def test_a_compressed_topic_that_carries_raw_pictures_is_said(

@@ -181,5 +181,5 @@ def test_where_ros_is_missing_the_functions_work_and_main_says_what_to_install(w
         timeout=60,
     )
     assert (done.returncode, done.stdout.splitlines()) == (0, ["200 0", "2"])
-    [cure] = done.stderr.splitlines()
-    assert cure.startswith("cannot start: ROS 2 is missing") and "environment/setup" in cure
+    [remedy] = done.stderr.splitlines()
+    assert remedy.startswith("cannot start: ROS 2 is missing") and "environment/setup" in remedy

@@ -59,7 +59,7 @@ class Limits:
 
 @lru_cache(maxsize=1)
 def why_not():
-    """Why there is no sandbox here, with the cure; "" where there is one."""
+    """Why there is no sandbox here, with the remedy; "" where there is one."""
     if not sys.platform.startswith("linux"):
         return (
             f"grading needs Linux, this is {sys.platform}: grade in the course's container"
@@ -95,7 +95,7 @@ def demand():
 
     Raises
     ------
-    SandboxError : there is none; one line with the cure
+    SandboxError : there is none; one line with the remedy
     """
     reason = why_not()
     if reason:

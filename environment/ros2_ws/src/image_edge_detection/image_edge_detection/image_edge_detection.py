@@ -5,13 +5,13 @@ import cv2
 from imgproc_course.ros import ImageProcessor, Setting, run_processor
 
 # The unit of both thresholds: |gradient down| + |gradient right|, by Sobel's 3×3 windows. A straight step of
-# h grey levels gives 4 h; 1530 is the most that any picture gives.
+# h gray levels gives 4 h; 1530 is the most that any picture gives.
 SETTINGS = [
     Setting(
         "low", 50, 0, 1530, "a pixel above it is an edge if it is joined to one above high (step of h: 4 h)"
     ),
     Setting(
-        "high", 150, 0, 1530, "a pixel above it is an edge in any case (a step of h grey levels gives 4 h)"
+        "high", 150, 0, 1530, "a pixel above it is an edge in any case (a step of h gray levels gives 4 h)"
     ),
     Setting("sigma", 0.0, 0.0, 10.0, "standard deviation of the Gaussian blur before, in pixels; 0: no blur"),
 ]

@@ -6,7 +6,7 @@ from imgproc_course.imaging import canny, to_gray
 
 
 def step_of(height):
-    """Black on the left, `height` grey levels brighter on the right; its gradient is 4 * height."""
+    """Black on the left, `height` gray levels brighter on the right; its gradient is 4 * height."""
     frame = np.zeros((5, 8, 3), np.uint8)
     frame[:, 4:] = height
     return frame
