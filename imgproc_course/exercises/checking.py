@@ -15,7 +15,7 @@ from imgproc_course.exercises.declaration import (
     find_exercise,
 )
 from imgproc_course.exercises.reach import Reach, reach_of
-from imgproc_course.exercises.running import Outcome, call, code_of
+from imgproc_course.exercises.running import CallResult, call, code_of
 
 
 @dataclass(frozen=True)
@@ -24,8 +24,8 @@ class Call:
 
     case: Case
     arguments: tuple
-    expected: Outcome
-    outcome: Outcome
+    expected: CallResult
+    outcome: CallResult
     difference: Difference | None
 
     @property

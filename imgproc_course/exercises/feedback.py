@@ -29,7 +29,7 @@ def story_of(outcome, difference, function):
 
     Parameters
     ----------
-    outcome : Outcome
+    outcome : CallResult
     difference : Difference or None
     function : str, the function's name
     """

@@ -30,7 +30,7 @@ class TimeUp(BaseException):
 
 
 @dataclass(frozen=True)
-class Outcome:
+class CallResult:
     """What one call did.
 
     value      canonical form of what came back, None where nothing did
@@ -74,7 +74,7 @@ def call(function, arguments, names, time_limit):
 
     Returns
     -------
-    Outcome
+    CallResult
     """
     copies = copy.deepcopy(arguments)
     before = [canonical(value, limit=None) for value in copies]
@@ -96,7 +96,7 @@ def call(function, arguments, names, time_limit):
     if not told.get("stuck"):
         pairs = zip(names, before, copies, strict=True)
         told["changed"] = tuple(name for name, old, now in pairs if old != canonical(now, limit=None))
-    return Outcome(printed=printed.getvalue(), warned=str(warned[0].message) if warned else "", **told)
+    return CallResult(printed=printed.getvalue(), warned=str(warned[0].message) if warned else "", **told)
 
 
 class _Printed(io.StringIO):

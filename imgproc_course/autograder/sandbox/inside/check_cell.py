@@ -66,7 +66,7 @@ def _called(function, arguments, seconds):
     try:
         return running.call(function, arguments, argument_names(function, arguments), 1e6)
     except running.TimeUp:  # it rang between the call's end and here
-        return running.Outcome(timed_out=True)
+        return running.CallResult(timed_out=True)
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0)
 
@@ -83,7 +83,7 @@ def argument_names(function, arguments=()):
 
 
 def told_of(outcome):
-    """An Outcome as JSON."""
+    """An CallResult as JSON."""
     if outcome.timed_out:
         return {"timed_out": True}
     told = {"changed": list(outcome.changed), "printed": outcome.printed}
