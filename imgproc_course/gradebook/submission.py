@@ -17,7 +17,7 @@ from imgproc_course.gradebook.sanitize import visible_line
 
 SECONDS = 60  # for reading one notebook
 MEMORY = 2 << 30
-_READER = Path(__file__).with_name("lift_reader.py")
+_READER = Path(__file__).with_name("submission_reader.py")
 _ORDERS = ("# NBVAL_", "# PYTEST_VALIDATE_")
 
 
@@ -64,7 +64,7 @@ class Reader:
         self._seconds, self._memory, self._process = seconds, memory, None
 
     def read(self, data):
-        """What a notebook holds: (dict of `lift_reader.read_notebook`, "") or (None, the reason)."""
+        """What a notebook holds: (dict of `submission_reader.read_notebook`, "") or (None, the reason)."""
         if self._process is None:
             self._start()
         try:
