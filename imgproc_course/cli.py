@@ -289,14 +289,14 @@ def _would_be_committed(path):
 @click.option("--unsafe", is_flag=True, help="Run learners' code without a sandbox, as you, with your files.")
 @click.option("--fresh", is_flag=True, help="Grade again what was graded before.")
 @click.option(
-    "--roster",
-    "rosters",
+    "--platform-table",
+    "platform_tables",
     type=click.Path(path_type=Path, dir_okay=False),
     multiple=True,
     help="Canvas's gradebook or Moodle's grading worksheet, as exported: filled with points, to import back.",
 )
 @click.option("--scheduler", metavar="ADDRESS", help="Grade on a Dask cluster: tcp://10.0.0.5:8786.")
-def grade(submissions, keys, out, workers, kernel, deadline, unsafe, fresh, rosters, scheduler):
+def grade(submissions, keys, out, workers, kernel, deadline, unsafe, fresh, platform_tables, scheduler):
     """Grade everything in SUBMISSIONS: a folder, or the zip of a learning platform.
 
     What was graded before, with the same key and the same answers, is not graded again: a run that was
@@ -305,7 +305,7 @@ def grade(submissions, keys, out, workers, kernel, deadline, unsafe, fresh, rost
     """
     from imgproc_course.autograder.answer_key import KeyFolderError
     from imgproc_course.autograder.sandbox.bubblewrap import SandboxError
-    from imgproc_course.gradebook.collect import IntakeError
+    from imgproc_course.gradebook.collect import CollectError
     from imgproc_course.gradebook.grade import grade_submissions
     from imgproc_course.gradebook.grades_json import GradesFolderError
 
@@ -317,12 +317,12 @@ def grade(submissions, keys, out, workers, kernel, deadline, unsafe, fresh, rost
             deadline=deadline,
             afresh=fresh,
             scheduler=scheduler,
-            rosters=rosters,
+            platform_tables=platform_tables,
             kernel=kernel,
             unsafe=unsafe,
             workers=workers,
         )
-    except (IntakeError, KeyFolderError, SandboxError, GradesFolderError, ValueError) as error:
+    except (CollectError, KeyFolderError, SandboxError, GradesFolderError, ValueError) as error:
         raise click.ClickException(str(error)) from error
     except KeyboardInterrupt:
         click.echo("\nStopped. What is graded is kept: the same command goes on from here.", err=True)

@@ -1,11 +1,11 @@
-"""A term's keys: which lessons there are, what was handed out, and which key fits which version."""
+"""A answer_keys's keys: which lessons there are, what was handed out, and which key fits which version."""
 
 import json
 
 from imgproc_course.autograder.answer_key import HANDED_OUT, KeyFolderError, load_key
 
 
-class Term:
+class AnswerKeys:
     """The keys that a folder of submissions is graded with.
 
     Parameters
@@ -40,7 +40,7 @@ class Term:
         return next(key for key in self.keys if key.digest == digest)
 
 
-def open_term(paths):
+def load_keys(paths):
     """Read the keys in these folders.
 
     Parameters
@@ -49,13 +49,13 @@ def open_term(paths):
 
     Returns
     -------
-    Term
+    AnswerKeys
 
     Raises
     ------
     KeyFolderError : one of them is none
     """
-    return Term([load_key(path) for path in paths])
+    return AnswerKeys([load_key(path) for path in paths])
 
 
 def _read_handed_out(path):

@@ -1,14 +1,15 @@
-"""Take in what learners handed in: folders, files, and the zips of learning platforms.
+"""Collect submissions from folders, single files, and the zips of learning platforms.
 
-    submissions/ada.ipynb                                     a file a learner
-    submissions/ada/03_grayscale.ipynb                        a folder a learner, with whatever is in it
-    submissions/03_grayscale/ada.ipynb                        a folder a lesson
+    submissions/ada.ipynb                                     one file per learner
+    submissions/ada/03_grayscale.ipynb                        one folder per learner, with any content
+    submissions/03_grayscale/ada.ipynb                        one folder per lesson
     submissions/Ada Lovelace_12345_assignsubmission_file_/*   Moodle ("Download all submissions")
     submissions/lovelaceada_LATE_123_456_03_grayscale-1.ipynb Canvas ("Download Submissions")
     submissions/anything.zip                                  a platform's zip, or a learner's own
 
-or one such zip alone. Files are only ever read, as bytes, and only ordinary ones: no link is followed, a file
-with two names is refused, nothing is unpacked to disk, and no name from outside becomes a path.
+A single such zip can also be given alone. Only regular files are read, as bytes. Links are not followed, a
+file with a second name (a hard link) is refused, nothing is unpacked to disk, and a name from outside never
+becomes a path.
 """
 
 import hashlib
@@ -24,72 +25,77 @@ from pathlib import Path, PurePosixPath
 
 from imgproc_course.gradebook.sanitize import visible_line
 
-LARGEST = 50_000_000  # bytes of one notebook; a lesson full of pictures has a tenth of it
-LARGEST_ZIP = 4_000_000_000
-LARGEST_WITHIN = 8_000_000_000  # bytes of all that a zip holds
+LARGEST = 50_000_000  # bytes of one notebook; a lesson full of images has a tenth of it
+LARGEST_ZIP = 4_000_000_000  # bytes of the zip file itself
+LARGEST_WITHIN = 8_000_000_000  # bytes of all files in a zip, unpacked
 MOST_FILES = 20_000
-DEEPEST = 12
-MOST_RATIO = 200
-_MOODLE = re.compile(r"(?P<name>.+?)_(?P<id>\d+)_assignsubmission_[a-z]+_?(?P<rest>.*)", re.S)
+DEEPEST = 12  # folders
+MOST_RATIO = 200  # unpacked size to packed size
+_MOODLE = re.compile(r"(?P<name>.+?)_(?P<id>\d+)_assignsubmission_[a-z]+_?(?P<file>.*)", re.S)
 _CANVAS = re.compile(
-    r"(?P<name>[^_]+)_(?:(?P<late>LATE)_)?(?P<id>\d+)_(?P<order>\d+)_(?P<rest>.+)", re.S | re.I
+    r"(?P<name>[^_]+)_(?:(?P<late>LATE)_)?(?P<id>\d+)_(?P<order>\d+)_(?P<file>.+)", re.S | re.I
 )
-_AGAIN = re.compile(r"(?P<stem>.+?)(?:-(?P<again>\d{1,6})|[ _]?\((?P<copy>\d{1,6})\))", re.S)
+_REPEATED = re.compile(r"(?P<stem>.+?)(?:-(?P<number>\d{1,6})|[ _]?\((?P<copy>\d{1,6})\))", re.S)
 _LESSON = re.compile(r"\d\d_[a-z0-9_]+")
-_NOBODY = ""  # stands for a folder that holds everything, and says nothing of whose it is
-_PASSED_OVER = {".ipynb_checkpoints", "__MACOSX", "__pycache__", ".git"}
+_NO_OWNER = ""  # in place of a learner's name: a folder that holds the files of every learner
+_SKIPPED_FOLDERS = {".ipynb_checkpoints", "__MACOSX", "__pycache__", ".git"}
 
 
-class IntakeError(ValueError):
-    """Nothing can be taken in from there; one line with the remedy."""
+class CollectError(ValueError):
+    """There is nothing to collect; one line that says what to do."""
 
 
 @dataclass(frozen=True)
-class HandIn:
-    """One file that was handed in, not read yet.
+class SubmittedFile:
+    """One submitted file, not yet read.
 
-    learner   the name that the platform, the folder or the file gives
-    id        the platform's number of the learner, or "";  platform: "moodle", "canvas" or ""
-    source    where it was found, to be shown
-    group     what tells namesakes apart: the zip or folder that it came in
-    when      datetime, local, of the file; None where there is none
-    late      the platform says that it is late
-    order     tuple by which a later hand-in of the same lesson is told from an earlier one
-    refused   why it is not read, or ""
+    learner       the name that the platform, the folder or the file gives
+    platform      "moodle", "canvas" or "";  platform_id: the platform's number of the learner, or ""
+    source        where the file was found, for display
+    group         the zip or folder that it came in; distinguishes learners who have the same name
+    submitted_at  datetime, local, of the file; None if unknown
+    late          True if the platform says that it is late
+    order         tuple; sorts the submissions of one lesson from the earliest to the latest
+    reason        why the file is not read, or ""
+    location      what `read` needs to open it
     """
 
     learner: str
-    id: str
     platform: str
+    platform_id: str
     source: str
     group: str
-    when: datetime | None
+    submitted_at: datetime | None
     late: bool
     order: tuple
-    refused: str = ""
-    place: tuple = ()
+    reason: str = ""
+    location: tuple = ()
 
     def read(self):
-        """Its bytes.
+        """Read the file.
+
+        Returns
+        -------
+        bytes
 
         Raises
         ------
-        IntakeError : it cannot be read, or is too large
+        CollectError : it cannot be read, or it is too large
         """
-        if self.refused:
-            raise IntakeError(self.refused)
-        first, *rest = self.place
-        return first.read(*rest) if isinstance(first, _Archives) else _read_file(first, *rest)
+        if self.reason:
+            raise CollectError(self.reason)
+        opener, *location = self.location
+        return opener.read(*location) if isinstance(opener, _Archives) else _read_file(opener, *location)
 
 
 @dataclass
-class Intake:
-    """What was found: `handins`, sorted by where they stood, and `ignored`, files that are no notebooks.
+class Collection:
+    """What was collected: `files`, sorted by source, and `ignored`, the names of all other files.
 
-    A context manager: a zip stays open as long as it is read.
+    Use it as a context manager: a zip stays open until the end of the block.
     """
 
-    handins: list = field(default_factory=list)
+    files: list = field(default_factory=list)
     ignored: list = field(default_factory=list)
     archives: object = field(default_factory=lambda: _Archives())
 
@@ -100,162 +106,173 @@ class Intake:
         self.archives.close()
 
 
-def take_in(path, lessons=()):
-    """Find everything that was handed in.
+def collect(path, lessons=()):
+    """Find every submitted file.
 
     Parameters
     ----------
     path : Path of a folder, a zip or a notebook
-    lessons : names of lessons, to tell them from names of learners
+    lessons : names of lessons, to distinguish them from names of learners
 
     Returns
     -------
-    Intake
+    Collection
 
     Raises
     ------
-    IntakeError : there is no such thing, or nothing in it
+    CollectError : the path does not exist, or there is no submission in it
     """
     path = Path(path)
     if not path.exists():
-        raise IntakeError(f"{path}: there is nothing; give the folder or the zip that was handed in")
-    intake, finder = Intake(), _Finder(tuple(lessons))
+        raise CollectError(f"{path}: does not exist; give the folder or the zip with the submissions")
+    collection, finder = Collection(), _Finder(tuple(lessons))
     if path.is_dir():
-        _walk(path.resolve(), finder, intake)
+        _walk(path.resolve(), finder, collection)
     else:
-        finder.file(path.resolve(), (path.name,), intake)
-    if not intake.handins:
-        raise IntakeError(f"{path}: no notebooks (*.ipynb) and no zip in it; is it the folder handed in?")
-    intake.handins.sort(key=lambda each: each.source)
-    intake.ignored.sort()
-    return intake
+        finder.add(path.resolve(), (path.name,), collection)
+    if not collection.files:
+        raise CollectError(f"{path}: no notebooks (*.ipynb) and no zip in it; give the folder of submissions")
+    collection.files.sort(key=lambda file: file.source)
+    collection.ignored.sort()
+    return collection
 
 
-def _walk(root, finder, intake):
-    waiting, count = [(root, ())], 0
-    while waiting:
-        folder, parts = waiting.pop()
+def _walk(root, finder, collection):
+    folders, count = [(root, ())], 0
+    while folders:
+        folder, parts = folders.pop()
         try:
             entries = sorted(os.scandir(folder), key=lambda entry: entry.name)
         except OSError as error:
-            intake.ignored.append(f"{_shown(parts)}/ (cannot be read: {error.strerror})")
+            collection.ignored.append(f"{_display_path(parts)}/ (cannot be read: {error.strerror})")
             continue
         for entry in entries:
             count += 1
             if count > MOST_FILES:
-                raise IntakeError(f"{root}: more than {MOST_FILES} files; grade it in parts")
-            here = (*parts, entry.name)
-            if entry.name in _PASSED_OVER or (entry.name.startswith(".") and not parts):
+                raise CollectError(f"{root}: more than {MOST_FILES} files; grade it in parts")
+            entry_parts = (*parts, entry.name)
+            if entry.name in _SKIPPED_FOLDERS or (entry.name.startswith(".") and not parts):
                 continue
             if entry.is_dir(follow_symlinks=False):
-                if len(here) > DEEPEST:
-                    intake.ignored.append(f"{_shown(here)}/ (more than {DEEPEST} folders deep)")
+                if len(entry_parts) > DEEPEST:
+                    collection.ignored.append(
+                        f"{_display_path(entry_parts)}/ (more than {DEEPEST} folders deep)"
+                    )
                 else:
-                    waiting.append((Path(entry.path), here))
+                    folders.append((Path(entry.path), entry_parts))
             else:
-                finder.file(Path(entry.path), here, intake)
+                finder.add(Path(entry.path), entry_parts, collection)
 
 
 class _Finder:
-    """Makes hand-ins of files, and of what zips hold."""
+    """Turns files, and the members of zips, into SubmittedFiles."""
 
     def __init__(self, lessons):
         self._lessons = lessons
 
-    def file(self, path, parts, intake):
+    def add(self, path, parts, collection):
+        """Add a file to the collection; of a zip, add its members."""
         suffix = PurePosixPath(parts[-1].lower()).suffix
         if suffix not in (".ipynb", ".zip"):
-            intake.ignored.append(_shown(parts))
+            collection.ignored.append(_display_path(parts))
             return
         try:
             status = path.lstat()
         except OSError as error:
-            intake.handins.append(self._handin(parts, None, refused=f"it cannot be read ({error.strerror})"))
+            reason = f"it cannot be read ({error.strerror})"
+            collection.files.append(self._submitted_file(parts, None, reason=reason))
             return
-        when = datetime.fromtimestamp(int(status.st_mtime))
-        refused = _why_not(status, LARGEST if suffix == ".ipynb" else LARGEST_ZIP)
-        if refused or suffix == ".ipynb":
-            key = (str(path), status.st_dev, status.st_ino)
-            intake.handins.append(self._handin(parts, when, refused=refused, place=key))
+        modified = datetime.fromtimestamp(int(status.st_mtime))
+        reason = _file_problem(status, LARGEST if suffix == ".ipynb" else LARGEST_ZIP)
+        if reason or suffix == ".ipynb":
+            location = (str(path), status.st_dev, status.st_ino)
+            collection.files.append(self._submitted_file(parts, modified, reason=reason, location=location))
             return
         try:
-            self._zip(path, parts, when, intake)
+            self._add_members(path, parts, modified, collection)
         except (zipfile.BadZipFile, OSError, ValueError, NotImplementedError, RuntimeError) as error:
             reason = f"the zip cannot be read ({visible_line(str(error), 100)})"
-            intake.handins.append(self._handin(parts, when, refused=reason))
+            collection.files.append(self._submitted_file(parts, modified, reason=reason))
 
-    def _zip(self, path, parts, when, intake):
-        members = intake.archives.members(path)
-        reason = _why_not_unzip(members)
+    def _add_members(self, path, parts, modified, collection):
+        members = collection.archives.members(path)
+        reason = _zip_problem(members)
         if reason:
-            intake.handins.append(self._handin(parts, when, refused=reason))
+            collection.files.append(self._submitted_file(parts, modified, reason=reason))
             return
-        inside = [PurePosixPath(member.filename.replace("\\", "/")).parts for member in members]
-        named = [tuple(part for part in inner if part not in ("/", "..", ".")) for inner in inside]
-        owner = self._owner(parts, named)
-        for number, (member, inner, name) in enumerate(zip(members, inside, named, strict=True)):
-            if _PASSED_OVER & set(name) or not name or name[-1].startswith("._"):
+        member_parts = [PurePosixPath(member.filename.replace("\\", "/")).parts for member in members]
+        names = [tuple(part for part in inner if part not in ("/", "..", ".")) for inner in member_parts]
+        owner_of = self._owner_function(parts, names)
+        for number, (member, inner, name) in enumerate(zip(members, member_parts, names, strict=True)):
+            if _SKIPPED_FOLDERS & set(name) or not name or name[-1].startswith("._"):
                 continue
             suffix = PurePosixPath(name[-1].lower()).suffix
             if suffix not in (".ipynb", ".zip"):
-                intake.ignored.append(_shown((*parts, *inner)))
+                collection.ignored.append(_display_path((*parts, *inner)))
                 continue
-            whose = owner(name)
-            # A learner can write any date into a zip: only a platform's or a teacher's is to be believed.
-            handin = self._handin(
-                (*whose, *name),
-                when if any(whose) else _when_of(member, when),
-                refused=_why_not_member(member, inner, suffix),
-                place=(intake.archives, str(path), number),
+            owner = owner_of(name)
+            # A learner can write any date into a zip. Only a platform's or an instructor's zip is trusted.
+            file = self._submitted_file(
+                (*owner, *name),
+                modified if any(owner) else _member_time(member, modified),
+                reason=_member_problem(member, inner, suffix),
+                location=(collection.archives, str(path), number),
                 source=(*parts, *inner),
-                group=_shown(parts),
+                group=_display_path(parts),
                 number=number,
             )
-            intake.handins.append(handin)
+            collection.files.append(file)
 
-    def _owner(self, parts, named):
-        """A function from a name in a zip to the folders that say whose it is, before that name."""
+    def _owner_function(self, parts, names):
+        """A function from a member's name to the folders in front of it that name its owner."""
         stem = PurePosixPath(parts[-1]).stem
         if len(parts) > 1 or _platform_name(stem):
             return lambda name: (*parts[:-1], stem)
-        notebooks = [name for name in named if name and name[-1].lower().endswith(".ipynb")]
-        top = {name[0] if len(name) > 1 else None for name in notebooks}
-        common = len(top) == 1 and None not in top and not _platform_name(next(iter(top)))
-        depth = 2 if common else 1
+        notebooks = [name for name in names if name and name[-1].lower().endswith(".ipynb")]
+        top_folders = {name[0] if len(name) > 1 else None for name in notebooks}
+        one_folder = (
+            len(top_folders) == 1 and None not in top_folders and not _platform_name(next(iter(top_folders)))
+        )
+        depth = 2 if one_folder else 1
 
-        def owner(name):
-            flat = len(name) <= depth and self._is_lesson(name[-1])
-            return (stem,) if flat else (*(() if not common else (_NOBODY,)),)
+        def owner_of(name):
+            if len(name) <= depth and self._is_lesson(name[-1]):
+                return (stem,)
+            return (_NO_OWNER,) if one_folder else ()
 
-        return owner
+        return owner_of
 
     def _is_lesson(self, name):
-        stem, _ = _again(PurePosixPath(name).stem)
+        stem, _ = _repetition(PurePosixPath(name).stem)
         return not _platform_name(name) and (stem in self._lessons or _LESSON.fullmatch(stem) is not None)
 
-    def _handin(self, parts, when, *, refused="", place=(), source=None, group="", number=0):
-        who = _who(parts, self._lessons)
-        _, again = _again(PurePosixPath(parts[-1]).stem)
-        moment = when.isoformat() if when else ""
-        return HandIn(
-            learner=visible_line(unicodedata.normalize("NFC", who["name"]), 120),
-            id=who["id"],
-            platform=who["platform"],
-            source=_shown(source or parts),
-            group=group or (visible_line(parts[0], 120) if who["platform"] == "" and len(parts) > 1 else ""),
-            when=when,
-            late=who["late"],
-            order=(who["order"], moment, again, number, _shown(source or parts)),
-            refused=refused,
-            place=place,
+    def _submitted_file(
+        self, parts, submitted_at, *, reason="", location=(), source=None, group="", number=0
+    ):
+        owner = _owner(parts, self._lessons)
+        _, repetition = _repetition(PurePosixPath(parts[-1]).stem)
+        moment = submitted_at.isoformat() if submitted_at else ""
+        if not group and not owner["platform"] and len(parts) > 1:
+            group = visible_line(parts[0], 120)
+        return SubmittedFile(
+            learner=visible_line(unicodedata.normalize("NFC", owner["name"]), 120),
+            platform=owner["platform"],
+            platform_id=owner["id"],
+            source=_display_path(source or parts),
+            group=group,
+            submitted_at=submitted_at,
+            late=owner["late"],
+            order=(owner["order"], moment, repetition, number, _display_path(source or parts)),
+            reason=reason,
+            location=location,
         )
 
 
-# ---------------------------------------------------------------- whose it is
+# ---------------------------------------------------------------- the owner of a file
 
 
 def _platform_name(name):
-    """(platform, match) of a name as Moodle or Canvas gives it, or None."""
+    """(platform, match) of a name that Moodle or Canvas made, or None."""
     moodle = _MOODLE.fullmatch(name)
     if moodle:
         return "moodle", moodle
@@ -263,20 +280,19 @@ def _platform_name(name):
     return ("canvas", canvas) if canvas else None
 
 
-def _who(parts, lessons):
-    """Whose file it is: what the first folder says, or the file itself where it stands in none.
+def _owner(parts, lessons):
+    """The owner of a file: named by the first folder, or by the file itself if it is in no folder.
 
-    A folder of a lesson's name, and the one folder that holds everything, say nothing of it. Whatever stands
-    deeper was named by the learner, who may not hand in as somebody else.
+    A folder with a lesson's name, and the one folder that holds everything, name no owner. Deeper folders
+    were named by the learner, who must not be able to submit as somebody else.
     """
     folders = list(parts[:-1])
-    if folders[:1] == [_NOBODY]:
+    if folders[:1] == [_NO_OWNER]:
         folders = folders[2:]
     folders = [part for part in folders if part not in lessons and not _LESSON.fullmatch(part)]
-    first = folders[0] if folders else parts[-1]
-    found = _platform_name(first)
-    if found:
-        platform, match = found
+    platform_name = _platform_name(folders[0] if folders else parts[-1])
+    if platform_name:
+        platform, match = platform_name
         groups = match.groupdict()
         return {
             "name": match["name"].strip() or "(no name)",
@@ -290,36 +306,38 @@ def _who(parts, lessons):
 
 
 def _without_lesson(stem, lessons):
-    """A file's name without the lesson's: student-1 and -2 are two, ada_03_grayscale-1 is ada again."""
-    before, _ = _again(stem)
-    stem = before if before.endswith(tuple(lessons)) else stem
+    """A file's stem without the lesson's name.
+
+    student-1 and student-2 are two learners; ada_03_grayscale and ada_03_grayscale-1 are both ada's.
+    """
+    unnumbered, _ = _repetition(stem)
+    stem = unnumbered if unnumbered.endswith(tuple(lessons)) else stem
     for lesson in lessons:
         if lesson in stem and stem != lesson:
-            rest = stem.replace(lesson, "", 1).strip(" -_.")
-            return rest or stem
+            return stem.replace(lesson, "", 1).strip(" -_.") or stem
     return stem
 
 
-def _again(stem):
-    """A stem without the mark of a repeated hand-in ("-1", " (2)"), and its number."""
-    match = _AGAIN.fullmatch(stem)
-    return (match["stem"], int(match["again"] or match["copy"])) if match else (stem, 0)
+def _repetition(stem):
+    """A stem without the mark of a repeated submission ("-1", " (2)"), and the mark's number (0 if none)."""
+    match = _REPEATED.fullmatch(stem)
+    return (match["stem"], int(match["number"] or match["copy"])) if match else (stem, 0)
 
 
-def _shown(parts):
+def _display_path(parts):
     return visible_line("/".join(parts), 300)
 
 
-# ---------------------------------------------------------------- what is read, and what not
+# ---------------------------------------------------------------- which files are not read
 
 
-def _why_not(status, largest):
+def _file_problem(status, largest):
     if stat.S_ISLNK(status.st_mode):
-        return "it is a link; links are not followed: hand in the notebook itself"
+        return "it is a link; links are not followed: submit the notebook itself"
     if not stat.S_ISREG(status.st_mode):
-        return "it is no ordinary file"
+        return "it is not a regular file"
     if status.st_nlink > 1:
-        return "it is a hard link: the same file has another name; hand in a copy"
+        return "it is a hard link: the same file has another name; submit a copy"
     if status.st_size > largest:
         return _too_large(status.st_size, largest)
     return ""
@@ -328,11 +346,11 @@ def _why_not(status, largest):
 def _too_large(size, largest):
     return (
         f"it has {size // 1_000_000} MB, at most {largest // 1_000_000} are read: clear its outputs"
-        " (Kernel > Restart Kernel and Clear Outputs), save it and hand it in again"
+        " (Kernel > Restart Kernel and Clear Outputs), save it and submit it again"
     )
 
 
-def _why_not_unzip(members):
+def _zip_problem(members):
     if len(members) > MOST_FILES:
         return f"the zip holds {len(members)} files; at most {MOST_FILES} are read"
     size = sum(member.file_size for member in members)
@@ -341,14 +359,13 @@ def _why_not_unzip(members):
     return ""
 
 
-def _why_not_member(member, inner, suffix):
+def _member_problem(member, parts, suffix):
     if suffix == ".zip":
-        return "it is a zip in a zip; hand in the notebook itself"
-    if member.filename.startswith(("/", "\\")) or ".." in inner or re.match(r"[A-Za-z]:", member.filename):
-        return "its name in the zip leads out of the zip"
-    kind = member.external_attr >> 16
-    if stat.S_IFMT(kind) not in (0, stat.S_IFREG):
-        return "it is a link or a device in a zip; hand in the notebook itself"
+        return "it is a zip in a zip; submit the notebook itself"
+    if member.filename.startswith(("/", "\\")) or ".." in parts or re.match(r"[A-Za-z]:", member.filename):
+        return "its name leads out of the zip"
+    if stat.S_IFMT(member.external_attr >> 16) not in (0, stat.S_IFREG):
+        return "it is a link or a device in a zip; submit the notebook itself"
     if member.flag_bits & 1:
         return "it is locked with a password"
     if member.file_size > LARGEST:
@@ -358,68 +375,73 @@ def _why_not_member(member, inner, suffix):
     return ""
 
 
-def _when_of(member, otherwise):
+def _member_time(member, default):
     try:
-        when = datetime(*member.date_time)
+        modified = datetime(*member.date_time)
     except ValueError:
-        return otherwise
-    return when if when.year > 1980 else otherwise
+        return default
+    return modified if modified.year > 1980 else default
+
+
+# ---------------------------------------------------------------- reading
 
 
 def _read_file(path, device, inode):
     try:
         descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
     except OSError as error:
-        raise IntakeError(f"it cannot be read ({error.strerror})") from error
+        raise CollectError(f"it cannot be read ({error.strerror})") from error
     with os.fdopen(descriptor, "rb") as file:
         status = os.fstat(descriptor)
-        refused = _why_not(status, LARGEST)
-        if not refused and (status.st_dev, status.st_ino) != (device, inode):
-            refused = "it was changed while it was looked at"
-        if refused:
-            raise IntakeError(refused)
+        reason = _file_problem(status, LARGEST)
+        if not reason and (status.st_dev, status.st_ino) != (device, inode):
+            reason = "it was replaced by another file while it was collected"
+        if reason:
+            raise CollectError(reason)
         try:
-            return _bounded(file)
+            return _read_bounded(file)
         except OSError as error:
-            raise IntakeError(f"it cannot be read ({error.strerror})") from error
+            raise CollectError(f"it cannot be read ({error.strerror})") from error
 
 
 class _Archives:
-    """The zip that was opened last: its members are read one after another."""
+    """Keeps the last zip open: its members are read one after another."""
 
     def __init__(self):
         self._path, self._archive = None, None
 
     def members(self, path):
-        """What it holds, folders left out."""
+        """The members of a zip, without its folders."""
         if self._path != str(path):
             self.close()
             self._archive, self._path = zipfile.ZipFile(path), str(path)
         return [member for member in self._archive.infolist() if not member.is_dir()]
 
     def read(self, path, number):
+        """The bytes of one member."""
         try:
             with self._archive_open(path, number) as file:
-                return _bounded(file)
+                return _read_bounded(file)
         except (zipfile.BadZipFile, zlib.error, OSError, ValueError, EOFError, RuntimeError) as error:
-            if isinstance(error, IntakeError):
+            if isinstance(error, CollectError):
                 raise
-            raise IntakeError(f"it cannot be unpacked ({visible_line(str(error), 100)})") from error
+            raise CollectError(f"it cannot be unpacked ({visible_line(str(error), 100)})") from error
 
     def _archive_open(self, path, number):
         member = self.members(path)[number]
         return self._archive.open(member)
 
     def close(self):
+        """Close the zip that is open, if any."""
         if self._archive is not None:
             self._archive.close()
         self._path, self._archive = None, None
 
 
-def _bounded(file):
+def _read_bounded(file):
     data = file.read(LARGEST + 1)
     if len(data) > LARGEST:
-        raise IntakeError(_too_large(len(data), LARGEST))
+        raise CollectError(_too_large(len(data), LARGEST))
     return data
 
 

@@ -7,8 +7,8 @@ from pathlib import Path
 
 from imgproc_course.autograder.pool import open_scheduler
 from imgproc_course.autograder.sandbox import bubblewrap
-from imgproc_course.gradebook.answer_keys import open_term
-from imgproc_course.gradebook.collect import take_in
+from imgproc_course.gradebook.answer_keys import load_keys
+from imgproc_course.gradebook.collect import collect
 from imgproc_course.gradebook.grades_json import (
     GradesFolderError,
     Store,
@@ -21,7 +21,7 @@ from imgproc_course.gradebook.grades_json import (
 )
 from imgproc_course.gradebook.learners import read_all
 from imgproc_course.gradebook.lms_export import exports, grades_csv
-from imgproc_course.gradebook.lms_import import RosterError, fill, read_rosters
+from imgproc_course.gradebook.lms_import import TableError, fill, read_tables
 from imgproc_course.gradebook.report import learner_page, summary_page
 
 
@@ -41,7 +41,7 @@ def grade_submissions(
     deadline=None,
     afresh=False,
     scheduler=None,
-    rosters=(),
+    platform_tables=(),
     quiet=None,
     **options,
 ):
@@ -55,7 +55,7 @@ def grade_submissions(
     deadline : datetime, local, or None
     afresh : bool, judge again what was judged before
     scheduler : str, address of a Dask scheduler, or None
-    rosters : sequence of Path, tables that platforms exported, to be filled with points
+    platform_tables : sequence of Path, tables that platforms exported, to be filled with points
     quiet : True for no progress bars; None: where stderr is no terminal
     options : kernel, unsafe, workers, limits, as `judge` takes them
 
@@ -65,12 +65,12 @@ def grade_submissions(
 
     Raises
     ------
-    IntakeError, KeyFolderError, SandboxError, GradesFolderError, ValueError : one line with the remedy
+    CollectError, KeyFolderError, SandboxError, GradesFolderError, ValueError : one line with the remedy
     """
     out, submissions = Path(out), Path(submissions)
-    term = open_term(keys)
+    answer_keys = load_keys(keys)
     _refuse_muddle(submissions, keys, out)
-    rosters = read_rosters(rosters)
+    platform_tables = read_tables(platform_tables)
     unsafe, kernel = options.get("unsafe", False), options.get("kernel", "fast")
     if not unsafe and scheduler is None:
         bubblewrap.demand()
@@ -79,24 +79,26 @@ def grade_submissions(
     with contextlib.ExitStack() as stack:
         if scheduler is not None:
             options["executor"] = stack.enter_context(open_scheduler(scheduler))
-        intake = stack.enter_context(take_in(submissions, tuple(term.lessons)))
-        learners = read_all(intake, term, store, deadline=deadline, quiet=quiet)
-        judged = judge_all(learners, term, store, afresh=afresh, quiet=quiet, **options)
-    grades = grades_of(learners, term, store, sandbox=not unsafe, deadline=deadline, ignored=intake.ignored)
-    _write(out, grades, learners, term, store)
-    return _told(grades, judged, out, _fill(rosters, grades, out))
+        collection = stack.enter_context(collect(submissions, tuple(answer_keys.lessons)))
+        learners = read_all(collection, answer_keys, store, deadline=deadline, quiet=quiet)
+        judged = judge_all(learners, answer_keys, store, afresh=afresh, quiet=quiet, **options)
+    grades = grades_of(
+        learners, answer_keys, store, sandbox=not unsafe, deadline=deadline, ignored=collection.ignored
+    )
+    _write(out, grades, learners, answer_keys, store)
+    return _told(grades, judged, out, _fill(platform_tables, grades, out))
 
 
-def _fill(rosters, grades, out):
+def _fill(platform_tables, grades, out):
     """Write the platforms' tables with points in them; gives what is to be said of them."""
     told = []
-    for roster in rosters:
+    for table in platform_tables:
         try:
-            text, said = fill(roster, grades)
-        except RosterError as error:  # the points stand in the other tables all the same
+            text, said = fill(table, grades)
+        except TableError as error:  # the points stand in the other tables all the same
             told.append(f"Not filled: {error}")
             continue
-        write_whole(out / "exports" / f"filled-{roster.path.name}", text)
+        write_whole(out / "exports" / f"filled-{table.path.name}", text)
         told += said
     return told
 
@@ -109,7 +111,7 @@ def _refuse_muddle(submissions, keys, out):
             raise GradesFolderError(f"{out}: lies in {path}; name a folder outside it, --out grades")
 
 
-def _write(out, grades, learners, term, store):
+def _write(out, grades, learners, answer_keys, store):
     write_whole(out / "grades.json", as_text(grades))
     write_whole(out / "grades.csv", grades_csv(grades))
     tables = exports(grades)
@@ -119,9 +121,11 @@ def _write(out, grades, learners, term, store):
     pages = set()
     for learner, entry in zip(learners, grades["learners"], strict=True):
         results = {
-            name: store.result(each.answers) for name, each in learner.counting.items() if each.answers
+            name: store.result(each.answers_digest)
+            for name, each in learner.submissions.items()
+            if each.answers_digest
         }
-        write_whole(out / "learners" / learner.page, learner_page(entry, results, term))
+        write_whole(out / "learners" / learner.page, learner_page(entry, results, answer_keys))
         pages.add(learner.page)
     _remove_others(out / "learners", "*.html", pages)
     write_whole(out / "summary.html", summary_page(grades))

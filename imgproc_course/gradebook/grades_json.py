@@ -17,8 +17,8 @@ from pathlib import Path
 from tqdm import tqdm
 
 from imgproc_course.autograder.pool import autograde
-from imgproc_course.gradebook.learners import answers_digest
-from imgproc_course.gradebook.submission import Notice
+from imgproc_course.gradebook.learners import digest_of_answers
+from imgproc_course.gradebook.submission import Finding
 
 FORMAT = 1
 SCHEMA = Path(__file__).with_name("grades.schema.json")
@@ -69,7 +69,7 @@ class Store:
 
     def keep_answers(self, key, lesson, answers):
         """Keep answers until they are judged; gives their digest."""
-        digest = answers_digest(key, lesson, answers, self._how)
+        digest = digest_of_answers(key, lesson, answers, self._how)
         path = self._folder / f"{digest}.answers.json"
         if not path.exists():
             write_whole(path, json.dumps([key.digest, lesson, answers], sort_keys=True))
@@ -95,13 +95,13 @@ class Store:
         return self.result(digest) is not None
 
 
-def judge_all(learners, term, store, *, afresh=False, quiet=None, **options):
+def judge_all(learners, answer_keys, store, *, afresh=False, quiet=None, **options):
     """Judge what is not judged yet; each result is kept at once. Equal answers are judged once.
 
     Parameters
     ----------
     learners : list of Learner
-    term : Term
+    answer_keys : AnswerKeys
     store : Store
     afresh : bool, judge again what was judged before
     quiet : bool or None, as tqdm's `disable`
@@ -115,8 +115,8 @@ def judge_all(learners, term, store, *, afresh=False, quiet=None, **options):
     ------
     SandboxError : there is no sandbox here
     """
-    counting = [each for learner in learners for each in learner.counting.values()]
-    wanted = sorted({each.answers for each in counting if each.answers})
+    counting = [each for learner in learners for each in learner.submissions.values()]
+    wanted = sorted({each.answers_digest for each in counting if each.answers_digest})
     missing = [digest for digest in wanted if afresh or not store.has_result(digest)]
     with tqdm(
         total=len(wanted),
@@ -125,7 +125,7 @@ def judge_all(learners, term, store, *, afresh=False, quiet=None, **options):
         unit=" submissions",
         disable=quiet,
     ) as bar:
-        for key in term.keys:
+        for key in answer_keys.keys:
             handed = (
                 (digest, lesson, answers)
                 for digest, (of, lesson, answers) in ((each, store.answers(each)) for each in missing)
@@ -141,13 +141,13 @@ def judge_all(learners, term, store, *, afresh=False, quiet=None, **options):
 # ---------------------------------------------------------------- what grades.json holds
 
 
-def grades_of(learners, term, store, *, sandbox, deadline=None, ignored=()):
+def grades_of(learners, answer_keys, store, *, sandbox, deadline=None, ignored=()):
     """What grades.json holds.
 
     Parameters
     ----------
     learners : list of Learner, all judged
-    term : Term
+    answer_keys : AnswerKeys
     store : Store
     sandbox : bool, whether answers ran in one
     deadline : datetime or None
@@ -162,8 +162,8 @@ def grades_of(learners, term, store, *, sandbox, deadline=None, ignored=()):
         "course": version("imgproc-course"),
         "sandbox": sandbox,
         "deadline": deadline.isoformat() if deadline else None,
-        "keys": [_key_entry(key) for key in term.keys],
-        "learners": [_learner_entry(learner, term, store) for learner in learners],
+        "keys": [_key_entry(key) for key in answer_keys.keys],
+        "learners": [_learner_entry(learner, answer_keys, store) for learner in learners],
         "ignored": list(ignored),
     }
 
@@ -176,12 +176,12 @@ def _key_entry(key):
     return {"digest": key.digest, "lessons": lessons}
 
 
-def _learner_entry(learner, term, store):
+def _learner_entry(learner, answer_keys, store):
     lessons = [
-        _lesson_entry(learner.counting[name], learner.earlier.get(name, ()), term, store)
-        for name in sorted(learner.counting)
+        _lesson_entry(learner.submissions[name], learner.earlier.get(name, ()), answer_keys, store)
+        for name in sorted(learner.submissions)
     ]
-    lessons += [_lesson_entry(each, (), term, store) for each in learner.unplaced]
+    lessons += [_lesson_entry(each, (), answer_keys, store) for each in learner.unidentified]
     return {
         "name": learner.name,
         "page": f"learners/{learner.page}",
@@ -191,37 +191,37 @@ def _learner_entry(learner, term, store):
     }
 
 
-def _lesson_entry(handed_in, earlier, term, store):
-    lifted = handed_in.lifted
-    graded = bool(handed_in.answers)
-    lesson = (handed_in.key or term).lessons.get(handed_in.lesson)
-    result = store.result(handed_in.answers) if graded else None
-    notices = [*lifted.notices, *(_claims(lifted, result) if result else ())]
+def _lesson_entry(submission, earlier, answer_keys, store):
+    content = submission.content
+    graded = bool(submission.answers_digest)
+    lesson = (submission.key or answer_keys).lessons.get(submission.lesson)
+    result = store.result(submission.answers_digest) if graded else None
+    notices = [*content.findings, *(_claims(content, result) if result else ())]
     return {
-        "lesson": handed_in.lesson,
+        "lesson": submission.lesson,
         "title": lesson.title if lesson else "",
         "status": "graded" if graded else "not graded",
-        "reason": lifted.reason,
+        "reason": content.reason,
         "got": result["got"] if result else 0,
         "points": lesson.points if lesson else 0,
-        "version": lifted.version,
-        "key": handed_in.key.digest if handed_in.key else None,
-        **_file_entry(handed_in),
+        "version": content.version,
+        "key": submission.key.digest if submission.key else None,
+        **_file_entry(submission),
         "notices": [{"kind": each.kind, "exercise": each.exercise, "text": each.text} for each in notices],
         "exercises": [_exercise_entry(each) for each in result["exercises"]] if result else [],
-        "earlier": [_file_entry(each) | {"reason": each.lifted.reason} for each in earlier],
+        "earlier": [_file_entry(each) | {"reason": each.content.reason} for each in earlier],
     }
 
 
-def _file_entry(handed_in):
-    handin = handed_in.handin
+def _file_entry(submission):
+    file = submission.file
     return {
-        "source": handin.source,
-        "sha256": handed_in.digest or None,
-        "handed_in": handin.when.isoformat() if handin.when else None,
-        "late": handed_in.late,
-        "platform": handin.platform,
-        "platform_id": handin.id,
+        "source": file.source,
+        "sha256": submission.file_digest or None,
+        "handed_in": file.submitted_at.isoformat() if file.submitted_at else None,
+        "late": submission.late,
+        "platform": file.platform,
+        "platform_id": file.platform_id,
     }
 
 
@@ -231,13 +231,13 @@ def _exercise_entry(exercise):
     return {name: value for name, value in exercise.items() if name != "cases"} | {"cases": cases}
 
 
-def _claims(lifted, result):
+def _claims(content, result):
     """Stored outputs that say something else than grading found; often only an answer changed afterwards."""
     for exercise in result["exercises"]:
         public = [case for case in exercise["cases"] if not case["hidden"]]
-        if exercise["id"] in lifted.claims and any(case["outcome"] != "passed" for case in public):
+        if exercise["id"] in content.claims and any(case["outcome"] != "passed" for case in public):
             text = "its stored output says that every check passes, and grading finds that not every one does"
-            yield Notice("odd", exercise["id"], text)
+            yield Finding("odd", exercise["id"], text)
 
 
 def as_text(grades):

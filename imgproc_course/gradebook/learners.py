@@ -1,4 +1,4 @@
-"""Who handed in what: learners, their lessons, and which of several hand-ins counts."""
+"""Learners and their submissions: who submitted which lesson, and which of several submissions counts."""
 
 import hashlib
 import json
@@ -7,158 +7,172 @@ from dataclasses import dataclass, field
 
 from tqdm import tqdm
 
-from imgproc_course.gradebook.collect import IntakeError, digest_of
-from imgproc_course.gradebook.submission import Lifted, Notice, Reader, lift
+from imgproc_course.autograder.answer_key import Key
+from imgproc_course.gradebook.collect import CollectError, SubmittedFile, digest_of
+from imgproc_course.gradebook.submission import Finding, NotebookReader, SubmissionContent, read_submission
 
 
 @dataclass
-class HandedIn:
-    """One file that was handed in, as read.
+class Submission:
+    """One submitted file, read.
 
-    digest   SHA-256 of its bytes, "" where they were not read
-    late     handed in late, or None where nobody said when it was due
-    answers  digest of its answers with their key, "" where there is nothing to judge
+    file            the file as it was collected
+    file_digest     SHA-256 of its bytes, "" if they could not be read
+    content         what the file holds
+    late            submitted late; False if there is no deadline
+    answers_digest  identifies its answers together with their key; "" if there is nothing to grade
+    key             the key that it is graded with, or None
     """
 
-    handin: object
-    digest: str
-    lifted: object
+    file: SubmittedFile
+    file_digest: str
+    content: SubmissionContent
     late: bool
-    answers: str = ""
-    key: object = None
+    answers_digest: str = ""
+    key: Key | None = None
 
     @property
     def lesson(self):
-        return self.lifted.lesson
+        """The name of its lesson, or None."""
+        return self.content.lesson
 
 
 @dataclass
 class Learner:
-    """A learner: `counting` {lesson: HandedIn}, `earlier` {lesson: [HandedIn]}, `unplaced` [HandedIn]."""
+    """A learner and their submissions.
+
+    submissions   {lesson: the Submission that counts}
+    earlier       {lesson: list of the Submissions that do not count, oldest first}
+    unidentified  list of Submissions whose lesson is unknown
+    """
 
     name: str
-    counting: dict = field(default_factory=dict)
+    submissions: dict = field(default_factory=dict)
     earlier: dict = field(default_factory=dict)
-    unplaced: list = field(default_factory=list)
+    unidentified: list = field(default_factory=list)
 
     @property
     def page(self):
-        """The name of the learner's page: of letters that every system takes, and told apart by digits."""
+        """The file name of the learner's page: safe on every system, and unique through a digest."""
         slug = re.sub(r"[^a-z0-9]+", "-", self.name.lower()).strip("-")[:40] or "learner"
         return f"{slug}-{hashlib.sha256(self.name.encode()).hexdigest()[:10]}.html"
 
 
-def read_all(intake, term, store, *, deadline=None, quiet=None):
-    """Read everything that was handed in, and find out whose it is and which counts.
+def read_all(collection, answer_keys, store, *, deadline=None, quiet=None):
+    """Read every submitted file, assign it to its learner, and choose the submission that counts.
 
     Parameters
     ----------
-    intake : Intake
-    term : Term
-    store : Store, which keeps the answers
-    deadline : datetime, local and without a zone, or None
+    collection : Collection
+    answer_keys : AnswerKeys
+    store : Store, keeps the answers until they are graded
+    deadline : datetime, local and without a time zone, or None
     quiet : bool or None, as tqdm's `disable`
 
     Returns
     -------
     list of Learner, sorted by name
     """
-    read = []
-    with Reader() as reader:
-        for handin in tqdm(intake.handins, desc="reading", unit=" files", disable=quiet, leave=False):
-            read.append(_read(handin, term, store, deadline, reader))
-    return _learners(read)
+    submissions = []
+    with NotebookReader() as reader:
+        for file in tqdm(collection.files, desc="reading", unit=" files", disable=quiet, leave=False):
+            submissions.append(_read(file, answer_keys, store, deadline, reader))
+    return _learners(submissions)
 
 
-def _read(handin, term, store, deadline, reader):
-    late = handin.late or bool(deadline and handin.when and handin.when > deadline)
+def _read(file, answer_keys, store, deadline, reader):
+    late = file.late or bool(deadline and file.submitted_at and file.submitted_at > deadline)
     try:
-        data = handin.read()
-    except IntakeError as error:
-        lifted = Lifted(lesson=_lesson_by_name(handin.source, term), reason=str(error))
-        return HandedIn(handin, "", lifted, late)
-    lifted = lift(data, term, reader)
-    handed_in = HandedIn(handin, digest_of(data), lifted, late)
-    if lifted.reason:
-        lifted.lesson = _lesson_by_name(handin.source, term)
-        return handed_in
-    handed_in.key = term.key_for(lifted.lesson, lifted.version)
-    of_key = handed_in.key.lessons[lifted.lesson].version
-    if lifted.version != of_key:
-        made = f"version {lifted.version[:40]!r}" if lifted.version else "an unknown version"
-        text = f"it was made from {made} of the lesson, and graded with the key of version {of_key}"
-        lifted.notices.append(Notice("message", "", text))
-    handed_in.answers = store.keep_answers(handed_in.key, lifted.lesson, lifted.answers)
-    lifted.answers = {}
-    return handed_in
+        data = file.read()
+    except CollectError as error:
+        content = SubmissionContent(lesson=_lesson_by_name(file.source, answer_keys), reason=str(error))
+        return Submission(file, "", content, late)
+    content = read_submission(data, answer_keys, reader)
+    submission = Submission(file, digest_of(data), content, late)
+    if content.reason:
+        content.lesson = _lesson_by_name(file.source, answer_keys)
+        return submission
+    submission.key = answer_keys.key_for(content.lesson, content.version)
+    key_version = submission.key.lessons[content.lesson].version
+    if content.version != key_version:
+        version = f"version {content.version[:40]!r}" if content.version else "an unknown version"
+        text = f"it was made from {version} of the lesson, and graded with the key of version {key_version}"
+        content.findings.append(Finding("message", "", text))
+    submission.answers_digest = store.keep_answers(submission.key, content.lesson, content.answers)
+    content.answers = {}
+    return submission
 
 
-def _lesson_by_name(source, term):
-    """The one lesson whose name stands in a file's name, or None."""
-    fitting = [name for name in term.lessons if name in source]
-    return fitting[0] if len(fitting) == 1 else None
+def _lesson_by_name(source, answer_keys):
+    """The one lesson whose name is part of a file's name, or None."""
+    names = [name for name in answer_keys.lessons if name in source]
+    return names[0] if len(names) == 1 else None
 
 
-def _learners(read):
-    names = _names(read)
+def _learners(submissions):
+    names = _display_names(submissions)
     learners = {}
-    for handed_in in sorted(read, key=lambda each: each.handin.order):
-        learner = learners.setdefault(names[id(handed_in)], Learner(names[id(handed_in)]))
-        _place(learner, handed_in)
+    for submission in sorted(submissions, key=lambda submission: submission.file.order):
+        name = names[id(submission)]
+        _add(learners.setdefault(name, Learner(name)), submission)
     for learner in learners.values():
-        _settle(learner)
+        _report_repeated(learner)
     return [learners[name] for name in sorted(learners, key=lambda name: (name.casefold(), name))]
 
 
-def _names(read):
-    """What each is called: namesakes, told apart by the platform, get their number behind their name."""
+def _display_names(submissions):
+    """{id(submission): the learner's name}; learners of one name get the platform's number after it."""
     people = {}
-    for each in read:
-        of = each.handin
-        group = of.group if of.platform == "moodle" else ""
-        if of.id:
-            people.setdefault((of.learner, of.platform, group), set()).add(of.id)
-    namesakes = {(name, platform) for (name, platform, _), ids in people.items() if len(ids) > 1}
+    for submission in submissions:
+        file = submission.file
+        group = file.group if file.platform == "moodle" else ""
+        if file.platform_id:
+            people.setdefault((file.learner, file.platform, group), set()).add(file.platform_id)
+    namesakes = {(name, platform) for (name, platform, _), numbers in people.items() if len(numbers) > 1}
     return {
-        id(each): f"{each.handin.learner} ({each.handin.id})"
-        if (each.handin.learner, each.handin.platform) in namesakes
-        else each.handin.learner
-        for each in read
+        id(submission): f"{submission.file.learner} ({submission.file.platform_id})"
+        if (submission.file.learner, submission.file.platform) in namesakes
+        else submission.file.learner
+        for submission in submissions
     }
 
 
-def _place(learner, handed_in):
-    """A later hand-in takes the place of an earlier one; one that cannot be graded, of none that can."""
-    lesson = handed_in.lesson
+def _add(learner, submission):
+    """A later submission replaces an earlier one, unless only the earlier one can be graded."""
+    lesson = submission.lesson
     if lesson is None:
-        learner.unplaced.append(handed_in)
+        learner.unidentified.append(submission)
         return
-    before = learner.counting.get(lesson)
+    before = learner.submissions.get(lesson)
     if before is None:
-        learner.counting[lesson] = handed_in
+        learner.submissions[lesson] = submission
         return
-    keeps = bool(handed_in.lifted.reason) and not before.lifted.reason
-    learner.counting[lesson] = before if keeps else handed_in
-    learner.earlier.setdefault(lesson, []).append(handed_in if keeps else before)
+    before_counts = bool(submission.content.reason) and not before.content.reason
+    learner.submissions[lesson] = before if before_counts else submission
+    learner.earlier.setdefault(lesson, []).append(submission if before_counts else before)
 
 
-def _settle(learner):
-    for lesson, others in learner.earlier.items():
-        counts = learner.counting[lesson]
-        others.sort(key=lambda each: each.handin.order)
-        text = f"handed in {len(others) + 1} times; the latest counts ({counts.handin.source})"
-        counts.lifted.notices.append(Notice("message", "", text))
+def _report_repeated(learner):
+    for lesson, earlier in learner.earlier.items():
+        submission = learner.submissions[lesson]
+        earlier.sort(key=lambda submission: submission.file.order)
+        text = f"handed in {len(earlier) + 1} times; the latest counts ({submission.file.source})"
+        submission.content.findings.append(Finding("message", "", text))
 
 
-def answers_digest(key, lesson, answers, how):
-    """What a result depends on, as one SHA-256.
+def digest_of_answers(key, lesson, answers, conditions):
+    """Everything that a result depends on, as one SHA-256.
 
     Parameters
     ----------
     key : Key
     lesson : str
     answers : {exercise id: source}
-    how : what else it depends on, as JSON holds it
+    conditions : what else the result depends on, as JSON holds it
+
+    Returns
+    -------
+    str, hexadecimal digits
     """
-    text = json.dumps([key.digest, lesson, answers, how], sort_keys=True, ensure_ascii=True)
+    text = json.dumps([key.digest, lesson, answers, conditions], sort_keys=True, ensure_ascii=True)
     return hashlib.sha256(text.encode("ascii")).hexdigest()

@@ -17,7 +17,7 @@ exports/nbgrader.csv
     the columns of `nbgrader export`: assignment, duedate, timestamp, student_id, last_name, first_name,
     email, raw_score, late_submission_penalty, score, max_score
 
-Where that does not fit, the platform's own table is filled instead (`roster`).
+Where that does not fit, the platform's own table is filled instead (`table`).
 
 No cell begins like a formula: an apostrophe stands before one that would.
 """

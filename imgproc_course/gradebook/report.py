@@ -87,26 +87,28 @@ def _page(name, **content):
 # ---------------------------------------------------------------- a learner's page
 
 
-def learner_page(entry, results, term):
+def learner_page(entry, results, answer_keys):
     """The page of one learner.
 
     Parameters
     ----------
     entry : dict, the learner's part of grades.json
     results : {lesson: result of `judge`, with values}
-    term : Term
+    answer_keys : AnswerKeys
 
     Returns
     -------
     str, HTML
     """
-    lessons = [_lesson_view(lesson, results.get(lesson["lesson"]), term) for lesson in entry["lessons"]]
+    lessons = [
+        _lesson_view(lesson, results.get(lesson["lesson"]), answer_keys) for lesson in entry["lessons"]
+    ]
     return _page("learner.html", learner=entry, lessons=lessons)
 
 
-def _lesson_view(lesson, result, term):
+def _lesson_view(lesson, result, answer_keys):
     told = [notice for notice in lesson["notices"] if notice["kind"] == "message"]
-    key = term.key_of(lesson["key"]) if lesson["key"] else None
+    key = answer_keys.key_of(lesson["key"]) if lesson["key"] else None
     exercises = []
     for each in result["exercises"] if result else ():
         notes = [notice["text"] for notice in told if notice["exercise"] == each["id"]]

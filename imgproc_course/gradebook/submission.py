@@ -22,7 +22,7 @@ _ORDERS = ("# NBVAL_", "# PYTEST_VALIDATE_")
 
 
 @dataclass(frozen=True)
-class Notice:
+class Finding:
     """Something to be told of a submission.
 
     kind      "message": for the learner too; "odd": for the teacher alone
@@ -36,19 +36,19 @@ class Notice:
 
 
 @dataclass
-class Lifted:
-    """What was lifted out of one file.
+class SubmissionContent:
+    """What was content out of one file.
 
     lesson    its name, or None where it is none of the key's;  version: str or None, as the file says
     answers   {exercise id: source}
     claims    exercise ids whose stored outputs say that every check passes
-    reason    why nothing could be lifted, or ""
+    reason    why nothing could be content, or ""
     """
 
     lesson: str | None = None
     version: str | None = None
     answers: dict = field(default_factory=dict)
-    notices: list = field(default_factory=list)
+    findings: list = field(default_factory=list)
     claims: list = field(default_factory=list)
     reason: str = ""
 
@@ -57,7 +57,7 @@ class Lifted:
         return asdict(self)
 
 
-class Reader:
+class NotebookReader:
     """The process that reads notebooks, started when needed and again when one has ended it."""
 
     def __init__(self, seconds=SECONDS, memory=MEMORY):
@@ -117,46 +117,50 @@ class Reader:
         self.close()
 
 
-def lift(data, term, reader):
+def read_submission(data, answer_keys, reader):
     """Lift the answers out of one file.
 
     Parameters
     ----------
     data : bytes
-    term : Term, whose keys say which lessons and exercises there are
-    reader : Reader
+    answer_keys : AnswerKeys, whose keys say which lessons and exercises there are
+    reader : NotebookReader
 
     Returns
     -------
-    Lifted
+    SubmissionContent
     """
     read, reason = reader.read(data)
     if read is None:
-        return Lifted(reason=reason)
-    lifted = Lifted(version=read["version"])
+        return SubmissionContent(reason=reason)
+    content = SubmissionContent(version=read["version"])
     cells = [cell for cell in read["cells"] if cell is not None]
-    lifted.lesson = _lesson_of(read, cells, term, lifted)
-    if lifted.lesson is None:
+    content.lesson = _lesson_of(read, cells, answer_keys, content)
+    if content.lesson is None:
         told = f"; it says that it is {visible_line(read['lesson'], 80)!r}" if read["lesson"] else ""
-        lifted.reason = f"it is no lesson of this key{told}; the key has {', '.join(term.lessons)}"
-        return lifted
+        content.reason = f"it is no lesson of this key{told}; the key has {', '.join(answer_keys.lessons)}"
+        return content
     if len(cells) < len(read["cells"]):
-        lifted.notices.append(Notice("odd", "", f"{len(read['cells']) - len(cells)} of its cells are none"))
+        content.findings.append(
+            Finding("odd", "", f"{len(read['cells']) - len(cells)} of its cells are none")
+        )
     if read["kernel"] not in (None, "python3"):
         kernel = visible_line(read["kernel"], 60)
-        lifted.notices.append(Notice("odd", "", f"it asks for the kernel {kernel!r}; grading uses its own"))
-    key = term.key_for(lifted.lesson, lifted.version)
-    lesson, handed_out = key.lessons[lifted.lesson], term.handed_out(key, lifted.lesson)
+        content.findings.append(
+            Finding("odd", "", f"it asks for the kernel {kernel!r}; grading uses its own")
+        )
+    key = answer_keys.key_for(content.lesson, content.version)
+    lesson, handed_out = key.lessons[content.lesson], answer_keys.handed_out(key, content.lesson)
     for exercise in lesson.exercises:
-        _lift_answer(exercise, cells, handed_out, lifted)
-        _compare_given(exercise, cells, handed_out, lifted)
-    return lifted
+        _lift_answer(exercise, cells, handed_out, content)
+        _compare_given(exercise, cells, handed_out, content)
+    return content
 
 
-def _lesson_of(read, cells, term, lifted):
+def _lesson_of(read, cells, answer_keys, content):
     """The lesson by its metadata, if its answer cells agree; else the one whose answer cells there are."""
     ids = {cell["id"] for cell in cells}
-    counts = {name: len(ids & term.answer_ids(name)) for name in term.lessons}
+    counts = {name: len(ids & answer_keys.answer_ids(name)) for name in answer_keys.lessons}
     best = max(counts, key=counts.get, default=None)
     said = read["lesson"]
     if said in counts and (counts[said] or not counts[best]):
@@ -165,16 +169,16 @@ def _lesson_of(read, cells, term, lifted):
         return None
     if said in counts:
         text = f"it says that it is {said}, and its answer cells are those of {best}"
-        lifted.notices.append(Notice("message", "", f"{text}; it is graded as {best}"))
+        content.findings.append(Finding("message", "", f"{text}; it is graded as {best}"))
     return best
 
 
-def _lift_answer(exercise, cells, handed_out, lifted):
+def _lift_answer(exercise, cells, handed_out, content):
     id = f"answer-{exercise.id}"
     standing = [number for number, cell in enumerate(cells) if cell["id"] == id]
 
     def tell(text, kind="message"):
-        lifted.notices.append(Notice(kind, exercise.id, text))
+        content.findings.append(Finding(kind, exercise.id, text))
 
     if not standing:
         where = _defined_elsewhere(exercise.function, cells)
@@ -193,7 +197,7 @@ def _lift_answer(exercise, cells, handed_out, lifted):
     if cell["source"] is None:
         tell("the source of its answer cell is no text")
         return
-    lifted.answers[exercise.id] = cell["source"]
+    content.answers[exercise.id] = cell["source"]
     if cell["orders"] or any(order in cell["source"] for order in _ORDERS):
         tell("its answer cell gives orders to a grader (tags or comments), which are ignored", "odd")
     _tell_of_split(exercise, cells, code[0], handed_out, tell)
@@ -221,7 +225,7 @@ def _defined_elsewhere(function, cells):
     return None if found is None else visible_line(found["id"], 80) or "without an id"
 
 
-def _compare_given(exercise, cells, handed_out, lifted):
+def _compare_given(exercise, cells, handed_out, content):
     """Tell of check and given cells that were changed or removed, and of what check cells claim."""
     standing = {}
     for cell in cells:
@@ -235,8 +239,8 @@ def _compare_given(exercise, cells, handed_out, lifted):
         if not changed and (cell["source"] or "").strip() != source.strip():
             changed = "was changed"
         if changed:
-            lifted.notices.append(
-                Notice("message", exercise.id, f"its {what} ({id}) {changed}; grading uses its own")
+            content.findings.append(
+                Finding("message", exercise.id, f"its {what} ({id}) {changed}; grading uses its own")
             )
     shown = "\n".join(
         cell["shown"] for id, cell in standing.items() if id.startswith(f"check-{exercise.id}-")
@@ -246,4 +250,4 @@ def _compare_given(exercise, cells, handed_out, lifted):
         line.startswith(claims) and line.rstrip(".").endswith(("passes", "pass"))
         for line in shown.splitlines()
     ):
-        lifted.claims.append(exercise.id)
+        content.claims.append(exercise.id)

@@ -13,7 +13,7 @@ from template_master import write_master
 
 from imgproc_course.authoring.masters import find_masters, read_master
 from imgproc_course.autograder.make_answer_key import make_key
-from imgproc_course.gradebook.answer_keys import open_term
+from imgproc_course.gradebook.answer_keys import load_keys
 from imgproc_course.gradebook.grade import grade_submissions
 
 __all__ = ["write_master"]
@@ -37,8 +37,8 @@ def key_path(tmp_path_factory):
 
 
 @pytest.fixture(scope="session")
-def term(key_path):
-    return open_term([key_path])
+def answer_keys(key_path):
+    return load_keys([key_path])
 
 
 @pytest.fixture

@@ -286,7 +286,7 @@ def _link_to_folder(folder, light):
     (folder / "more").symlink_to("/etc")
 
 
-@attack(57, "a pipe that nobody writes into", "no ordinary file")
+@attack(57, "a pipe that nobody writes into", "not a regular file")
 def _pipe(folder, light):
     folder.mkdir(parents=True)
     os.mkfifo(folder / f"{LESSON}.ipynb")

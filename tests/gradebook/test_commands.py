@@ -91,7 +91,7 @@ def test_exit_codes(run, light, key_path, tmp_path):
 @pytest.mark.parametrize(
     ("words", "code", "told"),
     [
-        (("grade", "nowhere", "--key", "KEY"), 1, "nowhere: there is nothing"),
+        (("grade", "nowhere", "--key", "KEY"), 1, "nowhere: does not exist"),
         (("grade", "in", "--key", "nokey"), 1, "there is no key; make one: imgproc-course key"),
         (("grade", "in", "--key", "KEY", "--out", "in/grades"), 1, "name a folder outside it"),
         (("grade", "in", "--key", "KEY", "--deadline", "tomorrow"), 2, "2026-12-01T23:59"),
@@ -110,11 +110,11 @@ def test_a_platforms_table_is_filled(run, light, key_path, tmp_path):
     write(tmp_path / "submissions" / "ada_7_100_20_light.ipynb", notebook(light, answers_of(light, "right")))
     table = tmp_path / "gradebook.csv"
     table.write_text("Student,ID,Section,20_light (1)\nAda,7,A,\n", encoding="utf-8")
-    done = run("grade", "submissions", "--key", key_path, "--workers", 1, "--roster", table)
+    done = run("grade", "submissions", "--key", key_path, "--workers", 1, "--platform-table", table)
     assert done.exit_code == 0 and "gradebook.csv: 1 points filled in." in done.output
     filled = (tmp_path / "grades" / "exports" / "filled-gradebook.csv").read_text(encoding="utf-8")
     assert filled.splitlines() == ["Student,ID,Section,20_light (1)", "Ada,7,A,6"]
-    missing = run("grade", "submissions", "--key", key_path, "--roster", "none.csv")
+    missing = run("grade", "submissions", "--key", key_path, "--platform-table", "none.csv")
     assert missing.exit_code == 1 and "Error: none.csv: it cannot be read" in missing.output
 
 

@@ -7,7 +7,7 @@ import pytest
 from submissions import answers_of, notebook, write
 
 from imgproc_course.gradebook.grade import grade_submissions
-from imgproc_course.gradebook.lms_import import RosterError, fill, read_rosters
+from imgproc_course.gradebook.lms_import import TableError, fill, read_tables
 
 pytestmark = pytest.mark.sandbox
 
@@ -59,8 +59,8 @@ def cells(text, delimiter=","):
 
 
 def filled(path, grades):
-    (roster,) = read_rosters([path])
-    return fill(roster, grades)
+    (table,) = read_tables([path])
+    return fill(table, grades)
 
 
 def test_canvas_gradebook_is_filled_and_nothing_else_of_it_changes(handed_in, grade, table):
@@ -114,20 +114,20 @@ def test_another_table_is_refused_before_anything_is_graded(
     text, reason, handed_in, key_path, table, tmp_path
 ):
     path = table("any.csv", text)
-    with pytest.raises(RosterError, match=reason):
-        grade_submissions(handed_in, [key_path], tmp_path / "grades", quiet=True, rosters=[path])
+    with pytest.raises(TableError, match=reason):
+        grade_submissions(handed_in, [key_path], tmp_path / "grades", quiet=True, platform_tables=[path])
     assert not (tmp_path / "grades").exists()
 
 
 def test_what_cannot_be_read_says_why(table, tmp_path):
     latin = tmp_path / "latin.csv"
     latin.write_bytes(b"Student,ID,Section\r\n\xe4,1,\r\n")
-    with pytest.raises(RosterError, match="it is not UTF-8"):
-        read_rosters([latin])
-    with pytest.raises(RosterError, match="it cannot be read"):
-        read_rosters([tmp_path / "none.csv"])
-    with pytest.raises(RosterError, match=r"two tables are called a\.csv"):
-        read_rosters([tmp_path / "a.csv", tmp_path / "b" / "a.csv"])
+    with pytest.raises(TableError, match="it is not UTF-8"):
+        read_tables([latin])
+    with pytest.raises(TableError, match="it cannot be read"):
+        read_tables([tmp_path / "none.csv"])
+    with pytest.raises(TableError, match=r"two tables are called a\.csv"):
+        read_tables([tmp_path / "a.csv", tmp_path / "b" / "a.csv"])
 
 
 def test_a_worksheet_of_which_nobody_knows_the_lesson_is_told_and_the_rest_is_there(
@@ -137,7 +137,7 @@ def test_a_worksheet_of_which_nobody_knows_the_lesson_is_told_and_the_rest_is_th
     out = tmp_path / "grades"
     tables = [table("worksheet.csv", MOODLE), table("canvas.csv", CANVAS.replace("20_light", "First"))]
     tables += [table("20_light.csv", MOODLE)]
-    told = grade_submissions(handed_in, [key_path], out, workers=1, quiet=True, rosters=tables).text
+    told = grade_submissions(handed_in, [key_path], out, workers=1, quiet=True, platform_tables=tables).text
     assert "worksheet.csv: a worksheet is of one lesson, and it may be of 20_light, 21_sound" in told
     assert "canvas.csv: none of its assignments is called like a lesson (20_light, 21_sound)" in told
     assert sorted(path.name for path in (out / "exports").iterdir() if "filled" in path.name) == [

@@ -97,7 +97,7 @@ def test_of_a_hidden_check_there_is_its_title_and_hint_alone(pages):
 
 
 def test_of_a_hidden_check_nothing_is_shown_whatever_the_result_holds(
-    light, term, submissions, grade, tmp_path
+    light, answer_keys, submissions, grade, tmp_path
 ):
     write(submissions / "ada.ipynb", notebook(light, answers_of(light, 0)))
     (entry,) = grade(submissions)["learners"]
@@ -112,14 +112,22 @@ def test_of_a_hidden_check_nothing_is_shown_whatever_the_result_holds(
             "said": "a secret value",
         }
         exercise["said"] = "its \u202e eye"
-    text = learner_page(entry, {"20_light": result}, term)
+    text = learner_page(entry, {"20_light": result}, answer_keys)
     assert "came back" in text and "a secret" not in text
     assert "Its \\u202e eye." in text and "\u202e" not in text
 
 
-def test_a_page_holds_nothing_of_anybody_else_nor_of_the_key(pages, key_path, term):
+def test_a_page_holds_nothing_of_anybody_else_nor_of_the_key(pages, key_path, answer_keys):
     text = pages["ada"].read_text(encoding="utf-8")
-    for secret in (SEED, term.keys[0].digest, str(key_path), "zoe", "img src=x", "astype(np.uint16)", "rng"):
+    for secret in (
+        SEED,
+        answer_keys.keys[0].digest,
+        str(key_path),
+        "zoe",
+        "img src=x",
+        "astype(np.uint16)",
+        "rng",
+    ):
         assert secret not in text
     for path in key_path.rglob("*.inputs.json"):
         hidden = re.findall(r'"hidden-[^"]+": \[\[.*?"data": "([^"]{12,})"', path.read_text())

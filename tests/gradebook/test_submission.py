@@ -6,7 +6,7 @@ import pytest
 from form_attacks import MALFORMED
 from submissions import answers_of, cell_of, notebook
 
-from imgproc_course.gradebook.submission import Reader, lift
+from imgproc_course.gradebook.submission import NotebookReader, read_submission
 from imgproc_course.gradebook.submission_reader import LONGEST, Unreadable, read_notebook
 
 pytestmark = pytest.mark.sandbox  # the key is made in one
@@ -14,14 +14,16 @@ pytestmark = pytest.mark.sandbox  # the key is made in one
 
 @pytest.fixture(scope="module")
 def reader():
-    with Reader() as reader:
+    with NotebookReader() as reader:
         yield reader
 
 
 @pytest.fixture
-def lifted(term, reader):
+def lifted(answer_keys, reader):
     def of(made):
-        return lift(made if isinstance(made, bytes) else json.dumps(made).encode(), term, reader)
+        return read_submission(
+            made if isinstance(made, bytes) else json.dumps(made).encode(), answer_keys, reader
+        )
 
     return of
 
@@ -32,14 +34,14 @@ def made(light):
 
 
 def told(lifted, kind=None):
-    return [each.text for each in lifted.notices if kind in (None, each.kind)]
+    return [each.text for each in lifted.findings if kind in (None, each.kind)]
 
 
 def test_a_whole_lesson_gives_its_answers_and_nothing_to_tell(lifted, made, light):
     found = lifted(made)
     assert found.answers == answers_of(light, "right")
     assert (found.lesson, found.version, found.reason) == ("20_light", "0.1.0", "")
-    assert found.notices == [] and found.claims == []
+    assert found.findings == [] and found.claims == []
 
 
 def test_a_source_in_lines_is_the_same_source(lifted, made, light):
@@ -116,7 +118,7 @@ def test_orders_to_a_grader(lifted, made):
         "points": 99,
     }
     cell_of(made, "answer-light-halves")["source"] = "# NBVAL_SKIP\ndef halves(p): ..."
-    assert [each.exercise for each in lifted(made).notices if each.kind == "odd"] == [
+    assert [each.exercise for each in lifted(made).findings if each.kind == "odd"] == [
         "light-double",
         "light-halves",
     ]
@@ -188,7 +190,7 @@ def test_lone_surrogates_pass_through_as_data(lifted, made):
     made["cells"].append({"id": "\ud800", "cell_type": "code", "source": "def double(): ..."})
     found = lifted(made)
     assert found.answers["light-double"] == "x = '\ud800\u202e'"
-    json.dumps([each.text for each in found.notices], ensure_ascii=False).encode("utf-8")
+    json.dumps([each.text for each in found.findings], ensure_ascii=False).encode("utf-8")
 
 
 def test_a_huge_source_is_cut_and_judged_as_too_long(lifted, made):
@@ -200,22 +202,26 @@ def test_a_byte_order_mark_is_no_mistake(lifted, made, light):
     assert lifted(b"\xef\xbb\xbf" + json.dumps(made).encode()).answers == answers_of(light, "right")
 
 
-def test_a_notebook_that_eats_memory_costs_itself_only(term, made, light):
-    with Reader(memory=300 << 20) as reader:
+def test_a_notebook_that_eats_memory_costs_itself_only(answer_keys, made, light):
+    with NotebookReader(memory=300 << 20) as reader:
         eats = b'{"nbformat": 4, "cells": [], "x": [' + b"[]," * 8_000_000 + b"[]]}"
-        assert "memory" in lift(eats, term, reader).reason
-        assert lift(json.dumps(made).encode(), term, reader).answers == answers_of(light, "right")
+        assert "memory" in read_submission(eats, answer_keys, reader).reason
+        assert read_submission(json.dumps(made).encode(), answer_keys, reader).answers == answers_of(
+            light, "right"
+        )
 
 
-def test_a_reader_that_hangs_is_ended(term, made, light):
-    with Reader(seconds=0.0) as reader:
-        assert "time" in lift(json.dumps(made).encode(), term, reader).reason
-    with Reader() as reader:
+def test_a_reader_that_hangs_is_ended(answer_keys, made, light):
+    with NotebookReader(seconds=0.0) as reader:
+        assert "time" in read_submission(json.dumps(made).encode(), answer_keys, reader).reason
+    with NotebookReader() as reader:
         reader.read(b"{}")
         reader._process.kill()
         reader._process.wait()
-        assert "time or memory" in lift(json.dumps(made).encode(), term, reader).reason
-        assert lift(json.dumps(made).encode(), term, reader).answers == answers_of(light, "right")
+        assert "time or memory" in read_submission(json.dumps(made).encode(), answer_keys, reader).reason
+        assert read_submission(json.dumps(made).encode(), answer_keys, reader).answers == answers_of(
+            light, "right"
+        )
 
 
 def test_reading_runs_and_imports_nothing_of_a_notebook(made):
