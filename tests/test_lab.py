@@ -1,11 +1,11 @@
 """environment/lab's last step: JupyterLab on the learner's lessons; the real one, without a browser."""
 
 import asyncio
-import contextlib
 import json
+import logging
 import os
+import platform
 import re
-import socket
 import subprocess
 import sys
 import time
@@ -15,275 +15,216 @@ from pathlib import Path
 import nbformat
 import psutil
 import pytest
+from jupyter_client.kernelspec import KernelSpecManager
+from jupyter_core.application import JupyterApp
+from jupyterlab.labapp import LabApp
 from nbformat.sign import NotebookNotary
 from tornado.httpclient import HTTPRequest
 from tornado.websocket import websocket_connect
 
 from imgproc_course import lab
-from imgproc_course.lab import LabError, check_own_files, choose_port, lab_arguments, run
+from imgproc_course.lab import CourseServer, LabError, check_runtime_folder, configure, run
 
 RUN = "import sys; from imgproc_course.lab import run; run(sys.argv[1], sys.argv[2:])"
-# The same, and it says whether the socket to the browser sends at once.
-RUN_AND_TELL = (
+# The same, and it prints whether the socket to the browser sends at once.
+RUN_AND_PRINT_NODELAY = (
     """
 import socket
 from imgproc_course.lab_websocket import PromptWebsocketConnection as Connection
 connect = Connection.connect
-def connect_and_tell(self):
-    answer = connect(self)
-    sends = self.websocket_handler.ws_connection.stream.socket
-    print("TCP_NODELAY", sends.getsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY), flush=True)
-    return answer
-Connection.connect = connect_and_tell
+def connect_and_print(self):
+    result = connect(self)
+    stream_socket = self.websocket_handler.ws_connection.stream.socket
+    print("TCP_NODELAY", stream_socket.getsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY), flush=True)
+    return result
+Connection.connect = connect_and_print
 """
     + RUN
 )
 
 
 @pytest.fixture
-def said():
+def lines():
+    """What the learner is told, line by line."""
     return []
 
 
-@contextlib.contextmanager
-def taken(port=0, ip="127.0.0.1"):
-    with socket.socket() as server:
-        server.bind((ip, port))
-        server.listen()
-        yield server.getsockname()[1]
-
-
-def free_port():
-    with taken() as port:
-        return port
-
-
-# ---------------------------------------------------------------------------------------- ports
-
-
-def test_a_free_port_is_taken_without_a_word(said):
-    port = free_port()
-    assert choose_port(str(port), say=said.append) == port
-    assert said == []
-
-
-def test_a_port_in_use_is_said_and_a_later_one_used(said):
-    with taken() as port:
-        chosen = choose_port(str(port), say=said.append)
-    assert port < chosen <= port + 50
-    assert said == [f"Port {port} is in use; JupyterLab uses port {chosen} instead."]
-
-
-def test_a_port_that_was_just_left_is_free(said):
-    with socket.create_server(("127.0.0.1", 0)) as server:
-        port = server.getsockname()[1]
-        with socket.create_connection(("127.0.0.1", port)) as client:
-            server.accept()[0].close()  # who closes first keeps the port for a minute, in TIME_WAIT
-            assert client.recv(1) == b""
-    assert choose_port(str(port), say=said.append) == port
-    assert said == []
-
-
-def test_the_port_is_8888_unless_said(monkeypatch, said):
-    monkeypatch.setattr(lab, "_port_trouble", lambda port, ip: None)
-    monkeypatch.delenv("JUPYTER_PORT", raising=False)
-    assert choose_port(say=said.append) == 8888
-    monkeypatch.setenv("JUPYTER_PORT", "9001")
-    assert choose_port(say=said.append) == 9001
-    assert choose_port("9002", say=said.append) == 9002
-
-
-def test_a_port_that_is_not_open_to_you(monkeypatch, said):
-    monkeypatch.setattr(lab, "_port_trouble", lambda port, ip: "is not open to you" if port < 1024 else None)
-    assert choose_port("80", say=said.append) == 8888
-    assert said == ["Port 80 is not open to you; JupyterLab uses port 8888 instead."]
-
-
-def test_fifty_ports_in_use(monkeypatch):
-    monkeypatch.setattr(lab, "_port_trouble", lambda port, ip: "is in use")
-    with pytest.raises(LabError, match=r"^port 8890 is in use, and so are the 50 after it; name a free one"):
-        choose_port("8890")
-    with pytest.raises(LabError, match=r"^port 65535 is in use"):
-        choose_port("65535")
-
-
-@pytest.mark.parametrize("port", ["", "no", "-1", "65536", "8888.5"])
-def test_a_port_that_is_none(port):
-    with pytest.raises(LabError, match=r"is no port; give a number from 1024 to 65535, such as --port 8888$"):
-        choose_port(port)
-
-
-def test_port_zero_lets_the_system_choose(said):
-    assert choose_port("0", say=said.append) == 0
-
-
-def test_an_address_that_cannot_be_looked_up_is_jupyters_to_refuse(said):
-    assert choose_port("8899", "no such address", said.append) == 8899
-
-
-# ---------------------------------------------------------------------------------------- command line
+# ---------------------------------------------------------------------------------------- configuration
 
 
 @pytest.fixture
-def arguments(monkeypatch, tmp_path):
-    monkeypatch.setattr(lab, "_port_trouble", lambda port, ip: None)
-    return lambda *options: lab_arguments(tmp_path, list(options), say=lambda _: None)
+def configured(monkeypatch, tmp_path):
+    """Function of JupyterLab's options: the server and LabApp as Jupyter itself configures them."""
+    for variable in ("JUPYTER_CONFIG_PATH", "JUPYTER_PATH", "IMGPROC_COURSE_LESSONS", "JUPYTER_PORT"):
+        monkeypatch.setenv(variable, "")  # restores what `configure` sets
+        monkeypatch.delenv(variable)
+    monkeypatch.setenv("JUPYTER_CONFIG_DIR", str(tmp_path / "config"))
+
+    def initialize(*options):
+        configure(tmp_path)
+        server = CourseServer()
+        JupyterApp.initialize(server, list(options))
+        return server, LabApp(config=server.config)
+
+    return initialize
 
 
-def test_by_default_it_binds_to_the_loopback_and_asks_nobody_for_news(arguments, tmp_path):
-    assert set(arguments()) >= {
-        f"--ServerApp.root_dir={tmp_path}",
-        "--LabApp.default_url=/lab/tree/00_start_here.ipynb",
-        "--ServerApp.ip=127.0.0.1",
-        "--ServerApp.port=8888",
-        "--LabApp.news_url=None",
-        "--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate",
-    }
-
-
-@pytest.mark.parametrize(
-    "options",
-    [
-        ["--port", "8891"],
-        ["--port=8891"],
-        ["--ServerApp.port=8891"],
-        ["--port=8890", "--no-browser", "--port", "8891"],
-    ],
-)
-def test_a_port_is_named_once(arguments, options):
-    given = arguments(*options)
-    assert [word for word in given if re.match(r"--\S*port\b", word)] == ["--ServerApp.port=8891"]
-    assert ("--no-browser" in given) == ("--no-browser" in options)
+def test_it_serves_this_computer_alone_and_asks_nobody_for_news(configured, tmp_path):
+    server, lab_app = configured()
+    assert (server.ip, server.port, server.root_dir) == ("127.0.0.1", 8888, str(tmp_path))
+    assert lab_app.default_url == "/lab/tree/00_start_here.ipynb"
+    assert lab_app.news_url is None
+    assert lab_app.check_for_updates_class.__name__ == "NeverCheckForUpdate"
+    assert server.kernel_websocket_connection_class.__name__ == "PromptWebsocketConnection"
+    assert server.log_level == logging.WARNING
 
 
 @pytest.mark.parametrize(
-    "options",
+    ("options", "name", "value"),
     [
-        ["--ip", "192.0.2.1"],
-        ["--ip=192.0.2.1"],
-        ["--ServerApp.ip=192.0.2.1"],
-        ["--ServerApp.ip", "192.0.2.1"],
+        (["--ip", "192.0.2.1"], "ip", "192.0.2.1"),
+        (["--ServerApp.ip=192.0.2.1"], "ip", "192.0.2.1"),
+        (["--port", "8891"], "port", 8891),
+        (["--ServerApp.port=8891", "--no-browser"], "port", 8891),
+        (["--notebook-dir=/"], "root_dir", "/"),
+        (["--ServerApp.root_dir=/"], "root_dir", "/"),
+        (["--log-level=INFO"], "log_level", logging.INFO),
+        (["--debug"], "log_level", logging.DEBUG),
     ],
 )
-def test_the_learners_options_win(arguments, options):
-    given = arguments(*options)
-    assert "--ServerApp.ip=127.0.0.1" not in given
-    assert given[-len(options) :] == options
+def test_the_learners_options_win(configured, options, name, value):
+    server, _ = configured(*options)
+    assert getattr(server, name) == value
 
 
-def test_a_port_is_sought_on_the_address_that_is_used(monkeypatch, tmp_path):
-    asked = []
-    monkeypatch.setattr(lab, "_port_trouble", lambda port, ip: asked.append(ip))
-    lab_arguments(tmp_path, ["--ip", "192.0.2.1"], say=print)
-    lab_arguments(tmp_path, [], say=print)
-    assert asked == ["192.0.2.1", "127.0.0.1"]
+def test_the_configuration_in_the_home_folder_does_not_open_the_lessons_to_others(configured, tmp_path):
+    (tmp_path / "config").mkdir()
+    own = {"ServerApp": {"ip": "0.0.0.0", "port": 9001, "root_dir": "/"}}
+    (tmp_path / "config" / "jupyter_server_config.json").write_text(json.dumps(own))
+    server, _ = configured()
+    assert (server.ip, server.port, server.root_dir) == ("127.0.0.1", 9001, str(tmp_path))
+
+
+def test_the_port_of_the_environment_variable_is_used(configured, monkeypatch):
+    monkeypatch.setenv("JUPYTER_PORT", "9001")
+    assert configured()[0].port == 9001
+    assert configured("--port=9002")[0].port == 9002
+
+
+@pytest.mark.parametrize(
+    ("port", "error"),
+    [("no", "expected an int"), ("-1", "--port -1 is not a port"), ("65536", "is not a port")],
+)
+def test_a_number_that_is_not_a_port_is_refused_in_one_line(configured, capsys, port, error):
+    with pytest.raises(SystemExit):
+        configured(f"--port={port}")
+    (line,) = capsys.readouterr().err.splitlines()
+    assert error in line
 
 
 @pytest.mark.parametrize("user", [0, 1000])
-def test_root_is_allowed_only_when_it_is_root_who_starts(arguments, monkeypatch, user):
+def test_root_is_allowed_only_if_root_starts_it(configured, monkeypatch, user):
     monkeypatch.setattr(os, "geteuid", lambda: user, raising=False)
-    assert ("--ServerApp.allow_root=True" in arguments()) == (user == 0)
-    assert "--ServerApp.allow_root=True" not in arguments("--allow-root")
+    assert configured()[0].allow_root == (user == 0)
+    assert configured("--allow-root")[0].allow_root is True
 
 
-def test_a_browser_that_cannot_read_hidden_files_gets_the_address_itself(arguments, monkeypatch):
-    assert ("--ServerApp.use_redirect_file=False" in arguments()) == Path("/snap/bin/firefox").exists()
-    monkeypatch.setattr(lab.platform, "release", lambda: "5.15.153.1-microsoft-standard-WSL2")
-    assert "--ServerApp.use_redirect_file=False" in arguments()
+def test_a_browser_that_cannot_read_hidden_files_gets_the_address_itself(configured, monkeypatch):
+    monkeypatch.setattr(platform, "release", lambda: "6.8.0-generic")
+    assert configured()[0].use_redirect_file is not Path("/snap/bin/firefox").exists()
+    monkeypatch.setattr(platform, "release", lambda: "5.15.153.1-microsoft-standard-WSL2")
+    assert configured()[0].use_redirect_file is False
 
 
-@pytest.mark.parametrize("argv", [["/usr/bin/python3", "-m", "ipykernel_launcher"], []])
-def test_another_environments_kernel_is_set_aside(arguments, monkeypatch, tmp_path, argv):
-    kernel = tmp_path / "kernels" / "python3"
-    kernel.mkdir(parents=True)
-    (kernel / "kernel.json").write_text(
-        json.dumps({"argv": argv, "display_name": "Other", "language": "python"})
-    )
-    assert not [word for word in arguments() if "kernel_dirs" in word]
+def test_another_environments_python3_does_not_hide_ours_and_its_other_kernels_stay(
+    configured, monkeypatch, tmp_path
+):
+    for name in ("python3", "octave"):
+        kernel = tmp_path / "kernels" / name
+        kernel.mkdir(parents=True)
+        specification = {"argv": ["/usr/bin/other"], "display_name": name, "language": name}
+        (kernel / "kernel.json").write_text(json.dumps(specification))
     monkeypatch.setenv("JUPYTER_PATH", str(tmp_path))
-    assert f"--KernelSpecManager.kernel_dirs={Path(sys.prefix)}/share/jupyter/kernels" in arguments()
+    configured()
+    manager = KernelSpecManager()
+    assert manager.get_kernel_spec("python3").argv[0] in {"python", "python3", sys.executable}
+    assert manager.get_kernel_spec("octave").argv == ["/usr/bin/other"]
 
 
-def test_looking_for_the_kernel_leaves_the_environment_as_it_was(arguments, monkeypatch):
-    monkeypatch.delenv("JUPYTER_PREFER_ENV_PATH", raising=False)
-    arguments()
-    assert "JUPYTER_PREFER_ENV_PATH" not in os.environ
-    monkeypatch.setenv("JUPYTER_PREFER_ENV_PATH", "0")
-    arguments()
-    assert os.environ["JUPYTER_PREFER_ENV_PATH"] == "0"
+def test_the_learners_configuration_path_is_kept_behind_ours(configured, monkeypatch):
+    monkeypatch.setenv("JUPYTER_CONFIG_PATH", "mine")
+    configured()
+    assert os.environ["JUPYTER_CONFIG_PATH"] == os.pathsep.join([str(lab.CONFIGURATION), "mine"])
 
 
 # ---------------------------------------------------------------------------------------- what can be wrong
 
 
-def test_a_home_that_cannot_be_written_is_one_line(monkeypatch, tmp_path):
+def test_a_home_that_cannot_be_written_is_reported_in_one_line(monkeypatch, tmp_path):
     (tmp_path / "home").write_text("a file")
     monkeypatch.setenv("JUPYTER_RUNTIME_DIR", str(tmp_path / "home" / "runtime"))
     with pytest.raises(LabError, match=r"home folder \(.*\); name a folder that you can write: HOME=FOLDER"):
-        check_own_files()
+        check_runtime_folder()
 
 
-def test_a_home_that_cannot_be_written_is_seen_before_jupyterlab_is(monkeypatch, tmp_path):
+def test_a_home_that_cannot_be_written_stops_it_before_jupyterlab_starts(monkeypatch, tmp_path):
     monkeypatch.setattr(lab, "jupyter_runtime_dir", lambda: "/dev/null/runtime")
     monkeypatch.setattr("jupyterlab.labapp.LabApp.launch_instance", lambda _: pytest.fail("started"))
     with pytest.raises(LabError, match="home folder"):
         run(tmp_path)
 
 
-def test_a_home_on_a_full_disk_is_one_line(monkeypatch, tmp_path):
+def test_a_home_on_a_full_disk_is_reported_in_one_line(monkeypatch, tmp_path):
     def full(**_):
         raise OSError(28, "No space left on device")
 
     monkeypatch.setenv("JUPYTER_RUNTIME_DIR", str(tmp_path))
     monkeypatch.setattr(lab.tempfile, "TemporaryFile", full)
     with pytest.raises(LabError, match=r"\(No space left on device\); free some space there$"):
-        check_own_files()
+        check_runtime_folder()
 
 
-def test_without_ros_it_starts_and_says_what_will_not_work(monkeypatch, tmp_path, said):
+def test_without_ros_it_starts_and_says_what_will_not_work(configured, monkeypatch, tmp_path, lines):
     monkeypatch.setattr(lab.importlib.util, "find_spec", lambda _: None)
-    monkeypatch.setattr(lab, "lab_arguments", lambda *_: ["--version"])
     monkeypatch.setattr(lab, "running_on", lambda _: [])
-    monkeypatch.setenv("JUPYTER_PREFER_ENV_PATH", "0")
-    monkeypatch.setenv("JUPYTER_CONFIG_PATH", "mine")
-    started = []
-    monkeypatch.setattr("jupyterlab.labapp.LabApp.launch_instance", started.append)
-    run(tmp_path, (), said.append)
-    assert started == [["--version"]]
-    assert os.environ["JUPYTER_PREFER_ENV_PATH"] == "1"
-    assert os.environ["JUPYTER_CONFIG_PATH"] == os.pathsep.join([str(lab.OUR_CONFIG), "mine"])
-    assert said == [
-        "ROS 2 is missing here: everything works from the recording, live topics do not. "
-        "environment/pixi.toml says how to get it."
+    starts = []
+    monkeypatch.setattr("jupyterlab.labapp.LabApp.launch_instance", starts.append)
+    run(tmp_path, ("--version",), lines.append)
+    assert starts == [["--version"]]
+    assert lines == [
+        "ROS 2 is not installed: everything works from the recording, live topics do not. "
+        "environment/pixi.toml says how to install it."
     ]
 
 
 @pytest.fixture
-def no_reach(monkeypatch):
-    for name in lab.CHOSEN_REACH:
+def no_discovery_variables(monkeypatch):
+    for name in lab.DISCOVERY_VARIABLES:
         monkeypatch.delenv(name, raising=False)
     yield
     monkeypatch.delenv("ROS_AUTOMATIC_DISCOVERY_RANGE", raising=False)
 
 
-def test_topics_stay_on_this_machine_unless_said(no_reach, said):
-    lab.keep_topics_here(said.append)
+def test_topics_stay_on_this_machine_by_default(no_discovery_variables, lines):
+    lab.keep_topics_local(lines.append)
     assert os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] == "LOCALHOST"
-    assert said == [
-        "ROS topics stay on this machine. To hear a robot: ROS_DOMAIN_ID=THE_ROBOTS environment/lab"
+    assert lines == [
+        "ROS topics stay on this machine. To subscribe to a robot's topics, start with its domain: "
+        "ROS_DOMAIN_ID=7 environment/lab"
     ]
 
 
 @pytest.mark.parametrize("chosen", [{"ROS_DOMAIN_ID": "7"}, {"ROS_AUTOMATIC_DISCOVERY_RANGE": "SUBNET"}])
-def test_a_reach_that_the_learner_chose_is_kept(no_reach, monkeypatch, said, chosen):
+def test_the_learners_own_domain_or_range_is_kept(no_discovery_variables, monkeypatch, lines, chosen):
     for name, value in chosen.items():
         monkeypatch.setenv(name, value)
-    lab.keep_topics_here(said.append)
-    assert {name: os.environ.get(name) for name in lab.CHOSEN_REACH if os.environ.get(name)} == chosen
-    assert said == []
+    lab.keep_topics_local(lines.append)
+    values = {name: os.environ.get(name) for name in lab.DISCOVERY_VARIABLES}
+    assert {name: value for name, value in values.items() if value} == chosen
+    assert lines == []
 
 
-def test_lessons_that_were_brought_are_trusted_and_others_are_not(monkeypatch, tmp_path):
+def test_signed_lessons_are_trusted_and_others_are_not(monkeypatch, tmp_path):
     monkeypatch.setenv("JUPYTER_DATA_DIR", str(tmp_path / "data"))
     output = nbformat.v4.new_output("display_data", {"text/html": "<b>x</b>"})
     for name in ("ours", "other"):
@@ -321,10 +262,10 @@ class Server:
     def _wait(self):
         end = time.monotonic() + 120
         while time.monotonic() < end and self.process.poll() is None:
-            _, _, told = self.output().partition("To access the server")
-            found = re.search(r"(http://127\.0\.0\.1:\d+/)\S*token=(\w+)", told)
-            if found:
-                return found[1], found[2]
+            _, _, address = self.output().partition("To access the server")
+            match = re.search(r"(http://127\.0\.0\.1:\d+/)\S*token=(\w+)", address)
+            if match:
+                return match[1], match[2]
             time.sleep(0.1)
         raise AssertionError(f"no JupyterLab: {self.output()}")
 
@@ -333,22 +274,22 @@ class Server:
 
     def get(self, path):
         request = urllib.request.Request(self.url + path, headers={"Authorization": f"token {self.token}"})
-        with urllib.request.urlopen(request, timeout=30) as answer:
-            return answer.read().decode()
+        with urllib.request.urlopen(request, timeout=30) as response:
+            return response.read().decode()
 
-    def talk_to_a_kernel(self):
-        """Starts one, and opens the websocket that a notebook's page opens."""
+    def connect_to_a_kernel(self):
+        """Starts a kernel, and opens the websocket that a notebook's page opens."""
         headers = {"Authorization": f"token {self.token}"}
         request = urllib.request.Request(self.url + "api/kernels", b"{}", headers)
-        with urllib.request.urlopen(request, timeout=60) as answer:
-            number = json.load(answer)["id"]
-        url = f"{self.url.replace('http', 'ws')}api/kernels/{number}/channels?session_id=one"
+        with urllib.request.urlopen(request, timeout=60) as response:
+            kernel_id = json.load(response)["id"]
+        url = f"{self.url.replace('http', 'ws')}api/kernels/{kernel_id}/channels?session_id=one"
 
-        async def meet():
+        async def connect():
             connection = await websocket_connect(HTTPRequest(url, headers=headers, connect_timeout=60))
             connection.close()
 
-        asyncio.run(meet())
+        asyncio.run(connect())
 
     def listening(self):
         connections = psutil.Process(self.process.pid).net_connections(kind="tcp")
@@ -360,7 +301,7 @@ class Server:
 
 
 @pytest.fixture(scope="module")
-def place(tmp_path_factory):
+def folders(tmp_path_factory):
     folder = tmp_path_factory.mktemp("course") / "my_lessons"
     folder.mkdir()
     lesson = {"cells": [], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}
@@ -369,8 +310,8 @@ def place(tmp_path_factory):
 
 
 @pytest.fixture(scope="module")
-def server(place):
-    server = Server(*place)
+def server(folders):
+    server = Server(*folders)
     yield server
     server.stop()
 
@@ -381,8 +322,8 @@ def test_it_listens_on_the_loopback_alone(server):
 
 def test_it_opens_at_the_first_lesson(server):
     assert f"{server.url}lab/tree/00_start_here.ipynb?token={server.token}" in server.output()
-    listed = json.loads(server.get("api/contents"))["content"]
-    assert [entry["name"] for entry in listed] == ["00_start_here.ipynb"]
+    contents = json.loads(server.get("api/contents"))["content"]
+    assert [entry["name"] for entry in contents] == ["00_start_here.ipynb"]
 
 
 def test_its_kernel_is_this_environments(server):
@@ -398,10 +339,10 @@ def test_it_asks_for_no_news(server):
     assert "@jupyterlab/apputils-extension:announcements" in config["disabledExtensions"]
 
 
-def test_a_short_message_is_not_held_back_on_its_way_to_the_browser(place):
-    server = Server(*place, run=RUN_AND_TELL)
+def test_a_short_message_is_not_held_back_on_its_way_to_the_browser(folders):
+    server = Server(*folders, run=RUN_AND_PRINT_NODELAY)
     try:
-        server.talk_to_a_kernel()
+        server.connect_to_a_kernel()
         end = time.monotonic() + 60
         while "TCP_NODELAY" not in server.output() and time.monotonic() < end:
             time.sleep(0.1)
@@ -415,23 +356,23 @@ def test_it_is_quiet(server):
     assert all(line.startswith("[C ") for line in lines)
 
 
-def test_a_second_one_says_where_the_first_is_and_takes_another_port(server, place):
+def test_a_second_one_names_the_first_and_takes_another_port(server, folders):
     port = re.search(r":(\d+)/", server.url)[1]
-    second = Server(*place, "--port", port)
+    second = Server(*folders, "--port", port)
     try:
-        other = re.search(r":(\d+)/", second.url)[1]
+        second_port = re.search(r":(\d+)/", second.url)[1]
         first_lines = second.output().splitlines()[:3]
         assert first_lines == [
             f"JupyterLab is already running on these lessons: {server.url}lab?token={server.token}",
-            "This starts a second one; a lesson that is open in both keeps what was saved last.",
-            f"Port {port} is in use; JupyterLab uses port {other} instead.",
+            "This starts a second one. If a lesson is open in both, the last save wins.",
+            f"Port {port} is not free; JupyterLab uses port {second_port} instead.",
         ]
         assert json.loads(second.get("api/contents"))["content"][0]["name"] == "00_start_here.ipynb"
     finally:
         second.stop()
 
 
-def test_one_on_another_folder_is_not_mentioned(server, place, tmp_path, monkeypatch):
-    monkeypatch.setenv("JUPYTER_RUNTIME_DIR", str(place[1] / "runtime"))
+def test_one_on_another_folder_is_not_mentioned(server, folders, tmp_path, monkeypatch):
+    monkeypatch.setenv("JUPYTER_RUNTIME_DIR", str(folders[1] / "runtime"))
     assert lab.running_on(tmp_path) == []
-    assert lab.running_on(place[0]) == [f"{server.url}lab?token={server.token}"]
+    assert lab.running_on(folders[0]) == [f"{server.url}lab?token={server.token}"]
