@@ -89,9 +89,8 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-import jupytext
-
-from imgproc_course.exercises.declaration import MasterError, read_exercises, role_cells
+from imgproc_course.exercises.declaration import MasterError, read_exercises
+from imgproc_course.exercises.percent_script import read_script
 
 LESSON_NAME = re.compile(r"\d\d_[a-z0-9_]+")
 VARYING = "nbval-ignore-output"
@@ -191,18 +190,13 @@ def read_master(path):
     MasterError : every rule that it breaks, a line each
     """
     path = Path(path)
-    text = path.read_text(encoding="utf-8")
-    notebook = jupytext.reads(text, fmt="py:percent")
+    script = read_script(path)
     exercises = read_exercises(path)
-    about = notebook.metadata.get("imgproc_course", {})
-    problems = _read_alike(path, text, notebook)
-    if problems:
-        raise MasterError(problems[0])
     master = Master(
         path=path,
-        title=str(about.get("title", "")),
-        minutes=about.get("minutes", 0),
-        cells=tuple(_visible_cells(path, notebook, exercises)),
+        title=str(script.front_matter.get("title", "")),
+        minutes=script.front_matter.get("minutes", 0),
+        cells=tuple(_visible_cells(path, script, exercises)),
         exercises=exercises,
     )
     problems = [
@@ -214,35 +208,20 @@ def read_master(path):
     return master
 
 
-def _read_alike(path, text, notebook):
-    ours = [(cell.role, cell.source) for cell in role_cells(text, path.name)]
-    theirs = [(cell.metadata["role"], cell.source) for cell in notebook.cells if "role" in cell.metadata]
-    if len(ours) != len(theirs):
-        return [
-            f"{path.name}: jupytext reads {len(theirs)} role cells, `check` {len(ours)};"
-            ' every header is like # %% role="..."'
-        ]
-    return [
-        f"{path.name}: a {role} cell reads differently in jupytext; it takes no magics:\n{source[:200]}"
-        for (role, source), other in zip(ours, theirs, strict=True)
-        if (role, source) != other
-    ]
-
-
-def _visible_cells(path, notebook, exercises):
+def _visible_cells(path, script, exercises):
     counts, last, shown = {}, "", 0
     declared = iter(exercises)
     solutions = {each.id: each.solution for each in exercises}
-    for cell in notebook.cells:
-        role = cell.metadata.get("role", "")
+    for cell in script.cells:
+        role = cell.role
         if role == "exercise":
             last = next(declared).id
         if role in _DROPPED or role == "solution":
             continue
         shown += 1
-        owners = cell.metadata.get("exercise", last)
+        owners = cell.options.get("exercise", last)
         owner = (owners if isinstance(owners, str) else owners[0]) if role else ""
-        tags = tuple(cell.metadata.get("tags", ()))
+        tags = tuple(cell.options.get("tags", ()))
         id = f"{path.stem}-{shown}"
         if role == "answer":
             id = f"answer-{owner}"
@@ -250,7 +229,7 @@ def _visible_cells(path, notebook, exercises):
             counts[role, owner] = counts.get((role, owner), 0) + 1
             id = f"{role}-{owner}-{counts[role, owner]}"
         solved = solutions[owner] if role == "answer" else cell.source
-        yield Cell(id, cell.cell_type, cell.source, solved, role, owner, tags)
+        yield Cell(id, cell.kind, cell.source, solved, role, owner, tags)
 
 
 # ---------------------------------------------------------------- the rules
@@ -324,10 +303,20 @@ def _problems_of_cell(cell, following):
         yield f'give nbval its orders as a tag (tags=["{VARYING}"]), not as a comment'
     if cell.varies and not _asserts(cell) and not (following and _asserts(following)):
         yield f"tagged {VARYING}: it must hold an assert, or the next code cell must"
+    if cell.role and not _is_python(cell.source):
+        yield f"a {cell.role} cell must be plain Python; it takes no magics"
     if cell.role == "check" and not re.search(
         rf"""check\(\s*["']{re.escape(cell.exercise)}["']""", cell.source
     ):
         yield f'must call check("{cell.exercise}", ...)'
+
+
+def _is_python(source):
+    try:
+        ast.parse(source)
+    except SyntaxError:
+        return False
+    return True
 
 
 def _names_bound(cell):

@@ -1,14 +1,10 @@
 """What an exercise is: its declaration, read from the master that teaches it.
 
-The format stands in `imgproc_course.authoring.masters`. This module reads the role cells only, with a
-splitter of its own: importing jupytext takes a second, which a learner would wait for at the first `check`.
-`imgproc_course.authoring.masters` reads whole lessons with jupytext, and refuses a master that the two read
-differently.
+`imgproc_course.authoring.masters` describes the format of masters.
 """
 
 import ast
 import difflib
-import json
 import os
 import re
 import zlib
@@ -18,17 +14,12 @@ from pathlib import Path
 
 import numpy as np
 
+from imgproc_course.exercises.percent_script import ROLES, MasterError, read_script
+
 PUBLIC_SEED = 20_240_501  # what `check` draws its inputs from; a teacher's key has a seed of its own
 MASTERS_VARIABLE = "IMGPROC_COURSE_MASTERS"
-ROLES = ("given", "exercise", "answer", "solution", "check", "case", "hidden", "mistake")
 
-_HEADER = re.compile(r"^# ?%%(?!%)(?:\s+(?P<rest>.*))?$")
-_KEY = re.compile(r"(\w+)=")
 _ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)+")
-
-
-class MasterError(ValueError):
-    """A master that cannot be read, or an exercise that none declares; says where and what to do."""
 
 
 def exercise(id, *, function, title="", time_limit=5.0, refused=(), tolerance=0.0, practice=False, hint=""):
@@ -79,16 +70,6 @@ def exercise(id, *, function, title="", time_limit=5.0, refused=(), tolerance=0.
         "practice": bool(practice),
         "hint": hint,
     }
-
-
-@dataclass(frozen=True)
-class RoleCell:
-    """One role cell of a master: its header's values, its source, and the line of its header (from 1)."""
-
-    role: str
-    options: dict
-    source: str
-    line: int
 
 
 @dataclass(frozen=True)
@@ -220,57 +201,6 @@ def _run(source, names, where):
         raise MasterError(f"{where}: {type(error).__name__}: {error}") from error
 
 
-def role_cells(text, name="master"):
-    """The role cells of a percent script, in order.
-
-    Parameters
-    ----------
-    text : str, the script
-    name : str, names it in errors
-
-    Returns
-    -------
-    list of RoleCell
-
-    Raises
-    ------
-    MasterError : a header that cannot be read, an unknown role
-    """
-    lines = text.splitlines()
-    starts = [k for k, line in enumerate(lines) if _HEADER.match(line)]
-    cells = []
-    for start, end in zip(starts, [*starts[1:], len(lines)], strict=True):
-        options = _options(_HEADER.match(lines[start])["rest"] or "", f"{name}, line {start + 1}")
-        if "role" not in options:
-            continue
-        role = options.pop("role")
-        if role not in ROLES:
-            raise MasterError(f"{name}, line {start + 1}: role={role!r}, expected one of {', '.join(ROLES)}")
-        cells.append(RoleCell(role, options, "\n".join(lines[start + 1 : end]).strip("\n"), start + 1))
-    return cells
-
-
-def _options(rest, where):
-    found = _KEY.search(rest)
-    options = {}
-    position = found.start() if found else len(rest)
-    while found := _KEY.match(rest, position):
-        try:
-            options[found[1]], position = json.JSONDecoder().raw_decode(rest, found.end())
-        except json.JSONDecodeError as error:
-            raise MasterError(
-                f"{where}: {found[1]}={rest[found.end() :][:30]} is no JSON value;"
-                ' write "text", 3, 0.5, true or ["a", "b"]'
-            ) from error
-        while position < len(rest) and rest[position].isspace():
-            position += 1
-    if rest[position:].strip():
-        raise MasterError(
-            f'{where}: cannot read {rest[position:][:40]!r} in the cell\'s header; expected key="value" pairs'
-        )
-    return options
-
-
 def read_exercises(path):
     """The exercises that a master declares, in order.
 
@@ -291,8 +221,8 @@ def read_exercises(path):
 
 
 @lru_cache(maxsize=64)
-def _read_exercises(path, _changed):
-    cells = role_cells(path.read_text(encoding="utf-8"), path.name)
+def _read_exercises(path, _modified):
+    cells = read_script(path).role_cells
     headings, preparations, owned = {}, {}, []
     last = None
     for cell in cells:

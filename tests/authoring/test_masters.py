@@ -45,7 +45,7 @@ THIRTEEN = "\n".join(f"x{k} = {k}" for k in range(13))
         ([], "\n# %%\n# only words\n", "a code cell without code"),
         ([], '\n# %% tags=["nbval-ignore-output"]\nx = 1\n\n# %%\ny = x\n', "it must hold an assert"),
         ([], "\n# %%\ndouble = 2 * 3\n", "binds double, which an exercise asks the learner for"),
-        ([], '\n# %% role="given"\n# !ls\n', "reads differently in jupytext"),
+        ([], '\n# %% role="given"\n# !ls\n', "it takes no magics"),
     ],
 )  # fmt: skip
 def test_a_rule_that_is_broken_is_named(write_master, replacements, added, said):

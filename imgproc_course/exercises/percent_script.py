@@ -1,0 +1,116 @@
+"""Read a master, a percent script: its cells with their roles and options.
+
+jupytext is imported when the first master is read: the processes that grade import this package too, and
+they read no master.
+"""
+
+import re
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+ROLES = ("given", "exercise", "answer", "solution", "check", "case", "hidden", "mistake")
+
+_ROLE_HEADER = re.compile(r"# ?%%(?!%).*\brole=")
+_UNREADABLE = "incorrectly_encoded_metadata"  # where jupytext puts a header that it cannot read
+
+
+class MasterError(ValueError):
+    """A master that cannot be read, or an unknown exercise; the message says where and what to do."""
+
+
+@dataclass(frozen=True)
+class ScriptCell:
+    """One cell of a percent script.
+
+    kind     "markdown" or "code"
+    role     one of ROLES, or ""
+    options  the other values of its header: {"title": "Bright pixels", "points": 1}
+    source   str
+    line     the line of its header, from 1; 0 for a cell without a role
+    """
+
+    kind: str
+    role: str
+    options: dict
+    source: str
+    line: int = 0
+
+
+@dataclass(frozen=True)
+class Script:
+    """A percent script: what its front matter says under `jupyter: imgproc_course:`, and its cells."""
+
+    front_matter: dict
+    cells: tuple
+
+    @property
+    def role_cells(self):
+        return tuple(cell for cell in self.cells if cell.role)
+
+
+def read_script(path):
+    """Read a percent script; a file that has not changed is read once.
+
+    Parameters
+    ----------
+    path : Path
+
+    Returns
+    -------
+    Script
+
+    Raises
+    ------
+    MasterError : a header that cannot be read, or an unknown role
+    """
+    path = Path(path)
+    return _read_script(path, path.stat().st_mtime_ns)
+
+
+@lru_cache(maxsize=64)
+def _read_script(path, _modified):
+    import jupytext
+
+    text = path.read_text(encoding="utf-8")
+    notebook = jupytext.reads(text, fmt="py:percent")
+    lines = text.splitlines()
+    cells, position = [], 0
+    for notebook_cell in notebook.cells:
+        options = dict(notebook_cell.metadata)
+        if _UNREADABLE in options:
+            _refuse_header(path, lines, options[_UNREADABLE])
+        role = options.pop("role", "")
+        if role:
+            position = _next_role_header(lines, position)
+            _check_header(f"{path.name}, line {position}", notebook_cell.cell_type, role, options)
+        line = position if role else 0
+        cell = ScriptCell(notebook_cell.cell_type, role, options, notebook_cell.source, line)
+        position += len(cell.source.splitlines()) if role else 0
+        cells.append(cell)
+    return Script(notebook.metadata.get("imgproc_course", {}), tuple(cells))
+
+
+def _refuse_header(path, lines, header):
+    line = next((number for number, text in enumerate(lines, 1) if text.endswith(header)), 0)
+    raise MasterError(
+        f"{path.name}, line {line}: cannot read the header {header!r}; write each value as JSON:"
+        ' key="text", key=3, key=0.5, key=true or key=["a", "b"]'
+    )
+
+
+def _next_role_header(lines, position):
+    """The number, from 1, of the next line at or after a position that opens a role cell."""
+    return next(
+        number for number, line in enumerate(lines[position:], position + 1) if _ROLE_HEADER.match(line)
+    )
+
+
+def _check_header(place, kind, role, options):
+    if role not in ROLES:
+        raise MasterError(f"{place}: role={role!r}, expected one of {', '.join(ROLES)}")
+    if kind != "code":
+        raise MasterError(f"{place}: a {role} cell is a {kind} cell; a role needs a code cell")
+    for key, value in options.items():
+        if value is None:
+            raise MasterError(f'{place}: {key} has no value; write {key}="text" or {key}=3')
