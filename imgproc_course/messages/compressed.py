@@ -11,15 +11,13 @@ import cv2
 import numpy as np
 
 from .conversion import bytes_of, described
-from .depth import PNG_SIGNATURE, decode_depth
-from .encodings import encoding_info
-from .errors import ConversionError, shown
+from .depth import decode_depth
+from .encodings import encoding_info, generic_name
+from .errors import ConversionError, quoted
+from .image_files import check_value_count, decode_image_file, encode_image_file
 from .message_classes import new_compressed_image
-from .picture_headers import check_jpeg, checked_png
 from .pixels import converter
 
-MAX_VALUES = 2**30  # what OpenCV's encoders take
-JPEG_SIGNATURE = b"\xff\xd8"
 _AS_OPENCV_DECODES = {
     ("uint8", 1): "mono8",
     ("uint8", 3): "bgr8",
@@ -27,15 +25,6 @@ _AS_OPENCV_DECODES = {
     ("uint16", 1): "mono16",
     ("uint16", 3): "bgr16",
     ("uint16", 4): "bgra16",
-}
-_OTHER_SIGNATURES = {
-    b"II*\0": "TIFF",
-    b"MM\0*": "TIFF",
-    b"BM": "BMP",
-    b"RIFF": "WebP",
-    b"GIF8": "GIF",
-    b"\0\0\0\x0cjP": "JPEG 2000",
-    b"\0\0\0\1": "H.264 video",
 }
 
 
@@ -71,13 +60,8 @@ def compressed_to_array(msg, desired_encoding="passthrough"):
 
 def _decoded(msg, desired_encoding):
     format, data = _format(msg), bytes_of(_data(msg))
-    decode = decode_depth if "compressedDepth" in format else _decode_picture
-    try:
-        frame, source = decode(format, data)
-    except cv2.error as error:
-        raise ConversionError(
-            f"OpenCV cannot decode {len(data)} bytes of {shown(format)}: {error.err}"
-        ) from error
+    decode = decode_depth if "compressedDepth" in format else _decode_image
+    frame, source = decode(format, data)
     if isinstance(desired_encoding, str) and desired_encoding in ("passthrough", ""):
         return frame
     convert = _conversion(source, encoding_info(desired_encoding))
@@ -114,34 +98,22 @@ def array_to_compressed(array, encoding="bgr8", format="jpeg", header=None, qual
 def _encoded(array, encoding, format, header, quality):
     codec = {"jpeg": "jpeg", "jpg": "jpeg", "png": "png"}.get(format) if isinstance(format, str) else None
     if codec is None:
-        raise ConversionError(f"format must be 'jpeg' or 'png', got {shown(format)}; 'png' loses nothing")
+        raise ConversionError(f"format must be 'jpeg' or 'png', got {quoted(format)}; 'png' loses nothing")
     if not isinstance(quality, int) or not 1 <= quality <= 100:
-        raise ConversionError(f"quality must be an int from 1 to 100, got {shown(quality)}")
+        raise ConversionError(f"quality must be an int from 1 to 100, got {quoted(quality)}")
     info = described(array, encoding)
-    if not 0 < array.size <= MAX_VALUES:
-        raise ConversionError(f"expected 1 to {MAX_VALUES} values to compress, got shape {array.shape}")
+    check_value_count(array)
     stored = _stored_as(info, codec)
     convert = None if stored.color is None else _conversion(info, stored)
     pixels = np.ascontiguousarray(array, info.dtype)
     options = [cv2.IMWRITE_JPEG_QUALITY, quality] if codec == "jpeg" else []
-    try:
-        is_encoded, data = cv2.imencode(f".{codec}", convert(pixels) if convert else pixels, options)
-    except cv2.error as error:
-        raise ConversionError(f"OpenCV cannot encode shape {array.shape} as {codec}: {error.err}") from error
-    if not is_encoded:
-        raise ConversionError(
-            f"OpenCV cannot encode shape {array.shape} as {codec}; a JPEG has at most 65500 rows"
-        )
-    return new_compressed_image(header, f"{info.name}; {codec} compressed {stored.name}", data.tobytes())
+    data = encode_image_file(convert(pixels) if convert else pixels, codec, options)
+    return new_compressed_image(header, f"{info.name}; {codec} compressed {stored.name}", data)
 
 
-def decoded_name(dtype, channels):
-    """Encoding of a picture as OpenCV decodes it: "bgr8" of (uint8, 3)."""
-    if (dtype.name, channels) not in _AS_OPENCV_DECODES:
-        raise ConversionError(
-            f"JPEG and PNG hold 1, 3 or 4 channels of uint8 or uint16, not {channels} of {dtype.name}"
-        )
-    return _AS_OPENCV_DECODES[dtype.name, channels]
+def _decoded_name(dtype, channels):
+    """Encoding of an image as OpenCV decodes it: "bgr8" of (uint8, 3), "32FC1" of (float32, 1)."""
+    return _AS_OPENCV_DECODES.get((dtype.name, channels)) or generic_name(dtype, channels)
 
 
 _conversion = functools.lru_cache(maxsize=256)(converter)
@@ -166,7 +138,7 @@ def _stored_as(info, codec):
         return info
     is_taken = info.dtype.kind == "u" and info.channels in (1, 3)
     if is_taken and (info.color is None or info.color.startswith("bayer_")):
-        return info._replace(color=None, name=decoded_name(info.dtype, info.channels))
+        return info._replace(color=None, name=_decoded_name(info.dtype, info.channels))
     depth = "; depth_to_compressed takes '32FC1'" if info.name == "32FC1" else ""
     raise ConversionError(f"{codec} cannot hold {info.name!r}; convert it to 'bgr8' or 'mono8' first{depth}")
 
@@ -177,7 +149,7 @@ def _format(msg):
         return format
     remedy = "image_to_array reads an Image" if hasattr(msg, "encoding") else "give the message itself"
     raise ConversionError(
-        f"expected a sensor_msgs/CompressedImage whose field 'format' is a str, got {shown(msg)}; {remedy}"
+        f"expected a sensor_msgs/CompressedImage whose field 'format' is a str, got {quoted(msg)}; {remedy}"
     )
 
 
@@ -186,30 +158,19 @@ def _data(msg):
         return msg.data
     except AttributeError:
         raise ConversionError(
-            f"expected a sensor_msgs/CompressedImage, got {shown(msg)} without 'data'"
+            f"expected a sensor_msgs/CompressedImage, got {quoted(msg)} without 'data'"
         ) from None
 
 
-def _decode_picture(format, data):
-    """(array, EncodingInfo) of a JPEG or PNG, whatever the format says: the bytes know better."""
-    start = bytes(data[:8])
-    if start[:2] == JPEG_SIGNATURE:
-        check_jpeg(data)
-    elif start == PNG_SIGNATURE:
-        data = checked_png(data)
-    else:
-        raise ConversionError(_not_a_picture(format, start, len(data)))
-    frame = cv2.imdecode(np.frombuffer(data, np.uint8), cv2.IMREAD_UNCHANGED)
-    if frame is None:
-        raise ConversionError(
-            f"{len(data)} bytes of {shown(format)} do not decode; the message is cut short or damaged"
-        )
+def _decode_image(format, data):
+    """(array, EncodingInfo) of an image file, whatever the format says: the file itself says what it is."""
+    frame = decode_image_file(data, format)
     return frame, _meaning(format, frame)
 
 
 def _meaning(format, frame):
     """EncodingInfo of a decoded frame: as OpenCV decodes, unless the format says better."""
-    name = decoded_name(frame.dtype, 1 if frame.ndim == 2 else frame.shape[2])
+    name = _decoded_name(frame.dtype, 1 if frame.ndim == 2 else frame.shape[2])
     before, _, order = format.partition(";")
     if "compressed rgb" in order:  # the file's writer did not swap to OpenCV's order
         name = name.replace("bgr", "rgb")
@@ -221,14 +182,3 @@ def _meaning(format, frame):
     # Gray levels of 8 bits are what they look like; a mosaic or 16 bits of anything is not.
     is_more = (original.color or "").startswith("bayer_") or original.name == "16UC1"
     return original if is_more and original[1:3] == decoded[1:3] else decoded
-
-
-def _not_a_picture(format, start, size):
-    if size == 0:
-        return f"field 'data' is empty, although 'format' is {shown(format)}; the camera sent no picture"
-    kind = next((kind for sign, kind in _OTHER_SIGNATURES.items() if start.startswith(sign)), None)
-    found = f"a {kind}" if kind else shown(start)
-    return (
-        f"expected a JPEG or PNG, and 'data' ({size} bytes) begins with {found}; set the publisher's "
-        "parameter 'format' to 'jpeg' or 'png', or take the raw topic"
-    )

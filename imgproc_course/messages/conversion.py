@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 
 from .encodings import ENCODINGS, EncodingInfo, encoding_info, generic_name
-from .errors import ConversionError, shown
+from .errors import ConversionError, quoted
 from .message_classes import new_image
 from .pixels import converter
 
@@ -156,7 +156,7 @@ def _known(name, field):
 def described(array, encoding):
     """EncodingInfo of an array that must be what `encoding` says; "passthrough": how it is stored."""
     if not isinstance(array, np.ndarray):
-        raise ConversionError(f"expected a NumPy array, got {shown(array)}; np.asarray(...) makes one")
+        raise ConversionError(f"expected a NumPy array, got {quoted(array)}; np.asarray(...) makes one")
     if np.ma.is_masked(array):
         raise ConversionError("a message cannot hold a mask; fill it first: array.filled(0)")
     if array.ndim not in (2, 3):
@@ -221,7 +221,7 @@ def _field(msg, name):
         return getattr(msg, name)
     except AttributeError:
         raise ConversionError(
-            f"expected a sensor_msgs/Image, got {shown(msg)} without a field {name!r}; {_cure_for(msg)}"
+            f"expected a sensor_msgs/Image, got {quoted(msg)} without a field {name!r}; {_cure_for(msg)}"
         ) from None
 
 
@@ -235,7 +235,7 @@ def _cure_for(msg):
 
 def _checked_name(field, name):
     if not isinstance(name, str):
-        raise ConversionError(f"{field}: an encoding is a name such as 'bgr8', got {shown(name)}")
+        raise ConversionError(f"{field}: an encoding is a name such as 'bgr8', got {quoted(name)}")
     return name
 
 
@@ -244,7 +244,7 @@ def _number(msg, field):
     try:
         return index(value)
     except TypeError:
-        raise ConversionError(f"field {field!r} must be an int, got {shown(value)}") from None
+        raise ConversionError(f"field {field!r} must be an int, got {quoted(value)}") from None
 
 
 def bytes_of(data):
@@ -258,7 +258,7 @@ def bytes_of(data):
         pass
     raise ConversionError(
         "field 'data' must be bytes, an array.array('B'), a uint8 array or a list of ints 0..255; "
-        f"got {shown(data)}; array.tobytes() makes bytes of any array"
+        f"got {quoted(data)}; array.tobytes() makes bytes of any array"
     )
 
 
@@ -266,12 +266,12 @@ def _misfit(source, height, width, step, is_bigendian, size):
     """Why these numbers cannot describe one picture: the first contradiction, and its remedy."""
     if is_bigendian not in (0, 1):
         return (
-            f"field 'is_bigendian' is {shown(is_bigendian)}; expected 0 or 1: set it to 0, unless the values "
-            "were written by a big-endian machine"
+            f"field 'is_bigendian' is {quoted(is_bigendian)}; expected 0 or 1: set it to 0, unless "
+            "a big-endian machine wrote the values"
         )
     for field, value in {"height": height, "width": width, "step": step}.items():
         if not 0 <= value <= UINT32_MAX:
-            return f"field {field!r} is {shown(value)}; expected a uint32, 0 to {UINT32_MAX}"
+            return f"field {field!r} is {quoted(value)}; expected a uint32, 0 to {UINT32_MAX}"
     if source.is_planar and _planes_misfit(source, height, width):
         return (
             f"encoding {source.name!r} with {height} rows × {width} columns: 2 × 2 pixels share one color, "

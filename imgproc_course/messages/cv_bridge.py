@@ -12,10 +12,12 @@ import functools
 import cv2
 import numpy as np
 
-from .compressed import array_to_compressed, compressed_to_array, decoded_name
+from .compressed import compressed_to_array
 from .conversion import array_to_image, described, image_to_array
 from .encodings import encoding_info, generic_name
-from .errors import ConversionError, shown
+from .errors import ConversionError, quoted
+from .image_files import encode_image_file
+from .message_classes import new_compressed_image
 from .pixels import converter
 
 __all__ = ["CvBridge", "CvBridgeError", "cvtColorForDisplay", "getCvType"]
@@ -91,15 +93,19 @@ class CvBridge:
 
     @_raises_cv_bridge_error
     def cv2_to_compressed_imgmsg(self, cvim, dst_format="jpg", header=None):
-        """A CompressedImage of an array as OpenCV has them: gray, bgr or bgra, 8 or (PNG) 16 bits.
+        """A CompressedImage of an array: gray, bgr or bgra, with the dtypes that the file format holds.
 
-        dst_format is "jpg", "jpeg" or "png", in any case and with or without a dot in front.
+        dst_format is an extension that OpenCV writes: jpg, jpeg, jpe, png, bmp, dib, sr, ras, tif, tiff, pbm,
+        pgm, ppm, pnm, pfm, webp or jp2; in any case, with or without a dot in front. It becomes the message's
+        `format` as it is.
         """
         if not isinstance(dst_format, str):
-            raise ConversionError(f"dst_format must be 'jpg' or 'png', got {shown(dst_format)}")
-        stored = described(cvim, "passthrough")
-        name = decoded_name(stored.dtype, stored.channels)
-        return array_to_compressed(cvim, name, dst_format[:8].lower().removeprefix("."), header, quality=95)
+            raise ConversionError(
+                f"dst_format must be a str such as 'jpg' or 'png', got {quoted(dst_format)}"
+            )
+        described(cvim, "passthrough")
+        data = encode_image_file(cvim, dst_format.removeprefix(".").lower())
+        return new_compressed_image(header, dst_format, data)
 
     @_raises_cv_bridge_error
     def encoding_to_cvtype2(self, encoding):
@@ -122,7 +128,7 @@ class CvBridge:
         """("uint8", 3) of cv2.CV_8UC3."""
         depth = cvtype & ((1 << _CHANNEL_SHIFT) - 1)
         if depth not in self.cvdepth_to_numpy_depth:
-            raise ConversionError(f"no message holds OpenCV's type {shown(cvtype)}")
+            raise ConversionError(f"no message holds OpenCV's type {quoted(cvtype)}")
         return self.cvdepth_to_numpy_depth[depth], (cvtype >> _CHANNEL_SHIFT) + 1
 
 
@@ -168,7 +174,7 @@ def cvtColorForDisplay(
     """
     info, target = described(source, encoding_in), encoding_info(encoding_out or "bgr8")
     if target.dtype != np.uint8 or target.color not in ("gray", "rgb", "bgr", "rgba", "bgra"):
-        raise ConversionError(f"encoding_out must be 'bgr8', 'mono8' or the like, got {shown(encoding_out)}")
+        raise ConversionError(f"encoding_out must be 'bgr8', 'mono8' or the like, got {quoted(encoding_out)}")
     is_scaled = do_dynamic_scaling or min_image_value != max_image_value
     if info.name == "32SC1" and (target.name == "bgr8" or not is_scaled):
         frame, shown_as = _label_colors(source), "bgr8"

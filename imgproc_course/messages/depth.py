@@ -7,20 +7,17 @@ where nothing was measured; "32FC1" holds q = A / depth + B, in metres, with 0 f
 
 import struct
 
-import cv2
 import numpy as np
 
 from .conversion import described
 from .encodings import encoding_info
-from .errors import ConversionError, shown
+from .errors import ConversionError, quoted
+from .image_files import decode_image_file, encode_image_file
+from .image_limits import BLANK_PIXELS, MAX_PIXELS, PIXELS_PER_BYTE
 from .message_classes import new_compressed_image
-from .picture_headers import MAX_PIXELS, checked_png
+from .png import PNG_SIGNATURE
 from .rvl import rvl_decode, rvl_encode
 
-PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
-# A run of zeros takes a few bytes at any length, so a blank picture of 4 million pixels may be tiny.
-RVL_BLANK_PIXELS = 2**22
-RVL_PIXELS_PER_BYTE = 1024
 _HEADER = struct.Struct("<iff")
 _SIZE = struct.Struct("<II")
 
@@ -46,7 +43,7 @@ def depth_to_compressed(array, encoding="16UC1", format="png", header=None, dept
     ConversionError : an array, encoding or format that compressedDepth does not know
     """
     if format not in ("png", "rvl"):
-        raise ConversionError(f"format must be 'png' or 'rvl', got {shown(format)}")
+        raise ConversionError(f"format must be 'png' or 'rvl', got {quoted(format)}")
     info = described(array, encoding)
     _check_depth_encoding(info)
     if array.size == 0 or array.size > MAX_PIXELS:
@@ -56,7 +53,7 @@ def depth_to_compressed(array, encoding="16UC1", format="png", header=None, dept
         array, a, b = _quantized(array, depth_max)
     values = np.ascontiguousarray(array, np.uint16)
     if format == "png":
-        body = cv2.imencode(".png", values)[1].tobytes()
+        body = encode_image_file(values, "png")
     else:
         body = _SIZE.pack(values.shape[1], values.shape[0]) + rvl_encode(values)
     return new_compressed_image(
@@ -93,14 +90,14 @@ def decode_depth(format, data):
 def _check_depth_encoding(info):
     if info.name not in ("16UC1", "mono16", "32FC1"):
         raise ConversionError(
-            f"compressedDepth knows '16UC1', 'mono16' and '32FC1', got {shown(info.name)}; "
+            f"compressedDepth knows '16UC1', 'mono16' and '32FC1', got {quoted(info.name)}; "
             "other pictures go to array_to_compressed"
         )
 
 
 def _quantized(metres, depth_max):
     if not isinstance(depth_max, int | float) or not depth_max > 0:
-        raise ConversionError(f"depth_max must be positive metres, got {shown(depth_max)}")
+        raise ConversionError(f"depth_max must be positive metres, got {quoted(depth_max)}")
     a = np.float32(100.0 * 101.0)  # ROS's default quantization of 100
     b = np.float32(1.0 - a / depth_max)
     with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
@@ -112,14 +109,14 @@ def _quantized(metres, depth_max):
 def _decode_png(body):
     if bytes(body[:8]) != PNG_SIGNATURE:
         raise ConversionError(
-            f"expected a PNG after the header of compressedDepth, got {shown(bytes(body[:8]))}; "
+            f"expected a PNG after the header of compressedDepth, got {quoted(bytes(body[:8]))}; "
             "the format is mislabelled, or the message damaged"
         )
-    values = cv2.imdecode(np.frombuffer(checked_png(body), np.uint8), cv2.IMREAD_UNCHANGED)
-    if values is None or values.dtype != np.uint16 or values.ndim != 2:
-        kind = "nothing" if values is None else f"{values.dtype.name} of shape {values.shape}"
+    values = decode_image_file(body, "compressedDepth png")
+    if values.dtype != np.uint16 or values.ndim != 2:
         raise ConversionError(
-            f"compressedDepth needs a gray PNG of 16 bits; decoded {kind}; it is mislabelled"
+            f"compressedDepth needs a gray PNG of 16 bits, got {values.dtype.name} of shape {values.shape}; "
+            "its format is mislabelled"
         )
     return values
 
@@ -132,7 +129,7 @@ def _decode_rvl(body):
     columns, rows = _SIZE.unpack_from(body)
     stream = body[_SIZE.size :]
     pixels = rows * columns
-    if not 0 < pixels <= min(MAX_PIXELS, RVL_BLANK_PIXELS + RVL_PIXELS_PER_BYTE * len(stream)):
+    if not 0 < pixels <= min(MAX_PIXELS, BLANK_PIXELS + PIXELS_PER_BYTE * len(stream)):
         raise ConversionError(
             f"RVL of {len(stream)} bytes claims {rows} rows × {columns} columns; expected at least 1, and "
             "not more than so few bytes can mean; the message is damaged or made to exhaust the memory"

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from .errors import ConversionError, shown
+from .errors import ConversionError, quoted
 
 MAX_CHANNELS = 512  # as OpenCV 4 counts them
 
@@ -111,12 +111,12 @@ def encoding_info(name):
     ConversionError : no such encoding; the text offers the nearest names
     """
     if not isinstance(name, str):
-        raise ConversionError(f"an encoding is a name such as 'bgr8', got {shown(name)}")
+        raise ConversionError(f"an encoding is a name such as 'bgr8', got {quoted(name)}")
     if name in ENCODINGS:
         return ENCODINGS[name]
     generic = _GENERIC.fullmatch(name)
     if not generic:
-        raise ConversionError(f"unknown encoding {shown(name)}; {_nearest(name)}")
+        raise ConversionError(f"unknown encoding {quoted(name)}; {_nearest(name)}")
     depth, digits = generic.groups()
     channels = int(digits or 1)
     if not 1 <= channels <= MAX_CHANNELS:

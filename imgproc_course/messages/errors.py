@@ -9,7 +9,7 @@ class ConversionError(ValueError):
     """
 
 
-def shown(value, limit=60):
+def quoted(value, limit=60):
     """`repr` of a value that came with a message, cut so that an error stays one readable line."""
     if isinstance(value, str | bytes | bytearray):
         text = repr(value[:limit])

@@ -7,7 +7,7 @@ import functools
 
 import numpy as np
 
-from .errors import ConversionError, shown
+from .errors import ConversionError, quoted
 
 
 @functools.cache
@@ -74,5 +74,5 @@ def _set_header(msg, header):
         msg.header = header
     except AssertionError:  # only where ROS_PYTHON_CHECK_FIELDS is on
         raise ConversionError(
-            f"header must be a std_msgs/Header such as msg.header, got {shown(header)}"
+            f"header must be a std_msgs/Header such as msg.header, got {quoted(header)}"
         ) from None

@@ -10,8 +10,10 @@ with 1 at the first message that breaks a rule, and prints it. A bounded run of 
 import argparse
 import array
 import contextlib
+import itertools
 import os
 import random
+import re
 import resource
 import struct
 import sys
@@ -35,13 +37,16 @@ from imgproc_course.messages import (
     encoding_info,
     image_to_array,
 )
-from imgproc_course.messages.depth import RVL_BLANK_PIXELS, RVL_PIXELS_PER_BYTE
 from imgproc_course.messages.encodings import ENCODINGS
-from imgproc_course.messages.picture_headers import JPEG_PIXELS_PER_BYTE, PNG_EXPANSION
+from imgproc_course.messages.image_files import FILE_EXTENSIONS
+from imgproc_course.messages.image_limits import BLANK_PIXELS, PIXELS_PER_BYTE
+from imgproc_course.messages.png import PNG_EXPANSION
+from imgproc_course.messages.tiff import TIFF_EXPANSION
 
 SMALL_CHANGE = 64 * 1024  # bytes: error texts, views, caches of Python's own
 IMAGE_MULTIPLE = 24  # of the message's bytes: 1-byte pixels to 16-bit rgba, with one step between, and lists
-PIXEL_BYTES = 64  # of a decoded picture: up to 4 values of 2 bytes, and the steps of a conversion
+PIXEL_BYTES = 64  # of a decoded image: up to 4 values of 2 bytes, and the steps of a conversion
+DECODER_BYTES = 2**26  # what a decoder may take for itself
 SECONDS = 5.0  # of processor time, for any one message
 
 COMMON = ["bgr8", "rgb8", "mono8", "bgra8", "mono16", "rgba16", "8UC1", "16UC1", "32FC3", "64FC1"]
@@ -82,6 +87,11 @@ NAMES = [
     *(None, 8, b"bgr8", ["bgr8"], ("mono8",), float("nan")),
 ]
 
+SIZE_POSITIONS = (12, 16, 18, 20, 22, 26, 28, 32, *range(150, 170))
+HUGE_SIZES = (
+    *(b"\xff\xff\xff\xff", b"\x7f\xff\xff\xff", b"\xff\xff\xff\x7f", b"\0\1\0\0", b"\0\0\1\0", b"\0\0\0\0"),
+    *(b"\0\x10\0\0", b"\0\0\x10\0", b"\xff\xff\0\0", b"\0\0\xff\xff"),
+)
 FORMATS = [
     *("", "jpeg", ";", "rgb8; jpeg compressed rgb8", "bayer_rggb8; png", "x" * 900, None, 3, b"jpeg"),
     *("32FC1; compressedDepth rvl", "mono16; compressedDepth", "8UC1; compressedDepth png"),
@@ -96,7 +106,7 @@ class Fuzzer:
         self.outcomes = Counter()
         self.slowest = (0.0, "none")
         self.largest = {"image": (0.0, "none"), "compressed": (0.0, "none"), "array": (0.0, "none")}
-        self.pictures = list(_small_pictures())
+        self.files = list(_whole_files())
 
     def run(self, count):
         tracemalloc.start()
@@ -110,6 +120,7 @@ class Fuzzer:
         make = self.random.choices((self.image, self.compressed, self.array), (6, 3, 1))[0]
         name, function, arguments, size, limit = make()
         tracemalloc.reset_peak()
+        resident = _peak_of_process()  # the decoders' own memory, which tracemalloc does not see
         before, started = tracemalloc.get_traced_memory()[0], time.process_time()
         try:
             result = function(*arguments)
@@ -122,6 +133,8 @@ class Fuzzer:
         case = f"case {number} of {name}: {_described(arguments)}"
         assert taken < SECONDS, f"{case} took {taken:.1f} s"
         assert peak <= limit, f"{case}: {size} bytes, peak of {peak}, limit {limit}"
+        growth = _peak_of_process() - resident
+        assert growth <= limit + DECODER_BYTES, f"{case}: the process grew by {growth} bytes, limit {limit}"
         assert not isinstance(result, np.ndarray) or result.dtype.isnative, case
         self.outcomes[f"{name} {outcome}"] += 1
         self.slowest = max(self.slowest, (taken, case))
@@ -139,12 +152,12 @@ class Fuzzer:
             encoding=name, height=height, width=width, step=step, is_bigendian=pick.randrange(2), data=data
         )
         for _ in range(pick.choice((0, 0, 1, 1, 2, 3))):
-            self.spoil(msg)
+            self.damage(msg)
         desired = pick.choice((pick.choice(NAMES), pick.choice(COMMON), "passthrough"))
         size = _size(getattr(msg, "data", b""))
         return "image", image_to_array, (msg, desired), size, SMALL_CHANGE + IMAGE_MULTIPLE * size
 
-    def spoil(self, msg):
+    def damage(self, msg):
         pick = self.random
         field = pick.choice(("encoding", "height", "width", "step", "is_bigendian", "data", "data"))
         if not hasattr(msg, field):
@@ -154,11 +167,11 @@ class Fuzzer:
         elif field == "encoding":
             msg.encoding = pick.choice(NAMES)
         elif field == "data":
-            msg.data = self.spoiled_data(msg.data)
+            msg.data = self.damaged_data(msg.data)
         else:
             setattr(msg, field, pick.choice(NUMBERS))
 
-    def spoiled_data(self, data):
+    def damaged_data(self, data):
         pick = self.random
         if not isinstance(data, bytes):
             return data
@@ -192,22 +205,22 @@ class Fuzzer:
 
     def compressed(self):
         pick = self.random
-        format, data = pick.choice(self.pictures)
+        format, data = pick.choice(self.files)
         for _ in range(pick.randrange(4)):
-            data = self.spoiled_picture(data)
+            data = self.damaged_file(data)
         if pick.random() < 0.2:
             format = pick.choice(FORMATS)
         msg = SimpleNamespace(format=format, data=pick.choice((bytes, bytearray, list, memoryview))(data))
         desired = pick.choice(NAMES) if pick.random() < 0.4 else "passthrough"
-        # What the message's bytes can be at most: a deflate stream of 1-bit pixels, a JPEG, or a blank RVL.
-        pixels = max(8 * PNG_EXPANSION, JPEG_PIXELS_PER_BYTE, RVL_PIXELS_PER_BYTE) * len(data)
-        is_rvl = isinstance(format, str) and "rvl" in format
-        limit = SMALL_CHANGE + PIXEL_BYTES * (pixels + RVL_BLANK_PIXELS * is_rvl)
+        # The most pixels that so many bytes can be: deflate of 1-bit pixels, LZW, a JPEG, or a blank image.
+        pixels = max(8 * PNG_EXPANSION, max(TIFF_EXPANSION.values()), PIXELS_PER_BYTE) * len(data)
+        can_be_blank = (isinstance(format, str) and "rvl" in format) or data[:4] in (b"RIFF", b"\0\0\0\x0c")
+        limit = SMALL_CHANGE + PIXEL_BYTES * (pixels + BLANK_PIXELS * can_be_blank)
         return "compressed", compressed_to_array, (msg, desired), len(data), limit
 
-    def spoiled_picture(self, data):
+    def damaged_file(self, data):
         pick, data = self.random, bytearray(data)
-        way = pick.randrange(6)
+        way = pick.randrange(7)
         at = pick.randrange(len(data) + 1)
         if way == 0:
             return bytes(data[:at])
@@ -215,12 +228,13 @@ class Fuzzer:
             return bytes(data[:at] + pick.randbytes(pick.randrange(1, 9)) + data[at:])
         if way == 2:
             return _with_checksums(bytes(data[:at] + pick.randbytes(4) + data[at + 4 :]))
-        if way == 3:  # a huge size where PNG, compressedDepth PNG, RVL and JPEG have theirs
-            at = pick.choice((12, 16, 20, 28, 32, *range(150, 170)))
-            data[at : at + 4] = pick.choice(
-                (b"\xff\xff\xff\xff", b"\x7f\xff\xff\xff", b"\0\1\0\0", b"\0\0\0\0")
-            )
+        if way == 3:  # a huge size where a header may have it: in the first bytes, or in TIFF's directory
+            at = pick.choice((pick.randrange(200), *SIZE_POSITIONS, max(0, len(data) - pick.randrange(160))))
+            data[at : at + 4] = pick.choice(HUGE_SIZES)
             return _with_checksums(bytes(data))
+        if way == 6:  # digits of a text header
+            choices = [b"0", b"9", b"65536", b"99999999"]
+            return re.sub(rb"\d+", lambda _: pick.choice(choices), bytes(data), count=3)
         if way == 4 and data:
             data[pick.randrange(len(data))] ^= 1 << pick.randrange(8)
             return bytes(data)
@@ -268,8 +282,8 @@ class Fuzzer:
         return "array", function, (values, encoding, *extra), 0, SMALL_CHANGE * 4
 
 
-def _small_pictures():
-    """(format, bytes) of pictures that are whole, to be spoiled."""
+def _whole_files():
+    """(format, bytes) of whole files, to be damaged."""
     ramp = np.arange(8 * 10 * 3, dtype=np.uint8).reshape(8, 10, 3)
     depth = (np.arange(80, dtype=np.uint16) * 50).reshape(8, 10)
     for msg in (
@@ -286,6 +300,16 @@ def _small_pictures():
     progressive = cv2.imencode(".jpg", ramp, [cv2.IMWRITE_JPEG_PROGRESSIVE, 1])[1]
     yield "jpeg", progressive.tobytes()
     yield "png", cv2.imencode(".png", ramp[..., 0], [cv2.IMWRITE_PNG_BILEVEL, 1])[1].tobytes()
+    large = cv2.resize(ramp, (40, 36))  # JPEG 2000 needs 32 pixels
+    for extension, (dtypes, channel_counts) in FILE_EXTENSIONS.items():
+        for dtype, channels in itertools.product(dtypes, channel_counts):
+            frame = (large if extension == "jp2" else ramp).astype(dtype)
+            frame = np.dstack([frame, frame[..., :1]])[..., :channels]
+            yield extension, cv2.imencode(f".{extension}", frame)[1].tobytes()
+    for compression in (1, 8, 32773):
+        yield "tiff", cv2.imencode(".tiff", ramp, [cv2.IMWRITE_TIFF_COMPRESSION, compression])[1].tobytes()
+    yield "webp", cv2.imencode(".webp", ramp, [cv2.IMWRITE_WEBP_QUALITY, 50])[1].tobytes()
+    yield "ppm", cv2.imencode(".ppm", ramp, [cv2.IMWRITE_PXM_BINARY, 0])[1].tobytes()
 
 
 def _with_checksums(data):
@@ -302,6 +326,11 @@ def _with_checksums(data):
         struct.pack_into(">I", data, end, zlib.crc32(data[at + 4 : end]))
         at = end + 4
     return bytes(data)
+
+
+def _peak_of_process():
+    """Bytes of memory that this process held at most so far."""
+    return 1024 * resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
 
 
 def _size(data):

@@ -47,9 +47,9 @@ def test_there_and_back():
     assert (msg.encoding, msg.height, msg.width, msg.step) == ("bgr8", 2, 3, 9)
     assert (BRIDGE.imgmsg_to_cv2(msg, desired_encoding="rgb8") == BGR[..., ::-1]).all()
     packed = BRIDGE.cv2_to_compressed_imgmsg(BGR, dst_format="PNG")
-    assert packed.format == "bgr8; png compressed bgr8"
+    assert packed.format == "PNG"
     assert (BRIDGE.compressed_imgmsg_to_cv2(packed, "rgb8") == BGR[..., ::-1]).all()
-    assert BRIDGE.cv2_to_compressed_imgmsg(BGR).format == "bgr8; jpeg compressed bgr8"
+    assert BRIDGE.cv2_to_compressed_imgmsg(BGR).format == "jpg"
 
 
 def test_passthrough_is_a_writable_view_as_in_cv_bridge():
@@ -88,9 +88,9 @@ def test_errors_are_caught_by_every_name_they_had():
         BRIDGE.cv2_to_imgmsg(np.zeros((2, 2), np.int64))
     with pytest.raises(CvBridgeError, match="'data' is empty"):
         BRIDGE.compressed_imgmsg_to_cv2(SimpleNamespace(format="jpg", data=b""))
-    with pytest.raises(CvBridgeError, match="'jpeg' or 'png'"):
-        BRIDGE.cv2_to_compressed_imgmsg(BGR, "webp")
-    with pytest.raises(CvBridgeError, match="JPEG holds 8 bits"):
+    with pytest.raises(CvBridgeError, match="one of the formats jpg"):
+        BRIDGE.cv2_to_compressed_imgmsg(BGR, "mp4")
+    with pytest.raises(CvBridgeError, match="not 3 of uint16"):
         BRIDGE.cv2_to_compressed_imgmsg(BGR.astype("u2"), "jpg")
     with pytest.raises(CvBridgeError):
         BRIDGE.encoding_to_cvtype2("uyvy8")

@@ -1,0 +1,131 @@
+"""Image files in memory, decoded and encoded by OpenCV: the header is checked before a decoder sees it."""
+
+import cv2
+import numpy as np
+
+from .errors import ConversionError, quoted
+from .image_headers import file_format, is_gray_sun_raster, refused_format
+
+MAX_VALUES = 2**30  # what OpenCV's encoders take
+_INTEGERS = ("uint8", "uint16")
+_ANY = ("uint8", "int8", "uint16", "int16", "int32", "float32", "float64")
+# Extension -> (dtypes, channels) that OpenCV writes. JPEG and Sun raster drop an alpha channel, WebP makes
+# three channels of one, and PBM keeps only whether a value is 0.
+FILE_EXTENSIONS = {
+    **dict.fromkeys(("jpg", "jpeg", "jpe", "sr", "ras", "bmp", "dib", "webp"), (("uint8",), (1, 3, 4))),
+    **dict.fromkeys(("png", "jp2"), (_INTEGERS, (1, 3, 4))),
+    **dict.fromkeys(("tif", "tiff"), (_ANY, (1, 3, 4))),
+    "pbm": (("uint8",), (1,)),
+    "pgm": (_INTEGERS, (1,)),
+    "ppm": (_INTEGERS, (3,)),
+    "pnm": (_INTEGERS, (1, 3)),
+    "pfm": (("float32",), (1, 3)),
+}
+
+
+def decode_image_file(data, described_as):
+    """The image in a file, as OpenCV decodes it.
+
+    Parameters
+    ----------
+    data : contiguous memoryview of the file's bytes
+    described_as : what the message says of them, for errors
+
+    Returns
+    -------
+    (H, W) or (H, W, channels) ndarray, fresh; colors in the order blue, green, red
+
+    Raises
+    ------
+    ConversionError : another kind of file, a damaged one, or a header that claims too many pixels
+    """
+    known = file_format(data)
+    if known is None:
+        raise ConversionError(_not_an_image(data, described_as))
+    checked = known.check(data)
+    pixels = np.frombuffer(data if checked is None else checked, np.uint8)
+    try:
+        if known.name == "Sun raster" and is_gray_sun_raster(data):
+            frame = cv2.imdecode(pixels, cv2.IMREAD_COLOR)  # the one mode in which OpenCV decodes it right
+            frame = None if frame is None else frame[..., 0].copy()
+        else:
+            frame = cv2.imdecode(pixels, cv2.IMREAD_UNCHANGED)
+    except cv2.error as error:
+        raise ConversionError(
+            f"OpenCV cannot decode {len(data)} bytes of {quoted(described_as)}: {error.err}"
+        ) from error
+    if frame is None:
+        raise ConversionError(
+            f"{len(data)} bytes of {quoted(described_as)} do not decode; the message is cut short or damaged"
+        )
+    return frame
+
+
+def encode_image_file(array, extension, options=()):
+    """The bytes of an image file that holds the array.
+
+    Parameters
+    ----------
+    array : (H, W) or (H, W, channels) ndarray; colors in the order blue, green, red
+    extension : a key of FILE_EXTENSIONS
+    options : parameters of cv2.imencode
+
+    Raises
+    ------
+    ConversionError : the format does not hold such values, or OpenCV does not write this array
+    """
+    if extension not in FILE_EXTENSIONS:
+        raise ConversionError(
+            f"expected one of the formats {', '.join(FILE_EXTENSIONS)}, got {quoted(extension)}; "
+            "'png' loses nothing"
+        )
+    check_value_count(array)
+    channels = array.shape[2] if array.ndim == 3 else 1
+    dtypes, channel_counts = FILE_EXTENSIONS[extension]
+    if array.dtype.name not in dtypes or channels not in channel_counts:
+        raise ConversionError(
+            f"{extension} holds {_listed(channel_counts)} channels of {_listed(dtypes)}, not {channels} of "
+            f"{array.dtype.name}; {_remedy(array.dtype, channels)}"
+        )
+    pixels = np.ascontiguousarray(array, array.dtype.newbyteorder("="))
+    try:
+        is_encoded, data = cv2.imencode(f".{extension}", pixels, options)
+    except cv2.error as error:
+        raise ConversionError(
+            f"OpenCV cannot write shape {array.shape} as {extension}: {error.err}"
+        ) from error
+    if not is_encoded:
+        raise ConversionError(
+            f"OpenCV cannot write shape {array.shape} as {extension}; a JPEG has at most 65500 rows, "
+            "a WebP 16383, and a JPEG 2000 needs at least 32"
+        )
+    return data.tobytes()
+
+
+def check_value_count(array):
+    """Raises ConversionError where OpenCV's encoders take no array of this size."""
+    if not 0 < array.size <= MAX_VALUES:
+        raise ConversionError(f"expected 1 to {MAX_VALUES} values to compress, got shape {array.shape}")
+
+
+def _listed(values):
+    *first, last = map(str, values)
+    return f"{', '.join(first)} or {last}" if first else last
+
+
+def _remedy(dtype, channels):
+    if channels not in (1, 3, 4):
+        return "convert it to 1, 3 or 4 channels"
+    return "'png' holds 8 and 16 bits" if dtype.name in _INTEGERS else "'tiff' holds every dtype of a message"
+
+
+def _not_an_image(data, described_as):
+    if len(data) == 0:
+        return f"field 'data' is empty, although 'format' is {quoted(described_as)}; the camera sent no image"
+    name = refused_format(data)
+    start = f"a {name}" if name else quoted(bytes(data[:8]))
+    return (
+        f"expected a JPEG, PNG, BMP, TIFF, WebP, PNM, PFM, Sun raster or JPEG 2000, and 'data' ({len(data)} "
+        f"bytes) begins with {start}; set the publisher's parameter 'format' to 'jpeg' or 'png', or "
+        "subscribe to the raw topic"
+    )

@@ -1,0 +1,206 @@
+"""Every file format that OpenCV writes: there and back, damaged files, headers that claim too much."""
+
+import struct
+from types import SimpleNamespace
+
+import cv2
+import numpy as np
+import pytest
+
+from imgproc_course.messages import ConversionError, compressed_to_array
+from imgproc_course.messages.cv_bridge import CvBridge, CvBridgeError
+from imgproc_course.messages.image_files import FILE_EXTENSIONS
+
+BRIDGE = CvBridge()
+RNG = np.random.default_rng(3)
+GRAY = RNG.integers(0, 256, (70, 90), np.uint8)
+BGR = RNG.integers(0, 256, (70, 90, 3), np.uint8)
+BGRA = RNG.integers(0, 256, (70, 90, 4), np.uint8)
+GRAY16 = RNG.integers(0, 65536, (70, 90), np.uint16)
+BGR16 = RNG.integers(0, 65536, (70, 90, 3), np.uint16)
+METERS = RNG.random((70, 90), np.float32)
+LOSSLESS = {
+    "png": (GRAY, BGR, BGRA, GRAY16, BGR16),
+    "bmp": (GRAY, BGR, BGRA),
+    "dib": (GRAY, BGR, BGRA),
+    "sr": (GRAY, BGR),
+    "ras": (GRAY, BGR),
+    "tif": (GRAY, BGR, BGRA, GRAY16, BGR16, METERS, GRAY.astype(np.int32), METERS.astype(np.float64)),
+    "tiff": (GRAY, BGR, BGRA, GRAY16, BGR16, METERS, GRAY.astype(np.int16), METERS.astype(np.float64)),
+    "pbm": (np.where(GRAY > 99, np.uint8(255), np.uint8(0)),),
+    "pgm": (GRAY, GRAY16),
+    "ppm": (BGR, BGR16),
+    "pnm": (GRAY, BGR, GRAY16, BGR16),
+    "pfm": (METERS, METERS[..., None].repeat(3, axis=2)),
+    "webp": (BGR,),
+}
+
+
+def file_of(extension, array, *options):
+    return cv2.imencode(f".{extension}", array, options)[1].tobytes()
+
+
+def decoded(data, format=""):
+    return compressed_to_array(SimpleNamespace(format=format, data=data))
+
+
+@pytest.mark.parametrize("extension", ["jpg", "jpeg", "jpe", "png", "bmp", "dib", "sr", "ras", "tif", "tiff"])
+@pytest.mark.parametrize("channels", [None, 1, 3])
+def test_an_image_of_any_size_comes_back_with_its_shape_and_dtype(extension, channels):
+    for height, width in [(100, 100), (100, 700), (300, 500), (700, 100), (700, 700)]:
+        shape = (height, width) if channels is None else (height, width, channels)
+        ramp = np.arange(np.prod(shape), dtype=np.int64).reshape(shape) // 50
+        original = ramp.astype(np.uint8)
+        msg = BRIDGE.cv2_to_compressed_imgmsg(original, extension)
+        result = BRIDGE.compressed_imgmsg_to_cv2(msg)
+        assert msg.format == extension
+        assert (result.shape, result.dtype) == (original.squeeze().shape, np.uint8)
+        if not extension.startswith("jp"):
+            assert (result == original.squeeze()).all()
+
+
+@pytest.mark.parametrize("extension", LOSSLESS)
+def test_formats_without_loss_keep_every_value(extension):
+    for original in LOSSLESS[extension]:
+        msg = BRIDGE.cv2_to_compressed_imgmsg(original, extension)
+        result = BRIDGE.compressed_imgmsg_to_cv2(msg)
+        assert result.dtype == original.dtype and np.array_equal(result, original)
+        swapped = original.astype(original.dtype.newbyteorder(">"))
+        assert bytes(BRIDGE.cv2_to_compressed_imgmsg(swapped, extension).data) == bytes(msg.data)
+
+
+def test_jpeg_2000_comes_back_nearly_equal():
+    smooth = cv2.GaussianBlur(BGR, (15, 15), 5)
+    for original in (smooth, smooth[..., 0], smooth.astype(np.uint16) * 257):
+        result = BRIDGE.compressed_imgmsg_to_cv2(BRIDGE.cv2_to_compressed_imgmsg(original, "jp2"))
+        assert (result.shape, result.dtype) == (original.shape, original.dtype)
+        assert np.abs(result.astype(int) - original).max() <= 0.01 * np.iinfo(original.dtype).max
+    with pytest.raises(CvBridgeError, match="JPEG 2000 needs at least 32"):
+        BRIDGE.cv2_to_compressed_imgmsg(BGR[:16], "jp2")
+
+
+def test_alpha_and_gray_in_formats_that_do_not_hold_them():
+    for extension in ("jpg", "sr"):
+        result = BRIDGE.compressed_imgmsg_to_cv2(BRIDGE.cv2_to_compressed_imgmsg(BGRA, extension))
+        assert result.shape == (70, 90, 3)
+    webp = BRIDGE.compressed_imgmsg_to_cv2(BRIDGE.cv2_to_compressed_imgmsg(GRAY, "webp"))
+    assert webp.shape == (70, 90, 3) and (webp == GRAY[..., None]).all()
+
+
+@pytest.mark.parametrize(
+    ("array", "extension", "words"),
+    [
+        (GRAY16, "jpg", "jpg holds 1, 3 or 4 channels of uint8, not 1 of uint16; 'png' holds 8 and 16 bits"),
+        (METERS, "png", "'tiff' holds every dtype"),
+        (BGR, "pgm", "pgm holds 1 channels"),
+        (BGR[..., :2], "bmp", "convert it to 1, 3 or 4 channels"),
+        (BGR, "gif", "got 'gif'"),
+        (BGR, "exr", "got 'exr'"),
+        (BGR, "", "expected one of the formats jpg, jpeg, jpe"),
+        (BGR[:0], "png", "expected 1 to"),
+        (np.zeros((70_000, 1), np.uint8), "jpg", "65500 rows"),
+    ],
+)
+def test_what_a_format_cannot_hold_is_refused(array, extension, words):
+    with pytest.raises(CvBridgeError) as caught:
+        BRIDGE.cv2_to_compressed_imgmsg(array, extension)
+    assert words in str(caught.value)
+
+
+def test_a_depth_image_in_a_tiff_keeps_its_meters():
+    msg = BRIDGE.cv2_to_compressed_imgmsg(METERS, "tiff")
+    msg.format = "32FC1; tiff compressed "
+    assert np.array_equal(BRIDGE.compressed_imgmsg_to_cv2(msg, "32FC1"), METERS)
+
+
+# --- headers that claim more than the file holds
+
+
+def patched(extension, array, at, layout, *numbers):
+    data = bytearray(file_of(extension, array))
+    struct.pack_into(layout, data, at, *numbers)
+    return bytes(data)
+
+
+def tiff_with(tag, value):
+    """A TIFF in which one field of the directory says something else."""
+    data = bytearray(file_of("tif", BGR))
+    (at,) = struct.unpack_from("<I", data, 4)
+    (entries,) = struct.unpack_from("<H", data, at)
+    for place in range(at + 2, at + 2 + 12 * entries, 12):
+        if struct.unpack_from("<H", data, place)[0] == tag:
+            struct.pack_into("<HII", data, place + 2, 4, 1, value)
+    return bytes(data)
+
+
+def jp2_with(marker, offset, layout, *numbers):
+    data = bytearray(file_of("jp2", BGR))
+    struct.pack_into(layout, data, data.index(marker) + offset, *numbers)
+    return bytes(data)
+
+
+HUGE = 2**31 - 1
+LIES = {
+    "bmp of 4 exabytes": (patched("bmp", BGR, 18, "<ii", HUGE, HUGE), "so few bytes can hold"),
+    "bmp upside down of many rows": (patched("bmp", BGR, 22, "<i", -HUGE), "so few bytes can hold"),
+    "bmp without rows": (patched("bmp", BGR, 22, "<i", 0), "has no pixel"),
+    "bmp, run lengths": (patched("bmp", BGR, 30, "<I", 1), "not compressed"),
+    "bmp cut": (file_of("bmp", BGR)[:30], "ends within its header"),
+    "sun raster": (patched("sr", BGR, 4, ">II", HUGE, HUGE), "so few bytes can hold"),
+    "sun raster, run lengths": (patched("sr", BGR, 20, ">I", 2), "not compressed"),
+    "sun raster cut": (file_of("sr", GRAY)[:-1], "so few bytes can hold"),
+    "tiff": (tiff_with(256, HUGE), "so few bytes can hold"),
+    "tiff with one strip for all": (tiff_with(278, HUGE), "strips do not lie within"),
+    "tiff of 9 channels": (tiff_with(277, 9), "expected 1 to 4 interleaved channels"),
+    "tiff, JPEG inside": (tiff_with(259, 7), "compression 7"),
+    "tiff without width": (file_of("tif", BGR).replace(b"\0\1\3\0\1", b"\1\1\3\0\1"), "not in order"),
+    "tiff cut": (file_of("tif", BGR)[:60], "ends within its header"),
+    "big tiff": (b"II+\0" + bytes(60), "begins with a BigTIFF"),
+    "ppm": (b"P6\n999999999 999999999\n255\n" + bytes(60), "so few bytes can hold"),
+    "ppm, comments": (b"P6 # x\n# y\n9999 # z\n9999\n255\n" + bytes(60), "so few bytes can hold"),
+    "pbm": (b"P4\n80 80\n" + bytes(799), "so few bytes can hold"),
+    "pgm without numbers": (b"P5 many rows", "without a readable header"),
+    "pfm": (b"PF\n99999 99999\n-1.0\n" + bytes(60), "so few bytes can hold"),
+    "pfm without numbers": (b"Pf\n\n\n", "without a readable header"),
+    "webp": (patched("webp", BGR, 21, "<I", 0x0FFFFFFF), "so few bytes can hold"),
+    "webp of another kind": (b"RIFF\0\0\0\0WEBPVP9 " + bytes(60), "without a readable header"),
+    "webp, animated": (b"RIFF\0\0\0\0WEBPVP8X\x0a\0\0\0\x02" + bytes(60), "animated"),
+    "jp2 of many pixels": (
+        jp2_with(b"\xff\x51", 6, ">8I", HUGE, HUGE, 0, 0, HUGE, HUGE, 0, 0),
+        "so few bytes can hold",
+    ),
+    "jp2 of many tiles": (jp2_with(b"\xff\x51", 22, ">II", 1, 1), "one tile"),
+    "jp2 with precincts": (jp2_with(b"\xff\x52", 4, ">B", 1), "one tile"),
+    "jp2 of many layers": (jp2_with(b"\xff\x52", 6, ">H", 65535), "one tile"),
+    "jp2 cut": (file_of("jp2", BGR)[:90], "ends within its header"),
+    "gif": (b"GIF89a" + bytes(60), "begins with a GIF"),
+    "avif": (b"\0\0\0\x20ftypavif" + bytes(60), "begins with a AVIF"),
+}
+
+
+@pytest.mark.parametrize("case", LIES)
+def test_a_header_that_lies_is_refused_before_decoding(case, monkeypatch):
+    data, words = LIES[case]
+    monkeypatch.setattr(cv2, "imdecode", lambda *_: pytest.fail("OpenCV must not see this file"))
+    with pytest.raises(ConversionError) as caught:
+        decoded(data)
+    assert words in str(caught.value)
+
+
+@pytest.mark.parametrize("extension", sorted(set(FILE_EXTENSIONS) - {"jpg", "jpeg", "jpe"}))
+def test_a_file_that_is_cut_short_is_refused_or_keeps_its_size(extension):
+    """Some decoders return what they have; the size in the header stays."""
+    original = next(iter(LOSSLESS.get(extension, (BGR,))))
+    whole = file_of(extension, original)
+    for length in (*range(0, len(whole), max(1, len(whole) // 60)), len(whole) - 1):
+        try:
+            result = decoded(whole[:length])
+        except ConversionError:
+            continue
+        assert result.shape == original.shape
+
+
+@pytest.mark.parametrize("extension", ["bmp", "tif", "ppm", "webp", "jp2"])
+def test_blank_images_of_two_megapixels_are_accepted(extension):
+    blank = np.zeros((1080, 1920, 3), np.uint8)
+    assert not BRIDGE.compressed_imgmsg_to_cv2(BRIDGE.cv2_to_compressed_imgmsg(blank, extension)).any()
