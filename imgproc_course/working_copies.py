@@ -15,6 +15,7 @@ from pathlib import Path
 from typing import NamedTuple
 
 import imgproc_course
+from imgproc_course.authoring.atomic_write import stage_file
 
 CHECKOUT = Path(imgproc_course.__file__).resolve().parents[1]
 STATE = ".course.json"
@@ -227,13 +228,8 @@ class Staged:
         if data == replaces:
             return
         place = self.folder / name
-        place.parent.mkdir(parents=True, exist_ok=True)
-        temporary = place.with_name(f".{place.name}.{os.getpid()}.tmp")
+        temporary = stage_file(place, data, sync=True)
         self._waiting.append((temporary, place, replaces))
-        with temporary.open("wb") as file:
-            file.write(data)
-            file.flush()
-            os.fsync(file.fileno())
 
     def put_in_place(self):
         for _, place, replaces in self._waiting:

@@ -20,6 +20,7 @@ from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
+from imgproc_course.authoring.atomic_write import write_file
 from imgproc_course.authoring.masters import RAISING, VARYING, find_masters, read_master
 from imgproc_course.authoring.validation import prove
 from imgproc_course.exercises.declaration import MASTERS_VARIABLE, MasterError
@@ -63,7 +64,8 @@ def build(masters_dir, lessons_dir, solved_dir, names=(), say=print):
             report.problems.append(problem)
             continue
         for folder, notebook in zip((lessons_dir, solved_dir), twins, strict=True):
-            _write(Path(folder) / f"{path.stem}.ipynb", notebook)
+            text = nbformat.writes(notebook) + "\n"
+            write_file(Path(folder) / f"{path.stem}.ipynb", text, permissions=0o644)
         report.built.append(path.stem)
     if not names:
         report.problems += _orphans(masters_dir, lessons_dir)
@@ -421,19 +423,6 @@ def _texts(cell):
 
 
 # ---------------------------------------------------------------- files
-
-
-def _write(path, notebook):
-    path.parent.mkdir(parents=True, exist_ok=True)
-    text = nbformat.writes(notebook) + "\n"
-    handle, name = tempfile.mkstemp(dir=path.parent, prefix=f".{path.stem}-", suffix=".part")
-    try:
-        with os.fdopen(handle, "w", encoding="utf-8") as file:
-            file.write(text)
-        Path(name).chmod(0o644)
-        Path(name).replace(path)
-    finally:
-        Path(name).unlink(missing_ok=True)
 
 
 def _stored(path):

@@ -6,7 +6,6 @@
 import hashlib
 import json
 import secrets
-import tempfile
 from dataclasses import asdict
 from importlib.metadata import version
 from pathlib import Path
@@ -15,6 +14,7 @@ import nbformat
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
 from tqdm import tqdm
 
+from imgproc_course.authoring.atomic_write import write_folder
 from imgproc_course.authoring.masters import find_masters, read_master
 from imgproc_course.autograder.answer_key import (
     FORMAT,
@@ -139,17 +139,7 @@ def _handed_out(masters):
 
 def _write(out, files):
     try:
-        out.parent.mkdir(parents=True, exist_ok=True)
-        with tempfile.TemporaryDirectory(dir=out.parent, prefix=".key-") as folder:
-            new = Path(folder) / "new"
-            for name, text in files.items():
-                path = new / name
-                path.parent.mkdir(parents=True, exist_ok=True)
-                path.write_text(text, encoding="utf-8")
-            new.chmod(0o700)
-            if out.exists():
-                out.rename(Path(folder) / "old")
-            new.rename(out)
+        write_folder(out, files, permissions=0o700)
     except OSError as error:
         raise KeyFolderError(f"{out}: cannot be written ({error})") from error
 

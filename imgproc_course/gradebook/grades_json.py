@@ -9,13 +9,12 @@ grades/judged/*.json      every result, by a digest of (key, answers): an interr
 """
 
 import json
-import os
-import tempfile
 from importlib.metadata import version
 from pathlib import Path
 
 from tqdm import tqdm
 
+from imgproc_course.authoring.atomic_write import write_file
 from imgproc_course.autograder.pool import autograde
 from imgproc_course.gradebook.learners import digest_of_answers
 from imgproc_course.gradebook.submission import Finding
@@ -41,16 +40,8 @@ def write_whole(path, data):
     ------
     GradesFolderError : the disk is full or read-only
     """
-    data = data.encode("utf-8") if isinstance(data, str) else data
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        descriptor, name = tempfile.mkstemp(dir=path.parent, prefix=".writing-")
-        try:
-            with os.fdopen(descriptor, "wb") as file:
-                file.write(data)
-            Path(name).replace(path)
-        finally:
-            Path(name).unlink(missing_ok=True)
+        write_file(path, data, permissions=0o600)
     except OSError as error:
         raise GradesFolderError(f"{path}: cannot be written ({error.strerror})") from error
 
