@@ -1,4 +1,4 @@
-"""The mathematics of the course by hand: gray, noise, binarization, gradients and Canny, in NumPy."""
+"""Image processing by hand, in NumPy: grayscale, noise, filters, binarization, gradients and Canny."""
 
 from imgproc_course.imaging.binarization import adaptive_threshold, otsu_threshold, threshold
 from imgproc_course.imaging.canny import (
@@ -15,9 +15,9 @@ from imgproc_course.imaging.canny_fast import canny
 from imgproc_course.imaging.filters import (
     bilateral_filter,
     box_blur,
+    fixed_point_gaussian_kernel,
     gaussian_blur,
-    gaussian_shares,
-    gaussian_weights,
+    gaussian_kernel,
     median_blur,
 )
 from imgproc_course.imaging.gradients import direction, gradient_angle, magnitude, sobel
@@ -45,9 +45,9 @@ __all__ = [
     "canny_stages",
     "direction",
     "double_threshold",
+    "fixed_point_gaussian_kernel",
     "gaussian_blur",
-    "gaussian_shares",
-    "gaussian_weights",
+    "gaussian_kernel",
     "gradient_angle",
     "hysteresis",
     "lightness_gray",

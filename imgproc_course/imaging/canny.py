@@ -1,7 +1,7 @@
-"""Canny's edge detector, one plain function a stage; equal to cv2.Canny on every pixel.
+"""Canny's edge detector, one plain function per stage; equal to cv2.Canny on every pixel.
 
-`canny_stages` runs the stages one by one and returns what each of them made: it is what the lesson shows.
-`canny`, in canny_fast, returns the same edges in a fraction of the time.
+`canny_stages` runs the stages one after another and returns the result of each: the lesson shows these.
+`canny`, in canny_fast, computes the same edges in a fraction of the time.
 """
 
 from typing import NamedTuple
@@ -15,42 +15,44 @@ from imgproc_course.imaging.gradients import (
     DOWN_LEFT,
     DOWN_RIGHT,
     RIGHT,
-    checked_aperture,
+    check_aperture,
     direction,
     magnitude,
     sobel,
 )
-from imgproc_course.imaging.pictures import checked_gray, checked_number
+from imgproc_course.imaging.validation import check_gray, check_number
 
-# OpenCV divides the gradient of aperture 7, and the thresholds with it, by this, so that int16 holds it.
+# OpenCV divides the gradient of aperture 7, and the thresholds with it, by this, so that int16 can hold it.
 APERTURE_7_SCALE = 16
 
-# No magnitude reaches this; OpenCV lowers thresholds to it before it squares them.
+# No magnitude reaches this; OpenCV clips thresholds to it before it squares them.
 LARGEST_THRESHOLD = 32767
 
 # direction -> step in (row, col) to the neighbour that the gradient points at
 STEP = {RIGHT: (0, 1), DOWN_RIGHT: (1, 1), DOWN: (1, 0), DOWN_LEFT: (1, -1)}
 
-EIGHT_NEIGHBOURS = np.ones((3, 3), bool)
+EIGHT_CONNECTIVITY = np.ones((3, 3), bool)
 
 
 class CannyStages(NamedTuple):
-    """What every stage of Canny made; all arrays are (H, W).
+    """The result of every stage of Canny; all arrays are (H, W).
 
     Attributes
     ----------
-    smoothed : uint8 gray levels, the picture after the Gaussian; with sigma=0 a copy of the picture
+    smoothed : uint8 gray levels, the image after the Gaussian filter; with sigma=0 a copy of the image
     grad_row, grad_col : int32, Sobel's gradient downwards and to the right, in gray levels times the sum of
-        Sobel's weights (aperture 3: a straight step of h gray levels gives 4 h); aperture 7: divided by 16
-        and rounded, halves to even, as OpenCV does
+        the smoothing kernel (aperture 3: a straight step of h gray levels gives 4 h); aperture 7: divided by
+        16 and rounded, halves to even, as OpenCV does
     magnitude : L1: int32, |grad_row| + |grad_col|, in the unit of the gradient;
         L2: int64, grad_row² + grad_col², the *square* of that unit, as OpenCV compares it
     direction : uint8, 0 right or left, 1 down-right or up-left, 2 down or up, 3 down-left or up-right
-    thinned : dtype and unit of magnitude; the magnitude where it is the largest along its direction, 0
-        elsewhere
-    candidates : bool, thinned above `low`: may be an edge
-    seeds : bool, thinned above `high`: is an edge; every seed is a candidate
-    edges : uint8, 255 where a chain of candidates leads to a seed, 0 elsewhere
+    thinned : dtype and unit of magnitude; the magnitude after non-maximum suppression: kept where it is the
+        largest along its direction, 0 elsewhere
+    weak : bool, low < thinned <= high: weak edge pixels, which are edges only if they are connected to a
+        strong one
+    strong : bool, thinned > high: strong edge pixels, which are always edges; no pixel is both weak
+        and strong
+    edges : uint8, 255 on the strong pixels and on the weak pixels connected to them, 0 elsewhere
     """
 
     smoothed: np.ndarray
@@ -59,23 +61,24 @@ class CannyStages(NamedTuple):
     magnitude: np.ndarray
     direction: np.ndarray
     thinned: np.ndarray
-    candidates: np.ndarray
-    seeds: np.ndarray
+    weak: np.ndarray
+    strong: np.ndarray
     edges: np.ndarray
 
 
 def canny_stages(gray, low, high, *, sigma=0, aperture=3, l2_gradient=False):
-    """Canny's edges, with every picture on the way to them.
+    """Canny's edges, with the result of every stage.
 
     Parameters
     ----------
     gray : (H, W) uint8
     low, high : numbers, low <= high, in the unit of the gradient's norm: with aperture 3 and L1 a straight
-        step of h gray levels has magnitude 4 h. Below 0 counts as 0; above 32767 there is nothing.
-    sigma : pixels, standard deviation of the Gaussian that smooths first, as cv2.GaussianBlur(gray, (0, 0),
-        sigma); 0: no smoothing, as cv2.Canny
-    aperture : 3, 5 or 7, side of Sobel's window
-    l2_gradient : compare the length of the gradient instead of |grad_row| + |grad_col|
+        step of h gray levels has magnitude 4 h. A threshold below 0 counts as 0; above 32767 there are no
+        edges.
+    sigma : pixels, standard deviation of the Gaussian filter before the gradient, as cv2.GaussianBlur(gray,
+        (0, 0), sigma); 0: no smoothing, as cv2.Canny
+    aperture : 3, 5 or 7, side of Sobel's kernel
+    l2_gradient : compare the L2 norm of the gradient instead of the L1 norm |grad_row| + |grad_col|
 
     Returns
     -------
@@ -84,22 +87,22 @@ def canny_stages(gray, low, high, *, sigma=0, aperture=3, l2_gradient=False):
 
     Raises
     ------
-    ValueError : another shape, dtype or aperture; low above high (OpenCV swaps them in silence)
+    ValueError : another shape, dtype or aperture; low above high (OpenCV swaps them silently)
 
     Source: J. Canny, 1986, doi:10.1109/TPAMI.1986.4767851, in the arithmetic of OpenCV's canny.cpp.
     """
-    low, high = checked_thresholds(low, high)
+    low, high = check_thresholds(low, high)
     low_in_unit = threshold_in_unit(low, aperture, l2_gradient)
     high_in_unit = threshold_in_unit(high, aperture, l2_gradient)
 
     smoothed = smooth(gray, sigma)
     grad_row, grad_col = canny_gradient(smoothed, aperture)
-    size = magnitude(grad_row, grad_col, "L2 squared" if l2_gradient else "L1")
-    sector = direction(grad_row, grad_col)
-    thinned = suppress(size, sector)
-    candidates, seeds = double_threshold(thinned, low_in_unit, high_in_unit)
-    edges = hysteresis(candidates, seeds)
-    return CannyStages(smoothed, grad_row, grad_col, size, sector, thinned, candidates, seeds, edges)
+    magnitudes = magnitude(grad_row, grad_col, "L2 squared" if l2_gradient else "L1")
+    directions = direction(grad_row, grad_col)
+    thinned = suppress(magnitudes, directions)
+    weak, strong = double_threshold(thinned, low_in_unit, high_in_unit)
+    edges = hysteresis(weak, strong)
+    return CannyStages(smoothed, grad_row, grad_col, magnitudes, directions, thinned, weak, strong, edges)
 
 
 def smooth(gray, sigma=0):
@@ -118,13 +121,13 @@ def smooth(gray, sigma=0):
     ------
     ValueError : another shape or dtype, a negative sigma
     """
-    if checked_number(sigma, "sigma", least=0) == 0:
-        return checked_gray(gray).copy()
+    if check_number(sigma, "sigma", minimum=0) == 0:
+        return check_gray(gray).copy()
     return gaussian_blur(gray, sigma)
 
 
 def canny_gradient(smoothed, aperture=3):
-    """Second stage: Sobel's gradient, at aperture 7 in sixteenths as cv2.Canny takes it.
+    """Second stage: Sobel's gradient; at aperture 7 divided by 16, as cv2.Canny does.
 
     Parameters
     ----------
@@ -146,23 +149,23 @@ def canny_gradient(smoothed, aperture=3):
     return grad_row, grad_col
 
 
-def suppress(magnitude, direction):
+def suppress(magnitudes, directions):
     """Non-maximum suppression: keep a magnitude only where it is the largest along its gradient.
 
     Each pixel is compared with two neighbours: the one that its gradient points at (ahead) and the opposite
-    one (behind); outside the picture the magnitude is 0. Two equal magnitudes side by side must leave one
-    edge, not two and not none: right and down, a pixel must be greater than the neighbour on its left (above
-    it), but only not smaller than the one on its right (below it), so that of two equals the left (upper)
-    one stays. On diagonals OpenCV asks for greater on both sides.
+    one (behind). Outside the image the magnitude is 0. If two neighbours have equal magnitudes, exactly one
+    of them must remain. So in the directions right and down a pixel must be greater than the neighbour on its
+    left (above it) and greater than *or equal to* the one on its right (below it): of two equal pixels the
+    left (upper) one remains. On diagonals OpenCV requires greater on both sides.
 
     Parameters
     ----------
-    magnitude : (H, W) integers, 0 or more
-    direction : (H, W) uint8, 0..3 as `direction` returns it
+    magnitudes : (H, W) integers, 0 or more
+    directions : (H, W) uint8, 0..3 as `direction` returns it
 
     Returns
     -------
-    (H, W) of the dtype of magnitude: the magnitude where it stays, 0 elsewhere
+    (H, W) of the dtype of magnitudes: the magnitude of each local maximum, 0 elsewhere
 
     Raises
     ------
@@ -170,27 +173,29 @@ def suppress(magnitude, direction):
 
     Source: OpenCV's canny.cpp, with its rules for equal neighbours.
     """
-    magnitude, direction = np.asarray(magnitude), np.asarray(direction)
-    if magnitude.ndim != 2 or magnitude.shape != direction.shape:
+    magnitudes, directions = np.asarray(magnitudes), np.asarray(directions)
+    if magnitudes.ndim != 2 or magnitudes.shape != directions.shape:
         raise ValueError(
-            f"magnitude and direction must be (H, W) arrays of one shape, got {magnitude.shape} and "
-            f"{direction.shape}; make both from one gradient"
+            f"magnitudes and directions must be (H, W) arrays of the same shape, got {magnitudes.shape} and "
+            f"{directions.shape}; compute both from one gradient"
         )
-    if not np.isin(direction, list(STEP)).all():
-        raise ValueError("direction must hold 0, 1, 2 or 3 only; make it with direction(grad_row, grad_col)")
-    rows, cols = magnitude.shape
-    framed = np.pad(magnitude, 1)
-    stays = np.zeros(magnitude.shape, bool)
+    if not np.isin(directions, list(STEP)).all():
+        raise ValueError(
+            "directions must contain only 0, 1, 2 and 3; compute them with direction(grad_row, grad_col)"
+        )
+    rows, cols = magnitudes.shape
+    padded = np.pad(magnitudes, 1)
+    is_maximum = np.zeros(magnitudes.shape, bool)
     for sector, (down, right) in STEP.items():
-        ahead = framed[1 + down : 1 + down + rows, 1 + right : 1 + right + cols]
-        behind = framed[1 - down : 1 - down + rows, 1 - right : 1 - right + cols]
-        not_beaten_ahead = magnitude >= ahead if sector in (RIGHT, DOWN) else magnitude > ahead
-        stays |= (direction == sector) & (magnitude > behind) & not_beaten_ahead
-    return np.where(stays, magnitude, 0)
+        ahead = padded[1 + down : 1 + down + rows, 1 + right : 1 + right + cols]
+        behind = padded[1 - down : 1 - down + rows, 1 - right : 1 - right + cols]
+        beats_ahead = magnitudes >= ahead if sector in (RIGHT, DOWN) else magnitudes > ahead
+        is_maximum |= (directions == sector) & (magnitudes > behind) & beats_ahead
+    return np.where(is_maximum, magnitudes, 0)
 
 
 def double_threshold(thinned, low, high):
-    """Two thresholds: above the low one a pixel may be an edge, above the high one it is.
+    """Double threshold: above `high` a pixel is a strong edge pixel, between `low` and `high` a weak one.
 
     Parameters
     ----------
@@ -199,28 +204,30 @@ def double_threshold(thinned, low, high):
 
     Returns
     -------
-    candidates : (H, W) bool, thinned > low (greater, not equal, as OpenCV)
-    seeds : (H, W) bool, thinned > high
+    weak : (H, W) bool, low < thinned <= high
+    strong : (H, W) bool, thinned > high (greater, not equal, as in OpenCV)
 
     Raises
     ------
     ValueError : low above high
     """
-    low, high = checked_thresholds(low, high)
+    low, high = check_thresholds(low, high)
     thinned = np.asarray(thinned)
-    return thinned > max(low, 0), thinned > max(high, 0)
+    strong = thinned > max(high, 0)
+    weak = (thinned > max(low, 0)) & ~strong
+    return weak, strong
 
 
-def hysteresis(candidates, seeds):
-    """Keep the candidates that are joined to a seed, directly or from candidate to candidate.
+def hysteresis(weak, strong):
+    """Edge tracking by hysteresis: keep the strong pixels and the weak pixels connected to them.
 
-    All eight neighbours of a pixel join it. Candidates that hang together make a group; a group with a seed
-    in it is an edge as a whole, any other is dropped as a whole.
+    Weak and strong pixels form connected components; with 8-connectivity, all eight neighbours of a pixel
+    touch it. A component is an edge if at least one of its pixels is strong; otherwise it is dropped.
 
     Parameters
     ----------
-    candidates : (H, W) bool
-    seeds : (H, W) bool, every seed being a candidate
+    weak : (H, W) bool
+    strong : (H, W) bool, False where `weak` is True
 
     Returns
     -------
@@ -228,40 +235,40 @@ def hysteresis(candidates, seeds):
 
     Raises
     ------
-    ValueError : arrays that are not bool or differ in shape; a seed that is no candidate
+    ValueError : arrays that are not bool or differ in shape; a pixel that is both weak and strong
     """
-    candidates, seeds = np.asarray(candidates), np.asarray(seeds)
-    if candidates.dtype != np.bool_ or seeds.dtype != np.bool_ or candidates.shape != seeds.shape:
+    weak, strong = np.asarray(weak), np.asarray(strong)
+    if weak.dtype != np.bool_ or strong.dtype != np.bool_ or weak.shape != strong.shape:
         raise ValueError(
-            f"candidates and seeds must be bool arrays of one shape, got {candidates.shape} "
-            f"{candidates.dtype} and {seeds.shape} {seeds.dtype}; "
-            f"make them with double_threshold(thinned, low, high)"
+            f"weak and strong must be bool arrays of the same shape, got {weak.shape} {weak.dtype} and "
+            f"{strong.shape} {strong.dtype}; compute them with double_threshold(thinned, low, high)"
         )
-    if (seeds & ~candidates).any():
+    if (weak & strong).any():
         raise ValueError(
-            "every seed must be a candidate, but some are not; keep low <= high in double_threshold"
+            "a pixel cannot be both weak and strong, but some are; weak pixels lie between the thresholds: "
+            "low < thinned <= high"
         )
-    group, groups = ndimage.label(candidates, EIGHT_NEIGHBOURS)  # 0 where there is no candidate
-    has_seed = np.zeros(groups + 1, bool)
-    has_seed[group[seeds]] = True
-    return np.where(has_seed[group], 255, 0).astype(np.uint8)
+    component, components = ndimage.label(weak | strong, EIGHT_CONNECTIVITY)  # 0 is the background
+    has_strong = np.zeros(components + 1, bool)
+    has_strong[component[strong]] = True
+    return np.where(has_strong[component], 255, 0).astype(np.uint8)
 
 
-def checked_thresholds(low, high):
-    """Both thresholds as floats, once it is sure that they are numbers and in order."""
-    low = checked_number(low, "low", infinite=True)
-    high = checked_number(high, "high", infinite=True)
+def check_thresholds(low, high):
+    """Return both thresholds as floats; raise ValueError if they are not numbers or low > high."""
+    low = check_number(low, "low", allow_infinite=True)
+    high = check_number(high, "high", allow_infinite=True)
     if low > high:
         raise ValueError(f"low must not be above high, got low={low:g}, high={high:g}; swap them")
     return low, high
 
 
-def threshold_in_unit(threshold, aperture=3, l2_gradient=False):
-    """A threshold in the unit that cv2.Canny compares magnitudes in.
+def threshold_in_unit(value, aperture=3, l2_gradient=False):
+    """Convert a threshold to the unit in which cv2.Canny compares magnitudes.
 
     Parameters
     ----------
-    threshold : number in the unit of the gradient's norm, as the caller of canny gives it
+    value : number in the unit of the gradient's norm, as the caller of canny passes it
     aperture, l2_gradient : as for canny
 
     Returns
@@ -273,7 +280,7 @@ def threshold_in_unit(threshold, aperture=3, l2_gradient=False):
     ------
     ValueError : another aperture
     """
-    if checked_aperture(aperture) == 7:
-        threshold = threshold / APERTURE_7_SCALE
-    threshold = min(max(float(threshold), 0.0), float(LARGEST_THRESHOLD))
-    return threshold**2 if l2_gradient else threshold
+    if check_aperture(aperture) == 7:
+        value = value / APERTURE_7_SCALE
+    value = min(max(float(value), 0.0), float(LARGEST_THRESHOLD))
+    return value**2 if l2_gradient else value

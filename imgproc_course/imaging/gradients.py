@@ -1,16 +1,17 @@
-"""How fast, and in which direction, the gray levels rise: Sobel's gradient, its size and its direction."""
+"""The gradient of the gray levels by Sobel's kernels, its magnitude and its direction."""
 
 import numpy as np
 
-from imgproc_course.imaging.pictures import checked_gray, padded
-from imgproc_course.imaging.weighing import weighed
+from imgproc_course.imaging.borders import pad_border
+from imgproc_course.imaging.correlation import correlate1d
+from imgproc_course.imaging.validation import check_gray
 
-# aperture -> weights across the difference, and weights of the difference itself
+# aperture -> the two one-dimensional kernels of the separable Sobel filter
 SMOOTHING = {3: (1, 2, 1), 5: (1, 4, 6, 4, 1), 7: (1, 6, 15, 20, 15, 6, 1)}
 DIFFERENCE = {3: (-1, 0, 1), 5: (-1, -2, 0, 2, 1), 7: (-1, -4, -5, 0, 5, 4, 1)}
 
-# The direction of the gradient, told apart by the pair of neighbours that it points at and away from.
-# Number k stands for the angle 45° k; rows grow downwards, so 90° points down.
+# The gradient's direction, in four sectors: one for each pair of opposite neighbours.
+# Sector k is around the angle 45° k; rows grow downwards, so 90° points down.
 RIGHT, DOWN_RIGHT, DOWN, DOWN_LEFT = 0, 1, 2, 3
 
 # tan 22.5° in units of 2**-15, as OpenCV rounds it; tan 67.5° is exactly 2 more.
@@ -18,25 +19,25 @@ TAN_22 = 13573
 TAN_SHIFT = 15
 
 
-def checked_aperture(aperture):
-    """The aperture, once it is sure that Sobel has weights for it."""
+def check_aperture(aperture):
+    """Return the aperture as an int; raise ValueError if Sobel has no kernel of this side."""
     if not isinstance(aperture, int | np.integer) or aperture not in SMOOTHING:
         raise ValueError(
-            f"aperture must be 3, 5 or 7 (the side of Sobel's window), got {aperture!r}; use 3 if unsure"
+            f"aperture must be 3, 5 or 7 (the side of Sobel's kernel), got {aperture!r}; use 3 if unsure"
         )
     return int(aperture)
 
 
 def sobel(gray, aperture=3):
-    """Gradient of a picture by Sobel's weights: a difference along one axis, a smoothing across it.
+    """Gradient of an image by Sobel's kernels: a difference along one axis, smoothing along the other.
 
-    Aperture 3: grad_col weighs the eight neighbours by  -1 0 1 / -2 0 2 / -1 0 1, grad_row by its transpose.
-    A straight step of h gray levels gives 4 h (aperture 3), 48 h (5), 640 h (7) at its steepest.
+    Aperture 3: grad_col correlates the image with -1 0 1 / -2 0 2 / -1 0 1, grad_row with the transpose.
+    A straight step of h gray levels gives at most 4 h (aperture 3), 48 h (5), 640 h (7).
 
     Parameters
     ----------
     gray : (H, W) uint8
-    aperture : 3, 5 or 7, side of the window in pixels
+    aperture : 3, 5 or 7, side of the kernel in pixels
 
     Returns
     -------
@@ -49,17 +50,17 @@ def sobel(gray, aperture=3):
 
     Source: cv2.Sobel with BORDER_REPLICATE; grad_row is its dy, grad_col its dx.
     """
-    aperture = checked_aperture(aperture)
-    wide = padded(checked_gray(gray).astype(np.int32), aperture // 2, "replicate")
-    return gradient_of_padded(wide, aperture)
+    aperture = check_aperture(aperture)
+    padded = pad_border(check_gray(gray).astype(np.int32), aperture // 2, "replicate")
+    return gradient_of_padded(padded, aperture)
 
 
-def gradient_of_padded(wide, aperture):
-    """Sobel's two gradients of a picture that already has its border, aperture // 2 pixels on each side.
+def gradient_of_padded(padded, aperture):
+    """Sobel's two gradients of an image that already has a border of aperture // 2 pixels on each side.
 
     Parameters
     ----------
-    wide : (H + aperture - 1, W + aperture - 1) int16 or int32 (int32 for aperture 7: its sums pass 32767)
+    padded : (H + aperture - 1, W + aperture - 1) int16 or int32 (int32 for aperture 7: its sums exceed 32767)
     aperture : 3, 5 or 7
 
     Returns
@@ -67,20 +68,20 @@ def gradient_of_padded(wide, aperture):
     grad_row, grad_col : (H, W) of the same dtype
     """
     smoothing, difference = SMOOTHING[aperture], DIFFERENCE[aperture]
-    grad_row = weighed(weighed(wide, difference, axis=0), smoothing, axis=1)
-    grad_col = weighed(weighed(wide, smoothing, axis=0), difference, axis=1)
+    grad_row = correlate1d(correlate1d(padded, difference, axis=0), smoothing, axis=1)
+    grad_col = correlate1d(correlate1d(padded, smoothing, axis=0), difference, axis=1)
     return grad_row, grad_col
 
 
 def magnitude(grad_row, grad_col, norm="L1"):
-    """Size of the gradient at every pixel.
+    """Gradient magnitude at every pixel.
 
     Parameters
     ----------
     grad_row, grad_col : (H, W) integers, as `sobel` returns them
-    norm : "L1" is |grad_row| + |grad_col|, what cv2.Canny uses unless told otherwise;
-        "L2" is the length sqrt(grad_row² + grad_col²);
-        "L2 squared" is grad_row² + grad_col², what cv2.Canny compares when L2gradient is set: no root, no
+    norm : "L1" is |grad_row| + |grad_col|, the default of cv2.Canny;
+        "L2" is the Euclidean norm sqrt(grad_row² + grad_col²);
+        "L2 squared" is grad_row² + grad_col², which cv2.Canny compares with L2gradient=True: no root, no
         rounding
 
     Returns
@@ -91,7 +92,7 @@ def magnitude(grad_row, grad_col, norm="L1"):
     ------
     ValueError : another norm, gradients that differ in shape or are not integers
     """
-    grad_row, grad_col = _checked_gradient(grad_row, grad_col)
+    grad_row, grad_col = _check_gradient(grad_row, grad_col)
     if norm == "L1":
         return (abs(grad_row) + abs(grad_col)).astype(np.int32)
     squared = grad_row**2 + grad_col**2
@@ -100,12 +101,12 @@ def magnitude(grad_row, grad_col, norm="L1"):
     if norm == "L2":
         return np.sqrt(squared)
     raise ValueError(
-        f'norm must be "L1", "L2" or "L2 squared", got {norm!r}; cv2.Canny uses "L1" unless told otherwise'
+        f'norm must be "L1", "L2" or "L2 squared", got {norm!r}; the default of cv2.Canny is "L1"'
     )
 
 
 def direction(grad_row, grad_col):
-    """Which two of the eight neighbours the gradient points at and away from.
+    """Gradient direction at every pixel, rounded to one of four sectors.
 
     Parameters
     ----------
@@ -113,27 +114,27 @@ def direction(grad_row, grad_col):
 
     Returns
     -------
-    (H, W) uint8, the number k of the angle 45° k that is nearest (opposite directions count as one):
+    (H, W) uint8, the number k of the nearest angle 45° k (opposite directions count as one):
     0 right or left, 1 down-right or up-left, 2 down or up, 3 down-left or up-right.
-    Exactly between two, OpenCV's approximation 13573 / 2**15 of tan 22.5° decides; a gradient of zero, which
-    has no direction, gets 1.
+    Halfway between two sectors OpenCV's approximation 13573 / 2**15 of tan 22.5° decides. A gradient of zero
+    has no direction and gets 1.
 
     Raises
     ------
     ValueError : gradients that differ in shape or are not integers
 
-    Source: the sector test in OpenCV's canny.cpp, in whole numbers.
+    Source: the sector test in OpenCV's canny.cpp, in integer arithmetic.
     """
-    grad_row, grad_col = _checked_gradient(grad_row, grad_col)
+    grad_row, grad_col = _check_gradient(grad_row, grad_col)
     down, right = abs(grad_row) << TAN_SHIFT, abs(grad_col) << TAN_SHIFT
-    flat = abs(grad_col) * TAN_22  # a gradient this far down for its way right has 22.5°
-    steep = flat + 2 * right  # and this far down, 67.5°
+    down_at_22 = abs(grad_col) * TAN_22  # the value of `down` if the angle is 22.5°
+    down_at_67 = down_at_22 + 2 * right  # and if it is 67.5°
     diagonal = np.where((grad_row < 0) != (grad_col < 0), DOWN_LEFT, DOWN_RIGHT)
-    return np.where(down < flat, RIGHT, np.where(down > steep, DOWN, diagonal)).astype(np.uint8)
+    return np.where(down < down_at_22, RIGHT, np.where(down > down_at_67, DOWN, diagonal)).astype(np.uint8)
 
 
 def gradient_angle(grad_row, grad_col):
-    """Angle of the gradient, for drawing it as a hue or an arrow.
+    """Angle of the gradient, to draw it as a hue or an arrow.
 
     Parameters
     ----------
@@ -141,18 +142,18 @@ def gradient_angle(grad_row, grad_col):
 
     Returns
     -------
-    (H, W) float64 degrees, -180 < angle <= 180: 0 to the right, 90 down (rows grow downwards); 0 where there
-    is no gradient
+    (H, W) float64 degrees, -180 < angle <= 180: 0 to the right, 90 down (rows grow downwards); 0 where the
+    gradient is zero
 
     Raises
     ------
     ValueError : gradients that differ in shape or are not integers
     """
-    grad_row, grad_col = _checked_gradient(grad_row, grad_col)
+    grad_row, grad_col = _check_gradient(grad_row, grad_col)
     return np.degrees(np.arctan2(grad_row, grad_col))
 
 
-def _checked_gradient(grad_row, grad_col):
+def _check_gradient(grad_row, grad_col):
     grad_row, grad_col = np.asarray(grad_row), np.asarray(grad_col)
     for name, grad in (("grad_row", grad_row), ("grad_col", grad_col)):
         if grad.dtype.kind != "i" or grad.ndim != 2:
@@ -162,7 +163,7 @@ def _checked_gradient(grad_row, grad_col):
             )
     if grad_row.shape != grad_col.shape:
         raise ValueError(
-            f"grad_row and grad_col must have one shape, got {grad_row.shape} and {grad_col.shape}; "
+            f"grad_row and grad_col must have the same shape, got {grad_row.shape} and {grad_col.shape}; "
             f"take both from one call of sobel(gray)"
         )
     return grad_row.astype(np.int64), grad_col.astype(np.int64)

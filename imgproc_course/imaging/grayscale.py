@@ -1,8 +1,9 @@
-"""From three colour channels to one gray: luma, as OpenCV computes it, and other grays to compare it with."""
+"""Grayscale: from three colour channels to one. Luma as OpenCV computes it, and other formulas to compare."""
 
 import numpy as np
 
-from imgproc_course.imaging.pictures import bands, checked_bgr
+from imgproc_course.imaging.row_blocks import row_blocks
+from imgproc_course.imaging.validation import check_bgr
 
 # ITU-R BT.601 weights of blue, green, red: 0.114, 0.587, 0.299 times 2**15, rounded; their sum is 2**15.
 LUMA_WEIGHTS = (3735, 19235, 9798)
@@ -15,7 +16,7 @@ LUMINANCE_WEIGHTS = (0.0722, 0.7152, 0.2126)
 def to_gray(bgr):
     """Luma of a BGR frame, bit for bit as OpenCV computes it.
 
-    gray = (3735 blue + 19235 green + 9798 red + 2**14) >> 15, all in whole numbers.
+    gray = (3735 blue + 19235 green + 9798 red + 2**14) >> 15, in integer arithmetic.
 
     Parameters
     ----------
@@ -31,12 +32,12 @@ def to_gray(bgr):
 
     Source: ITU-R BT.601 weights scaled by 2**15, as cv2.COLOR_BGR2GRAY.
     """
-    bgr = checked_bgr(bgr)
-    # Every sum is a whole number below 2**24, and float32 holds those exactly: the matrix product of floats
-    # is twice as fast as one of integers, and dividing by 2**15 only moves the binary point.
+    bgr = check_bgr(bgr)
+    # Every sum is an integer below 2**24, which float32 holds exactly. A matrix product of floats is twice as
+    # fast as one of integers, and dividing by 2**15 only moves the binary point.
     weights = np.array(LUMA_WEIGHTS, np.float32) / (1 << LUMA_SHIFT)
     gray = np.empty(bgr.shape[:2], np.uint8)
-    for top, bottom in bands(bgr):
+    for top, bottom in row_blocks(bgr):
         luma = bgr[top:bottom].astype(np.float32) @ weights
         luma += 0.5
         gray[top:bottom] = luma  # the cast to uint8 drops the fraction
@@ -44,11 +45,11 @@ def to_gray(bgr):
 
 
 def average_gray(bgr):
-    """Mean of the three channels: simple, and blind to how bright each colour looks.
+    """Mean of the three channels: simple, but it ignores how bright each colour looks to the eye.
 
     Parameters
     ----------
-    bgr : (H, W, 3) uint8, channel order blue, green, red (here of no matter), 0..255
+    bgr : (H, W, 3) uint8, channels in any order, 0..255
 
     Returns
     -------
@@ -58,16 +59,16 @@ def average_gray(bgr):
     ------
     ValueError : any other shape or dtype
     """
-    wide = checked_bgr(bgr).astype(np.uint16)
+    wide = check_bgr(bgr).astype(np.uint16)
     return ((wide[..., 0] + wide[..., 1] + wide[..., 2] + 1) // 3).astype(np.uint8)
 
 
 def lightness_gray(bgr):
-    """Middle between the strongest and the weakest channel: the L of HSL.
+    """Mean of the largest and the smallest channel: the L of HSL.
 
     Parameters
     ----------
-    bgr : (H, W, 3) uint8, channel order blue, green, red (here of no matter), 0..255
+    bgr : (H, W, 3) uint8, channels in any order, 0..255
 
     Returns
     -------
@@ -77,19 +78,19 @@ def lightness_gray(bgr):
     ------
     ValueError : any other shape or dtype
     """
-    blue, green, red = np.moveaxis(checked_bgr(bgr), 2, 0)
-    strongest = np.maximum(np.maximum(blue, green), red).astype(np.uint16)
-    weakest = np.minimum(np.minimum(blue, green), red)
-    return ((strongest + weakest + 1) >> 1).astype(np.uint8)
+    blue, green, red = np.moveaxis(check_bgr(bgr), 2, 0)
+    largest = np.maximum(np.maximum(blue, green), red).astype(np.uint16)
+    smallest = np.minimum(np.minimum(blue, green), red)
+    return ((largest + smallest + 1) >> 1).astype(np.uint8)
 
 
 def linear_light(levels):
-    """How much light each gray level of an sRGB picture stands for.
+    """Decode the gray levels of an sRGB image: the amount of light that each level stands for.
 
-    A camera stores levels that look evenly spaced to the eye, not levels in proportion to light: level 128 is
-    half of 255, but stands for only 22 % of the light of white. Sums of *light* (what a lens blurs, what a
-    lamp adds, what luminance weighs) are right only after this function; `to_gray` weighs the stored levels
-    as they are (luma), which is quick, and what OpenCV does.
+    A camera stores levels that look evenly spaced to the eye, not levels proportional to light: level 128 is
+    half of 255, but stands for only 22 % of the light of white. A sum of *light* (the blur of a lens, the
+    light of a second lamp, luminance) is correct only after this function. `to_gray` weights the stored
+    levels without decoding them (luma): this is fast, and OpenCV does the same.
 
     Parameters
     ----------
@@ -117,11 +118,11 @@ def linear_light(levels):
 
 
 def srgb_levels(light):
-    """The gray level of an sRGB picture that stands for each amount of light; the inverse of `linear_light`.
+    """Encode amounts of light as gray levels of an sRGB image; the inverse of `linear_light`.
 
     Parameters
     ----------
-    light : real array of any shape; what is below 0 counts as 0, above 1 as 1
+    light : real array of any shape; values are clipped to 0..1
 
     Returns
     -------
@@ -129,7 +130,7 @@ def srgb_levels(light):
 
     Raises
     ------
-    ValueError : a light that is not a number
+    ValueError : a value that is NaN
 
     Source: IEC 61966-2-1 (sRGB), encoding curve.
     """
@@ -142,10 +143,10 @@ def srgb_levels(light):
 
 
 def linear_light_gray(bgr):
-    """Gray of the same luminance as the colour: channels weighed as light, not as stored levels.
+    """Gray of the same luminance as the colour: the weights apply to light, not to the stored levels.
 
-    Beside `to_gray` this shows what gamma does: on neutral colours both agree, on saturated ones luma comes
-    out too dark (pure red: luma 76, but it shines like gray 127).
+    Compared with `to_gray` this shows the effect of gamma. On neutral colours both agree; for saturated
+    colours luma is too dark (pure red has luma 76, but the luminance of gray 127).
 
     Parameters
     ----------
@@ -161,4 +162,4 @@ def linear_light_gray(bgr):
 
     Source: luminance Y of ITU-R BT.709 on light decoded by IEC 61966-2-1.
     """
-    return srgb_levels(linear_light(checked_bgr(bgr)) @ np.array(LUMINANCE_WEIGHTS))
+    return srgb_levels(linear_light(check_bgr(bgr)) @ np.array(LUMINANCE_WEIGHTS))

@@ -8,15 +8,15 @@
 # %% [markdown]
 # # 07 · The stages of Canny
 #
-# `cv2.Canny(gray, 50, 150)` is one line, and for most people it stays a spell. Inside are five plain steps. You will write four of them, and at the end your edges equal OpenCV's on every pixel.
+# `cv2.Canny(gray, 50, 150)` is one line, and for most people it is magic. Inside are five plain steps. You will write four of them. At the end your edges are equal to OpenCV's on every pixel.
 #
 # **You will be able to**
-# - say what each stage takes and gives, with its unit,
-# - write Sobel, suppression, double threshold and hysteresis by hand,
-# - say what 50 and 150 mean, and when to change them,
-# - say why a noisy picture must be smoothed before its edges are looked for.
+# - name the input and the output of each stage, with units,
+# - write Sobel's filter, non-maximum suppression, the double threshold and hysteresis by hand,
+# - explain what 50 and 150 mean, and when to change them,
+# - explain why a noisy image must be smoothed before edge detection.
 #
-# **Time** about 90 minutes; a good place to pause is after section 5. **You need** lessons 03 and 05.
+# **Time** about 90 minutes; you can take a break after section 5. **You need** lessons 03 and 05.
 
 # %% role="given" exercise=["canny-sobel", "canny-suppression", "canny-thresholds", "canny-hysteresis"]
 import numpy as np
@@ -44,11 +44,11 @@ gray = to_gray(recording.frame(30))
 print("gray", gray.shape, gray.dtype, "range", gray.min(), "to", gray.max())
 
 # %% [markdown]
-# ## 1 · An edge is a jump (8 minutes)
+# ## 1 · An edge is an intensity step (8 minutes)
 #
-# **Ask.** Where in this row is the edge? You see it at once: between the 50 and the 200. A program must compute it.
+# **Ask.** Where in this row is the edge? You see it at once: between the 50 and the 200, where the gray level (the *intensity*) makes a step. A program must compute it.
 #
-# **Predict.** For each pixel take its right neighbour minus its left neighbour. Where is the answer not zero?
+# **Predict.** For each pixel subtract its left neighbour from its right neighbour. Where is the result not zero?
 
 # %%
 row = np.array([50, 50, 50, 50, 200, 200, 200, 200])
@@ -60,25 +60,39 @@ print("difference", difference)
 assert difference.tolist() == [0, 0, 0, 150, 150, 0, 0, 0]
 
 # %% [markdown]
-# The weights `[-1, 0, 1]` answer 0 where nothing changes and the height of the jump where it does. A jump from bright to dark gives a negative answer.
+# This is a **correlation** with the kernel `[-1, 0, 1]`, as in lesson 05: the kernel moves along the row, and at each pixel its weights are multiplied with the gray levels below them and added. The result is the *filter response*. Here the response is 0 where nothing changes. At a step it is the height of the step. A step from bright to dark gives a negative response.
 #
-# But one row is easily fooled by noise. **Sobel** asks three rows and gives the middle one double weight:
+# A **convolution** first flips the kernel, here to `[1, 0, -1]`. So the response changes its sign. OpenCV's filters correlate; `np.convolve` and many textbooks convolve.
+
+# %%
+correlated = np.correlate(padded, [-1, 0, 1], mode="valid")
+convolved = np.convolve(padded, [-1, 0, 1], mode="valid")
+print("correlation", correlated)
+print("convolution", convolved)
+
+assert (correlated == difference).all()
+assert (convolved == -correlated).all()
+
+# %% [markdown]
+# A single row is easily disturbed by noise. **Sobel**'s kernel combines three rows and gives the middle one double weight:
 #
 # $$\begin{bmatrix}-1&0&1\\-2&0&2\\-1&0&1\end{bmatrix}$$
 #
-# **Predict** the answer at a straight step of height 150: the weights 1, 2, 1 add up to 4.
+# This kernel is separable: it smooths with 1, 2, 1 down the column and takes the difference −1, 0, 1 along the row. Its response to a *vertical edge* is large. The transposed kernel takes the difference down the column, so its response to a *horizontal edge* is large.
+#
+# **Predict** the response at a straight step of height 150: the weights 1, 2, 1 add up to 4.
 
 # %%
 step = np.tile(np.array([50, 50, 200, 200, 200], dtype=np.uint8), (5, 1))
 grad_row, grad_col = sobel(step)
 show([step, grad_col, grad_row], ["gray", "grad_col (along a row)", "grad_row (down a column)"],
-     caption="Along the rows brightness jumps by 150: Sobel answers 4 × 150 = 600. Down the columns nothing changes.",
+     caption="Along the rows the gray level rises by 150: the response is 4 × 150 = 600. Down the columns nothing changes.",
      alt="Three five by five grids: a step from 50 to 200; a grid with two columns of 600; a grid of zeros.")
 
 assert grad_col.max() == 600 == 4 * 150 and not grad_row.any()
 
 # %% [markdown]
-# Remember that **4**: a threshold of 50 for Canny means a straight step of 12.5 gray levels, and 150 one of 37.5. The unit of every threshold below is the *Sobel answer*, not the gray level.
+# The two responses together are the **gradient**. Remember the **4**: all thresholds below are in the unit of Sobel's response, not in gray levels. So a threshold of 50 for Canny means a straight step of 12.5 gray levels, and 150 means one of 37.5.
 
 # %%
 assert 50 / 4 == 12.5 and 150 / 4 == 37.5
@@ -86,7 +100,13 @@ assert 50 / 4 == 12.5 and 150 / 4 == 37.5
 # %% [markdown]
 # ## 2 · Your turn: Sobel (12 minutes)
 #
-# Write `my_sobel(gray)`: a (height, width) uint8 picture in, two (height, width) int32 arrays out, `grad_row, grad_col`, in this order. `grad_row` uses the transposed weights: the row below minus the row above. At the border the outermost row and column are repeated.
+# Write `my_sobel(gray)`, which computes both gradients.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `gray`: (height, width) uint8 | `grad_row, grad_col`, in this order: two (height, width) int32 arrays | `grad_row, grad_col = my_sobel(step)` |
+#
+# `grad_col` uses the kernel above: right minus left. `grad_row` uses the transposed kernel: the row below minus the row above. At the border use *replicate*: repeat the outermost row and column.
 
 # %% role="exercise"
 exercise(
@@ -95,7 +115,7 @@ exercise(
     function="my_sobel",
     time_limit=5,
     refused=("cv2", "scipy", "skimage", "imgproc_course.imaging"),
-    hint="Widen to int32, pad by one with mode='edge', then add six shifted pictures with their weights.",
+    hint="Widen to int32, pad by one with mode='edge', then add six shifted arrays with their weights.",
 )
 
 # %% role="answer"
@@ -117,32 +137,32 @@ def my_sobel(gray):
 check("canny-sobel", my_sobel)
 
 
-# %% role="case" title="an upright step" points=1 hint="Which of the two sees a jump along a row?"
+# %% role="case" title="a vertical edge" points=1 hint="Which of the two gradients responds to a step along a row?"
 def inputs(rng):
     low, high = rng.integers(0, 100), rng.integers(120, 256)
-    picture = np.full((5, 6), low, dtype=np.uint8)
-    picture[:, rng.integers(2, 5) :] = high
-    return (picture,)
+    image = np.full((5, 6), low, dtype=np.uint8)
+    image[:, rng.integers(2, 5) :] = high
+    return (image,)
 
 
-# %% role="case" title="a lying step, bright above dark" points=1 hint="From bright to dark the answer is negative: widen before you subtract."
+# %% role="case" title="a horizontal edge, bright above dark" points=1 hint="From bright to dark the response is negative: widen before you subtract."
 def inputs(rng):
-    picture = np.full((6, 5), rng.integers(150, 256), dtype=np.uint8)
-    picture[rng.integers(2, 5) :] = rng.integers(0, 80)
-    return (picture,)
+    image = np.full((6, 5), rng.integers(150, 256), dtype=np.uint8)
+    image[rng.integers(2, 5) :] = rng.integers(0, 80)
+    return (image,)
 
 
-# %% role="case" title="something at the border" points=1 hint="Look at the border: are the outermost pixels repeated?"
+# %% role="case" title="random pixels up to the border" points=1 hint="Look at the border: are the outermost pixels repeated?"
 def inputs(rng):
     return (rng.integers(0, 256, size=(4, 5), dtype=np.uint8),)
 
 
-# %% role="hidden" title="any picture" points=1 hint="Look at the border: are the outermost pixels repeated?"
+# %% role="hidden" title="any image" points=1 hint="Look at the border: are the outermost pixels repeated?"
 def inputs(rng):
     return (rng.integers(0, 256, size=(7, 9), dtype=np.uint8),)
 
 
-# %% role="mistake" name="uint8 wraps" says="This is what uint8 wrap-around looks like: dark minus bright ran below 0 and began again at 255. Widen to int32 before you subtract."
+# %% role="mistake" name="uint8 wraps" says="This is what uint8 wrap-around looks like: dark minus bright went below 0 and continued at 255. Widen to int32 before you subtract."
 def my_sobel(gray):
     p = np.pad(gray, 1, mode="edge")
     along = p[:-2] + 2 * p[1:-1] + p[2:]
@@ -150,19 +170,19 @@ def my_sobel(gray):
     return (across[2:] - across[:-2]).astype(np.int32), (along[:, 2:] - along[:, :-2]).astype(np.int32)
 
 
-# %% role="mistake" name="rows and columns exchanged" says="The two answers have changed places: grad_row, the change down a column, comes first."
+# %% role="mistake" name="rows and columns exchanged" says="The two gradients are swapped: grad_row, the change down a column, comes first."
 def my_sobel(gray):
     grad_row, grad_col = solution(gray)
     return grad_col, grad_row
 
 
-# %% role="mistake" name="the sign is turned" says="The sign is turned around: right minus left, and below minus above."
+# %% role="mistake" name="a convolution instead of a correlation" says="All signs are flipped, as in a convolution. Compute right minus left, and below minus above."
 def my_sobel(gray):
     grad_row, grad_col = solution(gray)
     return -grad_row, -grad_col
 
 
-# %% role="mistake" name="a border of zeros" says="Beyond the border stand zeros, and every border became an edge. Repeat the outermost rows and columns: np.pad(..., mode='edge')."
+# %% role="mistake" name="a border of zeros" says="The image was padded with zeros, so its border became an edge. Repeat the outermost rows and columns: np.pad(..., mode='edge')."
 def my_sobel(gray):
     p = np.pad(gray.astype(np.int32), 1)
     along = p[:-2] + 2 * p[1:-1] + p[2:]
@@ -170,7 +190,7 @@ def my_sobel(gray):
     return across[2:] - across[:-2], along[:, 2:] - along[:, :-2]
 
 
-# %% role="mistake" name="the middle not doubled" says="All three rows have the same weight here (that is Prewitt's filter). Sobel gives the middle one double weight."
+# %% role="mistake" name="the middle not doubled" says="All three rows have the same weight here: this is Prewitt's kernel. Sobel's kernel gives the middle row double weight."
 def my_sobel(gray):
     p = np.pad(gray.astype(np.int32), 1, mode="edge")
     along = p[:-2] + p[1:-1] + p[2:]
@@ -179,9 +199,12 @@ def my_sobel(gray):
 
 
 # %% [markdown]
-# ## 3 · How strong, and which way (8 minutes)
+# ## 3 · Gradient magnitude and direction (8 minutes)
 #
-# Two answers a pixel make an arrow: `grad_col` to the right, `grad_row` down. It points from dark to bright, across the edge. Its length is the **magnitude**. OpenCV's plain form adds the two without their signs, |grad_row| + |grad_col|: this is the *L1 norm*.
+# The two gradients of a pixel form an arrow: `grad_col` to the right, `grad_row` down. The arrow points from dark to bright, at a right angle to the edge: this is the **gradient direction** (or orientation). Its length is the **gradient magnitude**. A length can be measured by two *norms*:
+#
+# - the **L2 norm** √(grad_row² + grad_col²) is the length of the arrow as a ruler measures it,
+# - the **L1 norm** |grad_row| + |grad_col| is faster, and OpenCV's default.
 
 # %%
 slanted = np.array([[40, 40, 40, 60, 160],
@@ -194,22 +217,25 @@ figure, axes = draw(slanted, "gradient of the middle pixel", encoding="mono8")
 axes[0].annotate("", xy=(2 + right[2, 2] / 400, 2 + down[2, 2] / 400), xytext=(2, 2),
                  arrowprops={"color": "tab:orange", "width": 3, "headwidth": 12})
 show_figure(figure, alt="A grid with a slanted edge; an orange arrow points from its middle to the lower right.",
-            caption="The arrow points from dark to bright, straight across the edge.")
-print("grad_row", down[2, 2], " grad_col", right[2, 2], " magnitude", abs(down[2, 2]) + abs(right[2, 2]))
+            caption="The arrow points from dark to bright, at a right angle to the edge.")
+print("grad_row", down[2, 2], " grad_col", right[2, 2])
 
 # %%
-size = magnitude(down, right)
-assert size[2, 2] == abs(int(down[2, 2])) + abs(int(right[2, 2]))
+print("L1 norm ", abs(down[2, 2]) + abs(right[2, 2]), "  L2 norm", round(float(np.hypot(down[2, 2], right[2, 2])), 1))
+
+l1, l2 = magnitude(down, right, "L1"), magnitude(down, right, "L2")
+assert l1[2, 2] == abs(int(down[2, 2])) + abs(int(right[2, 2]))
+assert l2[2, 2] == (int(down[2, 2]) ** 2 + int(right[2, 2]) ** 2) ** 0.5
+assert (l1 >= l2).all()  # the L1 norm is never smaller
 
 # %% [markdown]
-# The same on the robot's picture. Where the arrow points is shown as a colour (a *hue*), how long it is as brightness:
+# Now the gradient magnitude of a camera frame, and below it the direction. The second figure shows the direction as a colour (*hue*) and the magnitude as brightness.
 
 # %%
 stages = canny_stages(gray, 50, 150)
-size = stages.magnitude
-print("magnitude", size.shape, size.dtype, "range", size.min(), "to", size.max())
+print("magnitude", stages.magnitude.shape, stages.magnitude.dtype, "range", stages.magnitude.min(), "to", stages.magnitude.max())
 show(np.minimum(stages.magnitude, 500), "magnitude (L1), up to 500",
-     caption="The stronger the jump, the brighter: outlines come out, broad and of different strength.",
+     caption="The larger the step, the brighter the pixel. The outlines are broad and of different strength.",
      alt="The living room as bright outlines on black: books, door, chair, rug and ball.")
 
 # %%
@@ -219,13 +245,13 @@ hsv[..., 0] = angle / 2  # OpenCV counts hue in steps of two degrees
 hsv[..., 1] = 255
 hsv[..., 2] = np.minimum(stages.magnitude // 2, 255)
 show(cv2.cvtColor(hsv, cv2.COLOR_HSV2BGR), "direction as hue", rows=(310, 440), cols=(430, 740),
-     caption="Around the ball the gradient turns through all directions, so its rim runs through all hues.",
+     caption="Around the ball the gradient takes every direction, so the rim of the ball shows every hue.",
      alt="The rim of the ball as a ring in all colours of the rainbow, beside the coloured outlines of the marker.")
 
 # %% [markdown]
-# ## 4 · Only the ridge counts (10 minutes)
+# ## 4 · Non-maximum suppression: only the ridge counts (10 minutes)
 #
-# An edge should be one pixel thin. But a jump that is spread over a few pixels answers over a few pixels. **Predict** from these numbers which pixel *is* the edge.
+# An edge should be one pixel thin. But if a step is spread over a few pixels, the response is spread over a few pixels too: the magnitudes form a *ridge*. **Predict** from these gray levels which pixel should be the edge.
 
 # %%
 soft = np.array([50, 50, 60, 90, 150, 190, 200, 200], dtype=np.uint8)
@@ -237,7 +263,7 @@ print("magnitude", profile)
 assert profile.tolist() == [0, 40, 160, 360, 400, 200, 40, 0]
 
 # %% [markdown]
-# The largest, of course: 400. So each pixel is compared with its two neighbours *along its gradient*, and survives only as a maximum. This is **non-maximum suppression**. In a picture the gradient may point anywhere, and a pixel has eight neighbours; so the direction is put into one of four *sectors*:
+# The pixel with the largest magnitude, 400: it is the top of the ridge. So each pixel is compared with its two neighbours *along its gradient*, and is kept only if it is a maximum. This is **non-maximum suppression**. In an image the gradient can point anywhere, but a pixel has only eight neighbours. So the direction is rounded to one of four *sectors*:
 #
 # | sector | the gradient points | first neighbour | second neighbour |
 # |---|---|---|---|
@@ -246,7 +272,7 @@ assert profile.tolist() == [0, 40, 160, 360, 400, 200, 40, 0]
 # | 2 | down the column | above | below |
 # | 3 | down-left or up-right | above right | below left |
 #
-# Two equal neighbours must not both survive, nor both vanish. OpenCV's rule: in sectors 0 and 2 a pixel survives if it is *greater* than the first neighbour and *at least as great* as the second; in sectors 1 and 3 it must be greater than both. Beyond the border the magnitude counts as 0.
+# If two neighbours have equal magnitudes, one of them should be kept. OpenCV's rule: in sectors 0 and 2 a pixel is kept if its magnitude is *greater than* that of the first neighbour and *greater than or equal to* that of the second. In sectors 1 and 3 it must be greater than both. Outside the image the magnitude is 0 (zero padding).
 
 # %%
 sector = direction(stages.grad_row, stages.grad_col)
@@ -255,7 +281,7 @@ print("pixels in sector 0, 1, 2, 3:", np.bincount(sector.ravel()))
 assert (sector == stages.direction).all()
 
 # %% [markdown]
-# Where is the border between two sectors? Halfway between 0° and 45°, at 22.5°. OpenCV asks without any angle: is |grad_row| smaller than |grad_col| times 13573 / 2¹⁵? That fraction is the tangent of 22.5°, in whole numbers.
+# Where is the border between two sectors? Halfway between 0° and 45°, at 22.5°. OpenCV decides it without computing an angle: is |grad_row| smaller than |grad_col| times 13573 / 2¹⁵? This fraction is the tangent of 22.5°, written with integers.
 
 # %%
 print("13573 / 2**15 =", round(13573 / 2**15, 4), "  tangent of 22.5 degrees =", round(float(np.tan(np.pi / 8)), 4))
@@ -264,15 +290,19 @@ assert round(13573 / 2**15, 4) == round(float(np.tan(np.pi / 8)), 4) == 0.4142
 
 # %%
 zoom = dict(rows=(376, 400), cols=(440, 464))
-pair = [np.minimum(stages.magnitude, 500), np.minimum(stages.thinned, 500)]
-show(pair, ["magnitude", "after suppression"], **zoom, numbers=False,
-     caption="The rim of the ball, enlarged: a broad ridge before, one pixel after.",
+before_and_after = [np.minimum(stages.magnitude, 500), np.minimum(stages.thinned, 500)]
+show(before_and_after, ["magnitude", "after suppression"], **zoom, numbers=False,
+     caption="The rim of the ball, enlarged: a broad ridge before the suppression, one pixel after it.",
      alt="Two enlarged patches: left a broad bright band, right a thin line of single pixels.")
 
 # %% [markdown]
 # ## 5 · Your turn: suppression (15 minutes)
 #
-# Write `suppress(magnitude, sector)`: two (height, width) arrays in, int32 and uint8; out a new int32 array in which every pixel that survives keeps its magnitude and every other is 0. The rule and the table stand above.
+# Write `suppress(magnitude, sector)`. Use the rule and the table of section 4.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `magnitude`: (height, width) int32; `sector`: (height, width) uint8, 0 to 3 | a new (height, width) int32 array: the magnitude where a pixel is kept, 0 elsewhere | `thinned = suppress(stages.magnitude, stages.direction)` |
 
 # %% role="exercise"
 exercise(
@@ -312,13 +342,13 @@ def suppress(magnitude, sector):
 check("canny-suppression", suppress)
 
 
-# %% role="case" title="an upright ridge" points=1 hint="Sector 0 compares with left and right."
+# %% role="case" title="a vertical ridge" points=1 hint="Sector 0 compares with left and right."
 def inputs(rng):
     magnitude = np.sort(rng.integers(1, 400, size=(5, 7)), axis=1)[:, [0, 2, 4, 6, 5, 3, 1]].astype(np.int32)
     return magnitude, np.zeros((5, 7), dtype=np.uint8)
 
 
-# %% role="case" title="equal neighbours" points=1 hint="Greater than the first, at least as great as the second: then one of two equals survives."
+# %% role="case" title="equal neighbours" points=1 hint="Greater than the first, greater than or equal to the second: then one of two equal neighbours is kept."
 def inputs(rng):
     magnitude = np.zeros((6, 5), dtype=np.int32)
     row = rng.integers(1, 4)
@@ -331,12 +361,12 @@ def inputs(rng):
     return rng.integers(0, 400, size=(7, 8)).astype(np.int32), rng.integers(0, 4, size=(7, 8), dtype=np.uint8)
 
 
-# %% role="hidden" title="few values, many equals" points=1 hint="In sectors 1 and 3 a pixel must be greater than both neighbours."
+# %% role="hidden" title="few values, many equal neighbours" points=1 hint="In sectors 1 and 3 a pixel must be greater than both neighbours."
 def inputs(rng):
     return rng.integers(0, 4, size=(12, 15)).astype(np.int32), rng.integers(0, 4, size=(12, 15), dtype=np.uint8)
 
 
-# %% role="mistake" name=">= for >" says="Two equal neighbours both survived, and the edge is two pixels thick: towards the first neighbour it must be greater, not just as great."
+# %% role="mistake" name=">= for >" says="Two equal neighbours were both kept, so the edge is two pixels thick. A pixel must be greater than the first neighbour, not only equal to it."
 def suppress(magnitude, sector):
     padded = np.pad(magnitude, 1)
     first = {0: (0, -1), 1: (-1, -1), 2: (-1, 0), 3: (-1, 1)}
@@ -348,7 +378,7 @@ def suppress(magnitude, sector):
     return thinned
 
 
-# %% role="mistake" name="> on both sides" says="Of two equal neighbours neither survived, and the edge has a hole: in sectors 0 and 2 'at least as great' is enough towards the second neighbour."
+# %% role="mistake" name="> on both sides" says="Of two equal neighbours neither was kept, so the edge has a gap. In sectors 0 and 2 a pixel may be equal to the second neighbour."
 def suppress(magnitude, sector):
     padded = np.pad(magnitude, 1)
     first = {0: (0, -1), 1: (-1, -1), 2: (-1, 0), 3: (-1, 1)}
@@ -360,12 +390,12 @@ def suppress(magnitude, sector):
     return thinned
 
 
-# %% role="mistake" name="along the edge instead of across it" says="Each pixel was compared along the edge, not across it: sector 0 means that the gradient points along the row, so its neighbours are left and right."
+# %% role="mistake" name="along the edge instead of across it" says="Each pixel was compared with neighbours along the edge instead of across it. In sector 0 the gradient points along the row, so the neighbours are left and right."
 def suppress(magnitude, sector):
     return solution(magnitude, ((sector + 2) % 4).astype(np.uint8))
 
 
-# %% role="mistake" name="all eight neighbours" says="Each pixel was compared with all eight neighbours. Only the two along its gradient count, or edges break where their strength changes."
+# %% role="mistake" name="all eight neighbours" says="Each pixel was compared with all eight neighbours. Compare it only with the two along its gradient; otherwise edges break where their magnitude changes."
 def suppress(magnitude, sector):
     padded = np.pad(magnitude, 1)
     thinned = np.zeros_like(magnitude)
@@ -377,31 +407,35 @@ def suppress(magnitude, sector):
     return thinned
 
 
-# %% role="mistake" name="the diagonals exchanged" says="Sectors 1 and 3 have changed places: 1 compares with above left and below right, 3 with above right and below left."
+# %% role="mistake" name="the diagonals exchanged" says="Sectors 1 and 3 are swapped: sector 1 compares with above left and below right, sector 3 with above right and below left."
 def suppress(magnitude, sector):
     return solution(magnitude, np.where(sector % 2 == 1, 4 - sector, sector).astype(np.uint8))
 
 
 # %% [markdown]
-# ## 6 · Two thresholds (5 minutes)
+# ## 6 · The double threshold (5 minutes)
 #
-# Which ridges are edges? One threshold is a bad judge: set it low and the floor's grain comes in, set it high and outlines break. Canny uses two. Above `high` a pixel is an edge for certain: a *seed*. Above `low` it is a *candidate*. Below, it is nothing.
+# Which ridges are edges? A single threshold is not enough: if it is low, the grain of the floor becomes edges; if it is high, outlines break. Canny uses a **double threshold**. A pixel above `high` is a **strong** edge pixel: it is certainly an edge. A pixel above `low`, but not above `high`, is a **weak** edge pixel: it may be an edge. All other pixels are background.
 
 # %%
-seeds = stages.thinned > 150
-candidates = stages.thinned > 50
-print(f"candidates {candidates.sum():,}   seeds {seeds.sum():,}")
-show([candidates, seeds], ["candidates: above 50", "seeds: above 150"],
-     caption="Low brings everything, the floor's boards with it; high brings only the strongest pieces.",
+strong = stages.thinned > 150
+weak = (stages.thinned > 50) & (stages.thinned <= 150)
+print(f"weak {weak.sum():,}   strong {strong.sum():,}")
+show([weak | strong, strong], ["weak or strong: above 50", "strong: above 150"],
+     caption="The low threshold also brings in the boards of the floor; the high one keeps only the strongest pieces.",
      alt="Left, many thin lines all over the room; right, fewer and broken lines.")
 
-assert (stages.seeds == seeds).all() and (stages.candidates == candidates).all()
-assert not (seeds & ~candidates).any()
+assert (stages.strong == strong).all() and (stages.weak == weak).all()
+assert not (weak & strong).any()  # no pixel is both
 
 # %% [markdown]
 # ## 7 · Your turn: the double threshold (4 minutes)
 #
-# Write `double_threshold(thinned, low, high)`: an int32 array and two numbers in, two bool arrays out, `candidates, seeds`: strictly above `low`, strictly above `high`.
+# Write `double_threshold(thinned, low, high)`. Strong means strictly above `high`. Weak means strictly above `low` and not strong.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `thinned`: int32 array; `low`, `high`: two numbers, low < high | `weak, strong`, in this order: two bool arrays of the same shape | `weak, strong = double_threshold(stages.thinned, 50, 150)` |
 
 # %% role="exercise"
 exercise(
@@ -410,7 +444,7 @@ exercise(
     function="double_threshold",
     time_limit=5,
     refused=("cv2", "skimage", "imgproc_course.imaging"),
-    hint="A comparison of an array with a number gives a bool array.",
+    hint="A comparison of an array with a number gives a bool array. Two bool arrays are combined with &.",
 )
 
 
@@ -421,90 +455,101 @@ def double_threshold(thinned, low, high):
 
 # %% role="solution"
 def double_threshold(thinned, low, high):
-    return thinned > low, thinned > high
+    strong = thinned > high
+    weak = (thinned > low) & (thinned <= high)
+    return weak, strong
 
 
 # %% role="check"
 check("canny-thresholds", double_threshold)
 
 
-# %% role="case" title="values on the line" points=1 hint="Above means strictly above: a value equal to low is no candidate."
+# %% role="case" title="values equal to a threshold" points=1 hint="Above means strictly above: a value equal to low is not weak, and a value equal to high is not strong."
 def inputs(rng):
     low, high = int(rng.integers(20, 80)), int(rng.integers(100, 200))
     values = np.array([0, low - 1, low, low + 1, high - 1, high, high + 1, 400, 5], np.int32)
     return rng.permutation(values).reshape(3, 3), low, high
 
 
-# %% role="hidden" title="any magnitudes" points=1 hint="Every seed is a candidate too."
+# %% role="hidden" title="any magnitudes" points=1 hint="A pixel is weak, strong or neither, but never both."
 def inputs(rng):
     return rng.integers(0, 300, size=(8, 9)).astype(np.int32), 60, 180
 
 
 # %% role="mistake" name=">= for >" says="A value equal to a threshold is not above it: use >, as OpenCV does."
 def double_threshold(thinned, low, high):
-    return thinned >= low, thinned >= high
+    return (thinned >= low) & (thinned < high), thinned >= high
 
 
-# %% role="mistake" name="seeds and candidates exchanged" says="Candidates come first: there are more of them, since low is the smaller threshold."
+# %% role="mistake" name="weak and strong swapped" says="The two masks are swapped: weak comes first, strong second."
 def double_threshold(thinned, low, high):
-    return thinned > high, thinned > low
+    return thinned > high, (thinned > low) & (thinned <= high)
 
 
-# %% role="mistake" name="candidates without the seeds" says="Your candidates lack the seeds. Every pixel above low is a candidate, however strong it is."
+# %% role="mistake" name="weak contains the strong pixels too" says="Your weak pixels contain the strong ones too. A weak pixel lies between the thresholds: above low, but not above high."
 def double_threshold(thinned, low, high):
-    return (thinned > low) & (thinned <= high), thinned > high
+    return thinned > low, thinned > high
+
+
+# %% role="mistake" name="a value equal to high is neither" says="A value equal to high is neither weak nor strong in your masks. It is not above high, so it is weak."
+def double_threshold(thinned, low, high):
+    return (thinned > low) & (thinned < high), thinned > high
 
 
 # %% [markdown]
-# ## 8 · Hysteresis: a seed pulls its line along (8 minutes)
+# ## 8 · Edge tracking by hysteresis (8 minutes)
 #
-# A candidate becomes an edge if it touches an edge: at any of its eight sides and corners. So edges grow from the seeds, step by step, along the candidates, until nothing is left to take. **Predict**: which of the letters become edges? (S is a seed, c a candidate.)
+# A weak pixel becomes an edge if it touches an edge pixel at one of its eight neighbours, corners included. This is *8-connectivity*. (With *4-connectivity* only the four sides count.) So edges grow from the strong pixels, step by step along the weak pixels, until nothing changes. This is **edge tracking by hysteresis**.
+#
+# In other words: weak and strong pixels that touch each other form a **connected component**. A component is an edge if at least one of its pixels is strong.
+#
+# **Predict** which of the letters become edges. (S is strong, w is weak.)
 #
 # ```
-# S c c . . c
-# . . . c . c
-# c . . . . .
+# S w w . . w
+# . . . w . w
+# w . . . . .
 # ```
 
 # %%
-def grow_once(edges, candidates):
+def grow_once(edges, weak):
     padded = np.pad(edges, 1)
     height, width = edges.shape
-    near = [padded[row : row + height, col : col + width] for row in range(3) for col in range(3)]
-    return candidates & np.any(near, axis=0)
+    shifted = [padded[row : row + height, col : col + width] for row in range(3) for col in range(3)]
+    return edges | (weak & np.any(shifted, axis=0))
 
 
 # %%
-def grown(candidates, seeds, steps):
-    edges = seeds
+def grow_steps(weak, strong, steps):
+    edges = strong
     for _ in range(steps):
-        edges = grow_once(edges, candidates)
+        edges = grow_once(edges, weak)
     return edges
 
 
-letters = np.array([list("Scc..c"), list("...c.c"), list("c.....")])
-chain = grown(letters != ".", letters == "S", 10)
+letters = np.array([list("Sww..w"), list("...w.w"), list("w.....")])
+chain = grow_steps(letters == "w", letters == "S", 10)
 print(np.where(chain, "E", letters))
 
 assert chain.astype(int).tolist() == [[1, 1, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 0, 0]]
 
 # %% [markdown]
-# On the robot's picture, with a slider for the number of steps: pull it and watch the lines grow out of the seeds.
+# Now on the camera frame. Move the slider, which sets the number of steps, and watch the lines grow from the strong pixels.
 
 # %% tags=["nbval-ignore-output"]
 def growth(frame, steps=0):
-    edges = grown(stages.candidates, stages.seeds, steps)
+    edges = grow_steps(stages.weak, stages.strong, steps)
     return np.where(edges, 255, 0).astype(np.uint8)
 
 
-growing = tune(growth, gray, steps=(0, 60), caption="Edges after so many steps of growth.",
-               alt="White lines on black, longer with each step.")
+growing = tune(growth, gray, steps=(0, 60), caption="The edges after this number of steps.",
+               alt="White lines on black; they get longer with each step.")
 
 # %%
-early, late = grown(stages.candidates, stages.seeds, 3), grown(stages.candidates, stages.seeds, 400)
-print(f"seeds {stages.seeds.sum():,}   after 3 steps {early.sum():,}   after 400 {late.sum():,}")
-show([stages.seeds, late], ["seeds", "after growth"],
-     caption="Broken pieces have joined to outlines; most of the floor's grain touches no seed and is gone.",
+early, late = grow_steps(stages.weak, stages.strong, 3), grow_steps(stages.weak, stages.strong, 400)
+print(f"strong pixels {stages.strong.sum():,}   after 3 steps {early.sum():,}   after 400 {late.sum():,}")
+show([stages.strong, late], ["strong pixels", "after growth"],
+     caption="Broken pieces are joined to outlines; most of the grain of the floor touches no strong pixel and is gone.",
      alt="Left, broken lines; right, the same lines joined to closed outlines.")
 
 assert ((stages.edges == 255) == late).all()
@@ -512,7 +557,11 @@ assert ((stages.edges == 255) == late).all()
 # %% [markdown]
 # ## 9 · Your turn: hysteresis (10 minutes)
 #
-# Write `grow(candidates, seeds)`: two bool arrays in, one uint8 array out: 255 where an edge is, 0 elsewhere. A candidate is an edge if a chain of candidates, touching at sides or corners, leads from it to a seed.
+# Write `grow(weak, strong)`. Every strong pixel is an edge. A weak pixel is an edge if a chain of weak pixels leads from it to a strong pixel; neighbours in the chain touch at sides or corners.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `weak`, `strong`: two (height, width) bool arrays; no pixel is True in both | (height, width) uint8: 255 on edges, 0 elsewhere | `edges = grow(stages.weak, stages.strong)` |
 
 # %% role="exercise"
 exercise(
@@ -521,23 +570,23 @@ exercise(
     function="grow",
     time_limit=10,
     refused=("cv2", "scipy", "skimage", "imgproc_course.imaging"),
-    hint="Grow by one step until the number of edge pixels stops changing.",
+    hint="Start with the strong pixels. Grow by one step until the number of edge pixels stops changing.",
 )
 
 
 # %% role="answer"
-def grow(candidates, seeds):
+def grow(weak, strong):
     raise NotImplementedError("your turn: delete this line and write the function")
 
 
 # %% role="solution"
-def grow(candidates, seeds):
-    height, width = candidates.shape
-    edges = seeds & candidates
+def grow(weak, strong):
+    height, width = weak.shape
+    edges = strong
     while True:
         padded = np.pad(edges, 1)
-        near = [padded[row : row + height, col : col + width] for row in range(3) for col in range(3)]
-        larger = candidates & np.any(near, axis=0)
+        shifted = [padded[row : row + height, col : col + width] for row in range(3) for col in range(3)]
+        larger = edges | (weak & np.any(shifted, axis=0))
         if larger.sum() == edges.sum():
             return np.where(edges, 255, 0).astype(np.uint8)
         edges = larger
@@ -547,102 +596,108 @@ def grow(candidates, seeds):
 check("canny-hysteresis", grow)
 
 
-# %% role="case" title="a chain that turns corners" points=1 hint="Corners touch too: each pixel has eight neighbours."
+# %% role="case" title="a chain that turns corners" points=1 hint="Pixels touch at corners too: each pixel has eight neighbours."
 def inputs(rng):
-    candidates = np.eye(8, dtype=bool)
-    candidates[rng.integers(4, 7), :] = True
-    candidates[0, 6:] = True  # an island
-    seeds = np.zeros_like(candidates)
-    seeds[0, 0] = True
-    return candidates, seeds
+    weak = np.eye(8, dtype=bool)
+    weak[rng.integers(4, 7), :] = True
+    weak[0, 6:] = True  # a component without a strong pixel
+    strong = np.zeros_like(weak)
+    strong[0, 0] = True
+    return weak & ~strong, strong
 
 
-# %% role="case" title="a long snake" points=1 hint="One step of growth is not enough: go on until nothing changes."
+# %% role="case" title="a long snake" points=1 hint="One step of growth is not enough: continue until nothing changes."
 def inputs(rng):
-    candidates = np.zeros((9, 9), dtype=bool)
-    candidates[0::2] = True
+    weak = np.zeros((9, 9), dtype=bool)
+    weak[0::2] = True
     for row in range(1, 9, 2):
-        candidates[row, 0 if row % 4 == 3 else 8] = True
-    seeds = np.zeros_like(candidates)
-    seeds[0, rng.integers(0, 3)] = True
-    return candidates, seeds
+        weak[row, 0 if row % 4 == 3 else 8] = True
+    strong = np.zeros_like(weak)
+    strong[0, rng.integers(0, 3)] = True
+    return weak & ~strong, strong
 
 
-# %% role="case" title="an island at each border" points=1 hint="The picture's left border does not touch its right one, nor its top the bottom."
+# %% role="case" title="a component at each border" points=1 hint="The left border of the image does not touch the right one, and the top does not touch the bottom."
 def inputs(rng):
-    candidates = np.zeros((7, 9), dtype=bool)
-    candidates[3, : rng.integers(3, 5)] = True
-    candidates[3, 6:] = True  # at the other end of the seed's row
-    candidates[0, 2:5] = True
-    candidates[6, 2:5] = True
-    candidates[5, 7] = True  # touches nothing, not even across the border
-    seeds = np.zeros_like(candidates)
-    seeds[3, 0] = seeds[0, 3] = True
-    return candidates, seeds
+    weak = np.zeros((7, 9), dtype=bool)
+    weak[3, : rng.integers(3, 5)] = True
+    weak[3, 6:] = True  # at the other end of the strong pixel's row
+    weak[0, 2:5] = True
+    weak[6, 2:5] = True
+    weak[5, 7] = True  # touches nothing, not even across the border
+    strong = np.zeros_like(weak)
+    strong[3, 0] = strong[0, 3] = True
+    return weak & ~strong, strong
 
 
-# %% role="hidden" title="islands" points=1 hint="An island of candidates without a seed is no edge."
+# %% role="hidden" title="many components" points=1 hint="A component without a strong pixel is not an edge."
 def inputs(rng):
-    candidates = rng.random((24, 30)) < 0.4
-    return candidates, candidates & (rng.random((24, 30)) < 0.05)
+    weak = rng.random((24, 30)) < 0.4
+    strong = weak & (rng.random((24, 30)) < 0.05)
+    return weak & ~strong, strong
 
 
-# %% role="mistake" name="four neighbours only" says="Only sides were asked, not corners: a slanted line breaks. Each pixel has eight neighbours."
-def grow(candidates, seeds):
-    edges = seeds & candidates
+# %% role="mistake" name="four neighbours only" says="Only the four sides were compared, not the corners, so slanted lines break. Use 8-connectivity: each pixel has eight neighbours."
+def grow(weak, strong):
+    edges = strong
     while True:
         p = np.pad(edges, 1)
-        larger = candidates & (edges | p[:-2, 1:-1] | p[2:, 1:-1] | p[1:-1, :-2] | p[1:-1, 2:])
+        larger = edges | (weak & (p[:-2, 1:-1] | p[2:, 1:-1] | p[1:-1, :-2] | p[1:-1, 2:]))
         if larger.sum() == edges.sum():
             return np.where(edges, 255, 0).astype(np.uint8)
         edges = larger
 
 
-# %% role="mistake" name="np.roll across the border" says="Edges jumped across the picture's border: np.roll pushes a row out at one end and in again at the other, so that the left border touches the right one. Pad with False and take shifted parts instead."
-def grow(candidates, seeds):
-    edges = seeds & candidates
+# %% role="mistake" name="np.roll across the border" says="Edges jumped across the border of the image. np.roll moves the last row or column to the other end, so the left border touches the right one. Pad with False and take shifted parts instead."
+def grow(weak, strong):
+    edges = strong
     while True:
         steps = [(row, col) for row in (-1, 0, 1) for col in (-1, 0, 1)]
         near = np.any([np.roll(edges, step, axis=(0, 1)) for step in steps], axis=0)
-        larger = candidates & near
+        larger = edges | (weak & near)
         if larger.sum() == edges.sum():
             return np.where(edges, 255, 0).astype(np.uint8)
         edges = larger
 
 
-# %% role="mistake" name="one step only" says="The edges grew by one step and stopped. Go on until nothing changes any more."
-def grow(candidates, seeds):
-    height, width = candidates.shape
-    padded = np.pad(seeds, 1)
+# %% role="mistake" name="one step only" says="The edges grew by one step and stopped. Continue until nothing changes."
+def grow(weak, strong):
+    height, width = weak.shape
+    padded = np.pad(strong, 1)
     near = [padded[row : row + height, col : col + width] for row in range(3) for col in range(3)]
-    return np.where(candidates & np.any(near, axis=0), 255, 0).astype(np.uint8)
+    return np.where(strong | (weak & np.any(near, axis=0)), 255, 0).astype(np.uint8)
 
 
-# %% role="mistake" name="the seeds alone" says="Only the seeds came back: let them grow along the candidates that touch them."
-def grow(candidates, seeds):
-    return np.where(seeds & candidates, 255, 0).astype(np.uint8)
+# %% role="mistake" name="the strong pixels alone" says="You returned only the strong pixels. Let them grow along the weak pixels that touch them."
+def grow(weak, strong):
+    return np.where(strong, 255, 0).astype(np.uint8)
 
 
-# %% role="mistake" name="all candidates" says="All candidates became edges. Only those count that a chain of candidates joins to a seed."
-def grow(candidates, seeds):
-    return np.where(candidates, 255, 0).astype(np.uint8)
+# %% role="mistake" name="the strong pixels are lost" says="The strong pixels are missing in your edges. Weak and strong are separate masks: keep the strong pixels, and add the weak ones that touch them."
+def grow(weak, strong):
+    return np.where(weak, solution(weak, strong), 0).astype(np.uint8)
 
 
-# %% role="mistake" name="bool instead of 0 and 255" says="The edges are right, but as True and False: the task asks for uint8, 0 and 255."
-def grow(candidates, seeds):
-    return solution(candidates, seeds) == 255
+# %% role="mistake" name="all weak pixels" says="All weak pixels became edges. Keep only those that a chain of weak pixels connects to a strong pixel."
+def grow(weak, strong):
+    return np.where(weak | strong, 255, 0).astype(np.uint8)
+
+
+# %% role="mistake" name="bool instead of 0 and 255" says="The edges are right, but they are True and False. The task asks for uint8, 0 and 255."
+def grow(weak, strong):
+    return solution(weak, strong) == 255
 
 
 # %% [markdown]
 # ## 10 · Does OpenCV agree? (4 minutes)
 #
-# All stages in a row are `canny_stages`; the package's `canny` gives the same, only faster. **Check** against OpenCV on ten pictures of the drive, pixel by pixel.
+# `canny_stages` runs all stages one after another. The package's `canny` computes the same edges, but faster. **Check** it against OpenCV on ten frames of the drive, pixel by pixel.
 
 # %%
 different = 0
 for k in range(0, 90, 9):
-    picture = to_gray(recording.frame(k))
-    different += int((canny(picture, 50, 150) != cv2.Canny(picture, 50, 150)).sum())
+    frame = to_gray(recording.frame(k))
+    different += int((canny(frame, 50, 150) != cv2.Canny(frame, 50, 150)).sum())
 print("pixels that differ from OpenCV:", different, "of", 10 * gray.size)
 
 assert different == 0
@@ -651,48 +706,48 @@ assert (canny(gray, 50, 150) == stages.edges).all()
 # %% [markdown]
 # ## 11 · Planned failure: Canny on a noisy frame (6 minutes)
 #
-# What is sold as Canny starts with a Gaussian blur. `cv2.Canny` does **not** blur: that is left to you. **Predict** what a little noise, 15 gray levels, does to the edges.
+# In textbooks Canny starts with a Gaussian blur. `cv2.Canny` does **not** blur: you must do it yourself. **Predict** what a little Gaussian noise, with a standard deviation of 15 gray levels, does to the edges.
 
 # %%
 noisy = add_gaussian_noise(gray, 15, seed=1)
 unblurred = canny(noisy, 50, 150)
 show([canny(gray, 50, 150), unblurred], ["edges of the frame", "edges with noise of 15 gray levels"],
-     caption="The noise is faint to the eye, and the edges drown in it: every grain is a jump.",
+     caption="You hardly see the noise in the frame, but it hides the edges: every noisy pixel makes a step.",
      alt="Left, clear outlines of the room; right, white speckle nearly all over.")
 print(f"edge pixels: {(canny(gray, 50, 150) > 0).mean():.1%} before, {(unblurred > 0).mean():.1%} with noise")
 
 assert (unblurred > 0).sum() > 3 * (canny(gray, 50, 150) > 0).sum()
 
 # %% [markdown]
-# **Repair it**: blur first. `sigma` says how far, in pixels. The jump of an outline survives; the jumps of single grains do not.
+# **Repair it**: blur first. `sigma` is the standard deviation of the Gaussian kernel in pixels. The steps of the outlines remain; the steps between single noisy pixels become small.
 
 # %%
 repaired = canny(noisy, 50, 150, sigma=2)
 show([unblurred, repaired], ["without blur", "sigma = 2 pixels"], encoding="mono8",
-     caption="After a blur of two pixels the outlines are back.",
+     caption="After a Gaussian blur with sigma = 2 pixels the outlines are back.",
      alt="Left, speckle; right, clean outlines of the room.")
 
 assert (repaired > 0).sum() < (unblurred > 0).sum() / 3
 assert (repaired == canny(gaussian_blur(noisy, 2), 50, 150)).all()
 
 # %% [markdown]
-# ## 12 · Turn the knobs (8 minutes)
+# ## 12 · Tune the three numbers (8 minutes)
 #
-# Three numbers decide: `low`, `high` and `sigma`. Move them. Look for a setting that keeps the outlines of ball, chair and marker, and loses the floor's grain. The line below the sliders is code that you can copy.
+# Three numbers decide: `low`, `high` and `sigma`. Move the sliders. Look for values that keep the outlines of the ball, the chair and the marker, and remove the grain of the floor. Below the sliders is a line of code that you can copy.
 
 # %% tags=["nbval-ignore-output"]
-tuner = tune(canny, gray, thresholds=(0, 1020), sigma=(0, 5.0), caption="Edges of the robot's picture.",
-             alt="White lines on black, as the sliders leave them.")
+tuner = tune(canny, gray, thresholds=(0, 1020), sigma=(0, 5.0), caption="Edges of the camera frame.",
+             alt="White lines on black; they change with the sliders.")
 
 # %% [markdown]
-# Once on a photograph: a cat, a picture that comes with scikit-image (CC0).
+# Once more on a photograph: a cat, from the example images of scikit-image (CC0).
 
 # %%
 from skimage import data
 
 cat = to_gray(data.chelsea()[..., ::-1])
 show([cat, canny(cat, 50, 150), canny(cat, 50, 150, sigma=2)], ["photograph", "sigma = 0", "sigma = 2"],
-     caption="Fur is all edges until it is blurred: what counts as an edge depends on the scale you look at.",
+     caption="Without blur every hair is an edge. What counts as an edge depends on the scale at which you look.",
      alt="A cat's face; its edges with all the hairs; its edges after a blur, with eyes, nose and ears only.")
 
 assert (canny(cat, 50, 150) == cv2.Canny(cat, 50, 150)).all()
@@ -700,21 +755,21 @@ assert (canny(cat, 50, 150) == cv2.Canny(cat, 50, 150)).all()
 # %% [markdown]
 # ## Recap
 #
-# Canny asks five things: how strong is the jump, which way does it point, is it the ridge, is it strong, and does it touch something strong. `cv2.Canny` leaves the blur to you.
+# Canny computes the gradient magnitude and direction, thins the ridges by non-maximum suppression, splits them into weak and strong pixels, and keeps the weak ones that are connected to strong ones. `cv2.Canny` does not blur: do it first.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
 # | *gray* | (720, 1280) | uint8 | 0 to 255 | gray level |
-# | grad_row, grad_col | (720, 1280) | int32 | −1020 to 1020 | Sobel answer (a straight step of h gives 4 h) |
-# | magnitude (L1) | (720, 1280) | int32 | 0 to 1530 | Sobel answer |
-# | thinned | (720, 1280) | int32 | 0 to 1530 | Sobel answer |
-# | candidates, seeds | (720, 1280) | bool | False, True | yes or no |
+# | grad_row, grad_col | (720, 1280) | int32 | −1020 to 1020 | response of Sobel's kernel (a straight step of h gives 4 h) |
+# | magnitude (L1) | (720, 1280) | int32 | 0 to 1530 | response of Sobel's kernel |
+# | thinned | (720, 1280) | int32 | 0 to 1530 | response of Sobel's kernel |
+# | weak, strong | (720, 1280) | bool | False, True | yes or no |
 # | edges | (720, 1280) | uint8 | 0 and 255 | no and yes |
 
 # %%
-strongest = np.array([[0, 0, 0], [0, 0, 255], [0, 255, 255]], np.uint8)  # no neighbourhood answers more
+strongest = np.array([[0, 0, 0], [0, 0, 255], [0, 255, 255]], np.uint8)  # no neighbourhood has a larger L1 magnitude
 assert 4 * 255 == 1020 and magnitude(*sobel(strongest))[1, 1] == 6 * 255 == 1530
-for field in ("grad_row", "grad_col", "magnitude", "thinned", "candidates", "seeds", "edges"):
+for field in ("grad_row", "grad_col", "magnitude", "thinned", "weak", "strong", "edges"):
     stage = getattr(stages, field)
     print(f"{field:10} {stage.shape!s:12} {stage.dtype}")
     assert stage.shape == (720, 1280)

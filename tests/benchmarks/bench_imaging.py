@@ -1,6 +1,6 @@
-"""The mathematics by hand beside OpenCV and scikit-image, on frames of the drive.
+"""The functions of imaging compared with OpenCV and scikit-image, on frames of the drive.
 
-python tests/benchmarks/bench_imaging.py            tables of ratios; exits 1 if a budget is broken
+python tests/benchmarks/bench_imaging.py            tables of ratios; exits 1 if one exceeds its budget
 python tests/benchmarks/bench_imaging.py --growth   also draws growth_imaging.png, times by size
 """
 
@@ -36,35 +36,36 @@ def frames_of_the_drive():
         return [drive.frame(round(share * (len(drive) - 1))) for share in (0.1, 0.5, 0.9)]
 
 
-def on_all(function, pictures):
-    """The function on every picture, one after the other, as a function without arguments."""
+def on_all(function, images):
+    """Return a function without arguments that calls the function on every image."""
 
     def way():
-        for picture in pictures:
-            function(picture)
+        for image in images:
+            function(image)
 
     return way
 
 
 def median_seconds(ways, rounds):
-    """Name -> median seconds of one call; each turn lasts 20 ms or more.
+    """Return a dict: name -> median seconds per call; each turn lasts 20 ms or more.
 
-    A busy machine interrupts a long turn and not a short one: with turns of one length the ratios stay true.
+    A busy machine interrupts long turns more often than short ones. With turns of equal length the ratios
+    remain correct.
     """
     calls = {}
     for name, way in ways.items():
         way()
-        started = time.perf_counter()
+        start = time.perf_counter()
         way()
-        calls[name] = math.ceil(TURN_SECONDS / (time.perf_counter() - started))
+        calls[name] = math.ceil(TURN_SECONDS / (time.perf_counter() - start))
     turns = {name: on_all(lambda _, way=way: way(), range(calls[name])) for name, way in ways.items()}
     return {name: seconds / calls[name] for name, seconds in time_in_turns(turns, rounds=rounds).items()}
 
 
-def compare(title, ways, pictures, rounds, budgets=None):
-    """Times each way on all pictures; the first way is the peer. Returns what is over its budget."""
-    medians = median_seconds({name: on_all(way, pictures) for name, way in ways.items()}, rounds)
-    medians = {name: seconds / len(pictures) for name, seconds in medians.items()}
+def compare(title, ways, images, rounds, budgets=None):
+    """Time each way on all images; the first way is the peer. Return the names that exceed their budget."""
+    medians = median_seconds({name: on_all(way, images) for name, way in ways.items()}, rounds)
+    medians = {name: seconds / len(images) for name, seconds in medians.items()}
     over = print_ratios(title, medians, next(iter(ways)), budgets)
     return [f"{title}: {name}" for name in over]
 
@@ -118,7 +119,9 @@ def bench_canny_against_skimage(grays, rounds):
         "canny, sigma=1, L2": lambda gray: imaging.canny(gray, 100, 200, sigma=1.0, l2_gradient=True),
     }
     budgets = dict.fromkeys(list(ways)[1:], SKIMAGE_BUDGET)
-    return compare("Canny beside skimage.feature.canny, 1280×720", ways, grays, max(3, rounds // 5), budgets)
+    return compare(
+        "Canny compared with skimage.feature.canny, 1280×720", ways, grays, max(3, rounds // 5), budgets
+    )
 
 
 def bench_filters(grays, rounds):
@@ -166,7 +169,7 @@ def bench_filters(grays, rounds):
 
 
 def measure_growth(frame):
-    """Name of a function -> milliseconds at each of SIZES."""
+    """Return a dict: name of a function -> milliseconds at each of SIZES."""
     ways = {
         "canny 100/200": lambda _, gray: imaging.canny(gray, 100, 200),
         "cv2.Canny 100/200": lambda _, gray: cv2.Canny(gray, 100, 200),
@@ -188,23 +191,23 @@ def measure_growth(frame):
 
 
 def draw_growth(growth, path):
-    """Two panels of one measurement: milliseconds a picture, and nanoseconds a pixel."""
+    """Draw one measurement in two panels: milliseconds per image, and nanoseconds per pixel."""
     pixels = np.array([cols * rows for cols, rows in SIZES])
     figure = Figure(figsize=(11, 4.6), layout="constrained")
-    whole, each = figure.subplots(1, 2)
+    per_image, per_pixel = figure.subplots(1, 2)
     for k, (name, milliseconds) in enumerate(growth.items()):
         style = {"color": f"C{k // 2}", "linestyle": "--" if name.startswith("cv2") else "-", "marker": "."}
-        whole.loglog(pixels / 1e6, milliseconds, **style, label=name)
-        each.loglog(pixels / 1e6, np.array(milliseconds) * 1e6 / pixels, **style)
-    whole.axhline(1000 / 30, color="gray", linewidth=0.8)
-    whole.annotate("one frame at 30 Hz", (pixels[0] / 1e6, 1000 / 30), va="bottom", color="gray")
-    whole.set(title="time a picture", xlabel="size of the picture", ylabel="milliseconds")
-    each.set(title="time a pixel", xlabel="size of the picture", ylabel="nanoseconds")
-    for axes in (whole, each):
+        per_image.loglog(pixels / 1e6, milliseconds, **style, label=name)
+        per_pixel.loglog(pixels / 1e6, np.array(milliseconds) * 1e6 / pixels, **style)
+    per_image.axhline(1000 / 30, color="gray", linewidth=0.8)
+    per_image.annotate("one frame at 30 Hz", (pixels[0] / 1e6, 1000 / 30), va="bottom", color="gray")
+    per_image.set(title="time per image", xlabel="size of the image", ylabel="milliseconds")
+    per_pixel.set(title="time per pixel", xlabel="size of the image", ylabel="nanoseconds")
+    for axes in (per_image, per_pixel):
         axes.set_xticks(pixels / 1e6, [f"{cols}×{rows}" for cols, rows in SIZES], rotation=60, fontsize=7)
         axes.minorticks_off()
         axes.grid(alpha=0.3)
-    whole.legend(fontsize=7)
+    per_image.legend(fontsize=7)
     figure.suptitle("A frame of the drive at seven sizes, one thread; dashed: OpenCV")
     figure.savefig(path, dpi=72, pil_kwargs={"optimize": True})
 
@@ -214,7 +217,7 @@ def main():
         description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter
     )
     parser.add_argument("--growth", action="store_true", help=f"also draw {GROWTH.name}")
-    parser.add_argument("--rounds", type=int, default=25, help="calls of each way that count (default 25)")
+    parser.add_argument("--rounds", type=int, default=25, help="timed turns of each way (default 25)")
     options = parser.parse_args()
     cv2.setNumThreads(1)
 

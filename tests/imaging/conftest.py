@@ -1,4 +1,4 @@
-"""Pictures for the tests of this room, and the counts that its exactness tests print (shown by -rP)."""
+"""Images for the tests of imaging, and the counts that the exactness tests print (shown by -rP)."""
 
 import importlib.util
 from pathlib import Path
@@ -11,7 +11,7 @@ from imgproc_course.recording import open_recording
 
 
 def load(name):
-    """A module that lies beside this file; pytest's importlib mode has no other way to it."""
+    """Import a module from this folder; pytest's importlib mode does not put the folder on sys.path."""
     spec = importlib.util.spec_from_file_location(name, Path(__file__).with_name(f"{name}.py"))
     module = importlib.util.module_from_spec(spec)
     spec.loader.exec_module(module)
@@ -20,17 +20,17 @@ def load(name):
 
 @pytest.fixture
 def grays():
-    return load("sample_pictures").gray_samples()
+    return load("sample_images").gray_samples()
 
 
 @pytest.fixture
 def colours():
-    return load("sample_pictures").bgr_samples()
+    return load("sample_images").bgr_samples()
 
 
 @pytest.fixture(scope="session")
 def frames():
-    """Five colour frames of the drive, spread over all of it."""
+    """Five colour frames, spread evenly over the drive."""
     with open_recording("drive") as drive:
         return [drive.frame(k) for k in np.linspace(0, len(drive) - 1, 5).astype(int)]
 
@@ -40,41 +40,41 @@ def gray_frames(frames):
     return [cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY) for frame in frames]
 
 
-class Count:
-    """Compares answers with the truth, pixel by pixel, and keeps count."""
+class PixelCount:
+    """Compares results with the expected ones, pixel by pixel, and counts the differences."""
 
     def __init__(self):
-        self.pictures = self.pixels = self.differing = 0
-        self.where = []
+        self.images = self.pixels = self.differing = 0
+        self.failures = []
 
-    def compare(self, answer, truth, what):
-        answer, truth = np.asarray(answer), np.asarray(truth)
-        assert answer.shape == truth.shape, what
-        assert answer.dtype == truth.dtype, what
-        differing = int((answer != truth).sum())
-        self.pictures += 1
+    def compare(self, result, truth, case):
+        result, truth = np.asarray(result), np.asarray(truth)
+        assert result.shape == truth.shape, case
+        assert result.dtype == truth.dtype, case
+        differing = int((result != truth).sum())
+        self.images += 1
         self.pixels += truth.size
         self.differing += differing
         if differing:
-            self.where.append((what, differing))
+            self.failures.append((case, differing))
 
     def report(self, title):
         print(
-            f"{title}: OpenCV {cv2.__version__}, {self.pictures:,} pictures × parameters, "
+            f"{title}: OpenCV {cv2.__version__}, {self.images:,} images × parameters, "
             f"{self.pixels:,} values, differing: {self.differing}"
         )
-        assert self.where == []
+        assert self.failures == []
 
 
 @pytest.fixture
 def count():
-    return Count()
+    return PixelCount()
 
 
 @pytest.fixture(params=[1, 4], ids=["one thread", "four threads"])
 def opencv_threads(request):
-    """OpenCV cuts a picture into one stripe a thread: its answers must not depend on it."""
-    before = cv2.getNumThreads()
+    """OpenCV cuts an image into one stripe per thread: the results must not depend on it."""
+    threads_before = cv2.getNumThreads()
     cv2.setNumThreads(request.param)
     yield request.param
-    cv2.setNumThreads(before)
+    cv2.setNumThreads(threads_before)

@@ -1,4 +1,4 @@
-"""Thresholds against OpenCV's, ties and rounding included."""
+"""The thresholds equal OpenCV's, also with ties and rounding."""
 
 import cv2
 import numpy as np
@@ -30,8 +30,8 @@ def test_a_pixel_on_the_threshold_becomes_black():
     assert threshold(np.array([[99, 100, 101]], np.uint8), 100).tolist() == [[0, 0, 255]]
 
 
-def test_a_level_beyond_all_integers_is_still_a_level():
-    # OpenCV casts the level to an int, which wraps here: it calls every pixel brighter than 1e20.
+def test_a_level_outside_the_integer_range_is_still_compared_correctly():
+    # OpenCV casts the level to an int. It wraps here, so that every pixel counts as brighter than 1e20.
     gray = np.array([[0, 255]], np.uint8)
     assert threshold(gray, 1e20).tolist() == threshold(gray, np.inf).tolist() == [[0, 0]]
     assert threshold(gray, -1e20).tolist() == [[255, 255]]
@@ -42,7 +42,7 @@ def test_otsu_equals_opencvs(grays, gray_frames, count):
         before = gray.copy()
         count.compare(otsu_threshold(gray), opencvs_otsu(gray), name)
         assert np.array_equal(gray, before), name
-    count.report("otsu_threshold on pictures")
+    count.report("otsu_threshold on images")
 
 
 def test_otsu_equals_opencvs_where_levels_tie(count):
@@ -56,12 +56,12 @@ def test_otsu_equals_opencvs_where_levels_tie(count):
 
 @settings(max_examples=200, deadline=None)
 @given(gray=arrays.arrays(np.uint8, st.tuples(st.integers(1, 30), st.integers(1, 30))))
-def test_otsu_equals_opencvs_on_any_picture(gray):
+def test_otsu_equals_opencvs_on_any_image(gray):
     assert otsu_threshold(gray) == opencvs_otsu(gray)
 
 
-def test_otsu_takes_the_lowest_of_equal_levels():
-    # Any level from 50 to 199 parts these two; the lowest one is taken.
+def test_otsu_returns_the_lowest_of_equally_good_levels():
+    # Every level from 50 to 199 separates these two; Otsu's threshold is the lowest.
     assert otsu_threshold(np.array([[50, 200], [50, 200]], np.uint8)) == 50
     assert otsu_threshold(np.full((3, 3), 200, np.uint8)) == 0
 
@@ -73,8 +73,8 @@ def test_adaptive_threshold_equals_opencvs(grays, count):
             for offset in (-300, -7.5, -1, 0, 0.5, 2, 7, 300):
                 for weights, method in METHODS.items():
                     truth = cv2.adaptiveThreshold(before, 255, method, cv2.THRESH_BINARY, size, offset)
-                    answer = adaptive_threshold(gray, size, offset, weights=weights)
-                    count.compare(answer, truth, (name, size, offset, weights))
+                    result = adaptive_threshold(gray, size, offset, weights=weights)
+                    count.compare(result, truth, (name, size, offset, weights))
         assert np.array_equal(gray, before), name
     count.report("adaptive_threshold on samples")
 

@@ -1,4 +1,4 @@
-"""Both forms of Canny against cv2.Canny, on every pixel; each stage against its rule on small arrays."""
+"""Both versions of Canny equal cv2.Canny on every pixel; each stage follows its rule on small arrays."""
 
 import itertools
 
@@ -24,7 +24,7 @@ from imgproc_course.imaging import (
 APERTURES = (3, 5, 7)
 STRONGEST = {3: 1020, 5: 12240, 7: 163200}  # gradient of a step from black to white
 
-# Of each aperture, as shares of the strongest gradient.
+# Pairs of thresholds, as shares of the strongest gradient of the aperture.
 SHARES = [(0, 0), (0, 0.1), (0.05, 0.15), (0.1, 0.2), (0.3, 0.3), (0.5, 1), (1, 2), (-0.1, 0.1), (-1, -0.5)]
 ODD_THRESHOLDS = [
     (99.5, 100.5),
@@ -44,18 +44,18 @@ def opencvs_canny(gray, low, high, sigma, aperture, l2_gradient):
     return cv2.Canny(gray, low, high, apertureSize=aperture, L2gradient=l2_gradient)
 
 
-def compare_both(gray, low, high, count, what, **options):
+def compare_both(gray, low, high, count, case, **options):
     truth = opencvs_canny(gray.copy(), low, high, **options)
-    count.compare(canny(gray, low, high, **options), truth, (what, low, high, options))
-    count.compare(canny_stages(gray, low, high, **options).edges, truth, (what, low, high, options, "stages"))
+    count.compare(canny(gray, low, high, **options), truth, (case, low, high, options))
+    count.compare(canny_stages(gray, low, high, **options).edges, truth, (case, low, high, options, "stages"))
 
 
-def every_norm():
+def apertures_and_norms():
     return itertools.product(APERTURES, (False, True))
 
 
 def test_canny_equals_opencvs_on_samples(grays, opencv_threads, count):
-    for (name, gray), (aperture, l2) in itertools.product(grays.items(), every_norm()):
+    for (name, gray), (aperture, l2) in itertools.product(grays.items(), apertures_and_norms()):
         before = gray.copy()
         for low, high in SHARES:
             low, high = low * STRONGEST[aperture], high * STRONGEST[aperture]
@@ -65,14 +65,14 @@ def test_canny_equals_opencvs_on_samples(grays, opencv_threads, count):
 
 
 def test_canny_equals_opencvs_for_odd_thresholds(grays, count):
-    for (name, gray), (aperture, l2) in itertools.product(grays.items(), every_norm()):
+    for (name, gray), (aperture, l2) in itertools.product(grays.items(), apertures_and_norms()):
         for low, high in ODD_THRESHOLDS + HUGE_THRESHOLDS:
             compare_both(gray, low, high, count, name, sigma=0, aperture=aperture, l2_gradient=l2)
     count.report("canny and canny_stages, thresholds with fractions, below zero, huge")
 
 
 def test_canny_equals_opencvs_after_a_gaussian(grays, count):
-    for (name, gray), (aperture, l2) in itertools.product(grays.items(), every_norm()):
+    for (name, gray), (aperture, l2) in itertools.product(grays.items(), apertures_and_norms()):
         for sigma in (0.3, 0.84, 1.4, 3):
             low, high = 0.05 * STRONGEST[aperture], 0.15 * STRONGEST[aperture]
             compare_both(gray, low, high, count, name, sigma=sigma, aperture=aperture, l2_gradient=l2)
@@ -83,7 +83,7 @@ def test_canny_equals_opencvs_on_the_drive(gray_frames, opencv_threads, count):
     for k, gray in enumerate(gray_frames):
         for low, high, sigma in ((50, 150, 0), (100, 200, 0), (20, 60, 1.4)):
             compare_both(gray, low, high, count, k, sigma=sigma, aperture=3, l2_gradient=False)
-    for aperture, l2 in every_norm():
+    for aperture, l2 in apertures_and_norms():
         low, high = 0.05 * STRONGEST[aperture], 0.15 * STRONGEST[aperture]
         compare_both(gray_frames[2], low, high, count, 2, sigma=0, aperture=aperture, l2_gradient=l2)
     count.report(f"canny and canny_stages on the drive ({opencv_threads} threads)")
@@ -99,15 +99,15 @@ def test_canny_equals_opencvs_on_the_drive(gray_frames, opencv_threads, count):
     ),
     gain=st.integers(1, 85),
     shares=st.tuples(st.floats(-0.1, 1.5), st.floats(-0.1, 1.5)).map(sorted),
-    whole=st.booleans(),
+    rounded=st.booleans(),
     sigma=st.sampled_from([0, 0.5, 1.0, 1.7]),
     aperture=st.sampled_from(APERTURES),
     l2=st.booleans(),
 )
-def test_canny_equals_opencvs_on_any_picture(gray, gain, shares, whole, sigma, aperture, l2):
-    gray = (gray * np.uint8(gain)).astype(np.uint8)  # wraps: as good a picture as any
+def test_canny_equals_opencvs_on_any_image(gray, gain, shares, rounded, sigma, aperture, l2):
+    gray = (gray * np.uint8(gain)).astype(np.uint8)  # wraps around: this is also a valid image
     low, high = (share * STRONGEST[aperture] for share in shares)
-    if whole:
+    if rounded:
         low, high = round(low), round(high)
     options = {"sigma": sigma, "aperture": aperture, "l2_gradient": l2}
     truth = opencvs_canny(gray, low, high, **options)
@@ -115,8 +115,8 @@ def test_canny_equals_opencvs_on_any_picture(gray, gain, shares, whole, sigma, a
     assert np.array_equal(canny_stages(gray, low, high, **options).edges, truth)
 
 
-def test_a_threshold_beyond_all_integers_leaves_nothing():
-    # cv2.Canny casts thresholds to int, which wraps from 2**31 on: with L1 it then calls everything an edge.
+def test_a_threshold_outside_the_integer_range_gives_no_edges():
+    # cv2.Canny casts thresholds to int, which wraps from 2**31 on: with L1 every pixel is then an edge.
     rng = np.random.default_rng(0)
     noise = rng.integers(0, 256, (30, 30), dtype=np.uint8)
     for low, high in ((1e10, 1e11), (np.inf, np.inf), (2.0**31, 2.0**31)):
@@ -125,8 +125,8 @@ def test_a_threshold_beyond_all_integers_leaves_nothing():
     assert np.array_equal(canny(noise, -np.inf, 100), canny(noise, 0, 100))
 
 
-def test_low_above_high_raises_in_both_forms():
-    # cv2.Canny swaps them in silence, and a learner's mistake goes unseen.
+def test_low_above_high_raises_in_both_versions():
+    # cv2.Canny swaps them silently, so a learner would not notice the mistake.
     gray = np.zeros((5, 5), np.uint8)
     for function in (canny, canny_stages):
         with pytest.raises(ValueError, match=r"low must not be above high, got low=150, high=50; swap them"):
@@ -135,7 +135,7 @@ def test_low_above_high_raises_in_both_forms():
 
 @pytest.mark.parametrize("aperture", APERTURES)
 @pytest.mark.parametrize("l2_gradient", [False, True])
-def test_stages_hold_what_the_docstring_says(gray_frames, aperture, l2_gradient):
+def test_the_stages_are_as_documented(gray_frames, aperture, l2_gradient):
     gray = gray_frames[1][200:400, 300:700]
     low, high = 0.05 * STRONGEST[aperture], 0.15 * STRONGEST[aperture]
     stages = canny_stages(gray, low, high, sigma=1.0, aperture=aperture, l2_gradient=l2_gradient)
@@ -146,8 +146,8 @@ def test_stages_hold_what_the_docstring_says(gray_frames, aperture, l2_gradient)
         "magnitude": np.int64 if l2_gradient else np.int32,
         "direction": np.uint8,
         "thinned": np.int64 if l2_gradient else np.int32,
-        "candidates": np.bool_,
-        "seeds": np.bool_,
+        "weak": np.bool_,
+        "strong": np.bool_,
         "edges": np.uint8,
     }
     assert CannyStages._fields == tuple(dtypes)
@@ -158,25 +158,28 @@ def test_stages_hold_what_the_docstring_says(gray_frames, aperture, l2_gradient)
         assert np.array_equal(
             stages.magnitude, stages.grad_row.astype(int) ** 2 + stages.grad_col.astype(int) ** 2
         )
-        assert np.array_equal(stages.seeds, stages.thinned > (high / scale) ** 2)
+        low_in_unit, high_in_unit = (low / scale) ** 2, (high / scale) ** 2
     else:
         assert np.array_equal(stages.magnitude, abs(stages.grad_row) + abs(stages.grad_col))
-        assert np.array_equal(stages.seeds, stages.thinned > high / scale)
+        low_in_unit, high_in_unit = low / scale, high / scale
     assert set(np.unique(stages.thinned[stages.thinned != stages.magnitude])) == {0}
-    assert (stages.candidates | ~stages.seeds).all()
+    assert np.array_equal(stages.strong, stages.thinned > high_in_unit)
+    assert np.array_equal(stages.weak, (stages.thinned > low_in_unit) & (stages.thinned <= high_in_unit))
+    assert stages.weak.any() and stages.strong.any() and not (stages.weak & stages.strong).any()
     edges = stages.edges == 255
-    assert (edges | ~stages.seeds).all() and (stages.candidates | ~edges).all()
+    assert edges[stages.strong].all() and (stages.weak | stages.strong)[edges].all()
     assert set(np.unique(stages.edges)) == {0, 255}
-    # Every stage is the function of its own name, given the stages before it.
+    # Every stage is the result of its function on the stages before it.
     assert np.array_equal(stages.smoothed, smooth(gray, 1.0))
     assert np.array_equal(stages.grad_row, canny_gradient(stages.smoothed, aperture)[0])
     assert np.array_equal(stages.thinned, suppress(stages.magnitude, stages.direction))
     in_unit = [threshold_in_unit(value, aperture, l2_gradient) for value in (low, high)]
-    assert np.array_equal(stages.candidates, double_threshold(stages.thinned, *in_unit)[0])
-    assert np.array_equal(stages.edges, hysteresis(stages.candidates, stages.seeds))
+    weak, strong = double_threshold(stages.thinned, *in_unit)
+    assert np.array_equal(stages.weak, weak) and np.array_equal(stages.strong, strong)
+    assert np.array_equal(stages.edges, hysteresis(stages.weak, stages.strong))
 
 
-def test_the_smoothed_stage_is_never_the_callers_own_picture():
+def test_the_smoothed_stage_never_shares_memory_with_the_input():
     gray = np.full((5, 5), 9, np.uint8)
     assert not np.shares_memory(canny_stages(gray, 1, 2).smoothed, gray)
 
@@ -184,7 +187,7 @@ def test_the_smoothed_stage_is_never_the_callers_own_picture():
 def test_aperture_7_gradients_are_sixteenths_with_halves_rounded_to_even():
     gray = np.zeros((1, 9), np.uint8)
     gray[0, 4] = 1
-    # A column of sum 64 times -1 -4 -5 0 5 4 1, over 16: 4, 16, 20 (exact); on a corner the halves show.
+    # 64 (sum of the smoothing kernel) times 1 4 5 0 -5 -4 -1, over 16: exact. At a corner there are halves.
     assert canny_gradient(gray, 7)[1].tolist() == [[0, 4, 16, 20, 0, -20, -16, -4, 0]]
     corner = np.zeros((9, 9), np.uint8)
     corner[0, 0] = 1
@@ -193,7 +196,7 @@ def test_aperture_7_gradients_are_sixteenths_with_halves_rounded_to_even():
     assert round(-0.5) == 0 and round(-1.5) == -2
 
 
-def test_thresholds_in_the_unit_that_opencv_compares():
+def test_thresholds_in_the_unit_in_which_opencv_compares():
     assert threshold_in_unit(100) == 100
     assert threshold_in_unit(100, 5) == 100
     assert threshold_in_unit(100, 7) == 6.25
@@ -204,55 +207,62 @@ def test_thresholds_in_the_unit_that_opencv_compares():
 
 
 def test_suppression_compares_along_the_gradient_only():
-    size = np.array([[1, 5, 1], [1, 6, 1], [1, 5, 1]])
+    magnitude = np.array([[1, 5, 1], [1, 6, 1], [1, 5, 1]])
     right, down = np.zeros((3, 3), np.uint8), np.full((3, 3), 2, np.uint8)
-    assert suppress(size, right).tolist() == [[0, 5, 0], [0, 6, 0], [0, 5, 0]]
-    assert suppress(size, down).tolist() == [[1, 0, 1], [0, 6, 0], [0, 0, 0]]
+    assert suppress(magnitude, right).tolist() == [[0, 5, 0], [0, 6, 0], [0, 5, 0]]
+    assert suppress(magnitude, down).tolist() == [[1, 0, 1], [0, 6, 0], [0, 0, 0]]
 
 
-def test_of_two_equal_neighbours_the_left_or_upper_one_stays():
-    size = np.array([[0, 7, 7, 0]])
-    assert suppress(size, np.zeros((1, 4), np.uint8)).tolist() == [[0, 7, 0, 0]]
-    assert suppress(size.T, np.full((4, 1), 2, np.uint8)).tolist() == [[0], [7], [0], [0]]
+def test_of_two_equal_neighbours_the_left_or_upper_one_remains():
+    magnitude = np.array([[0, 7, 7, 0]])
+    assert suppress(magnitude, np.zeros((1, 4), np.uint8)).tolist() == [[0, 7, 0, 0]]
+    assert suppress(magnitude.T, np.full((4, 1), 2, np.uint8)).tolist() == [[0], [7], [0], [0]]
 
 
 @pytest.mark.parametrize("sector", [1, 3])
-def test_of_two_equal_neighbours_on_a_diagonal_none_stays(sector):
-    size = np.zeros((4, 4), int)
-    size[1, 1] = size[2, 2] = 7
+def test_of_two_equal_neighbours_on_a_diagonal_none_remains(sector):
+    magnitude = np.zeros((4, 4), int)
+    magnitude[1, 1] = magnitude[2, 2] = 7
     if sector == 3:
-        size = size[:, ::-1]
-    assert not suppress(size, np.full((4, 4), sector, np.uint8)).any()
-    size[2] = 0
-    assert suppress(size, np.full((4, 4), sector, np.uint8)).sum() == 7
+        magnitude = magnitude[:, ::-1]
+    assert not suppress(magnitude, np.full((4, 4), sector, np.uint8)).any()
+    magnitude[2] = 0
+    assert suppress(magnitude, np.full((4, 4), sector, np.uint8)).sum() == 7
 
 
-def test_outside_the_picture_there_is_no_magnitude():
+def test_outside_the_image_the_magnitude_is_zero():
     assert suppress(np.array([[5]]), np.zeros((1, 1), np.uint8)).tolist() == [[5]]
     assert suppress(np.array([[0]]), np.zeros((1, 1), np.uint8)).tolist() == [[0]]
 
 
-def test_double_threshold_means_greater_not_equal():
-    candidates, seeds = double_threshold(np.array([[9, 10, 11, 20, 21]]), 10, 20)
-    assert candidates.tolist() == [[False, False, True, True, True]]
-    assert seeds.tolist() == [[False, False, False, False, True]]
-    assert not double_threshold(np.zeros((2, 2), int), -5, -3)[0].any()
+def test_weak_pixels_lie_between_the_thresholds_and_strong_ones_above_high():
+    weak, strong = double_threshold(np.array([[9, 10, 11, 20, 21]]), 10, 20)
+    assert weak.tolist() == [[False, False, True, True, False]]
+    assert strong.tolist() == [[False, False, False, False, True]]
+    # Magnitude 0 is never an edge, even if both thresholds are negative.
+    assert not np.any(double_threshold(np.zeros((2, 2), int), -5, -3))
+    weak, strong = double_threshold(np.array([[0, 1, 2]]), -5, 1)
+    assert weak.tolist() == [[False, True, False]] and strong.tolist() == [[False, False, True]]
+    # With equal thresholds no pixel is weak.
+    weak, strong = double_threshold(np.array([[9, 10, 11]]), 10, 10)
+    assert weak.tolist() == [[False, False, False]] and strong.tolist() == [[False, False, True]]
 
 
-def test_stages_take_lists_of_numbers_too():
+def test_the_stages_accept_lists_of_numbers():
     assert suppress([[1, 5, 1]], [[0, 0, 0]]).tolist() == [[0, 5, 0]]
     assert double_threshold([[1, 5, 1]], 2, 6)[0].tolist() == [[False, True, False]]
-    assert hysteresis([[True, True, False]], [[True, False, False]]).tolist() == [[255, 255, 0]]
+    assert hysteresis([[False, True, False]], [[True, False, False]]).tolist() == [[255, 255, 0]]
 
 
-def test_hysteresis_follows_a_chain_over_corners_and_drops_what_has_no_seed():
-    candidates = np.array([[1, 0, 0, 0, 1], [0, 1, 0, 0, 1], [0, 0, 1, 0, 0], [1, 0, 0, 0, 0]], bool)
-    seeds = np.zeros_like(candidates)
-    seeds[2, 2] = True
-    edges = hysteresis(candidates, seeds)
+def test_hysteresis_connects_over_corners_and_drops_components_without_a_strong_pixel():
+    weak = np.array([[1, 0, 0, 0, 1], [0, 1, 0, 0, 1], [0, 0, 0, 0, 0], [1, 0, 0, 0, 0]], bool)
+    strong = np.zeros_like(weak)
+    strong[2, 2] = True
+    edges = hysteresis(weak, strong)
     assert (edges // 255).tolist() == [[1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 0, 0]]
-    assert not hysteresis(candidates, np.zeros_like(candidates)).any()
-    assert np.array_equal(hysteresis(candidates, candidates) == 255, candidates)
+    none = np.zeros_like(weak)
+    assert not hysteresis(weak, none).any()
+    assert np.array_equal(hysteresis(none, weak) == 255, weak)
 
 
 def test_hysteresis_follows_a_chain_of_any_length():
@@ -262,23 +272,23 @@ def test_hysteresis_follows_a_chain_of_any_length():
         spiral[ring + 1, ring] = 0
         spiral[ring + 2 : ring + 4, ring + 1] = 1
         spiral[ring + 2, ring : ring + 2] = 1
-    seeds = np.zeros(spiral.shape, bool)
-    seeds[0, 60] = True
+    strong = np.zeros(spiral.shape, bool)
+    strong[0, 60] = True
     truth = cv2.connectedComponents(spiral, connectivity=8)[1]
-    assert np.array_equal(hysteresis(spiral == 1, seeds) == 255, truth == truth[0, 60])
+    assert np.array_equal(hysteresis((spiral == 1) & ~strong, strong) == 255, truth == truth[0, 60])
 
 
-def test_stages_that_do_not_belong_together_are_refused():
-    whole = np.zeros((3, 3), int)
-    with pytest.raises(ValueError, match="one shape"):
-        suppress(whole, np.zeros((3, 2), np.uint8))
-    with pytest.raises(ValueError, match="one shape"):
+def test_arrays_that_do_not_belong_together_are_refused():
+    zeros = np.zeros((3, 3), int)
+    with pytest.raises(ValueError, match="the same shape"):
+        suppress(zeros, np.zeros((3, 2), np.uint8))
+    with pytest.raises(ValueError, match="the same shape"):
         suppress([1, 2], [0, 0])
-    with pytest.raises(ValueError, match="direction must hold 0, 1, 2 or 3 only"):
-        suppress(whole, np.full((3, 3), 45))
+    with pytest.raises(ValueError, match="directions must contain only 0, 1, 2 and 3"):
+        suppress(zeros, np.full((3, 3), 45))
     with pytest.raises(ValueError, match="low must not be above high"):
-        double_threshold(whole, 2, 1)
-    with pytest.raises(ValueError, match="must be bool arrays of one shape"):
-        hysteresis(whole, whole)
-    with pytest.raises(ValueError, match="every seed must be a candidate"):
-        hysteresis(np.zeros((3, 3), bool), np.ones((3, 3), bool))
+        double_threshold(zeros, 2, 1)
+    with pytest.raises(ValueError, match="must be bool arrays of the same shape"):
+        hysteresis(zeros, zeros)
+    with pytest.raises(ValueError, match="a pixel cannot be both weak and strong"):
+        hysteresis(np.ones((3, 3), bool), np.eye(3, dtype=bool))

@@ -1,4 +1,4 @@
-"""The grays against OpenCV and against their formulas."""
+"""Luma equals OpenCV's; the other grays follow their formulas."""
 
 import cv2
 import numpy as np
@@ -15,7 +15,7 @@ from imgproc_course.imaging import (
 
 
 def every_colour():
-    """The 16,777,216 colours of 8 bits, 65,536 at a time as (256, 256, 3) frames."""
+    """Yield all 16,777,216 colours of 8 bits per channel as 256 frames of shape (256, 256, 3)."""
     frame = np.empty((256, 256, 3), np.uint8)
     frame[..., 1], frame[..., 2] = np.mgrid[:256, :256]
     for blue in range(256):
@@ -30,17 +30,17 @@ def test_luma_equals_opencvs_on_every_colour(count):
     count.report("to_gray on all colours")
 
 
-def test_luma_equals_opencvs_on_every_layout_of_memory(colours, frames, count):
+def test_luma_equals_opencvs_for_every_memory_layout(colours, frames, count):
     for name, frame in [*colours.items(), *enumerate(frames)]:
         before = frame.copy()
         gray = to_gray(frame)
         count.compare(gray, cv2.cvtColor(np.ascontiguousarray(frame), cv2.COLOR_BGR2GRAY), name)
         assert np.array_equal(frame, before), name
         assert gray.flags.c_contiguous and gray.flags.writeable, name
-    count.report("to_gray on pictures")
+    count.report("to_gray on images")
 
 
-def test_luma_is_the_formula_in_whole_numbers():
+def test_luma_follows_its_integer_formula():
     frame = np.array([[[255, 255, 255], [255, 0, 0], [0, 255, 0], [0, 0, 255], [10, 20, 30]]], np.uint8)
     assert to_gray(frame).tolist() == [[255, 29, 150, 76, (37350 + 384700 + 293940 + 16384) >> 15]]
 
@@ -51,29 +51,29 @@ def test_average_is_the_nearest_level_to_the_mean():
             assert np.array_equal(average_gray(frame), np.rint(frame.mean(axis=2)))
 
 
-def test_lightness_is_the_middle_of_extremes_rounded_half_up():
+def test_lightness_is_the_mean_of_the_extremes_rounded_half_up():
     for frame in every_colour():
         if frame[0, 0, 0] % 15 == 0:
             middle = (frame.max(axis=2) / 2) + (frame.min(axis=2) / 2)
             assert np.array_equal(lightness_gray(frame), np.floor(middle + 0.5))
 
 
-def test_other_grays_leave_their_input_alone(colours):
+def test_the_other_grays_do_not_change_their_input(colours):
     for name, frame in colours.items():
-        for to_one in (average_gray, lightness_gray, linear_light_gray):
+        for convert in (average_gray, lightness_gray, linear_light_gray):
             before = frame.copy()
-            gray = to_one(frame)
+            gray = convert(frame)
             assert gray.dtype == np.uint8 and gray.shape == frame.shape[:2], name
             assert np.array_equal(frame, before), name
-            assert np.array_equal(gray, to_one(before)), name
+            assert np.array_equal(gray, convert(before)), name
 
 
 def test_linear_light_follows_the_srgb_curve():
     assert linear_light(np.uint8([0, 255])).tolist() == [0, 1]
-    # Up to level 10 the curve is a straight line, above it a power.
+    # The curve is a straight line up to level 10 and a power function above.
     assert linear_light(np.uint8([10]))[0] == pytest.approx(10 / 255 / 12.92, rel=1e-12)
     assert linear_light(np.uint8([11]))[0] == pytest.approx(((11 / 255 + 0.055) / 1.055) ** 2.4, rel=1e-12)
-    # 188 is the level that stands for half the light of white; 128 stands for 22 %.
+    # Level 188 stands for half of the light of white, level 128 for 22 %.
     assert np.allclose(linear_light(np.uint8([128, 188])), [0.215861, 0.502886], atol=5e-7)
     assert np.all(np.diff(linear_light(np.arange(256, dtype=np.uint8))) > 0)
 

@@ -1,4 +1,4 @@
-"""Every mistake in wrong_answers.py is found out by the same comparisons that the right functions pass."""
+"""The comparisons that the right functions pass detect every mistake in wrong_answers.py."""
 
 import importlib.util
 from pathlib import Path
@@ -20,7 +20,7 @@ def _wrong_answers():
 
 ANSWERS = _wrong_answers()
 WRONG = ANSWERS.WRONG
-EVERY_MISTAKE = [(subject, name) for subject, mistakes in WRONG.items() for name in mistakes]
+ALL_MISTAKES = [(subject, name) for subject, mistakes in WRONG.items() for name in mistakes]
 
 
 def opencvs_sobel(gray):
@@ -36,7 +36,7 @@ def true_stages(gray):
     return imaging.canny_stages(gray, 100, 300)
 
 
-# subject -> (right function, its arguments for a sample, the truth from OpenCV where it has one)
+# subject -> (right function, its arguments for a sample, the truth, from OpenCV if it has the function)
 ON_BGR = {
     "to_gray": (imaging.to_gray, lambda bgr: cv2.cvtColor(bgr, cv2.COLOR_BGR2GRAY)),
     "average_gray": (imaging.average_gray, lambda bgr: np.rint(bgr.mean(axis=2)).astype(np.uint8)),
@@ -91,16 +91,16 @@ ON_GRAY = {
 }
 
 
-def agree(answer, truth):
+def agree(result, truth):
     if isinstance(truth, float):
-        return answer == truth or abs(answer - truth) < 1e-9
+        return result == truth or abs(result - truth) < 1e-9
     if isinstance(truth, tuple):
-        return all(agree(*pair) for pair in zip(answer, truth, strict=True))
-    return np.array_equal(answer, truth)
+        return all(agree(*pair) for pair in zip(result, truth, strict=True))
+    return np.array_equal(result, truth)
 
 
-def found_out_on(subject, function, grays, colours):
-    """Names of the samples on which the function's answer differs from the truth."""
+def differing_samples(subject, function, grays, colours):
+    """Names of the samples on which the result of the function differs from the truth."""
     if subject in ON_BGR:
         truth = ON_BGR[subject][1]
         return [name for name, bgr in colours.items() if not agree(function(bgr), truth(bgr.copy()))]
@@ -111,18 +111,18 @@ def found_out_on(subject, function, grays, colours):
 @pytest.mark.parametrize("subject", [*ON_BGR, *ON_GRAY])
 def test_the_right_function_is_right_on_every_sample(subject, grays, colours):
     right = (ON_BGR if subject in ON_BGR else ON_GRAY)[subject][0]
-    assert found_out_on(subject, right, grays, colours) == []
+    assert differing_samples(subject, right, grays, colours) == []
 
 
-@pytest.mark.parametrize(("subject", "name"), EVERY_MISTAKE, ids=[" - ".join(pair) for pair in EVERY_MISTAKE])
-def test_the_mistake_is_found_out(subject, name, grays, colours):
-    samples = found_out_on(subject, WRONG[subject][name], grays, colours)
-    print(f"{subject}: {name}: found out on {len(samples)} samples, first on {samples[:3]}")
+@pytest.mark.parametrize(("subject", "name"), ALL_MISTAKES, ids=[" - ".join(pair) for pair in ALL_MISTAKES])
+def test_the_mistake_is_detected(subject, name, grays, colours):
+    samples = differing_samples(subject, WRONG[subject][name], grays, colours)
+    print(f"{subject}: {name}: detected on {len(samples)} samples, first on {samples[:3]}")
     assert samples
 
 
-def test_what_the_mistakes_share_is_right_without_the_mistake(grays):
-    # Otherwise a mistake could be found out for another reason than the one in its name.
+def test_the_shared_helpers_are_right_without_a_mistake(grays):
+    # Otherwise a mistake could be detected for another reason than the one in its name.
     for name, gray in grays.items():
         stages = true_stages(gray)
         right = {
@@ -134,11 +134,11 @@ def test_what_the_mistakes_share_is_right_without_the_mistake(grays):
             ),
             "sobel": (ANSWERS._sobel(gray, "edge"), stages[1:3]),
             "sector": (ANSWERS._sector(stages.grad_row, stages.grad_col), stages.direction),
-            "suppress": (ANSWERS._suppress(*stages[3:5], ANSWERS._opencv_stays), stages.thinned),
-            "grown": (ANSWERS._grown(stages.candidates, stages.seeds, np.ones((3, 3)), -1), stages.edges),
+            "suppress": (ANSWERS._suppress(*stages[3:5], ANSWERS._is_maximum), stages.thinned),
+            "grow": (ANSWERS._grow(stages.weak, stages.strong, np.ones((3, 3)), -1), stages.edges),
             "edges": (ANSWERS._edges(stages[1:3], 100, 300, imaging), stages.edges),
         }
-        assert [what for what, (answer, truth) in right.items() if not agree(answer, truth)] == [], name
+        assert [helper for helper, (result, truth) in right.items() if not agree(result, truth)] == [], name
     noise = grays["noise"]
     best = max(range(256), key=lambda level: ANSWERS._between(noise, level))
     assert best == imaging.otsu_threshold(noise)
@@ -146,4 +146,4 @@ def test_what_the_mistakes_share_is_right_without_the_mistake(grays):
 
 def test_every_subject_has_mistakes_and_a_truth():
     assert set(WRONG) == {*ON_BGR, *ON_GRAY}
-    print(f"{len(EVERY_MISTAKE)} mistakes in {len(WRONG)} subjects")
+    print(f"{len(ALL_MISTAKES)} mistakes in {len(WRONG)} subjects")

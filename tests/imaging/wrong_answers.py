@@ -1,7 +1,7 @@
-"""The mistakes learners make, each as the function that makes it.
+"""Typical mistakes of learners, each as a function that contains it.
 
-`WRONG` maps what was to be written to {name of the mistake: wrong function}; test_wrong_answers.py holds
-that the checks of this room find out every one of them.
+`WRONG` maps the name of the right function to {name of the mistake: wrong function}. test_wrong_answers.py
+checks that the tests of imaging detect every one of them.
 """
 
 import numpy as np
@@ -11,13 +11,13 @@ WRONG = {}
 
 
 def mistake(subject, name):
-    """Enters a wrong function under what it should have been and what is wrong with it."""
+    """Register a wrong function under the name of the right one and the name of the mistake."""
 
-    def enter(function):
+    def register(function):
         WRONG.setdefault(subject, {})[name] = function
         return function
 
-    return enter
+    return register
 
 
 # Grayscale
@@ -181,29 +181,29 @@ def _(gray):
 
 
 @mistake("psnr", "uint8 wraps in the difference")
-def _(reference, picture):
-    return _decibels(np.mean((reference - picture).astype(float) ** 2))
+def _(reference, image):
+    return _decibels(np.mean((reference - image).astype(float) ** 2))
 
 
 @mistake("psnr", "uint8 wraps in the square")
-def _(reference, picture):
-    difference = np.maximum(reference, picture) - np.minimum(reference, picture)
+def _(reference, image):
+    difference = np.maximum(reference, image) - np.minimum(reference, image)
     return _decibels(np.mean(difference * difference))
 
 
 @mistake("psnr", "20 log instead of 10 log")
-def _(reference, picture):
-    return 2 * _decibels(np.mean((reference.astype(float) - picture) ** 2))
+def _(reference, image):
+    return 2 * _decibels(np.mean((reference.astype(float) - image) ** 2))
 
 
 @mistake("psnr", "peak of 1 instead of 255")
-def _(reference, picture):
-    return _decibels(255**2 * np.mean((reference.astype(float) - picture) ** 2))
+def _(reference, image):
+    return _decibels(255**2 * np.mean((reference.astype(float) - image) ** 2))
 
 
 @mistake("psnr", "mean absolute error")
-def _(reference, picture):
-    return _decibels(np.mean(np.abs(reference.astype(float) - picture)))
+def _(reference, image):
+    return _decibels(np.mean(np.abs(reference.astype(float) - image)))
 
 
 # Binarization
@@ -234,7 +234,7 @@ def _(gray):
     return _otsu(gray, lambda dark, bright: -dark.size * bright.size * (dark.mean() - bright.mean()) ** 2)
 
 
-@mistake("otsu_threshold", "classes not weighed by their size")
+@mistake("otsu_threshold", "classes not weighted by their size")
 def _(gray):
     return _otsu(gray, lambda dark, bright: (dark.mean() - bright.mean()) ** 2)
 
@@ -255,12 +255,12 @@ def _(gray):
     return int(np.argmax(np.round([_between(gray, level) for level in range(256)], 6))) + 1
 
 
-@mistake("otsu_threshold", "mean of the picture")
+@mistake("otsu_threshold", "mean of the image")
 def _(gray):
     return round(float(gray.mean()))
 
 
-@mistake("adaptive_threshold", "offset added instead of taken away")
+@mistake("adaptive_threshold", "offset added instead of subtracted")
 def _(gray):
     return np.where(gray > _local_mean(gray, "nearest") + 3, 255, 0).astype(np.uint8)
 
@@ -275,7 +275,7 @@ def _(gray):
     return np.where(gray >= _local_mean(gray, "nearest") - 3, 255, 0).astype(np.uint8)
 
 
-@mistake("adaptive_threshold", "mean of the whole picture")
+@mistake("adaptive_threshold", "mean of the whole image")
 def _(gray):
     return np.where(gray > np.rint(gray.mean()) - 3, 255, 0).astype(np.uint8)
 
@@ -294,7 +294,7 @@ def _(gray):
     return _sobel(gray, "edge")[::-1]
 
 
-@mistake("sobel", "convolution: signs turned")
+@mistake("sobel", "convolution instead of correlation: signs flipped")
 def _(gray):
     return tuple(-grad for grad in _sobel(gray, "edge"))
 
@@ -339,7 +339,7 @@ def _(gray):
     return tuple(grad // 8 for grad in _sobel(gray, "edge"))
 
 
-@mistake("magnitude", "length instead of sum of absolutes")
+@mistake("magnitude", "L2 norm instead of L1 norm")
 def _(grad_row, grad_col):
     return np.sqrt(grad_row.astype(float) ** 2 + grad_col**2).astype(np.int32)
 
@@ -395,7 +395,7 @@ def _(grad_row, grad_col):
     return (np.floor(angle / 45) % 4).astype(np.uint8)
 
 
-@mistake("direction", "opposite directions told apart")
+@mistake("direction", "opposite directions distinguished")
 def _(grad_row, grad_col):
     angle = np.degrees(np.arctan2(grad_row, grad_col))
     return (np.round(angle / 45) % 8).astype(np.uint8)
@@ -408,133 +408,155 @@ def _(grad_row, grad_col):
 
 
 @mistake("suppress", "against all 8 neighbours")
-def _(size, direction):
-    largest = ndimage.maximum_filter(size, 3, mode="constant")
-    return np.where((size == largest) & (size > 0), size, 0)
+def _(magnitude, direction):
+    largest = ndimage.maximum_filter(magnitude, 3, mode="constant")
+    return np.where((magnitude == largest) & (magnitude > 0), magnitude, 0)
 
 
 @mistake("suppress", ">= on both sides")
-def _(size, direction):
+def _(magnitude, direction):
     return _suppress(
-        size, direction, lambda here, behind, ahead, straight: (here >= behind) & (here >= ahead)
+        magnitude,
+        direction,
+        lambda magnitude, behind, ahead, straight: (magnitude >= behind) & (magnitude >= ahead),
     )
 
 
 @mistake("suppress", "> on both sides")
-def _(size, direction):
-    return _suppress(size, direction, lambda here, behind, ahead, straight: (here > behind) & (here > ahead))
+def _(magnitude, direction):
+    return _suppress(
+        magnitude,
+        direction,
+        lambda magnitude, behind, ahead, straight: (magnitude > behind) & (magnitude > ahead),
+    )
 
 
 @mistake("suppress", ">= on one side of diagonals too")
-def _(size, direction):
-    return _suppress(size, direction, lambda here, behind, ahead, straight: (here > behind) & (here >= ahead))
+def _(magnitude, direction):
+    return _suppress(
+        magnitude,
+        direction,
+        lambda magnitude, behind, ahead, straight: (magnitude > behind) & (magnitude >= ahead),
+    )
 
 
 @mistake("suppress", "> and >= the other way round")
-def _(size, direction):
-    def stays(here, behind, ahead, straight):
-        return np.where(straight, (here >= behind) & (here > ahead), (here > behind) & (here > ahead))
+def _(magnitude, direction):
+    def is_maximum(magnitude, behind, ahead, straight):
+        return np.where(
+            straight, (magnitude >= behind) & (magnitude > ahead), (magnitude > behind) & (magnitude > ahead)
+        )
 
-    return _suppress(size, direction, stays)
+    return _suppress(magnitude, direction, is_maximum)
 
 
 @mistake("suppress", "along the edge instead of across")
-def _(size, direction):
-    return _suppress(size, (direction + 2) % 4, _opencv_stays)
+def _(magnitude, direction):
+    return _suppress(magnitude, (direction + 2) % 4, _is_maximum)
 
 
 @mistake("suppress", "diagonals swapped")
-def _(size, direction):
-    return _suppress(size, np.array([0, 3, 2, 1], np.uint8)[direction], _opencv_stays)
+def _(magnitude, direction):
+    return _suppress(magnitude, np.array([0, 3, 2, 1], np.uint8)[direction], _is_maximum)
 
 
 @mistake("suppress", "one neighbour only")
-def _(size, direction):
-    return _suppress(size, direction, lambda here, behind, ahead, straight: here > behind)
+def _(magnitude, direction):
+    return _suppress(magnitude, direction, lambda magnitude, behind, ahead, straight: magnitude > behind)
 
 
 @mistake("suppress", "the outermost pixels left out")
-def _(size, direction):
-    thinned = np.zeros_like(size)
-    thinned[1:-1, 1:-1] = _suppress(size, direction, _opencv_stays)[1:-1, 1:-1]
+def _(magnitude, direction):
+    thinned = np.zeros_like(magnitude)
+    thinned[1:-1, 1:-1] = _suppress(magnitude, direction, _is_maximum)[1:-1, 1:-1]
     return thinned
 
 
-@mistake("suppress", "the picture wraps around at its border")
-def _(size, direction):
-    return _suppress(size, direction, _opencv_stays, "wrap")
+@mistake("suppress", "the image wraps around at its border")
+def _(magnitude, direction):
+    return _suppress(magnitude, direction, _is_maximum, "wrap")
 
 
 @mistake("suppress", "border replicated instead of zero")
-def _(size, direction):
-    return _suppress(size, direction, _opencv_stays, "edge")
+def _(magnitude, direction):
+    return _suppress(magnitude, direction, _is_maximum, "edge")
 
 
 @mistake("suppress", "True and False instead of magnitudes")
-def _(size, direction):
-    return (_suppress(size, direction, _opencv_stays) > 0).astype(size.dtype)
+def _(magnitude, direction):
+    return (_suppress(magnitude, direction, _is_maximum) > 0).astype(magnitude.dtype)
 
 
 @mistake("double_threshold", ">= for >")
 def _(thinned, low, high):
-    return thinned >= low, thinned >= high
+    return (thinned >= low) & (thinned < high), thinned >= high
 
 
-@mistake("double_threshold", "seeds are no candidates")
+@mistake("double_threshold", "weak contains the strong pixels too")
 def _(thinned, low, high):
-    return (thinned > low) & (thinned <= high), thinned > high
+    return thinned > low, thinned > high
 
 
-@mistake("double_threshold", "low and high swapped")
+@mistake("double_threshold", "a magnitude equal to high is neither weak nor strong")
 def _(thinned, low, high):
-    return thinned > high, thinned > low
+    return (thinned > low) & (thinned < high), thinned > high
+
+
+@mistake("double_threshold", "weak and strong swapped")
+def _(thinned, low, high):
+    return thinned > high, (thinned > low) & (thinned <= high)
 
 
 @mistake("double_threshold", "one threshold: half-way")
 def _(thinned, low, high):
     above = thinned > (low + high) / 2
-    return above, above
+    return np.zeros_like(above), above
 
 
 @mistake("hysteresis", "4-connectivity")
-def _(candidates, seeds):
-    return _grown(candidates, seeds, ndimage.generate_binary_structure(2, 1), -1)
+def _(weak, strong):
+    return _grow(weak, strong, ndimage.generate_binary_structure(2, 1), -1)
 
 
 @mistake("hysteresis", "one step instead of until nothing changes")
-def _(candidates, seeds):
-    return _grown(candidates, seeds, np.ones((3, 3)), 1)
+def _(weak, strong):
+    return _grow(weak, strong, np.ones((3, 3)), 1)
 
 
 @mistake("hysteresis", "one sweep from top left")
-def _(candidates, seeds):
-    edges = np.pad(seeds, 1)
-    for row, col in np.argwhere(candidates):
+def _(weak, strong):
+    edges = np.pad(strong, 1)
+    for row, col in np.argwhere(weak):
         edges[row + 1, col + 1] |= edges[row : row + 3, col : col + 3].any()
     return edges[1:-1, 1:-1].astype(np.uint8) * 255
 
 
-@mistake("hysteresis", "seeds only")
-def _(candidates, seeds):
-    return seeds.astype(np.uint8) * 255
+@mistake("hysteresis", "strong pixels only")
+def _(weak, strong):
+    return strong.astype(np.uint8) * 255
 
 
-@mistake("hysteresis", "all candidates")
-def _(candidates, seeds):
-    return candidates.astype(np.uint8) * 255
+@mistake("hysteresis", "all weak pixels")
+def _(weak, strong):
+    return (weak | strong).astype(np.uint8) * 255
 
 
-@mistake("hysteresis", "grows past the candidates")
-def _(candidates, seeds):
-    return ndimage.binary_dilation(_grown(candidates, seeds, np.ones((3, 3)), -1)).astype(np.uint8) * 255
+@mistake("hysteresis", "grows beyond the weak pixels")
+def _(weak, strong):
+    return ndimage.binary_dilation(_grow(weak, strong, np.ones((3, 3)), -1)).astype(np.uint8) * 255
 
 
 @mistake("hysteresis", "1 for an edge")
-def _(candidates, seeds):
-    return _grown(candidates, seeds, np.ones((3, 3)), -1) // 255
+def _(weak, strong):
+    return _grow(weak, strong, np.ones((3, 3)), -1) // 255
 
 
-# Canny as a whole: these get the room's own right stages, and put them together wrongly.
+@mistake("hysteresis", "strong pixels lost while growing")
+def _(weak, strong):
+    return np.where(weak, _grow(weak, strong, np.ones((3, 3)), -1), 0).astype(np.uint8)
+
+
+# Canny as a whole: these functions get the right stages of imaging and combine them wrongly.
 
 
 @mistake("canny", "blur after gradient")
@@ -555,8 +577,8 @@ def _(gray, low, high, stages):
 
 @mistake("canny", "no suppression")
 def _(gray, low, high, stages):
-    size = stages.magnitude(*stages.sobel(stages.smooth(gray, 1.4)))
-    return stages.hysteresis(*stages.double_threshold(size, low, high))
+    magnitude = stages.magnitude(*stages.sobel(stages.smooth(gray, 1.4)))
+    return stages.hysteresis(*stages.double_threshold(magnitude, low, high))
 
 
 @mistake("canny", "no hysteresis: all above low")
@@ -584,12 +606,12 @@ def _(gray, low, high, stages):
 @mistake("canny", "L2 for L1")
 def _(gray, low, high, stages):
     grad_row, grad_col = stages.sobel(stages.smooth(gray, 1.4))
-    size = stages.magnitude(grad_row, grad_col, "L2")
-    thinned = stages.suppress(size, stages.direction(grad_row, grad_col))
+    magnitude = stages.magnitude(grad_row, grad_col, "L2")
+    thinned = stages.suppress(magnitude, stages.direction(grad_row, grad_col))
     return stages.hysteresis(*stages.double_threshold(thinned, low, high))
 
 
-# What the wrong functions share.
+# Shared by the wrong functions.
 
 
 def _windows(gray, border):
@@ -646,24 +668,24 @@ def _sector(grad_row, grad_col):
     return sector
 
 
-def _opencv_stays(here, behind, ahead, straight):
-    return (here > behind) & np.where(straight, here >= ahead, here > ahead)
+def _is_maximum(magnitude, behind, ahead, straight):
+    return (magnitude > behind) & np.where(straight, magnitude >= ahead, magnitude > ahead)
 
 
-def _suppress(size, direction, stays, border="constant"):
-    rows, cols = size.shape
-    wide = np.pad(size, 1, mode=border)
-    thinned = np.zeros_like(size)
+def _suppress(magnitude, direction, is_maximum, border="constant"):
+    rows, cols = magnitude.shape
+    wide = np.pad(magnitude, 1, mode=border)
+    thinned = np.zeros_like(magnitude)
     for sector, (down, right) in enumerate([(0, 1), (1, 1), (1, 0), (1, -1)]):
         ahead = wide[1 + down : 1 + down + rows, 1 + right : 1 + right + cols]
         behind = wide[1 - down : 1 - down + rows, 1 - right : 1 - right + cols]
-        keep = (direction == sector) & stays(size, behind, ahead, sector % 2 == 0)
-        thinned[keep] = size[keep]
+        keep = (direction == sector) & is_maximum(magnitude, behind, ahead, sector % 2 == 0)
+        thinned[keep] = magnitude[keep]
     return thinned
 
 
-def _grown(candidates, seeds, neighbours, steps):
-    edges = ndimage.binary_dilation(seeds, neighbours, iterations=steps, mask=candidates)
+def _grow(weak, strong, neighbours, steps):
+    edges = ndimage.binary_dilation(strong, neighbours, iterations=steps, mask=weak | strong)
     return edges.astype(np.uint8) * 255
 
 

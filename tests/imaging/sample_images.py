@@ -1,10 +1,10 @@
-"""Gray pictures that find out mistakes: each is about one thing that goes wrong."""
+"""Gray and colour images that reveal mistakes: each of them provokes one kind."""
 
 import numpy as np
 
 
 def gray_samples():
-    """Name -> (H, W) uint8."""
+    """Return a dict: name -> (H, W) uint8."""
     rng = np.random.default_rng(7)
     row, col = np.mgrid[:48, :64]
     distance = np.hypot(row - 23.5, col - 31.5)
@@ -25,16 +25,16 @@ def gray_samples():
         "soft ring": (128 + 100 * np.exp(-(((distance - 15) / 3) ** 2))).astype(np.uint8),
         "checkerboard": ((row // 5 + col // 5) % 2 * 255).astype(np.uint8),
         "finest checkerboard": ((row + col) % 2 * 255).astype(np.uint8),
-        "slope": (3 * col + row).astype(np.uint8),
+        "ramp": (3 * col + row).astype(np.uint8),
         "noise": noise,
         "noise of few levels": rng.choice(np.array([10, 90, 91, 250], np.uint8), (48, 64)),
         "dark noise": rng.integers(0, 5, (48, 64), dtype=np.uint8),
         "white square": np.pad(np.full((12, 12), 255, np.uint8), 10),
-        "lone pixel": np.pad(np.full((1, 1), 255, np.uint8), 7),
-        "weak chain to a seed": _weak_chain(),
+        "single white pixel": np.pad(np.full((1, 1), 255, np.uint8), 7),
+        "weak edge that ends in a strong one": _fading_edge(),
         "padded view": np.pad(noise, 3)[3:-3, 3:-3],
         "every second pixel": np.repeat(np.repeat(noise, 2, axis=0), 2, axis=1)[::2, ::2],
-        "turned": np.asfortranarray(noise).T,
+        "transposed": np.asfortranarray(noise).T,
         "upside down": noise[::-1, ::-1],
         "read-only": frozen,
         "1×1": np.full((1, 1), 200, np.uint8),
@@ -48,15 +48,15 @@ def gray_samples():
     }
 
 
-def _weak_chain():
-    """A step that fades from strong to faint along its length, in a wave: its pixels touch at corners."""
+def _fading_edge():
+    """A wavy edge whose step fades from strong to faint along its length; its pixels touch at corners."""
     row, col = np.mgrid[:60, :60]
     border = 30 + np.round(6 * np.sin(row / 4.0))
     return np.where(col < border, 100, 100 + 120 - 2 * row).astype(np.uint8)
 
 
 def bgr_samples():
-    """Name -> (H, W, 3) uint8."""
+    """Return a dict: name -> (H, W, 3) uint8."""
     rng = np.random.default_rng(8)
     noise = rng.integers(0, 256, (40, 50, 3), dtype=np.uint8)
     primaries = np.array([[[255, 0, 0], [0, 255, 0], [0, 0, 255], [255] * 3, [0] * 3]], np.uint8)
@@ -69,7 +69,7 @@ def bgr_samples():
         "dark": rng.integers(0, 8, (40, 50, 3), dtype=np.uint8),
         "1×1": np.array([[[1, 2, 250]]], np.uint8),
         "padded view": np.pad(noise, ((2, 2), (3, 3), (0, 0)))[2:-2, 3:-3],
-        "rgb turned to bgr": noise[..., ::-1],
+        "rgb reversed to bgr": noise[..., ::-1],
         "upside down": noise[::-1],
         "read-only": frozen,
     }
