@@ -79,8 +79,8 @@ if ros_available():
     from imgproc_course.ros import Setting
 
     settings = [
-        Setting("low", 50, 0, 1530, "candidates lie above it, in the unit of the Sobel answer"),
-        Setting("high", 150, 0, 1530, "seeds lie above it, in the unit of the Sobel answer"),
+        Setting("low", 50, 0, 1530, "weak edge pixels are above it; L1 magnitude of the Sobel gradient"),
+        Setting("high", 150, 0, 1530, "strong edge pixels are above it; L1 magnitude of the Sobel gradient"),
         Setting("sigma", 0.0, 0.0, 10.0, "blur before, in pixels"),
     ]
 
@@ -102,7 +102,7 @@ if ros_available():
 # %% [markdown]
 # ## 2 · Change the thresholds and observe (8 minutes)
 #
-# Remember the unit of both thresholds: the Sobel answer, |grad_row| + |grad_col|. A straight step of h gray levels has an answer of 4 h. So `low` = 50 lets steps of more than 12.5 gray levels be candidates, and `high` = 150 makes steps of more than 37.5 seeds.
+# Remember the unit of both thresholds: the L1 gradient magnitude, |grad_row| + |grad_col|, of Sobel's response. A straight step of h gray levels has the magnitude 4 h. So with `low` = 50 a step of more than 12.5 gray levels gives weak edge pixels, and with `high` = 150 a step of more than 37.5 gives strong ones.
 #
 # **Predict**, before you move a slider: which of the two decides *how many* lines there are, and which *how long* they are?
 
@@ -150,7 +150,7 @@ for low, high in ((50, 150), (50, 300), (150, 150)):
 assert counted == {(50, 150): 330, (50, 300): 98, (150, 150): 1096}
 
 # %% [markdown]
-# `high` decides which lines there are: of 330 lines 98 are left where a seed must be twice as strong. `low` decides how far a line goes on: with `low` at 150 the lines break into 1096 short pieces.
+# `high` decides which lines there are: of 330 lines 98 are left if a strong edge pixel needs twice the magnitude. `low` decides how far a line goes on: with `low` at 150 the lines break into 1096 short pieces.
 #
 # ## 3 · Planned failure: the swapped pair (5 minutes)
 #
@@ -446,7 +446,7 @@ assert 0 <= mine <= 1
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
 # | *gray* | (720, 1280) | uint8 | 0 to 255 | gray level |
-# | low, high | one number each | int | 0 to 1530 | Sobel answer (a straight step of h gives 4 h) |
+# | low, high | one number each | int | 0 to 1530 | L1 magnitude of the Sobel gradient (a straight step of h gives 4 h) |
 # | sigma | one number | float | 0 to 10 | pixel |
 # | *edges* | (720, 1280) | uint8 | 0 and 255 | no and yes |
 # | outlines | (720, 1280) | bool | False, True | no and yes |
