@@ -81,10 +81,10 @@ def test_a_command_whose_packages_are_not_installed_says_so_in_one_line():
 
 
 @pytest.mark.parametrize(
-    ("finding", "code"), [(ok("a", "b"), 0), (warning("a", "b", "c"), 0), (failure("a", "b", "c"), 1)]
+    ("diagnosis", "code"), [(ok("a", "b"), 0), (warning("a", "b", "c"), 0), (failure("a", "b", "c"), 1)]
 )
-def test_the_doctor_fails_only_where_something_fails(call, monkeypatch, finding, code):
-    monkeypatch.setattr("imgproc_course.doctor.doctor", lambda: Report([finding]))
+def test_the_doctor_fails_only_where_something_fails(call, monkeypatch, diagnosis, code):
+    monkeypatch.setattr("imgproc_course.doctor.doctor", lambda: Report([diagnosis]))
     done = call("doctor")
     assert done.exit_code == code
     assert "b" in done.output

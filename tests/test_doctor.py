@@ -1,4 +1,4 @@
-"""The doctor: what it sees, what it says is wrong, and the remedy beside it."""
+"""The doctor: what it checks, what it reports, and the remedies."""
 
 import importlib.metadata
 import importlib.util
@@ -12,26 +12,27 @@ import cv2
 import pytest
 from rich.console import Console
 
-from imgproc_course import doctor as room
-from imgproc_course.doctor import Finding, Report, doctor, graph, pictures, software
+from imgproc_course import doctor as doctor_package
+from imgproc_course.doctor import Diagnosis, Report, camera_checks, doctor, graph, software
 from imgproc_course.doctor.report import failure, ok, warning
 
 ROOT = Path(__file__).parents[1]
 
 
-def seen(look):
-    return {finding.name: finding for finding in look()}
+def diagnoses_of(check):
+    """What a check reports, by name."""
+    return {diagnosis.name: diagnosis for diagnosis in check()}
 
 
 @pytest.fixture(scope="module")
-def examined():
+def report():
     return doctor()
 
 
 @pytest.mark.ros
-def test_on_a_machine_that_is_set_up_nothing_fails(examined):
-    assert examined.ready
-    verdicts = {finding.name: finding.verdict for finding in examined.findings}
+def test_on_a_machine_that_is_set_up_nothing_fails(report):
+    assert report.ready
+    verdicts = {diagnosis.name: diagnosis.verdict for diagnosis in report.diagnoses}
     assert [name for name, verdict in verdicts.items() if verdict == "failure"] == []
     assert {
         "Python",
@@ -47,23 +48,23 @@ def test_on_a_machine_that_is_set_up_nothing_fails(examined):
 
 
 @pytest.mark.ros
-def test_pictures_arrive_in_this_process_and_from_another(examined):
-    found = {finding.name: finding for finding in examined.findings}
-    assert found["topic"].saw == "pictures arrive, published in this process"
-    assert found["two programs"].saw == "pictures arrive from imgproc-course play, another process"
+def test_frames_arrive_in_this_process_and_from_another(report):
+    diagnoses = {diagnosis.name: diagnosis for diagnosis in report.diagnoses}
+    assert diagnoses["topic"].observation == "frames arrive, published in this process"
+    assert diagnoses["two programs"].observation == "frames arrive from imgproc-course play, another process"
 
 
-def test_it_says_what_is_there(examined):
-    found = {finding.name: finding.saw for finding in examined.findings}
-    assert found["Python"] == ".".join(map(str, sys.version_info[:3]))
-    assert found["imgproc-course"] == importlib.metadata.version("imgproc-course")
-    assert found["numpy"] == importlib.metadata.version("numpy")
-    assert found["recording"] == "90 pictures of 1280×720, 10 a second"
-    assert found["OpenCV"].startswith(cv2.__version__)
+def test_it_reports_versions_and_the_recording(report):
+    diagnoses = {diagnosis.name: diagnosis.observation for diagnosis in report.diagnoses}
+    assert diagnoses["Python"] == ".".join(map(str, sys.version_info[:3]))
+    assert diagnoses["imgproc-course"] == importlib.metadata.version("imgproc-course")
+    assert diagnoses["numpy"] == importlib.metadata.version("numpy")
+    assert diagnoses["recording"] == "90 frames of 1280×720, 10 per second"
+    assert diagnoses["OpenCV"].startswith(cv2.__version__)
 
 
-def test_no_path_of_this_machine_is_on_its_page(examined):
-    page = f"{examined}\n{examined._repr_html_()}"
+def test_no_path_of_this_machine_is_in_the_report(report):
+    page = f"{report}\n{report._repr_html_()}"
     for part in (str(ROOT), str(Path.home()), sys.prefix, sys.executable):
         assert part not in page or part in ("/", "/root")
     paths = re.findall(r"(?<![\w<./])/[a-z]\w*/[\w./-]+", page)
@@ -83,7 +84,7 @@ def test_no_path_of_this_machine_is_on_its_page(examined):
     ],
 )
 def test_paths_are_cut_to_their_last_part(text, shown):
-    assert ok("x", text).saw == (shown or text)
+    assert ok("x", text).observation == (shown or text)
     assert failure("x", "y", text).remedy == (shown or text)
 
 
@@ -94,20 +95,20 @@ REPORT = Report(
 
 def test_a_failure_makes_the_report_not_ready_and_a_warning_does_not():
     assert not REPORT.ready
-    assert REPORT.summary == "1 of 3 failed: do what stands beside ✗, then ask again."
-    assert Report(REPORT.findings[:2]).ready
-    assert Report(REPORT.findings[:2]).summary == "Ready; what stands beside ! may stay as it is."
-    assert Report(REPORT.findings[:1]).summary == "Everything is ready."
+    assert REPORT.summary == "1 of 3 failed: follow the remedy beside each ✗, then run the doctor again."
+    assert Report(REPORT.diagnoses[:2]).ready
+    assert Report(REPORT.diagnoses[:2]).summary == "Ready. You can ignore the lines with !."
+    assert Report(REPORT.diagnoses[:1]).summary == "Everything is ready."
 
 
-def test_as_text_each_finding_is_a_line_and_each_cure_below_it():
+def test_as_text_each_diagnosis_is_a_line_with_its_remedy_below():
     assert str(REPORT).splitlines() == [
         "✓ one    fine",
         "! two    so <so>",
         "         → leave it",
         "✗ three  bad",
         "         → mend it & ask",
-        "1 of 3 failed: do what stands beside ✗, then ask again.",
+        "1 of 3 failed: follow the remedy beside each ✗, then run the doctor again.",
     ]
     assert repr(REPORT) == str(REPORT)
 
@@ -133,9 +134,9 @@ def test_in_a_terminal_it_is_a_table():
 
 def test_a_python_that_is_too_new(monkeypatch):
     monkeypatch.setattr(software.sys, "version_info", _Version(3, 14, 0))
-    found = seen(software.look_at_python)["Python"]
-    assert (found.verdict, found.saw) == ("failure", "3.14.0")
-    assert "PYTHON=python3.12 environment/lab" in found.remedy
+    diagnosis = diagnoses_of(software.check_python)["Python"]
+    assert (diagnosis.verdict, diagnosis.observation) == ("failure", "3.14.0")
+    assert "PYTHON=python3.12 environment/lab" in diagnosis.remedy
 
 
 class _Version(tuple):
@@ -149,9 +150,9 @@ class _Version(tuple):
 
 def test_a_missing_package(monkeypatch):
     monkeypatch.setattr(importlib.metadata, "version", _missing("nbval"))
-    found = seen(software.look_at_packages)
-    assert found["nbval"] == Finding("nbval", "failure", "is not installed", software.SET_UP)
-    assert found["numpy"].verdict == "ok"
+    diagnoses = diagnoses_of(software.check_packages)
+    assert diagnoses["nbval"] == Diagnosis("nbval", "failure", "is not installed", software.SET_UP)
+    assert diagnoses["numpy"].verdict == "ok"
 
 
 def _missing(absent):
@@ -167,36 +168,36 @@ def _missing(absent):
 
 def test_the_ipykernel_that_loses_prints(monkeypatch):
     monkeypatch.setattr(importlib.metadata, "version", lambda _: "7.0.0")
-    assert seen(software.look_at_packages)["ipykernel"].verdict == "failure"
+    assert diagnoses_of(software.check_packages)["ipykernel"].verdict == "failure"
 
 
 def test_a_kernel_of_another_environment(monkeypatch, tmp_path):
     monkeypatch.setattr(software, "VENV", tmp_path)
-    found = seen(software.look_at_kernel)["kernel"]
-    assert found.verdict == "warning"
-    assert "Kernel > Change Kernel > Python 3" in found.remedy
+    diagnosis = diagnoses_of(software.check_kernel)["kernel"]
+    assert diagnosis.verdict == "warning"
+    assert "Kernel > Change Kernel > Python 3" in diagnosis.remedy
 
 
-def test_an_environment_without_jupyter_has_no_kernel_to_look_at(monkeypatch):
+def test_an_environment_without_jupyter_has_no_kernel_to_check(monkeypatch):
     monkeypatch.setattr(software, "VENV", Path(sys.prefix))
     monkeypatch.setitem(sys.modules, "jupyter_client.kernelspec", None)
     find = importlib.util.find_spec
     monkeypatch.setattr(
         importlib.util, "find_spec", lambda name: None if name == "jupyter_client" else find(name)
     )
-    assert seen(software.look_at_kernel) == {}
+    assert diagnoses_of(software.check_kernel) == {}
 
 
 def test_a_jupyter_kernel_of_another_environment(monkeypatch):
     monkeypatch.setattr(software, "VENV", Path(sys.prefix))
     monkeypatch.setattr(software, "_kernel_of_jupyter", lambda: "/usr/bin/python3")
-    found = seen(software.look_at_kernel)["kernel"]
-    assert (found.verdict, found.remedy) == (
+    diagnosis = diagnoses_of(software.check_kernel)["kernel"]
+    assert (diagnosis.verdict, diagnosis.remedy) == (
         "warning",
-        "start JupyterLab with environment/lab, which takes the course's own",
+        "start JupyterLab with environment/lab, which uses the course's own",
     )
     monkeypatch.setattr(software, "_kernel_of_jupyter", lambda: sys.executable)
-    assert seen(software.look_at_kernel)["kernel"].verdict == "ok"
+    assert diagnoses_of(software.check_kernel)["kernel"].verdict == "ok"
 
 
 class _Distribution:
@@ -206,30 +207,35 @@ class _Distribution:
         self.metadata = {"Name": name}
 
 
-def test_two_opencvs_break_one_another(monkeypatch):
+def test_two_opencvs_break_each_other(monkeypatch):
     both = [_Distribution("opencv-python"), _Distribution("opencv-python-headless"), _Distribution("numpy")]
     monkeypatch.setattr(importlib.metadata, "distributions", lambda: both)
-    found = seen(software.look_at_opencv)["OpenCV"]
-    assert found.verdict == "failure"
-    assert found.saw.startswith("opencv-python and opencv-python-headless are both installed")
-    assert found.remedy.startswith("pip uninstall opencv-python opencv-python-headless; then delete .venv")
+    diagnosis = diagnoses_of(software.check_opencv)["OpenCV"]
+    assert diagnosis.verdict == "failure"
+    assert diagnosis.observation.startswith("opencv-python and opencv-python-headless are both installed")
+    assert diagnosis.remedy.startswith(
+        "pip uninstall opencv-python opencv-python-headless; then delete .venv"
+    )
 
 
 def test_an_opencv_that_does_not_load(monkeypatch):
     monkeypatch.setitem(sys.modules, "cv2", None)
-    found = seen(software.look_at_opencv)["OpenCV"]
-    assert found.verdict == "failure"
-    assert "delete .venv" in found.remedy
+    diagnosis = diagnoses_of(software.check_opencv)["OpenCV"]
+    assert diagnosis.verdict == "failure"
+    assert "delete .venv" in diagnosis.remedy
 
 
-@pytest.mark.parametrize("where", ["empty folder", "no data"])
-def test_an_opencv_without_cascades_is_a_warning(monkeypatch, tmp_path, where):
-    if where == "no data":
+@pytest.mark.parametrize("cascades", ["empty folder", "no data"])
+def test_an_opencv_without_cascades_is_a_warning(monkeypatch, tmp_path, cascades):
+    if cascades == "no data":
         monkeypatch.delattr(cv2, "data")
     else:
         monkeypatch.setattr(cv2.data, "haarcascades", str(tmp_path))
-    found = seen(software.look_at_opencv)["OpenCV"]
-    assert (found.verdict, found.saw) == ("warning", f"{cv2.__version__}, without Haar cascades")
+    diagnosis = diagnoses_of(software.check_opencv)["OpenCV"]
+    assert (diagnosis.verdict, diagnosis.observation) == (
+        "warning",
+        f"{cv2.__version__}, without Haar cascades",
+    )
 
 
 # ---------------------------------------------------------------------------------------- ROS
@@ -240,9 +246,9 @@ def test_without_ros_the_lessons_still_run(monkeypatch):
     problem = f"{missing}. On Linux x86-64: environment/setup"
     monkeypatch.setattr("imgproc_course.ros.ros_problem", lambda: problem)
     monkeypatch.setattr(graph.importlib.util, "find_spec", lambda _: None)
-    (found,) = graph.look_at_ros()
-    assert (found.verdict, found.remedy) == ("warning", "On Linux x86-64: environment/setup")
-    assert found.saw == missing
+    (diagnosis,) = graph.check_ros()
+    assert (diagnosis.verdict, diagnosis.remedy) == ("warning", "On Linux x86-64: environment/setup")
+    assert diagnosis.observation == missing
 
 
 @pytest.mark.ros
@@ -251,23 +257,23 @@ def test_a_ros_that_does_not_load_is_a_failure(monkeypatch):
         "ROS 2 is installed, but Python 3.11 cannot load it (/opt/ros/x/librcl.so); start JupyterLab anew"
     )
     monkeypatch.setattr("imgproc_course.ros.ros_problem", lambda: problem)
-    (found,) = graph.look_at_ros()
-    assert (found.verdict, found.remedy) == ("failure", "start JupyterLab anew")
-    assert found.saw == "ROS 2 is installed, but Python 3.11 cannot load it (librcl.so)"
+    (diagnosis,) = graph.check_ros()
+    assert (diagnosis.verdict, diagnosis.remedy) == ("failure", "start JupyterLab anew")
+    assert diagnosis.observation == "ROS 2 is installed, but Python 3.11 cannot load it (librcl.so)"
 
 
 @pytest.mark.ros
 def test_a_profile_with_a_note_is_a_warning(monkeypatch):
     from imgproc_course.ros import DdsProfile
 
-    note = "/dev/shm has 10 MiB free and pictures need 18; enlarge it"
+    note = "/dev/shm has 10 MiB free and images need 18; enlarge it"
     profile = DdsProfile("nobody", free_bytes=10 << 20, note=note)
     monkeypatch.setattr("imgproc_course.ros.dds_profile", lambda: profile)
-    found = seen(graph.look_at_ros)
-    assert found["DDS profile"] == Finding("DDS profile", "warning", "none: Fast DDS's defaults", note)
-    assert found["shared memory"].verdict == "warning"
-    assert found["shared memory"].saw.startswith("10 MiB free in /dev/shm")
-    assert "docker run --shm-size=1g" in found["shared memory"].remedy
+    diagnoses = diagnoses_of(graph.check_ros)
+    assert diagnoses["DDS profile"] == Diagnosis("DDS profile", "warning", "none: Fast DDS's defaults", note)
+    assert diagnoses["shared memory"].verdict == "warning"
+    assert diagnoses["shared memory"].observation.startswith("10 MiB free in /dev/shm")
+    assert "docker run --shm-size=1g" in diagnoses["shared memory"].remedy
 
 
 @pytest.mark.parametrize(
@@ -275,39 +281,39 @@ def test_a_profile_with_a_note_is_a_warning(monkeypatch):
     [(None, []), (64 << 20, ["warning"]), ((276 << 20) - 1, ["warning"]), (276 << 20, ["ok"])],
 )
 def test_shared_memory_must_hold_four_segments(free, verdicts):
-    assert [finding.verdict for finding in graph._shared_memory(free)] == verdicts
+    assert [diagnosis.verdict for diagnosis in graph._shared_memory(free)] == verdicts
 
 
 @pytest.mark.parametrize(
-    ("domain", "reach", "verdict", "words"),
+    ("domain", "discovery_range", "verdict", "observation"),
     [
         ("", "", "ok", "0; topics are shared with everyone on this network in the same domain"),
-        ("7", "LOCALHOST", "ok", "7; topics are shared with this machine alone; a robot is not found"),
+        ("7", "LOCALHOST", "ok", "7; topics are shared only with programs on this machine, not with a robot"),
         ("101", "SUBNET", "ok", "101; topics are shared with everyone on this network in the same domain"),
         ("102", "", "failure", "ROS_DOMAIN_ID=102"),
         ("-1", "", "failure", "ROS_DOMAIN_ID=-1"),
         ("seven", "", "failure", "ROS_DOMAIN_ID=seven"),
-        ("7", "OFF", "failure", "ROS_AUTOMATIC_DISCOVERY_RANGE=OFF: no program finds another"),
+        ("7", "OFF", "failure", "ROS_AUTOMATIC_DISCOVERY_RANGE=OFF: programs do not discover each other"),
         (
             "7",
             "localhost",
             "failure",
-            "ROS_AUTOMATIC_DISCOVERY_RANGE=localhost is none of SUBNET, LOCALHOST, OFF, ",
+            "ROS_AUTOMATIC_DISCOVERY_RANGE=localhost is not one of SUBNET, LOCALHOST, OFF, ",
         ),
     ],
 )
-def test_the_domain_says_who_shares_the_topics(monkeypatch, domain, reach, verdict, words):
+def test_the_domain_says_who_shares_the_topics(monkeypatch, domain, discovery_range, verdict, observation):
     monkeypatch.setenv("ROS_DOMAIN_ID", domain)
-    monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", reach)
-    (found,) = graph._domain()
-    assert found.verdict == verdict
-    assert found.saw.startswith(words)
-    assert bool(found.remedy) == (verdict == "failure")
+    monkeypatch.setenv("ROS_AUTOMATIC_DISCOVERY_RANGE", discovery_range)
+    (diagnosis,) = graph._domain()
+    assert diagnosis.verdict == verdict
+    assert diagnosis.observation.startswith(observation)
+    assert bool(diagnosis.remedy) == (verdict == "failure")
 
 
 def test_the_loopback_carries_packets_and_multicast():
     assert graph._packet_arrives("127.0.0.1")
-    assert seen(graph.look_at_network)["loopback"].verdict in ("ok", "warning")
+    assert diagnoses_of(graph.check_network)["loopback"].verdict in ("ok", "warning")
 
 
 @pytest.mark.parametrize(
@@ -320,9 +326,9 @@ def test_the_loopback_carries_packets_and_multicast():
 )
 def test_a_network_that_carries_nothing(monkeypatch, blocked, verdict, remedy):
     monkeypatch.setattr(graph, "_packet_arrives", lambda address: address not in blocked)
-    found = seen(graph.look_at_network)["loopback"]
-    assert found.verdict == verdict
-    assert remedy in found.remedy
+    diagnosis = diagnoses_of(graph.check_network)["loopback"]
+    assert diagnosis.verdict == verdict
+    assert remedy in diagnosis.remedy
 
 
 def test_a_packet_that_cannot_be_sent_did_not_arrive(monkeypatch):
@@ -333,41 +339,41 @@ def test_a_packet_that_cannot_be_sent_did_not_arrive(monkeypatch):
     assert not graph._packet_arrives("127.0.0.1", timeout=0.1)
 
 
-def test_a_packet_that_is_swallowed_did_not_arrive(monkeypatch):
+def test_a_packet_that_is_lost_did_not_arrive(monkeypatch):
     monkeypatch.setattr(socket.socket, "sendto", lambda *_: None)
     assert not graph._packet_arrives("127.0.0.1", timeout=0.1)
 
 
-# ---------------------------------------------------------------------------------------- pictures
+# ---------------------------------------------------------------------------------------- camera
 
 
 def test_a_damaged_recording(monkeypatch, tmp_path):
     monkeypatch.setattr("imgproc_course.recording.recording.DRIVE", tmp_path)
-    found = seen(pictures.look_at_recording)["recording"]
-    assert found.verdict == "failure"
-    assert "git checkout -- imgproc_course/recording/drive" in found.remedy
+    diagnosis = diagnoses_of(camera_checks.check_recording)["recording"]
+    assert diagnosis.verdict == "failure"
+    assert "git checkout -- imgproc_course/recording/drive" in diagnosis.remedy
 
 
 def test_a_disk_that_is_nearly_full(monkeypatch):
-    usage = pictures.shutil.disk_usage("/")._replace(free=50 << 20)
-    monkeypatch.setattr(pictures.shutil, "disk_usage", lambda _: usage)
-    found = seen(pictures.look_at_disk)["disk"]
-    assert (found.verdict, found.saw) == ("warning", "50 MiB free where your lessons are")
+    usage = camera_checks.shutil.disk_usage("/")._replace(free=50 << 20)
+    monkeypatch.setattr(camera_checks.shutil, "disk_usage", lambda _: usage)
+    diagnosis = diagnoses_of(camera_checks.check_disk)["disk"]
+    assert (diagnosis.verdict, diagnosis.observation) == ("warning", "50 MiB free where your lessons are")
 
 
 @pytest.mark.ros
 def test_a_topic_that_stays_silent(monkeypatch):
     monkeypatch.setattr(
-        pictures,
-        "_pictures_arrive",
+        camera_checks,
+        "_why_no_frames",
         lambda *_, **__: "nothing came on /doctor_1/image_raw in 5 s; restart the kernel",
     )
-    monkeypatch.setattr(pictures.subprocess, "Popen", _Player)
-    found = seen(pictures.look_at_topics)
-    assert found["topic"].verdict == "failure"
-    assert found["topic"].saw == "nothing came on /doctor_1/image_raw in 5 s"
-    assert found["topic"].remedy == "restart the kernel"
-    assert found["two programs"].verdict == "warning"
+    monkeypatch.setattr(camera_checks.subprocess, "Popen", _Player)
+    diagnoses = diagnoses_of(camera_checks.check_topics)
+    assert diagnoses["topic"].verdict == "failure"
+    assert diagnoses["topic"].observation == "nothing came on /doctor_1/image_raw in 5 s"
+    assert diagnoses["topic"].remedy == "restart the kernel"
+    assert diagnoses["two programs"].verdict == "warning"
 
 
 class _Player:
@@ -381,45 +387,45 @@ class _Player:
 
 
 @pytest.mark.ros
-def test_a_domain_that_is_none_is_said_by_the_topic_too(monkeypatch):
+def test_the_topic_check_names_an_invalid_domain_too(monkeypatch):
     from imgproc_course.ros import RosSession
 
     RosSession().stop()
     monkeypatch.setenv("ROS_DOMAIN_ID", "seven")
-    (found,) = pictures.look_at_topics()
-    assert found.verdict == "failure"
-    assert "ROS_DOMAIN_ID" in found.saw
+    (diagnosis,) = camera_checks.check_topics()
+    assert diagnosis.verdict == "failure"
+    assert "ROS_DOMAIN_ID" in diagnosis.observation
 
 
 @pytest.mark.ros
-def test_it_leaves_the_session_as_it_was():
+def test_the_session_keeps_running_if_it_ran_before():
     from imgproc_course.ros import RosSession
 
     RosSession().stop()
-    list(pictures._topic_in_this_process())
+    list(camera_checks._topic_in_this_process())
     assert RosSession().running
     RosSession().stop()
 
 
 def test_without_ros_no_topic_is_tried(monkeypatch):
     monkeypatch.setattr("imgproc_course.ros.ros_available", lambda: False)
-    assert list(pictures.look_at_topics()) == []
+    assert list(camera_checks.check_topics()) == []
 
 
-def test_it_tells_what_it_looks_at(monkeypatch, capsys):
-    monkeypatch.setattr(room, "CHECKS", (("the weather", lambda: [ok("weather", "fair")]),))
-    told = []
-    monkeypatch.setattr("rich.status.Status.update", lambda self, what: told.append(what))
+def test_it_shows_what_it_checks(monkeypatch, capsys):
+    monkeypatch.setattr(doctor_package, "CHECKS", (("the weather", lambda: [ok("weather", "fair")]),))
+    updates = []
+    monkeypatch.setattr("rich.status.Status.update", lambda self, text: updates.append(text))
     assert str(doctor()) == "✓ weather  fair\nEverything is ready."
-    assert told == ["The doctor looks at the weather ..."]
+    assert updates == ["The doctor checks the weather ..."]
     assert capsys.readouterr().out == ""
 
 
 @pytest.mark.ros
-def test_a_topic_that_nobody_publishes_is_said_to_be_silent():
+def test_a_topic_without_a_publisher_is_reported():
     from imgproc_course.ros import RosSession
 
-    problem = pictures._pictures_arrive("/doctor_nobody/image_raw", timeout=0.2)
+    problem = camera_checks._why_no_frames("/doctor_nobody/image_raw", timeout=0.2)
     RosSession().stop()
     assert "/doctor_nobody/image_raw" in problem
     assert "; " in problem

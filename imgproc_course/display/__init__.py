@@ -1,4 +1,4 @@
-"""What a notebook shows: still pictures, the running camera, and sliders beside a picture."""
+"""What a notebook shows: images, the live view of a camera, and sliders beside an image."""
 
 from imgproc_course.display.figures import draw, show, show_figure
 from imgproc_course.display.live_view import LiveView, live_view

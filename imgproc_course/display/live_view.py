@@ -1,4 +1,4 @@
-"""The running camera in a notebook, and what a learner's function makes of each frame."""
+"""A running camera in a notebook, and the result of a learner's function on each frame."""
 
 import atexit
 import html
@@ -15,14 +15,17 @@ from IPython import get_ipython
 from IPython.display import display
 
 from imgproc_course.display.controls import Controls
-from imgproc_course.display.printing import last_lines, prints_kept
+from imgproc_course.display.printing import captured_prints, last_lines
 from imgproc_course.display.screen import Screen, describe_error
 
-MAX_RATE = 30  # frames a second: a screen shows no more of a camera, and the browser must keep up
-BEAT = 0.5  # seconds between two questions to the browser whether it keeps up
-LATE = 0.3  # seconds after which its answer shows a queue on the way
-GONE = 10  # seconds of silence after which nobody seems to look
-WITHOUT_ANSWER, WITHOUT_BROWSER = 0.2, 1.0  # seconds between frames while nobody answers, and nobody looks
+MAX_RATE = 30  # frames per second: enough for a camera on a screen, and the browser must keep up
+PING_INTERVAL = 0.5  # seconds between two pings to the browser
+LATE = 0.3  # seconds; a later reply means that a queue has formed
+GONE = 10  # seconds without a reply after which no browser seems to be there
+WITHOUT_REPLY, WITHOUT_BROWSER = (
+    0.2,
+    1.0,
+)  # seconds between frames while no reply comes, and without a browser
 
 
 def live_view(
@@ -39,28 +42,28 @@ def live_view(
 ):
     """Shows a running camera in the notebook, each frame as the learner's function returns it.
 
-    It runs on a thread: the cell ends at once, and sliders, other cells and other views stay alive. An
-    exception in `process` is shown under the picture, as is what it prints, and the next frame is tried.
-    Frames that come faster than they are processed, or than the browser takes them, are dropped. It rests
-    while no page shows it, and stops when its cell is run again and when the kernel stops.
+    It runs on a thread: the cell ends at once, and sliders, other cells and other views go on working. An
+    exception in `process`, or what it prints, is shown under the image; then the next frame is processed.
+    If frames come faster than `process` or the browser can handle them, some are dropped. The view pauses
+    while no page shows it. It stops when its cell runs again, and when the kernel stops.
 
     Parameters
     ----------
-    source : Camera, ImageSubscriber, topic name, or Recording (which needs no ROS, and is repeated)
+    source : Camera, ImageSubscriber, topic name, or Recording (which needs no ROS, and repeats)
     process : function (frame, **parameters) -> array, or a list or dict (title -> array) of arrays
-        Arrays are shown side by side: uint8, bool, or colour in the order of `encoding`. Left out: the frame.
+        Arrays are shown side by side: uint8, bool, or colour in the order of `encoding`. Omitted: the frame.
     encoding : str
-        What the frames are converted to, and how colours are read.
+        Encoding of the frames, and channel order of colour results.
     width : int
-        CSS pixels; left out: 640 for one picture, 960 where there are several. Frames are sent at this width.
+        CSS pixels. If omitted: 640 for one image, 960 for several. Frames are sent at this width.
     limits : (low, high)
         The values shown black and white, for gray results that are neither uint8 nor bool.
     rate : float, Hz
-        At which a Recording is played; left out: its own.
+        Rate at which a Recording plays. If omitted: its own.
     caption : str, a sentence under the view
-    alt : str, what is seen; left out: made of the function's name
+    alt : str, alternative text. If omitted: made of the function's name
     **ranges
-        Parameters of `process` to be set while it runs: low=(0, 1020) is a slider, see `tune`.
+        Parameters of `process` that sliders set while it runs: low=(0, 1020) is a slider, see `tune`.
 
     Returns
     -------
@@ -68,8 +71,8 @@ def live_view(
 
     Raises
     ------
-    ValueError : a source that is none of these, a range that is none
-    RosMissingError : a topic where rclpy is not installed
+    ValueError : another kind of source, an invalid range
+    RosMissingError : a topic, but rclpy is not installed
     """
     view = LiveView(
         source,
@@ -88,7 +91,7 @@ def live_view(
 
 
 class Snapshot(NamedTuple):
-    """What was on the screen: the frame as it came, what `process` made of it, and the file that keeps it."""
+    """What was on the screen: the frame, the result of `process`, and the file in which it was saved."""
 
     frame: np.ndarray
     result: Any
@@ -100,10 +103,10 @@ class LiveView:
 
     Attributes
     ----------
-    shown : frames sent to the browser since it was made
-    rate : frames sent in one second, lately
+    shown : number of frames sent to the browser so far
+    rate : frames sent per second, over the last two seconds
     value : what `process` returned last; None before the first frame
-    error : the exception of the last frame, None if there was none
+    error : the exception of the last frame, or None
     snapshots : list of Snapshot
     """
 
@@ -119,7 +122,7 @@ class LiveView:
         self._controls = Controls(process, ranges) if ranges else None
         self._name = caption or getattr(process, "__name__", "camera").replace("<lambda>", "camera")
         self._screen = Screen(encoding, width, limits, alt or caption or f"Live view: {self._name}", caption)
-        self._beat = _Beat()
+        self._pacer = _Pacer()
         self._thread = None
         self._stopping = threading.Event()
         self._frame = None
@@ -129,20 +132,20 @@ class LiveView:
         self._make_widgets()
 
     def _make_widgets(self):
-        button = widgets.Layout(width="110px")
-        self._start = widgets.Button(description="Start", icon="play", layout=button)
-        self._stop = widgets.Button(description="Stop", icon="stop", layout=button)
-        self._shoot = widgets.Button(description="Snapshot", icon="camera", layout=button)
+        button_layout = widgets.Layout(width="110px")
+        self._start = widgets.Button(description="Start", icon="play", layout=button_layout)
+        self._stop = widgets.Button(description="Stop", icon="stop", layout=button_layout)
+        self._snapshot_button = widgets.Button(description="Snapshot", icon="camera", layout=button_layout)
         self._start.on_click(lambda _: self.start())
         self._stop.on_click(lambda _: self.stop())
-        self._shoot.on_click(lambda _: self.snapshot())
-        self._figures = widgets.Label(value="waiting for the first frame")
-        picture = self._screen.box
+        self._snapshot_button.on_click(lambda _: self.snapshot())
+        self._status = widgets.Label(value="waiting for the first frame")
+        box = self._screen.box
         if self._controls:
-            picture = widgets.HBox([picture, self._controls.box], layout=widgets.Layout(flex_flow="row wrap"))
-        bar = widgets.HBox([self._start, self._stop, self._shoot, self._figures])
-        self._box = widgets.VBox([bar, picture])
-        # The browser counts the views of a widget that asks for it: none left means its output was deleted.
+            box = widgets.HBox([box, self._controls.box], layout=widgets.Layout(flex_flow="row wrap"))
+        bar = widgets.HBox([self._start, self._stop, self._snapshot_button, self._status])
+        self._box = widgets.VBox([bar, box])
+        # With a number here, the browser counts the views of this widget: 0 means that no page shows it.
         self._screen.image._view_count = 0
         self._screen.image.observe(self._count_views, "_view_count")
 
@@ -154,7 +157,7 @@ class LiveView:
 
     @property
     def parameters(self):
-        """Dict of parameter -> value, as `process` is called."""
+        """Dict of parameter -> value, as `process` gets them."""
         return self._controls.values if self._controls else {}
 
     @property
@@ -163,12 +166,12 @@ class LiveView:
         return self._controls.call if self._controls else f"{self._name}(frame)"
 
     def reset(self):
-        """Puts every slider back to where it began."""
+        """Sets every slider back to its start."""
         if self._controls:
             self._controls.reset()
 
     def start(self):
-        """Starts, or starts again; nothing happens where it runs."""
+        """Starts the view, or starts it again. Does nothing if it runs."""
         if self.running:
             return
         self._stopping.clear()
@@ -179,36 +182,35 @@ class LiveView:
         self._start.disabled, self._stop.disabled = True, False
 
     def stop(self):
-        """Stops the thread, and the view's own subscription; the last picture stays."""
+        """Stops the thread and the view's own subscription; the last image stays."""
         self._stopping.set()
-        self._feed.close()  # which wakes the thread, if it waits for a frame
+        self._feed.close()  # this also wakes the thread if it waits for a frame
         thread, self._thread = self._thread, None
         if thread is not None and thread is not threading.current_thread():
             thread.join(timeout=3)
         _running.discard(self)
         self._start.disabled, self._stop.disabled = False, True
-        self._figures.value = f"stopped after {self.shown} frame{'' if self.shown == 1 else 's'}"
+        self._status.value = f"stopped after {self.shown} frame{'' if self.shown == 1 else 's'}"
 
     def snapshot(self):
-        """Keeps frame and result in `.snapshots`, and the picture as a PNG file in the working folder."""
+        """Adds frame and result to `.snapshots`, and saves the image as a PNG file in the working folder."""
         if self._frame is None:
-            self._screen.say("no frame has come yet, so there is nothing to keep", wrong=True)
+            self._screen.say("there is no snapshot: no frame has come yet", is_error=True)
             return None
         result = self._frame if self.value is None else self.value
         try:
-            path, words = _save(self._screen.full_size(result)), ""
+            path = _save(self._screen.full_size(result))
+            file_text = f" and {path}"
         except (OSError, ValueError) as error:
-            path, words = None, f"; no file was written: {error}"
-        kept = Snapshot(np.array(self._frame), result, path)
-        self.snapshots.append(kept)
-        self._screen.say(
-            f"kept as .snapshots[{len(self.snapshots) - 1}]" + (f" and {path}" if path else words)
-        )
-        return kept
+            path, file_text = None, f"; no file was written: {error}"
+        snapshot = Snapshot(np.array(self._frame), result, path)
+        self.snapshots.append(snapshot)
+        self._screen.say(f"saved as .snapshots[{len(self.snapshots) - 1}]{file_text}")
+        return snapshot
 
     def publish(self):
-        """Shows the view in the cell that runs now; an earlier run's view of the same cell is stopped."""
-        cell, run = _where()
+        """Shows the view in the cell that runs now, and stops the view of an earlier run of this cell."""
+        cell, run = _running_cell()
         for view in list(_running):
             if cell is not None and view._cell == cell and view._cell_run != run:
                 view.stop()
@@ -218,7 +220,8 @@ class LiveView:
         publish(self._box, f"Live view: {self._name}", still)
 
     def _ipython_display_(self):
-        if (self._cell, self._cell_run) != _where():  # as the last word of its own cell it is there already
+        # As the last value of its own cell, it is already on the page.
+        if (self._cell, self._cell_run) != _running_cell():
             self.publish()
 
     def __repr__(self):
@@ -227,40 +230,40 @@ class LiveView:
     # ------------------------------------------------------------ the thread
 
     def _run(self):
-        recent = [0.0]  # when the frames of the last two seconds were begun
-        with prints_kept() as printed:
+        recent_times = [0.0]  # when the processing of the last two seconds' frames started
+        with captured_prints() as printed:
             while not self._stopping.is_set():
-                if not self._wait_for_turn(recent[-1]):
+                if not self._wait_for_turn(recent_times[-1]):
                     continue
                 frame = self._next_frame()
                 if frame is None:
                     continue
                 started = time.monotonic()
                 self._show(frame)
-                recent = [then for then in recent if started - then < 2] + [started]
-                self._report(recent, time.monotonic() - started, printed)
+                recent_times = [moment for moment in recent_times if started - moment < 2] + [started]
+                self._report(recent_times, time.monotonic() - started, printed)
 
-    def _wait_for_turn(self, last):
-        """Sleeps until the browser may be sent a frame; False if there is another reason to look up."""
+    def _wait_for_turn(self, last_time):
+        """Sleeps until the browser may get a frame. False: check first whether the view was stopped."""
         if self._hidden:
             self._stopping.wait(0.2)
             return False
-        left = last + self._beat.interval() - time.monotonic()
-        if left > 0:
-            self._stopping.wait(min(left, 0.02))
-            return left <= 0.02
+        remaining = last_time + self._pacer.interval() - time.monotonic()
+        if remaining > 0:
+            self._stopping.wait(min(remaining, 0.02))
+            return remaining <= 0.02
         return True
 
     def _next_frame(self):
         try:
             return self._feed.next(timeout=1.0)
         except TimeoutError as error:
-            self._say_wrong(str(error))
-        except Exception as error:  # noqa: BLE001  a source may be anybody's; its error belongs on the screen
+            self._say_error(str(error))
+        except Exception as error:  # noqa: BLE001  the source may be the learner's own; its error belongs on the screen
             if self._stopping.is_set():
                 return None
             self.error = error
-            self._say_wrong(f"{type(error).__name__}: {error}")
+            self._say_error(f"{type(error).__name__}: {error}")
             self._stopping.wait(0.5)
         return None
 
@@ -271,26 +274,26 @@ class LiveView:
             self._screen.show(self.value)
         except (Exception, SystemExit) as error:  # noqa: BLE001  the learner's function may raise anything
             self.error = error
-            self._say_wrong(describe_error(error, self._process))
+            self._say_error(describe_error(error, self._process))
         else:
             if self._failing:
                 self._screen.say()
             self.error, self._failing = None, False
             self.shown += 1
 
-    def _say_wrong(self, words):
+    def _say_error(self, text):
         self._failing = True
-        self._screen.say(words, wrong=True)
+        self._screen.say(text, is_error=True)
 
-    def _report(self, recent, seconds, printed):
-        if self._beat.is_due():
+    def _report(self, times, seconds, printed):
+        if self._pacer.is_due():
             if printed and not self._failing:
                 self._screen.say(last_lines(printed))
             printed.clear()
-            span = recent[-1] - recent[0]
-            self.rate = (len(recent) - 1) / span if span > 0 else 0.0
-            self._figures.value = f"{self.rate:.1f} frames/s, {seconds * 1000:.0f} ms each"
-            self._beat.ask()
+            span = times[-1] - times[0]
+            self.rate = (len(times) - 1) / span if span > 0 else 0.0
+            self._status.value = f"{self.rate:.1f} frames/s, {seconds * 1000:.0f} ms per frame"
+            self._pacer.ping()
 
     def _count_views(self, change):
         self._hidden = change["new"] == 0
@@ -307,54 +310,54 @@ def _stop_all():
         view.stop()
 
 
-class _Beat:
-    """How fast the browser takes frames, by asking it twice a second.
+class _Pacer:
+    """Sends frames only as fast as the browser takes them: it pings the browser twice per second.
 
-    A number is sent after the frames. In the browser, a link between two widgets copies it into another one,
-    which sends it back: the answer's delay is the length of the queue on the way.
+    The ping is a number, sent after the frames. In the browser a link between two widgets copies the number
+    from one to the other, which sends it back. If the reply is late, frames wait in a queue.
     """
 
     def __init__(self):
-        self._question, self._answer = widgets.IntText(value=1), widgets.IntText(value=0)
-        self._link = widgets.jsdlink((self._question, "value"), (self._answer, "value"))
-        self._answer.observe(self._hear, "value")
-        self._fastest = 0.85 / MAX_RATE  # a frame that comes a little early is not to be missed
+        self._ping, self._reply = widgets.IntText(value=1), widgets.IntText(value=0)
+        self._link = widgets.jsdlink((self._ping, "value"), (self._reply, "value"))
+        self._reply.observe(self._on_reply, "value")
+        self._fastest = 0.85 / MAX_RATE  # so that a frame that comes a little early is not dropped
         self._interval = self._fastest
-        self._asked = self._heard = 0.0
+        self._ping_time = self._reply_time = 0.0
 
     def interval(self):
         """Seconds from one frame to the next."""
-        if not self._heard:
+        if not self._reply_time:
             return WITHOUT_BROWSER
-        silence = time.monotonic() - self._asked if self._is_waiting() else 0
+        silence = time.monotonic() - self._ping_time if self._is_waiting() else 0
         if silence > GONE:
             return WITHOUT_BROWSER
-        return max(self._interval, WITHOUT_ANSWER) if silence > 1 else self._interval
+        return max(self._interval, WITHOUT_REPLY) if silence > 1 else self._interval
 
     def _is_waiting(self):
-        return self._answer.value != self._question.value
+        return self._reply.value != self._ping.value
 
     def is_due(self):
-        return time.monotonic() - self._asked > BEAT
+        return time.monotonic() - self._ping_time > PING_INTERVAL
 
-    def ask(self):
+    def ping(self):
         if not self._is_waiting():
-            self._asked = time.monotonic()
-            self._question.value += 1
+            self._ping_time = time.monotonic()
+            self._ping.value += 1
 
-    def _hear(self, _):
-        self._heard = time.monotonic()
-        late = self._asked and self._heard - self._asked > LATE
-        self._interval = min(1.0, max(self._fastest, self._interval * (1.25 if late else 0.8)))
+    def _on_reply(self, _):
+        self._reply_time = time.monotonic()
+        is_late = self._ping_time and self._reply_time - self._ping_time > LATE
+        self._interval = min(1.0, max(self._fastest, self._interval * (1.25 if is_late else 0.8)))
 
 
-# ---------------------------------------------------------------- where frames come from
+# ---------------------------------------------------------------- sources of frames
 
 
 def _feed_from(source, encoding, rate):
     if isinstance(source, str) and source in ("recording", "webcam", "drive"):
         call = 'open_recording("drive")' if source == "drive" else f'open_camera("{source}")'
-        raise ValueError(f'"{source}" is no topic; show live_view({call})')
+        raise ValueError(f'"{source}" is not a topic; call live_view({call})')
     if isinstance(source, str):
         return _Topic(source, encoding)
     if hasattr(source, "wait") and hasattr(source, "latest"):
@@ -365,30 +368,30 @@ def _feed_from(source, encoding, rate):
         return _Topic(source.topic, encoding)
     raise ValueError(
         f"cannot show {type(source).__name__} live; expected a Camera, an ImageSubscriber, a topic name "
-        'such as "/kachaka/front_camera/image_raw", or a Recording; a single picture is for show()'
+        'such as "/kachaka/front_camera/image_raw", or a Recording; for a single image call show()'
     )
 
 
 def is_live(source):
-    """Whether frames can be had from it again and again."""
+    """Whether a source gives frames repeatedly."""
     return isinstance(source, str) or any(hasattr(source, name) for name in ("wait", "frame", "topic"))
 
 
 class _Subscription:
-    """A learner's own subscription: it goes on when the view stops."""
+    """A learner's own subscription, which stays open when the view stops."""
 
     def __init__(self, subscriber):
-        self._subscriber, self._last = subscriber, None
+        self._subscriber, self._last_frame = subscriber, None
 
     def open(self):
         pass
 
     def next(self, timeout):
-        """The newest frame that was not given yet."""
+        """The newest frame that was not returned before."""
         frame = self._subscriber.latest()
-        if frame is None or frame is self._last:
+        if frame is None or frame is self._last_frame:
             frame = self._subscriber.wait(timeout=timeout)
-        self._last = frame
+        self._last_frame = frame
         return frame
 
     def close(self):
@@ -396,7 +399,7 @@ class _Subscription:
 
 
 class _Topic(_Subscription):
-    """A subscription of the view's own, closed with it."""
+    """The view's own subscription, which closes with the view."""
 
     def __init__(self, topic, encoding):
         super().__init__(None)
@@ -414,37 +417,37 @@ class _Topic(_Subscription):
 
 
 class _Playback:
-    """A recording at its own speed, from the start and over again; frames that come too late are left out."""
+    """Plays a recording at its own rate, again and again; frames that would be late are dropped."""
 
     def __init__(self, recording, encoding, rate):
         if len(recording) == 0:
-            raise ValueError("the recording holds no camera picture; nothing to show")
+            raise ValueError("the recording has no camera image; there is nothing to show")
         self._rate = rate or recording.rate
         if not self._rate > 0:
-            raise ValueError(f"rate={rate}: a recording is played at more than 0 frames a second")
+            raise ValueError(f"rate={rate}: the rate must be above 0 frames per second")
         self._recording, self._encoding = recording, encoding
 
     def open(self):
-        self._started, self._next = time.monotonic(), 0
+        self._started, self._next_number = time.monotonic(), 0
 
     def next(self, timeout):
-        due = self._started + self._next / self._rate
+        due = self._started + self._next_number / self._rate
         time.sleep(min(timeout, max(0.0, due - time.monotonic())))
-        number = max(self._next, int((time.monotonic() - self._started) * self._rate))
-        self._next = number + 1
+        number = max(self._next_number, int((time.monotonic() - self._started) * self._rate))
+        self._next_number = number + 1
         return self._recording.frame(number % len(self._recording), encoding=self._encoding)
 
     def close(self):
         pass
 
 
-# ---------------------------------------------------------------- the notebook around it
+# ---------------------------------------------------------------- in the notebook
 
 
 def publish(widget, text, still):
-    """Shows a widget in the running cell; a notebook that is only read shows `still`, HTML, in its place.
+    """Shows a widget in the running cell. Without a kernel, a notebook shows the HTML `still` instead.
 
-    The stored output holds `text` and `still`, alike in every run; only the widget's number differs.
+    The stored output has `text` and `still`, equal in every run; only the id of the widget differs.
     """
     display(_Published(widget, text, still))
 
@@ -461,8 +464,8 @@ class _Published:
         return self._text
 
 
-def _where():
-    """The cell that runs now, and which run of the kernel's it is; (None, None) outside a notebook."""
+def _running_cell():
+    """The cell that runs now, and the kernel's execution count; (None, None) outside a notebook."""
     shell = get_ipython()
     if shell is None:
         return None, None
@@ -471,10 +474,10 @@ def _where():
     return cell, shell.execution_count
 
 
-def _save(picture):
+def _save(image):
     for number in itertools.count(1):
         path = Path(f"snapshot-{number:03d}.png")
         if not path.exists():
             break
-    path.write_bytes(cv2.imencode(".png", picture)[1].tobytes())
+    path.write_bytes(cv2.imencode(".png", image)[1].tobytes())
     return path

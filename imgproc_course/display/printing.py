@@ -1,4 +1,4 @@
-"""What a learner's function prints on a thread: kept for its own view, not poured into some cell."""
+"""Captures what a learner's function prints on a thread, to show it under its own view."""
 
 import sys
 import threading
@@ -8,16 +8,16 @@ MOST_LINES = 3
 
 
 class _ThreadAwareStream:
-    """Stands in for sys.stdout: keeps what the threads in `kept` write, and passes on everything else."""
+    """Replaces sys.stdout: captures what the threads in `captures` write, and passes on everything else."""
 
     def __init__(self, stream):
-        self.stream, self.kept = stream, {}
+        self.stream, self.captures = stream, {}
 
     def write(self, text):
-        kept = self.kept.get(threading.get_ident())
-        if kept is None:
+        pieces = self.captures.get(threading.get_ident())
+        if pieces is None:
             return self.stream.write(text)
-        kept.append(text)
+        pieces.append(text)
         return len(text)
 
     def __getattr__(self, name):
@@ -28,25 +28,25 @@ _lock = threading.Lock()
 
 
 @contextmanager
-def prints_kept():
-    """Within it, what the calling thread prints goes into the list that it yields, for `last_lines`."""
-    kept = []
+def captured_prints():
+    """Within it, what the calling thread prints goes into the yielded list, which `last_lines` reads."""
+    pieces = []
     with _lock:
         if not isinstance(sys.stdout, _ThreadAwareStream):
             sys.stdout = _ThreadAwareStream(sys.stdout)
         stream = sys.stdout
-        stream.kept[threading.get_ident()] = kept
+        stream.captures[threading.get_ident()] = pieces
     try:
-        yield kept
+        yield pieces
     finally:
         with _lock:
-            del stream.kept[threading.get_ident()]
-            if not stream.kept and sys.stdout is stream:
+            del stream.captures[threading.get_ident()]
+            if not stream.captures and sys.stdout is stream:
                 sys.stdout = stream.stream
 
 
-def last_lines(kept):
+def last_lines(pieces):
     """The last lines printed, as one text; empties the list."""
-    lines = "".join(kept).splitlines()[-MOST_LINES:]
-    kept.clear()
+    lines = "".join(pieces).splitlines()[-MOST_LINES:]
+    pieces.clear()
     return "\n".join(lines)

@@ -1,59 +1,59 @@
-"""The doctor: looks at everything that the lessons use, and names the remedy of what is not well.
+"""The doctor: checks everything that the lessons use, and says how to repair what does not work.
 
 `doctor()` in a notebook, `imgproc-course doctor` in a terminal.
 """
 
 import contextlib
 
-from imgproc_course.doctor import graph, pictures, software
-from imgproc_course.doctor.report import Finding, Report
+from imgproc_course.doctor import camera_checks, graph, software
+from imgproc_course.doctor.report import Diagnosis, Report
 
 CHECKS = (
-    ("Python", software.look_at_python),
-    ("the kernel", software.look_at_kernel),
-    ("packages", software.look_at_packages),
-    ("OpenCV", software.look_at_opencv),
-    ("the recording", pictures.look_at_recording),
-    ("the disk", pictures.look_at_disk),
-    ("ROS 2", graph.look_at_ros),
-    ("the network", graph.look_at_network),
-    ("topics, for some seconds", pictures.look_at_topics),
+    ("Python", software.check_python),
+    ("the kernel", software.check_kernel),
+    ("packages", software.check_packages),
+    ("OpenCV", software.check_opencv),
+    ("the recording", camera_checks.check_recording),
+    ("the disk", camera_checks.check_disk),
+    ("ROS 2", graph.check_ros),
+    ("the network", graph.check_network),
+    ("topics (some seconds)", camera_checks.check_topics),
 )
 
 
 def doctor():
-    """Looks at everything that the lessons use. Takes about five seconds, and says what it is looking at.
+    """Checks everything that the lessons use. It takes about five seconds and shows its progress.
 
     Returns
     -------
     Report
     """
-    findings = []
-    with _progress() as tell:
-        for what, look in CHECKS:
-            tell(what)
-            findings += look()
-    return Report(findings)
+    diagnoses = []
+    with _progress() as show_progress:
+        for subject, run_check in CHECKS:
+            show_progress(subject)
+            diagnoses += run_check()
+    return Report(diagnoses)
 
 
 @contextlib.contextmanager
 def _progress():
-    """Yields a function that tells what is looked at; nothing of it stays on the page."""
+    """Yields a function that shows what is being checked; at the end the line disappears."""
     if software.in_notebook():
         from IPython.display import clear_output
 
-        def tell(what):
+        def show_progress(subject):
             clear_output(wait=True)
-            print(f"The doctor looks at {what} ...")
+            print(f"The doctor checks {subject} ...")
 
-        yield tell
+        yield show_progress
         clear_output()
     else:
         from rich.console import Console
 
         console = Console(stderr=True)
         with console.status("") as status:
-            yield lambda what: status.update(f"The doctor looks at {what} ...")
+            yield lambda subject: status.update(f"The doctor checks {subject} ...")
 
 
-__all__ = ["Finding", "Report", "doctor"]
+__all__ = ["Diagnosis", "Report", "doctor"]

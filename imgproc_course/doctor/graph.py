@@ -1,4 +1,4 @@
-"""The doctor looks at ROS: what is loaded, the DDS profile, shared memory, the domain, the network."""
+"""The doctor's checks of ROS: what is loaded, the DDS profile, shared memory, the domain, the network."""
 
 import contextlib
 import importlib.metadata
@@ -10,21 +10,21 @@ import sys
 from imgproc_course.doctor.report import failure, ok, warning
 from imgproc_course.doctor.software import SET_UP
 
-MULTICAST_GROUP = "239.255.0.1"  # where DDS programs look for one another
+MULTICAST_GROUP = "239.255.0.1"  # through which DDS programs discover each other
 RANGES = ("SUBNET", "LOCALHOST", "OFF", "SYSTEM_DEFAULT")
-ENOUGH_SHARED_MEMORY = 276 << 20  # the camera, the notebook, and two more programs
+ENOUGH_SHARED_MEMORY = 276 << 20  # bytes: for the camera, the notebook, and two more programs
 
 
-def look_at_ros():
+def check_ros():
     from imgproc_course.ros import dds_profile, ros_problem
 
     problem = ros_problem()
     if problem is not None:
-        seen, _, remedy = problem.partition("; ")
+        observation, _, remedy = problem.partition("; ")
         if not remedy:
-            seen, _, remedy = problem.partition(". ")
-        missing = importlib.util.find_spec("rclpy") is None
-        yield (warning if missing else failure)("ROS 2", seen, remedy or SET_UP)
+            observation, _, remedy = problem.partition(". ")
+        is_missing = importlib.util.find_spec("rclpy") is None
+        yield (warning if is_missing else failure)("ROS 2", observation, remedy or SET_UP)
         return
     rclpy, messages = (
         _version_of("ros-jazzy-rclpy", "rclpy"),
@@ -49,7 +49,7 @@ def _version_of(*distributions):
 
 
 def _middleware():
-    # The ros room has imported rclpy by now; what it loaded tells more than the variable, which may be unset.
+    # imgproc_course.ros has imported rclpy by now. Ask rclpy what it loaded: the variable may be unset.
     utilities = sys.modules.get("rclpy.utilities")
     if utilities is not None:
         return utilities.get_rmw_implementation_identifier()
@@ -58,49 +58,49 @@ def _middleware():
 
 def _shared_memory(free):
     if free is None:
-        return  # no /dev/shm on this system
+        return  # this system has no /dev/shm
     if free >= ENOUGH_SHARED_MEMORY:
-        yield ok("shared memory", "enough in /dev/shm for the camera, this notebook, and two programs more")
+        yield ok("shared memory", "enough in /dev/shm for the camera, this notebook, and two more programs")
     else:
         yield warning(
             "shared memory",
-            f"{free >> 20} MiB free in /dev/shm; the camera and a node of yours take 69 MiB each",
+            f"{free >> 20} MiB free in /dev/shm; the camera and each node take 69 MiB",
             "docker run --shm-size=1g, or sudo mount -o remount,size=1g /dev/shm; then restart the kernel",
         )
 
 
 def _domain():
     domain = os.environ.get("ROS_DOMAIN_ID", "0") or "0"
-    reach = os.environ.get("ROS_AUTOMATIC_DISCOVERY_RANGE", "") or "SUBNET"
+    discovery_range = os.environ.get("ROS_AUTOMATIC_DISCOVERY_RANGE", "") or "SUBNET"
     if not (domain.isdecimal() and int(domain) <= 101):
         yield failure(
             "domain", f"ROS_DOMAIN_ID={domain}", "give a number from 0 to 101: export ROS_DOMAIN_ID=7"
         )
         return
-    if reach not in RANGES:
+    if discovery_range not in RANGES:
         yield failure(
             "domain",
-            f"ROS_AUTOMATIC_DISCOVERY_RANGE={reach} is none of {', '.join(RANGES)}",
+            f"ROS_AUTOMATIC_DISCOVERY_RANGE={discovery_range} is not one of {', '.join(RANGES)}",
             "unset ROS_AUTOMATIC_DISCOVERY_RANGE, then restart the kernel",
         )
-    elif reach == "OFF":
+    elif discovery_range == "OFF":
         yield failure(
             "domain",
-            "ROS_AUTOMATIC_DISCOVERY_RANGE=OFF: no program finds another",
+            "ROS_AUTOMATIC_DISCOVERY_RANGE=OFF: programs do not discover each other",
             "unset ROS_AUTOMATIC_DISCOVERY_RANGE, or set it to LOCALHOST; then restart the kernel",
         )
     else:
-        alone = reach == "LOCALHOST" or os.environ.get("ROS_LOCALHOST_ONLY") == "1"
-        who = (
-            "this machine alone; a robot is not found"
-            if alone
-            else "everyone on this network in the same domain"
+        is_local = discovery_range == "LOCALHOST" or os.environ.get("ROS_LOCALHOST_ONLY") == "1"
+        scope = (
+            "only with programs on this machine, not with a robot"
+            if is_local
+            else "with everyone on this network in the same domain"
         )
-        yield ok("domain", f"{domain}; topics are shared with {who}")
+        yield ok("domain", f"{domain}; topics are shared {scope}")
 
 
-def look_at_network():
-    """Whether packets to this machine itself arrive, and those to the group where DDS programs meet."""
+def check_network():
+    """Whether packets to this machine itself arrive, and packets to the multicast group of DDS."""
     if not _packet_arrives("127.0.0.1"):
         yield failure(
             "loopback",
@@ -110,7 +110,7 @@ def look_at_network():
     elif not _packet_arrives(MULTICAST_GROUP):
         yield warning(
             "loopback",
-            "works, but multicast does not, by which programs find one another",
+            "works, but multicast does not, through which programs discover each other",
             "export ROS_AUTOMATIC_DISCOVERY_RANGE=LOCALHOST, or allow multicast: "
             "sudo ip link set lo multicast on; sudo ufw allow in proto udp to 224.0.0.0/4",
         )

@@ -1,4 +1,4 @@
-"""What the doctor found, and how it shows itself: a table in a notebook and in a terminal."""
+"""The doctor's report: a table in a notebook and in a terminal."""
 
 import html
 import re
@@ -7,70 +7,72 @@ from dataclasses import dataclass
 MARKS = {"ok": "✓", "warning": "!", "failure": "✗"}
 HTML_COLOURS = {"ok": "#1a7f37", "warning": "#9a6700", "failure": "#cf222e"}
 TERMINAL_COLOURS = {"ok": "green", "warning": "yellow", "failure": "bold red"}
-# A path of two folders or more, but nothing of /dev and no topic of ours.
+# A path of two or more folders, except those in /dev and the topics of the course.
 PATH = re.compile(
     r"(?<![\w./:])(?:[A-Za-z]:[\\/]|/(?!dev/|kachaka/|doctor_))(?:[^\s:'\"()\\/]+[\\/])+([^\s:'\"()\\/]*)"
 )
 
 
 @dataclass(frozen=True)
-class Finding:
-    """One thing that the doctor looked at.
+class Diagnosis:
+    """The result of one of the doctor's checks.
 
     Attributes
     ----------
-    name : what it is
-    verdict : "ok", "warning" (may stay as it is) or "failure"
-    saw, remedy : what is the case, and what to do about it; no path of this machine is in either
+    name : what was checked
+    verdict : "ok", "warning" (the lessons work all the same) or "failure"
+    observation, remedy : the state of it, and how to repair it; neither contains a path of this machine
     """
 
     name: str
     verdict: str
-    saw: str
+    observation: str
     remedy: str = ""
 
 
-def ok(name, saw):
-    return Finding(name, "ok", _without_paths(saw))
+def ok(name, observation):
+    return Diagnosis(name, "ok", _without_paths(observation))
 
 
-def warning(name, saw, remedy):
-    return Finding(name, "warning", _without_paths(saw), _without_paths(remedy))
+def warning(name, observation, remedy):
+    return Diagnosis(name, "warning", _without_paths(observation), _without_paths(remedy))
 
 
-def failure(name, saw, remedy):
-    return Finding(name, "failure", _without_paths(saw), _without_paths(remedy))
+def failure(name, observation, remedy):
+    return Diagnosis(name, "failure", _without_paths(observation), _without_paths(remedy))
 
 
 def _without_paths(text):
-    """One line, in which a path is its last part alone: the page may be stored in a lesson."""
+    """The text as one line, with only the last part of each path: the report may be stored in a lesson."""
     return PATH.sub(r"\1", " ".join(str(text).split()))
 
 
 class Report:
-    """What the doctor found: shows itself as a table, in a notebook and in a terminal.
+    """All diagnoses of the doctor, shown as a table in a notebook and in a terminal.
 
     Attributes
     ----------
-    findings : list of Finding
-    ready : whether nothing failed; a warning is no failure
+    diagnoses : list of Diagnosis
+    ready : whether nothing failed; a warning is not a failure
     """
 
-    def __init__(self, findings):
-        self.findings = list(findings)
+    def __init__(self, diagnoses):
+        self.diagnoses = list(diagnoses)
 
     @property
     def ready(self):
-        return all(finding.verdict != "failure" for finding in self.findings)
+        return all(diagnosis.verdict != "failure" for diagnosis in self.diagnoses)
 
     @property
     def summary(self):
         failures, warnings = (
-            sum(finding.verdict == verdict for finding in self.findings) for verdict in ("failure", "warning")
+            sum(diagnosis.verdict == verdict for diagnosis in self.diagnoses)
+            for verdict in ("failure", "warning")
         )
         if failures:
-            return f"{failures} of {len(self.findings)} failed: do what stands beside ✗, then ask again."
-        return "Everything is ready." if not warnings else "Ready; what stands beside ! may stay as it is."
+            count = f"{failures} of {len(self.diagnoses)} failed"
+            return f"{count}: follow the remedy beside each ✗, then run the doctor again."
+        return "Everything is ready." if not warnings else "Ready. You can ignore the lines with !."
 
     def print(self, console=None):
         """Prints the table, in colours where the terminal has them."""
@@ -79,35 +81,35 @@ class Report:
         from rich.text import Text
 
         table = Table("", "", "", box=None, show_header=False, pad_edge=False)
-        for finding in self.findings:
-            colour = TERMINAL_COLOURS[finding.verdict]
-            said = Text(finding.saw)
-            if finding.remedy:
-                said.append(f"\n→ {finding.remedy}", style=colour)
-            table.add_row(Text(MARKS[finding.verdict], style=colour), Text(finding.name), said)
+        for diagnosis in self.diagnoses:
+            colour = TERMINAL_COLOURS[diagnosis.verdict]
+            text = Text(diagnosis.observation)
+            if diagnosis.remedy:
+                text.append(f"\n→ {diagnosis.remedy}", style=colour)
+            table.add_row(Text(MARKS[diagnosis.verdict], style=colour), Text(diagnosis.name), text)
         console = console or Console()
         console.print(table)
         console.print(Text(self.summary, style="bold"))
 
     def __str__(self):
-        width = max((len(finding.name) for finding in self.findings), default=0)
+        width = max((len(diagnosis.name) for diagnosis in self.diagnoses), default=0)
         lines = []
-        for finding in self.findings:
-            lines.append(f"{MARKS[finding.verdict]} {finding.name:{width}}  {finding.saw}")
-            if finding.remedy:
-                lines.append(f"  {'':{width}}  → {finding.remedy}")
+        for diagnosis in self.diagnoses:
+            lines.append(f"{MARKS[diagnosis.verdict]} {diagnosis.name:{width}}  {diagnosis.observation}")
+            if diagnosis.remedy:
+                lines.append(f"  {'':{width}}  → {diagnosis.remedy}")
         return "\n".join([*lines, self.summary])
 
     __repr__ = __str__
 
     def _repr_html_(self):
-        rows = "".join(_html_row(finding) for finding in self.findings)
+        rows = "".join(_html_row(diagnosis) for diagnosis in self.diagnoses)
         return f"<table>{rows}</table><p><b>{html.escape(self.summary)}</b></p>"
 
 
-def _html_row(finding):
-    verdict = finding.verdict
+def _html_row(diagnosis):
+    verdict = diagnosis.verdict
     mark = f'<b style="color:{HTML_COLOURS[verdict]}" title="{verdict}">{MARKS[verdict]}</b>'
-    remedy = f"<br><b>→ {html.escape(finding.remedy)}</b>" if finding.remedy else ""
-    cells = (mark, html.escape(finding.name), html.escape(finding.saw) + remedy)
+    remedy = f"<br><b>→ {html.escape(diagnosis.remedy)}</b>" if diagnosis.remedy else ""
+    cells = (mark, html.escape(diagnosis.name), html.escape(diagnosis.observation) + remedy)
     return "<tr>" + "".join(f'<td style="text-align:left">{cell}</td>' for cell in cells) + "</tr>"

@@ -1,4 +1,4 @@
-"""The doctor looks at software: Python, the kernel, the packages, OpenCV."""
+"""The doctor's checks of software: Python, the kernel, the packages, OpenCV."""
 
 import contextlib
 import importlib.metadata
@@ -10,27 +10,27 @@ from pathlib import Path
 import imgproc_course
 from imgproc_course.doctor.report import failure, ok, warning
 
-SET_UP = "run environment/lab once more, which puts the packages right"
+SET_UP = "run environment/lab again: it repairs the packages"
 VENV = Path(imgproc_course.__file__).resolve().parents[1] / ".venv"
 
 
-def look_at_python():
-    found = f"{sys.version_info.major}.{sys.version_info.minor}.{sys.version_info.micro}"
+def check_python():
+    version = f"{sys.version_info.major}.{sys.version_info.minor}.{sys.version_info.micro}"
     if (3, 11) <= sys.version_info[:2] <= (3, 13):
-        yield ok("Python", found)
+        yield ok("Python", version)
     else:
-        yield failure("Python", found, "the course wants 3.11 to 3.13: PYTHON=python3.12 environment/lab")
+        yield failure("Python", version, "the course needs 3.11 to 3.13: PYTHON=python3.12 environment/lab")
     yield from _package("imgproc-course")
 
 
-def look_at_kernel():
+def check_kernel():
     """Whether the notebook, or a JupyterLab started now, uses the environment that holds the course."""
     if importlib.util.find_spec("jupyter_client") is None:
-        return  # that JupyterLab is missing is found among the packages
+        return  # check_packages reports that JupyterLab is missing
     if VENV.is_dir() and Path(sys.prefix).resolve() != VENV.resolve():
         yield warning(
             "kernel",
-            "this is the Python of another environment than the course's .venv",
+            "this Python belongs to another environment, not to the course's .venv",
             "start JupyterLab with environment/lab; in the notebook: Kernel > Change Kernel > Python 3",
         )
     elif _kernel_of_jupyter() in (
@@ -40,12 +40,12 @@ def look_at_kernel():
         f"python3.{sys.version_info.minor}",
         sys.executable,
     ):
-        yield ok("kernel", "of the course's own environment")
+        yield ok("kernel", "from the course's own environment")
     else:
         yield warning(
             "kernel",
             "Jupyter's kernel python3 belongs to another environment, which may not have the course",
-            "start JupyterLab with environment/lab, which takes the course's own",
+            "start JupyterLab with environment/lab, which uses the course's own",
         )
 
 
@@ -60,7 +60,7 @@ def _kernel_of_jupyter():
         return None
 
 
-def look_at_packages():
+def check_packages():
     for name in ("numpy", "jupyterlab", "ipywidgets", "nbval"):
         yield from _package(name)
     with contextlib.suppress(importlib.metadata.PackageNotFoundError):
@@ -75,19 +75,19 @@ def _package(name):
         yield failure(name, "is not installed", SET_UP)
 
 
-def look_at_opencv():
-    """Exactly one distribution, importable, with the cascades."""
-    found = {
+def check_opencv():
+    """Whether exactly one distribution of OpenCV is installed, loads, and has the Haar cascades."""
+    versions = {
         distribution.metadata["Name"]: distribution.version
         for distribution in importlib.metadata.distributions()
         if re.fullmatch(r"opencv(-contrib)?-python(-headless)?", distribution.metadata["Name"] or "")
     }
-    if len(found) > 1:
-        names = " and ".join(sorted(found))
+    if len(versions) > 1:
+        names = " and ".join(sorted(versions))
         yield failure(
             "OpenCV",
-            f"{names} are both installed, in one folder, and break one another",
-            f"pip uninstall {' '.join(sorted(found))}; then delete .venv and {SET_UP}",
+            f"{names} are both installed into one folder and break each other",
+            f"pip uninstall {' '.join(sorted(versions))}; then delete .venv and {SET_UP}",
         )
         return
     try:
@@ -103,7 +103,7 @@ def look_at_opencv():
         yield ok("OpenCV", f"{version}, with {count} Haar cascades")
     else:
         yield warning(
-            "OpenCV", f"{version}, without Haar cascades", "finding faces needs OpenCV 4: " + SET_UP
+            "OpenCV", f"{version}, without Haar cascades", "face detection needs OpenCV 4: " + SET_UP
         )
 
 

@@ -141,7 +141,7 @@ def test_stop_start_snapshot_and_running_the_cell_again(notebook, lab):
     page.page.wait_for_timeout(300)
     assert page.pictures_per_second(1)["loads"] == 0
     page.press_button("Snapshot")
-    page.page.get_by_text("kept as .snapshots[0] and snapshot-001.png").wait_for()
+    page.page.get_by_text("saved as .snapshots[0] and snapshot-001.png").wait_for()
     assert (lab[1] / "snapshot-001.png").stat().st_size > 1000
     page.press_button("Start")
     page.wait_until(lambda: page.pictures_per_second(0.5)["loads"] > 0)

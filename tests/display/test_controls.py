@@ -1,4 +1,4 @@
-"""Which control a range becomes, where it starts, and what the function is given."""
+"""Which control a range becomes, where the control starts, and what the function gets."""
 
 import cv2
 import ipywidgets as widgets
@@ -24,7 +24,7 @@ def test_a_pair_that_must_not_cross_is_one_range_slider():
 @pytest.mark.parametrize(
     "pair", ["low, high", "lower, upper", "minimum, maximum", "min, max", "threshold1, threshold2"]
 )
-def test_the_pair_may_go_by_other_names(pair):
+def test_the_pair_may_have_other_names(pair):
     function = eval(f"lambda frame, {pair}: frame")
     controls = Controls(function, {"between": (0.0, 1.0)})
     assert isinstance(controls["between"], widgets.FloatRangeSlider)
@@ -36,7 +36,7 @@ def test_a_pair_starts_at_its_own_defaults():
 
 
 @pytest.mark.parametrize(
-    ("name", "given", "kind", "value"),
+    ("name", "range_", "widget_class", "value"),
     [
         ("sigma", (0, 5.0), widgets.FloatSlider, 0.0),
         ("aperture", (3, 7, 2), widgets.IntSlider, 3),
@@ -49,9 +49,9 @@ def test_a_pair_starts_at_its_own_defaults():
         ("aperture", {"three": 3, "five": 5}, widgets.Dropdown, 3),
     ],
 )
-def test_kind_of_control_and_where_it_starts(name, given, kind, value):
-    controls = Controls(canny, {name: given})
-    assert type(controls[name]) is kind
+def test_class_and_start_of_a_control(name, range_, widget_class, value):
+    controls = Controls(canny, {name: range_})
+    assert type(controls[name]) is widget_class
     assert controls.values == {name: value}
 
 
@@ -61,7 +61,7 @@ def test_float_steps_are_round_numbers():
     assert Controls(canny, {"sigma": (0, 1, 0.25)})["sigma"].step == 0.25
 
 
-def test_a_widget_of_the_learners_is_taken_as_it_is():
+def test_the_learners_own_widget_is_used():
     slider = widgets.IntSlider(min=1, max=9, value=7)
     controls = Controls(canny, {"aperture": slider})
     assert controls["aperture"] is slider
@@ -69,14 +69,14 @@ def test_a_widget_of_the_learners_is_taken_as_it_is():
     assert controls.values == {"aperture": 5}
 
 
-def test_change_is_told_once_and_reset_goes_back():
-    told = []
+def test_a_change_is_reported_once_and_reset_goes_back():
+    reports = []
     controls = Controls(
-        canny, {"sigma": (0, 5.0), "thresholds": (0, 1020)}, lambda: told.append(controls.values)
+        canny, {"sigma": (0, 5.0), "thresholds": (0, 1020)}, lambda: reports.append(controls.values)
     )
     controls["sigma"].value = 2.0
     controls["thresholds"].value = (10, 20)
-    assert told == [{"sigma": 2.0, "low": 100, "high": 200}, {"sigma": 2.0, "low": 10, "high": 20}]
+    assert reports == [{"sigma": 2.0, "low": 100, "high": 200}, {"sigma": 2.0, "low": 10, "high": 20}]
     controls.reset()
     assert controls.values == {"sigma": 0.0, "low": 100, "high": 200}
 
@@ -88,16 +88,16 @@ def test_the_call_is_code_that_runs():
     assert controls.call in controls.box.children[-1].value.replace("&#x27;", "'")
 
 
-def test_a_function_written_in_c_takes_names_as_they_are():
+def test_any_keyword_is_accepted_for_a_function_written_in_c():
     assert Controls(cv2.Canny, {"threshold1": (0, 1020)}).values == {"threshold1": 500}
 
 
-def test_any_name_goes_to_a_function_that_takes_any():
-    assert Controls(lambda f, **rest: f, {"thresholds": (0, 10)}).values == {"thresholds": 5}
+def test_any_keyword_is_accepted_for_a_function_that_takes_any():
+    assert Controls(lambda f, **parameters: f, {"thresholds": (0, 10)}).values == {"thresholds": 5}
 
 
 @pytest.mark.parametrize(
-    ("ranges", "words"),
+    ("ranges", "error"),
     [
         ({"sigmaa": (0, 5)}, "no parameter 'sigmaa'.*Did you mean sigma"),
         ({"thresholds": (0, 5), "low": (0, 5)}, "thresholds, low set a parameter twice"),
@@ -105,13 +105,13 @@ def test_any_name_goes_to_a_function_that_takes_any():
         ({"low": (5, 5)}, r"low=\(5, 5\): the first number must be below the second"),
         ({"low": (0, 10, 0)}, "the step must be above 0"),
         ({"low": (0, 10, 11)}, "the step must be above 0 and fit"),
-        ({"low": 5}, r"low=5 is no range: give \(low, high\)"),
-        ({"low": (0, float("inf"))}, "is no range"),
-        ({"low": ("a", "b")}, "is no range"),
-        ({"border": []}, r"border=\[\] is no range"),
-        ({"low": widgets.Layout()}, "a Layout has no value to give"),
+        ({"low": 5}, r"low=5 is not a range: give \(low, high\)"),
+        ({"low": (0, float("inf"))}, "is not a range"),
+        ({"low": ("a", "b")}, "is not a range"),
+        ({"border": []}, r"border=\[\] is not a range"),
+        ({"low": widgets.Layout()}, "a Layout has no value; use a slider"),
     ],
 )
-def test_what_is_no_range_is_said_with_a_cure(ranges, words):
-    with pytest.raises(ValueError, match=words):
+def test_an_invalid_range_is_an_error_that_names_the_remedy(ranges, error):
+    with pytest.raises(ValueError, match=error):
         Controls(canny, ranges)

@@ -1,4 +1,4 @@
-"""What `show` stores in a notebook: the right colours, words for the blind, the same bytes each time."""
+"""What `show` stores in a notebook: the right colours, alternative text, the same bytes every time."""
 
 import base64
 import re
@@ -25,7 +25,7 @@ def shown(monkeypatch):
 
 
 def pixels(output):
-    """(rows, cols, 3) uint8 of the stored picture, red first, at the density it was drawn with."""
+    """(rows, cols, 3) uint8 of the stored image, red first, at the density it was drawn with."""
     data = re.search(r'src="data:image/\w+;base64,([^"]+)"', output.html)[1]
     return cv2.imdecode(np.frombuffer(base64.b64decode(data), np.uint8), cv2.IMREAD_COLOR)[:, :, ::-1]
 
@@ -35,7 +35,7 @@ def alt_text(output):
 
 
 def levels_shown(axes):
-    """The gray levels on the screen of a gray picture, by its own pixels."""
+    """The gray levels on the screen of a gray image, as (H, W)."""
     screen = axes.images[0].get_array()
     assert (screen[..., 0] == screen[..., 1]).all()
     assert (screen[..., 1] == screen[..., 2]).all()
@@ -53,17 +53,17 @@ def levels_shown(axes):
         ("8UC4", (0, 0, 255, 255)),
     ],
 )
-def test_red_is_red_in_the_stored_picture(shown, encoding, pixel):
+def test_red_is_red_in_the_stored_image(shown, encoding, pixel):
     assert show(np.full((40, 40, len(pixel)), pixel, np.uint8), encoding=encoding) is None
     stored = pixels(shown[0])
     middle = stored[stored.shape[0] // 2, stored.shape[1] // 2]
     assert abs(middle.astype(int) - (255, 0, 0)).max() <= 3  # JPEG and PNG alike
 
 
-def test_each_picture_has_an_encoding_of_its_own():
+def test_each_image_has_an_encoding_of_its_own():
     _, axes = draw([RED_BGR, RED_BGR[:, :, ::-1]], encoding=["bgr8", "rgb8"])
-    for one in axes:
-        assert (one.images[0].get_array() == (255, 0, 0)).all()
+    for subplot in axes:
+        assert (subplot.images[0].get_array() == (255, 0, 0)).all()
 
 
 def test_transparent_pixels_are_white():
@@ -84,21 +84,21 @@ def test_bool_is_black_and_white():
     assert np.unique(levels_shown(axes)).tolist() == [0, 255]
 
 
-def test_signed_pictures_share_a_scale_with_zero_in_its_middle():
+def test_signed_images_share_a_scale_with_zero_in_its_middle():
     figure, axes = draw([np.array([[-1020, 0]], np.int16), np.array([[0, 510]], np.int32)])
     assert np.unique(levels_shown(axes[0])).tolist() == [0, 128]
     assert np.unique(levels_shown(axes[1])).tolist() == [128, 191]
-    bars = [one for one in figure.axes if one not in axes]
+    bars = [subplot for subplot in figure.axes if subplot not in axes]
     assert [bar.get_ylim() for bar in bars] == [(-1020, 1020)]
 
 
-def test_unsigned_wide_pictures_go_from_zero_to_the_largest():
+def test_unsigned_wide_images_go_from_zero_to_the_largest():
     figure, [axes] = draw(np.array([[0, 1000], [500, 2000]], np.uint16), encoding="16UC1")
     assert np.unique(levels_shown(axes)).tolist() == [0, 64, 128, 255]
     assert figure.axes[-1].get_ylim() == (0, 2000)
 
 
-def test_limits_hold_for_all_gray_pictures_and_the_bar_points_beyond():
+def test_limits_hold_for_all_gray_images_and_the_bar_points_beyond():
     figure, axes = draw([np.array([[0, 50, 100]], np.uint8), np.array([[25.0, -5.0]])], limits=(0, 50))
     assert np.unique(levels_shown(axes[0])).tolist() == [0, 255]
     assert np.unique(levels_shown(axes[1])).tolist() == [0, 128]
@@ -107,7 +107,7 @@ def test_limits_hold_for_all_gray_pictures_and_the_bar_points_beyond():
     assert bar._colorbar.extend == "both"
 
 
-def test_a_uint8_picture_beside_a_signed_one_keeps_its_own_scale():
+def test_a_uint8_image_beside_a_signed_one_keeps_its_own_scale():
     figure, axes = draw([np.full((2, 2), 200, np.uint8), np.array([[-4, 4]])])
     assert np.unique(levels_shown(axes[0])).tolist() == [200]
     assert len(figure.axes) == 3
@@ -120,11 +120,11 @@ def test_colour_map_shows_an_angle_as_hue():
     assert cyan[0] < 10 and cyan[1] > 240 and cyan[2] > 230
 
 
-def test_numbers_stand_in_the_pixels_of_small_arrays_with_a_contrast_that_reads():
+def test_small_arrays_show_their_numbers_in_a_contrasting_colour():
     array = np.array([[0, 127], [128, 255]], np.uint8)
     _, [axes] = draw(array)
-    words = {text.get_position(): (text.get_text(), text.get_color()) for text in axes.texts}
-    assert words == {
+    texts = {text.get_position(): (text.get_text(), text.get_color()) for text in axes.texts}
+    assert texts == {
         (0, 0): ("0", "white"),
         (1, 0): ("127", "white"),
         (0, 1): ("128", "black"),
@@ -132,7 +132,7 @@ def test_numbers_stand_in_the_pixels_of_small_arrays_with_a_contrast_that_reads(
     }
 
 
-def test_numbers_of_a_colour_picture_are_in_its_own_order():
+def test_numbers_of_a_colour_image_are_in_its_own_order():
     _, [axes] = draw(np.array([[[10, 20, 30]]], np.uint8), encoding="rgb8")
     assert axes.texts[0].get_text() == "10\n20\n30"
     assert "r, g, b" in axes.get_xlabel()
@@ -144,7 +144,7 @@ def test_numbers_are_drawn_up_to_twelve_by_twelve(size, count):
     assert len(axes.texts) == count
 
 
-def test_numbers_can_be_refused_and_asked_for():
+def test_numbers_can_be_switched_off_and_on():
     assert not draw(np.zeros((3, 3), np.uint8), numbers=False)[1][0].texts
     assert len(draw(np.zeros((20, 20), np.uint8), numbers=True)[1][0].texts) == 400
     with pytest.raises(ValueError, match=r"at most 24 rows and cols"):
@@ -163,30 +163,31 @@ def test_a_part_keeps_the_pixel_numbers_of_the_whole():
 
 def test_pixels_are_squares_of_one_size():
     figure, axes = draw([np.zeros((5, 5), np.uint8), np.zeros((30, 40), np.uint8)])
-    whole = figure.get_size_inches() * 100
-    for one, shape in zip(axes, [(5, 5), (30, 40)], strict=True):
-        box = one.get_position()
-        width, height = box.width * whole[0] / shape[1], box.height * whole[1] / shape[0]
+    figure_size = figure.get_size_inches() * 100
+    for subplot, shape in zip(axes, [(5, 5), (30, 40)], strict=True):
+        box = subplot.get_position()
+        width = box.width * figure_size[0] / shape[1]
+        height = box.height * figure_size[1] / shape[0]
         assert width == pytest.approx(height)
         assert width == pytest.approx(round(width))
 
 
 @pytest.mark.parametrize("col", range(640, 644))
-def test_a_shrunk_picture_averages_so_that_thin_lines_stay(col):
+def test_a_shrunk_image_averages_so_that_thin_lines_stay(col):
     array = np.zeros((720, 1280), np.uint8)
     array[:, col] = 255
     _, [axes] = draw(array)
     assert (levels_shown(axes).max(axis=1) > 60).all()
 
 
-def test_many_pictures_wrap_into_lines_that_fit_a_page():
+def test_many_images_wrap_into_lines_that_fit_a_page():
     figure, axes = draw([np.zeros((12, 12), np.uint8)] * 7)
     assert len(axes) == 7
     assert figure.get_size_inches()[0] * 100 <= figures.FIGURE_WIDTH
-    boxes = [one.get_position() for one in axes]
+    boxes = [subplot.get_position() for subplot in axes]
     for k, box in enumerate(boxes):
         assert box.x0 >= 0 and box.x1 <= 1 and box.y0 >= 0 and box.y1 <= 1
-        assert not any(box.overlaps(other) for other in boxes[k + 1 :])
+        assert not any(box.overlaps(later_box) for later_box in boxes[k + 1 :])
 
 
 def test_alt_caption_and_text_are_in_the_output(shown):
@@ -197,12 +198,12 @@ def test_alt_caption_and_text_are_in_the_output(shown):
     assert bundle["text/plain"] == repr(shown[0]) == "All < 1."
 
 
-def test_alt_is_made_of_titles_and_sizes_where_it_is_left_out(shown):
+def test_without_alt_it_is_made_of_titles_and_sizes(shown):
     show({"frame": RED_BGR, "gray": np.zeros((4, 6), np.uint8)})
     assert alt_text(shown[0]) == "frame (colour, 4 rows by 4 cols); gray (gray, 4 rows by 6 cols)"
 
 
-def test_same_picture_same_bytes_whatever_style_the_learner_likes(shown):
+def test_the_same_image_gives_the_same_bytes_under_any_matplotlib_style(shown):
     array = np.random.default_rng(1).integers(0, 256, (200, 300, 3), np.uint8)
     show(array, "noise", caption="Noise.")
     with mpl.rc_context({"axes.facecolor": "black", "font.size": 20, "figure.dpi": 50, "text.color": "red"}):
@@ -234,12 +235,12 @@ def test_a_figure_is_stored_as_the_smallest_png_unless_a_jpeg_is_smaller(shown, 
     assert (kind, base64.b64decode(stored)) == (expected[0], expected[1].tobytes())
 
 
-def test_nothing_of_the_input_changes(shown):
+def test_the_input_does_not_change(shown):
     array = np.random.default_rng(1).integers(0, 256, (30, 30, 3), np.uint8)
     array.flags.writeable = False
-    before = array.copy()
+    original = array.copy()
     show(array[::-1, ::2])
-    assert (array == before).all()
+    assert (array == original).all()
 
 
 def test_no_figure_stays_open(shown):
@@ -252,7 +253,7 @@ def test_no_figure_stays_open(shown):
     assert len(shown) == 2
 
 
-def test_show_figure_wants_words():
+def test_show_figure_requires_an_alternative_text():
     with pytest.raises(ValueError, match="alt must say in words"):
         show_figure(draw(RED_BGR)[0], alt=" ")
 
@@ -261,7 +262,7 @@ GRAY = np.zeros((4, 4), np.uint8)
 
 
 @pytest.mark.parametrize(
-    ("arguments", "words"),
+    ("arguments", "error"),
     [
         (
             {"images": RED_BGR, "encoding": "mono8"},
@@ -275,25 +276,25 @@ GRAY = np.zeros((4, 4), np.uint8)
         ),
         ({"images": GRAY, "encoding": "mono16"}, "dtype uint8, but encoding 'mono16' means uint16"),
         ({"images": RED_BGR.astype(float)}, r"values 0 to 255; expected 0\.\.1: divide by 255"),
-        ({"images": RED_BGR.astype(np.int32)}, r"colour picture of dtype int32; .*np\.clip"),
-        ({"images": np.array([[0.0, np.nan]])}, r"NaN or infinity.*np\.nan_to_num"),
+        ({"images": RED_BGR.astype(np.int32)}, r"colour image of dtype int32; expected uint8.*np\.clip"),
+        ({"images": np.array([[0.0, np.nan]])}, r"contains NaN or infinity.*np\.nan_to_num"),
         ({"images": GRAY.astype(complex)}, "dtype complex128; expected numbers"),
         ({"images": GRAY[0]}, r"shape \(4,\); expected \(rows, cols\)"),
         ({"images": GRAY[:0]}, r"shape \(0, 4\)"),
         ({"images": []}, "nothing to show"),
         ({"images": None}, "nothing to show: expected an array or a list of arrays, got NoneType"),
-        ({"images": [[1, 2], [3, 4]]}, r"picture 0 is list, not an array; .*np\.array"),
-        ({"images": [GRAY, None]}, "picture 1 is NoneType"),
-        ({"images": [GRAY, GRAY], "titles": ["one"]}, "1 titles for 2 pictures"),
-        ({"images": [GRAY, GRAY], "encoding": ["mono8"]}, "1 encodings for 2 pictures"),
-        ({"images": {"a": GRAY}, "titles": ["b"]}, "a dict brings its own titles"),
-        ({"images": GRAY, "encoding": "bayer_rggb8"}, "is said to be 'bayer_rggb8'.*convert it first"),
+        ({"images": [[1, 2], [3, 4]]}, r"image 0 is list, not an array; .*np\.array"),
+        ({"images": [GRAY, None]}, "image 1 is NoneType"),
+        ({"images": [GRAY, GRAY], "titles": ["one"]}, "1 titles for 2 images"),
+        ({"images": [GRAY, GRAY], "encoding": ["mono8"]}, "1 encodings for 2 images"),
+        ({"images": {"a": GRAY}, "titles": ["b"]}, "the keys of a dict are the titles"),
+        ({"images": GRAY, "encoding": "bayer_rggb8"}, "has encoding 'bayer_rggb8'.*convert it first"),
         ({"images": GRAY, "encoding": "bgr"}, "'bgr'"),
         ({"images": GRAY, "limits": (5, 5)}, r"limits=\(5, 5\): the value shown black must be below"),
-        ({"images": GRAY, "rows": (2, 9)}, r"rows=\(2, 9\) is no part of the picture: .*within 0\.\.4"),
-        ({"images": GRAY, "columns": 0}, "columns=0: at least one"),
+        ({"images": GRAY, "rows": (2, 9)}, r"rows=\(2, 9\) is not inside the image: .*within 0\.\.4"),
+        ({"images": GRAY, "columns": 0}, "columns=0: a line has at least one"),
     ],
 )
-def test_what_cannot_be_shown_is_said_with_a_cure(arguments, words):
-    with pytest.raises(ValueError, match=words):
+def test_what_cannot_be_shown_is_an_error_that_names_the_remedy(arguments, error):
+    with pytest.raises(ValueError, match=error):
         draw(**arguments)

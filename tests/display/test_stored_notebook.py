@@ -1,4 +1,4 @@
-"""A notebook with every kind of output, executed as lessons are: two runs agree, and so does nbval."""
+"""A notebook with every kind of output, executed as lessons are: two runs agree, and nbval passes."""
 
 import os
 import subprocess
@@ -8,7 +8,7 @@ import textwrap
 import nbformat
 from nbclient import NotebookClient
 
-# nbval alone: other plugins, and what JupyterLab brings, cost seconds.
+# nbval alone: other plugins, among them those of JupyterLab, take seconds to load.
 NBVAL = ["-p", "imgproc_course.autograder.blocked_imports", "-p", "nbval.plugin", "--nbval"]
 WIDGET = "application/vnd.jupyter.widget-view+json"
 CELLS = [
@@ -25,8 +25,8 @@ CELLS = [
     """,
     """
     gray = np.arange(72 * 128).reshape(72, 128).astype(np.uint8)
-    pictures = {"gray": gray, "signed": gray.astype(np.int16) - 100, "bool": gray > 99}
-    show(pictures, caption="A ramp, three times.")
+    images = {"gray": gray, "signed": gray.astype(np.int16) - 100, "bool": gray > 99}
+    show(images, caption="A ramp, three times.")
     """,
     "show(gray[:5, :5], alt='numbers')",
     """
@@ -56,28 +56,28 @@ def execute():
 
 
 def stored(notebook):
-    """Outputs without what no two runs share: times, and the number of a widget."""
-    kept = []
+    """Outputs without the widget ids, which differ between two runs."""
+    outputs = []
     for cell in notebook.cells:
         for output in cell.outputs:
             output.get("data", {}).pop(WIDGET, None)
-            kept.append((cell.id, output))
-    return kept
+            outputs.append((cell.id, output))
+    return outputs
 
 
-def test_two_runs_agree_and_nbval_agrees(tmp_path):
+def test_two_runs_agree_and_nbval_passes(tmp_path):
     first = execute()
     path = tmp_path / "stored.ipynb"
     nbformat.write(first, path)
-    ran = subprocess.run(
+    process = subprocess.run(
         [sys.executable, "-m", "pytest", *NBVAL, "-p", "no:cacheprovider", "-q", path],
         cwd=tmp_path,
         env={**os.environ, "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"},
         capture_output=True,
         text=True,
     )
-    assert ran.returncode == 0, ran.stdout[-3000:]
-    assert f"{len(CELLS)} passed" in ran.stdout
+    assert process.returncode == 0, process.stdout[-3000:]
+    assert f"{len(CELLS)} passed" in process.stdout
     outputs = stored(first)
     assert outputs == stored(execute())
     texts = {cell: output["data"]["text/plain"] for cell, output in outputs}

@@ -1,4 +1,4 @@
-"""Sliders beside a picture: what is computed, with which values, and what is stored."""
+"""Sliders beside an image: what is computed, with which values, and what is stored."""
 
 import base64
 import re
@@ -39,36 +39,36 @@ def test_value_follows_the_sliders():
     assert (tuner.value == cv2.Canny(GRAY, 100, 200)).all()
 
 
-def test_the_picture_on_the_screen_is_the_value():
+def test_the_image_on_the_screen_is_the_value():
     tuner = tune(canny, GRAY, thresholds=(0, 1020))
     tuner["thresholds"].value = (10, 20)
     assert tuner.value.any()
     shown = cv2.imdecode(np.frombuffer(tuner._screen.image.value, np.uint8), cv2.IMREAD_GRAYSCALE)
-    wanted = cv2.resize(tuner.value, (640, 360), interpolation=cv2.INTER_NEAREST)
-    assert np.abs(shown.astype(int) - wanted).mean() < 3
+    expected = cv2.resize(tuner.value, (640, 360), interpolation=cv2.INTER_NEAREST)
+    assert np.abs(shown.astype(int) - expected).mean() < 3
 
 
 def test_while_the_function_runs_only_the_newest_values_wait():
-    calls, go_on, busy = [], threading.Event(), threading.Event()
+    calls, may_return, is_busy = [], threading.Event(), threading.Event()
 
     def slow(frame, level):
         calls.append(level)
         if len(calls) == 2:
-            busy.set()
-            assert go_on.wait(20)
+            is_busy.set()
+            assert may_return.wait(20)
         return np.full((4, 4), level, np.uint8)
 
     tuner = tune(slow, GRAY, level=(0, 255))
     for level in range(1, 100):
         tuner["level"].value = level
         if level == 1:
-            assert busy.wait(20)
-    go_on.set()
+            assert is_busy.wait(20)
+    may_return.set()
     assert (tuner.value == 99).all()
     assert calls[1:] == [1, 99]
 
 
-def test_an_exception_is_shown_and_the_next_value_tried():
+def test_an_exception_is_shown_and_the_next_value_is_tried():
     def root(frame, level):
         if level < 100:
             raise ValueError(f"level {level} is too dark")
@@ -93,24 +93,24 @@ def test_a_function_that_fails_from_the_start_is_shown_too(stored):
     assert "<img" not in stored[0]["text/html"]
 
 
-def test_a_function_that_does_not_end_is_said(monkeypatch):
+def test_a_function_that_does_not_return_is_reported(monkeypatch):
     monkeypatch.setattr(sys.modules["imgproc_course.display.tuners"], "PATIENCE", 0.1)
-    never, calls = threading.Event(), []
+    released, calls = threading.Event(), []
 
     def endless(frame, level):
         calls.append(level)
         if len(calls) > 1:
-            never.wait(60)
+            released.wait(60)
         return frame
 
     tuner = tune(endless, GRAY, level=(0, 10))
     tuner["level"].value = 1
     with pytest.raises(TimeoutError, match=r"endless\(frame, level=1\) has not returned"):
         _ = tuner.value
-    never.set()
+    released.set()
 
 
-def test_stored_output_is_the_picture_its_call_and_no_number_of_a_run(stored):
+def test_the_stored_output_is_the_image_and_its_call_and_the_same_in_every_run(stored):
     for _ in range(2):
         tune(canny, GRAY, thresholds=(0, 1020), alt="edges of noise")
     for bundle in stored:
@@ -142,14 +142,14 @@ def test_a_live_source_becomes_a_live_view():
 
 
 @pytest.mark.parametrize(
-    ("arguments", "sliders", "words"),
+    ("arguments", "sliders", "error"),
     [
         ((canny, GRAY), {}, r"nothing to tune: .*sigma=\(0, 5\.0\)"),
-        ((GRAY, canny), {"sigma": (0, 5.0)}, "ndarray is no function"),
+        ((GRAY, canny), {"sigma": (0, 5.0)}, "ndarray is not a function"),
         ((canny, [1, 2]), {"sigma": (0, 5.0)}, "frame is list; expected an array"),
         ((canny, GRAY), {"aperture": [3, 5]}, "canny has no parameter 'aperture'"),
     ],
 )
-def test_what_cannot_be_tuned_is_said(arguments, sliders, words):
-    with pytest.raises(ValueError, match=words):
+def test_what_cannot_be_tuned_is_an_error(arguments, sliders, error):
+    with pytest.raises(ValueError, match=error):
         tune(*arguments, **sliders)

@@ -1,4 +1,4 @@
-"""The doctor looks at pictures: the recording, room for work, and topics that are alive."""
+"""The doctor's checks of the images: the recording, free disk space, and topics that deliver."""
 
 import contextlib
 import os
@@ -13,31 +13,31 @@ ENOUGH_DISK = 200 << 20
 FRAMES = 3
 
 
-def look_at_recording():
+def check_recording():
     from imgproc_course.messages import ConversionError
     from imgproc_course.recording import RecordingError, open_recording
 
     try:
         with open_recording("drive") as drive:
             rows, cols, _ = drive.frame(0).shape
-            yield ok("recording", f"{len(drive)} pictures of {cols}×{rows}, {drive.rate:g} a second")
+            yield ok("recording", f"{len(drive)} frames of {cols}×{rows}, {drive.rate:g} per second")
     except (RecordingError, ConversionError) as error:
-        seen, _, remedy = str(error).partition("; ")
-        yield failure("recording", seen, remedy or "git checkout -- imgproc_course/recording/drive")
+        observation, _, remedy = str(error).partition("; ")
+        yield failure("recording", observation, remedy or "git checkout -- imgproc_course/recording/drive")
 
 
-def look_at_disk():
+def check_disk():
     free = shutil.disk_usage(Path.cwd()).free
     if free >= ENOUGH_DISK:
-        yield ok("disk", "room for your work")
+        yield ok("disk", "enough space for your work")
     else:
         yield warning(
             "disk", f"{free >> 20} MiB free where your lessons are", "free some space before you go on"
         )
 
 
-def look_at_topics():
-    """Plays the drive on a topic of its own, in this process and from another one, and waits for pictures."""
+def check_topics():
+    """Plays the drive on topics of its own, in this process and in another one, and waits for frames."""
     from imgproc_course.ros import RosSession, ros_available
 
     if not ros_available():
@@ -46,9 +46,11 @@ def look_at_topics():
     try:
         yield from _topic_in_this_process()
         yield from _topic_of_another_process()
-    except ValueError as error:  # what starts a node says which variable is wrong
-        seen, _, remedy = str(error).partition("; ")
-        yield failure("topic", seen, remedy or "correct it, then restart the kernel")
+    except (
+        ValueError
+    ) as error:  # a node did not start: the error names the environment variable that is wrong
+        observation, _, remedy = str(error).partition("; ")
+        yield failure("topic", observation, remedy or "correct it, then restart the kernel")
     finally:
         if not was_running:
             RosSession().stop()
@@ -59,12 +61,12 @@ def _topic_in_this_process():
 
     topic = f"/doctor_{os.getpid()}/image_raw"
     with open_camera(topic=topic) as camera:
-        problem = _pictures_arrive(camera.topic)
+        problem = _why_no_frames(camera.topic)
     if problem is None:
-        yield ok("topic", "pictures arrive, published in this process")
+        yield ok("topic", "frames arrive, published in this process")
     else:
-        seen, _, remedy = problem.partition("; ")
-        yield failure("topic", seen, remedy or "restart the kernel and ask the doctor again")
+        observation, _, remedy = problem.partition("; ")
+        yield failure("topic", observation, remedy or "restart the kernel and run the doctor again")
 
 
 def _topic_of_another_process():
@@ -72,24 +74,24 @@ def _topic_of_another_process():
     command = [sys.executable, "-c", "from imgproc_course.cli import main; main()", "play", "--topic", topic]
     player = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
     try:
-        problem = _pictures_arrive(topic, timeout=15.0)
+        problem = _why_no_frames(topic, timeout=15.0)
     finally:
         player.terminate()
         with contextlib.suppress(subprocess.TimeoutExpired):
             player.wait(5)
         player.kill()
     if problem is None:
-        yield ok("two programs", "pictures arrive from imgproc-course play, another process")
+        yield ok("two programs", "frames arrive from imgproc-course play, another process")
     else:
         yield warning(
             "two programs",
-            "pictures published by another process do not arrive (in one notebook they do)",
-            "see the lines on DDS profile, shared memory and loopback; a firewall may be between them",
+            "frames published by another process do not arrive (within one notebook they do)",
+            "see the lines on DDS profile, shared memory and loopback; a firewall may block them",
         )
 
 
-def _pictures_arrive(topic, timeout=5.0):
-    """Why no pictures arrive, in one line; None when they do."""
+def _why_no_frames(topic, timeout=5.0):
+    """Why no frames arrive, in one line; None if they do."""
     from imgproc_course.ros import ImageSubscriber
 
     with ImageSubscriber(topic) as subscriber:
