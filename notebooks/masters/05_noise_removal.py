@@ -2,21 +2,22 @@
 # jupyter:
 #   imgproc_course:
 #     title: Noise removal
-#     minutes: 55
+#     minutes: 60
 # ---
 
 # %% [markdown]
 # # 05 · Noise removal
 #
-# Every sensor makes mistakes. To see through them, a picture is compared with itself: a pixel with its neighbours. Whether that helps depends on *how* the neighbours are asked.
+# Every sensor adds *noise*: small or large errors in the gray levels. To remove them, we compare each pixel with its neighbours. A *filter* computes each new pixel from a neighbourhood of the old one. Which filter helps depends on the noise.
 #
 # **You will be able to**
-# - tell two kinds of noise apart by looking at the numbers,
+# - distinguish Gaussian noise and impulse noise by their numbers,
+# - explain kernel, correlation, convolution and border handling,
 # - explain why a mean blurs edges and why a median does not,
 # - compute a 3 × 3 median by hand,
-# - measure with PSNR which of two filters cleaned better, and choose a filter by it.
+# - measure with PSNR which of two filters removes more noise, and choose a filter by it.
 #
-# **Time** about 55 minutes. **You need** lesson 03.
+# **Time** about 60 minutes. **You need** lesson 03.
 
 # %% role="given" exercise=["noise-median", "noise-psnr", "noise-choose"]
 import numpy as np
@@ -42,23 +43,23 @@ gray = to_gray(recording.frame(30))
 print("gray", gray.shape, gray.dtype, "range", gray.min(), "to", gray.max())
 
 # %% [markdown]
-# ## 1 · Noise is in every picture (5 minutes)
+# ## 1 · Noise is in every image (5 minutes)
 #
-# **Ask.** A wall has one colour. Does the camera see one colour? Here are 8 × 8 pixels of the wall. **Predict**: all equal, or how far apart?
+# **Ask.** A wall has one colour. Does the camera see one gray level? Here are 8 × 8 pixels of the wall. **Predict**: are they all equal, or how much do they differ?
 
 # %%
 wall = gray[120:128, 880:888]
 show(wall, "a piece of the wall", encoding="mono8",
-     caption="One wall, one colour, and yet the numbers differ: this is the sensor's own noise.",
+     caption="The wall has one colour, but the numbers differ: this is the noise of the sensor.",
      alt="An eight by eight grid of nearly equal gray squares with their numbers.")
 print("smallest", wall.min(), "  largest", wall.max(), "  standard deviation", round(float(wall.std()), 1), "gray levels")
 
 assert 0 < wall.std() < 5
 
 # %% [markdown]
-# ## 2 · One row, one step (8 minutes)
+# ## 2 · One row, one step (10 minutes)
 #
-# A picture is many rows, and one row is easier to read. Take a dark and a bright part with a step between them, and let the sensor err by a few gray levels.
+# An image consists of many rows, and one row is easier to read. Here is a row with a dark part, a bright part and an *intensity step* between them (intensity is another word for gray level). We add an error of a few gray levels to each value.
 
 # %%
 clean_row = np.array([50] * 6 + [200] * 6)
@@ -84,11 +85,28 @@ assert np.abs(averaged[:5] - 50).max() < np.abs(noisy_row[:5] - 50).max()
 assert averaged[5] == 101 and averaged[6] == 146
 
 # %% [markdown]
-# The flat parts got calmer, and we lost our edge: between 50 and 200 now stand 101 and 146, values that no pixel of the scene has.
+# The flat parts are smoother, but we lost our edge. Between 50 and 200 there are now 101 and 146, values that no pixel of the scene has.
+#
+# This mean is a **correlation** with a **kernel**: the list of weights 1/3, 1/3, 1/3. (This *filter kernel* is unrelated to the notebook's kernel, which runs your cells.) The kernel moves along the row. At each pixel its weights are multiplied with the values below them, and the products are added. The sum is the **filter response** at this pixel.
+#
+# A **convolution** does the same, but flips the kernel first. With a symmetric kernel both give the same response. With any other kernel they do not. A row with a single 1, an *impulse*, shows it: the response to an impulse is the kernel itself, flipped or not.
+
+# %%
+impulse = np.array([0, 0, 0, 1, 0, 0, 0])
+kernel = [1, 2, 3]
+print("convolution", np.convolve(impulse, kernel, mode="same"))
+print("correlation", np.correlate(impulse, kernel, mode="same"))
+
+assert np.convolve(impulse, kernel, mode="same").tolist() == [0, 0, 1, 2, 3, 0, 0]
+assert np.correlate(impulse, kernel, mode="same").tolist() == [0, 0, 3, 2, 1, 0, 0]
+assert (np.correlate(impulse, kernel[::-1], mode="same") == np.convolve(impulse, kernel, mode="same")).all()
+
+# %% [markdown]
+# OpenCV's filters correlate. Most textbooks write convolution. For the symmetric kernels of this lesson the two are the same; in lesson 07 the difference will change a sign.
 #
 # ## 3 · Planned failure: a mean against salt and pepper (6 minutes)
 #
-# A broken pixel does not err by a few gray levels: it is black or white. This is *salt and pepper* noise. **Predict** what the mean makes of one single white pixel among fifties.
+# A broken pixel is not wrong by a few gray levels: it is black or white. This is **impulse noise**, also called *salt-and-pepper* noise. **Predict** the mean of three around a single white pixel; all other pixels are 50.
 
 # %%
 salted_row = np.array([50, 50, 50, 50, 255, 50, 50, 50, 50])
@@ -98,7 +116,7 @@ print("mean  ", mean_of_three(salted_row))
 assert mean_of_three(salted_row).tolist() == [50, 50, 50, 118, 118, 118, 50, 50, 50]
 
 # %% [markdown]
-# One wrong pixel became three wrong pixels. **Repair it**: do not average, *vote*. Sort the three values and take the one in the middle: the **median**. An odd one out is never in the middle.
+# One wrong pixel became three wrong pixels. **Repair it**: do not average. Sort the three values and take the middle one: the **median**. A single outlier is never in the middle.
 
 # %%
 def median_of_three(row):
@@ -114,9 +132,9 @@ assert (median_of_three(salted_row) == 50).all()
 assert (median_of_three(clean_row) == clean_row).all()  # the step is still a step
 
 # %% [markdown]
-# ## 4 · Five by five (6 minutes)
+# ## 4 · Five by five (8 minutes)
 #
-# In a picture the neighbours stand on all sides: 3 × 3 = 9 values, and the median is the fifth of them when they are sorted. **Predict** the median around the white pixel in the middle.
+# In an image a pixel has neighbours on all sides: a neighbourhood of 3 × 3 = 9 values. Their median is the fifth value when they are sorted. **Predict** the median around the white pixel in the middle.
 
 # %%
 tiny = np.array([[50, 52, 51, 200, 201],
@@ -132,17 +150,47 @@ assert neighbours[4] == 53
 # %%
 cleaned = median_blur(tiny, 3)
 show([tiny, box_blur(tiny, 3), cleaned], ["with salt and pepper", "3 × 3 mean", "3 × 3 median"], encoding="mono8",
-     caption="The mean smears both wrong pixels over their neighbours; the median drops them and keeps the edge.",
+     caption="The mean spreads both wrong pixels over their neighbours; the median removes them and keeps the edge.",
      alt="Three grids of numbers: a white and a black pixel stand out in the first, and are gone in the third.")
 
 assert cleaned[2, 2] == 53 and cleaned[1, 4] == 200
 
 # %% [markdown]
-# At the border three neighbours are missing. OpenCV's median repeats the outermost row and column (*replicate*), so that every pixel has nine.
+# A pixel at the border has no neighbours outside the image. So a filter needs a rule for them: its **border handling**. Three rules are common:
 #
+# - *replicate* repeats the outermost pixel; OpenCV's median uses it,
+# - *reflect-101* mirrors the image about its outermost pixel; OpenCV's box and Gaussian filters use it,
+# - *zero padding* adds zeros; it makes the border darker.
+
+# %%
+border_row = np.array([10, 20, 30])
+for rule, mode in {"replicate": "edge", "reflect-101": "reflect", "zero padding": "constant"}.items():
+    print(f"{rule:13}", np.pad(border_row, 2, mode=mode))
+
+assert np.pad(border_row, 2, mode="edge").tolist() == [10, 10, 10, 20, 30, 30, 30]
+assert np.pad(border_row, 2, mode="reflect").tolist() == [30, 20, 10, 20, 30, 20, 10]
+assert np.pad(border_row, 2, mode="constant").tolist() == [0, 0, 10, 20, 30, 0, 0]
+
+# %% [markdown]
+# The 3 × 3 mean is the **box filter** (mean filter): all nine weights are 1/9. The **Gaussian filter** gives near neighbours more weight. Its 3 × 3 kernel is 1, 2, 1 down the column times 1, 2, 1 along the row, divided by 16. So it is a **separable** filter: a pass along the rows and then a pass down the columns give the same result as the whole kernel, with 3 + 3 products per pixel instead of 9.
+#
+# **Predict** the response to a single pixel of 160: it shows the kernel, ten times.
+
+# %%
+bump = np.zeros((5, 5), np.uint8)
+bump[2, 2] = 160
+response = gaussian_blur(bump, 0, size=3)
+show([bump, response], ["one pixel of 160", "3 × 3 Gaussian filter"], encoding="mono8",
+     caption="The response to one bright pixel is the kernel itself: here 1, 2, 4 times 10.",
+     alt="Two grids: a single 160 in the middle; around it 10, 20, 10, then 20, 40, 20, then 10, 20, 10.")
+
+assert (response[1:4, 1:4] == 10 * np.outer([1, 2, 1], [1, 2, 1])).all()
+assert response.sum() == 160  # the weights add up to 1, so the sum stays
+
+# %% [markdown]
 # ## 5 · Four filters, two kinds of noise (8 minutes)
 #
-# Now on the robot's picture, with noise whose dice are *seeded*: everybody gets the same.
+# Now a camera frame, with random noise that has a fixed seed, so everybody gets the same noise. **Gaussian noise** changes every pixel by a normally distributed error. Besides box, Gaussian and median we try the **bilateral filter**. It is a weighted mean like the Gaussian filter, but neighbours with a very different gray level get almost no weight. So it keeps steps.
 
 # %%
 salted = add_salt_and_pepper(gray, 0.05, seed=1)
@@ -155,88 +203,92 @@ assert 0.04 < changed < 0.06
 # %%
 part = dict(rows=(310, 440), cols=(430, 740))
 show([salted, grainy], ["salt and pepper", "Gaussian, 20 gray levels"], encoding="mono8", **part,
-     caption="Left, few pixels are spoiled, but wholly; right, every pixel is spoiled a little.",
-     alt="The ball and the marker twice: left with white and black specks, right with an even grain.")
+     caption="Left, few pixels are wrong, but completely; right, nearly every pixel is a little wrong.",
+     alt="The ball and the marker twice: left with single white and black pixels, right with an even grain.")
 
 # %% [markdown]
-# **Predict** which filter wins on the left one, and which on the right.
+# **Predict** which filter removes the left noise best, and which one the right noise.
 
 # %%
 filters = {
-    "box 3": lambda picture: box_blur(picture, 3),
-    "Gaussian 1.5": lambda picture: gaussian_blur(picture, 1.5),
-    "median 3": lambda picture: median_blur(picture, 3),
-    "bilateral": lambda picture: bilateral_filter(picture, 50, 2),
+    "box 3": lambda image: box_blur(image, 3),
+    "Gaussian 1.5": lambda image: gaussian_blur(image, 1.5),
+    "median 3": lambda image: median_blur(image, 3),
+    "bilateral": lambda image: bilateral_filter(image, 50, 2),
 }
-show([f(salted) for f in filters.values()], list(filters), encoding="mono8", **part, columns=2,
-     caption="Salt and pepper, cleaned four times: only the median is rid of the specks.",
-     alt="Ball and marker four times; specks are smeared in the first two and the fourth, and gone in the third.")
+show([apply(salted) for apply in filters.values()], list(filters), encoding="mono8", **part, columns=2,
+     caption="Impulse noise after four filters: only the median removes it.",
+     alt="Ball and marker four times; the wrong pixels are blurred in the first two, still there in the fourth, and gone in the third.")
 
 # %%
-show([f(grainy) for f in filters.values()], list(filters), encoding="mono8", **part, columns=2,
-     caption="Gaussian noise, cleaned four times: all calm it, and the bilateral filter keeps the marker sharp.",
+show([apply(grainy) for apply in filters.values()], list(filters), encoding="mono8", **part, columns=2,
+     caption="Gaussian noise after four filters: all reduce it, and the bilateral filter keeps the marker sharp.",
      alt="Ball and marker four times, with less grain than before; the edges of the fourth are the sharpest.")
 
 # %% [markdown]
-# ## 6 · How clean is clean? (8 minutes)
+# ## 6 · How much noise is left? (8 minutes)
 #
-# "Looks better" is no measure. **PSNR** (peak signal-to-noise ratio) is one: take the difference of each pixel to the clean picture, square it, take the mean (MSE), and set it against the largest value a pixel can have:
+# "Looks better" is not a measurement. A **signal-to-noise ratio** is one: how large is the image signal compared with its errors? The **PSNR** (peak signal-to-noise ratio) takes the largest possible gray level, 255, as the signal. The error is the *mean squared error* (MSE): the difference of each pixel to the clean image, squared, and averaged over all pixels.
 #
-# $$\text{PSNR} = 10 \log_{10} \frac{255^2}{\text{MSE}} \quad\text{in decibel (dB); more is cleaner}$$
+# $$\text{PSNR} = 10 \log_{10} \frac{255^2}{\text{MSE}} \quad\text{in decibel (dB); a higher value means less noise}$$
 #
 # By hand on four pixels:
 
 # %%
-a = np.array([[100, 100], [100, 100]], dtype=np.uint8)
-b = np.array([[100, 110], [90, 100]], dtype=np.uint8)
-squared = (a.astype(float) - b) ** 2
+four_clean = np.array([[100, 100], [100, 100]], dtype=np.uint8)
+four_noisy = np.array([[100, 110], [90, 100]], dtype=np.uint8)
+squared = (four_clean.astype(float) - four_noisy) ** 2
 mse = squared.mean()
 print("squared differences:", squared.ravel(), "  their mean:", mse)
 print("PSNR:", round(10 * np.log10(255**2 / mse), 1), "dB")
 
 assert mse == 50 and round(10 * np.log10(255**2 / mse), 1) == 31.1
-assert psnr(a, b) == 10 * np.log10(255**2 / mse)
+assert psnr(four_clean, four_noisy) == 10 * np.log10(255**2 / mse)
 
 # %% [markdown]
-# **Check** the guesses of section 5 with numbers. (SSIM, beside it, asks whether *structures* are kept; 1 is perfect.)
+# **Check** your predictions of section 5 with numbers. The table also shows **SSIM** (structural similarity). It compares local mean, contrast and pattern of two images; 1 means equal.
 
 # %%
 print(f"{'':14}{'salt and pepper':>22}{'Gaussian':>20}")
 print(f"{'untouched':14}{psnr(gray, salted):>16.1f} dB {psnr(gray, grainy):>16.1f} dB")
 score = {}
-for name, f in filters.items():
-    score[name] = psnr(gray, f(salted)), psnr(gray, f(grainy))
-    alike = ssim(gray, f(salted)), ssim(gray, f(grainy))
-    print(f"{name:14}{score[name][0]:>16.1f} dB {score[name][1]:>16.1f} dB   SSIM {alike[0]:.2f}, {alike[1]:.2f}")
+for name, apply in filters.items():
+    score[name] = psnr(gray, apply(salted)), psnr(gray, apply(grainy))
+    similarity = ssim(gray, apply(salted)), ssim(gray, apply(grainy))
+    print(f"{name:14}{score[name][0]:>16.1f} dB {score[name][1]:>16.1f} dB   SSIM {similarity[0]:.2f}, {similarity[1]:.2f}")
 
 assert max(score, key=lambda name: score[name][0]) == "median 3"
 assert max(score, key=lambda name: score[name][1]) == "Gaussian 1.5"
 
 # %% [markdown]
-# No filter is best. The median wins against salt and pepper by more than ten decibels; against Gaussian noise a Gaussian does. First look at the noise, then choose.
+# There is no best filter for every noise. Against impulse noise the median is better than the others by more than ten decibels. Against Gaussian noise the Gaussian filter is the best of the four. First look at the noise, then choose.
 
 # %%
-others = max(score[name][0] for name in score if name != "median 3")
-assert score["median 3"][0] - others > 10
+second_best = max(score[name][0] for name in score if name != "median 3")
+assert score["median 3"][0] - second_best > 10
 
 # %% [markdown]
-# Once on a photograph: an astronaut, a picture of NASA's in the public domain that comes with scikit-image.
+# Once more on a photograph: an astronaut, a public-domain photograph by NASA from the example images of scikit-image.
 
 # %%
 from skimage import data
 
 portrait = to_gray(data.astronaut()[..., ::-1])
-spoiled = add_salt_and_pepper(portrait, 0.05, seed=2)
-show([spoiled, median_blur(spoiled, 3)], ["salt and pepper", "3 × 3 median"], rows=(0, 300), cols=(100, 400),
-     caption="The same filter on a photograph: specks gone, and eyelashes with them.",
-     alt="The face of a smiling astronaut, with specks on the left and without on the right.")
+salted_portrait = add_salt_and_pepper(portrait, 0.05, seed=2)
+show([salted_portrait, median_blur(salted_portrait, 3)], ["salt and pepper", "3 × 3 median"], rows=(0, 300), cols=(100, 400),
+     caption="The median on a photograph: it removes the noise, but also fine details such as the eyelashes.",
+     alt="The face of a smiling astronaut, with white and black pixels on the left and without them on the right.")
 
-assert psnr(portrait, median_blur(spoiled, 3)) > psnr(portrait, spoiled) + 10
+assert psnr(portrait, median_blur(salted_portrait, 3)) > psnr(portrait, salted_portrait) + 10
 
 # %% [markdown]
 # ## 7 · Your turn: the median by hand (8 minutes)
 #
-# Write `median3(gray)`: each pixel of a (height, width) uint8 picture becomes the median of its 3 × 3 neighbourhood; at the border the outermost rows and columns are repeated. The result is a new (height, width) uint8 array.
+# Write `median3(gray)`: each pixel becomes the median of its 3 × 3 neighbourhood. At the border use *replicate*: repeat the outermost rows and columns.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `gray`: (height, width) uint8 | a new (height, width) uint8 array | `cleaned = median3(tiny)` |
 
 # %% role="exercise"
 exercise(
@@ -245,7 +297,7 @@ exercise(
     function="median3",
     time_limit=10,
     refused=("cv2", "scipy", "skimage", "imgproc_course.imaging"),
-    hint="Pad by one with np.pad(gray, 1, mode='edge'), stack the nine shifted pictures, and take np.median over the stack.",
+    hint="Pad by one with np.pad(gray, 1, mode='edge'), stack the nine shifted arrays, and take np.median over the stack.",
 )
 
 # %% role="answer"
@@ -265,32 +317,32 @@ def median3(gray):
 check("noise-median", median3)
 
 
-# %% role="case" title="one wrong pixel" points=1 hint="The wrong pixel must be gone, and nothing else may change much."
+# %% role="case" title="one wrong pixel" points=1 hint="The wrong pixel must disappear, and the other pixels may change only a little."
 def inputs(rng):
-    picture = rng.integers(90, 110, size=(5, 6), dtype=np.uint8)
-    picture[rng.integers(1, 4), rng.integers(1, 5)] = 255
-    return (picture,)
+    image = rng.integers(90, 110, size=(5, 6), dtype=np.uint8)
+    image[rng.integers(1, 4), rng.integers(1, 5)] = 255
+    return (image,)
 
 
 # %% role="case" title="wrong pixels at the border" points=1 hint="At the border the outermost row and column are repeated, not filled with zeros."
 def inputs(rng):
-    picture = rng.integers(90, 200, size=(5, 5), dtype=np.uint8)
-    picture[0, rng.integers(0, 5)] = 255
-    picture[rng.integers(0, 5), 4] = 0
-    return (picture,)
+    image = rng.integers(90, 200, size=(5, 5), dtype=np.uint8)
+    image[0, rng.integers(0, 5)] = 255
+    image[rng.integers(0, 5), 4] = 0
+    return (image,)
 
 
-# %% role="hidden" title="a larger picture" points=1 hint="Does it work where height and width differ much?"
+# %% role="hidden" title="a larger image" points=1 hint="Does your function work if height and width are very different?"
 def inputs(rng):
     return (rng.integers(0, 256, size=(20, 33), dtype=np.uint8),)
 
 
-# %% role="hidden" title="a single row" points=1 hint="What are the neighbours of a picture that has one row?"
+# %% role="hidden" title="a single row" points=1 hint="What are the neighbours in an image with only one row?"
 def inputs(rng):
     return (rng.integers(0, 256, size=(1, 12), dtype=np.uint8),)
 
 
-# %% role="mistake" name="a mean instead of a median" says="That is the mean of the nine. It smears a wrong pixel over its neighbours; the median is the fifth of the nine when they are sorted."
+# %% role="mistake" name="a mean instead of a median" says="This is the mean of the nine values. It spreads a wrong pixel over its neighbours. The median is the fifth of the nine values when they are sorted."
 def median3(gray):
     height, width = gray.shape
     padded = np.pad(gray, 1, mode="edge")
@@ -298,7 +350,7 @@ def median3(gray):
     return np.mean(shifted, axis=0).astype(np.uint8)
 
 
-# %% role="mistake" name="a border of zeros" says="Beyond the border stand zeros, and they win votes there. Repeat the outermost rows and columns: np.pad(gray, 1, mode='edge')."
+# %% role="mistake" name="a border of zeros" says="The image was padded with zeros, and they change the medians at the border. Repeat the outermost rows and columns: np.pad(gray, 1, mode='edge')."
 def median3(gray):
     height, width = gray.shape
     padded = np.pad(gray, 1)
@@ -306,14 +358,14 @@ def median3(gray):
     return np.median(shifted, axis=0).astype(np.uint8)
 
 
-# %% role="mistake" name="rows alone" says="Only neighbours in the same row were asked. A neighbourhood is three rows by three columns."
+# %% role="mistake" name="rows alone" says="Only neighbours in the same row were used. A neighbourhood is three rows by three columns."
 def median3(gray):
     width = gray.shape[1]
     padded = np.pad(gray, ((0, 0), (1, 1)), mode="edge")
     return np.median([padded[:, col : col + width] for col in range(3)], axis=0).astype(np.uint8)
 
 
-# %% role="mistake" name="the border is left out" says="The result is smaller than the picture: the outermost pixels are missing. Pad before you look at neighbours."
+# %% role="mistake" name="the border is left out" says="The result is smaller than the image: the outermost pixels are missing. Pad before you take the neighbours."
 def median3(gray):
     height, width = gray.shape
     shifted = [gray[row : row + height - 2, col : col + width - 2] for row in range(3) for col in range(3)]
@@ -323,7 +375,11 @@ def median3(gray):
 # %% [markdown]
 # ## 8 · Your turn: PSNR (5 minutes)
 #
-# Write `my_psnr(clean, other)`: two (height, width) uint8 pictures in, one float out, in decibel. Mind what `uint8` does to a difference. For equal pictures the answer is infinity, `float("inf")`.
+# Write `my_psnr(clean, other)` with the formula of section 6. Remember what `uint8` does to a difference. For equal images the result is infinity, `float("inf")`.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `clean`, `other`: two (height, width) uint8 images of the same shape | one float, in decibel | `my_psnr(four_clean, four_noisy)` |
 
 # %% role="exercise"
 exercise(
@@ -332,7 +388,7 @@ exercise(
     function="my_psnr",
     time_limit=5,
     refused=("cv2", "skimage", "imgproc_course.imaging"),
-    hint="Widen both pictures to float before you subtract.",
+    hint="Widen both images to float before you subtract.",
 )
 
 # %% role="answer"
@@ -350,19 +406,19 @@ def my_psnr(clean, other):
 check("noise-psnr", my_psnr)
 
 
-# %% role="case" title="a brighter picture" points=1 tolerance=1e-6 hint="The differences are squared, then averaged."
+# %% role="case" title="a brighter image" points=1 tolerance=1e-6 hint="The differences are squared, then averaged."
 def inputs(rng):
     clean = rng.integers(0, 200, size=(4, 5), dtype=np.uint8)
     return clean, clean + rng.integers(1, 50, size=(4, 5), dtype=np.uint8)
 
 
-# %% role="case" title="a darker picture" points=1 tolerance=1e-6 hint="In uint8, 100 - 110 is 246: widen first."
+# %% role="case" title="a darker image" points=1 tolerance=1e-6 hint="In uint8, 100 - 110 is 246: widen first."
 def inputs(rng):
     clean = rng.integers(60, 256, size=(4, 5), dtype=np.uint8)
     return clean, clean - rng.integers(1, 60, size=(4, 5), dtype=np.uint8)
 
 
-# %% role="hidden" title="equal pictures" points=1 hint="Dividing by zero is no answer; infinity is."
+# %% role="hidden" title="equal images" points=1 hint="Do not divide by zero: return infinity if the mean squared error is 0."
 def inputs(rng):
     clean = rng.integers(0, 256, size=(6, 6), dtype=np.uint8)
     return clean, clean.copy()
@@ -374,13 +430,13 @@ def my_psnr(clean, other):
     return float("inf") if mse == 0 else float(10 * np.log10(255**2 / mse))
 
 
-# %% role="mistake" name="the natural logarithm" says="np.log is the natural logarithm; decibel are counted with np.log10."
+# %% role="mistake" name="the natural logarithm" says="np.log is the natural logarithm. Decibels use the logarithm to base 10: np.log10."
 def my_psnr(clean, other):
     mse = np.mean((clean.astype(float) - other.astype(float)) ** 2)
     return float("inf") if mse == 0 else float(10 * np.log(255**2 / mse))
 
 
-# %% role="mistake" name="the peak is not squared" says="The peak, 255, is squared as the differences are: 255**2 / MSE."
+# %% role="mistake" name="the peak is not squared" says="The peak, 255, must be squared like the differences: 255**2 / MSE."
 def my_psnr(clean, other):
     mse = np.mean((clean.astype(float) - other.astype(float)) ** 2)
     return float("inf") if mse == 0 else float(10 * np.log10(255 / mse))
@@ -389,7 +445,11 @@ def my_psnr(clean, other):
 # %% [markdown]
 # ## 9 · Practice: choose a filter (5 minutes)
 #
-# Write `best_filter(clean, noisy, filters)`. `filters` is a dictionary of name → function; give back the *name* of the one whose result has the highest PSNR against `clean`. This one gives no marks, but it is what you will do when you meet a new camera.
+# Write `best_filter(clean, noisy, filters)`: which filter gives the highest PSNR against `clean`? This exercise gives no points. But with every new camera you will have to choose a filter like this.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `clean`, `noisy`: two (height, width) uint8 images; `filters`: a dictionary name → function | the *name* of the best filter, a string | `best_filter(gray, salted, filters)` |
 
 # %% role="exercise"
 exercise(
@@ -398,7 +458,7 @@ exercise(
     function="best_filter",
     practice=True,
     time_limit=10,
-    hint="Compute the PSNR of each filter's result, and remember the name that belongs to the largest.",
+    hint="Compute the PSNR of the result of each filter, and keep the name with the largest PSNR.",
 )
 
 # %% role="answer"
@@ -408,45 +468,45 @@ def best_filter(clean, noisy, filters):
 
 # %% role="solution"
 def best_filter(clean, noisy, filters):
-    def distance(name):
+    def mean_squared_error(name):
         return np.mean((filters[name](noisy).astype(float) - clean) ** 2)
 
-    return min(filters, key=distance)
+    return min(filters, key=mean_squared_error)
 
 
 # %% role="check"
 check("noise-choose", best_filter)
 
 
-# %% role="case" title="a spoiled picture"
+# %% role="case" title="a brightened image"
 def inputs(rng):
     clean = rng.integers(0, 200, size=(8, 8), dtype=np.uint8)
     noisy = clean + np.uint8(20)
 
-    def darker_by_twenty(picture):
-        return picture - np.uint8(20)
+    def darker_by_twenty(image):
+        return image - np.uint8(20)
 
-    def darker_by_ten(picture):
-        return picture - np.uint8(10)
+    def darker_by_ten(image):
+        return image - np.uint8(10)
 
     return clean, noisy, {"darker by ten": darker_by_ten, "darker by twenty": darker_by_twenty}
 
 
-# %% role="hidden" title="another spoiled picture" hint="The largest PSNR wins, wherever it stands in the dictionary."
+# %% role="hidden" title="a darkened image" hint="The filter with the largest PSNR may be anywhere in the dictionary."
 def inputs(rng):
     clean = rng.integers(100, 200, size=(8, 8), dtype=np.uint8)
     noisy = clean - np.uint8(30)
 
-    def brighter_by_thirty(picture):
-        return picture + np.uint8(30)
+    def brighter_by_thirty(image):
+        return image + np.uint8(30)
 
-    def brighter_by_ten(picture):
-        return picture + np.uint8(10)
+    def brighter_by_ten(image):
+        return image + np.uint8(10)
 
     return clean, noisy, {"brighter by thirty": brighter_by_thirty, "brighter by ten": brighter_by_ten}
 
 
-# %% role="mistake" name="the worst instead of the best" says="That is the filter with the lowest PSNR: more decibel are better."
+# %% role="mistake" name="the worst instead of the best" says="This is the filter with the lowest PSNR. A higher PSNR is better."
 def best_filter(clean, noisy, filters):
     return max(filters, key=lambda name: np.mean((filters[name](noisy).astype(float) - clean) ** 2))
 
@@ -454,7 +514,7 @@ def best_filter(clean, noisy, filters):
 # %% [markdown]
 # ## Recap
 #
-# A mean calms small errors and blurs edges; a median throws out the odd ones and keeps edges. Measure before you choose.
+# A mean reduces Gaussian noise, but blurs edges. A median removes impulse noise and keeps edges. Measure before you choose.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
@@ -465,6 +525,6 @@ def best_filter(clean, noisy, filters):
 # | PSNR | one number | float64 | 0 to infinity | decibel |
 
 # %%
-for picture in (salted, grainy, *[f(grainy) for f in filters.values()]):
-    assert picture.shape == (720, 1280) and picture.dtype == np.uint8
+for image in (salted, grainy, *[apply(grainy) for apply in filters.values()]):
+    assert image.shape == (720, 1280) and image.dtype == np.uint8
 assert 255**2 == 65_025 and isinstance(psnr(gray, salted), float)
