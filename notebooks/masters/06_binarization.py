@@ -8,12 +8,12 @@
 # %% [markdown]
 # # 06 · Binarization
 #
-# Paper or print, marker or wall, obstacle or floor: often a robot wants a yes or no for each pixel. Somewhere between black and white a line must be drawn. This lesson is about who draws it.
+# Paper or print, marker or wall, obstacle or floor: often a robot needs a yes or no for each pixel. **Binarization** splits the pixels into the *foreground*, the part you are interested in, and the *background*, everything else. It compares each gray level with a *threshold*. This lesson is about how to choose the threshold.
 #
 # **You will be able to**
-# - make a binary picture with a threshold, and read a histogram,
-# - find the threshold with Otsu's method, by hand and exactly as OpenCV does,
-# - say when one threshold for the whole picture cannot work, and what does.
+# - make a binary image with a threshold, and read a histogram,
+# - compute Otsu's threshold by hand, with the same result as OpenCV,
+# - explain when one threshold for the whole image fails, and what works instead.
 #
 # **Time** about 45 minutes. **You need** lessons 03 and 05.
 
@@ -34,9 +34,9 @@ gray = to_gray(recording.frame(30))
 print("gray", gray.shape, gray.dtype, "range", gray.min(), "to", gray.max())
 
 # %% [markdown]
-# ## 1 · A line through the values (5 minutes)
+# ## 1 · A global threshold (5 minutes)
 #
-# **Ask.** Every value above 100 becomes 255, all others become 0. **Predict** what becomes of the 100 itself in the middle.
+# **Ask.** Every value above 100 becomes 255 (white), all others become 0 (black). This is a **global threshold**: one number for the whole image. **Predict** what happens to the 100 in the middle.
 
 # %%
 tiny = np.array([[20, 30, 40, 180, 190],
@@ -46,22 +46,22 @@ tiny = np.array([[20, 30, 40, 180, 190],
                  [40, 50, 170, 200, 210]], dtype=np.uint8)
 binary = np.where(tiny > 100, 255, 0).astype(np.uint8)
 show([tiny, binary], ["gray", "above 100"], encoding="mono8",
-     caption="Above means above: 100 itself is not above 100 and turns black.",
+     caption="Above means strictly above: 100 is not above 100, so it becomes black.",
      alt="A five by five grid of gray numbers, and the same grid in black and white with 0 and 255.")
 
 assert binary[2, 2] == 0 and np.unique(binary).tolist() == [0, 255]
 assert (threshold(tiny, 100) == binary).all()
 
 # %% [markdown]
-# ## 2 · The histogram shows where to cut (7 minutes)
+# ## 2 · The histogram shows the threshold (7 minutes)
 #
-# The marker at the back wall is black print on white paper. A *histogram* counts for each gray level how many pixels have it. **Predict** its shape: one hill, or two?
+# The marker at the back wall is black print on white paper. Its foreground is the print, its background is the paper. A **histogram** counts how many pixels have each gray level. **Predict** its shape: one hill or two?
 
 # %%
 marker = gray[319:395, 656:724]
 counts = np.bincount(marker.ravel(), minlength=256)
 show(marker, "the marker", encoding="mono8",
-     caption="Black print on white paper, seen by the robot from 3.6 metres.",
+     caption="Black print on white paper, seen by the robot from a distance of 3.6 metres.",
      alt="A black square with a white pattern of bits on white paper.")
 
 assert counts.sum() == marker.size == 76 * 68
@@ -78,32 +78,32 @@ def draw_histogram(counts, lines, title):
     return figure
 
 
-show_figure(draw_histogram(counts, {"cut in the middle": (128, "tab:blue")}, "pixels of each gray level"),
-            caption="Two hills, ink left and paper right; any cut in the valley between them will do.",
+show_figure(draw_histogram(counts, {"threshold in the middle": (128, "tab:blue")}, "pixels of each gray level"),
+            caption="Two hills: the print on the left, the paper on the right. Any threshold in the valley between them works.",
             alt="A histogram with one dark and one bright hill, and a blue line at 128 between them.")
 
 # %% [markdown]
 # ## 3 · Otsu's idea (8 minutes)
 #
-# A person sees the valley. A program needs a rule, and Otsu's (1979) is: try every threshold, and keep the one that makes the two groups differ most. How much they differ is measured by the **between-class variance**
+# A person sees the valley. A program needs a rule. Otsu's rule (1979) is: try every threshold, and keep the one for which the two classes of pixels differ most. The **between-class variance** measures how much they differ:
 #
 # $$\sigma_B^2(t) = w_0\, w_1\, (\mu_0 - \mu_1)^2$$
 #
-# $w_0$ and $w_1$ are the shares of the pixels at or below $t$ and above it, $\mu_0$ and $\mu_1$ the mean gray levels of the two groups.
+# Class 0 contains the pixels at or below $t$, class 1 the pixels above $t$. $w_0$ and $w_1$ are the shares of all pixels that are in each class. $\mu_0$ and $\mu_1$ are their mean gray levels.
 #
-# By hand, on eight pixels and four thresholds. **Predict** which of the four wins.
+# By hand, with eight pixels and four thresholds. **Predict** which of the four thresholds is the best.
 
 # %%
 eight = np.array([10, 20, 20, 30, 180, 190, 200, 210])
 for t in (15, 25, 100, 195):
-    low, high = eight[eight <= t], eight[eight > t]
-    variance = low.size / 8 * high.size / 8 * (low.mean() - high.mean()) ** 2
-    print(f"t = {t:3}   {low.size} below, {high.size} above   between-class variance {variance:8.1f}")
+    below, above = eight[eight <= t], eight[eight > t]
+    variance = below.size / 8 * above.size / 8 * (below.mean() - above.mean()) ** 2
+    print(f"t = {t:3}   {below.size} below, {above.size} above   between-class variance {variance:8.1f}")
 
 assert 4 / 8 * 4 / 8 * (eight[:4].mean() - eight[4:].mean()) ** 2 == 7656.25
 
 # %% [markdown]
-# The one that cuts between 30 and 180. Now all 256 thresholds of the marker, and the largest variance wins.
+# The best of the four lies between 30 and 180: it has the largest variance. Now we try all 256 thresholds on the marker.
 
 # %%
 def between_class_variance(counts, t):
@@ -131,46 +131,46 @@ for axes in (upper, lower):
     axes.axvline(best, color="tab:red")
 upper.set(ylabel="pixels", title=f"Otsu's threshold is {best}")
 lower.set(xlabel="threshold t (gray level)", ylabel="between-class\nvariance (level²)", xlim=(0, 255))
-show_figure(figure, caption="The curve is highest where the cut parts the two hills best: the red line marks it.",
+show_figure(figure, caption="The curve is highest at the threshold that separates the two hills best; the red line marks it.",
             alt="Above, the marker's histogram; below, a curve with one broad maximum; a red line through both.")
 
 # %%
 show([marker, threshold(marker, best)], ["gray", f"above {best}"], encoding="mono8",
-     caption="Ink is black, paper is white: now a program can read the marker's bits.",
+     caption="The print is black and the paper is white: now a program can read the bits of the marker.",
      alt="The marker in gray and in pure black and white.")
 
 # %% [markdown]
-# ## 4 · Two places more (5 minutes)
+# ## 4 · Two more examples (5 minutes)
 #
-# The same rule on the sign at the wall, and once on a photograph: a photographer with his camera, a picture that comes with scikit-image (CC0).
+# The same rule on the sign at the wall, and on a photograph: a photographer with his camera, from the example images of scikit-image (CC0).
 
 # %%
 from skimage import data
 
 sign = to_gray(recording.frame(75))[215:310, 660:800]
 photograph = data.camera()
-for name, picture in {"sign": sign, "photograph": photograph}.items():
-    print(f"{name:10} Otsu's threshold {otsu_threshold(picture)}")
+for name, image in {"sign": sign, "photograph": photograph}.items():
+    print(f"{name:10} Otsu's threshold {otsu_threshold(image)}")
 
 show([photograph, threshold(photograph, otsu_threshold(photograph))], ["photograph", "Otsu"],
-     caption="The dark coat parts from the bright sky and grass: one threshold is enough here.",
+     caption="The dark coat is separated from the bright sky and grass: a global threshold is enough here.",
      alt="A man behind a camera on a tripod, in gray and in black and white.")
 assert otsu_threshold(photograph) == int(cv2.threshold(photograph, 0, 255, cv2.THRESH_OTSU)[0])
 
 # %% [markdown]
 # ## 5 · Planned failure: the sun on the floor (8 minutes)
 #
-# A rug with dark stripes lies half in the sun. We want the stripes. **Predict** what one threshold for all of it makes of the sunny part.
+# A rug with dark stripes lies half in the sun. The stripes are our foreground. **Predict** what a global threshold does to the sunny part.
 
 # %%
 rug = gray[415:515, 60:560]
-one_cut = threshold(rug, otsu_threshold(rug))
-show([rug, one_cut], ["rug, partly in the sun", f"above {otsu_threshold(rug)}"], encoding="mono8", columns=1,
-     caption="One threshold parts sun from shade instead of stripe from stripe.",
+global_result = threshold(rug, otsu_threshold(rug))
+show([rug, global_result], ["rug, partly in the sun", f"above {otsu_threshold(rug)}"], encoding="mono8", columns=1,
+     caption="A global threshold separates sun and shade instead of dark and bright stripes.",
      alt="A striped rug with a bright sunny part; below, the sunny part is all white.")
 
 # %% [markdown]
-# What is bright? Compare a dark stripe in the sun with a bright stripe in the shade:
+# Why does it fail? Compare a dark stripe in the sun with a bright stripe in the shade:
 
 # %%
 sunny, shady = rug[50:90, 150:250], rug[50:90, 430:500]
@@ -180,20 +180,24 @@ print(f"dark stripes in the sun: {dark_in_sun:.0f}   bright stripes in the shade
 assert round(dark_in_sun) == 188 and round(bright_in_shade) == 185
 
 # %% [markdown]
-# What is dark in the sun is brighter than what is bright in the shade: no single line parts dark from bright. **Repair it**: let each pixel be compared with *its own neighbourhood*. The **adaptive threshold** is the mean of the block around the pixel, less a constant.
+# A dark stripe in the sun is brighter than a bright stripe in the shade. So no single threshold separates dark from bright stripes. **Repair it**: compare each pixel with *its own neighbourhood*. The **adaptive threshold** of a pixel is the mean of the block around it, minus a constant.
 
 # %%
-own_cut = adaptive_threshold(rug, 31, 5)
-show([one_cut, own_cut], ["one threshold (Otsu)", "each pixel its own: mean of 31 × 31, less 5"], columns=1,
-     caption="With a threshold of its own for every pixel the stripes go on through sun and shade.",
+adaptive_result = adaptive_threshold(rug, 31, 5)
+show([global_result, adaptive_result], ["global threshold (Otsu)", "adaptive threshold: mean of 31 × 31, minus 5"], columns=1,
+     caption="With an adaptive threshold the stripes are visible in the sun and in the shade.",
      alt="Above, the rug split in white and black areas; below, its zigzag stripes all over.")
 
-assert (own_cut == cv2.adaptiveThreshold(rug, 255, cv2.ADAPTIVE_THRESH_MEAN_C, cv2.THRESH_BINARY, 31, 5)).all()
+assert (adaptive_result == cv2.adaptiveThreshold(rug, 255, cv2.ADAPTIVE_THRESH_MEAN_C, cv2.THRESH_BINARY, 31, 5)).all()
 
 # %% [markdown]
 # ## 6 · Your turn: Otsu by hand (10 minutes)
 #
-# Write `otsu(gray)`: a (height, width) uint8 picture in, the threshold out as one whole number: the *smallest* `t` whose between-class variance is the largest. Pixels above `t` are one group, pixels at or below it the other.
+# Write `otsu(gray)`: find the threshold `t` with the largest between-class variance. If several thresholds have it, return the *smallest* of them. A pixel equal to `t` belongs to the lower class.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `gray`: (height, width) uint8 | one whole number, 0 to 255 | `otsu(marker)` |
 
 # %% role="exercise"
 exercise(
@@ -202,7 +206,7 @@ exercise(
     function="otsu",
     time_limit=10,
     refused=("cv2", "skimage", "imgproc_course.imaging"),
-    hint="Count with np.bincount; for each t compute shares and means of the two groups; keep the first t that wins.",
+    hint="Count with np.bincount; for each t compute the shares and means of the two classes; keep the first t with the largest variance.",
 )
 
 
@@ -232,58 +236,58 @@ def otsu(gray):
 check("binarization-otsu", otsu)
 
 
-# %% role="case" title="print on paper" points=1 hint="Two hills: the threshold lies where the first one ends."
+# %% role="case" title="print on paper" points=1 hint="The histogram has two hills: the threshold lies where the first one ends."
 def inputs(rng):
     dark, bright = rng.integers(20, 60), rng.integers(160, 220)
-    picture = np.where(rng.random((16, 20)) < 0.4, dark, bright) + rng.integers(-9, 10, size=(16, 20))
-    return (picture.astype(np.uint8),)
+    image = np.where(rng.random((16, 20)) < 0.4, dark, bright) + rng.integers(-9, 10, size=(16, 20))
+    return (image.astype(np.uint8),)
 
 
-# %% role="case" title="little ink, much paper" points=1 hint="The shares of the two groups weigh the difference of their means."
+# %% role="case" title="little print, much paper" points=1 hint="Multiply the squared difference of the means by the shares of both classes."
 def inputs(rng):
     dark, bright = rng.integers(10, 40), rng.integers(150, 240)
-    picture = np.where(rng.random((24, 24)) < 0.06, dark, bright) + rng.integers(-8, 9, size=(24, 24))
-    return (picture.astype(np.uint8),)
+    image = np.where(rng.random((24, 24)) < 0.06, dark, bright) + rng.integers(-8, 9, size=(24, 24))
+    return (image.astype(np.uint8),)
 
 
-# %% role="hidden" title="hills that touch" points=1 hint="A pixel equal to t belongs to the lower group."
+# %% role="hidden" title="hills that touch" points=1 hint="A pixel equal to t belongs to the lower class."
 def inputs(rng):
-    picture = np.where(rng.random((40, 40)) < 0.5, 95, 150) + rng.normal(0, 22, size=(40, 40))
-    return (np.clip(picture, 0, 255).astype(np.uint8),)
+    image = np.where(rng.random((40, 40)) < 0.5, 95, 150) + rng.normal(0, 22, size=(40, 40))
+    return (np.clip(image, 0, 255).astype(np.uint8),)
 
 
-# %% role="hidden" title="two values alone" points=1 hint="Many thresholds part two values equally well: the smallest counts."
+# %% role="hidden" title="only two values" points=1 hint="Many thresholds separate two values equally well: return the smallest."
 def inputs(rng):
     low, high = rng.integers(0, 100), rng.integers(150, 256)
-    picture = np.full((6, 6), high, dtype=np.uint8)
-    picture[: rng.integers(1, 5)] = low
-    return (picture,)
+    image = np.full((6, 6), high, dtype=np.uint8)
+    image[: rng.integers(1, 5)] = low
+    return (image,)
 
 
-# %% role="mistake" name="the smallest variance instead of the largest" says="You kept the threshold at which the groups differ least. The between-class variance is to be as large as possible."
+# %% role="mistake" name="the smallest variance instead of the largest" says="You kept the threshold at which the classes differ least. The between-class variance must be as large as possible."
 def otsu(gray):
     counts = np.bincount(gray.ravel(), minlength=256)
     levels = np.arange(256)
-    found = {}
+    variances = {}
     for t in range(256):
         below, above = counts[: t + 1].sum(), counts[t + 1 :].sum()
         if below and above:
             means = (levels[: t + 1] * counts[: t + 1]).sum() / below, (levels[t + 1 :] * counts[t + 1 :]).sum() / above
-            found[t] = below * above * (means[0] - means[1]) ** 2
-    return min(found, key=found.get)
+            variances[t] = below * above * (means[0] - means[1]) ** 2
+    return min(variances, key=variances.get)
 
 
-# %% role="mistake" name="the middle of the range" says="Halfway between the darkest and the brightest pixel ignores how many pixels there are of each. Otsu counts them."
+# %% role="mistake" name="the middle of the range" says="The middle between the darkest and the brightest pixel ignores how many pixels have each gray level. Otsu counts them."
 def otsu(gray):
     return (int(gray.min()) + int(gray.max())) // 2
 
 
-# %% role="mistake" name="the mean gray level" says="The mean follows the larger group. Otsu looks for the cut that parts the two."
+# %% role="mistake" name="the mean gray level" says="The mean gray level is close to the larger class. Otsu looks for the threshold that separates the two classes."
 def otsu(gray):
     return int(gray.mean())
 
 
-# %% role="mistake" name="one too high" says="Your threshold is one too high: a pixel equal to t belongs to the lower group, so t is the last gray level of that group."
+# %% role="mistake" name="one too high" says="Your threshold is one too high: a pixel equal to t belongs to the lower class, so t is the last gray level of that class."
 def otsu(gray):
     return solution(gray) + 1
 
@@ -291,7 +295,7 @@ def otsu(gray):
 # %% [markdown]
 # ## Recap
 #
-# A threshold turns gray levels into yes or no. Otsu finds the cut between two hills; where light changes over the picture, each pixel needs a threshold of its own.
+# A threshold separates foreground and background. Otsu's method finds the global threshold between the two hills of the histogram. If the light changes over the image, use an adaptive threshold.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
