@@ -8,38 +8,40 @@
 # %% [markdown]
 # # 00 · Start here
 #
-# A low home robot drives through a living room. Ten times a second its camera sends a picture, on a ROS 2 topic with the name `/kachaka/front_camera/image_raw`. In a quarter of an hour those pictures arrive in this notebook and pass through a function that you wrote. You need no robot: the drive is a recording (a rendered one, made for this course), and everything else is real ROS 2.
+# A small robot drives through a living room. Its camera is 20 cm above the floor and takes ten images per second. One image of such a stream is called a *frame*. The robot publishes every frame on a ROS 2 *topic*: a named channel to which any program can subscribe. Its name is `/kachaka/front_camera/image_raw`.
+#
+# In a quarter of an hour these frames arrive in this notebook, and your own function processes each of them. You need no robot: the drive is a recording (rendered for this course), and everything else is real ROS 2.
 #
 # **You will be able to**
-# - run a lesson, cell by cell, and start it afresh,
-# - see whether your machine is ready, and what to do if it is not,
-# - receive a camera's picture from a ROS 2 topic and look at it live,
-# - do an exercise and have it checked.
+# - run a lesson, cell by cell, and restart it,
+# - check whether your machine is ready, and repair it if it is not,
+# - receive a camera's frames from a ROS 2 topic and watch them live,
+# - do an exercise and check your answer.
 #
-# **Time** about 15 minutes. **You need** to have seen Python: variables, functions, lists.
+# **Time** about 15 minutes. **You need** a little Python: variables, functions, lists.
 
 # %% [markdown]
 # ## 1 · How a lesson works (2 minutes)
 #
-# A lesson is a column of cells. Text cells like this one are for reading. Code cells run: click into one and press **Shift + Enter**. What it prints appears below it. Run them from top to bottom; each builds on the ones above.
+# A lesson is a list of cells. Text cells like this one are for reading. Code cells contain Python: click into one and press **Shift + Enter** to run it. Its output appears below it. Run the cells from top to bottom, because each uses results of the cells above.
 #
-# If you are lost, choose **Kernel → Restart Kernel and Run All Cells…** in the menu: the lesson starts afresh, and your own code stays. This file is your own copy. An update of the course never writes over it.
+# If something goes wrong, choose **Kernel → Restart Kernel and Run All Cells…** in the menu: the lesson starts again from the first cell, and your own code stays. This file is your own copy. An update of the course never overwrites it.
 
 # %%
 try:
     import imgproc_course
 except ModuleNotFoundError:
     raise ModuleNotFoundError(
-        "this notebook's kernel does not know the course: close it, and open the lessons with environment/lab, "
-        "or choose Kernel > Change Kernel and take the Python of the course's folder .venv"
+        "this notebook's kernel cannot import the course: close it, and open the lessons with environment/lab, "
+        "or choose Kernel > Change Kernel and the Python in the course's folder .venv"
     ) from None
 
-print("The course is here, version", imgproc_course.__version__)
+print("The course is installed, version", imgproc_course.__version__)
 
 # %% [markdown]
 # ## 2 · Is this machine ready? (3 minutes)
 #
-# The doctor looks at everything that the lessons use. A line with ✗ names its remedy beside it; a line with ! may stay as it is. (The same in a terminal: `imgproc-course doctor`.)
+# The doctor checks everything that the lessons use. If a line shows ✗, it also says how to fix it. You can ignore a line with !. (In a terminal, `imgproc-course doctor` does the same.)
 
 # %% tags=["nbval-ignore-output"]
 from imgproc_course.doctor import doctor
@@ -48,15 +50,15 @@ report = doctor()
 report
 
 # %%
-assert report.ready, "a line above is marked ✗; do what it says, then run this cell again"
+assert report.ready, "a line above shows ✗; do what it says, then run both cells again"
 print("ready")
 
 # %% [markdown]
-# ## 3 · A picture from the recording (3 minutes)
+# ## 3 · An image from the recording (3 minutes)
 #
-# First without ROS. `open_recording` opens the drive; `frame(0)` is its first picture, as an array of numbers.
+# First without ROS. `open_recording` opens the drive; `frame(0)` is its first frame. An image is an array of numbers. Its smallest part is a *pixel*: one small square of one colour.
 #
-# **Predict.** The picture is 1280 pixels wide and 720 high. In which order will the array's shape name the two?
+# **Predict.** The image is 1280 pixels wide and 720 pixels high. Will its shape be `(720, 1280, …)` or `(1280, 720, …)`?
 
 # %%
 from imgproc_course.display import show
@@ -64,29 +66,29 @@ from imgproc_course.recording import open_recording
 
 recording = open_recording("drive")
 frame = recording.frame(0)
-print("pictures:", len(recording))
+print("frames:", len(recording))
 print("type:", type(frame).__name__, "  shape:", frame.shape, "  dtype:", frame.dtype)
 
 assert len(recording) == 90
 assert frame.shape == (720, 1280, 3)
 
 # %% [markdown]
-# Rows first: 720 rows, 1280 columns, and 3 numbers (blue, green, red) for each pixel. The dtype `uint8` means whole numbers from 0 to 255.
+# Rows come first: 720 rows, 1280 columns, and 3 numbers for each pixel. The three are called *channels*: blue, green and red. Each number is an *intensity*: 0 means no light of this colour, 255 the most. The dtype `uint8` holds whole numbers from 0 to 255.
 
 # %%
 height = recording.pose("camera", 0)[2]  # metres above the floor
-show(frame, "the robot's first picture",
-     caption="What a robot 20 cm above the floor sees: a lot of floor, furniture, and a ball in its way.",
+show(frame, "the robot's first frame",
+     caption="The robot's camera, 20 cm above the floor, sees a lot of floor, furniture, and a ball in its way.",
      alt="A living room seen from close to the floor: wooden boards, a sofa, a ball ahead, a chair and boxes.")
 
 assert round(height, 2) == 0.2
 
 # %% [markdown]
-# ## 4 · A picture from a topic (4 minutes)
+# ## 4 · A frame from a topic (4 minutes)
 #
-# Now with ROS 2. `open_camera` plays the recording on the robot's topic, as the robot would. `ImageSubscriber` listens there. `wait` gives the next picture that arrives.
+# Now with ROS 2. `open_camera` publishes the recording on the robot's topic, as the robot does. `ImageSubscriber` subscribes to this topic. `wait` returns the next frame that arrives.
 #
-# Where ROS 2 is not installed (macOS, Windows without WSL), `ros_available()` says so and what to install, and the lesson goes on with the recording.
+# If ROS 2 is not installed (macOS, Windows without WSL), `ros_available()` returns `False`, and the lesson uses the recording instead. The doctor above says what to install.
 
 # %%
 from imgproc_course.ros import ImageSubscriber, open_camera, ros_available
@@ -103,9 +105,9 @@ print("shape:", received.shape, "  dtype:", received.dtype)
 assert received.shape == frame.shape and received.dtype == frame.dtype
 
 # %% [markdown]
-# That picture went the whole way: read from the recording, put into a message, sent through the same middleware that a robot uses, received, and turned back into an array.
+# This frame went through every step: it was read from the recording, converted to a *message* (the data that a topic carries), sent through the same middleware as on a robot, received, and converted back to an array. The *middleware* is the software that carries messages from one program to another.
 #
-# **Look.** Here it is live. Move the slider while it runs: the function below is called for every picture, with the slider's value.
+# **Look.** Here are the frames live. Move the slider while the view runs: the view calls the function below for every frame, with the slider's value.
 
 # %% tags=["nbval-ignore-output"]
 from imgproc_course.display import live_view
@@ -116,7 +118,7 @@ def darken(frame, percent=100):
 
 
 source = subscriber if ros_available() else recording
-view = live_view(source, darken, percent=(0, 100), caption="The drive, as dark as the slider says.",
+view = live_view(source, darken, percent=(0, 100), caption="The drive. The slider sets the brightness in percent.",
                  alt="The living room seen from close to the floor, while the robot drives.")
 
 # %%
@@ -128,9 +130,9 @@ assert frame.max() == 255 and half.max() == 127
 # %% [markdown]
 # ## 5 · Your turn: the first exercise (3 minutes)
 #
-# How many pixels does a picture have? Write `count_pixels(frame)`. It gets an array like the one above and gives back one whole number: rows × columns. Delete the line with `raise` and write your own; then run the cell, and the one below it.
+# How many pixels does an image have? Write `count_pixels(frame)`. It gets an array like the one above and returns one whole number: rows × columns. Delete the line with `raise` and write your own. Then run the cell, and the cell below it.
 #
-# This one is practice. It gives no marks, but shows how every exercise goes.
+# This exercise is practice. It gives no points, but shows how every exercise works.
 
 # %% role="exercise"
 exercise(
@@ -139,7 +141,7 @@ exercise(
     function="count_pixels",
     practice=True,
     time_limit=5,
-    hint="frame.shape holds the three numbers; the first two are rows and columns.",
+    hint="frame.shape has three numbers; the first two are rows and columns.",
 )
 
 # %% role="answer" exercise="start-count"
@@ -158,24 +160,24 @@ from imgproc_course.exercises import check
 check("start-count", count_pixels)
 
 
-# %% role="case" exercise="start-count" title="a small picture"
+# %% role="case" exercise="start-count" title="a small image"
 def inputs(rng):
     rows, columns = rng.integers(2, 9, size=2)
     return (rng.integers(0, 256, size=(rows, columns + 9, 3), dtype=np.uint8),)
 
 
-# %% role="hidden" exercise="start-count" title="another picture" hint="Is every number read from the frame?"
+# %% role="hidden" exercise="start-count" title="another image" hint="Does your function read both numbers from frame.shape?"
 def inputs(rng):
     rows, columns = rng.integers(10, 30, size=2)
     return (rng.integers(0, 256, size=(rows, columns + 30, 3), dtype=np.uint8),)
 
 
-# %% role="mistake" exercise="start-count" name="numbers counted instead of pixels" says="Each pixel holds three numbers, and all of them were counted. frame.size counts numbers; a pixel is one row and one column."
+# %% role="mistake" exercise="start-count" name="numbers counted instead of pixels" says="Each pixel has three numbers, and your function counts all of them. frame.size is the count of numbers; a pixel is one row and one column."
 def count_pixels(frame):
     return int(frame.size)
 
 
-# %% role="mistake" exercise="start-count" name="rows counted instead of pixels" says="That is the number of rows alone. Multiply it by the number of columns."
+# %% role="mistake" exercise="start-count" name="rows counted instead of pixels" says="That is only the number of rows. Multiply it by the number of columns."
 def count_pixels(frame):
     return len(frame)
 
@@ -183,10 +185,10 @@ def count_pixels(frame):
 # %% [markdown]
 # ## Recap
 #
-# Pictures are arrays of numbers, rows first. On a robot they arrive as messages on a topic, and a function of yours can stand in their way.
+# Images are arrays of numbers, rows first. On a robot they arrive as messages on a topic, and your own function can process each image.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
-# | *frame*, from the recording or the topic | (720, 1280, 3) | uint8 | 0 to 255 | gray level of blue, green, red |
+# | *frame*, from the recording or the topic | (720, 1280, 3) | uint8 | 0 to 255 | intensity of blue, green, red |
 #
 # **Next:** lesson 01, what image processing is for.
