@@ -5,9 +5,9 @@
     frame = image_to_array(msg, "bgr8")          # (H, W, 3) uint8
     reply = array_to_image(frame, "bgr8", header=msg.header)
 
-Needs NumPy and OpenCV, and works under any name: the folder may be copied into a package of yours. Reads any
-object that has the message's fields; makes messages of sensor_msgs where ROS is installed, otherwise of
-rosbags. Whatever is wrong with a message or an array, a ConversionError says.
+The package needs only NumPy and OpenCV, and it works under any name: you can copy the folder into your own
+package. It reads any object that has the message's fields. It makes messages of sensor_msgs if ROS is
+installed, otherwise of rosbags. A ConversionError says what is wrong with a message or an array.
 """
 
 from .compressed import array_to_compressed, compressed_to_array

@@ -1,8 +1,8 @@
-"""sensor_msgs/CompressedImage to a NumPy array and back: JPEG, PNG, and compressedDepth.
+"""sensor_msgs/CompressedImage to a NumPy array and back: JPEG, PNG, other image files, and compressedDepth.
 
-The field `format` says, after ROS's compressed_image_transport, "<encoding>; <codec> compressed <order>": the
-encoding of the picture before it was compressed, and the order of the colors in the file. Many cameras write
-only "jpeg" or "png"; then the decoded picture itself says what it is.
+ROS's compressed_image_transport writes "<encoding>; <codec> compressed <order>" into the field `format`: the
+encoding of the image before compression, and the order of the colors in the file. Many cameras write only
+"jpeg" or "png". Then the encoding follows from the decoded image.
 """
 
 import functools
@@ -29,15 +29,15 @@ _AS_OPENCV_DECODES = {
 
 
 def compressed_to_array(msg, desired_encoding="passthrough"):
-    """The picture of a CompressedImage message as an array.
+    """The image of a CompressedImage message as an array.
 
     Parameters
     ----------
-    msg : sensor_msgs/CompressedImage, or any object with its fields `format` and `data`, which must hold a
-        JPEG, a PNG, or compressedDepth (PNG or RVL)
-    desired_encoding : "passthrough" (also "") takes the picture as it decodes: mono8, bgr8, bgra8, mono16,
-        bgr16 or bgra16, a Bayer mosaic where `format` says so, 16UC1 or 32FC1 of compressedDepth. Any other
-        encoding converts from there, as `image_to_array` does
+    msg : sensor_msgs/CompressedImage, or any object with its fields `format` and `data`. `data` must hold a
+        JPEG, PNG, BMP, TIFF, WebP, PNM, PFM, Sun raster or JPEG 2000 file, or compressedDepth (PNG or RVL)
+    desired_encoding : "passthrough" (also "") keeps the image as it is decoded: mono8, bgr8, bgra8, mono16,
+        bgr16 or bgra16; a Bayer mosaic if `format` says so; 16UC1 or 32FC1 of compressedDepth; 32FC1 and the
+        like of TIFF and PFM. Any other encoding converts this image, as `image_to_array` does
 
     Returns
     -------
@@ -45,12 +45,12 @@ def compressed_to_array(msg, desired_encoding="passthrough"):
 
     Raises
     ------
-    ConversionError : data that is no such picture, or not all of it; a header that claims more pixels than
-        its bytes can hold (refused before memory is taken); a conversion that has no meaning
+    ConversionError : the data are of another format, cut short or damaged; the header claims more pixels than
+        the bytes can hold (checked before a decoder allocates memory); the conversion has no meaning
 
     Notes
     -----
-    A JPEG has no checksum: where bits within it are flipped, every decoder makes a picture of them.
+    A JPEG has no checksum. If bits in it are flipped, every decoder returns an image with wrong pixels.
     """
     try:
         return _decoded(msg, desired_encoding)
@@ -74,20 +74,20 @@ def array_to_compressed(array, encoding="bgr8", format="jpeg", header=None, qual
     Parameters
     ----------
     array : (H, W) or (H, W, channels) ndarray
-    encoding : what the values are: mono8, mono16, rgb8 and the like, bgr16 and the like, 8UC1, 8UC3 (taken as
-        bgr), 16UC1, or a Bayer encoding (PNG only)
-    format : "jpeg" (also "jpg"; 8 bits, loses detail, drops alpha) or "png" (8 or 16 bits, loses nothing)
-    header : std_msgs/Header, kept by reference; None for an empty one
+    encoding : the meaning of the values: mono8, mono16, rgb8 and the like, bgr16 and the like, 8UC1, 8UC3
+        (taken as bgr), 16UC1, or a Bayer encoding (PNG only)
+    format : "jpeg" (also "jpg"; 8 bits, loses detail, drops alpha) or "png" (8 or 16 bits, lossless)
+    header : std_msgs/Header, stored by reference; None for an empty one
     quality : of JPEG, 1 to 100
 
     Returns
     -------
-    sensor_msgs.msg.CompressedImage (where sensor_msgs is not installed, the class of rosbags), its `format`
-    as ROS's compressed_image_transport writes it, such as "rgb8; jpeg compressed bgr8"
+    sensor_msgs.msg.CompressedImage, or the class of rosbags if sensor_msgs is not installed. Its `format` is
+    the text that ROS's compressed_image_transport writes, such as "rgb8; jpeg compressed bgr8"
 
     Raises
     ------
-    ConversionError : an array that is not what `encoding` says, or that the format would change
+    ConversionError : the array does not fit `encoding`, or the format would change its values
     """
     try:
         return _encoded(array, encoding, format, header, quality)
@@ -98,7 +98,7 @@ def array_to_compressed(array, encoding="bgr8", format="jpeg", header=None, qual
 def _encoded(array, encoding, format, header, quality):
     codec = {"jpeg": "jpeg", "jpg": "jpeg", "png": "png"}.get(format) if isinstance(format, str) else None
     if codec is None:
-        raise ConversionError(f"format must be 'jpeg' or 'png', got {quoted(format)}; 'png' loses nothing")
+        raise ConversionError(f"format must be 'jpeg' or 'png', got {quoted(format)}; 'png' is lossless")
     if not isinstance(quality, int) or not 1 <= quality <= 100:
         raise ConversionError(f"quality must be an int from 1 to 100, got {quoted(quality)}")
     info = described(array, encoding)
@@ -120,7 +120,7 @@ _conversion = functools.lru_cache(maxsize=256)(converter)
 
 
 def _stored_as(info, codec):
-    """EncodingInfo of what goes into the file: what OpenCV's encoders take, of the same depth."""
+    """EncodingInfo of the values in the file: one that OpenCV's encoders accept, of the same depth."""
     if codec == "jpeg" and info.dtype != np.uint8:
         raise ConversionError(
             f"JPEG holds 8 bits, and {info.name!r} has more; use format='png', or scale the values to uint8"
@@ -136,18 +136,20 @@ def _stored_as(info, codec):
         return encoding_info(f"bgra{bits}")
     if info.color == "gray":
         return info
-    is_taken = info.dtype.kind == "u" and info.channels in (1, 3)
-    if is_taken and (info.color is None or info.color.startswith("bayer_")):
+    is_accepted = info.dtype.kind == "u" and info.channels in (1, 3)
+    if is_accepted and (info.color is None or info.color.startswith("bayer_")):
         return info._replace(color=None, name=_decoded_name(info.dtype, info.channels))
-    depth = "; depth_to_compressed takes '32FC1'" if info.name == "32FC1" else ""
-    raise ConversionError(f"{codec} cannot hold {info.name!r}; convert it to 'bgr8' or 'mono8' first{depth}")
+    remedy = "convert it to 'bgr8' or 'mono8' first"
+    if info.name == "32FC1":
+        remedy += "; depth_to_compressed takes '32FC1'"
+    raise ConversionError(f"{codec} cannot hold {info.name!r}; {remedy}")
 
 
 def _format(msg):
     format = getattr(msg, "format", None)
     if isinstance(format, str):
         return format
-    remedy = "image_to_array reads an Image" if hasattr(msg, "encoding") else "give the message itself"
+    remedy = "image_to_array reads an Image" if hasattr(msg, "encoding") else "pass the message itself"
     raise ConversionError(
         f"expected a sensor_msgs/CompressedImage whose field 'format' is a str, got {quoted(msg)}; {remedy}"
     )
@@ -169,16 +171,16 @@ def _decode_image(format, data):
 
 
 def _meaning(format, frame):
-    """EncodingInfo of a decoded frame: as OpenCV decodes, unless the format says better."""
+    """EncodingInfo of a decoded image: as OpenCV decodes it, or as `format` says where that is more exact."""
     name = _decoded_name(frame.dtype, 1 if frame.ndim == 2 else frame.shape[2])
-    before, _, order = format.partition(";")
-    if "compressed rgb" in order:  # the file's writer did not swap to OpenCV's order
+    original_name, _, order = format.partition(";")
+    if "compressed rgb" in order:  # the publisher did not swap the channels to OpenCV's order
         name = name.replace("bgr", "rgb")
     decoded = encoding_info(name)
     try:
-        original = encoding_info(before.strip())
+        original = encoding_info(original_name.strip())
     except ConversionError:
         return decoded
-    # Gray levels of 8 bits are what they look like; a mosaic or 16 bits of anything is not.
-    is_more = (original.color or "").startswith("bayer_") or original.name == "16UC1"
-    return original if is_more and original[1:3] == decoded[1:3] else decoded
+    # The file holds a mosaic or a depth image as gray levels: only `format` says what it is.
+    is_not_gray = (original.color or "").startswith("bayer_") or original.name == "16UC1"
+    return original if is_not_gray and original[1:3] == decoded[1:3] else decoded

@@ -1,6 +1,6 @@
 """sensor_msgs/Image to a NumPy array and back, with the same bytes as cv_bridge and without its faults.
 
-A message may be of any class that has the fields: sensor_msgs, rosbags, a SimpleNamespace.
+A message may be of any class that has the fields: of sensor_msgs, of rosbags, or a SimpleNamespace.
 """
 
 import functools
@@ -20,26 +20,26 @@ UINT32_MAX = 2**32 - 1  # the largest height, width and step of a message, and t
 
 
 def image_to_array(msg, desired_encoding="passthrough"):
-    """The picture of an Image message as an array.
+    """The image of an Image message as an array.
 
     Parameters
     ----------
     msg : sensor_msgs/Image, or any object with its fields; `data` may be bytes, bytearray, memoryview,
         array.array, a uint8 ndarray, or a list or tuple of ints
-    desired_encoding : "passthrough" (also "") leaves the values as they are; any other encoding converts
-        them as cv_bridge does: first the colors, then the depth (see `pixels.converter`)
+    desired_encoding : "passthrough" (also "") keeps the values; any other encoding converts them as cv_bridge
+        does: first the colors, then the depth (see `pixels.converter`)
 
     Returns
     -------
     (H, W) or (H, W, channels) ndarray in the machine's byte order; nv12 and nv21 are (H * 3 / 2, W), nv24 is
-    (H * 3, W), as OpenCV lays them out. Where no value must change, it is a READ-ONLY view of `msg.data`,
-    which costs no copy: take `.copy()` before you draw on it. (Where rows are padded, the view has gaps
-    between its rows.) Otherwise it is a fresh array.
+    (H * 3, W), as OpenCV lays them out. If no value changes, the result is a READ-ONLY view of `msg.data`,
+    without a copy: call `.copy()` before you draw on it. (If the rows are padded, the view has gaps between
+    its rows.) Otherwise it is a fresh array.
 
     Raises
     ------
-    ConversionError : a field that is missing, of another type, or at odds with the others; an unknown
-        encoding; a conversion that has no meaning
+    ConversionError : a field is missing, has another type, or contradicts the others; an encoding is unknown;
+        the conversion has no meaning
     """
     try:
         return _decoded(msg, desired_encoding)
@@ -55,7 +55,12 @@ def _decoded(msg, desired_encoding):
         data = memoryview(msg.data)
     except ConversionError:
         raise
-    except (AttributeError, TypeError, ValueError, BufferError):  # look again, slowly, for what is the matter
+    except (
+        AttributeError,
+        TypeError,
+        ValueError,
+        BufferError,
+    ):  # read again, slowly, to find the wrong field
         name = _checked_name("encoding", _field(msg, "encoding"))
         plan = _plan(name, _checked_name("desired_encoding", desired_encoding))
         height, width, step, is_bigendian = (_number(msg, field) for field in _NUMBER_FIELDS)
@@ -74,7 +79,7 @@ def _decoded(msg, desired_encoding):
     ):
         raise ConversionError(_misfit(source, height, width, step, is_bigendian, data.nbytes))
     dtype = byte_orders[is_bigendian]
-    # frombuffer, unlike ndarray(buffer=...), holds on to the buffer: no view can dangle when `data` grows.
+    # frombuffer, unlike ndarray(buffer=...), locks the buffer: `data` cannot grow under the view.
     if step == row:
         values = np.frombuffer(data.toreadonly(), dtype, rows * width * source.channels)
         frame = values.reshape(rows, width, *channel_axis)
@@ -92,18 +97,18 @@ def array_to_image(array, encoding="passthrough", header=None):
     Parameters
     ----------
     array : (H, W) or (H, W, channels) ndarray of uint8, int8, uint16, int16, int32, float32 or float64, of
-        any memory layout and either byte order (which `is_bigendian` then says)
-    encoding : what the values are; it must fit the array, for nothing is converted here. "passthrough" names
-        only how they are stored ("8UC3"), and no receiver can tell rgb from bgr: say "bgr8" where you know
-    header : std_msgs/Header, kept by reference; None for an empty one
+        any memory layout and either byte order (`is_bigendian` is set accordingly)
+    encoding : the meaning of the values; it must fit the array, since nothing is converted here.
+        "passthrough" says only how they are stored ("8UC3"); a receiver then cannot tell rgb from bgr
+    header : std_msgs/Header, stored by reference; None for an empty one
 
     Returns
     -------
-    sensor_msgs.msg.Image; where sensor_msgs is not installed, the class of rosbags that has the same fields
+    sensor_msgs.msg.Image, or the class of rosbags with the same fields if sensor_msgs is not installed
 
     Raises
     ------
-    ConversionError : an array that no message can hold, or that is not what `encoding` says
+    ConversionError : no message can hold the array, or the array does not fit `encoding`
     """
     try:
         return _message_of(array, encoding, header)
@@ -117,8 +122,8 @@ def _message_of(array, encoding, header):
     height, step = info.height(rows), width * info.pixel_bytes
     if max(rows, width, step, step * rows) > UINT32_MAX:
         raise ConversionError(
-            f"an array of shape {array.shape} is too large for a message, whose fields end at {UINT32_MAX}; "
-            "crop it or scale it down"
+            f"an array of shape {array.shape} is too large for a message, whose fields hold at most "
+            f"{UINT32_MAX}; crop it or scale it down"
         )
     is_bigendian = array.dtype.itemsize > 1 and array.dtype.isnative == (sys.byteorder == "big")
     pixels = np.ascontiguousarray(array).view(np.uint8)
@@ -126,10 +131,10 @@ def _message_of(array, encoding, header):
 
 
 class _Plan(NamedTuple):
-    """What can be known of a conversion before the message's sizes are, so that it is found only once."""
+    """The part of a conversion that does not depend on the message's size, so that it can be cached."""
 
     source: EncodingInfo
-    byte_orders: tuple  # dtype of the values where is_bigendian is 0, and where it is 1
+    byte_orders: tuple  # dtype of the values for is_bigendian 0, and for 1
     pixel_bytes: int
     channel_axis: tuple
     is_planar: bool
@@ -139,8 +144,8 @@ class _Plan(NamedTuple):
 @functools.lru_cache(maxsize=512)
 def _plan(encoding, desired):
     source = _known(encoding, "encoding")
-    keeps = desired in ("passthrough", "")
-    convert = None if keeps else converter(source, _known(desired, "desired_encoding"))
+    is_passthrough = desired in ("passthrough", "")
+    convert = None if is_passthrough else converter(source, _known(desired, "desired_encoding"))
     byte_orders = source.dtype.newbyteorder("<"), source.dtype.newbyteorder(">")
     channel_axis = () if source.channels == 1 else (source.channels,)
     return _Plan(source, byte_orders, source.pixel_bytes, channel_axis, source.is_planar, convert)
@@ -154,15 +159,15 @@ def _known(name, field):
 
 
 def described(array, encoding):
-    """EncodingInfo of an array that must be what `encoding` says; "passthrough": how it is stored."""
+    """EncodingInfo of an array, which must fit `encoding`; of "passthrough": how the array is stored."""
     if not isinstance(array, np.ndarray):
-        raise ConversionError(f"expected a NumPy array, got {quoted(array)}; np.asarray(...) makes one")
+        raise ConversionError(f"expected a NumPy array, got {quoted(array)}; call np.asarray(...) first")
     if np.ma.is_masked(array):
         raise ConversionError("a message cannot hold a mask; fill it first: array.filled(0)")
     if array.ndim not in (2, 3):
         raise ConversionError(
             f"expected an array of shape (H, W) or (H, W, channels), got {array.shape}; "
-            "send one picture at a time, without axes of batches"
+            "send one image per message, without a batch axis"
         )
     channels = array.shape[2] if array.ndim == 3 else 1
     stored = encoding_info(generic_name(array.dtype, channels))
@@ -181,12 +186,12 @@ def described(array, encoding):
 
 def _mislabelled(array, stored, info):
     expected = f"{info.dtype.name}, " + ("(H, W)" if info.channels == 1 else f"(H, W, {info.channels})")
-    given = f"{array.dtype.name}, {array.shape}"
     if info.dtype != stored.dtype:
         remedy = f"convert the values to {info.dtype.name} first"
     else:
-        remedy = f"say what the array is ({_names_of(stored)}), or convert it first"
-    return f"encoding {info.name!r} needs an array of {expected}; got {given}: {remedy}"
+        remedy = f"name the array's own encoding ({_names_of(stored)}), or convert the array first"
+    actual = f"{array.dtype.name}, {array.shape}"
+    return f"encoding {info.name!r} needs an array of {expected}; got {actual}: {remedy}"
 
 
 def _names_of(stored):
@@ -195,23 +200,23 @@ def _names_of(stored):
 
 
 def _planes_misfit(source, height, width):
-    """Whether 2 × 2 pixels, which share one U and one V (not so in nv24), cannot tile this size."""
+    """Whether blocks of 2 × 2 pixels, which share one U and one V, do not tile this size (nv24 has none)."""
     return source.color != "nv24" and (height % 2 or width % 2)
 
 
 def _skip_padding(bytes_, source, dtype, height, width, step):
-    """The rows of pixels without what follows each: a view where rows are alike, a copy of nv24's planes."""
-    if source.color == "nv24":  # a row of U and V pairs is twice as long as one of Y, and so is its padding
+    """The rows of pixels without their padding: a view, but a copy of nv24's planes."""
+    if source.color == "nv24":  # a row of U and V pairs, and its padding, is twice as long as a row of Y
         luma = bytes_[: height * step].reshape(height, step)[:, :width]
         chroma = bytes_[height * step : 3 * height * step].reshape(height, 2 * step)[:, : 2 * width]
         return np.concatenate([luma, chroma.reshape(2 * height, width)])
     shape = source.shape(height, width)
     strides = (step, source.pixel_bytes, dtype.itemsize)[: len(shape)]
     frame = np.ndarray(shape, dtype, bytes_, strides=strides)
-    return frame if step % dtype.itemsize == 0 else frame.copy()  # OpenCV takes no step that splits a value
+    return frame if step % dtype.itemsize == 0 else frame.copy()  # OpenCV refuses a step that splits a value
 
 
-# What follows is read only where something is wrong, or where `data` is no buffer.
+# The functions below run only if something is wrong, or if `data` is not a buffer.
 
 _NUMBER_FIELDS = ("height", "width", "step", "is_bigendian")
 
@@ -221,16 +226,16 @@ def _field(msg, name):
         return getattr(msg, name)
     except AttributeError:
         raise ConversionError(
-            f"expected a sensor_msgs/Image, got {quoted(msg)} without a field {name!r}; {_cure_for(msg)}"
+            f"expected a sensor_msgs/Image, got {quoted(msg)} without a field {name!r}; {_remedy_for(msg)}"
         ) from None
 
 
-def _cure_for(msg):
+def _remedy_for(msg):
     if isinstance(getattr(msg, "format", None), str):
         return "compressed_to_array reads a CompressedImage"
     if isinstance(msg, np.ndarray):
-        return "it is an array already: use it as it is"
-    return "give the message itself, as a subscriber's on_image(frame, msg) gets it"
+        return "it is an array already: use it directly"
+    return "pass the message itself, as in a subscriber's on_image(frame, msg)"
 
 
 def _checked_name(field, name):
@@ -248,7 +253,7 @@ def _number(msg, field):
 
 
 def bytes_of(data):
-    """`data` of a message as one row of bytes (a memoryview), whatever sequence it came as."""
+    """`data` of a message as a flat memoryview of bytes, from any kind of sequence."""
     try:
         view = memoryview(bytes(data) if isinstance(data, list | tuple) else data)
         if view.itemsize == 1:
@@ -263,7 +268,7 @@ def bytes_of(data):
 
 
 def _misfit(source, height, width, step, is_bigendian, size):
-    """Why these numbers cannot describe one picture: the first contradiction, and its remedy."""
+    """The first contradiction between the fields of a message, and its remedy."""
     if is_bigendian not in (0, 1):
         return (
             f"field 'is_bigendian' is {quoted(is_bigendian)}; expected 0 or 1: set it to 0, unless "
@@ -275,7 +280,7 @@ def _misfit(source, height, width, step, is_bigendian, size):
     if source.is_planar and _planes_misfit(source, height, width):
         return (
             f"encoding {source.name!r} with {height} rows × {width} columns: 2 × 2 pixels share one color, "
-            "so both must be even; height and width are those of the picture, not of the stacked planes"
+            "so both must be even; height and width are those of the image, not of the stacked planes"
         )
     row = width * source.pixel_bytes
     if step < row:

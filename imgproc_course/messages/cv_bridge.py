@@ -1,10 +1,9 @@
-"""cv_bridge's own names on top of this room, to replace it in a node by one line:
+"""The names of cv_bridge, so that one changed line replaces it in a node:
 
     from imgproc_course.messages.cv_bridge import CvBridge, CvBridgeError
 
-What cv_bridge gets right comes back the same, and writable as there; where it gives a wrong picture or an
-error of some other class, here comes the right picture or a CvBridgeError. On purpose different: the field
-`format` of a compressed message is the one that ROS's own transport writes.
+Where cv_bridge is right, the result is the same, and writable as there. Where cv_bridge returns a wrong image
+or raises another error, this returns the right image or raises CvBridgeError.
 """
 
 import functools
@@ -35,7 +34,7 @@ _CHANNEL_SHIFT = (cv2.CV_8UC2 - cv2.CV_8UC1).bit_length() - 1  # 3 in OpenCV 4, 
 
 
 class CvBridgeError(ConversionError, TypeError):
-    """As cv_bridge's: a TypeError; and a ConversionError like every other of this room."""
+    """A TypeError, as in cv_bridge; and a ConversionError, as everywhere in this package."""
 
 
 def _raises_cv_bridge_error(function):
@@ -69,10 +68,10 @@ class CvBridge:
 
     @_raises_cv_bridge_error
     def imgmsg_to_cv2(self, img_msg, desired_encoding="passthrough"):
-        """The picture of an Image, always writable; see `image_to_array`.
+        """The image of an Image message, always writable; see `image_to_array`.
 
-        "passthrough" gives a view of `img_msg.data` where that may be written to and its rows have no
-        padding; everything else is a fresh array.
+        "passthrough" returns a view of `img_msg.data` if that is writable and its rows have no padding.
+        Everything else is a fresh array.
         """
         frame = image_to_array(img_msg, desired_encoding)
         if frame.flags.writeable:
@@ -83,21 +82,21 @@ class CvBridge:
 
     @_raises_cv_bridge_error
     def cv2_to_imgmsg(self, cvim, encoding="passthrough", header=None):
-        """An Image that holds a copy of the array; see `array_to_image`."""
+        """An Image message with a copy of the array; see `array_to_image`."""
         return array_to_image(cvim, encoding, header)
 
     @_raises_cv_bridge_error
     def compressed_imgmsg_to_cv2(self, cmprs_img_msg, desired_encoding="passthrough"):
-        """The picture of a CompressedImage; see `compressed_to_array`."""
+        """The image of a CompressedImage message; see `compressed_to_array`."""
         return compressed_to_array(cmprs_img_msg, desired_encoding)
 
     @_raises_cv_bridge_error
     def cv2_to_compressed_imgmsg(self, cvim, dst_format="jpg", header=None):
-        """A CompressedImage of an array: gray, bgr or bgra, with the dtypes that the file format holds.
+        """A CompressedImage message of an array: gray, bgr or bgra, of a dtype that the file format holds.
 
-        dst_format is an extension that OpenCV writes: jpg, jpeg, jpe, png, bmp, dib, sr, ras, tif, tiff, pbm,
-        pgm, ppm, pnm, pfm, webp or jp2; in any case, with or without a dot in front. It becomes the message's
-        `format` as it is.
+        dst_format is a file extension that OpenCV writes: jpg, jpeg, jpe, png, bmp, dib, sr, ras, tif, tiff,
+        pbm, pgm, ppm, pnm, pfm, webp or jp2; in upper or lower case, with or without a leading dot. The
+        message's `format` is dst_format, unchanged.
         """
         if not isinstance(dst_format, str):
             raise ConversionError(
@@ -109,23 +108,23 @@ class CvBridge:
 
     @_raises_cv_bridge_error
     def encoding_to_cvtype2(self, encoding):
-        """OpenCV's number of an encoding's array: "bgr8" gives cv2.CV_8UC3."""
+        """OpenCV's type of the array of an encoding: cv2.CV_8UC3 for "bgr8"."""
         return getCvType(encoding)
 
     @_raises_cv_bridge_error
     def encoding_to_dtype_with_channels(self, encoding):
-        """("uint8", 3) of "bgr8"."""
+        """("uint8", 3) for "bgr8"."""
         info = encoding_info(encoding)
         return info.dtype.name, info.channels
 
     @_raises_cv_bridge_error
     def dtype_with_channels_to_cvtype2(self, dtype, n_channels):
-        """ "8UC3" of (np.dtype("uint8"), 3)."""
+        """ "8UC3" for (np.dtype("uint8"), 3)."""
         return generic_name(dtype, n_channels)
 
     @_raises_cv_bridge_error
     def cvtype2_to_dtype_with_channels(self, cvtype):
-        """("uint8", 3) of cv2.CV_8UC3."""
+        """("uint8", 3) for cv2.CV_8UC3."""
         depth = cvtype & ((1 << _CHANNEL_SHIFT) - 1)
         if depth not in self.cvdepth_to_numpy_depth:
             raise ConversionError(f"no message holds OpenCV's type {quoted(cvtype)}")
@@ -134,7 +133,7 @@ class CvBridge:
 
 @_raises_cv_bridge_error
 def getCvType(encoding):
-    """OpenCV's number of an encoding's array: "bgr8" gives cv2.CV_8UC3."""
+    """OpenCV's type of the array of an encoding: cv2.CV_8UC3 for "bgr8"."""
     info = encoding_info(encoding)
     depth = generic_name(info.dtype, 1).removesuffix("C1")
     return _DEPTHS[depth][1] + ((info.channels - 1) << _CHANNEL_SHIFT)
@@ -150,54 +149,54 @@ def cvtColorForDisplay(
     max_image_value=0.0,
     colormap=-1,
 ):
-    """A picture to look at, made of an array of any encoding.
+    """An array of any encoding as an image that can be displayed.
 
     Parameters
     ----------
-    source : (H, W) or (H, W, channels) ndarray, which `encoding_in` describes
+    source : (H, W) or (H, W, channels) ndarray, of the encoding `encoding_in`
     encoding_out : an encoding of 8 bits such as "bgr8" or "mono8"; "" means "bgr8"
-    do_dynamic_scaling : stretch the finite values over 0..255 (one channel only); a constant picture becomes
+    do_dynamic_scaling : stretch the finite values over 0..255 (one channel only); a constant image becomes
         128
-    min_image_value, max_image_value : where they differ, the values that become 0 and 255 (one channel only)
-    colormap : such as cv2.COLORMAP_JET, for scaled pictures; -1 for none. NaN becomes black
+    min_image_value, max_image_value : if they differ, the values that become 0 and 255 (one channel only)
+    colormap : such as cv2.COLORMAP_JET, for scaled images; -1 for none. NaN becomes black
 
     Returns
     -------
-    ndarray as `encoding_out` says, fresh. "32SC1" is taken as labels where nothing is to be scaled: each gets
-    a color of its own, and -1 black
+    fresh ndarray of the encoding `encoding_out`. Without scaling, "32SC1" is taken as a label image: each
+    label gets its own color, and -1 is black
 
     Notes
     -----
-    Different from cv_bridge on purpose: a constant picture has the channels of `encoding_out`; 8UC1, 8UC3 and
-    8UC4 are shown as mono8, bgr8 and bgra8; values below `min_image_value` do not wrap in signed types; label
-    colors are all distinct (in cv_bridge, label 7 is as black as no label).
+    These differences from cv_bridge are intended: a constant image has the channels of `encoding_out`; 8UC1,
+    8UC3 and 8UC4 are displayed as mono8, bgr8 and bgra8; values below `min_image_value` do not wrap in signed
+    types; all label colors are distinct (in cv_bridge, label 7 is black, like no label).
     """
-    info, target = described(source, encoding_in), encoding_info(encoding_out or "bgr8")
-    if target.dtype != np.uint8 or target.color not in ("gray", "rgb", "bgr", "rgba", "bgra"):
+    info, desired = described(source, encoding_in), encoding_info(encoding_out or "bgr8")
+    if desired.dtype != np.uint8 or desired.color not in ("gray", "rgb", "bgr", "rgba", "bgra"):
         raise ConversionError(f"encoding_out must be 'bgr8', 'mono8' or the like, got {quoted(encoding_out)}")
     is_scaled = do_dynamic_scaling or min_image_value != max_image_value
-    if info.name == "32SC1" and (target.name == "bgr8" or not is_scaled):
-        frame, shown_as = _label_colors(source), "bgr8"
+    if info.name == "32SC1" and (desired.name == "bgr8" or not is_scaled):
+        frame, frame_encoding = _label_colors(source), "bgr8"
     elif is_scaled:
         if info.channels != 1:
             raise ConversionError(
-                f"scaling takes one channel, {info.name!r} has {info.channels}; give one of them"
+                f"scaling takes one channel, {info.name!r} has {info.channels}; pass one of them"
             )
         limits = None if do_dynamic_scaling else (min_image_value, max_image_value)
-        frame, shown_as = _scaled(source.reshape(source.shape[:2]), limits, colormap)
+        frame, frame_encoding = _scaled(source.reshape(source.shape[:2]), limits, colormap)
     else:
-        frame, shown_as = source.astype(info.dtype), _LOOKS_LIKE.get(info.name, info.name)
-        if encoding_info(shown_as).color is None:
+        frame, frame_encoding = source.astype(info.dtype), _DISPLAYED_AS.get(info.name, info.name)
+        if encoding_info(frame_encoding).color is None:
             raise ConversionError(
                 f"{info.name!r} does not say which value is white; set do_dynamic_scaling=True, "
                 "or min_image_value and max_image_value"
             )
     frame = frame.reshape(frame.shape[:2]) if frame.ndim == 3 and frame.shape[2] == 1 else frame
-    convert = converter(encoding_info(shown_as), target)
+    convert = converter(encoding_info(frame_encoding), desired)
     return convert(frame) if convert else frame
 
 
-_LOOKS_LIKE = {
+_DISPLAYED_AS = {
     "8U": "mono8",
     "8UC1": "mono8",
     "8UC3": "bgr8",
@@ -208,7 +207,7 @@ _LOOKS_LIKE = {
 
 
 def _label_colors(labels):
-    """(H, W, 3) uint8, bgr: hues a golden angle apart, so that near labels look unlike; -1 is black."""
+    """(H, W, 3) uint8, bgr: hues a golden angle apart, so that near labels look different; -1 is black."""
     labels = labels.reshape(labels.shape[:2]).astype(np.int64)
     table = np.zeros((256, 1, 3), np.uint8)
     table[:, 0, 0] = np.arange(256) * 0.381966 % 1 * 180  # OpenCV's hue: half degrees
@@ -220,7 +219,7 @@ def _label_colors(labels):
 
 
 def _scaled(values, limits, colormap):
-    """(frame, encoding): the values between the limits (found where None) over 0..255, then colored."""
+    """(frame, encoding): the values between the limits (None: the finite range) as 0..255, then colored."""
     values = values.astype(np.float64)
     if limits is None:
         finite = values[np.isfinite(values)]

@@ -1,8 +1,8 @@
-"""compressedDepth: the depth pictures of ROS's compressed_depth_image_transport, as PNG or RVL.
+"""compressedDepth: the depth images of ROS's compressed_depth_image_transport, as PNG or RVL.
 
-After 12 bytes of header (int32 kind, float32 A, float32 B, little-endian) comes a PNG of 16 bits, or uint32
-columns, uint32 rows and an RVL stream. "16UC1" holds the values themselves, by custom millimetres, and 0
-where nothing was measured; "32FC1" holds q = A / depth + B, in metres, with 0 for NaN.
+The data begin with a header of 12 bytes (int32 kind, float32 A, float32 B, little-endian). Then follows a PNG
+of 16 bits, or uint32 columns, uint32 rows and an RVL stream. "16UC1" holds the values themselves, usually in
+millimetres, with 0 for "not measured". "32FC1" holds q = A / depth + B, depth in metres, with 0 for NaN.
 """
 
 import struct
@@ -27,12 +27,13 @@ def depth_to_compressed(array, encoding="16UC1", format="png", header=None, dept
 
     Parameters
     ----------
-    array : (H, W) uint16 for "16UC1" (kept exactly), or float32 for "32FC1", in metres
+    array : (H, W) uint16 for "16UC1" (stored exactly), or float32 for "32FC1", in metres
     encoding : "16UC1", "mono16" or "32FC1"
     format : "png" or "rvl"
-    header : std_msgs/Header, kept by reference; None for an empty one
-    depth_max : of "32FC1" only: metres that the 65535 steps of 1 / depth must reach; what is farther, not
-        positive, infinite or NaN becomes NaN. A step is depth² / 10100 m or less, as in ROS
+    header : std_msgs/Header, stored by reference; None for an empty one
+    depth_max : for "32FC1" only: the largest depth in metres that the 65535 steps of 1 / depth reach. A
+        larger value, and one that is not positive, infinite or NaN, becomes NaN. A step is at most
+        depth² / 10100 m, as in ROS
 
     Returns
     -------
@@ -40,14 +41,14 @@ def depth_to_compressed(array, encoding="16UC1", format="png", header=None, dept
 
     Raises
     ------
-    ConversionError : an array, encoding or format that compressedDepth does not know
+    ConversionError : compressedDepth does not hold such an array, encoding or format
     """
     if format not in ("png", "rvl"):
         raise ConversionError(f"format must be 'png' or 'rvl', got {quoted(format)}")
     info = described(array, encoding)
     _check_depth_encoding(info)
     if array.size == 0 or array.size > MAX_PIXELS:
-        raise ConversionError(f"a depth picture needs 1 to {MAX_PIXELS} pixels, got shape {array.shape}")
+        raise ConversionError(f"a depth image needs 1 to {MAX_PIXELS} pixels, got shape {array.shape}")
     array, a, b = array.reshape(array.shape[:2]), 0.0, 0.0
     if info.dtype == np.float32:
         array, a, b = _quantized(array, depth_max)
@@ -62,7 +63,7 @@ def depth_to_compressed(array, encoding="16UC1", format="png", header=None, dept
 
 
 def decode_depth(format, data):
-    """(array, EncodingInfo) of a compressedDepth picture.
+    """(array, EncodingInfo) of a compressedDepth image.
 
     Parameters
     ----------
@@ -73,8 +74,8 @@ def decode_depth(format, data):
     _check_depth_encoding(info)
     if len(data) <= _HEADER.size:
         raise ConversionError(
-            f"compressedDepth begins with {_HEADER.size} bytes of header and a picture, got {len(data)} "
-            "bytes; the message is cut short"
+            f"compressedDepth needs a header of {_HEADER.size} bytes and an image, got {len(data)} bytes; "
+            "the message is cut short"
         )
     _, a, b = _HEADER.unpack_from(data)
     body = data[_HEADER.size :]
@@ -91,7 +92,7 @@ def _check_depth_encoding(info):
     if info.name not in ("16UC1", "mono16", "32FC1"):
         raise ConversionError(
             f"compressedDepth knows '16UC1', 'mono16' and '32FC1', got {quoted(info.name)}; "
-            "other pictures go to array_to_compressed"
+            "use array_to_compressed for other images"
         )
 
 
@@ -124,14 +125,14 @@ def _decode_png(body):
 def _decode_rvl(body):
     if len(body) < _SIZE.size:
         raise ConversionError(
-            f"RVL of {len(body)} bytes, too short to say its size; the message is cut short"
+            f"RVL of {len(body)} bytes is too short to hold its size; the message is cut short"
         )
     columns, rows = _SIZE.unpack_from(body)
     stream = body[_SIZE.size :]
     pixels = rows * columns
     if not 0 < pixels <= min(MAX_PIXELS, BLANK_PIXELS + PIXELS_PER_BYTE * len(stream)):
         raise ConversionError(
-            f"RVL of {len(stream)} bytes claims {rows} rows × {columns} columns; expected at least 1, and "
-            "not more than so few bytes can mean; the message is damaged or made to exhaust the memory"
+            f"RVL of {len(stream)} bytes claims {rows} rows × {columns} columns; expected at least 1 pixel, "
+            "and not more than so few bytes can hold; the message is damaged or made to exhaust the memory"
         )
     return rvl_decode(stream, pixels).reshape(rows, columns)

@@ -1,8 +1,8 @@
-"""The encodings of sensor_msgs/Image: what one pixel is made of, and what its numbers mean.
+"""The encodings of sensor_msgs/Image: the dtype and channels of a pixel, and what its values mean.
 
-An encoding is a name in the message's `encoding` field. Some names say what the numbers mean ("bgr8": blue,
-green, red); the others ("16UC1") only say how they are stored. Names are those of
-sensor_msgs/image_encodings, matched whole and case-sensitively, as ROS matches them.
+An encoding is a name in the message's `encoding` field. Some names say what the values mean ("bgr8": blue,
+green, red). The others ("16UC1") say only how the values are stored. The names are those of
+sensor_msgs/image_encodings. They match as in ROS: whole, and case-sensitively.
 """
 
 import difflib
@@ -17,15 +17,16 @@ MAX_CHANNELS = 512  # as OpenCV 4 counts them
 
 
 class EncodingInfo(NamedTuple):
-    """What an encoding says about the array that holds its picture.
+    """What an encoding says about the array of an image.
 
     Attributes
     ----------
-    name : the encoding as it was asked for
-    dtype : NumPy dtype of one value, in the machine's own byte order
+    name : the encoding, as the caller wrote it
+    dtype : NumPy dtype of one value, in the machine's byte order
     channels : values per pixel in the array; 1 means an array of two dimensions
-    color : what the values mean: "gray", "rgb", "bgr", "rgba", "bgra", "bayer_rggb" (and the other three,
-        named by the first two rows), "uyvy", "yuyv", "nv12", "nv21", "nv24"; None where the name does not say
+    color : the meaning of the values: "gray", "rgb", "bgr", "rgba", "bgra", "bayer_rggb" (and the other three
+        patterns, named by the first two rows), "uyvy", "yuyv", "nv12", "nv21", "nv24"; None if the name does
+        not say it
     """
 
     name: str
@@ -35,26 +36,26 @@ class EncodingInfo(NamedTuple):
 
     @property
     def pixel_bytes(self):
-        """Bytes from one pixel of a row to the next."""
+        """Bytes from one pixel to the next in a row."""
         return self.dtype.itemsize * self.channels
 
     @property
     def is_planar(self):
-        """True where whole planes follow each other: all of Y first, then U and V in pairs."""
+        """True if the image is stored as planes: all of Y first, then U and V in pairs."""
         return self.color in _ROWS_PER_PIXEL_ROW
 
     def rows(self, height):
-        """Rows of the array that holds `height` rows of pixels (more only where planes are stacked)."""
+        """Rows of the array for `height` rows of pixels: more if planes are stacked, otherwise the same."""
         numerator, denominator = _ROWS_PER_PIXEL_ROW.get(self.color, (1, 1))
         return height * numerator // denominator
 
     def height(self, rows):
-        """Rows of pixels in an array of so many rows: the inverse of `rows`."""
+        """Rows of pixels in an array of `rows` rows: the inverse of the method `rows`."""
         numerator, denominator = _ROWS_PER_PIXEL_ROW.get(self.color, (1, 1))
         return rows * denominator // numerator
 
     def shape(self, height, width):
-        """Shape of the array for a picture of `height` × `width` pixels.
+        """Shape of the array for an image of `height` × `width` pixels.
 
         (H, W) or (H, W, channels); the planar ones as OpenCV lays them out: nv12 and nv21 (H * 3 / 2, W),
         nv24 (H * 3, W).
@@ -91,7 +92,7 @@ def _table():
     return table
 
 
-ENCODINGS = _table()  # name -> EncodingInfo; any other count of channels ("8UC7") is known all the same
+ENCODINGS = _table()  # name -> EncodingInfo; encoding_info knows other counts of channels ("8UC7"), too
 
 
 def encoding_info(name):
@@ -108,7 +109,7 @@ def encoding_info(name):
 
     Raises
     ------
-    ConversionError : no such encoding; the text offers the nearest names
+    ConversionError : no such encoding; the text suggests the nearest names
     """
     if not isinstance(name, str):
         raise ConversionError(f"an encoding is a name such as 'bgr8', got {quoted(name)}")
@@ -127,7 +128,7 @@ def encoding_info(name):
 
 
 def generic_name(dtype, channels):
-    """The name that only says how values are stored: ("uint8", 3) gives "8UC3"."""
+    """The encoding that says only how values are stored: "8UC3" for ("uint8", 3)."""
     dtype = np.dtype(dtype)
     depth = _DEPTH_OF.get(dtype.newbyteorder("=").str)
     if depth is None:
@@ -147,8 +148,8 @@ _CASTS = {
 
 def cast_hint(dtype):
     """What to do with an array whose dtype no message can hold."""
-    known = "uint8, int8, uint16, int16, int32, float32 or float64"
-    return f"expected {known}: {_CASTS.get(dtype.name, 'convert it with array.astype(...)')}"
+    dtypes = "uint8, int8, uint16, int16, int32, float32 or float64"
+    return f"expected {dtypes}: {_CASTS.get(dtype.name, 'convert it with array.astype(...)')}"
 
 
 _OTHER_WORDS = re.compile("gr[ae]y(scale)?|luma|^[yl](?=8|16)")
@@ -156,8 +157,8 @@ _OTHER_WORDS = re.compile("gr[ae]y(scale)?|luma|^[yl](?=8|16)")
 
 def _nearest(name):
     folded = {known.casefold(): known for known in ENCODINGS}
-    wanted = _OTHER_WORDS.sub("mono", name[:40].casefold().strip().removesuffix("c"))
-    near = difflib.get_close_matches(wanted, folded, n=3, cutoff=0.6)
-    if near:
-        return f"did you mean {' or '.join(repr(folded[n]) for n in near)}?"
+    normalized = _OTHER_WORDS.sub("mono", name[:40].casefold().strip().removesuffix("c"))
+    matches = difflib.get_close_matches(normalized, folded, n=3, cutoff=0.6)
+    if matches:
+        return f"did you mean {' or '.join(repr(folded[match]) for match in matches)}?"
     return "expected a name such as 'bgr8', 'rgb8', 'mono8', '16UC1' or '32FC1' (names are case-sensitive)"

@@ -1,16 +1,16 @@
-"""The one exception of this room, and how it words what it was given."""
+"""The one exception of this package, and how its texts quote a value."""
 
 
 class ConversionError(ValueError):
     """A message or an array that cannot be converted.
 
-    The text names the field, its value, what was expected, and what to do about it. It leaves a public
-    function without the calls that found it: a notebook would show the source of each.
+    The text names the field, its value, what was expected, and what to do. A public function raises it
+    without the inner calls in its traceback, since a notebook would show the source of each.
     """
 
 
 def quoted(value, limit=60):
-    """`repr` of a value that came with a message, cut so that an error stays one readable line."""
+    """`repr` of a value from a message, shortened so that an error stays one readable line."""
     if isinstance(value, str | bytes | bytearray):
         text = repr(value[:limit])
         return text if len(value) <= limit else f"{text}… ({len(value)} in all)"

@@ -1,6 +1,6 @@
-"""New messages: of sensor_msgs where ROS is installed, otherwise of rosbags, which has the same fields.
+"""New messages: of sensor_msgs if ROS is installed, otherwise of rosbags, whose classes have the same fields.
 
-Nothing is imported before the first message is made.
+Neither is imported before the first message is made.
 """
 
 import functools
@@ -12,7 +12,7 @@ from .errors import ConversionError, quoted
 
 @functools.cache
 def _ros_classes():
-    """(Image, CompressedImage) of sensor_msgs, or None where it is not installed."""
+    """(Image, CompressedImage) of sensor_msgs, or None if it is not installed."""
     try:
         from sensor_msgs.msg import CompressedImage, Image
     except ImportError:
@@ -22,7 +22,7 @@ def _ros_classes():
 
 @functools.cache
 def _rosbags_classes():
-    """(Image, CompressedImage, function that makes an empty Header) of rosbags, as in ROS 2 Jazzy."""
+    """(Image, CompressedImage, function that returns an empty Header) of rosbags, as in ROS 2 Jazzy."""
     try:
         from rosbags.typesys import Stores, get_typestore
     except ImportError:
@@ -50,7 +50,7 @@ def new_image(header, height, width, encoding, is_bigendian, step, pixels):
     _set_header(msg, header)
     msg.height, msg.width, msg.step = height, width, step
     msg.encoding, msg.is_bigendian = encoding, is_bigendian
-    msg.data.frombytes(pixels.data)  # the one way that is fast with and without ROS_PYTHON_CHECK_FIELDS
+    msg.data.frombytes(pixels.data)  # the only way that is fast with and without ROS_PYTHON_CHECK_FIELDS
     return msg
 
 
@@ -72,7 +72,7 @@ def _set_header(msg, header):
         return
     try:
         msg.header = header
-    except AssertionError:  # only where ROS_PYTHON_CHECK_FIELDS is on
+    except AssertionError:  # raised only if ROS_PYTHON_CHECK_FIELDS is on
         raise ConversionError(
             f"header must be a std_msgs/Header such as msg.header, got {quoted(header)}"
         ) from None

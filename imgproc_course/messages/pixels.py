@@ -1,7 +1,7 @@
-"""The values of a frame from one encoding to another: first the colors, then the depth, as cv_bridge does it.
+"""Converts the values of a frame to another encoding: first the colors, then the depth, as cv_bridge does.
 
-Both steps are exact: the same bytes as cv_bridge, save where cv_bridge itself gives a wrong picture (a float
-beyond the range of int32 comes back at the wrong end of the range).
+Both steps give the same bytes as cv_bridge, except where cv_bridge itself is wrong (it turns a float beyond
+the range of int32 into the other end of the range).
 """
 
 import functools
@@ -13,13 +13,13 @@ from .encodings import ENCODINGS
 from .errors import ConversionError
 
 _CHANNEL_ORDERS = {"gray", "rgb", "bgr", "rgba", "bgra"}
-_BAYER_IN_OPENCV = {"rggb": "BG", "bggr": "RG", "gbrg": "GR", "grbg": "GB"}  # named there by the second row
+_BAYER_IN_OPENCV = {"rggb": "BG", "bggr": "RG", "gbrg": "GR", "grbg": "GB"}  # OpenCV names the second row
 _PACKED_YUV = {"uyvy": "UYVY", "yuyv": "YUY2"}  # two pixels share one pair of U and V
 _PLANAR_420 = {"nv12": "NV12", "nv21": "NV21"}  # 2 × 2 pixels share one
 
 
 def converter(source, desired):
-    """The function that takes a frame from one encoding to another.
+    """The function that converts a frame from one encoding to another.
 
     Parameters
     ----------
@@ -27,17 +27,19 @@ def converter(source, desired):
 
     Returns
     -------
-    function of a frame (shape as `source.shape` says, native byte order, any strides) that returns a fresh
-    frame of `desired`; None where not one byte would change
+    function of a frame (shape of `source.shape`, native byte order, any strides) that returns a fresh frame
+    of `desired`; None if no byte would change
 
     Raises
     ------
-    ConversionError : no rule leads from one to the other; the text says which would, or how to relabel.
-        The function itself raises it where the picture's size does not fit the encoding.
+    ConversionError : there is no conversion between the two; the text names one that exists, or how to
+        relabel the message. The returned function raises it if the size of the frame does not fit `source`
 
-    Colors change at the depth of `source`; then the depth changes: 8 to 16 bits × 257, 16 to 8 bits / 257
-    rounded, every other pair saturates without scaling; float to integer rounds half to even, and NaN becomes
-    the lowest value.
+    Notes
+    -----
+    The colors change at the depth of `source`. Then the depth changes: from 8 to 16 bits × 257, from 16 to 8
+    bits / 257 and rounded; every other pair saturates without scaling. Float to integer rounds half to even,
+    and NaN becomes the lowest value.
     """
     if source[1:] == desired[1:]:
         return None
@@ -64,7 +66,7 @@ def converter(source, desired):
 
 
 def _recolor(source, desired):
-    """Function of a frame that changes the meaning of its values at their own depth."""
+    """Function of a frame that converts its colors and keeps its depth."""
     a, b = source.color, desired.color
     if b not in _CHANNEL_ORDERS:
         raise ConversionError(_why_not(source, desired))
@@ -91,7 +93,7 @@ def _luma_plane(planes):
 
 
 def _from_nv24(planes, color):
-    """One U and one V for every pixel: laid out as yuyv, each pixel twice, for OpenCV's own arithmetic."""
+    """The colors of nv24 (one U and one V per pixel): OpenCV converts them as yuyv with doubled pixels."""
     height, width = planes.shape[0] // 3, planes.shape[1]
     luma = planes[:height]
     if color == "gray":
@@ -105,21 +107,21 @@ def _from_nv24(planes, color):
 
 
 def _check_size(source, height, width):
-    """Sizes for which OpenCV reads beyond the row, or returns black, without a word."""
+    """Refuses sizes for which OpenCV reads beyond the row, or returns black, without an error."""
     if source.color in _PACKED_YUV and width % 2:
         raise ConversionError(
-            f"width {width} is odd, but in {source.name!r} two neighbours share their color; "
+            f"width {width} is odd, but in {source.name!r} two neighbouring pixels share their color; "
             "crop the width to an even number, or take the bytes with 'passthrough'"
         )
     if source.color.startswith("bayer_") and min(height, width) < 3:
         raise ConversionError(
-            f"a {source.name!r} picture of {height} rows × {width} columns is too small: colors come "
-            "from the neighbours, so both sides need at least 3; take the mosaic with 'passthrough'"
+            f"a {source.name!r} image of {height} rows × {width} columns is too small: colors come from "
+            "neighbouring pixels, so both sides need at least 3; take the mosaic with 'passthrough'"
         )
 
 
 def _rescale(source, target):
-    """Function of a frame that changes its depth; None where both are equal."""
+    """Function of a frame that changes its depth; None if both are equal."""
     if source == target:
         return None
     if target.kind == "f":
@@ -143,7 +145,7 @@ def _to_float(frame, dtype):
 def _float_to_integer(frame, dtype):
     lowest, highest = np.iinfo(dtype).min, np.iinfo(dtype).max
     exact = np.float64 if dtype.itemsize == 4 else frame.dtype  # float32 cannot hold 2**31 - 1
-    with np.errstate(invalid="ignore"):  # a signalling NaN is one like any other
+    with np.errstate(invalid="ignore"):  # a signalling NaN is treated like any other
         rounded = np.rint(frame, dtype=exact)
     np.clip(rounded, lowest, highest, out=rounded)
     np.copyto(rounded, lowest, where=np.isnan(rounded))
@@ -163,7 +165,7 @@ def _gray_levels_16_to_8(frame):
 
 def _16_to_8_bits(frame, dtype):
     wide = np.add(frame, 128, dtype=np.int32)
-    wide //= 257  # an odd divisor: no value lies half way
+    wide //= 257  # the divisor is odd: no value lies exactly between two integers
     return _saturate(wide, dtype)
 
 
@@ -174,38 +176,39 @@ def _saturate(frame, dtype):
 
 
 def _why_not(source, desired):
-    """The refusal, and the remedy, of a pair that no rule connects."""
-    pair = f"no rule leads from {source.name!r} to {desired.name!r}: "
+    """Why a pair of encodings has no conversion, and the remedy."""
+    problem = f"no conversion from {source.name!r} to {desired.name!r}: "
     if source.color is None and desired.color:
-        return pair + _meaning_missing(source)
+        return problem + _meaning_missing(source)
     if desired.color is None:
-        return pair + (
+        return problem + (
             f"{desired.name!r} keeps the values as they are, so it needs {source.channels} channel(s) like "
-            f"the source, and has {desired.channels}; ask for {source.name!r} or 'passthrough', then take "
-            "the channels you want with NumPy"
+            f"the source, and has {desired.channels}; ask for {source.name!r} or 'passthrough', then select "
+            "channels with NumPy"
         )
     if desired.color not in _CHANNEL_ORDERS:
-        return (
-            pair
-            + f"nothing converts to {desired.name!r}, which cameras make; ask for 'bgr8', 'rgb8' or 'mono8'"
-        )
+        return problem + f"only cameras produce {desired.name!r}; ask for 'bgr8', 'rgb8' or 'mono8'"
     bits = 8 * source.dtype.itemsize
-    return pair + f"a Bayer mosaic has no alpha; ask for 'bgr{bits}', 'rgb{bits}' or 'mono{bits}'"
+    return problem + f"a Bayer mosaic has no alpha; ask for 'bgr{bits}', 'rgb{bits}' or 'mono{bits}'"
 
 
 def _meaning_missing(source):
-    why = f"{source.name!r} says how values are stored, not what they mean; "
-    same = [
+    problem = f"{source.name!r} says how values are stored, not what they mean; "
+    candidates = [
         name
         for name, known in ENCODINGS.items()
         if known.color in _CHANNEL_ORDERS and known[1:3] == source[1:3]
     ]
-    relabel = f"if you know better, set msg.encoding to {' or '.join(map(repr, same))} first" if same else ""
+    relabel = ""
+    if candidates:
+        relabel = (
+            f"if you know what they mean, set msg.encoding to {' or '.join(map(repr, candidates))} first"
+        )
     if source.channels == 1 and source.name not in {"8U", "8UC1"}:
-        # Depth in metres is NaN or infinite where nothing was measured: its maximum would make all black.
+        # Unmeasured depth in metres is NaN or infinite: scaled by that maximum, every pixel would be black.
         largest = "a[np.isfinite(a)].max()" if source.dtype.kind == "f" else "a.max()"
-        show = (
+        remedy = (
             f"take 'passthrough' and scale it yourself, as in cv2.convertScaleAbs(a, alpha=255 / {largest})"
         )
-        return why + show + (f"; {relabel}" if relabel else "")
-    return why + (relabel or "take 'passthrough' and choose the channels with NumPy")
+        return problem + remedy + (f"; {relabel}" if relabel else "")
+    return problem + (relabel or "take 'passthrough' and select channels with NumPy")

@@ -1,10 +1,11 @@
 """RVL, the lossless depth compression of ROS's compressedDepth.
 
-Source: A. D. Wilson, "Fast Lossless Depth Image Compression", ISS 2017, doi:10.1145/3132272.3134144. The
-pixels become a row of numbers: how many are 0, how many are not, then for each that is not 0 its difference
-to the one before, with the sign in the lowest bit (0, -1, 1, -2 become 0, 1, 2, 3); and so on to the last
-pixel. A number is written in nibbles of 3 bits, the lowest first, the 8 set where more follow. Eight nibbles,
-the first one highest, make a little-endian word of 32 bits.
+Source: A. D. Wilson, "Fast Lossless Depth Image Compression", ISS 2017, doi:10.1145/3132272.3134144.
+
+The pixels are stored as runs: the number of zero pixels, the number of nonzero pixels, then for each nonzero
+pixel the difference to the previous nonzero pixel. The sign of a difference is in its lowest bit: 0, -1, 1,
+-2 become 0, 1, 2, 3. A number is written in nibbles with 3 bits each, lowest bits first; bit 3 of a nibble is
+set if more nibbles follow. Eight nibbles, the first one highest, make a little-endian word of 32 bits.
 """
 
 import numpy as np
@@ -15,7 +16,7 @@ _MAX_NIBBLES = 11  # of a number of 32 bits
 
 
 def rvl_encode(depth):
-    """RVL stream of a depth picture.
+    """RVL stream of a depth image.
 
     Parameters
     ----------
@@ -23,7 +24,7 @@ def rvl_encode(depth):
 
     Returns
     -------
-    bytes, a multiple of 4 long
+    bytes; their number is a multiple of 4
     """
     flat = np.ascontiguousarray(depth, np.uint16).ravel()
     present = np.concatenate([[False], flat != 0, [False]])
@@ -35,9 +36,9 @@ def rvl_encode(depth):
     pixels = np.diff(flat[flat != 0].astype(np.int32), prepend=np.int32(0))
     signed_low = (pixels << 1) ^ (pixels >> 31)
     numbers = np.empty(2 * zeros.size + pixels.size + (2 if tail else 0), np.uint32)
-    before = np.concatenate([[0], np.cumsum(nonzeros)])  # pixels that are not 0 before each run
-    at = 2 * np.arange(zeros.size) + before[:-1]
-    numbers[at], numbers[at + 1] = zeros, nonzeros
+    pixels_before = np.concatenate([[0], np.cumsum(nonzeros)])  # nonzero pixels before each run
+    run_starts = 2 * np.arange(zeros.size) + pixels_before[:-1]
+    numbers[run_starts], numbers[run_starts + 1] = zeros, nonzeros
     numbers[np.arange(pixels.size) + 2 * np.repeat(np.arange(1, zeros.size + 1), nonzeros)] = signed_low
     if tail:
         numbers[-2:] = tail, 0
@@ -49,8 +50,8 @@ def rvl_decode(stream, pixels):
 
     Parameters
     ----------
-    stream : bytes-like, a multiple of 4 long
-    pixels : how many there are
+    stream : bytes-like
+    pixels : number of pixels
 
     Returns
     -------
@@ -58,37 +59,37 @@ def rvl_decode(stream, pixels):
 
     Raises
     ------
-    ConversionError : the stream does not hold exactly so many pixels
+    ConversionError : the stream does not hold exactly this number of pixels
     """
     numbers = _from_words(stream)
     runs = _runs(numbers, pixels)
     signed_low = np.concatenate([numbers[:0], *(numbers[first : first + count] for first, _, count in runs)])
     differences = (signed_low >> 1).astype(np.uint16) ^ -(signed_low & 1).astype(np.uint16)
     values = np.cumsum(differences, dtype=np.uint16)
-    flat, taken = np.zeros(pixels, np.uint16), 0
-    for _, place, count in runs:
-        flat[place : place + count] = values[taken : taken + count]
-        taken += count
+    flat, start = np.zeros(pixels, np.uint16), 0
+    for _, position, count in runs:
+        flat[position : position + count] = values[start : start + count]
+        start += count
     return flat
 
 
 def _runs(numbers, pixels):
-    """(index of its first difference, of its first pixel, length) of each run of pixels that are not 0."""
-    runs, at, place = [], 0, 0
-    while place < pixels:
+    """(index of its first difference, index of its first pixel, length) of each run of nonzero pixels."""
+    runs, at, position = [], 0, 0
+    while position < pixels:
         if at + 2 > numbers.size:
             raise ConversionError(
-                f"RVL stream that ends after {place} of {pixels} pixels; the message is cut short"
+                f"RVL stream that ends after {position} of {pixels} pixels; the message is cut short"
             )
         zeros, nonzeros = numbers.item(at), numbers.item(at + 1)
-        first, place = at + 2, place + zeros
-        is_empty = (zeros == 0 and runs) or (nonzeros == 0 and place < pixels)
-        if is_empty or place + nonzeros > pixels or first + nonzeros > numbers.size:
+        first, position = at + 2, position + zeros
+        is_empty = (zeros == 0 and runs) or (nonzeros == 0 and position < pixels)
+        if is_empty or position + nonzeros > pixels or first + nonzeros > numbers.size:
             raise ConversionError(
                 f"RVL stream whose runs do not make {pixels} pixels; the message is damaged"
             )
-        runs.append((first, place, nonzeros))
-        at, place = first + nonzeros, place + nonzeros
+        runs.append((first, position, nonzeros))
+        at, position = first + nonzeros, position + nonzeros
     return runs
 
 

@@ -120,7 +120,7 @@ def to_messages():
 
 
 def compressed():
-    """No budget: what checking a picture before decoding it costs."""
+    """No budget: what checking an image before decoding it costs."""
     frame = cv2.GaussianBlur(frame_of(3), (0, 0), 5)
     depth = cv2.GaussianBlur(np.random.default_rng(0).integers(0, 8000, (360, 640)).astype("f4"), (0, 0), 9)
     depth = depth.astype(np.uint16)

@@ -1,10 +1,9 @@
-"""Malformed messages by the million: nothing but ConversionError may come out, and no memory be taken for
-lies.
+"""Malformed messages by the million: only ConversionError may be raised, and memory stays bounded.
 
     python tests/messages/fuzz.py --count 1000000 [--seed 0]
 
-Prints what came out, the slowest case, and the largest allocation as a multiple of the message's bytes. Exits
-with 1 at the first message that breaks a rule, and prints it. A bounded run of the same is in test_fuzz.py.
+Prints the outcomes, the slowest case, and the largest allocation as a multiple of the message's bytes. Stops
+at the first message that breaks a rule, prints it, and exits with 1. test_fuzz.py does a short run.
 """
 
 import argparse
@@ -99,7 +98,7 @@ FORMATS = [
 
 
 class Fuzzer:
-    """Makes one malformed case after another from a seed, runs it, and keeps count."""
+    """Makes malformed cases from a seed, runs them, and counts the outcomes."""
 
     def __init__(self, seed):
         self.random = random.Random(seed)
@@ -117,27 +116,27 @@ class Fuzzer:
             tracemalloc.stop()
 
     def one(self, number):
-        make = self.random.choices((self.image, self.compressed, self.array), (6, 3, 1))[0]
-        name, function, arguments, size, limit = make()
+        make_case = self.random.choices((self.image, self.compressed, self.array), (6, 3, 1))[0]
+        name, function, arguments, size, limit = make_case()
         tracemalloc.reset_peak()
         resident = _peak_of_process()  # the decoders' own memory, which tracemalloc does not see
         before, started = tracemalloc.get_traced_memory()[0], time.process_time()
         try:
             result = function(*arguments)
-            outcome = "answered"
+            outcome = "converted"
         except ConversionError as error:
             result, outcome = None, "refused"
             assert str(error) and len(str(error)) < 1000, f"case {number}: {error}"
-        taken = time.process_time() - started
+        seconds = time.process_time() - started
         peak = tracemalloc.get_traced_memory()[1] - before
         case = f"case {number} of {name}: {_described(arguments)}"
-        assert taken < SECONDS, f"{case} took {taken:.1f} s"
+        assert seconds < SECONDS, f"{case} took {seconds:.1f} s"
         assert peak <= limit, f"{case}: {size} bytes, peak of {peak}, limit {limit}"
         growth = _peak_of_process() - resident
         assert growth <= limit + DECODER_BYTES, f"{case}: the process grew by {growth} bytes, limit {limit}"
         assert not isinstance(result, np.ndarray) or result.dtype.isnative, case
         self.outcomes[f"{name} {outcome}"] += 1
-        self.slowest = max(self.slowest, (taken, case))
+        self.slowest = max(self.slowest, (seconds, case))
         if peak > SMALL_CHANGE:
             self.largest[name] = max(self.largest[name], ((peak - SMALL_CHANGE) / max(size, 1), case))
 
@@ -220,22 +219,22 @@ class Fuzzer:
 
     def damaged_file(self, data):
         pick, data = self.random, bytearray(data)
-        way = pick.randrange(7)
+        damage = pick.randrange(7)
         at = pick.randrange(len(data) + 1)
-        if way == 0:
+        if damage == 0:
             return bytes(data[:at])
-        if way == 1:
+        if damage == 1:
             return bytes(data[:at] + pick.randbytes(pick.randrange(1, 9)) + data[at:])
-        if way == 2:
+        if damage == 2:
             return _with_checksums(bytes(data[:at] + pick.randbytes(4) + data[at + 4 :]))
-        if way == 3:  # a huge size where a header may have it: in the first bytes, or in TIFF's directory
+        if damage == 3:  # a huge size where a header may have it: in the first bytes, or in TIFF's directory
             at = pick.choice((pick.randrange(200), *SIZE_POSITIONS, max(0, len(data) - pick.randrange(160))))
             data[at : at + 4] = pick.choice(HUGE_SIZES)
             return _with_checksums(bytes(data))
-        if way == 6:  # digits of a text header
+        if damage == 6:  # digits of a text header
             choices = [b"0", b"9", b"65536", b"99999999"]
             return re.sub(rb"\d+", lambda _: pick.choice(choices), bytes(data), count=3)
-        if way == 4 and data:
+        if damage == 4 and data:
             data[pick.randrange(len(data))] ^= 1 << pick.randrange(8)
             return bytes(data)
         return bytes(data[: pick.randrange(len(data) + 1)] + data[at:])
@@ -313,7 +312,7 @@ def _whole_files():
 
 
 def _with_checksums(data):
-    """The same bytes with PNG's checksums made right again, so that a lie gets past them."""
+    """The same bytes with correct PNG checksums, so that the damage is not found by them alone."""
     start = data.find(b"\x89PNG\r\n\x1a\n")
     if start < 0:
         return data
@@ -351,16 +350,16 @@ def _described(arguments):
 
 @contextlib.contextmanager
 def captured_stderr():
-    """The file that takes what decoders print past Python meanwhile."""
+    """Sends stderr, also that of the decoders, to a temporary file, and yields the file."""
     with tempfile.TemporaryFile("w+") as file:
-        kept = os.dup(2)
+        original = os.dup(2)
         sys.stderr.flush()
         os.dup2(file.fileno(), 2)
         try:
             yield file
         finally:
-            os.dup2(kept, 2)
-            os.close(kept)
+            os.dup2(original, 2)
+            os.close(original)
 
 
 def main():
@@ -375,7 +374,9 @@ def main():
         printed.seek(0)
         lines = Counter(line.split(":")[0].strip() for line in printed)
     seconds = time.perf_counter() - started
-    print(f"{options.count:,} messages, seed {options.seed}, {seconds:.0f} s: only ConversionError came out")
+    print(
+        f"{options.count:,} messages, seed {options.seed}, {seconds:.0f} s: only ConversionError was raised"
+    )
     for name, count in sorted(fuzzer.outcomes.items()):
         print(f"  {name}: {count:,}")
     print(f"slowest: {fuzzer.slowest[0] * 1e3:.1f} ms, {fuzzer.slowest[1][:300]}")

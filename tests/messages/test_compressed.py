@@ -1,4 +1,4 @@
-"""CompressedImage both ways: what the format says, what the bytes say, and what is refused."""
+"""CompressedImage to array and back: the field `format`, the file itself, and what is refused."""
 
 import struct
 import zlib
@@ -46,10 +46,10 @@ def plain_png(width, height, depth, color_type, scanlines, *extra_chunks):
     return b"\x89PNG\r\n\x1a\n" + b"".join(chunk(kind, content) for kind, content in chunks)
 
 
-# --- what cv_bridge gets wrong
+# --- cases in which cv_bridge is wrong
 
 
-def test_gray_pictures_become_what_is_asked_for():
+def test_gray_images_become_the_desired_encoding():
     gray = np.array([[0, 100], [200, 255]], np.uint8)
     msg = message("png", png(gray))
     assert compressed_to_array(msg).tolist() == gray.tolist()
@@ -71,7 +71,7 @@ def test_16_bits_keep_their_values_and_scale_by_257():
     assert (compressed_to_array(message("png", png(color)), "rgb16") == color[..., ::-1]).all()
 
 
-def test_alpha_is_dropped_or_kept_as_asked():
+def test_alpha_is_dropped_or_kept():
     bgra = np.dstack([BGR, np.array([[0, 50], [100, 255]], np.uint8)])
     msg = message("png", png(bgra))
     assert (compressed_to_array(msg) == bgra).all()
@@ -85,7 +85,7 @@ def test_the_result_is_fresh_and_writable():
     assert (compressed_to_array(message("png", png(BGR))) == BGR).all()
 
 
-# --- what the format says
+# --- the field `format`
 
 
 @pytest.mark.parametrize(
@@ -94,18 +94,18 @@ def test_the_result_is_fresh_and_writable():
         ("png", "bgr8", BGR),
         ("rgb8; png compressed bgr8", "rgb8", BGR[..., ::-1]),
         ("rgb8; png compressed bgr8", "passthrough", BGR),
-        ("rgb8; png compressed rgb8", "rgb8", BGR),  # written by someone who did not swap
+        ("rgb8; png compressed rgb8", "rgb8", BGR),  # the publisher did not swap the channels
         ("rgb8; png compressed rgb8", "bgr8", BGR[..., ::-1]),
         ("8UC3; png compressed bgr8", "bgr8", BGR),
         ("nonsense", "bgr8", BGR),
-        ("jpeg", "bgr8", BGR),  # the bytes know better
+        ("jpeg", "bgr8", BGR),  # the file itself decides
     ],
 )
 def test_colors_by_format(format, desired, expected):
     assert (compressed_to_array(message(format, png(BGR)), desired) == expected).all()
 
 
-def test_16uc1_is_no_gray_level_in_a_png_either():
+def test_16uc1_in_a_png_is_not_gray():
     msg = message("16UC1; png compressed ", png(LEVELS))
     assert compressed_to_array(msg, "32FC1").tolist() == LEVELS.tolist()
     with pytest.raises(ConversionError, match="scale it yourself"):
@@ -120,7 +120,7 @@ def test_a_mosaic_in_a_png_becomes_colors():
     assert (compressed_to_array(msg, "bgr8") == [10, 100, 200]).all()
 
 
-def test_kinds_of_png_that_opencv_does_not_write():
+def test_png_files_that_opencv_does_not_write():
     one_bit = plain_png(4, 2, 1, 0, b"\0\xa0\0\x50")
     assert compressed_to_array(message("png", one_bit)).tolist() == [[255, 0, 255, 0], [0, 255, 0, 255]]
     palette = (b"PLTE", bytes([1, 2, 3, 40, 50, 60]))
@@ -128,7 +128,7 @@ def test_kinds_of_png_that_opencv_does_not_write():
     assert compressed_to_array(message("png", indexed)).tolist() == [[[3, 2, 1], [60, 50, 40]]]
 
 
-def test_chunks_that_make_no_pixels_are_dropped_in_silence(capfd):
+def test_chunks_without_pixels_are_dropped_without_warnings(capfd):
     extras = [(b"gAMA", b"\0"), (b"iCCP", b"?"), (b"tEXt", b"Comment\0hello"), (b"acTL", bytes(8))]
     data = plain_png(2, 1, 8, 0, b"\0\x05\x06", *extras)
     assert compressed_to_array(message("png", data)).tolist() == [[5, 6]]
@@ -188,24 +188,24 @@ BAD_ARRAYS = {
 }
 
 
-@pytest.mark.parametrize("which", BAD_ARRAYS)
-def test_what_the_format_would_change_is_refused(which):
-    arguments, words = BAD_ARRAYS[which]
+@pytest.mark.parametrize("case", BAD_ARRAYS)
+def test_an_array_that_the_format_would_change_is_refused(case):
+    arguments, words = BAD_ARRAYS[case]
     with pytest.raises(ConversionError) as caught:
         array_to_compressed(*arguments)
     assert words in str(caught.value)
 
 
-# --- broken data
+# --- damaged data
 
 WHOLE = png(np.arange(3000, dtype=np.uint8).reshape(30, 100))
 
 
-def lying_png(width, height):
+def png_that_claims(width, height):
     return plain_png(width, height, 8, 0, bytes(100))
 
 
-def lying_jpeg(width, height):
+def jpeg_that_claims(width, height):
     data = bytearray(jpeg(BGR))
     at = data.index(b"\xff\xc0") + 5
     data[at : at + 4] = struct.pack(">HH", height, width)
@@ -222,26 +222,26 @@ BROKEN = {
     "png without header": (WHOLE[:8] + WHOLE[33:], "not its first chunk"),
     "png of 7 bits": (plain_png(2, 2, 7, 0, bytes(6)), "does not exist"),
     "png of no pixel": (plain_png(0, 2, 8, 0, bytes(6)), "no pixel"),
-    "png that claims 4 billion rows": (lying_png(1, 2**32 - 1), "so few bytes"),
-    "png that claims 64 TB": (lying_png(2**23, 2**23), "so few bytes"),
+    "png that claims 4 billion rows": (png_that_claims(1, 2**32 - 1), "so few bytes"),
+    "png that claims 64 TB": (png_that_claims(2**23, 2**23), "so few bytes"),
     "jpeg cut": (jpeg(BGR)[:-40], "do not decode"),
     "jpeg of two bytes": (b"\xff\xd8", "without a readable header"),
-    "jpeg that claims 65535²": (lying_jpeg(65535, 65535), "so few bytes"),
-    "jpeg without rows": (lying_jpeg(2, 0), "no pixel"),
+    "jpeg that claims 65535²": (jpeg_that_claims(65535, 65535), "so few bytes"),
+    "jpeg without rows": (jpeg_that_claims(2, 0), "no pixel"),
 }
 
 
-@pytest.mark.parametrize("which", BROKEN)
-def test_broken_data_is_refused_in_words_and_in_silence(which, capfd):
-    data, words = BROKEN[which]
+@pytest.mark.parametrize("case", BROKEN)
+def test_damaged_data_are_refused_without_warnings(case, capfd):
+    data, words = BROKEN[case]
     with pytest.raises(ConversionError) as caught:
         compressed_to_array(message("jpeg", data), "bgr8")
     assert words in str(caught.value)
     assert capfd.readouterr().err == ""
 
 
-def test_blank_pictures_are_small_and_true():
-    """The bounds on what so few bytes can hold must let the emptiest real picture pass."""
+def test_blank_images_in_very_few_bytes_are_decoded():
+    """The limits on the claimed size must accept the smallest file of a large image."""
     blank = np.zeros((4000, 4000), np.uint8)
     options = [cv2.IMWRITE_JPEG_PROGRESSIVE, 1, cv2.IMWRITE_JPEG_OPTIMIZE, 1, cv2.IMWRITE_JPEG_QUALITY, 1]
     for data in (
@@ -265,7 +265,7 @@ def test_data_may_be_bytes_of_any_shape(container):
     assert compressed_to_array(message("jpeg", container(data)))[0, 0].tolist() == [50, 50, 50]
 
 
-def test_messages_that_are_no_compressed_images():
+def test_arguments_that_are_not_compressed_images():
     with pytest.raises(ConversionError, match="image_to_array reads an Image"):
         compressed_to_array(SimpleNamespace(encoding="bgr8", data=b""))
     with pytest.raises(ConversionError, match="without 'data'"):
@@ -310,7 +310,7 @@ def test_the_formula_of_inverse_depth():
     assert compressed_to_array(old_name)[0, 0] == 2.0
 
 
-def test_an_rvl_stream_worked_out_by_hand():
+def test_an_rvl_stream_calculated_by_hand():
     """Pixels 0 0 0 500 502 501 0: [3 zeros] [3 not] +500 +2 -1, [1 zero] [0 not].
 
     Differences with the sign lowest: 500 -> 1000, 2 -> 4, -1 -> 1. In groups of three bits, lowest first, and
@@ -327,7 +327,7 @@ def test_an_rvl_stream_worked_out_by_hand():
 
 
 def plain_rvl_encode(pixels):
-    """RVL as its paper describes it, one number and one nibble after another: the slow twin of rvl_encode."""
+    """RVL as the paper describes it, one number and one nibble after another: a slow form of rvl_encode."""
     nibbles = []
 
     def write(number):
@@ -359,7 +359,7 @@ def plain_rvl_encode(pixels):
 
 
 @pytest.mark.parametrize("share", [0.0, 0.1, 0.7, 1.0])
-def test_rvl_is_its_paper_on_pictures_of_every_kind(share):
+def test_rvl_agrees_with_the_plain_encoder(share):
     rng = np.random.default_rng(5)
     for size in (1, 2, 9, 500):
         for highest in (2, 300, 65536):
@@ -375,17 +375,17 @@ def rvl_message(columns, rows, stream):
 
 STREAM = plain_rvl_encode([5] * 12)
 BROKEN_DEPTH = {
-    "no picture": (message("16UC1; compressedDepth png", bytes(12)), "cut short"),
+    "no image": (message("16UC1; compressedDepth png", bytes(12)), "cut short"),
     "no png": (message("16UC1; compressedDepth png", bytes(40)), "expected a PNG"),
     "png of 8 bits": (
         message("16UC1; compressedDepth", bytes(12) + png(BGR[..., 0])),
         "16 bits, got uint8",
     ),
     "encoding": (message("bgr8; compressedDepth png", bytes(40)), "'16UC1', 'mono16' and '32FC1'"),
-    "rvl without size": (message("16UC1; compressedDepth rvl", bytes(15)), "too short to say its size"),
+    "rvl without size": (message("16UC1; compressedDepth rvl", bytes(15)), "too short to hold its size"),
     "rvl cut": (rvl_message(4, 3, STREAM[:4]), "RVL"),
     "rvl of other size": (rvl_message(4, 4, STREAM), "RVL stream"),
-    "rvl too large for its picture": (rvl_message(2, 3, STREAM), "do not make 6 pixels"),
+    "rvl too large for its image": (rvl_message(2, 3, STREAM), "do not make 6 pixels"),
     "rvl that claims 2**64": (rvl_message(2**32 - 1, 2**32 - 1, STREAM), "made to exhaust the memory"),
     "rvl that claims 200 MB": (rvl_message(10_000, 10_000, STREAM), "made to exhaust the memory"),
     "rvl of no pixel": (rvl_message(0, 3, STREAM), "at least 1"),
@@ -394,9 +394,9 @@ BROKEN_DEPTH = {
 }
 
 
-@pytest.mark.parametrize("which", BROKEN_DEPTH)
-def test_broken_depth_is_refused_in_words(which):
-    msg, words = BROKEN_DEPTH[which]
+@pytest.mark.parametrize("case", BROKEN_DEPTH)
+def test_damaged_depth_is_refused(case):
+    msg, words = BROKEN_DEPTH[case]
     with pytest.raises(ConversionError) as caught:
         compressed_to_array(msg)
     assert words in str(caught.value)
@@ -412,7 +412,7 @@ def test_broken_depth_is_refused_in_words(which):
         ((DEPTH.astype("f4"), "32FC1", "png", None, 0), "depth_max must be positive"),
     ],
 )
-def test_what_is_no_depth_is_refused(arguments, words):
+def test_arrays_that_are_not_depth_are_refused(arguments, words):
     with pytest.raises(ConversionError) as caught:
         depth_to_compressed(*arguments)
     assert words in str(caught.value)

@@ -1,4 +1,4 @@
-"""image_to_array and array_to_image where cv_bridge is wrong, and what a message may be made of."""
+"""image_to_array and array_to_image: cases in which cv_bridge is wrong, and all kinds of message data."""
 
 import array
 import os
@@ -34,7 +34,7 @@ def message(encoding, rows, width, data, *, step=None, is_bigendian=0):
     )
 
 
-def test_a_pixel_is_read_where_it_stands():
+def test_pixels_are_read_in_order():
     msg = message("bgr8", 2, 2, bytes(range(12)))
     assert image_to_array(msg).tolist() == [[[0, 1, 2], [3, 4, 5]], [[6, 7, 8], [9, 10, 11]]]
     assert image_to_array(msg, "rgb8")[0, 0].tolist() == [2, 1, 0]
@@ -98,13 +98,13 @@ def test_data_may_be_any_sequence_of_bytes(container):
     assert (image_to_array(message("16UC1", 2, 2, container(values.tobytes()))) == values).all()
 
 
-def test_more_data_than_the_picture_needs_is_ignored():
+def test_more_data_than_the_image_needs_is_ignored():
     assert image_to_array(message("mono8", 1, 2, b"abXXX")).tolist() == [[97, 98]]
 
 
 @pytest.mark.parametrize("encoding", ["bgr8", "mono16", "nv12", "bayer_rggb8", "uyvy", "32FC1"])
 @pytest.mark.parametrize("size", [(0, 0), (0, 4), (4, 0)])
-def test_empty_pictures_have_the_shape_that_they_say(encoding, size):
+def test_empty_images_have_the_shape_of_their_fields(encoding, size):
     msg = message(encoding, *size, b"")
     info = encoding_info(encoding)
     assert image_to_array(msg).shape == info.shape(*size)
@@ -113,7 +113,7 @@ def test_empty_pictures_have_the_shape_that_they_say(encoding, size):
         assert frame.shape == (*size, 3) and frame.dtype == np.uint16
 
 
-REFUSED = {  # what is changed in a right 4 × 4 bgr8 message: the words that must be in the error
+REFUSED = {  # case: (fields changed in a valid 4 × 4 bgr8 message, words that the error must contain)
     "step too short": ({"step": 11}, ["'bgr8'", "width 4", "step >= 12", "got 11", "mislabelled"]),
     "step 0": ({"step": 0}, ["step >= 12", "got 0"]),
     "data too short": ({"data": bytes(47)}, ["4 rows of 12 bytes need 48", "got 47", "cut short"]),
@@ -143,7 +143,7 @@ REFUSED = {  # what is changed in a right 4 × 4 bgr8 message: the words that mu
 
 
 @pytest.mark.parametrize("change", REFUSED)
-def test_a_message_at_odds_with_itself_is_refused_in_words(change):
+def test_a_message_that_contradicts_itself_is_refused(change):
     fields, words = REFUSED[change]
     msg = message("bgr8", 4, 4, bytes(48))
     vars(msg).update(fields)
@@ -160,18 +160,18 @@ def test_a_missing_field_is_named(field):
         image_to_array(msg)
 
 
-def test_a_compressed_image_is_sent_to_the_right_function():
+def test_the_error_for_a_compressed_image_names_the_right_function():
     with pytest.raises(ConversionError, match="compressed_to_array"):
         image_to_array(SimpleNamespace(format="jpeg", data=b""))
 
 
-REFUSALS = {  # (source, desired): the remedy that the error must offer
+REFUSALS = {  # (source, desired): the remedy that the error must name
     ("16UC1", "mono8"): "scale it yourself",
     ("8UC1", "mono8"): "set msg.encoding to 'mono8'",
     ("8UC3", "bgr8"): "'rgb8' or 'bgr8'",
     ("32FC1", "bgr8"): "scale it yourself",
     ("rgb8", "mono"): "did you mean 'mono8'",
-    ("rgb8", "16UC1"): "take the channels you want",
+    ("rgb8", "16UC1"): "select channels with NumPy",
     ("bgr8", "uyvy"): "ask for 'bgr8'",
     ("bayer_rggb8", "bgra8"): "no alpha; ask for 'bgr8'",
     ("bgr8", None): "desired_encoding: an encoding is a name such as",
@@ -179,7 +179,7 @@ REFUSALS = {  # (source, desired): the remedy that the error must offer
 
 
 @pytest.mark.parametrize(("source", "desired"), REFUSALS)
-def test_a_conversion_without_meaning_names_the_cure(source, desired):
+def test_a_conversion_without_meaning_names_the_remedy(source, desired):
     msg = message(source, 4, 4, bytes(4 * 4 * 8))
     with pytest.raises(ConversionError) as caught:
         image_to_array(msg, desired)
@@ -187,7 +187,7 @@ def test_a_conversion_without_meaning_names_the_cure(source, desired):
 
 
 @pytest.mark.parametrize("values", [[500, 2000, 0, 1000], [0.5, 2.0, np.nan, np.inf]])
-def test_the_cure_for_depth_shows_what_was_measured(values):
+def test_the_remedy_for_depth_makes_measured_values_visible(values):
     a = np.array([values], np.uint16 if isinstance(values[0], int) else np.float32)
     with pytest.raises(ConversionError) as caught:
         image_to_array(array_to_image(a), "mono8")
@@ -213,7 +213,7 @@ def test_16_to_8_bits_rounds_on_every_value():
     assert (image_to_array(array_to_image(signed), "8SC1") == np.rint(signed / 257)).all()
 
 
-# --- YUV: against a formula of our own (BT.601, limited range), which OpenCV rounds
+# --- YUV: compared with the formula of BT.601, limited range; OpenCV rounds it
 
 
 def bt601_bgr(y, u, v):
@@ -229,7 +229,7 @@ def yuv():
 
 
 def laid_out(encoding, y, u, v):
-    """(bytes, the u and v that each pixel gets) of planes in the order of an encoding."""
+    """(bytes of the planes in the order of an encoding, u per pixel, v per pixel)."""
     if encoding in ("uyvy", "yuyv", "yuv422", "yuv422_yuy2"):
         u, v = np.repeat(u[:, ::2], 2, axis=1), np.repeat(v[:, ::2], 2, axis=1)
         chroma = np.where(np.arange(8) % 2, v, u)
@@ -261,7 +261,7 @@ def test_yuv_to_colors_and_gray(encoding, yuv):
 
 
 @pytest.mark.parametrize("encoding", ["nv12", "nv21", "nv24"])
-def test_planar_pictures_with_padding(encoding, yuv):
+def test_planar_images_with_padding(encoding, yuv):
     data, *_ = laid_out(encoding, *yuv)
     tight = message(encoding, 6, 8, data)
     pads = 5 if encoding != "nv24" else 10
@@ -274,7 +274,7 @@ def test_planar_pictures_with_padding(encoding, yuv):
     assert (image_to_array(padded, "bgr8") == image_to_array(tight, "bgr8")).all()
 
 
-def test_odd_sizes_that_opencv_would_read_past():
+def test_odd_sizes_for_which_opencv_reads_beyond_the_row():
     with pytest.raises(ConversionError, match="width 3 is odd"):
         image_to_array(message("uyvy", 2, 3, bytes(12)), "bgr8")
     assert image_to_array(message("uyvy", 2, 3, bytes(12))).shape == (2, 3, 2)
@@ -285,7 +285,7 @@ def test_odd_sizes_that_opencv_would_read_past():
 
 
 def test_bayer_colors_are_those_of_the_mosaic():
-    """A scene of one color: every pattern must find it, whichever pixel comes first."""
+    """An image of one color: every pattern must give it."""
     blue, green, red = 10, 100, 200
     sites = {"r": red, "g": green, "b": blue}
     for pattern in ("rggb", "bggr", "gbrg", "grbg"):
@@ -300,7 +300,7 @@ def test_bayer_colors_are_those_of_the_mosaic():
 # --- array to message
 
 
-def test_a_message_says_everything_of_its_array():
+def test_a_message_describes_its_array():
     array_ = np.arange(24, dtype=np.uint8).reshape(2, 4, 3)
     header = array_to_image(array_).header
     msg = array_to_image(array_, "rgb8", header)
@@ -316,7 +316,7 @@ def test_big_endian_arrays_keep_their_bytes():
     assert image_to_array(msg).tolist() == [[1, 2]]
 
 
-def test_planar_arrays_say_the_height_of_the_picture():
+def test_a_message_of_planes_has_the_height_of_the_image():
     msg = array_to_image(np.zeros((6, 4), np.uint8), "nv12")
     assert (msg.height, msg.width, msg.step, len(msg.data)) == (4, 4, 4, 24)
     msg = array_to_image(np.zeros((6, 3), np.uint8), "nv24")
@@ -327,7 +327,7 @@ U1 = np.zeros((4, 6, 3), np.uint8)
 BAD_ARRAYS = {  # array, encoding, words of the error
     "no array": ([[1]], "mono8", ["expected a NumPy array", "a list", "np.asarray"]),
     "one axis": (U1[0, 0], "passthrough", ["(H, W)", "(3,)"]),
-    "four axes": (U1[None], "passthrough", ["(1, 4, 6, 3)", "one picture at a time"]),
+    "four axes": (U1[None], "passthrough", ["(1, 4, 6, 3)", "one image per message"]),
     "bool": (np.zeros((2, 2), bool), "mono8", ["bool", "* 255"]),
     "int64": (np.zeros((2, 2), np.int64), "mono8", ["int64", "astype('uint8')"]),
     "float16": (np.zeros((2, 2), np.float16), "32FC1", ["float16", "astype('float32')"]),
@@ -343,30 +343,30 @@ BAD_ARRAYS = {  # array, encoding, words of the error
 }
 
 
-@pytest.mark.parametrize("which", BAD_ARRAYS)
-def test_an_array_that_no_message_holds_is_refused_in_words(which):
-    array_, encoding, words = BAD_ARRAYS[which]
+@pytest.mark.parametrize("case", BAD_ARRAYS)
+def test_an_array_that_no_message_can_hold_is_refused(case):
+    array_, encoding, words = BAD_ARRAYS[case]
     with pytest.raises(ConversionError) as caught:
         array_to_image(array_, encoding)
     assert [word for word in words if word not in str(caught.value)] == []
 
 
-# --- where it runs
+# --- with and without ROS
 
 
 def run_python(code, **environment):
-    done = subprocess.run(
+    process = subprocess.run(
         [sys.executable, "-c", code],
         env={**os.environ, **environment},
         capture_output=True,
         text=True,
         timeout=60,
     )
-    assert done.returncode == 0, done.stderr
-    return done.stdout.strip()
+    assert process.returncode == 0, process.stderr
+    return process.stdout.strip()
 
 
-def test_importing_the_room_imports_no_message_package():
+def test_importing_the_package_imports_no_message_classes():
     code = "import sys, imgproc_course.messages as m; print([n for n in sys.modules if n.split('.')[0] in "
     assert run_python(code + "('rclpy', 'sensor_msgs', 'rosbags', 'imgproc_course.imaging')])") == "[]"
 
@@ -383,8 +383,8 @@ print(type(msg).__module__.split(".")[0], type(msg.header).__module__.split(".")
 
 
 def test_without_sensor_msgs_messages_are_those_of_rosbags():
-    hidden = "import sys; sys.modules['sensor_msgs'] = None\n"
-    assert run_python(hidden + ROUND_TRIP) == "rosbags rosbags"
+    hide_ros = "import sys; sys.modules['sensor_msgs'] = None\n"
+    assert run_python(hide_ros + ROUND_TRIP) == "rosbags rosbags"
 
 
 @pytest.mark.ros
@@ -400,24 +400,24 @@ def test_a_wrong_header_is_refused_where_rclpy_checks_fields():
     assert "header must be a std_msgs/Header" in run_python(code, ROS_PYTHON_CHECK_FIELDS="1")
 
 
-def test_reads_the_constants_of_this_opencv():
+def test_opencv_distinguishes_the_bayer_patterns():
     assert cv2.COLOR_BayerBG2BGR != cv2.COLOR_BayerRG2BGR
 
 
 @pytest.mark.parametrize(
-    ("given", "remedy"),
+    ("argument", "remedy"),
     [
-        ("hello", "give the message itself, as a subscriber's on_image(frame, msg) gets it"),
-        (np.zeros((2, 2), np.uint8), "it is an array already: use it as it is"),
+        ("hello", "pass the message itself, as in a subscriber's on_image(frame, msg)"),
+        (np.zeros((2, 2), np.uint8), "it is an array already: use it directly"),
         (SimpleNamespace(format="jpeg", data=b""), "compressed_to_array reads a CompressedImage"),
     ],
 )
-def test_what_is_no_message_is_answered_with_its_own_cure(given, remedy):
+def test_an_argument_that_is_no_message_gets_its_own_remedy(argument, remedy):
     with pytest.raises(ConversionError) as error:
-        image_to_array(given)
-    shown = "'hello'" if isinstance(given, str) else f"a {type(given).__name__}"
+        image_to_array(argument)
+    quoted = "'hello'" if isinstance(argument, str) else f"a {type(argument).__name__}"
     assert (
-        str(error.value) == f"expected a sensor_msgs/Image, got {shown} without a field 'encoding'; {remedy}"
+        str(error.value) == f"expected a sensor_msgs/Image, got {quoted} without a field 'encoding'; {remedy}"
     )
 
 
@@ -432,7 +432,7 @@ def test_what_is_no_message_is_answered_with_its_own_cure(given, remedy):
         lambda: array_to_compressed(np.zeros((2, 2), bool)),
     ],
 )
-def test_a_mistake_is_told_by_the_function_that_was_called_and_none_below(mistake):
+def test_the_traceback_of_an_error_ends_at_the_public_function(mistake):
     with pytest.raises(ConversionError) as error:
         mistake()
     _, _, last = error.traceback  # this test, the lambda, and the public function

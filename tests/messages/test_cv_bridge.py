@@ -1,4 +1,4 @@
-"""CvBridge under cv_bridge's own names: what nodes written for it call, get, and catch."""
+"""CvBridge: the parameters, results and exceptions of cv_bridge's own class."""
 
 import array
 import inspect
@@ -78,7 +78,7 @@ def test_padded_and_big_endian_results_are_writable_copies():
     assert frame[0].tolist() == [2, 0x0203, 0x0405]
 
 
-def test_errors_are_caught_by_every_name_they_had():
+def test_errors_are_of_every_class_that_callers_catch():
     for kind in (CvBridgeError, TypeError, ConversionError, ValueError):
         with pytest.raises(kind, match="unknown encoding 'foo'"):
             BRIDGE.imgmsg_to_cv2(message("foo"))
@@ -116,25 +116,25 @@ def test_opencvs_types():
 @pytest.mark.parametrize(
     ("out", "shape"), [("bgr8", (2, 2, 3)), ("mono8", (2, 2)), ("bgra8", (2, 2, 4)), ("", (2, 2, 3))]
 )
-def test_a_constant_picture_is_gray_with_the_channels_asked_for(out, shape):
-    shown = cvtColorForDisplay(np.full((2, 2), 7, np.float32), "32FC1", out, do_dynamic_scaling=True)
-    assert (shown.shape == shape and set(shown[..., :3].ravel()) == {128}) or out == "bgra8"
-    assert out != "bgra8" or shown[0, 0].tolist() == [128, 128, 128, 255]
+def test_a_constant_image_becomes_gray_with_the_desired_channels(out, shape):
+    frame = cvtColorForDisplay(np.full((2, 2), 7, np.float32), "32FC1", out, do_dynamic_scaling=True)
+    assert (frame.shape == shape and set(frame[..., :3].ravel()) == {128}) or out == "bgra8"
+    assert out != "bgra8" or frame[0, 0].tolist() == [128, 128, 128, 255]
 
 
-def test_scaling_stretches_what_is_finite():
+def test_scaling_stretches_the_finite_values():
     values = np.array([[1.0, 2.0, 3.0, np.nan, np.inf, -np.inf]], np.float32)
-    shown = cvtColorForDisplay(values, "32FC1", "mono8", do_dynamic_scaling=True)
-    assert shown.tolist() == [[0, 128, 255, 0, 255, 0]]
+    frame = cvtColorForDisplay(values, "32FC1", "mono8", do_dynamic_scaling=True)
+    assert frame.tolist() == [[0, 128, 255, 0, 255, 0]]
     colored = cvtColorForDisplay(values, "32FC1", "bgr8", True, colormap=cv2.COLORMAP_JET)
     jet = cv2.applyColorMap(np.array([[0, 128, 255]], np.uint8), cv2.COLORMAP_JET)
     assert (colored[0, :3] == jet[0]).all() and colored[0, 3].tolist() == [0, 0, 0]
 
 
-def test_limits_of_ones_own():
+def test_scaling_between_given_limits():
     depth = np.array([[0, 1000, 2000, 3000, 9000]], np.uint16)
-    shown = cvtColorForDisplay(depth, "16UC1", "mono8", min_image_value=1000, max_image_value=3000)
-    assert shown.tolist() == [[0, 0, 128, 255, 255]]
+    frame = cvtColorForDisplay(depth, "16UC1", "mono8", min_image_value=1000, max_image_value=3000)
+    assert frame.tolist() == [[0, 0, 128, 255, 255]]
     signed = np.array([[-30000, 30000]], np.int16)
     assert cvtColorForDisplay(signed, "16SC1", "mono8", True).tolist() == [[0, 255]]
 
@@ -150,11 +150,11 @@ def test_limits_of_ones_own():
     ],
 )
 def test_without_scaling_it_converts(encoding, array_, out, expected):
-    shown = cvtColorForDisplay(array_, encoding, out)
-    assert (shown == expected).all() and shown.flags.writeable and not np.shares_memory(shown, array_)
+    frame = cvtColorForDisplay(array_, encoding, out)
+    assert (frame == expected).all() and frame.flags.writeable and not np.shares_memory(frame, array_)
 
 
-def test_labels_have_colors_of_their_own():
+def test_every_label_has_its_own_color():
     labels = np.arange(-1, 256, dtype=np.int32).reshape(1, -1)
     colors = cvtColorForDisplay(labels, "32SC1", "bgr8")[0].tolist()
     assert colors[0] == [0, 0, 0] and len({tuple(color) for color in colors}) == 257
@@ -170,7 +170,7 @@ def test_labels_have_colors_of_their_own():
         ((BGR, "mono8", "bgr8"), "'mono8' needs an array"),
     ],
 )
-def test_what_cannot_be_shown_is_refused_in_words(arguments, words):
+def test_an_image_that_cannot_be_displayed_is_refused(arguments, words):
     with pytest.raises(CvBridgeError) as caught:
         cvtColorForDisplay(*arguments)
     assert words in str(caught.value)

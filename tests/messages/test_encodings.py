@@ -1,4 +1,4 @@
-"""encoding_info: every name of sensor_msgs/image_encodings, and what a wrong one is told."""
+"""encoding_info: every name of sensor_msgs/image_encodings, and the error for a wrong name."""
 
 import numpy as np
 import pytest
@@ -24,7 +24,7 @@ from imgproc_course.messages import ConversionError, EncodingInfo, encoding_info
         ("64FC512", "float64", 512, None),
     ],
 )
-def test_what_a_name_says(name, dtype, channels, color):
+def test_the_meaning_of_a_name(name, dtype, channels, color):
     assert encoding_info(name) == EncodingInfo(name, np.dtype(dtype), channels, color)
 
 
@@ -57,7 +57,7 @@ def test_sizes():
         (["bgr8"], "got a list"),
     ],
 )
-def test_a_wrong_name_is_told_the_right_one(name, words):
+def test_the_error_for_a_wrong_name_suggests_the_right_one(name, words):
     with pytest.raises(ConversionError) as caught:
         encoding_info(name)
     assert words in str(caught.value) and len(str(caught.value)) < 250

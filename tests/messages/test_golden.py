@@ -1,7 +1,7 @@
-"""The real cv_bridge's answers to 4569 messages and arrays, and every place where ours differ on purpose.
+"""The results of the real cv_bridge for 4569 messages and arrays, and every intended difference from them.
 
-cv_bridge_golden.json.gz: cases and answers of cv_bridge 1.16.2 (the same code as Jazzy's) under OpenCV 4.6.
-cv_bridge_pairs.csv.gz: what Jazzy's cv_bridge 4.1.0 does with every pair of encodings, yuv422_yuy2 included.
+cv_bridge_golden.json.gz: cases and results of cv_bridge 1.16.2 (the same code as Jazzy's) under OpenCV 4.6.
+cv_bridge_pairs.csv.gz: the outcome of Jazzy's cv_bridge 4.1.0 for every pair of encodings, with yuv422_yuy2.
 """
 
 import array
@@ -23,9 +23,11 @@ NEW_NAMES = {"uyvy", "yuyv", "nv21", "nv24"}
 
 
 def is_small_bayer(case):
-    small = case["kind"] == "image" and min(case["height"], case["width"]) < 3
+    is_small = case["kind"] == "image" and min(case["height"], case["width"]) < 3
     return (
-        small and case["encoding"].startswith("bayer_") and encoding_info(case["desired"]).color is not None
+        is_small
+        and case["encoding"].startswith("bayer_")
+        and encoding_info(case["desired"]).color is not None
     )
 
 
@@ -39,37 +41,37 @@ def same_mosaic(case):
     return all(name.startswith("bayer_") for name in names) and names[0][:10] == names[1][:10]
 
 
-# name -> (reason, is it this case?). `theirs` and `ours` are outcomes: ("array" | "message" | "raise", ...).
+# name -> (reason, whether it applies to a case). An outcome is ("array" | "message" | "raise", ...).
 DIFFERENCES = {
-    "a Bayer picture with a side under 3": (
-        "cv_bridge gives a picture of zeros in silence; here a ConversionError says that 3 are needed",
-        lambda case, theirs, ours: (
-            theirs[0] == "array" and not any(theirs[-1]) and ours[0] == "raise" and is_small_bayer(case)
+    "a Bayer image with a side under 3": (
+        "cv_bridge returns an image of zeros without an error; here a ConversionError says that 3 are needed",
+        lambda case, expected, actual: (
+            expected[0] == "array" and not any(expected[-1]) and actual[0] == "raise" and is_small_bayer(case)
         ),
     ),
     "float beyond int32 to an integer": (
-        "cv_bridge turns +inf and all from 2**31 on to the lowest value; here they saturate at the highest",
-        lambda case, theirs, ours: theirs[:3] == ours[:3] and is_float_to_integer(case, ours),
+        "cv_bridge turns +inf and values from 2**31 on into the lowest value; here they saturate",
+        lambda case, expected, actual: expected[:3] == actual[:3] and is_float_to_integer(case, actual),
     ),
     "uyvy and yuyv": (
         "cv_bridge does not know these names, which replace the deprecated yuv422 and yuv422_yuy2",
-        lambda case, theirs, ours: (
-            theirs[0] == "raise"
-            and ours[0] != "raise"
+        lambda case, expected, actual: (
+            expected[0] == "raise"
+            and actual[0] != "raise"
             and NEW_NAMES & {case["encoding"], case.get("desired")}
         ),
     ),
     "a depth alone": (
         "cv_bridge reads '8U' but converts it to nothing but itself; here it is 8UC1 everywhere",
-        lambda case, theirs, ours: (
-            theirs[0] == "raise"
-            and ours[0] == "array"
+        lambda case, expected, actual: (
+            expected[0] == "raise"
+            and actual[0] == "array"
             and {"8U", "16U", "16S", "32F", "64F"} & {case["encoding"], case.get("desired")}
         ),
     ),
     "one mosaic in another depth": (
         "cv_bridge refuses bayer_rggb8 -> bayer_rggb16 and back; here its values scale like others",
-        lambda case, theirs, ours: theirs[0] == "raise" and ours[0] == "array" and same_mosaic(case),
+        lambda case, expected, actual: expected[0] == "raise" and actual[0] == "array" and same_mosaic(case),
     ),
 }
 
@@ -110,7 +112,7 @@ def array_of(case):
     }[case["layout"]]()
 
 
-def ours_to(case):
+def actual_outcome(case):
     try:
         if case["kind"] == "image":
             frame = image_to_array(message_of(case), case["desired"])
@@ -125,7 +127,7 @@ def ours_to(case):
         return ("raise",)
 
 
-def theirs_to(answer):
+def expected_outcome(answer):
     if answer[0] == "raise":
         return ("raise",)
     return (*answer[:-1], from_base64(answer[-1]))
@@ -133,26 +135,30 @@ def theirs_to(answer):
 
 @pytest.fixture(scope="module")
 def outcomes():
-    """(case, theirs, ours, names of the table's rows that it falls under) of every answered golden case."""
+    """(case, expected, actual, names of the table's rows that it falls under) of every golden case."""
     with gzip.open(HERE / "cv_bridge_golden.json.gz") as file:
         golden = json.load(file)
-    judged = []
+    compared = []
     for case, answer in zip(golden["cases"], golden["answers"], strict=True):
-        if answer[0] == "skip":  # yuv422_yuy2, unknown to that version: held by cv_bridge_pairs.csv below
+        if (
+            answer[0] == "skip"
+        ):  # yuv422_yuy2, which that version does not know: cv_bridge_pairs.csv covers it
             continue
-        theirs, ours = theirs_to(answer), ours_to(case)
-        rows = [name for name, (_, applies) in DIFFERENCES.items() if applies(case, theirs, ours)]
-        judged.append((case, theirs, ours, rows))
-    return judged
+        expected, actual = expected_outcome(answer), actual_outcome(case)
+        rows = [name for name, (_, applies) in DIFFERENCES.items() if applies(case, expected, actual)]
+        compared.append((case, expected, actual, rows))
+    return compared
 
 
 def test_every_case_outside_the_table_is_equal(outcomes, capsys):
-    equal = sum(theirs == ours for _, theirs, ours, _ in outcomes)
-    by_row = Counter(row for _, theirs, ours, rows in outcomes if theirs != ours for row in rows)
+    equal = sum(expected == actual for _, expected, actual, _ in outcomes)
+    by_row = Counter(row for _, expected, actual, rows in outcomes if expected != actual for row in rows)
     with capsys.disabled():
         print(f"\n{len(outcomes)} golden cases, {equal} equal, {by_row.total()} in the table: {dict(by_row)}")
     unexplained = [
-        (case, theirs, ours) for case, theirs, ours, rows in outcomes if theirs != ours and not rows
+        (case, expected, actual)
+        for case, expected, actual, rows in outcomes
+        if expected != actual and not rows
     ]
     assert unexplained == []
     assert equal + by_row.total() == len(outcomes) == 4442  # each difference falls under one row only
@@ -160,22 +166,24 @@ def test_every_case_outside_the_table_is_equal(outcomes, capsys):
 
 @pytest.mark.parametrize("row", DIFFERENCES)
 def test_every_row_of_the_table_is_a_real_difference(outcomes, row):
-    assert [case for case, theirs, ours, rows in outcomes if row in rows and theirs != ours]
+    assert [case for case, expected, actual, rows in outcomes if row in rows and expected != actual]
 
 
 def test_floats_differ_only_beyond_int32(outcomes):
-    """The one row that changes values: they are equal wherever int32 can hold the rounded float."""
+    """The one difference in values: they are equal wherever int32 can hold the rounded float."""
     checked = 0
-    for case, theirs, ours, rows in outcomes:
+    for case, expected, actual, rows in outcomes:
         if rows != ["float beyond int32 to an integer"]:
             continue
         floats = image_to_array(message_of(case))
-        dtype, shape = np.dtype(ours[1]), ours[2]
-        theirs, ours = (np.frombuffer(outcome[-1], dtype).reshape(shape) for outcome in (theirs, ours))
+        dtype, shape = np.dtype(actual[1]), actual[2]
+        expected, actual = (
+            np.frombuffer(outcome[-1], dtype).reshape(shape) for outcome in (expected, actual)
+        )
         is_held = np.isnan(floats) | (np.abs(np.rint(floats.astype("f8"))) < 2**31)
-        assert (theirs == ours)[is_held].all()
-        assert (ours[floats >= 2**31] == np.iinfo(dtype).max).all()
-        assert (ours[floats < -(2**31)] == np.iinfo(dtype).min).all()
+        assert (expected == actual)[is_held].all()
+        assert (actual[floats >= 2**31] == np.iinfo(dtype).max).all()
+        assert (actual[floats < -(2**31)] == np.iinfo(dtype).min).all()
         checked += (floats >= 2**31).sum()
     assert checked > 1000
 
@@ -185,7 +193,7 @@ def pairs():
         return list(csv.DictReader(file))
 
 
-def small_picture(encoding):
+def small_message(encoding):
     info = encoding_info(encoding)
     step = 4 * info.pixel_bytes
     data = bytes(info.rows(4) * step)
@@ -193,20 +201,20 @@ def small_picture(encoding):
 
 
 @pytest.mark.parametrize("source", sorted({row["source"] for row in pairs()}))
-def test_every_pair_answers_or_refuses_as_cv_bridge_does(source):
+def test_every_pair_converts_or_is_refused_as_in_cv_bridge(source):
     for row in (row for row in pairs() if row["source"] == source):
         desired = row["desired"]
         try:
-            frame = image_to_array(small_picture(source), desired)
+            frame = image_to_array(small_message(source), desired)
         except ConversionError:
             assert row["outcome"] != "array", row
             continue
-        if row["outcome"] != "array":  # refused there: only the rows of the table may answer
+        if row["outcome"] != "array":  # cv_bridge refuses it: only the rows of the table may convert
             assert NEW_NAMES & {source, desired} or same_mosaic({"encoding": source, "desired": desired}), row
             continue
         channels = frame.shape[2] if frame.ndim == 3 else 1
         assert (frame.dtype.name, channels) == (row["dtype"], int(row["channels"])), row
 
 
-def test_all_pairs_were_there():
+def test_the_table_has_all_pairs():
     assert len(pairs()) == 2756

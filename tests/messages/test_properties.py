@@ -1,4 +1,4 @@
-"""What holds for every picture: there and back, padded, in either byte order, from any layout."""
+"""Properties of every image: round trips, padding, both byte orders, any memory layout."""
 
 from types import SimpleNamespace
 
@@ -24,7 +24,7 @@ HEADER = array_to_image(np.zeros((1, 1), np.uint8)).header
 
 
 @st.composite
-def pictures(draw, encodings=names):
+def images(draw, encodings=names):
     """(encoding, array) of any size from 0, in any byte order and memory layout."""
     name = draw(encodings)
     info = encoding_info(name)
@@ -43,15 +43,15 @@ def pictures(draw, encodings=names):
 
 
 def same(a, b):
-    """Equal bytes in native order: NaN included, and -0.0 is not 0.0."""
+    """Whether the bytes in native order are equal: NaN equals NaN, and -0.0 differs from 0.0."""
     a, b = (x.astype(x.dtype.newbyteorder("=")) for x in (a, b))
     return a.dtype == b.dtype and a.shape == b.shape and a.tobytes() == b.tobytes()
 
 
 @profile
-@given(pictures())
-def test_there_and_back(picture):
-    name, values = picture
+@given(images())
+def test_there_and_back(image):
+    name, values = image
     before = values.tobytes()
     msg = array_to_image(values, name, HEADER)
     assert msg.header is HEADER and msg.encoding == name
@@ -62,9 +62,9 @@ def test_there_and_back(picture):
 
 
 @profile
-@given(pictures(), st.integers(1, 9), st.data())
-def test_padding_changes_nothing(picture, padding, data):
-    name, values = picture
+@given(images(), st.integers(1, 9), st.data())
+def test_padding_changes_nothing(image, padding, data):
+    name, values = image
     msg = array_to_image(values, name)
     info = encoding_info(name)
     step = msg.step + padding
@@ -83,25 +83,25 @@ def test_padding_changes_nothing(picture, padding, data):
 
 
 @profile
-@given(pictures(st.sampled_from(["rgb8", "bgra8", "rgba16", "mono8", "mono16", "16UC1"])))
-def test_png_there_and_back(picture):
-    name, values = picture
+@given(images(st.sampled_from(["rgb8", "bgra8", "rgba16", "mono8", "mono16", "16UC1"])))
+def test_png_there_and_back(image):
+    name, values = image
     if values.size:
         assert same(compressed_to_array(array_to_compressed(values, name, "png"), name), values)
 
 
 @profile
-@given(pictures(st.just("16UC1")), st.sampled_from(["png", "rvl"]))
-def test_depth_there_and_back(picture, format):
-    _, values = picture
+@given(images(st.just("16UC1")), st.sampled_from(["png", "rvl"]))
+def test_depth_there_and_back(image, format):
+    _, values = image
     if values.size:
         assert same(compressed_to_array(depth_to_compressed(values, format=format)), values)
 
 
 @profile
-@given(pictures(st.sampled_from(["rgb8", "bgr8", "rgba8", "bgra8", "mono8"])))
-def test_colors_survive_16_bits_and_the_other_order(picture):
-    name, values = picture
+@given(images(st.sampled_from(["rgb8", "bgr8", "rgba8", "bgra8", "mono8"])))
+def test_colors_survive_16_bits_and_the_other_order(image):
+    name, values = image
     other = {"rgb8": "bgr16", "bgr8": "rgb16", "rgba8": "bgra16", "bgra8": "rgba16", "mono8": "mono16"}[name]
     wide = image_to_array(array_to_image(values, name), other)
     assert same(image_to_array(array_to_image(wide, other), name), values)
