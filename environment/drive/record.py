@@ -1,10 +1,10 @@
 #!/usr/bin/env python3
-"""Makes the course's recording (one rosbag2 in MCAP) of the rendered drive's raw material.
+"""Makes the course's recording (one rosbag2 in MCAP) of the raw material of the rendered drive.
 
     python environment/drive/record.py RAW_MATERIAL [--out FOLDER] [--force]
 
-RAW_MATERIAL holds camera/NNNN.jpg, depth_mm/NNNN.png, labels/NNNN.png and truth.json; README.md beside this
-script says how they were made. Their bytes go in as they are, and two runs give the same recording.
+RAW_MATERIAL holds camera/NNNN.jpg, depth_mm/NNNN.png, labels/NNNN.png and truth.json. README.md in this
+folder says how they were made. Their bytes are stored unchanged, and two runs give the same recording.
 """
 
 import argparse
@@ -23,9 +23,9 @@ from imgproc_course.recording import topics
 
 DEFAULT_OUT = Path(__file__).parents[2] / "imgproc_course" / "recording" / "drive"
 TYPES = get_typestore(Stores.ROS2_JAZZY)
-# Version 8 of rosbag2's metadata is the newest that Humble's `ros2 bag` reads as well as Jazzy's.
+# Version 8 of rosbag2's metadata is the newest that `ros2 bag` of both Humble and Jazzy reads.
 METADATA_VERSION = 8
-# Monday 2026-01-05, 08:00:00 UTC: a robot's wall clock, fixed so that two runs agree.
+# Monday 2026-01-05, 08:00:00 UTC: a fixed start of the robot's clock, so that two runs agree.
 START_NS = 1_767_600_000 * 10**9
 STEP_NS = 10**8  # 10 Hz
 COMPRESSED_DEPTH_HEADER = struct.pack("<iff", 0, 0.0, 0.0)  # the two parameters have no meaning for 16UC1
@@ -71,7 +71,7 @@ def header(stamp_ns, frame_id):
     return message("std_msgs/msg/Header", stamp=stamp, frame_id=frame_id)
 
 
-def picture(stamp_ns, format, data):
+def compressed_image(stamp_ns, format, data):
     return message(
         "sensor_msgs/msg/CompressedImage",
         header=header(stamp_ns, topics.CAMERA_FRAME),
@@ -124,26 +124,26 @@ def scene(truth):
 
 
 def messages_of_frame(raw, truth, k):
-    """Yields (topic, message) of one moment of the drive, in the order in which they are recorded."""
+    """Yields (topic, message) of one moment of the drive, in the order of recording."""
     stamp = START_NS + k * STEP_NS
-    name = f"{k:04d}"
-    depth = COMPRESSED_DEPTH_HEADER + (raw / "depth_mm" / f"{name}.png").read_bytes()
-    yield topics.CAMERA, picture(stamp, "jpeg", (raw / "camera" / f"{name}.jpg").read_bytes())
+    number = f"{k:04d}"
+    depth = COMPRESSED_DEPTH_HEADER + (raw / "depth_mm" / f"{number}.png").read_bytes()
+    yield topics.CAMERA, compressed_image(stamp, "jpeg", (raw / "camera" / f"{number}.jpg").read_bytes())
     yield topics.CAMERA_INFO, camera_info(stamp, truth)
-    yield topics.DEPTH, picture(stamp, "16UC1; compressedDepth png", depth)
+    yield topics.DEPTH, compressed_image(stamp, "16UC1; compressedDepth png", depth)
     yield (
         topics.LABELS,
-        picture(stamp, "mono8; png compressed ", (raw / "labels" / f"{name}.png").read_bytes()),
+        compressed_image(stamp, "mono8; png compressed ", (raw / "labels" / f"{number}.png").read_bytes()),
     )
-    for who in topics.POSES:
-        yield topics.POSE_PREFIX + who, pose(stamp, truth["frames"][str(k)][TRUTH_KEYS.get(who, who)])
+    for name in topics.POSES:
+        yield topics.POSE_PREFIX + name, pose(stamp, truth["frames"][str(k)][TRUTH_KEYS.get(name, name)])
 
 
 def record(raw, out):
     """Writes the recording of the raw material in folder `raw` into the new folder `out`."""
     truth = json.loads((raw / "truth.json").read_text(encoding="utf-8"))
     if truth["fps"] * STEP_NS != 10**9:
-        raise ValueError(f"truth.json says {truth['fps']} pictures/s, this script stamps 10; change STEP_NS")
+        raise ValueError(f"truth.json gives {truth['fps']} frames/s, this script expects 10; change STEP_NS")
     with Writer(out, version=METADATA_VERSION, storage_plugin=StoragePlugin.MCAP) as writer:
         connections = {
             topic: writer.add_connection(topic, kind, typestore=TYPES, offered_qos_profiles=[profile])
@@ -163,15 +163,18 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("raw", type=Path, help="the folder with camera/, depth_mm/, labels/ and truth.json")
     parser.add_argument(
-        "--out", type=Path, default=DEFAULT_OUT, help="the recording's folder (the package's own)"
+        "--out",
+        type=Path,
+        default=DEFAULT_OUT,
+        help="the folder of the recording (default: the one in the package)",
     )
-    parser.add_argument("--force", action="store_true", help="replace a recording that is there")
+    parser.add_argument("--force", action="store_true", help="replace an existing recording")
     options = parser.parse_args()
     if not (options.raw / "truth.json").is_file():
-        sys.exit(f"{options.raw} has no truth.json: name the folder with the raw material (see README.md)")
+        sys.exit(f"{options.raw} has no truth.json: give the folder with the raw material (see README.md)")
     if options.out.exists():
         if not options.force:
-            sys.exit(f"{options.out} exists already: say --force to replace it, or --out for another folder")
+            sys.exit(f"{options.out} exists already: give --force to replace it, or --out for another folder")
         shutil.rmtree(options.out)
     record(options.raw, options.out)
     size = sum(path.stat().st_size for path in options.out.iterdir())

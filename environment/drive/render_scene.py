@@ -12,7 +12,7 @@ Writes OUT/rgb/NNNN.png   (rendered, distorted by the plumb_bob model below)
 World: ROS axes, metres (x forward, y left, z up).
 """
 
-# Kept as it ran when the drive was rendered: this file is the record of how the pictures came to be.
+# Kept as it ran when the drive was rendered: this file documents how the images were made.
 # ruff: noqa
 # fmt: off
 import argparse, json, math, os, random, sys, time
@@ -892,7 +892,7 @@ def pose_of(ob, optical=False):
 
 
 def sensor(path_in, path_out, seed, full_well=1800, read_noise=5.0):
-    """A small camera's defects on a clean picture: vignette, shot and read noise on a Bayer mosaic."""
+    """The defects of a small camera on a clean image: vignette, shot and read noise on a Bayer mosaic."""
     import cv2
     img = cv2.imread(path_in).astype(np.float32) / 255
     lin = np.where(img <= .04045, img / 12.92, ((img + .055) / 1.055) ** 2.4)

@@ -1,6 +1,6 @@
-"""The recorded drive, and what reads it: any rosbag2 recording, frame by frame, without ROS.
+"""The recorded drive, and a reader of rosbag2 recordings: frame by frame, without ROS.
 
-The drive itself is rendered, not filmed: environment/drive/README.md says how, and what it is not good for.
+The drive is rendered, not filmed. environment/drive/README.md says how, and what it is not suitable for.
 """
 
 from .errors import FrameIndexError, NotRecordedError, RecordingError

@@ -1,4 +1,4 @@
-"""A rosbag2 recording, MCAP or sqlite3, read lazily: message k of a topic without reading the rest."""
+"""A rosbag2 recording, MCAP or sqlite3, read lazily: message k of a topic without the messages after it."""
 
 import os
 import struct
@@ -19,7 +19,7 @@ from rosbags.typesys import Stores, TypesysError, get_typestore
 from .errors import FrameIndexError, NotRecordedError, RecordingError
 
 STORAGE_SUFFIXES = (".mcap", ".db3")
-# What rosbags lets through on damaged bytes; tests/recording flips and cuts bytes to hold this list complete.
+# The exceptions of rosbags on damaged bytes. tests/recording flips and cuts bytes to check this list.
 READ_ERRORS = (
     AnyReaderError,
     ReaderError,
@@ -51,7 +51,7 @@ READ_TYPES = {
 
 
 def _table_of_contents(reader):
-    """{topic: (message type, number of messages)}, in the order in which the recorder met the topics."""
+    """{topic: (message type, number of messages)}, in the order in which the recorder added the topics."""
     contents = {}
     for topic, info in sorted(reader.topics.items(), key=lambda item: item[1].connections[0].id):
         if not 0 <= info.msgcount <= sys.maxsize:
@@ -61,19 +61,19 @@ def _table_of_contents(reader):
 
 
 def _check_types(kinds, types):
-    """A bag brings its own message definitions: those that we read must be ROS's own."""
-    ros = get_typestore(Stores.ROS2_JAZZY)
+    """Checks the message definitions in the bag: those that this package reads must be the ones of ROS."""
+    ros_types = get_typestore(Stores.ROS2_JAZZY)
     for kind in sorted(READ_TYPES & kinds):
-        if types.hash_rihs01(kind) != ros.hash_rihs01(kind):
-            raise ReaderError(f"its definition of {kind} is not that of ROS")
+        if types.hash_rihs01(kind) != ros_types.hash_rihs01(kind):
+            raise ReaderError(f"its definition of {kind} differs from that of ROS")
 
 
 def find_bag(path):
-    """The folder or file that a reader opens for what the user named.
+    """The folder or file of the recording at a path.
 
     Raises
     ------
-    RecordingError : nothing is there, or what is there is no rosbag2 recording
+    RecordingError : the path does not exist, or is not a rosbag2 recording
     """
     path = Path(path).expanduser()
     if path.name == "metadata.yaml":
@@ -83,7 +83,7 @@ def find_bag(path):
             f"there is no recording {path}; give the path of a rosbag2 folder, .mcap or .db3"
         )
     if not os.access(path, os.R_OK):
-        raise RecordingError(f"{path} may not be read by you; change its rights: chmod -R u+rwX {path}")
+        raise RecordingError(f"you may not read {path}; change its permissions: chmod -R u+rwX {path}")
     if path.is_dir():
         return _find_in_folder(path)
     if path.suffix == ".bag":
@@ -96,12 +96,10 @@ def find_bag(path):
         )
     if path.suffix not in STORAGE_SUFFIXES:
         raise RecordingError(
-            f"{path} is no rosbag2 recording; give a folder with metadata.yaml, .mcap or .db3"
+            f"{path} is not a rosbag2 recording; give a folder with metadata.yaml, a .mcap or a .db3"
         )
     if path.stat().st_size == 0:
-        raise RecordingError(
-            f"{path} is empty; the recording was cut off before its first message: record again"
-        )
+        raise RecordingError(f"{path} is empty; the recording stopped before its first message: record again")
     return path
 
 
@@ -113,68 +111,71 @@ def _find_in_folder(folder):
         return find_bag(files[0])
     if files:
         raise RecordingError(
-            f"{folder} has {len(files)} files and no metadata.yaml; write it: ros2 bag reindex {folder}"
+            f"{folder} has {len(files)} files and no metadata.yaml; create it: ros2 bag reindex {folder}"
         )
     raise RecordingError(
-        f"{folder} holds no recording: no metadata.yaml, no .mcap, no .db3; name another folder"
+        f"{folder} holds no recording: no metadata.yaml, no .mcap, no .db3; give another folder"
     )
 
 
-def _cure(path, error):
-    words = str(error)
-    if "ompression" in words or "ecompress" in words:
+def _remedy(path, error):
+    text = str(error)
+    if "ompression" in text or "ecompress" in text:
         return "write it again with a compression that rosbags knows (none, zstd, lz4): ros2 bag convert"
-    if path.is_dir() and ("metadata" in words or "missing" in words):
-        return f"its metadata.yaml is broken or a file is missing: ros2 bag reindex {path}"
+    if path.is_dir() and ("metadata" in text or "missing" in text):
+        return f"its metadata.yaml is damaged or a file is missing: ros2 bag reindex {path}"
     if path.suffix == ".db3" or (path.is_dir() and any(path.glob("*.db3"))):
-        return "it is cut short or no bag; try: sqlite3 broken.db3 .recover | sqlite3 mended.db3"
+        return "it is cut short or not a bag; try: sqlite3 damaged.db3 .recover | sqlite3 repaired.db3"
     return (
-        "it is cut short or no bag; try: ros2 bag reindex FOLDER, or: mcap recover broken.mcap -o mended.mcap"
+        "it is cut short or not a bag; try: ros2 bag reindex FOLDER, "
+        "or: mcap recover damaged.mcap -o repaired.mcap"
     )
 
 
 @contextmanager
 def reading(path):
-    """Turns whatever a reader raises on damaged bytes into a RecordingError of one line."""
+    """Turns every error that a reader raises on damaged bytes into a RecordingError of one line."""
     try:
         yield
     except RecordingError:
         raise
     except PermissionError as error:
         raise RecordingError(
-            f"{path} may not be read: {error.strerror}; change its owner or its rights"
+            f"you may not read {path}: {error.strerror}; change its owner or its permissions"
         ) from error
     except READ_ERRORS as error:
-        what = " ".join(str(error).split()) or type(error).__name__
-        raise RecordingError(f"{path} cannot be read ({what[:200]}); {_cure(Path(path), error)}") from error
+        reason = " ".join(str(error).split()) or type(error).__name__
+        raise RecordingError(
+            f"{path} cannot be read ({reason[:200]}); {_remedy(Path(path), error)}"
+        ) from error
 
 
 class TopicIndex:
-    """When each message of a topic was recorded: known as far as somebody has asked, and no further."""
+    """The time of each message of a topic, read from the recording only as far as needed."""
 
     def __init__(self, messages):
         self._messages = messages  # iterator of (log time in ns, serialized message)
-        self._broken = None  # what the iterator ended with: it would go on as if the bag ended here
-        self._seen = {}  # log time -> how many of the topic's messages carry it
-        self.places = []  # (log time, which of the messages of that time)
-        self.stamps = []  # header stamp in ns, or the log time where the robot left it zero
+        self._error = None  # raised again later: after it the iterator would look as if the bag ended
+        self._counts = {}  # log time -> number of messages with this time
+        self.positions = []  # (log time, number of the message among those with the same time)
+        self.stamps = []  # header stamp in ns, or the log time if the header's stamp is zero
 
-    def reach(self, k=None):
-        """Goes on until message k is known, or to the end."""
-        while k is None or len(self.places) <= k:
-            if self._broken is not None:
-                raise self._broken
+    def read_to(self, k=None):
+        """Reads until message k is known, or to the end."""
+        while k is None or len(self.positions) <= k:
+            if self._error is not None:
+                raise self._error
             try:
-                found = next(self._messages, None)
+                entry = next(self._messages, None)
             except READ_ERRORS as error:
-                self._broken = error
+                self._error = error
                 raise
-            if found is None:
+            if entry is None:
                 return
-            time, raw = found
-            ordinal = self._seen.get(time, 0)
-            self._seen[time] = ordinal + 1
-            self.places.append((time, ordinal))
+            time, raw = entry
+            ordinal = self._counts.get(time, 0)
+            self._counts[time] = ordinal + 1
+            self.positions.append((time, ordinal))
             self.stamps.append(header_stamp(raw) or time)
 
 
@@ -185,7 +186,7 @@ def _messages(reader, topic, start=None, stop=None):
 
 
 def header_stamp(raw):
-    """Stamp in ns of a serialized message that begins with a header; 0 where it is unset or there is none."""
+    """Stamp in ns of a serialized message that begins with a header; 0 if it is not set or has no header."""
     if len(raw) < 12:
         return 0
     order = "<" if raw[1] & 1 else ">"
@@ -194,7 +195,7 @@ def header_stamp(raw):
 
 
 def with_stamp(raw, stamp):
-    """The serialized message with another header stamp (ns); everything else as it was."""
+    """The serialized message with another header stamp (ns); the rest is unchanged."""
     order = "<" if raw[1] & 1 else ">"
     return b"".join([raw[:4], struct.pack(order + "iI", *divmod(stamp, 10**9)), raw[12:]])
 
@@ -233,33 +234,35 @@ class Bag:
     def raw(self, topic, k):
         """Message k of a topic, serialized (CDR)."""
         index = self.index(topic, k)
-        if not 0 <= k < len(index.places):
-            self._no_such_message(topic, k, len(index.places))
-        time, ordinal = index.places[k]
+        if not 0 <= k < len(index.positions):
+            self._raise_no_message(topic, k, len(index.positions))
+        time, ordinal = index.positions[k]
         with self._lock, reading(self.path):
             for i, (_, raw) in enumerate(_messages(self._reader, topic, time, time + 1)):
                 if i == ordinal:
                     return bytes(raw)
         raise RecordingError(
-            f"message {k} of {topic} has gone from {self.path}; was the file changed? Open it again"
+            f"message {k} of {topic} is no longer in {self.path}; if the file was changed, open it again"
         )
 
     def index(self, topic, k=None):
-        """The topic's index, known as far as message k, or to its end."""
+        """The topic's index, read to message k, or to the end."""
         self.check_open()
         with self._lock, reading(self.path):
             if topic not in self._indexes:
                 if topic not in self.topics:
                     raise NotRecordedError(
-                        f"{self.path.name} holds no {topic}; it holds {', '.join(self.topics)}"
+                        f"{self.path.name} has no topic {topic}; it has {', '.join(self.topics)}"
                     )
-                # A reader of its own: its place in the file must not move while another message is read.
+                # A separate reader: its position in the file must not move when another message is read.
                 reader = self._stack.enter_context(Reader(self.path))
                 messages = _messages(reader, topic)
-                self._stack.callback(messages.close)  # first: sqlite closes no file that is still read
+                self._stack.callback(
+                    messages.close
+                )  # runs first: sqlite does not close a file that is being read
                 self._indexes[topic] = TopicIndex(messages)
             index = self._indexes[topic]
-            index.reach(k)
+            index.read_to(k)
             return index
 
     def read(self):
@@ -273,11 +276,11 @@ class Bag:
         with reading(self.path):
             return self.types.deserialize_cdr(raw, kind)
 
-    def _no_such_message(self, topic, k, found):
-        promised = self.count(topic)
-        if k < promised:
+    def _raise_no_message(self, topic, k, actual_count):
+        stated_count = self.count(topic)
+        if k < stated_count:
             raise RecordingError(
-                f"{self.path} promises {promised} messages on {topic} and holds {found}; "
+                f"{self.path} should hold {stated_count} messages on {topic} and holds {actual_count}; "
                 f"it is cut short: ros2 bag reindex {self.path.parent}"
             )
-        raise FrameIndexError(f"{topic} has messages 0 to {found - 1}, {k} was asked for")
+        raise FrameIndexError(f"{topic} has messages 0 to {actual_count - 1}, got {k}; choose one of these")

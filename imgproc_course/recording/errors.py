@@ -1,4 +1,4 @@
-"""What goes wrong with a recording, each in one line that says what to do."""
+"""The errors of a recording: one line each, which says what to do."""
 
 
 class RecordingError(ValueError):
@@ -12,4 +12,4 @@ class FrameIndexError(RecordingError, IndexError):
 class NotRecordedError(RecordingError, KeyError):
     """The recording holds no such topic."""
 
-    __str__ = ValueError.__str__  # KeyError would show the line in quotes
+    __str__ = ValueError.__str__  # KeyError would put the line in quotes

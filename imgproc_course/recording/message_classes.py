@@ -1,4 +1,4 @@
-"""The message classes that are installed: sensor_msgs' own where ROS is, those of rosbags elsewhere."""
+"""The installed message classes: those of ROS if it is installed, otherwise those of rosbags."""
 
 import array
 import dataclasses
@@ -10,7 +10,7 @@ import numpy as np
 
 @functools.cache
 def installed_class(name):
-    """The class of a message type such as "sensor_msgs/msg/Image", or None where its package is missing."""
+    """The class of a message type such as "sensor_msgs/msg/Image"; None if its package is not installed."""
     package, _, kind = name.split("/")
     try:
         return getattr(importlib.import_module(f"{package}.msg"), kind, None)
@@ -19,7 +19,7 @@ def installed_class(name):
 
 
 def to_installed(msg):
-    """The same message in the class that ROS's own publishers take, or unchanged where ROS is not installed.
+    """The message as an object of ROS's class, which publishers accept; unchanged if ROS is not installed.
 
     Parameters
     ----------
@@ -27,27 +27,27 @@ def to_installed(msg):
 
     Returns
     -------
-    a message of the same fields; its data are a copy
+    a message with the same fields; its data are a copy
     """
     cls = installed_class(msg.__msgtype__)
     if cls is None:
         return msg
-    out = cls()
+    ros_msg = cls()
     for field in dataclasses.fields(msg):
         if field.name != "__msgtype__":
-            _fill(out, field.name, getattr(msg, field.name))
-    return out
+            _set_field(ros_msg, field.name, getattr(msg, field.name))
+    return ros_msg
 
 
-def _fill(out, name, value):
-    default = getattr(out, name)
+def _set_field(ros_msg, name, value):
+    default = getattr(ros_msg, name)
     if isinstance(default, array.array):
-        # A list or an ndarray would be checked element by element: 0.2 s for one picture.
+        # ROS would check a list or an ndarray element by element: 0.2 s for one image.
         default.frombytes(np.ascontiguousarray(value, default.typecode).view(np.uint8).data)
     elif isinstance(default, list):
-        setattr(out, name, [_element(item) for item in value])
+        setattr(ros_msg, name, [_element(item) for item in value])
     else:
-        setattr(out, name, _element(value))
+        setattr(ros_msg, name, _element(value))
 
 
 def _element(value):

@@ -19,14 +19,14 @@ STRING = "std_msgs/msg/String"
 
 
 def open_recording(source="drive", *, camera_topic=None):
-    """Opens a recording; little but its table of contents is read.
+    """Opens a recording and reads its table of contents.
 
     Parameters
     ----------
-    source : "drive" for the course's own recording, or the path of a rosbag2 recording of yours:
-        its folder, its .mcap or its .db3
-    camera_topic : the topic whose pictures are the frames; without it the first topic of colour or gray
-        pictures
+    source : "drive" for the course's own recording, or the path of your own rosbag2 recording: its folder,
+        its .mcap or its .db3
+    camera_topic : the topic of the images that are the frames; if omitted, the first topic with color or gray
+        images
 
     Returns
     -------
@@ -34,7 +34,8 @@ def open_recording(source="drive", *, camera_topic=None):
 
     Raises
     ------
-    RecordingError : missing, empty, cut short, no recording, no pictures; one line that says what to do
+    RecordingError : the recording is missing, empty, cut short, not a recording, or has no images; the text
+        is one line that says what to do
 
     Examples
     --------
@@ -49,25 +50,25 @@ def open_recording(source="drive", *, camera_topic=None):
 class Recording:
     """An open recording: see `open_recording`.
 
-    Iterating yields (topic, message) lazily, in the order of recording; `len()` is the number of pictures.
-    Messages are of the classes that ROS's publishers take (sensor_msgs.msg.CompressedImage and so on) where
-    ROS is installed, and else of rosbags' classes, which have the same fields. To publish a message cheaply,
-    hand `raw(k)` to the publisher: rclpy takes serialized messages as they are.
+    Iterating yields (topic, message) lazily, in the order of recording; `len()` is the number of frames.
+    Messages are of ROS's classes (sensor_msgs.msg.CompressedImage and so on) if ROS is installed, otherwise
+    of the classes of rosbags, which have the same fields. The fastest way to publish a message is to pass
+    `raw(k)` to the publisher: rclpy publishes serialized messages directly.
     A number k counts from 0, a negative one from the end. Any thread may call any method.
     """
 
     def __init__(self, source="drive", *, camera_topic=None):
-        own = source == "drive"
+        is_drive = source == "drive"
         try:
-            self._bag = Bag(DRIVE if own else source)
+            self._bag = Bag(DRIVE if is_drive else source)
         except RecordingError as error:
-            if not own:
+            if not is_drive:
                 raise
             raise RecordingError(
-                "the course's own recording is missing or damaged; bring it back: "
+                "the course's own recording is missing or damaged; restore it: "
                 f"git checkout -- imgproc_course/recording/drive ({error})"
             ) from error
-        self.name = "drive" if own else self._bag.path.name
+        self.name = "drive" if is_drive else self._bag.path.name
         try:
             self._camera = self._find_camera(camera_topic)
         except RecordingError:
@@ -81,7 +82,7 @@ class Recording:
         self.close()
 
     def close(self):
-        """Closes the files. A second close does nothing."""
+        """Closes the files. A second call does nothing."""
         self._bag.close()
 
     def __len__(self):
@@ -92,7 +93,7 @@ class Recording:
             yield topic, to_installed(self._bag.deserialize(raw, kind))
 
     def __repr__(self):
-        return f"<Recording {self.name!r}: {len(self)} pictures on {self._camera}, {len(self.topics)} topics>"
+        return f"<Recording {self.name!r}: {len(self)} frames on {self._camera}, {len(self.topics)} topics>"
 
     @property
     def topics(self):
@@ -101,16 +102,16 @@ class Recording:
 
     @property
     def camera_topic(self):
-        """The topic whose pictures are the frames."""
+        """The topic of the images that are the frames."""
         return self._camera
 
     def frame(self, k, encoding="bgr8"):
-        """Picture k, decoded.
+        """Frame k, decoded.
 
         Parameters
         ----------
-        k : which picture, 0 to len() - 1
-        encoding : what the frame shall be: "bgr8", "rgb8", "mono8", or "passthrough" for as recorded
+        k : number of the frame, 0 to len() - 1
+        encoding : the encoding of the result: "bgr8", "rgb8", "mono8"; "passthrough" for the recorded one
 
         Returns
         -------
@@ -118,22 +119,22 @@ class Recording:
 
         Raises
         ------
-        FrameIndexError : there is no picture k
-        ConversionError : the message is malformed, or not of a kind that becomes `encoding`
+        FrameIndexError : there is no frame k
+        ConversionError : the message is malformed, or cannot be converted to `encoding`
         """
         return self._decode(self._camera, self._number(k), encoding)
 
     def message(self, k):
-        """Picture k as it was recorded: a CompressedImage, or an Image in a recording of raw pictures."""
+        """The recorded message of frame k: a CompressedImage, or an Image in a recording of raw images."""
         return self._message(self._camera, self._number(k))
 
     def raw(self, k, topic=None, *, stamp=None):
-        """Message k of a topic, serialized (CDR): rclpy's `publisher.publish` takes such bytes as they are.
+        """Message k of a topic, serialized (CDR): rclpy's `publisher.publish` accepts these bytes.
 
         Parameters
         ----------
-        k : which message of the topic
-        topic : without it, the camera's
+        k : number of the message within its topic
+        topic : if omitted, the camera topic
         stamp : int, ns: replaces the header's stamp; only for messages that begin with a header
 
         Returns
@@ -148,32 +149,32 @@ class Recording:
     def camera_info(self):
         """The camera's first CameraInfo: matrix k, distortion d (plumb_bob), r, p."""
         base = self._camera.removesuffix("/compressed").rsplit("/", 1)[0]
-        wanted = (f"{base}/camera_info", f"{self._camera.removesuffix('/compressed')}/camera_info")
-        found = [topic for topic, kind in self.topics.items() if kind == CAMERA_INFO]
-        for topic in [*wanted, *(found if len(found) == 1 else [])]:
-            if topic in found and self._bag.count(topic):
+        usual_topics = (f"{base}/camera_info", f"{self._camera.removesuffix('/compressed')}/camera_info")
+        recorded_topics = [topic for topic, kind in self.topics.items() if kind == CAMERA_INFO]
+        for topic in [*usual_topics, *(recorded_topics if len(recorded_topics) == 1 else [])]:
+            if topic in recorded_topics and self._bag.count(topic):
                 return self._message(topic, 0)
         raise NotRecordedError(
-            f"{self.name} holds no camera info of {self._camera}; record {wanted[0]} with it"
+            f"{self.name} holds no camera info of {self._camera}; record {usual_topics[0]} with it"
         )
 
     def depth(self, k):
-        """Depth along the optical axis at picture k.
+        """Depth image of frame k: the distance along the optical axis.
 
         Returns
         -------
-        (360, 640) uint16, millimetres, 0 where nothing was measured; pixel (row, col) belongs to pixel
+        (360, 640) uint16, millimetres, 0 for pixels without a measurement; pixel (row, col) belongs to pixel
         (2 row, 2 col) of the frame
 
         Raises
         ------
         NotRecordedError : the recording holds no depth
         """
-        return self._decode(self._beside(names.DEPTH, "depth"), self._number(k), "passthrough")
+        return self._decode(self._checked_topic(names.DEPTH, "depth"), self._number(k), "passthrough")
 
     def labels(self, k):
-        """What each pixel of picture k shows: (720, 1280) uint8, numbers of `label_names`."""
-        return self._decode(self._beside(names.LABELS, "labels"), self._number(k), "mono8")
+        """Label image of frame k: (720, 1280) uint8, the numbers of `label_names`."""
+        return self._decode(self._checked_topic(names.LABELS, "labels"), self._number(k), "mono8")
 
     @property
     def label_names(self):
@@ -183,25 +184,27 @@ class Recording:
     @property
     def scene(self):
         """Facts about the scene: label_names, marker (ArUco dictionary, id, side in metres), made_by."""
-        topic = self._beside(names.SCENE, "facts about the scene")
+        topic = self._checked_topic(names.SCENE, "facts about the scene")
         return json.loads(self._bag.deserialize(self._bag.raw(topic, 0), STRING).data)
 
     def pose(self, name, k):
-        """Where something was at picture k, in the world (ROS axes: x forward, y left, z up).
+        """Pose of an object at frame k, in the world (ROS axes: x forward, y left, z up).
 
         Parameters
         ----------
         name : "camera" (its optical frame), "person", "ball", "toycar" or "marker"
-        k : which picture
+        k : number of the frame
 
         Returns
         -------
         (7,) float64: x, y, z in metres, and the quaternion qx, qy, qz, qw
         """
-        known = [topic.removeprefix(names.POSE_PREFIX) for topic in self.topics if names.POSE_PREFIX in topic]
-        if name not in known:
+        objects = [
+            topic.removeprefix(names.POSE_PREFIX) for topic in self.topics if names.POSE_PREFIX in topic
+        ]
+        if name not in objects:
             raise NotRecordedError(
-                f"{self.name} holds no pose {name!r}; it holds {', '.join(known) or 'none'}"
+                f"{self.name} holds no pose of {name!r}; it holds {', '.join(objects) or 'none'}"
             )
         topic = names.POSE_PREFIX + name
         pose = self._bag.deserialize(self._bag.raw(topic, self._number(k)), self.topics[topic]).pose
@@ -210,44 +213,44 @@ class Recording:
 
     @property
     def stamps(self):
-        """When each picture was taken: (n,) int64, ns since 1970, from the headers.
+        """Time of each frame: (n,) int64, ns since 1970, from the headers.
 
-        Where a header's stamp is zero, the time of recording stands in.
+        If the stamp in a header is zero, the time of recording replaces it.
         """
         return np.array(self._bag.index(self._camera).stamps, np.int64)
 
     @property
     def rate(self):
-        """Pictures a second, the mean over the recording; 0.0 for a single picture."""
+        """Frames per second, the mean over the recording; 0.0 for a single frame."""
         stamps = self.stamps
-        lasted = int(stamps[-1] - stamps[0])
-        return (len(stamps) - 1) * 1e9 / lasted if lasted > 0 else 0.0
+        duration = int(stamps[-1] - stamps[0])
+        return (len(stamps) - 1) * 1e9 / duration if duration > 0 else 0.0
 
-    def _find_camera(self, wanted):
-        pictures = {t: self._bag.count(t) for t, kind in self.topics.items() if kind in (IMAGE, COMPRESSED)}
-        if wanted is not None and wanted not in pictures:
+    def _find_camera(self, requested):
+        counts = {t: self._bag.count(t) for t, kind in self.topics.items() if kind in (IMAGE, COMPRESSED)}
+        if requested is not None and requested not in counts:
             raise NotRecordedError(
-                f"{self.name} holds no pictures on {wanted}, but on: {', '.join(pictures) or 'no topic'}"
+                f"{self.name} holds no images on {requested}, but on: {', '.join(counts) or 'no topic'}"
             )
-        if not pictures:
-            held = ", ".join(self.topics) or "nothing"
+        if not counts:
+            topics = ", ".join(self.topics) or "nothing"
             raise RecordingError(
-                f"{self.name} holds no camera topic, only {held}; record one: ros2 bag record TOPIC"
+                f"{self.name} holds no camera topic, only {topics}; record one: ros2 bag record TOPIC"
             )
-        # Depth and labels are pictures too, and may have been recorded first.
-        colour = [t for t in pictures if not t.endswith("/compressedDepth") and not t.startswith("/truth/")]
-        held = [t for t in dict.fromkeys([*colour, *pictures]) if pictures[t]]
-        seen = filter(self._is_to_look_at, held) if len(held) > 1 else ()
-        chosen = wanted or next(iter(seen), held[0] if held else None)
-        if chosen is None or not pictures[chosen]:
+        # Depth and label images are images too, and may have been recorded first.
+        likely = [t for t in counts if not t.endswith("/compressedDepth") and not t.startswith("/truth/")]
+        candidates = [t for t in dict.fromkeys([*likely, *counts]) if counts[t]]
+        camera_topics = filter(self._has_color_or_gray, candidates) if len(candidates) > 1 else ()
+        camera = requested or next(iter(camera_topics), candidates[0] if candidates else None)
+        if camera is None or not counts[camera]:
             raise RecordingError(
-                f"{self.name} holds no message on {wanted or ', '.join(pictures)}; a reliable recorder hears "
-                "nothing of a best-effort camera: record again with --qos-profile-overrides-path"
+                f"{self.name} holds no message on {requested or ', '.join(counts)}; a reliable recorder "
+                "receives nothing from a best-effort camera: record again with --qos-profile-overrides-path"
             )
-        return chosen
+        return camera
 
-    def _is_to_look_at(self, topic):
-        """Whether a topic's first picture is one in colour or gray, and no depth in 16UC1 or 32FC1."""
+    def _has_color_or_gray(self, topic):
+        """Whether the first image of a topic is in color or gray, and not depth in 16UC1 or 32FC1."""
         if self.topics[topic] == COMPRESSED:
             return True
         try:
@@ -256,9 +259,11 @@ class Recording:
         except (RecordingError, ConversionError):
             return False
 
-    def _beside(self, topic, what):
+    def _checked_topic(self, topic, description):
         if topic not in self.topics:
-            raise NotRecordedError(f"{self.name} holds no {what} ({topic}); open_recording('drive') does")
+            raise NotRecordedError(
+                f"{self.name} holds no {description} ({topic}); open_recording('drive') does"
+            )
         return topic
 
     def _number(self, k, topic=None):
@@ -266,9 +271,11 @@ class Recording:
         try:
             number = k.__index__()
         except AttributeError:
-            raise FrameIndexError(f"a picture has a whole number, {k!r} was given") from None
+            raise FrameIndexError(f"the number of a frame must be an int, got {k!r}") from None
         if not -count <= number < count:
-            raise FrameIndexError(f"{self.name} has pictures 0 to {count - 1}, {number} was asked for")
+            raise FrameIndexError(
+                f"{self.name} has frames 0 to {count - 1}, got {number}; choose one of these"
+            )
         return number % count
 
     def _message(self, topic, k):

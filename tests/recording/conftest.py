@@ -23,7 +23,7 @@ def header(stamp_ns, frame_id="lens"):
 
 
 def gray_pixels(k):
-    """(4, 5) uint8: each test picture differs from every other in every pixel."""
+    """(4, 5) uint8: each test image differs from every other in every pixel."""
     return (np.arange(20, dtype=np.uint8).reshape(4, 5) + 40 * k).astype(np.uint8)
 
 
@@ -73,10 +73,10 @@ class BagWriter:
         self.writer.write(connection, time, TYPES.serialize_cdr(message, message.__msgtype__))
 
 
-def write_raw_bag(path, storage="mcap", pictures=6, topic="/my/cam", **options):
-    """A bag of gray pictures, ten a second, recorded 5 ms after they were taken."""
+def write_raw_bag(path, storage="mcap", images=6, topic="/my/cam", **options):
+    """A bag of gray images, ten a second, recorded 5 ms after they were taken."""
     with BagWriter(path, storage, **options) as bag:
-        for k in range(pictures):
+        for k in range(images):
             stamp = START + k * 10**8
             bag.write(topic, raw_image(k, stamp), stamp + 5_000_000)
     return path

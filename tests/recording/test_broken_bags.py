@@ -1,4 +1,4 @@
-"""Bags that are no bags: each gives one line that says what to do, and nothing else comes out."""
+"""Damaged bags: each raises an error of one line that says what to do, and no other error."""
 
 import re
 import shutil
@@ -13,7 +13,7 @@ from imgproc_course.recording import RecordingError, open_recording, recording
 from .conftest import START, TYPES, BagWriter, compressed, raw_image, write_raw_bag
 
 
-def said(path, **options):
+def error_of(path, **options):
     with pytest.raises(RecordingError) as caught:
         open_recording(path, **options)
     line = str(caught.value)
@@ -22,59 +22,61 @@ def said(path, **options):
     return line
 
 
-def test_nothing_there(tmp_path):
-    assert said(tmp_path / "no") == (
+def test_a_path_that_does_not_exist(tmp_path):
+    assert error_of(tmp_path / "no") == (
         f"there is no recording {tmp_path / 'no'}; give the path of a rosbag2 folder, .mcap or .db3"
     )
 
 
 def test_a_name_that_is_not_drive(tmp_path, monkeypatch):
     monkeypatch.chdir(tmp_path)
-    assert said("driv").startswith("there is no recording driv; give the path")
+    assert error_of("driv").startswith("there is no recording driv; give the path")
 
 
 def test_an_empty_folder(tmp_path):
-    assert "holds no recording: no metadata.yaml, no .mcap, no .db3" in said(tmp_path)
+    assert "holds no recording: no metadata.yaml, no .mcap, no .db3" in error_of(tmp_path)
 
 
 def test_a_folder_of_several_files_without_metadata(tmp_path):
     for name in ("a.mcap", "b.mcap"):
         (tmp_path / name).write_bytes(b"\x89MCAP0\r\n")
-    assert said(tmp_path).endswith(f"2 files and no metadata.yaml; write it: ros2 bag reindex {tmp_path}")
+    assert error_of(tmp_path).endswith(
+        f"2 files and no metadata.yaml; create it: ros2 bag reindex {tmp_path}"
+    )
 
 
 @pytest.mark.parametrize("suffix", [".mcap", ".db3"])
 def test_an_empty_file(tmp_path, suffix):
     (tmp_path / f"a{suffix}").touch()
-    assert "is empty; the recording was cut off before its first message" in said(tmp_path / f"a{suffix}")
+    assert "is empty; the recording stopped before its first message" in error_of(tmp_path / f"a{suffix}")
 
 
 @pytest.mark.parametrize(
     ("name", "words"),
     [
-        ("a.txt", "is no rosbag2 recording; give a folder"),
+        ("a.txt", "is not a rosbag2 recording; give a folder"),
         ("a.bag", "is a ROS 1 bag; convert it: rosbags-convert"),
         ("a.mcap.zstd", "open its folder, or unpack it first: zstd -d"),
-        ("a.mcap", "mcap recover broken.mcap -o mended.mcap"),
-        ("a.db3", "sqlite3 broken.db3 .recover | sqlite3 mended.db3"),
+        ("a.mcap", "mcap recover damaged.mcap -o repaired.mcap"),
+        ("a.db3", "sqlite3 damaged.db3 .recover | sqlite3 repaired.db3"),
     ],
 )
-def test_a_file_that_is_no_bag(tmp_path, name, words):
+def test_a_file_that_is_not_a_bag(tmp_path, name, words):
     (tmp_path / name).write_bytes(b"Once upon a time there was a robot. " * 9)
-    assert words in said(tmp_path / name)
+    assert words in error_of(tmp_path / name)
 
 
 @pytest.mark.parametrize("text", ["", "[", "rosbag2_bagfile_information: 3", "{}", "\0"])
 def test_a_broken_metadata_file(tmp_path, text):
     path = write_raw_bag(tmp_path / "mine")
     (path / "metadata.yaml").write_text(text)
-    assert "ros2 bag reindex" in said(path)
+    assert "ros2 bag reindex" in error_of(path)
 
 
-def test_a_file_that_the_metadata_name_and_nobody_has(tmp_path):
+def test_a_file_in_the_metadata_that_does_not_exist(tmp_path):
     path = write_raw_bag(tmp_path / "mine")
     (path / "mine.mcap").unlink()
-    assert "a file is missing: ros2 bag reindex" in said(path)
+    assert "a file is missing: ros2 bag reindex" in error_of(path)
 
 
 def test_an_unknown_compression_of_files(tmp_path):
@@ -82,7 +84,7 @@ def test_an_unknown_compression_of_files(tmp_path):
     text = (path / "metadata.yaml").read_text()
     text = text.replace("compression_format: ''", "compression_format: br")
     (path / "metadata.yaml").write_text(text.replace("compression_mode: ''", "compression_mode: file"))
-    assert "a compression that rosbags knows (none, zstd, lz4)" in said(path)
+    assert "a compression that rosbags knows (none, zstd, lz4)" in error_of(path)
 
 
 def test_an_unknown_compression_of_chunks(tmp_path):
@@ -90,15 +92,15 @@ def test_an_unknown_compression_of_chunks(tmp_path):
     file = path / "mine.mcap"
     file.write_bytes(file.read_bytes().replace(b"\x04\0\0\0zstd", b"\x04\0\0\0gzip"))
     with open_recording(path) as bag:
-        for _ in range(2):  # asked again, it has the same reason
+        for _ in range(2):  # the second time, the error has the same reason
             with pytest.raises(RecordingError, match="compression that rosbags knows"):
                 bag.frame(0)
 
 
-def test_no_topic_of_pictures(tmp_path):
+def test_no_topic_of_images(tmp_path):
     with BagWriter(tmp_path / "mine") as bag:
         bag.write("/chatter", TYPES.types["std_msgs/msg/String"](data="hello"), START)
-    assert said(tmp_path / "mine") == (
+    assert error_of(tmp_path / "mine") == (
         "mine holds no camera topic, only /chatter; record one: ros2 bag record TOPIC"
     )
 
@@ -107,34 +109,34 @@ def test_no_topic_of_pictures(tmp_path):
 def test_a_bag_without_any_topic(tmp_path, storage):
     with BagWriter(tmp_path / "mine", storage):
         pass
-    assert "holds no camera topic, only nothing" in said(tmp_path / "mine")
+    assert "holds no camera topic, only nothing" in error_of(tmp_path / "mine")
 
 
 @pytest.mark.parametrize("storage", ["mcap", "sqlite3"])
 def test_no_message_on_the_camera_topic(tmp_path, storage):
-    path = write_raw_bag(tmp_path / "mine", storage, pictures=0)
+    path = write_raw_bag(tmp_path / "mine", storage, images=0)
     with BagWriter(tmp_path / "silent", storage) as bag:
         bag.topic("/cam", "sensor_msgs/msg/Image")
         bag.write("/chatter", TYPES.types["std_msgs/msg/String"](data="hello"), START)
-    assert "holds no camera topic" in said(path)
-    assert said(tmp_path / "silent").startswith(
-        "silent holds no message on /cam; a reliable recorder hears nothing of a best-effort camera"
+    assert "holds no camera topic" in error_of(path)
+    assert error_of(tmp_path / "silent").startswith(
+        "silent holds no message on /cam; a reliable recorder receives nothing from a best-effort camera"
     )
-    assert "no message on /cam;" in said(tmp_path / "silent", camera_topic="/cam")
+    assert "no message on /cam;" in error_of(tmp_path / "silent", camera_topic="/cam")
 
 
-def test_metadata_that_promise_more_than_there_is(tmp_path):
+def test_metadata_with_too_many_messages(tmp_path):
     path = write_raw_bag(tmp_path / "mine")
     text = (path / "metadata.yaml").read_text()
     (path / "metadata.yaml").write_text(text.replace("message_count: 6", "message_count: 9"))
     with (
         open_recording(path) as bag,
-        pytest.raises(RecordingError, match=r"promises 9 messages .* and holds 6"),
+        pytest.raises(RecordingError, match=r"should hold 9 messages .* and holds 6"),
     ):
         bag.frame(8)
 
 
-def test_a_picture_that_does_not_decode_spoils_only_itself(tmp_path):
+def test_an_image_that_does_not_decode_leaves_the_others_readable(tmp_path):
     with BagWriter(tmp_path / "mine") as bag:
         bag.write("/cam", compressed(b"\xff\xd8 no jpeg", START, "jpeg"), START)
     with open_recording(tmp_path / "mine") as opened:
@@ -143,10 +145,10 @@ def test_a_picture_that_does_not_decode_spoils_only_itself(tmp_path):
         assert opened.message(0).format == "jpeg"
 
 
-def test_the_course_s_own_recording_gone(tmp_path, monkeypatch):
+def test_the_recorded_drive_is_missing(tmp_path, monkeypatch):
     monkeypatch.setattr(recording, "DRIVE", tmp_path / "drive")
-    assert said("drive").startswith(
-        "the course's own recording is missing or damaged; bring it back: "
+    assert error_of("drive").startswith(
+        "the course's own recording is missing or damaged; restore it: "
         "git checkout -- imgproc_course/recording/drive (there is no recording"
     )
 
@@ -154,7 +156,7 @@ def test_the_course_s_own_recording_gone(tmp_path, monkeypatch):
 def test_a_bag_that_may_not_be_read(tmp_path, monkeypatch):
     path = write_raw_bag(tmp_path / "mine")
     monkeypatch.setattr("os.access", lambda *_: False)  # root may read everything
-    assert said(path) == f"{path} may not be read by you; change its rights: chmod -R u+rwX {path}"
+    assert error_of(path) == f"you may not read {path}; change its permissions: chmod -R u+rwX {path}"
 
 
 def read_everything(path):
@@ -170,7 +172,7 @@ def read_everything(path):
 
 
 @pytest.mark.parametrize("storage", ["mcap", "sqlite3"])
-def test_a_bag_cut_anywhere_opens_or_says_one_line(tmp_path, storage):
+def test_a_bag_cut_anywhere_opens_or_raises_an_error_of_one_line(tmp_path, storage):
     path = write_raw_bag(tmp_path / "mine", storage)
     (file,) = [path for path in path.iterdir() if path.suffix in (".mcap", ".db3")]
     data = file.read_bytes()
@@ -218,7 +220,7 @@ def test_a_bag_that_is_taken_away_while_it_is_open(tmp_path):
             list(opened)
 
 
-def test_two_raw_pictures_of_which_one_is_malformed(tmp_path):
+def test_two_raw_images_of_which_one_is_malformed(tmp_path):
     bad = raw_image(1, START)
     bad.step = 2
     with BagWriter(tmp_path / "mine") as bag:
@@ -234,4 +236,4 @@ def test_a_definition_of_a_message_that_is_not_ros_s(tmp_path):
     path = write_raw_bag(tmp_path / "mine")
     file = path / "mine.mcap"
     file.write_bytes(file.read_bytes().replace(b"uint8[] data", b"uint8[] date"))
-    assert "its definition of sensor_msgs/msg/Image is not that of ROS" in said(file)
+    assert "its definition of sensor_msgs/msg/Image differs from that of ROS" in error_of(file)

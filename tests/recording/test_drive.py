@@ -1,4 +1,4 @@
-"""The course's own recording: every number that a lesson may state about it."""
+"""The recorded drive: every number that a lesson may state about it."""
 
 import hashlib
 import threading
@@ -36,13 +36,13 @@ def test_every_topic_has_its_type_and_its_count(drive):
     assert drive.camera_topic == CAMERA
 
 
-def test_pictures_are_stamped_ten_a_second(drive):
+def test_the_stamps_are_ten_per_second(drive):
     assert drive.stamps.dtype == np.int64
     assert drive.stamps.tolist() == [START + k * 10**8 for k in range(90)]
     assert drive.rate == pytest.approx(10.0, abs=1e-12)
 
 
-def test_messages_come_in_the_order_of_recording_with_one_stamp_a_moment(drive):
+def test_messages_are_in_the_order_of_recording_with_one_stamp_per_moment(drive):
     stamps = [
         (message.header.stamp.sec * 10**9 + message.header.stamp.nanosec, topic)
         for topic, message in drive
@@ -56,7 +56,7 @@ def test_messages_come_in_the_order_of_recording_with_one_stamp_a_moment(drive):
     ("k", "size", "jpeg"),
     [(0, 159329, "a7bbcde3737e6f49"), (45, 179165, "eef1bf3b4f4e85af"), (89, 179989, "725cf85255590950")],
 )
-def test_a_picture_is_the_rendered_jpeg_untouched(drive, k, size, jpeg):
+def test_a_message_holds_the_rendered_jpeg(drive, k, size, jpeg):
     message = drive.message(k)
     assert message.format == "jpeg"
     assert message.header.frame_id == "camera_front"
@@ -65,7 +65,7 @@ def test_a_picture_is_the_rendered_jpeg_untouched(drive, k, size, jpeg):
     np.testing.assert_array_equal(drive.frame(k), cv2.imdecode(data, cv2.IMREAD_COLOR))
 
 
-def test_a_frame_comes_in_the_encoding_that_was_asked_for(drive):
+def test_a_frame_has_the_requested_encoding(drive):
     bgr = drive.frame(45)
     assert (bgr.shape, bgr.dtype) == ((720, 1280, 3), np.uint8)
     assert (
@@ -121,7 +121,7 @@ def test_depth_is_stored_as_compressed_depth_image_transport_writes_it(drive):
         (89, {"floor": 163888, "ball": 111941, "marker": 16341, "person": 17506}, "9bf884e80b9e635d"),
     ],
 )
-def test_labels_name_what_each_pixel_shows(drive, k, counts, whole):
+def test_labels_are_the_classes_of_the_pixels(drive, k, counts, whole):
     labels = drive.labels(k)
     assert (labels.shape, labels.dtype) == ((720, 1280), np.uint8)
     number = {name: number for number, name in drive.label_names.items()}
@@ -129,7 +129,7 @@ def test_labels_name_what_each_pixel_shows(drive, k, counts, whole):
     assert digest(labels.tobytes()) == whole
 
 
-def test_label_names_and_marker_are_kept(drive):
+def test_the_scene_has_label_names_and_marker(drive):
     assert len(drive.label_names) == 20
     assert (drive.label_names[0], drive.label_names[16], drive.label_names[19]) == (
         "background",
@@ -191,7 +191,7 @@ def test_a_pose_is_stamped_in_the_world(drive):
     assert message.header.frame_id == "world"
 
 
-def test_messages_are_of_the_classes_that_publishers_take(drive):
+def test_messages_are_of_the_classes_that_publishers_accept(drive):
     for topic, message in _first_messages(drive):
         package, _, kind = drive.topics[topic].split("/")
         wanted = installed_class(drive.topics[topic])
@@ -201,7 +201,7 @@ def test_messages_are_of_the_classes_that_publishers_take(drive):
             assert type(message).__module__.startswith(f"{package}.msg")
 
 
-def test_a_restamped_serialized_message_differs_in_its_stamp_alone(drive):
+def test_a_serialized_message_with_a_new_stamp_differs_only_in_the_stamp(drive):
     raw, stamp = drive.raw(3), 1_800_000_000_987_654_321
     restamped = drive.raw(3, stamp=stamp)
     assert raw[:4] == restamped[:4]
@@ -221,32 +221,34 @@ def test_serialized_messages_are_those_of_ros(drive):
 
 
 @pytest.mark.parametrize("k", [90, -91, 10**30])
-def test_a_number_out_of_range_says_the_range(drive, k):
+def test_the_error_for_a_number_out_of_range_names_the_range(drive, k):
     for read in (drive.frame, drive.message, drive.raw, drive.depth, drive.labels):
-        with pytest.raises(FrameIndexError, match=r"^drive has pictures 0 to 89, -?\d+ was asked for$"):
+        with pytest.raises(
+            FrameIndexError, match=r"^drive has frames 0 to 89, got -?\d+; choose one of these$"
+        ):
             read(k)
     with pytest.raises(IndexError, match="0 to 89"):
         drive.pose("ball", k)
 
 
 @pytest.mark.parametrize("k", [1.0, "3", None])
-def test_a_number_that_is_no_whole_number_is_refused(drive, k):
-    with pytest.raises(FrameIndexError, match="whole number"):
+def test_a_number_that_is_not_an_int_is_refused(drive, k):
+    with pytest.raises(FrameIndexError, match="the number of a frame must be an int"):
         drive.frame(k)
 
 
-def test_an_unknown_pose_says_which_there_are(drive):
+def test_the_error_for_an_unknown_pose_names_the_poses(drive):
     with pytest.raises(KeyError) as caught:
         drive.pose("cat", 0)
-    assert str(caught.value) == "drive holds no pose 'cat'; it holds camera, person, ball, toycar, marker"
+    assert str(caught.value) == "drive holds no pose of 'cat'; it holds camera, person, ball, toycar, marker"
 
 
-def test_an_unknown_topic_says_which_there_are(drive):
-    with pytest.raises(NotRecordedError, match=r"holds no /tf; it holds /kachaka/front_camera/image_raw"):
+def test_the_error_for_an_unknown_topic_names_the_topics(drive):
+    with pytest.raises(NotRecordedError, match=r"has no topic /tf; it has /kachaka/front_camera/image_raw"):
         drive.raw(0, "/tf")
 
 
-def test_a_closed_recording_says_so():
+def test_a_closed_recording_raises_an_error():
     recording = open_recording()
     recording.frame(0)
     recording.close()
@@ -256,7 +258,7 @@ def test_a_closed_recording_says_so():
             read()
 
 
-def test_an_iteration_that_is_left_early_leaves_no_file_open(drive):
+def test_an_interrupted_iteration_leaves_no_file_open(drive):
     for topic, message in drive:
         assert topic == "/truth/scene"
         assert "label_names" in message.data
@@ -284,14 +286,14 @@ def test_many_threads_read_the_right_messages(drive):
         assert all(found.acquire(blocking=False) for _ in threads)
 
 
-def test_it_says_what_it_is(drive):
-    assert repr(drive) == f"<Recording 'drive': 90 pictures on {CAMERA}, 10 topics>"
+def test_repr(drive):
+    assert repr(drive) == f"<Recording 'drive': 90 frames on {CAMERA}, 10 topics>"
 
 
 def _first_messages(recording):
-    seen = {}
+    first_messages = {}
     for topic, message in recording:
-        seen.setdefault(topic, message)
-        if len(seen) == len(recording.topics):
-            return list(seen.items())
-    raise AssertionError(f"only {list(seen)} came")
+        first_messages.setdefault(topic, message)
+        if len(first_messages) == len(recording.topics):
+            return list(first_messages.items())
+    raise AssertionError(f"the recording has only {list(first_messages)}")

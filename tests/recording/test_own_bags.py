@@ -1,4 +1,4 @@
-"""A learner's own bags: both storages, folder or file, raw or compressed pictures, any topic name."""
+"""A learner's own bags: both storages, folder or file, raw or compressed images, any topic name."""
 
 import gc
 import shutil
@@ -25,12 +25,12 @@ def raw_bag(tmp_path, storage):
     return write_raw_bag(tmp_path / "mine", storage)
 
 
-def the_file(folder):
+def bag_file(folder):
     (file,) = [path for path in folder.iterdir() if path.suffix in (".mcap", ".db3")]
     return file
 
 
-def assert_holds_the_raw_pictures(recording):
+def assert_holds_the_raw_images(recording):
     assert len(recording) == 6
     assert recording.camera_topic == "/my/cam"
     assert recording.topics == {"/my/cam": "sensor_msgs/msg/Image"}
@@ -43,75 +43,75 @@ def assert_holds_the_raw_pictures(recording):
 
 def test_a_folder(raw_bag):
     with open_recording(raw_bag) as recording:
-        assert_holds_the_raw_pictures(recording)
+        assert_holds_the_raw_images(recording)
 
 
 def test_a_path_as_text(raw_bag):
     with open_recording(str(raw_bag)) as recording:
-        assert_holds_the_raw_pictures(recording)
+        assert_holds_the_raw_images(recording)
 
 
 def test_a_single_file(raw_bag, tmp_path):
-    alone = tmp_path / the_file(raw_bag).name
-    shutil.copy(the_file(raw_bag), alone)
+    alone = tmp_path / bag_file(raw_bag).name
+    shutil.copy(bag_file(raw_bag), alone)
     with open_recording(alone) as recording:
-        assert_holds_the_raw_pictures(recording)
+        assert_holds_the_raw_images(recording)
 
 
-def test_a_folder_whose_metadata_is_gone_but_whose_one_file_is_whole(raw_bag):
+def test_a_folder_with_one_file_and_no_metadata(raw_bag):
     (raw_bag / "metadata.yaml").unlink()
     with open_recording(raw_bag) as recording:
-        assert_holds_the_raw_pictures(recording)
+        assert_holds_the_raw_images(recording)
 
 
 def test_its_metadata_file(raw_bag):
     with open_recording(raw_bag / "metadata.yaml") as recording:
-        assert_holds_the_raw_pictures(recording)
+        assert_holds_the_raw_images(recording)
 
 
 def test_a_path_in_the_home_folder(raw_bag, monkeypatch):
     monkeypatch.setenv("HOME", str(raw_bag.parent))
     monkeypatch.setenv("USERPROFILE", str(raw_bag.parent))
     with open_recording("~/mine") as recording:
-        assert_holds_the_raw_pictures(recording)
+        assert_holds_the_raw_images(recording)
 
 
 @pytest.mark.parametrize("mode", [CompressionMode.FILE, CompressionMode.MESSAGE])
 def test_a_compressed_bag(tmp_path, storage, mode):
     path = write_raw_bag(tmp_path / "mine", storage, compression=(mode, CompressionFormat.ZSTD))
     with open_recording(path) as recording:
-        assert_holds_the_raw_pictures(recording)
+        assert_holds_the_raw_images(recording)
 
 
 def test_compressed_chunks(tmp_path):
     compression = (CompressionMode.STORAGE, CompressionFormat.ZSTD)
     with open_recording(write_raw_bag(tmp_path / "mine", compression=compression)) as recording:
-        assert_holds_the_raw_pictures(recording)
+        assert_holds_the_raw_images(recording)
 
 
 def test_iteration_yields_the_messages(raw_bag):
     with open_recording(raw_bag) as recording:
-        seen = [(topic, np.array(msg.data), msg.encoding, msg.header.frame_id) for topic, msg in recording]
-    assert [(topic, encoding, frame) for topic, _, encoding, frame in seen] == [
+        entries = [(topic, np.array(msg.data), msg.encoding, msg.header.frame_id) for topic, msg in recording]
+    assert [(topic, encoding, frame) for topic, _, encoding, frame in entries] == [
         ("/my/cam", "mono8", "lens")
     ] * 6
-    for k, (_, data, _, _) in enumerate(seen):
+    for k, (_, data, _, _) in enumerate(entries):
         np.testing.assert_array_equal(data, gray_pixels(k).ravel())
 
 
 def test_an_mcap_without_an_index(tmp_path):
-    """Such a file is read from its front; finding one message must not lose the place of the search."""
-    pictures = [np.random.default_rng(k).bytes(700_000) for k in range(6)]  # a chunk holds two
+    """Such a file is read from its beginning; finding one message must not move the position of the index."""
+    images = [np.random.default_rng(k).bytes(700_000) for k in range(6)]  # a chunk holds two
     with BagWriter(tmp_path / "mine") as bag:
-        for k, picture in enumerate(pictures):
-            bag.write("/cam", compressed(picture, START + k), START + k)
+        for k, image in enumerate(images):
+            bag.write("/cam", compressed(image, START + k), START + k)
     file = tmp_path / "mine" / "mine.mcap"
     data = bytearray(file.read_bytes())
     data[-28:-20] = bytes(8)  # the footer's pointer to the summary
     file.write_bytes(data)
     with open_recording(file) as recording:
         for k in (0, 3, 0, 5, 4, 1):
-            assert bytes(recording.message(k).data) == pictures[k]
+            assert bytes(recording.message(k).data) == images[k]
 
 
 def test_lists_in_messages_keep_their_elements(tmp_path):
@@ -146,19 +146,19 @@ def test_two_recordings_iterate_side_by_side(raw_bag):
 
 
 @pytest.mark.parametrize("is_in_a_cycle", [False, True])
-def test_a_recording_that_is_dropped_half_read_goes_in_silence(raw_bag, monkeypatch, is_in_a_cycle):
-    said = []
-    monkeypatch.setattr(sys, "unraisablehook", lambda what: said.append(what.exc_value))
-    held = [open_recording(raw_bag)]
-    np.testing.assert_array_equal(held[0].frame(1, "mono8"), gray_pixels(1))
+def test_a_recording_that_is_deleted_half_read_raises_nothing(raw_bag, monkeypatch, is_in_a_cycle):
+    errors = []
+    monkeypatch.setattr(sys, "unraisablehook", lambda event: errors.append(event.exc_value))
+    recordings = [open_recording(raw_bag)]
+    np.testing.assert_array_equal(recordings[0].frame(1, "mono8"), gray_pixels(1))
     if is_in_a_cycle:
-        held.append(held)
-    del held
+        recordings.append(recordings)
+    del recordings
     gc.collect()
-    assert said == []
+    assert errors == []
 
 
-def test_pictures_recorded_in_the_same_instant_stay_apart(tmp_path, storage):
+def test_images_recorded_in_the_same_instant_stay_apart(tmp_path, storage):
     with BagWriter(tmp_path / "burst", storage) as bag:
         for k in range(6):
             bag.write("/cam", raw_image(k, START + k), START + k // 3)
@@ -167,7 +167,7 @@ def test_pictures_recorded_in_the_same_instant_stay_apart(tmp_path, storage):
             np.testing.assert_array_equal(recording.frame(k, "mono8"), gray_pixels(k))
 
 
-def test_a_stamp_that_the_robot_left_zero_becomes_the_time_of_recording(tmp_path):
+def test_a_stamp_of_zero_becomes_the_time_of_recording(tmp_path):
     with BagWriter(tmp_path / "mine") as bag:
         for k in range(3):
             bag.write("/cam", raw_image(k, 0), START + k * 10**8)
@@ -175,15 +175,15 @@ def test_a_stamp_that_the_robot_left_zero_becomes_the_time_of_recording(tmp_path
         assert recording.stamps.tolist() == [START + k * 10**8 for k in range(3)]
 
 
-def test_a_single_picture_has_no_rate(tmp_path):
-    with open_recording(write_raw_bag(tmp_path / "mine", pictures=1)) as recording:
+def test_a_single_image_has_no_rate(tmp_path):
+    with open_recording(write_raw_bag(tmp_path / "mine", images=1)) as recording:
         assert recording.rate == 0.0
         assert len(recording) == 1
 
 
 @pytest.fixture
 def robot_bag(tmp_path, storage):
-    """What a robot records: depth first, a camera that said nothing, a compressed camera with its info."""
+    """The recording of a robot: depth first, a camera without messages, a compressed camera with its info."""
     png = cv2.imencode(".png", np.full((2, 3, 3), (10, 20, 30), np.uint8))[1].tobytes()
     info = TYPES.types["sensor_msgs/msg/CameraInfo"]
     region = TYPES.types["sensor_msgs/msg/RegionOfInterest"](0, 0, 0, 0, False)
@@ -194,7 +194,7 @@ def robot_bag(tmp_path, storage):
         return info(header(START), 2, 3, "plumb_bob", np.array([0.5]), k, np.eye(3).ravel(), p, 0, 0, region)
 
     with BagWriter(tmp_path / "robot", storage) as bag:
-        bag.write("/tof/image_raw/compressedDepth", compressed(b"no picture", START), START)
+        bag.write("/tof/image_raw/compressedDepth", compressed(b"no image", START), START)
         bag.topic("/back/image_raw", "sensor_msgs/msg/Image")
         bag.write("/tof/camera_info", camera_info(80), START)
         for k in range(4):
@@ -203,17 +203,21 @@ def robot_bag(tmp_path, storage):
     return tmp_path / "robot"
 
 
-def test_the_camera_is_the_first_topic_with_colour_pictures(robot_bag):
+def test_the_camera_is_the_first_topic_with_colour_images(robot_bag):
     with open_recording(robot_bag) as recording:
         assert recording.camera_topic == "/front/image_raw/compressed"
         assert len(recording) == 4
         assert recording.frame(3).tolist() == [[[10, 20, 30]] * 3] * 2
 
 
-@pytest.mark.parametrize("encoding, bytes_a_pixel", [("16UC1", 2), ("32FC1", 4), ("no such", 1)])
-def test_raw_depth_that_was_recorded_first_is_not_taken_for_the_camera(tmp_path, encoding, bytes_a_pixel):
+@pytest.mark.parametrize("encoding, bytes_per_pixel", [("16UC1", 2), ("32FC1", 4), ("no such", 1)])
+def test_raw_depth_recorded_first_is_not_the_camera(tmp_path, encoding, bytes_per_pixel):
     depth = raw_image(0, START)
-    depth.encoding, depth.step, depth.data = encoding, 5 * bytes_a_pixel, np.zeros(20 * bytes_a_pixel, "u1")
+    depth.encoding, depth.step, depth.data = (
+        encoding,
+        5 * bytes_per_pixel,
+        np.zeros(20 * bytes_per_pixel, "u1"),
+    )
     with BagWriter(tmp_path / "realsense") as bag:
         bag.write("/camera/depth/image_rect_raw", depth, START)
         bag.write("/camera/color/image_raw", raw_image(2, START), START)
@@ -222,7 +226,7 @@ def test_raw_depth_that_was_recorded_first_is_not_taken_for_the_camera(tmp_path,
         np.testing.assert_array_equal(recording.frame(0, "mono8"), gray_pixels(2))
 
 
-def test_depth_is_the_camera_where_there_is_nothing_else(tmp_path):
+def test_depth_is_the_camera_if_there_is_no_other_image(tmp_path):
     depth = raw_image(0, START)
     depth.encoding, depth.step, depth.data = "16UC1", 10, np.arange(20, dtype=np.uint16).view("u1")
     with BagWriter(tmp_path / "tof") as bag:
@@ -244,14 +248,14 @@ def test_the_camera_info_is_that_of_the_camera(robot_bag):
 def test_the_camera_topic_can_be_chosen(robot_bag):
     with open_recording(robot_bag, camera_topic="/tof/image_raw/compressedDepth") as recording:
         assert len(recording) == 1
-        assert bytes(recording.message(0).data) == b"no picture"
+        assert bytes(recording.message(0).data) == b"no image"
 
 
-def test_a_camera_topic_that_is_not_there_says_which_are(robot_bag):
+def test_the_error_for_an_unknown_camera_topic_names_the_topics(robot_bag):
     with pytest.raises(NotRecordedError) as caught:
         open_recording(robot_bag, camera_topic="/front")
     assert str(caught.value) == (
-        "robot holds no pictures on /front, but on: "
+        "robot holds no images on /front, but on: "
         "/tof/image_raw/compressedDepth, /back/image_raw, /front/image_raw/compressed"
     )
 
@@ -262,20 +266,20 @@ def test_a_camera_topic_that_is_not_there_says_which_are(robot_bag):
         (lambda r: r.depth(0), r"holds no depth \(/truth/depth\)"),
         (lambda r: r.labels(0), r"holds no labels \(/truth/labels\)"),
         (lambda r: r.label_names, "holds no facts about the scene"),
-        (lambda r: r.pose("ball", 0), "holds no pose 'ball'; it holds none"),
+        (lambda r: r.pose("ball", 0), "holds no pose of 'ball'; it holds none"),
         (lambda r: r.camera_info, "holds no camera info of /my/cam; record /my/camera_info with it"),
     ],
 )
-def test_what_only_the_course_s_recording_holds_is_said_to_be_missing(raw_bag, read, missing):
+def test_the_error_for_missing_data_names_them(raw_bag, read, missing):
     with open_recording(raw_bag) as recording, pytest.raises(NotRecordedError, match=missing):
         read(recording)
 
 
-def test_messages_of_a_type_that_is_not_installed_are_read_all_the_same(tmp_path):
+def test_messages_of_a_type_that_is_not_installed_are_read(tmp_path):
     TYPES.register(_own_type())
-    own = TYPES.types["my_robot/msg/Bumper"](pressed=True, force=2.5)
+    bumper = TYPES.types["my_robot/msg/Bumper"](pressed=True, force=2.5)
     with BagWriter(tmp_path / "mine") as bag:
-        bag.write("/bumper", own, START)
+        bag.write("/bumper", bumper, START)
         bag.write("/cam", raw_image(0, START), START + 1)
     with open_recording(tmp_path / "mine") as recording:
         (_, message), _ = recording

@@ -1,4 +1,4 @@
-"""environment/drive/record.py: from raw material to a recording, the same bytes every time."""
+"""environment/drive/record.py: it makes a recording of the raw material, with the same bytes every time."""
 
 import json
 import subprocess
@@ -44,9 +44,9 @@ def run(*arguments):
 
 
 def test_two_runs_give_the_same_bytes(raw_material, tmp_path):
-    for which in ("a", "b"):
-        done = run(raw_material, "--out", tmp_path / which / "drive")
-        assert done.returncode == 0, done.stderr
+    for name in ("a", "b"):
+        process = run(raw_material, "--out", tmp_path / name / "drive")
+        assert process.returncode == 0, process.stderr
     for name in ("drive.mcap", "metadata.yaml"):
         assert (tmp_path / "a/drive" / name).read_bytes() == (tmp_path / "b/drive" / name).read_bytes()
 
@@ -62,19 +62,19 @@ def test_the_recording_holds_the_raw_material(raw_material, tmp_path):
         assert drive.pose("toycar", 2).tolist() == [2, 3, 0, 0, 0, 0, 1]
 
 
-def test_it_replaces_nothing_without_being_told(raw_material, tmp_path):
+def test_it_replaces_an_existing_folder_only_with_force(raw_material, tmp_path):
     out = tmp_path / "drive"
     out.mkdir()
     (out / "precious").touch()
-    done = run(raw_material, "--out", out)
-    assert done.returncode == 1
-    assert "exists already: say --force" in done.stderr
+    process = run(raw_material, "--out", out)
+    assert process.returncode == 1
+    assert "exists already: give --force" in process.stderr
     assert (out / "precious").exists()
 
 
 def test_a_folder_without_raw_material_is_refused(tmp_path):
-    done = run(tmp_path)
-    assert done.returncode == 1
-    assert done.stderr.strip().endswith(
-        "has no truth.json: name the folder with the raw material (see README.md)"
+    process = run(tmp_path)
+    assert process.returncode == 1
+    assert process.stderr.strip().endswith(
+        "has no truth.json: give the folder with the raw material (see README.md)"
     )

@@ -115,7 +115,7 @@ def test_another_of_the_recordings_cameras_can_be_played(open_camera):
         known = {labels.frame(k).tobytes() for k in range(len(labels))}
     with open_camera(camera_topic="/truth/labels") as camera, ImageSubscriber(camera.topic) as subscriber:
         assert subscriber.wait(20).tobytes() in known
-    with pytest.raises(NotRecordedError, match="holds no pictures on /back, but on: "):
+    with pytest.raises(NotRecordedError, match="holds no images on /back, but on: "):
         open_camera(camera_topic="/back")
 
 
