@@ -19,7 +19,7 @@ ARROWS = {
     "recording": {"messages"},
     "ros": {"messages", "recording"},
     "display": {"messages", "ros"},
-    "exercises": {"display"},
+    "exercises": set(),
     "authoring": {"exercises"},
     "autograder": {"authoring", "exercises"},
     "gradebook": {"authoring", "autograder", "exercises"},
@@ -27,7 +27,6 @@ ARROWS = {
 # An arrow that only some modules of a package may use.
 ONLY_IN = {
     ("display", "ros"): {"display/live_view.py"},
-    ("exercises", "display"): {"exercises/feedback.py"},
     ("autograder", "authoring"): {"autograder/make_answer_key.py"},
 }
 # These call what they need: the command line, and what stands beside it.

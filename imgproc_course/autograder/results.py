@@ -169,7 +169,7 @@ def _outcome_of_calls(exercise, calls, failing):
         return word, _raised(call["error"], call["message"]) + where
     if call["changed"]:
         return "wrong", f"it changed its input {plain(', '.join(call['changed']), 100)}"
-    where = f"in answer{difference.where}: " if difference.where else ""
+    where = f"in answer{difference.path}: " if difference.path else ""
     return "wrong", plain(f"{where}{difference.message}")
 
 

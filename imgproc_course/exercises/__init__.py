@@ -1,4 +1,4 @@
-"""What an answer is: declared in a master, checked in the learner's notebook, graded by the teacher."""
+"""Exercises: declared in a master, checked in the learner's notebook, graded by the instructor."""
 
 from imgproc_course.exercises.canonical import array_of, canonical
 from imgproc_course.exercises.checking import CheckResult, check, run_cases

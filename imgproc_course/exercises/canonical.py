@@ -1,7 +1,7 @@
-"""One form for every answer: what a function returned, as JSON, by value.
+"""The canonical form of an answer: what a function returned, as JSON, by value.
 
 Grading runs this module inside the learner's kernel, where neither the expected answers nor the masters
-exist: it needs NumPy and nothing else, gives values and never a verdict, and trusts no object's own `__eq__`,
+exist. It needs only NumPy, gives values and never a verdict, and does not trust an object's own `__eq__`,
 `__array__` or `__repr__`.
 """
 
@@ -12,12 +12,12 @@ import types
 
 import numpy as np
 
-VALUE_BYTES = 65_536  # an array up to this size is written out; a larger one by its digest
-_ITEMS = 20_000  # of all containers together
-_DEPTH = 8
-_TEXT = 10_000
-_INT_BITS = 4_096
-_NAME = 100
+VALUE_BYTES = 65_536  # a larger array is given by its digest
+_MOST_ITEMS = 20_000  # of all containers together
+_MOST_DEPTH = 8
+_MOST_CHARACTERS = 10_000
+_MOST_INT_BITS = 4_096
+_MOST_NAME_CHARACTERS = 100
 
 # Read through `type` itself: a metaclass may redefine __qualname__ and __module__.
 _QUALNAME = type.__dict__["__qualname__"]
@@ -30,12 +30,12 @@ def canonical(value, limit=VALUE_BYTES):
     Parameters
     ----------
     value : anything
-    limit : int, bytes; arrays above it are given by SHA-256 digest and summary. None: no limit
+    limit : int, bytes; a larger array is given by SHA-256 digest and summary. None: no limit
 
     Returns
     -------
     dict that json.dumps takes, with "type" and, by type:
-        bool, int, float, str, None      "value" (floats that JSON has no number for as "nan", "inf", "-inf")
+        bool, int, float, str, None      "value" (the floats that JSON lacks are "nan", "inf", "-inf")
         NumPy scalars                    "type" is "numpy.uint8" and so on, "value"
         tuple, list                      "items"
         dict                             "items": [[key, value], ...] sorted by key
@@ -43,28 +43,28 @@ def canonical(value, limit=VALUE_BYTES):
         ndarray                          "dtype", "shape", and "data" (base64, little-endian, C order) or
                                          "digest", "summary"
         ROS message, SimpleNamespace     "fields": {name: form}
-        whatever else, a subclass too    "opaque": True, and no more than its type's name
+        anything else, and subclasses    "opaque": True, and only the name of the type
     A value that is too deep, too long or too large has "too_large": True.
 
-    NaN equals NaN and -0.0 equals 0.0 in this form; byte order and memory layout do not show.
+    In this form NaN equals NaN and -0.0 equals 0.0; byte order and memory layout make no difference.
     """
     return _Writer(limit).write(value, 0)
 
 
 def type_name(value):
-    """`module.name` of the value's type, `name` alone for built-ins; asks nothing of the value itself."""
+    """`module.name` of the value's type, only `name` for built-ins; runs no code of the value."""
     kind = type(value)
-    name = _QUALNAME.__get__(kind)[:_NAME]
+    name = _QUALNAME.__get__(kind)[:_MOST_NAME_CHARACTERS]
     module = _MODULE.__get__(kind)
     if not isinstance(module, str) or module in ("builtins", "__main__"):
         return name
-    return f"{module[:_NAME]}.{name}"
+    return f"{module[:_MOST_NAME_CHARACTERS]}.{name}"
 
 
 class _Writer:
     def __init__(self, limit):
         self._limit = limit
-        self._items_left = _ITEMS
+        self._items_left = _MOST_ITEMS
 
     def write(self, value, depth):
         kind = type(value)
@@ -73,7 +73,9 @@ class _Writer:
         if kind is bool:
             return {"type": "bool", "value": value}
         if kind is int:
-            return _too_large("int") if value.bit_length() > _INT_BITS else {"type": "int", "value": value}
+            return (
+                _too_large("int") if value.bit_length() > _MOST_INT_BITS else {"type": "int", "value": value}
+            )
         if kind is float:
             return {"type": "float", "value": _number(value)}
         if kind is str:
@@ -87,7 +89,7 @@ class _Writer:
         if kind in (tuple, list, dict):
             return self._container(value, depth)
         names = tuple(value.__dict__) if kind is types.SimpleNamespace else _message_fields(kind)
-        if names and depth < _DEPTH:
+        if names and depth < _MOST_DEPTH:
             return {
                 "type": type_name(value),
                 "fields": {name: self._field(value, name, depth) for name in names},
@@ -95,14 +97,14 @@ class _Writer:
         return {"type": type_name(value), "opaque": True}
 
     def _text(self, value):
-        if len(value) > _TEXT:
+        if len(value) > _MOST_CHARACTERS:
             return _too_large("str", length=len(value))
         return {"type": "str", "value": value.encode("utf-8", "backslashreplace").decode("utf-8")}
 
     def _container(self, value, depth):
         kind = type(value).__name__
         self._items_left -= len(value)
-        if depth >= _DEPTH or self._items_left < 0:
+        if depth >= _MOST_DEPTH or self._items_left < 0:
             return _too_large(kind, length=len(value))
         if kind == "dict":
             pairs = [[self.write(k, depth + 1), self.write(v, depth + 1)] for k, v in value.items()]
@@ -127,7 +129,7 @@ class _Writer:
 
     def _field(self, message, name, depth):
         value = getattr(message, name)
-        # rclpy keeps a sequence of numbers as array.array, rosbags as ndarray: in this form they are equal.
+        # rclpy stores a sequence of numbers as array.array, rosbags as ndarray: in this form they are equal.
         return self.write(np.array(value) if type(value) is array.array else value, depth + 1)
 
 
@@ -137,7 +139,7 @@ _SCALARS = frozenset(
 
 
 def _message_fields(kind):
-    """Field names of a ROS message class, of rclpy's or of rosbags'; () for any other class."""
+    """Field names of a ROS message class of rclpy or rosbags; () for any other class."""
     if isinstance(kind.__dict__.get("_fields_and_field_types"), dict):
         return tuple(kind.__dict__["_fields_and_field_types"])
     if isinstance(kind.__dict__.get("__msgtype__"), str):
@@ -152,7 +154,7 @@ def _number(value):
 
 
 def _summary(values):
-    """Smallest, largest and mean of an array too large to write out: for people, never for the verdict."""
+    """Minimum, maximum and mean of an array given by its digest: for readers, never for the verdict."""
     if not values.size:
         return {}
     wide = values.astype(np.float64)
@@ -168,7 +170,7 @@ def _too_large(kind, **more):
 
 
 def array_of(form):
-    """The array that a form with "data" stands for.
+    """The array of a form with "data".
 
     Parameters
     ----------
@@ -176,7 +178,7 @@ def array_of(form):
 
     Returns
     -------
-    ndarray, writable, or None where the form holds no data (too large, or no array at all)
+    ndarray, writable, or None if the form holds no data (too large, or not an array)
     """
     if form is None or form["type"] != "ndarray" or "data" not in form:
         return None

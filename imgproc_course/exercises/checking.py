@@ -1,4 +1,4 @@
-"""`check`: an answer's public cases, run at once in the learner's notebook."""
+"""`check`: run an answer's public cases in the learner's notebook."""
 
 from dataclasses import dataclass, field
 from functools import lru_cache
@@ -14,61 +14,62 @@ from imgproc_course.exercises.declaration import (
     Mistake,
     find_exercise,
 )
-from imgproc_course.exercises.reach import Reach, reach_of
+from imgproc_course.exercises.dependencies import Dependencies, find_dependencies
 from imgproc_course.exercises.running import CallResult, call, code_of
 
 
 @dataclass(frozen=True)
-class Call:
-    """One call of one case: what it was given, what was expected, what it did."""
+class CaseCall:
+    """One call of a case: its arguments, the expected result, the answer's result, and their difference."""
 
     case: Case
     arguments: tuple
     expected: CallResult
-    outcome: CallResult
+    result: CallResult
     difference: Difference | None
 
     @property
     def passed(self):
-        return self.outcome.finished and not self.outcome.changed and self.difference is None
+        return self.result.finished and not self.result.changed and self.difference is None
 
 
 @dataclass(frozen=True)
 class CaseResult:
-    """One case: passed, and the first of its calls that failed.
+    """One case: whether it passed, and the first of its calls that failed.
 
-    failed is None where none did, and where the case was not run: after a call that did not come to an end.
+    failed_call is None if no call failed, and for a case that was not run because an earlier call did not
+    finish.
     """
 
     case: Case
     passed: bool
-    failed: Call | None
+    failed_call: CaseCall | None
 
 
 @dataclass(frozen=True)
 class CheckResult:
-    """What `check` found. Shows itself in a notebook; `print(result)` gives the same as plain text.
+    """The result of `check`. A notebook shows it as HTML; `print(result)` gives the same as plain text.
 
-    exercise   the declaration
-    attempted  False for the stub as it was handed out
-    results    tuple of CaseResult, one a public case
-    mistake    the known mistake that explains the answer, or None
-    reach      what the answer uses that grading refuses or will not know
-    names      the argument names of the function
+    exercise      the Exercise
+    attempted     False for the unchanged stub
+    results       tuple of CaseResult, one for each public case
+    mistake       the known mistake that explains the answer, or None
+    dependencies  refused modules and names of other cells that the answer uses
+    names         the argument names of the function
     """
 
     exercise: Exercise
     attempted: bool
     results: tuple = ()
     mistake: Mistake | None = None
-    reach: Reach = field(default_factory=Reach)
+    dependencies: Dependencies = field(default_factory=Dependencies)
     names: tuple = ()
 
     @property
     def passed(self):
-        """True when grading would give every point of the public cases."""
-        clean = not self.reach.refused and not self.reach.foreign
-        return self.attempted and clean and all(result.passed for result in self.results)
+        """True if grading would give every point of the public cases."""
+        is_accepted = not self.dependencies.refused and not self.dependencies.foreign
+        return self.attempted and is_accepted and all(result.passed for result in self.results)
 
     @property
     def points(self):
@@ -83,7 +84,7 @@ class CheckResult:
 
 
 def check(exercise_id, function):
-    """Check an answer, and say what is right, what is not, and where to look.
+    """Check an answer: show what is right, what is wrong, and where to look.
 
     Parameters
     ----------
@@ -92,71 +93,72 @@ def check(exercise_id, function):
 
     Returns
     -------
-    CheckResult, which a notebook shows; `.passed` and `.results` for programs
+    CheckResult, which a notebook shows; programs use `.passed` and `.results`
 
     Raises
     ------
     MasterError : there is no such exercise
-    TypeError : what was given is no function
+    TypeError : `function` cannot be called
     """
-    declared = find_exercise(exercise_id)
+    exercise = find_exercise(exercise_id)
     if not callable(function):
         raise TypeError(
-            f"check({exercise_id!r}, ...) needs your function {declared.function} itself, got a value of type"
+            f"check({exercise_id!r}, ...) needs your function {exercise.function} itself, got a value of type"
             f" {type(function).__name__}; run the cell with your function first (if it shows an error, repair"
-            f" that), and write check({exercise_id!r}, {declared.function}), no parentheses after the name"
+            f" that), and write check({exercise_id!r}, {exercise.function}), no parentheses after the name"
         )
-    return run_cases(declared, function)
+    return run_cases(exercise, function)
 
 
-def run_cases(declared, function, *, cases=None, seed=PUBLIC_SEED):
-    """Run an answer through cases of an exercise.
+def run_cases(exercise, function, *, cases=None, seed=PUBLIC_SEED):
+    """Run an answer on cases of an exercise.
 
     Parameters
     ----------
-    declared : Exercise
+    exercise : Exercise
     function : callable
-    cases : sequence of Case; the public ones where left out
-    seed : int, what the inputs are drawn from
+    cases : sequence of Case; the public ones if omitted
+    seed : int, the seed of the inputs
 
     Returns
     -------
     CheckResult
     """
-    cases = declared.public if cases is None else tuple(cases)
-    names = _argument_names(declared)
-    if _is_stub(declared, function):
-        return CheckResult(declared, attempted=False, names=names)
+    cases = exercise.public if cases is None else tuple(cases)
+    names = _argument_names(exercise)
+    if _is_stub(exercise, function):
+        return CheckResult(exercise, attempted=False, names=names)
     calls = []
-    for case, arguments, expected in _planned(declared, cases, seed):
-        outcome = call(function, arguments, _names_for(names, arguments), declared.time_limit)
-        if outcome.error == "NotImplementedError":
-            return CheckResult(declared, attempted=False, names=names)
-        difference = compare(expected.value, outcome.value, case.tolerance) if outcome.finished else None
-        calls.append(Call(case, arguments, expected, outcome, difference))
-        if outcome.timed_out:
-            break  # a learner waits for one time limit, not for one a call
-    results = tuple(_result(case, [made for made in calls if made.case is case]) for case in cases)
-    reach = reach_of(function, declared.refused, set(declared.namespace()))
-    mistake = None if all(result.passed for result in results) else _known_mistake(declared, calls, seed)
-    return CheckResult(declared, True, results, mistake, reach, names)
+    for case, arguments, expected in _expected_calls(exercise, cases, seed):
+        result = call(function, arguments, _names_for(names, arguments), exercise.time_limit)
+        if result.error == "NotImplementedError":
+            return CheckResult(exercise, attempted=False, names=names)
+        difference = compare(expected.value, result.value, case.tolerance) if result.finished else None
+        calls.append(CaseCall(case, arguments, expected, result, difference))
+        if result.timed_out:
+            break  # a learner waits for one time limit, not for one per call
+    results = tuple(_case_result(case, calls) for case in cases)
+    dependencies = find_dependencies(function, exercise.refused, set(exercise.namespace()))
+    mistake = None if all(result.passed for result in results) else _known_mistake(exercise, calls, seed)
+    return CheckResult(exercise, True, results, mistake, dependencies, names)
 
 
-def _planned(declared, cases, seed):
+def _expected_calls(exercise, cases, seed):
     for case in cases:
-        yield from ((case, arguments, expected) for arguments, expected in _answers(declared, case, seed))
+        for arguments, expected in _solve(exercise, case, seed):
+            yield case, arguments, expected
 
 
-def _argument_names(declared):
-    return tuple(signature(declared.function_of(declared.solution, "solution")).parameters)
+def _argument_names(exercise):
+    return tuple(signature(exercise.function_of(exercise.solution, "solution")).parameters)
 
 
 def _names_for(names, arguments):
     return [*names[: len(arguments)], *(f"argument {k + 1}" for k in range(len(names), len(arguments)))]
 
 
-def _is_stub(declared, function):
-    code, stub = code_of(function), code_of(declared.function_of(declared.stub, "stub"))
+def _is_stub(exercise, function):
+    code, stub = code_of(function), code_of(exercise.function_of(exercise.stub, "stub"))
     return code is not None and (code.co_code, code.co_consts, code.co_names) == (
         stub.co_code,
         stub.co_consts,
@@ -164,58 +166,58 @@ def _is_stub(declared, function):
     )
 
 
-def _result(case, calls):
-    failed = next((made for made in calls if not made.passed), None)
-    return CaseResult(case, bool(calls) and failed is None, failed)
+def _case_result(case, calls):
+    own_calls = [case_call for case_call in calls if case_call.case is case]
+    failed_call = next((case_call for case_call in own_calls if not case_call.passed), None)
+    return CaseResult(case, bool(own_calls) and failed_call is None, failed_call)
 
 
-# Kept between checks: the right answers of a slow exercise are worked out once. A changed master is another
-# Exercise.
+# Cached from one check to the next: a slow solution runs once. A changed master gives another Exercise.
 @lru_cache(maxsize=256)
-def _answers(declared, case, seed):
-    solution = declared.function_of(declared.solution, "solution")
-    names = _argument_names(declared)
-    answers = []
-    for arguments in declared.arguments(case, seed):
-        outcome = call(solution, arguments, _names_for(names, arguments), declared.time_limit)
-        if not outcome.finished or outcome.changed:
-            story = feedback.story_of(outcome, None, declared.function)
-            raise MasterError(f"{declared.master.name}, {case.id}: the solution fails. {story}")
-        answers.append((arguments, outcome))
-    return tuple(answers)
+def _solve(exercise, case, seed):
+    solution = exercise.function_of(exercise.solution, "solution")
+    names = _argument_names(exercise)
+    solved = []
+    for arguments in exercise.arguments(case, seed):
+        result = call(solution, arguments, _names_for(names, arguments), exercise.time_limit)
+        if not result.finished or result.changed:
+            explanation = feedback.explain_call(result, None, exercise.function)
+            raise MasterError(f"{exercise.master.name}, {case.id}: the solution fails. {explanation}")
+        solved.append((arguments, result))
+    return tuple(solved)
 
 
 @lru_cache(maxsize=256)
-def _outcomes_of_mistake(declared, mistake, case, seed):
-    wrong = declared.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
-    names = _argument_names(declared)
+def _results_of_mistake(exercise, mistake, case, seed):
+    wrong_function = exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
+    names = _argument_names(exercise)
     return tuple(
-        call(wrong, arguments, _names_for(names, arguments), declared.time_limit)
-        for arguments, _ in _answers(declared, case, seed)
+        call(wrong_function, arguments, _names_for(names, arguments), exercise.time_limit)
+        for arguments, _ in _solve(exercise, case, seed)
     )
 
 
-def _known_mistake(declared, calls, seed):
+def _known_mistake(exercise, calls, seed):
     """The declared mistake that explains an answer, or None.
 
-    It does on every call exactly what the answer did; or else it is the only one that gives the same wrong
-    values in the first case that fails.
+    A mistake explains an answer if both do the same in every call. Otherwise it must be the only mistake that
+    gives the same wrong values in the first case that fails.
     """
-    alike = [mistake for mistake in declared.mistakes if _explains(declared, mistake, calls, seed)]
-    if alike:
-        return alike[0]
-    first = next(made.case for made in calls if not made.passed)
-    there = [made for made in calls if made.case is first]
-    if not all(made.outcome.finished for made in there):
-        return None  # two different errors may bear one name
-    alike = [mistake for mistake in declared.mistakes if _explains(declared, mistake, there, seed)]
-    return alike[0] if len(alike) == 1 else None
+    matches = [mistake for mistake in exercise.mistakes if _explains(exercise, mistake, calls, seed)]
+    if matches:
+        return matches[0]
+    first = next(case_call.case for case_call in calls if not case_call.passed)
+    first_calls = [case_call for case_call in calls if case_call.case is first]
+    if not all(case_call.result.finished for case_call in first_calls):
+        return None  # two different errors may have the same name
+    matches = [mistake for mistake in exercise.mistakes if _explains(exercise, mistake, first_calls, seed)]
+    return matches[0] if len(matches) == 1 else None
 
 
-def _explains(declared, mistake, calls, seed):
-    cases = list(dict.fromkeys(made.case for made in calls))
-    predicted = [made for case in cases for made in _outcomes_of_mistake(declared, mistake, case, seed)]
+def _explains(exercise, mistake, calls, seed):
+    cases = list(dict.fromkeys(case_call.case for case_call in calls))
+    predicted = [result for case in cases for result in _results_of_mistake(exercise, mistake, case, seed)]
     return len(predicted) == len(calls) and all(
-        made.outcome.like(outcome, made.case.tolerance)
-        for made, outcome in zip(calls, predicted, strict=True)
+        case_call.result.matches(result, case_call.case.tolerance)
+        for case_call, result in zip(calls, predicted, strict=True)
     )

@@ -1,36 +1,35 @@
-"""Compare two canonical forms, and say in words where they differ.
+"""Compare two canonical forms, and describe their first difference.
 
-Runs in the learner's notebook (`check`) and in the grader's process alike, on forms only: no object of the
-learner's comes here.
+This runs in the learner's notebook (`check`) and in the grader's process. It reads canonical forms only,
+never an object of the learner's.
 """
 
 import base64
 import hashlib
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 import numpy as np
 
 from imgproc_course.exercises.canonical import array_of
 
-# What rounding alone may cost, relative to the expected number: a sum taken in another order is not a
-# mistake.
+# Rounding errors, relative to the expected number: a sum computed in another order is not a mistake.
 _ROUNDING = {"float16": 1e-2, "float32": 1e-5, "float64": 1e-9, "float": 1e-9}
 
 
 @dataclass(frozen=True)
 class Difference:
-    """The first thing in which an answer differs from the expected one.
+    """The first difference between an answer and the expected one.
 
     kind      "type", "shape", "dtype", "length", "keys" or "value"
-    where     path inside the answer, "" for the answer itself: "[1]", "['edges']"
-    message   the difference as a sentence
+    path      path inside the answer, "" for the answer itself: "[1]", "['edges']"
+    message   the difference as a sentence without its full stop
     index     index of the first differing element of an array (row, col, ...), or None
-    expected, actual   the two numbers at that place, or None
-    count, total       how many elements of the array differ, of how many
+    expected, actual   the two numbers at that index, or None
+    count, total       how many elements of the array differ, and how many it has
     """
 
     kind: str
-    where: str
+    path: str
     message: str
     index: tuple | None = None
     expected: object = None
@@ -39,55 +38,54 @@ class Difference:
     total: int = 0
 
 
-def compare(expected, actual, tolerance=0.0, where=""):
+def compare(expected, actual, tolerance=0.0, path=""):
     """The first difference between two canonical forms, or None.
 
     Numbers agree when |actual - expected| <= tolerance + rounding * |expected|; the rounding is 1e-9 for
     Python's floats and float64, 1e-5 for float32, 1e-2 for float16, and 0 for integers. NumPy's scalars count
-    as Python's numbers, and an integer is good where a float is expected.
+    as Python's numbers, and an integer may stand for an expected float.
 
     Parameters
     ----------
     expected, actual : dict, from `canonical` with the same limit
     tolerance : float >= 0, absolute, in the unit of the answer
-    where : str, path of the two inside the whole answer
+    path : str, the path of the two inside the whole answer
 
     Returns
     -------
     Difference or None
     """
-    wanted, got = _kind(expected), _kind(actual)
-    if wanted != got and not (wanted == "float" and got == "int"):
-        return Difference("type", where, f"{describe(actual)} came back, {describe(expected)} was expected")
+    kind, actual_kind = _kind(expected), _kind(actual)
+    if kind != actual_kind and not (kind == "float" and actual_kind == "int"):
+        return _difference("type", path, expected, actual)
     if actual.get("too_large") or actual.get("opaque"):
-        return Difference("type", where, f"{describe(actual)} came back, which cannot be compared")
-    if wanted == "ndarray":
-        return _compare_arrays(expected, actual, tolerance, where)
-    if wanted in ("tuple", "list"):
-        return _compare_items(expected, actual, tolerance, where)
-    if wanted == "dict":
-        return _compare_dicts(expected, actual, tolerance, where)
-    if wanted == "message":
-        return _compare_fields(expected, actual, tolerance, where)
-    if wanted == "bytes":
+        return Difference("type", path, f"got {describe(actual)}, which cannot be compared")
+    if kind == "ndarray":
+        return _compare_arrays(expected, actual, tolerance, path)
+    if kind in ("tuple", "list"):
+        return _compare_items(expected, actual, tolerance, path)
+    if kind == "dict":
+        return _compare_dicts(expected, actual, tolerance, path)
+    if kind == "message":
+        return _compare_fields(expected, actual, tolerance, path)
+    if kind == "bytes":
         same = _digest(expected) == _digest(actual)
-    elif wanted in ("int", "float"):
+    elif kind in ("int", "float"):
         same = _close(expected, actual, tolerance)
     else:
         same = expected.get("value") == actual.get("value")
     if same:
         return None
-    return Difference(
-        "value",
-        where,
-        f"{describe(actual)} came back, {describe(expected)} was expected",
-        expected=expected.get("value"),
-        actual=actual.get("value"),
-    )
+    difference = _difference("value", path, expected, actual)
+    return replace(difference, expected=expected.get("value"), actual=actual.get("value"))
+
+
+def _difference(kind, path, expected, actual):
+    return Difference(kind, path, f"expected {describe(expected)}, got {describe(actual)}")
 
 
 def describe(form):
-    """A canonical form in a few words: `an array of shape (5, 5), uint8`, `the text 'rgb8'`."""
+    """A short description of a canonical form: `an array of shape (5, 5), uint8`, `the text 'rgb8'`."""
     kind = _kind(form)
     if form.get("too_large"):
         return f"a very large {form['type']}"
@@ -107,7 +105,7 @@ def describe(form):
     if kind == "bool":
         return str(form["value"])
     if kind in ("int", "float"):
-        return f"the {'whole number' if kind == 'int' else 'float'} {_readable(form['value'])}"
+        return f"the {'integer' if kind == 'int' else 'float'} {_readable(form['value'])}"
     return f"an object of type {form['type']}"
 
 
@@ -150,7 +148,7 @@ def _near(expected, actual, tolerance, rounding):
 
 
 def differing(expected, actual, tolerance=0.0):
-    """Where two arrays of one shape differ by more than the tolerance.
+    """The elements in which two arrays of one shape differ by more than the tolerance.
 
     Parameters
     ----------
@@ -167,34 +165,33 @@ def differing(expected, actual, tolerance=0.0):
     return ~_near(expected.astype(np.float64), actual.astype(np.float64), tolerance, rounding)
 
 
-def _compare_arrays(expected, actual, tolerance, where):
+def _compare_arrays(expected, actual, tolerance, path):
     if expected["shape"] != actual["shape"]:
-        wanted, got = tuple(expected["shape"]), tuple(actual["shape"])
-        message = f"an array of shape {got} came back, shape {wanted} was expected"
-        return Difference("shape", where, message)
+        shape, actual_shape = tuple(expected["shape"]), tuple(actual["shape"])
+        return Difference("shape", path, f"expected shape {shape}, got an array of shape {actual_shape}")
     if expected["dtype"] != actual["dtype"]:
-        message = f"an array of {actual['dtype']} came back, {expected['dtype']} was expected"
-        return Difference("dtype", where, message)
-    wanted, got = array_of(expected), array_of(actual)
-    if wanted is None or got is None:
+        message = f"expected {expected['dtype']}, got an array of {actual['dtype']}"
+        return Difference("dtype", path, message)
+    expected_values, actual_values = array_of(expected), array_of(actual)
+    if expected_values is None or actual_values is None:
         if _digest(expected) == _digest(actual):
             return None
-        return Difference("value", where, "the values differ", total=int(np.prod(expected["shape"])))
-    wrong = differing(wanted, got, tolerance)
+        return Difference("value", path, "the values differ", total=int(np.prod(expected["shape"])))
+    wrong = differing(expected_values, actual_values, tolerance)
     count = int(wrong.sum())
     if not count:
         return None
     index = tuple(int(i) for i in np.argwhere(wrong)[0])
-    one, other = wanted[index].item(), got[index].item()
+    first_expected, first_actual = expected_values[index].item(), actual_values[index].item()
     message = (
-        f"{count} of {wrong.size} values differ; the first at {place(index)}: {_readable(other)} came back, "
+        f"{count} of {wrong.size} values differ; the first at {describe_index(index)}:"
+        f" expected {_readable(first_expected)}, got {_readable(first_actual)}"
     )
-    message += f"{_readable(one)} was expected"
-    return Difference("value", where, message, index, one, other, count, wrong.size)
+    return Difference("value", path, message, index, first_expected, first_actual, count, wrong.size)
 
 
-def place(index):
-    """An array index in words: `row 3, col 7, channel 2`."""
+def describe_index(index):
+    """An array index as text: `row 3, col 7, channel 2`."""
     names = {0: (), 1: ("index",), 2: ("row", "col"), 3: ("row", "col", "channel")}.get(len(index))
     if names is None:
         return f"index {index}"
@@ -205,25 +202,33 @@ def _digest(form):
     return form.get("digest") or hashlib.sha256(base64.b64decode(form["data"])).hexdigest()
 
 
-def _compare_items(expected, actual, tolerance, where):
+def _compare_items(expected, actual, tolerance, path):
     if len(expected["items"]) != len(actual["items"]):
-        return Difference("length", where, f"{describe(actual)} came back, {describe(expected)} was expected")
-    pairs = zip(expected["items"], actual["items"], strict=True)
-    found = (compare(one, other, tolerance, f"{where}[{k}]") for k, (one, other) in enumerate(pairs))
-    return next((difference for difference in found if difference), None)
+        return _difference("length", path, expected, actual)
+    pairs = enumerate(zip(expected["items"], actual["items"], strict=True))
+    return _first(compare(*items, tolerance, f"{path}[{k}]") for k, items in pairs)
 
 
-def _compare_dicts(expected, actual, tolerance, where):
-    wanted, got = ({_key(key): value for key, value in form["items"]} for form in (expected, actual))
-    if wanted.keys() != got.keys():
-        return Difference("keys", where, f"{describe(actual)} came back, {describe(expected)} was expected")
-    found = (compare(wanted[key], got[key], tolerance, f"{where}[{key}]") for key in wanted)
-    return next((difference for difference in found if difference), None)
+def _compare_dicts(expected, actual, tolerance, path):
+    expected_items, actual_items = (
+        {_key(key): value for key, value in form["items"]} for form in (expected, actual)
+    )
+    if expected_items.keys() != actual_items.keys():
+        return _difference("keys", path, expected, actual)
+    return _first(
+        compare(value, actual_items[key], tolerance, f"{path}[{key}]")
+        for key, value in expected_items.items()
+    )
 
 
-def _compare_fields(expected, actual, tolerance, where):
+def _compare_fields(expected, actual, tolerance, path):
     if expected["fields"].keys() != actual["fields"].keys():
-        return Difference("type", where, f"{describe(actual)} came back, {describe(expected)} was expected")
-    fields = expected["fields"]
-    found = (compare(fields[name], actual["fields"][name], tolerance, f"{where}.{name}") for name in fields)
-    return next((difference for difference in found if difference), None)
+        return _difference("type", path, expected, actual)
+    return _first(
+        compare(value, actual["fields"][name], tolerance, f"{path}.{name}")
+        for name, value in expected["fields"].items()
+    )
+
+
+def _first(differences):
+    return next((difference for difference in differences if difference), None)

@@ -25,20 +25,20 @@ _ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)+")
 def exercise(id, *, function, title="", time_limit=5.0, refused=(), tolerance=0.0, practice=False, hint=""):
     """Declare an exercise, in a master's `role="exercise"` cell.
 
-    The arguments are literals: they are read without running anything. Whatever else stands in that cell
-    (imports, functions that make inputs) runs before each case and each mistake, and is never seen by the
-    learner nor by the learner's code.
+    The arguments are literals: they are read without running anything. The rest of that cell (imports,
+    functions that make inputs) runs before each case and each mistake. Neither the learner nor the learner's
+    code sees it.
 
     Parameters
     ----------
     id : str, `<lesson>-<what>`, lower case: "grayscale-luma"
-    title : str, the exercise's name in reports; its id where left out
+    title : str, the exercise's name in reports; its id if omitted
     function : str, the name of the function that the learner writes
     time_limit : float, seconds, for one call of the function
-    refused : tuple of str, modules that the answer must do without: ("cv2", "imgproc_course.imaging")
-    tolerance : float >= 0, absolute, in the unit of the answer, for every case that names none
+    refused : tuple of str, modules that the answer must not use: ("cv2", "imgproc_course.imaging")
+    tolerance : float >= 0, absolute, in the unit of the answer, for every case that declares none
     practice : bool, checked but not graded
-    hint : str, shown where a case that fails has none of its own
+    hint : str, shown if a case that fails has no hint of its own
 
     Returns
     -------
@@ -88,7 +88,7 @@ class Case:
 
 @dataclass(frozen=True)
 class Mistake:
-    """A wrong answer that learners give, and what is said to them; `source` defines the function."""
+    """A usual wrong answer, and the sentence that explains it; `source` defines the function."""
 
     name: str
     says: str
@@ -98,7 +98,7 @@ class Mistake:
 
 @dataclass(frozen=True)
 class Exercise:
-    """An exercise as its master declares it; see `exercise` for the fields of the heading."""
+    """An exercise as its master declares it; `exercise` documents the fields of the heading."""
 
     id: str
     function: str
@@ -129,26 +129,26 @@ class Exercise:
         return sum(case.points for case in self.cases)
 
     def namespace(self):
-        """A fresh namespace as an answer finds it in grading: np, and what the given cells define."""
+        """A new namespace as an answer gets it in grading: np, and what the given cells define."""
         names = {"np": np, "__name__": self.id}
         for number, source in enumerate(self.given):
             _run(source, names, f"{self.master.name}, given cell {number + 1} of {self.id}")
         return names
 
     def _prepared(self):
-        """A fresh namespace for the master's own cases and mistakes: with the declaration's helpers in it."""
+        """A new namespace for the master's own cases and mistakes; it has the declaration's helpers too."""
         names = self.namespace() | {"exercise": exercise}
         _run(self.preparation, names, f"{self.master.name}, declaration of {self.id}")
         return names
 
-    def function_of(self, source, what, *, prepared=False):
+    def function_of(self, source, label, *, prepared=False):
         """The exercise's function as a source defines it, in a namespace of its own.
 
         Parameters
         ----------
         source : str, Python
-        what : str, names the source in errors: "solution"
-        prepared : bool; a mistake finds the declaration's helpers, and the right answer as `solution`
+        label : str, names the source in errors: "solution"
+        prepared : bool; a mistake gets the declaration's helpers, and the right answer as `solution`
 
         Raises
         ------
@@ -157,10 +157,10 @@ class Exercise:
         names = self.namespace()
         if prepared:
             names = self._prepared() | {"solution": self.function_of(self.solution, "solution")}
-        _run(source, names, f"{self.master.name}, {what} of {self.id}")
+        _run(source, names, f"{self.master.name}, {label} of {self.id}")
         if not callable(names.get(self.function)):
             raise MasterError(
-                f"{self.master.name}: the {what} of {self.id} does not define {self.function}()"
+                f"{self.master.name}: the {label} of {self.id} does not define {self.function}()"
             )
         return names[self.function]
 
@@ -176,29 +176,29 @@ class Exercise:
         -------
         list of tuple
         """
-        where = f"{self.master.name}, line {case.line}: {case.id}"
+        place = f"{self.master.name}, line {case.line}: {case.id}"
         names = self._prepared()
-        _run(case.source, names, where)
+        _run(case.source, names, place)
         if "inputs" not in names:
-            raise MasterError(f"{where} does not define inputs(rng)")
+            raise MasterError(f"{place} does not define inputs(rng)")
         rng = np.random.default_rng([seed, zlib.crc32(case.id.encode())])
         try:
-            drawn = names["inputs"](rng)
+            inputs = names["inputs"](rng)
         except Exception as error:
-            raise MasterError(f"{where}: inputs(rng) raised {type(error).__name__}: {error}") from error
-        calls = drawn if isinstance(drawn, list) else [drawn]
+            raise MasterError(f"{place}: inputs(rng) raised {type(error).__name__}: {error}") from error
+        calls = inputs if isinstance(inputs, list) else [inputs]
         if not calls or not all(isinstance(call, tuple) for call in calls):
             raise MasterError(
-                f"{where}: inputs(rng) must return a tuple of arguments, (frame,), or a list of such tuples"
+                f"{place}: inputs(rng) must return a tuple of arguments, (frame,), or a list of such tuples"
             )
         return calls
 
 
-def _run(source, names, where):
+def _run(source, names, place):
     try:
-        exec(compile(source, f"<{where}>", "exec", dont_inherit=True), names)
+        exec(compile(source, f"<{place}>", "exec", dont_inherit=True), names)
     except Exception as error:
-        raise MasterError(f"{where}: {type(error).__name__}: {error}") from error
+        raise MasterError(f"{place}: {type(error).__name__}: {error}") from error
 
 
 def read_exercises(path):
@@ -222,49 +222,51 @@ def read_exercises(path):
 
 @lru_cache(maxsize=64)
 def _read_exercises(path, _modified):
-    cells = read_script(path).role_cells
-    headings, preparations, owned = {}, {}, []
-    last = None
-    for cell in cells:
-        where = f"{path.name}, line {cell.line}"
+    headings, preparations, owned_cells = {}, {}, []
+    latest = None
+    for cell in read_script(path).role_cells:
+        place = f"{path.name}, line {cell.line}"
         if cell.role == "exercise":
-            heading = _heading(cell, where)
-            last = heading["id"]
-            if last in headings:
-                raise MasterError(f"{where}: exercise {last} is declared twice")
-            headings[last], preparations[last] = heading, cell
+            heading = _heading(cell, place)
+            latest = heading["id"]
+            if latest in headings:
+                raise MasterError(f"{place}: exercise {latest} is declared twice")
+            headings[latest], preparations[latest] = heading, cell
             continue
-        owners = cell.options.get("exercise", last)
+        owners = cell.options.get("exercise", latest)
         if owners is None:
             raise MasterError(
-                f'{where}: a {cell.role} cell before any exercise; say exercise="..." in its header'
+                f'{place}: a {cell.role} cell before any exercise; write exercise="..." in its header'
             )
-        owned.append((cell, [owners] if isinstance(owners, str) else owners, where))
-    for _, owners, where in owned:
+        owned_cells.append((cell, [owners] if isinstance(owners, str) else owners, place))
+    for _, owners, place in owned_cells:
         for owner in owners:
             if owner not in headings:
-                raise MasterError(f"{where}: exercise={owner!r} is not declared in this master")
+                raise MasterError(f"{place}: exercise={owner!r} is not declared in this master")
     return tuple(
         _assemble(
-            path, heading, preparations[id], [(cell, where) for cell, owners, where in owned if id in owners]
+            path,
+            heading,
+            preparations[id],
+            [(cell, place) for cell, owners, place in owned_cells if id in owners],
         )
         for id, heading in headings.items()
     )
 
 
-def _heading(cell, where):
+def _heading(cell, place):
     try:
         calls = [node for node in ast.walk(ast.parse(cell.source)) if _is_declaration(node)]
         if len(calls) != 1:
-            raise MasterError(f"{where}: expected one call of exercise(...), found {len(calls)}")
-        values = [ast.literal_eval(value) for value in calls[0].args]
-        named = {keyword.arg: ast.literal_eval(keyword.value) for keyword in calls[0].keywords}
-        return exercise(*values, **named)
+            raise MasterError(f"{place}: expected one call of exercise(...), found {len(calls)}")
+        arguments = [ast.literal_eval(value) for value in calls[0].args]
+        keywords = {keyword.arg: ast.literal_eval(keyword.value) for keyword in calls[0].keywords}
+        return exercise(*arguments, **keywords)
     except MasterError as error:
-        raise MasterError(f"{where}: {error}") from error
+        raise MasterError(f"{place}: {error}") from error
     except (SyntaxError, ValueError, TypeError) as error:
         raise MasterError(
-            f"{where}: cannot read the declaration ({error}); exercise(...) takes literals only"
+            f"{place}: cannot read the declaration ({error}); exercise(...) takes literals only"
         ) from error
 
 
@@ -273,36 +275,36 @@ def _is_declaration(node):
 
 
 def _assemble(path, heading, preparation, cells):
-    parts = {role: [(cell, where) for cell, where in cells if cell.role == role] for role in ROLES}
+    cells_by_role = {role: [(cell, place) for cell, place in cells if cell.role == role] for role in ROLES}
     for role in ("answer", "solution"):
-        if len(parts[role]) != 1:
-            where = f"{path.name}: exercise {heading['id']}"
-            raise MasterError(f'{where} needs one role="{role}" cell, found {len(parts[role])}')
-    cases = [_case(heading, cell, where, k) for k, (cell, where) in enumerate(parts["case"], 1)]
-    cases += [_case(heading, cell, where, k) for k, (cell, where) in enumerate(parts["hidden"], 1)]
+        if len(cells_by_role[role]) != 1:
+            place = f"{path.name}: exercise {heading['id']}"
+            raise MasterError(f'{place} needs one role="{role}" cell, found {len(cells_by_role[role])}')
+    cases = [_case(heading, cell, place, k) for k, (cell, place) in enumerate(cells_by_role["case"], 1)]
+    cases += [_case(heading, cell, place, k) for k, (cell, place) in enumerate(cells_by_role["hidden"], 1)]
     mistakes = [
-        Mistake(_text(cell, "name", where), _text(cell, "says", where), cell.source, cell.line)
-        for cell, where in parts["mistake"]
+        Mistake(_text(cell, "name", place), _text(cell, "says", place), cell.source, cell.line)
+        for cell, place in cells_by_role["mistake"]
     ]
     return Exercise(
         **heading,
         master=path,
-        given=tuple(cell.source for cell, _ in parts["given"]),
+        given=tuple(cell.source for cell, _ in cells_by_role["given"]),
         preparation=preparation.source,
-        stub=parts["answer"][0][0].source,
-        solution=parts["solution"][0][0].source,
+        stub=cells_by_role["answer"][0][0].source,
+        solution=cells_by_role["solution"][0][0].source,
         cases=tuple(cases),
         mistakes=tuple(mistakes),
     )
 
 
-def _case(heading, cell, where, number):
+def _case(heading, cell, place, number):
     points = 0 if heading["practice"] else cell.options.get("points", 1)
     if not isinstance(points, int) or points < 0:
-        raise MasterError(f"{where}: points={points!r}, expected a whole number >= 0")
+        raise MasterError(f"{place}: points={points!r}, expected a whole number >= 0")
     return Case(
         id=f"{cell.role}-{heading['id']}-{number}",
-        title=_text(cell, "title", where),
+        title=_text(cell, "title", place),
         points=points,
         hint=cell.options.get("hint", heading["hint"]),
         tolerance=float(cell.options.get("tolerance", heading["tolerance"])),
@@ -312,15 +314,15 @@ def _case(heading, cell, where, number):
     )
 
 
-def _text(cell, key, where):
+def _text(cell, key, place):
     value = cell.options.get(key)
     if not isinstance(value, str) or not value.strip():
-        raise MasterError(f'{where}: a {cell.role} cell needs {key}="..." in its header')
+        raise MasterError(f'{place}: a {cell.role} cell needs {key}="..." in its header')
     return value
 
 
 def masters_folders():
-    """Where masters are looked for: IMGPROC_COURSE_MASTERS, then the checkout's notebooks/masters.
+    """The folders that hold masters: those of IMGPROC_COURSE_MASTERS, then the checkout's notebooks/masters.
 
     Returns
     -------
@@ -330,14 +332,14 @@ def masters_folders():
     ------
     MasterError : the variable names a folder that does not exist
     """
-    named = [Path(part) for part in os.environ.get(MASTERS_VARIABLE, "").split(os.pathsep) if part]
-    for folder in named:
+    folders = [Path(part) for part in os.environ.get(MASTERS_VARIABLE, "").split(os.pathsep) if part]
+    for folder in folders:
         if not folder.is_dir():
             raise MasterError(
-                f"{MASTERS_VARIABLE} names {str(folder)!r}, which is no folder; give full paths"
+                f"{MASTERS_VARIABLE} names {str(folder)!r}, which is not a folder; give full paths"
             )
     checkout = Path(__file__).resolve().parents[2] / "notebooks" / "masters"
-    return [*named, *([checkout] if checkout.is_dir() else [])]
+    return [*folders, *([checkout] if checkout.is_dir() else [])]
 
 
 def find_exercise(id):
@@ -353,22 +355,22 @@ def find_exercise(id):
 
     Raises
     ------
-    MasterError : no folder of masters, or no such exercise (the message names the nearest)
+    MasterError : no folder of masters, or no such exercise (the message names the nearest id)
     """
     folders = masters_folders()
     if not folders:
         raise MasterError(
-            "no masters found: the exercises stand in notebooks/masters of the course's checkout;"
+            "no masters found: the exercises are in notebooks/masters of the course's checkout;"
             f" start the lesson with environment/lab, or set {MASTERS_VARIABLE} to your own masters' folder"
         )
     paths = [path for folder in folders for path in sorted(folder.glob("*.py"))]
     for path in paths:
-        # A master that does not name the exercise is not read: it may be half written.
+        # A master without this id is not read: it may be half written.
         if str(id) in path.read_text(encoding="utf-8"):
-            found = next((each for each in read_exercises(path) if each.id == id), None)
-            if found is not None:
-                return found
-    known = [each.id for path in paths for each in read_exercises(path)]
-    near = difflib.get_close_matches(str(id), known, n=1)
-    advice = f"did you mean {near[0]!r}?" if near else f"there are: {', '.join(known) or 'none'}"
+            declaration = next((entry for entry in read_exercises(path) if entry.id == id), None)
+            if declaration is not None:
+                return declaration
+    ids = [entry.id for path in paths for entry in read_exercises(path)]
+    nearest = difflib.get_close_matches(str(id), ids, n=1)
+    advice = f"did you mean {nearest[0]!r}?" if nearest else f"there are: {', '.join(ids) or 'none'}"
     raise MasterError(f"there is no exercise {id!r}; {advice}")

@@ -1,177 +1,180 @@
-"""The words and pictures of `check`: the same story as plain text and as HTML, and the same each time.
+"""The feedback of `check`, as plain text and as HTML.
 
-Nothing that varies from run to run stands in them: no time, no address, no order by chance. nbval compares
-them byte for byte.
+Both hold nothing that varies from run to run: no time, no address, no random order. nbval compares them byte
+for byte.
 """
 
-import base64
 import html
-import io
 import re
 
-import numpy as np
-
+from imgproc_course.exercises.answer_images import answer_images, is_image
 from imgproc_course.exercises.canonical import array_of, canonical
-from imgproc_course.exercises.values import in_words, parts_of, rows_of, wrong_of
+from imgproc_course.exercises.values import answer_parts, describe_value, differing_elements, table_rows
 
-SMALLEST_PICTURE = 13  # rows and cols; a smaller array is better read as numbers
-_LONGEST = 12  # lines of print
+_MOST_LINES = 12  # of the function's own prints
 
 _COLOURS = {"passed": "#2e7d32", "failed": "#c62828", "open": "#616161"}
 
+# NumPy's message about a number that an array's type cannot hold.
+_OUT_OF_BOUNDS = re.compile(r"Python integer (-?\d+) out of bounds for (\w+)")
 
-# What NumPy says of a number that an array's type cannot hold.
-_TOO_SMALL = re.compile(r"Python integer (-?\d+) out of bounds for (\w+)")
 
-
-def story_of(outcome, difference, function):
-    """What went wrong in one call, in a sentence or two; "" where nothing did.
+def explain_call(result, difference, function):
+    """What went wrong in one call, in a sentence or two; "" if nothing did.
 
     Parameters
     ----------
-    outcome : CallResult
+    result : CallResult
     difference : Difference or None
     function : str, the function's name
     """
     name = f"{function}()"
-    if outcome.timed_out:
-        told = f"{name} did not come to an end and was stopped. Is there a loop that never ends?"
-        return told + (
-            " It could not be stopped: restart the kernel before you go on." if outcome.stuck else ""
-        )
-    if outcome.error:
-        told = f"{name} raised {outcome.error}" + (f": {outcome.message}" if outcome.message else "")
-        told += f"\nin your {outcome.line}" if outcome.line else ""
-        too_small = _TOO_SMALL.search(outcome.message or "")
-        return told + (
-            f"\n{too_small[1]} does not fit into {too_small[2]}: widen the array first, as in"
-            " astype(np.uint32)."
-            if too_small
-            else ""
-        )
-    if outcome.changed:
-        first = outcome.changed[0]
-        if "." in first or not first.isidentifier():
-            return (
-                f"{name} changed its input {first}. Only read it; keep what you compute in names of your own."
-            )
-        return f"{name} changed its input {first}. Work on a copy: begin with {first} = {first}.copy()."
+    if result.timed_out:
+        return _explain_timeout(name, result.stuck)
+    if result.error:
+        return _explain_error(name, result)
+    if result.changed:
+        return _explain_change(name, result.changed[0])
     if difference is None:
         return ""
-    if outcome.value["type"] == "None":
-        return f"{name} gave back None. Did you forget return?"
+    if result.value["type"] == "None":
+        return f"{name} returned None. Did you forget return?"
     message = difference.message[0].upper() + difference.message[1:] + "."
-    return f"In answer{difference.where}: {message}" if difference.where else message
+    return f"In answer{difference.path}: {message}" if difference.path else message
 
 
-# ---------------------------------------------------------------- the parts of a story
+def _explain_timeout(name, stuck):
+    text = f"{name} did not finish and was stopped. Is there an endless loop?"
+    return text + (" It could not be stopped: restart the kernel before you go on." if stuck else "")
 
 
-class _Part:
-    """A labelled value, `given pixels`: its words, its rows, and whether any element of them is marked."""
+def _explain_error(name, result):
+    text = f"{name} raised {result.error}" + (f": {result.message}" if result.message else "")
+    text += f"\nin your {result.line}" if result.line else ""
+    out_of_bounds = _OUT_OF_BOUNDS.search(result.message)
+    if out_of_bounds is None:
+        return text
+    number, dtype = out_of_bounds.groups()
+    return f"{text}\n{number} does not fit into {dtype}: widen the array first, as in astype(np.uint32)."
+
+
+def _explain_change(name, argument):
+    if not argument.isidentifier():
+        return (
+            f"{name} changed its input {argument}. Only read it, and store what you compute under new names."
+        )
+    return f"{name} changed its input {argument}. Work on a copy: begin with {argument} = {argument}.copy()."
+
+
+# ---------------------------------------------------------------- the parts of the feedback
+
+
+class _LabelledValue:
+    """A value with its label, `given pixels`; `has_marks` if one of its elements differs."""
 
     def __init__(self, label, form, wrong=None):
         self.label = label.strip()
-        self.words = in_words(form)
-        self.rows = rows_of(form, wrong)
-        self.marked = any(mark for row in self.rows for _, mark in row)
+        self.description = describe_value(form)
+        self.rows = table_rows(form, wrong)
+        self.has_marks = any(mark for row in self.rows for _, mark in row)
 
 
-def _parts(result, made):
-    names = [*result.names, *("" for _ in made.arguments)]
-    for name, value in zip(names, made.arguments, strict=False):
-        given = canonical(value, limit=None)
-        yield from (_Part(f"given {name}{inner}", form) for inner, form, _ in parts_of(given, given))
-    if made.outcome.finished and made.difference is not None:
-        for inner, expected, actual in _answers(made):
-            wrong = wrong_of(expected, actual, made.case.tolerance)
-            yield _Part(f"came back {inner}", actual, wrong)
-            yield _Part(f"expected {inner}", expected, wrong)
+def _values(result, call):
+    names = [*result.names, *("" for _ in call.arguments)]
+    for name, argument in zip(names, call.arguments, strict=False):
+        given = canonical(argument, limit=None)
+        for part_name, form, _ in answer_parts(given, given):
+            yield _LabelledValue(f"given {name}{part_name}", form)
+    if call.result.finished and call.difference is not None:
+        for part_name, expected, actual in _answer_parts(call):
+            wrong = differing_elements(expected, actual, call.case.tolerance)
+            yield _LabelledValue(f"returned {part_name}", actual, wrong)
+            yield _LabelledValue(f"expected {part_name}", expected, wrong)
 
 
-def _answers(made):
-    return parts_of(made.expected.value, made.outcome.value)
+def _answer_parts(call):
+    return answer_parts(call.expected.value, call.result.value)
 
 
 def _refusals(result):
-    for module in result.reach.refused:
+    for module in result.dependencies.refused:
         yield (
-            f"{result.exercise.function}() uses {module}. This exercise is to be written without it:"
-            " grading will not take it."
+            f"{result.exercise.function}() uses {module}. Write this exercise without it: grading refuses it."
         )
 
 
 def _notes(result):
     name = f"{result.exercise.function}()"
-    for foreign in result.reach.foreign:
+    for foreign in result.dependencies.foreign:
         yield (
-            f"{name} uses {foreign}, which another cell defines. Grading takes the answer's cell alone:"
+            f"{name} uses {foreign}, which another cell defines. Grading runs only the answer cell:"
             f" define {foreign} in it."
         )
 
 
-def _story(result, each):
-    if each.failed is None:
-        return "not run, because the call above did not come to an end"
-    return story_of(each.failed.outcome, each.failed.difference, result.exercise.function)
+def _explain_case(result, case_result):
+    call = case_result.failed_call
+    if call is None:
+        return "not run, because the call above did not finish"
+    return explain_call(call.result, call.difference, result.exercise.function)
 
 
 def _headline(result):
-    declared = result.exercise
+    exercise = result.exercise
     if not result.attempted:
-        return "open", f"{declared.id}: not attempted yet"
-    right, count = sum(each.passed for each in result.results), len(result.results)
-    # What is refused comes first: an error below may come of it, and goes with it.
-    if right < count and result.reach.refused:
-        return "failed", f"{declared.id}: grading would refuse this answer"
-    if right < count:
-        return "failed", f"{declared.id}: {right} of {count} checks pass"
+        return "open", f"{exercise.id}: not attempted yet"
+    passed, count = sum(case_result.passed for case_result in result.results), len(result.results)
+    # A refused module comes first: it may be the cause of an error below.
+    if passed < count and result.dependencies.refused:
+        return "failed", f"{exercise.id}: grading would refuse this answer"
+    if passed < count:
+        return "failed", f"{exercise.id}: {passed} of {count} checks pass"
     if not result.passed:
-        return "failed", f"{declared.id}: the values are right, but grading would refuse this answer"
+        return "failed", f"{exercise.id}: the values are right, but grading would refuse this answer"
     all_pass = {1: "the check passes", 2: "both checks pass"}.get(count, f"all {count} checks pass")
-    return "passed", f"{declared.id}: {all_pass}"
+    return "passed", f"{exercise.id}: {all_pass}"
 
 
 def _footer(result):
-    declared = result.exercise
+    exercise = result.exercise
     if not result.attempted:
         return (
-            f"Write {declared.function}() in its cell, run that cell, then run this one."
+            f"Write {exercise.function}() in its cell, run that cell, then run this one."
             " (If that cell shows an error, repair it first: Python still has the old function.)"
         )
-    if declared.practice:
-        return "Practice: no points, no hurry."
-    here = sum(case.points for case in declared.public)
-    told = f"Points here: {result.points if not result.reach.refused else 0} of {here}."
-    hidden = len(declared.hidden)
-    if not hidden:
-        return told
-    checks = "1 more check" if hidden == 1 else f"{hidden} more checks"
-    return (
-        f"{told} Grading runs {checks} on other inputs, worth {sum(case.points for case in declared.hidden)}."
-    )
+    if exercise.practice:
+        return "Practice: no points."
+    public_points = sum(case.points for case in exercise.public)
+    points = result.points if not result.dependencies.refused else 0
+    text = f"Points here: {points} of {public_points}."
+    count = len(exercise.hidden)
+    if not count:
+        return text
+    hidden_points = sum(case.points for case in exercise.hidden)
+    checks = "1 more check" if count == 1 else f"{count} more checks"
+    return f"{text} Grading runs {checks} on other inputs, worth {hidden_points}."
 
 
-def _hint(result, made):
+def _hint(result, call):
     if result.mistake is not None:
         return result.mistake.says
-    # An exercise's hint is about wrong values; who got an error, None or another shape has another question.
-    is_about_values = made.outcome.finished and not made.outcome.changed and _same_form(made)
-    return f"Hint: {made.case.hint}" if made.case.hint and is_about_values else ""
+    # An exercise's hint is about wrong values: it does not help with an error, None or another shape.
+    is_about_values = call.result.finished and not call.result.changed and _has_expected_form(call)
+    return f"Hint: {call.case.hint}" if call.case.hint and is_about_values else ""
 
 
-def _same_form(made):
-    expected, actual = made.expected.value, made.outcome.value
+def _has_expected_form(call):
+    expected, actual = call.expected.value, call.result.value
     return all(expected.get(key) == actual.get(key) for key in ("type", "dtype", "shape"))
 
 
-def _asides(made):
-    if made.outcome.warned:
-        yield f"NumPy or Python warned: {made.outcome.warned}"
-    if made.outcome.printed.strip():
-        lines = made.outcome.printed.rstrip().splitlines()
-        cut = ["…"] if len(lines) > _LONGEST else []
-        yield "Your function printed:\n" + "\n".join(lines[:_LONGEST] + cut)
+def _warning_and_output(call):
+    if call.result.warning:
+        yield f"NumPy or Python warned: {call.result.warning}"
+    if call.result.printed.strip():
+        lines = call.result.printed.rstrip().splitlines()
+        ellipsis = ["…"] if len(lines) > _MOST_LINES else []
+        yield "Your function printed:\n" + "\n".join(lines[:_MOST_LINES] + ellipsis)
 
 
 # ---------------------------------------------------------------- plain text
@@ -181,31 +184,31 @@ def as_text(result):
     """A CheckResult as plain text."""
     _, headline = _headline(result)
     lines = [f"{headline}.", *_refusals(result)]
-    detailed = False
-    for each in result.results:
-        lines.append(f"{'✓' if each.passed else '✗'} {each.case.title}")
-        if each.passed:
+    has_details = False
+    for case_result in result.results:
+        lines.append(f"{'✓' if case_result.passed else '✗'} {case_result.case.title}")
+        if case_result.passed:
             continue
-        lines.append(_indented(_story(result, each)))
-        if not detailed:
-            lines += [_indented(text) for text in _details_as_text(result, each.failed)]
-            detailed = True
+        lines.append(_indent(_explain_case(result, case_result)))
+        if not has_details:
+            lines += [_indent(text) for text in _details_as_text(result, case_result.failed_call)]
+            has_details = True
     lines += _notes(result)
     lines.append(_footer(result))
     return "\n".join(line for line in lines if line)
 
 
-def _details_as_text(result, made):
-    for part in _parts(result, made):
-        yield f"{part.label}: {part.words}" + (", * differs" if part.marked else "")
-        width = max((len(text) for row in part.rows for text, _ in row), default=0) + 1
-        for row in part.rows:
-            yield "".join(f"{text:>{width}}{'*' if marked else ' '}" for text, marked in row).rstrip()
-    yield _hint(result, made)
-    yield from _asides(made)
+def _details_as_text(result, call):
+    for value in _values(result, call):
+        yield f"{value.label}: {value.description}" + (", * differs" if value.has_marks else "")
+        width = max((len(text) for row in value.rows for text, _ in row), default=0) + 1
+        for row in value.rows:
+            yield "".join(f"{text:>{width}}{'*' if mark else ' '}" for text, mark in row).rstrip()
+    yield _hint(result, call)
+    yield from _warning_and_output(call)
 
 
-def _indented(text):
+def _indent(text):
     return "\n".join(f"    {line}" for line in text.splitlines())
 
 
@@ -216,17 +219,18 @@ def as_html(result):
     """A CheckResult as HTML that reads well in a light and in a dark JupyterLab."""
     state, headline = _headline(result)
     body = [f'<div style="font-weight: 600; color: {_COLOURS[state]}">{html.escape(headline)}</div>']
-    body += [_paragraph(note) for note in _refusals(result)]
-    detailed = False
-    for each in result.results:
-        mark, colour = ("✓", _COLOURS["passed"]) if each.passed else ("✗", _COLOURS["failed"])
-        body.append(f'<div><span style="color: {colour}">{mark}</span> {html.escape(each.case.title)}</div>')
-        if each.passed:
+    body += [_paragraph(refusal) for refusal in _refusals(result)]
+    has_details = False
+    for case_result in result.results:
+        mark, colour = ("✓", _COLOURS["passed"]) if case_result.passed else ("✗", _COLOURS["failed"])
+        title = html.escape(case_result.case.title)
+        body.append(f'<div><span style="color: {colour}">{mark}</span> {title}</div>')
+        if case_result.passed:
             continue
-        story = _paragraph(_story(result, each))
-        details = "" if detailed else "".join(_details_as_html(result, each.failed))
-        detailed = True
-        body.append(f'<div style="margin: 0 0 6px 18px">{story}{details}</div>')
+        explanation = _paragraph(_explain_case(result, case_result))
+        details = "" if has_details else "".join(_details_as_html(result, case_result.failed_call))
+        has_details = True
+        body.append(f'<div style="margin: 0 0 6px 18px">{explanation}{details}</div>')
     body += [_paragraph(note) for note in _notes(result)]
     body.append(f'<div style="margin-top: 4px">{html.escape(_footer(result))}</div>')
     return f'<div style="border-left: 4px solid {_COLOURS[state]}; padding: 4px 10px">{"".join(body)}</div>'
@@ -236,24 +240,24 @@ def _paragraph(text):
     return f'<div style="white-space: pre-wrap">{html.escape(text)}</div>' if text else ""
 
 
-def _details_as_html(result, made):
-    yield _paragraph(_hint(result, made))
-    for part in _parts(result, made):
-        marked = " (what differs is framed)" if part.marked else ""
-        yield f"<div>{html.escape(f'{part.label}: {part.words}{marked}')}</div>"
-        if part.rows:
-            yield _table(part.rows)
-    yield _picture(result, made)
-    yield from (_paragraph(aside) for aside in _asides(made))
+def _details_as_html(result, call):
+    yield _paragraph(_hint(result, call))
+    for value in _values(result, call):
+        marks = " (values that differ are framed)" if value.has_marks else ""
+        yield f"<div>{html.escape(f'{value.label}: {value.description}{marks}')}</div>"
+        if value.rows:
+            yield _table(value.rows)
+    yield _figures(call)
+    yield from (_paragraph(text) for text in _warning_and_output(call))
 
 
 def _table(rows):
     plain = "padding: 1px 6px; text-align: right; white-space: nowrap; font-family: monospace"
     plain += "; border: 1px solid #9e9e9e"
-    marked = f"{plain}; border: 2px solid {_COLOURS['failed']}; font-weight: 700"
+    framed = f"{plain}; border: 2px solid {_COLOURS['failed']}; font-weight: 700"
     lines = (
         "<tr>"
-        + "".join(f'<td style="{marked if mark else plain}">{html.escape(text)}</td>' for text, mark in row)
+        + "".join(f'<td style="{framed if mark else plain}">{html.escape(text)}</td>' for text, mark in row)
         + "</tr>"
         for row in rows
     )
@@ -261,47 +265,24 @@ def _table(rows):
     return f'<div style="overflow-x: auto">{table}</div>'
 
 
-def _picture(result, made):
-    """What was given, came back, was expected, and where they differ; "" where nothing is a picture."""
-    found = _first_wrong_picture(made)
-    if found is None:
+def _figures(call):
+    """The images of the first part of the answer that is a wrong image; "" if there is none."""
+    if not call.result.finished:
         return ""
-    inner, expected, actual, wrong = found
-    pictures = {f"came back {inner}".strip(): actual, f"expected {inner}".strip(): expected}
-    if made.arguments and _is_picture(made.arguments[0]):
-        pictures = {"given": made.arguments[0], **pictures}
-    where = wrong.any(axis=2) if wrong.ndim == 3 else wrong
-    row, col = (int(k) for k in np.argwhere(where)[0])
-    pictures["white: differs"] = where
-    from imgproc_course.display import draw  # only to draw: it loads matplotlib
-
-    try:
-        figure, axes = draw(pictures)
-    except ValueError:
-        return ""  # values that are no picture, such as colours outside 0..1: the words have said it
-    axes[-1].plot(
-        col, row, "o", markersize=14, markerfacecolor="none", markeredgecolor="#ef6c00", markeredgewidth=2
-    )
-    buffer = io.BytesIO()
-    figure.savefig(buffer, format="png", metadata={"Software": None})
-    count = int(where.sum())
-    alt = f"Pictures of {', '.join(pictures)}; {count} pixels differ, the first at row {row}, col {col}."
-    data = base64.b64encode(buffer.getvalue()).decode("ascii")
-    return f'<img alt="{alt}" style="max-width: 100%" src="data:image/png;base64,{data}">'
+    for part_name, expected, actual in _answer_parts(call):
+        wrong = differing_elements(expected, actual, call.case.tolerance)
+        if wrong is not None and wrong.any() and is_image(array_of(actual)):
+            given = canonical(call.arguments[0], limit=None) if call.arguments else None
+            images = answer_images(given, part_name, expected, actual, wrong)
+            figures = "".join(map(_figure, images))
+            return f'<div style="display: flex; flex-wrap: wrap; gap: 10px; margin: 4px 0">{figures}</div>'
+    return ""
 
 
-def _first_wrong_picture(made):
-    """(name, expected, actual, which values differ) of the answer's first picture that is wrong, or None."""
-    for inner, expected, actual in _answers(made):
-        wrong = wrong_of(expected, actual, made.case.tolerance)
-        if wrong is not None and wrong.any() and _is_picture(array_of(actual)):
-            return inner, array_of(expected), array_of(actual), wrong
-    return None
-
-
-def _is_picture(values):
+def _figure(image):
     return (
-        isinstance(values, np.ndarray)
-        and (values.ndim == 2 or (values.ndim == 3 and values.shape[2] in (3, 4)))
-        and min(values.shape[:2]) >= SMALLEST_PICTURE
+        f'<figure style="margin: 0"><img src="{image.url}" alt="{html.escape(image.alt)}"'
+        f' width="{image.width}" height="{image.height}"'
+        ' style="max-width: 100%; height: auto; image-rendering: pixelated">'
+        f"<figcaption>{html.escape(image.caption)}</figcaption></figure>"
     )

@@ -1,6 +1,7 @@
-"""Call a function that somebody else wrote: on copies, within a time limit, whatever it does.
+"""Call a function that somebody else wrote: on copies of its arguments, and within a time limit.
 
-The one place in the room where `except Exception` is right.
+Such a function may raise anything, so `except Exception` is right here. The declaration of an exercise, which
+runs a master's code, is the only other module of this package that catches every exception.
 """
 
 import contextlib
@@ -20,25 +21,28 @@ from dataclasses import dataclass
 from imgproc_course.exercises.canonical import canonical
 from imgproc_course.exercises.comparison import compare
 
-_PRINTED = 2_000  # characters of what the function printed that are kept
+_MOST_OUTPUT = 2_000  # characters; the function's further prints are dropped
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
 _REPEAT = 0.1  # seconds: an alarm swallowed by a bare `except:` rings again
 
 
 class TimeUp(BaseException):
-    """Raised inside the function when its time is over; no `except Exception` of its own catches it."""
+    """Raised inside the function at its time limit; an `except Exception` in it does not catch this."""
 
 
 @dataclass(frozen=True)
 class CallResult:
     """What one call did.
 
-    value      canonical form of what came back, None where nothing did
-    error      type name of the exception, "" for none; message and line (the learner's own, with its number)
-               beside it
-    timed_out  the time limit ended the call; stuck: it could not be ended
+    value      canonical form of the returned value; None if the call did not finish
+    error      type name of the exception, "" for none
+    message    the exception's message
+    line       the line of the learner's code that raised, with its number
+    timed_out  the time limit stopped the call
+    stuck      the call could not be stopped
     changed    names of the arguments that the function changed
-    printed, warned   what it printed; the first warning
+    printed    the beginning of what it printed
+    warning    the first warning, "" for none
     """
 
     value: dict | None = None
@@ -49,21 +53,21 @@ class CallResult:
     stuck: bool = False
     changed: tuple = ()
     printed: str = ""
-    warned: str = ""
+    warning: str = ""
 
     @property
     def finished(self):
         return not self.error and not self.timed_out
 
-    def like(self, other, tolerance):
-        """Whether two calls did the same, so that one is the other's mistake."""
+    def matches(self, other, tolerance):
+        """Whether two calls did the same: the same error, or equal values."""
         if (self.error, self.timed_out, self.changed) != (other.error, other.timed_out, other.changed):
             return False
         return not self.finished or compare(other.value, self.value, tolerance) is None
 
 
 def call(function, arguments, names, time_limit):
-    """Call a function on copies of its arguments, and tell what it did.
+    """Call a function on copies of its arguments, and record what it did.
 
     Parameters
     ----------
@@ -78,38 +82,44 @@ def call(function, arguments, names, time_limit):
     """
     copies = copy.deepcopy(arguments)
     before = [canonical(value, limit=None) for value in copies]
-    printed = _Printed()
-    told = {}
-    with warnings.catch_warnings(record=True) as warned:
+    output = _LimitedOutput()
+    with warnings.catch_warnings(record=True) as caught_warnings:
         warnings.simplefilter("always")
-        with contextlib.redirect_stdout(printed), contextlib.redirect_stderr(printed):
-            try:
-                told["value"] = canonical(_within(lambda: function(*copies), time_limit), limit=None)
-            except TimeUp as ended:
-                told = {"timed_out": True, "stuck": bool(ended.args)}
-            except (Exception, SystemExit) as error:  # noqa: BLE001 - the learner's function may raise anything
-                told = {
-                    "error": type(error).__name__,
-                    "message": _message(error),
-                    "line": _own_line(error, function),
-                }
-    if not told.get("stuck"):
+        with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
+            fields = _call_fields(function, copies, time_limit)
+    if not fields.get("stuck"):
         pairs = zip(names, before, copies, strict=True)
-        told["changed"] = tuple(name for name, old, now in pairs if old != canonical(now, limit=None))
-    return CallResult(printed=printed.getvalue(), warned=str(warned[0].message) if warned else "", **told)
+        fields["changed"] = tuple(name for name, old, new in pairs if old != canonical(new, limit=None))
+    warning = str(caught_warnings[0].message) if caught_warnings else ""
+    return CallResult(printed=output.getvalue(), warning=warning, **fields)
 
 
-class _Printed(io.StringIO):
-    """Keeps the first part of what is printed: a loop that prints must not fill the memory."""
+def _call_fields(function, arguments, time_limit):
+    """The fields of CallResult that the call itself gives, as a dict."""
+    try:
+        value = _call_within(lambda: function(*arguments), time_limit)
+        return {"value": canonical(value, limit=None)}
+    except TimeUp as ended:
+        return {"timed_out": True, "stuck": bool(ended.args)}
+    except (Exception, SystemExit) as error:  # noqa: BLE001 - the learner's function may raise anything
+        return {
+            "error": type(error).__name__,
+            "message": _message(error),
+            "line": _own_line(error, function),
+        }
+
+
+class _LimitedOutput(io.StringIO):
+    """Keeps the first part of the output: a loop that prints must not fill the memory."""
 
     def write(self, text):
-        room = _PRINTED - self.tell()
-        if room > 0:
-            super().write(text[:room])
+        space = _MOST_OUTPUT - self.tell()
+        if space > 0:
+            super().write(text[:space])
         return len(text)
 
 
-def _within(function, seconds):
+def _call_within(function, seconds):
     if hasattr(signal, "setitimer") and threading.current_thread() is threading.main_thread():
         return _with_alarm(function, seconds)
     return _in_thread(function, seconds)
@@ -124,8 +134,8 @@ def _with_alarm(function, seconds):
 
     started = time.monotonic()
     handler = signal.signal(signal.SIGALRM, ring)
-    # Somebody else may be using the alarm (pytest-timeout does): it gets the rest of its time back.
-    left, interval = signal.setitimer(signal.ITIMER_REAL, seconds, _REPEAT)
+    # Another program may be using the alarm (pytest-timeout does): it gets the rest of its time back.
+    seconds_left, interval = signal.setitimer(signal.ITIMER_REAL, seconds, _REPEAT)
     try:
         try:
             return function()
@@ -134,19 +144,20 @@ def _with_alarm(function, seconds):
     finally:
         signal.setitimer(signal.ITIMER_REAL, 0)
         signal.signal(signal.SIGALRM, handler)
-        if left:
-            signal.setitimer(signal.ITIMER_REAL, max(left - (time.monotonic() - started), 0.001), interval)
+        if seconds_left:
+            seconds_left = max(seconds_left - (time.monotonic() - started), 0.001)
+            signal.setitimer(signal.ITIMER_REAL, seconds_left, interval)
 
 
 def _in_thread(function, seconds):
     """The same without signals: outside the main thread, and on Windows."""
-    done = {}
+    outcome = {}
 
     def run():
         try:
-            done["value"] = function()
-        except BaseException as error:  # noqa: BLE001 - carried to the caller
-            done["error"] = error
+            outcome["value"] = function()
+        except BaseException as error:  # noqa: BLE001 - raised again in the calling thread
+            outcome["error"] = error
 
     thread = threading.Thread(target=run, daemon=True)
     thread.start()
@@ -158,9 +169,9 @@ def _in_thread(function, seconds):
         thread.join(_REPEAT)
     if thread.is_alive():
         raise TimeUp("stuck")
-    if "error" in done:
-        raise done["error"]
-    return done["value"]
+    if "error" in outcome:
+        raise outcome["error"]
+    return outcome["value"]
 
 
 def _message(error):
@@ -172,14 +183,16 @@ def _message(error):
 
 
 def _own_line(error, function):
-    """The innermost line of the learner's own code, `line 3: return a / 0`; "" where it is not known."""
-    space = getattr(function, "__globals__", None)
-    own = [
-        (frame, line) for frame, line in traceback.walk_tb(error.__traceback__) if frame.f_globals is space
+    """The innermost line of the learner's own code, `line 3: return a / 0`; "" if it is not known."""
+    namespace = getattr(function, "__globals__", None)
+    own_frames = [
+        (frame, line)
+        for frame, line in traceback.walk_tb(error.__traceback__)
+        if frame.f_globals is namespace
     ]
-    if isinstance(error, SyntaxError) or not own:
+    if isinstance(error, SyntaxError) or not own_frames:
         return ""
-    frame, line = own[-1]
+    frame, line = own_frames[-1]
     source = linecache.getline(frame.f_code.co_filename, line, frame.f_globals).strip()
     return f"line {line}: {source}" if source else f"line {line}"
 

@@ -1,7 +1,7 @@
-"""A canonical form as a reader sees it: a small table of numbers, a line of words.
+"""A canonical form for a reader: a small table of numbers, or one line of text.
 
-`check` and the graded report both show values in this way. The texts hold what a learner's program made: who
-writes them into a page escapes them.
+`check` and the graded report both show values in this way. The texts hold values of a learner's program:
+escape them in a page.
 """
 
 import base64
@@ -12,43 +12,43 @@ from imgproc_course.exercises.canonical import array_of
 from imgproc_course.exercises.comparison import describe, differing
 
 MOST_NUMBERS = 144  # a larger array is described or drawn, not printed
-_FIRST = 8  # bytes of a long row of them that are printed
+_FIRST_BYTES = 8  # of a long sequence
 _MOST_PARTS = 6
 _MOST_ITEMS = 40
-_DEEPEST = 2
-_LONGEST = 60  # characters of a text inside another value
+_MOST_DEPTH = 2
+_MOST_CHARACTERS = 60  # of a text inside another value
 
 
-def parts_of(expected, actual):
-    """An answer's parts: itself, or what its tuple, list, dict or message holds, where arrays are among that.
+def answer_parts(expected, actual):
+    """The parts of an answer: the items of a tuple, list, dict or message with arrays; else the whole answer.
 
     Parameters
     ----------
-    expected, actual : canonical forms; actual is None where nothing came back
+    expected, actual : canonical forms; actual is None if the function returned nothing
 
     Returns
     -------
     list of (name, expected form, actual form or None); the name is "" for the whole answer
     """
-    inner = _named_items(expected)
-    if not any(form["type"] == "ndarray" for _, form in inner) or len(inner) > _MOST_PARTS:
+    items = _named_items(expected)
+    if not any(form["type"] == "ndarray" for _, form in items) or len(items) > _MOST_PARTS:
         return [("", expected, actual)]
-    came_back = dict(_named_items(actual)) if actual is not None else {}
-    if actual is not None and came_back.keys() != {name for name, _ in inner}:
+    actual_items = dict(_named_items(actual)) if actual is not None else {}
+    if actual is not None and actual_items.keys() != {name for name, _ in items}:
         return [("", expected, actual)]
-    return [(name, form, came_back.get(name)) for name, form in inner]
+    return [(name, form, actual_items.get(name)) for name, form in items]
 
 
 def _named_items(form):
     if form["type"] in ("tuple", "list"):
         return [(f"[{number}]", item) for number, item in enumerate(form.get("items", ()))]
     if form["type"] == "dict":
-        return [(f"[{in_words(key, 1)}]", value) for key, value in form.get("items", ())]
+        return [(f"[{describe_value(key, 1)}]", value) for key, value in form.get("items", ())]
     return [(f".{name}", value) for name, value in form.get("fields", {}).items()]
 
 
-def wrong_of(expected, actual, tolerance):
-    """Which elements of an array differ, as a bool array; None where that cannot be said.
+def differing_elements(expected, actual, tolerance):
+    """Which elements of two arrays differ, as a bool array; None if their shapes or dtypes differ.
 
     Parameters
     ----------
@@ -61,8 +61,8 @@ def wrong_of(expected, actual, tolerance):
     return differing(expected, actual, tolerance)
 
 
-def rows_of(form, wrong=None):
-    """A small array, or the bytes of a small picture's message, as a table.
+def table_rows(form, wrong=None):
+    """A small array, or the bytes of a small image message, as a table.
 
     Parameters
     ----------
@@ -71,7 +71,7 @@ def rows_of(form, wrong=None):
 
     Returns
     -------
-    tuple of rows of (text, whether it differs); () where words are enough
+    tuple of rows of (text, whether it differs); () if a line of text is enough
     """
     values = array_of(form)
     if values is None:
@@ -112,60 +112,62 @@ def _number(value):
     return f"{value:.6g}" if value.dtype.kind == "f" else str(value)
 
 
-def in_words(form, depth=0):
-    """A value in a line: the whole of a short one, what it is and how it begins of a long one.
+def describe_value(form, depth=0):
+    """A value in one line: a short value whole, a long one by its type and its beginning.
 
     Parameters
     ----------
     form : canonical form
-    depth : int, in how many other values it lies
+    depth : int, the number of values that contain this one
 
     Returns
     -------
     str
     """
     if form["type"] == "ndarray":
-        return _array_in_words(form, depth)
+        return _describe_array(form, depth)
     if form["type"] == "bytes" and "data" in form:
-        return _bytes_in_words(base64.b64decode(form["data"]))
+        return _describe_bytes(base64.b64decode(form["data"]))
     if depth and "value" in form:
-        return _cut(repr(form["value"]))
-    if depth > _DEEPEST:
+        return _shorten(repr(form["value"]))
+    if depth > _MOST_DEPTH:
         return describe(form)
     if "fields" in form:
-        fields = ", ".join(f"{name}={_field_in_words(form, name, depth)}" for name in form["fields"])
-        table = "; data in rows of step bytes" if rows_of(form) else ""
+        fields = ", ".join(f"{name}={_describe_field(form, name, depth)}" for name in form["fields"])
+        table = "; data in rows of step bytes" if table_rows(form) else ""
         return f"({fields})" if depth else f"an object with the fields {fields}{table}"
     if form["type"] in ("tuple", "list") and 0 < len(form.get("items", ())) <= _MOST_ITEMS:
-        items = ", ".join(in_words(item, depth + 1) for item in form["items"])
+        items = ", ".join(describe_value(item, depth + 1) for item in form["items"])
         return f"a {form['type']} of {len(form['items'])}: {items}"
     if form["type"] == "dict" and "items" in form:
         pairs = form["items"][:_MOST_ITEMS]
-        return "a dict: " + ", ".join(f"{in_words(k, depth + 1)}: {in_words(v, depth + 1)}" for k, v in pairs)
+        return "a dict: " + ", ".join(
+            f"{describe_value(k, depth + 1)}: {describe_value(v, depth + 1)}" for k, v in pairs
+        )
     return describe(form)
 
 
-def _field_in_words(form, name, depth):
+def _describe_field(form, name, depth):
     raw = _bytes_of(form["fields"][name]) if name == "data" else None
-    return in_words(form["fields"][name], depth + 1) if raw is None else _bytes_in_words(raw)
+    return describe_value(form["fields"][name], depth + 1) if raw is None else _describe_bytes(raw)
 
 
-def _cut(text):
-    return text if len(text) <= _LONGEST else f"{text[: _LONGEST - 1]}…"
+def _shorten(text):
+    return text if len(text) <= _MOST_CHARACTERS else f"{text[: _MOST_CHARACTERS - 1]}…"
 
 
-def _array_in_words(form, depth):
+def _describe_array(form, depth):
     values = array_of(form)
-    if values is None or not values.size or (depth == 0 and rows_of(form)):
+    if values is None or not values.size or (depth == 0 and table_rows(form)):
         return describe(form)
-    if depth and values.size <= _FIRST:
+    if depth and values.size <= _FIRST_BYTES:
         return str(values.tolist())
     return f"{describe(form)}, from {_number(values.min())} to {_number(values.max())}"
 
 
-def _bytes_in_words(raw):
+def _describe_bytes(raw):
     if not raw:
         return "no bytes"
-    if len(raw) <= _FIRST:
+    if len(raw) <= _FIRST_BYTES:
         return f"bytes({list(raw)})"
-    return f"{len(raw)} bytes ({', '.join(str(each) for each in raw[:_FIRST])}, …)"
+    return f"{len(raw)} bytes ({', '.join(str(value) for value in raw[:_FIRST_BYTES])}, …)"

@@ -8,8 +8,8 @@ from pathlib import Path
 from imgproc_course.authoring.masters import find_masters, read_master
 from imgproc_course.exercises.checking import run_cases
 from imgproc_course.exercises.declaration import MasterError, masters_folders
-from imgproc_course.exercises.feedback import story_of
-from imgproc_course.exercises.reach import bound_names
+from imgproc_course.exercises.dependencies import bound_names
+from imgproc_course.exercises.feedback import explain_call
 
 LARGEST = 50_000_000  # bytes; a lesson full of pictures has a tenth of it
 ANSWERED, UNTOUCHED, BROKEN = "answered", "not attempted", "needs your attention"
@@ -108,10 +108,14 @@ def run_answers(handin):
             continue
         entry.result = result
         # What is refused comes first: without it, the errors below may not come up at all.
-        entry.notes += [f"it uses {name}, which this exercise refuses" for name in result.reach.refused]
+        entry.notes += [
+            f"it uses {name}, which this exercise refuses" for name in result.dependencies.refused
+        ]
         wrong = [each for each in entry.result.results if not each.passed]
         if wrong:
-            story = story_of(wrong[0].failed.outcome, wrong[0].failed.difference, declared.function)
+            story = explain_call(
+                wrong[0].failed_call.result, wrong[0].failed_call.difference, declared.function
+            )
             entry.notes.append(
                 f"{len(wrong)} of {len(entry.result.results)} checks fail: {wrong[0].case.title}: {story}"
             )

@@ -1,7 +1,7 @@
 """The pages: one a learner, to be handed back, and the teacher's summary.
 
 Each is one file that loads nothing: its style stands in it, and its Content-Security-Policy allows that style
-(by its hash) and pictures drawn by `report_values`, and nothing else. Every text is escaped by the template;
+(by its hash) and images drawn by `answer_images`, and nothing else. Every text is escaped by the template;
 what a reader's eye would not see is made visible before.
 """
 
@@ -13,8 +13,9 @@ from pathlib import Path
 
 import jinja2
 
-from imgproc_course.exercises.values import parts_of, wrong_of
-from imgproc_course.gradebook.report_values import pictures_of, value_of
+from imgproc_course.exercises.answer_images import answer_images
+from imgproc_course.exercises.values import answer_parts, differing_elements
+from imgproc_course.gradebook.report_values import value_of
 from imgproc_course.gradebook.sanitize import visible
 
 TEMPLATES = Path(__file__).with_name("pages")
@@ -131,7 +132,7 @@ def _exercise_view(exercise, notes, declared):
     cases, first = [], True
     for case in exercise["cases"]:
         passed = case["outcome"] == "passed"
-        view = case | {"passed": passed, "values": [], "pictures": [], "printed_here": "", "open": first}
+        view = case | {"passed": passed, "values": [], "images": [], "printed_here": "", "open": first}
         view["story"] = "" if alike else _story_of(case)
         view["hint"] = "" if alike else case["hint"]
         shows = case["outcome"] not in _NOTHING_TO_SHOW and advice != _CELL_ADVICE
@@ -177,14 +178,14 @@ def _values_view(case, declared):
     rows = [
         [value_of(f"given {name}".strip(), form) for name, form in zip(names, case["given"], strict=False)]
     ]
-    pictures, given = [], next(iter(case["given"]), None)
-    for name, expected, actual in parts_of(case["expected"], case["actual"]):
-        wrong = wrong_of(expected, actual, tolerance)
-        back = value_of(f"came back {name}".strip(), actual, wrong)
+    images, given = [], next(iter(case["given"]), None)
+    for name, expected, actual in answer_parts(case["expected"], case["actual"]):
+        wrong = differing_elements(expected, actual, tolerance)
+        back = value_of(f"returned {name}".strip(), actual, wrong)
         rows.append([back, value_of(f"expected {name}".strip(), expected, wrong)])
-        pictures += pictures_of(given, f" {name}".rstrip(), expected, actual, wrong)
+        images += answer_images(given, name, expected, actual, wrong)
         given = None
-    return {"values": rows, "pictures": pictures, "printed_here": case["printed"].strip()}
+    return {"values": rows, "images": images, "printed_here": case["printed"].strip()}
 
 
 # ---------------------------------------------------------------- the teacher's page

@@ -1,4 +1,4 @@
-"""The canonical form: by value, lossless while small, and deaf to the tricks of objects."""
+"""The canonical form: by value, lossless for small values, and safe from an object's own methods."""
 
 import json
 from array import array
@@ -33,13 +33,13 @@ def test_each_kind_of_value_has_its_form(value, form):
     assert json.loads(json.dumps(canonical(value), allow_nan=False)) == form
 
 
-def test_a_dict_has_one_form_in_whatever_order_it_was_filled():
+def test_the_order_of_a_dict_makes_no_difference():
     assert canonical({"b": 1, "a": 2}) == canonical({"a": 2, "b": 1})
     assert [key["value"] for key, _ in canonical({"b": 1, "a": 2})["items"]] == ["a", "b"]
 
 
 @pytest.mark.parametrize("dtype", ["bool", "uint8", "int16", "uint64", "float16", "float32", "float64"])
-def test_an_array_comes_back_whole(dtype):
+def test_an_array_is_restored_whole(dtype):
     values = np.arange(12).reshape(3, 4).astype(dtype)
     back = array_of(canonical(values))
     assert back.dtype == values.dtype
@@ -47,7 +47,7 @@ def test_an_array_comes_back_whole(dtype):
     back[0, 0] = 1  # writable, so that it can be drawn on
 
 
-def test_layout_and_byte_order_do_not_show():
+def test_layout_and_byte_order_make_no_difference():
     values = np.arange(12, dtype=np.uint16).reshape(3, 4)
     assert canonical(values.astype(">u2")) == canonical(values)
     assert canonical(np.asfortranarray(values)) == canonical(values)
@@ -74,7 +74,7 @@ def test_a_large_array_is_given_by_its_digest():
 
 
 class Liar:
-    """Says yes to everything, and pretends to be an array."""
+    """Equals everything, and pretends to be an array."""
 
     def __eq__(self, other):
         return True
@@ -95,7 +95,7 @@ class Named(type):
     __module__ = property(lambda cls: "numpy")
 
 
-def test_strange_objects_give_no_more_than_the_name_of_their_type():
+def test_strange_objects_give_only_the_name_of_their_type():
     class Loud(np.ndarray):
         def __eq__(self, other):
             return True
@@ -121,7 +121,7 @@ def test_a_metaclass_cannot_choose_the_name():
     assert canonical(Odd())["type"] == f"{__name__}.Odd"
 
 
-def test_what_is_too_large_or_too_deep_ends():
+def test_values_that_are_too_large_or_too_deep():
     loop = []
     loop.append(loop)
     assert json.dumps(canonical(loop)).count("too_large") == 1

@@ -1,4 +1,4 @@
-"""What a learner is told."""
+"""The feedback of `check`."""
 
 import linecache
 import re
@@ -31,11 +31,11 @@ def stub(pixels):
     raise NotImplementedError("your turn")
 
 
-def stub_with_another_word(pixels):
+def stub_without_a_message(pixels):
     raise NotImplementedError
 
 
-@pytest.mark.parametrize("function", [stub, stub_with_another_word])
+@pytest.mark.parametrize("function", [stub, stub_without_a_message])
 def test_the_stub_is_not_attempted(function):
     result = check("test-double", function)
     assert not result.attempted and not result.passed and result.points == 0
@@ -57,13 +57,11 @@ def wraps(pixels):
 def test_a_known_mistake_is_named_and_shown():
     result = check("test-double", wraps)
     assert result.mistake.name == "wraps"
-    assert [each.passed for each in result.results] == [False, True]
+    assert [case_result.passed for case_result in result.results] == [False, True]
     assert result.points == 1
     text = repr(result)
     assert "test-double: 1 of 2 checks pass." in text
-    assert re.search(
-        r"\d+ of 12 values differ; the first at row \d, col \d: \d+ came back, 255 was expected", text
-    )
+    assert re.search(r"\d+ of 12 values differ; the first at row \d, col \d: expected 255, got \d+", text)
     assert "It wraps." in text and "Hint" not in text
     assert "given pixels: an array of shape (3, 4), uint8" in text
     assert re.search(r" \d+\*", text)  # a differing number, marked
@@ -74,7 +72,7 @@ def test_a_mistake_is_named_beside_another_fault():
         return pixels * 2 if pixels.ndim == 2 else None
 
     result = check("test-double", wraps_and_fails)
-    assert [each.passed for each in result.results] == [False, False]
+    assert [case_result.passed for case_result in result.results] == [False, False]
     assert result.mistake.name == "wraps"
 
 
@@ -85,25 +83,25 @@ def test_an_unknown_mistake_gets_the_hint():
 
 
 @pytest.mark.parametrize(
-    ("function", "said"),
+    ("function", "text"),
     [
-        (lambda pixels: None, "double() gave back None. Did you forget return?"),
+        (lambda pixels: None, "double() returned None. Did you forget return?"),
         (lambda pixels: 1 / 0, "double() raised ZeroDivisionError: division by zero\n    in your line"),
-        (lambda pixels: right(pixels).tolist(), "A list of 3 came back, an array of shape (3, 4), uint8 was"),
-        (lambda pixels: right(pixels)[:2], "An array of shape (2, 4) came back, shape (3, 4) was expected"),
-        (lambda pixels: right(pixels).astype(int), "An array of int64 came back, uint8 was expected"),
+        (lambda pixels: right(pixels).tolist(), "Expected an array of shape (3, 4), uint8, got a list of 3."),
+        (lambda pixels: right(pixels)[:2], "Expected shape (3, 4), got an array of shape (2, 4)."),
+        (lambda pixels: right(pixels).astype(int), "Expected uint8, got an array of int64."),
         (lambda pixels: right(pixels) + pixels.sort(), "double() raised TypeError"),
         (lambda: 3, "double() raised TypeError"),
     ],
 )
-def test_each_way_to_be_wrong_has_its_words(function, said):
+def test_each_kind_of_wrong_answer_has_its_text(function, text):
     result = check("test-double", function)
     assert not result.passed
-    assert said in repr(result)
+    assert text in repr(result)
     assert "np.minimum" not in repr(result) + result._repr_html_()  # never the solution
 
 
-def test_a_changed_input_is_told_though_the_answer_is_right():
+def test_a_changed_input_fails_though_the_answer_is_right():
     def changes(pixels):
         answer = right(pixels)
         pixels[:] = 0
@@ -116,19 +114,19 @@ def test_a_changed_input_is_told_though_the_answer_is_right():
     )
 
 
-def test_an_endless_loop_is_told():
+def test_an_endless_loop_is_stopped():
     def endless(pixels):
         while True:
             pass
 
     result = check("test-double", endless)
-    assert [each.passed for each in result.results] == [False, False] and result.points == 0
-    assert "double() did not come to an end and was stopped. Is there a loop that never ends?" in repr(result)
-    assert "✗ Dark\n    not run, because the call above did not come to an end\n" in repr(result)
+    assert [case_result.passed for case_result in result.results] == [False, False] and result.points == 0
+    assert "double() did not finish and was stopped. Is there an endless loop?" in repr(result)
+    assert "✗ Dark\n    not run, because the call above did not finish\n" in repr(result)
     assert "not run, because" in result._repr_html_()
 
 
-def test_prints_and_warnings_are_shown_beside_the_story():
+def test_prints_and_warnings_are_shown():
     def noisy(pixels):
         print("shape", pixels.shape)
         return np.uint8(np.float64(1) / np.zeros(1)[0] > 0) + pixels
@@ -145,12 +143,12 @@ def test_a_refused_module_does_not_pass():
         return right(pixels) if cv2 else None
 
     result = check("test-double", uses)
-    assert result.reach.refused == ("cv2",) and not result.passed
-    assert "double() uses cv2. This exercise is to be written without it" in repr(result)
+    assert result.dependencies.refused == ("cv2",) and not result.passed
+    assert "double() uses cv2. Write this exercise without it" in repr(result)
     assert "the values are right, but grading would refuse this answer" in repr(result)
 
 
-def test_a_refused_module_is_told_before_the_error_that_it_leads_to():
+def test_a_refused_module_comes_before_the_error_that_it_causes():
     def uses(pixels):
         import cv2
 
@@ -159,19 +157,19 @@ def test_a_refused_module_is_told_before_the_error_that_it_leads_to():
     result = check("test-double", uses)
     first, second, third = repr(result).splitlines()[:3]
     assert first == "test-double: grading would refuse this answer."
-    assert second.startswith("double() uses cv2. This exercise is to be written without it")
+    assert second.startswith("double() uses cv2. Write this exercise without it")
     assert third == "✗ Bright" and "double() raised error: OpenCV" in repr(result)
     html = result._repr_html_()
     assert html.index("double() uses cv2") < html.index("Bright") < html.index("double() raised")
     assert html.count("double() uses cv2") == 1
 
 
-def test_a_refused_name_that_no_cell_imported_is_refused_all_the_same():
+def test_a_refused_name_that_no_cell_imported_is_refused_too():
     source = "def double(pixels):\n    return cv2.add(pixels, pixels)\n"
-    space = {}
-    exec(compile(source, "<answer>", "exec"), space)
-    result = check("test-double", space["double"])
-    assert result.reach.refused == ("cv2",)
+    namespace = {}
+    exec(compile(source, "<answer>", "exec"), namespace)
+    result = check("test-double", namespace["double"])
+    assert result.dependencies.refused == ("cv2",)
     assert repr(result).splitlines()[1].startswith("double() uses cv2.")
 
 
@@ -192,9 +190,9 @@ def test_an_answer_of_two_arrays_is_two_tables(write_master):
     text = repr(check("test-double", swapped))
     assert "In answer[0]: 4 of 4 values differ" in text
     assert (
-        "    came back [0]: an array of shape (2, 2), int32, * differs\n     1* 2*\n     3* 4*\n"
+        "    returned [0]: an array of shape (2, 2), int32, * differs\n     1* 2*\n     3* 4*\n"
         "    expected [0]: an array of shape (2, 2), int32, * differs\n     2* 4*\n     6* 8*\n"
-        "    came back [1]: an array of shape (2, 2), int32\n     1  2\n     3  4\n"
+        "    returned [1]: an array of shape (2, 2), int32\n     1  2\n     3  4\n"
         "    expected [1]: an array of shape (2, 2), int32\n     1  2\n     3  4\n"
     ) in text
     html = check("test-double", swapped)._repr_html_()
@@ -202,7 +200,7 @@ def test_an_answer_of_two_arrays_is_two_tables(write_master):
     assert all("white-space: nowrap" in cell for cell in re.findall("<td[^>]*>", html))
 
 
-def test_the_first_wrong_picture_of_several_is_drawn(write_master):
+def test_the_first_wrong_image_of_several_is_drawn(write_master):
     write_master(
         solution=('# %% role="solution"\ndef double(pixels):\n    return pixels, np.minimum(pixels, 100)'),
         case='# %% role="case" title="Pair"\ndef inputs(rng):\n    return (np.full((20, 20), 200, "u1"),)',
@@ -214,14 +212,15 @@ def test_the_first_wrong_picture_of_several_is_drawn(write_master):
         other[7, 3] = 99
         return pixels, other
 
-    (alt,) = re.findall(r'alt="([^"]*)"', check("test-double", second_wrong)._repr_html_())
-    assert alt == (
-        "Pictures of given, came back [1], expected [1], white: differs;"
-        " 1 pixels differ, the first at row 7, col 3."
-    )
+    assert re.findall(r'alt="([^"]*)"', check("test-double", second_wrong)._repr_html_()) == [
+        "given: 20 rows, 20 cols",
+        "returned [1]: 20 rows, 20 cols",
+        "expected [1]: 20 rows, 20 cols",
+        "1 of 400 pixels differ, the first at row 7, col 3",
+    ]
 
 
-def test_a_message_is_told_by_its_fields_and_a_table_of_its_bytes(write_master):
+def test_a_message_is_shown_by_its_fields_and_a_table_of_its_bytes(write_master):
     write_master(
         exercise=(
             '# %% role="exercise"\nfrom types import SimpleNamespace\n'
@@ -248,15 +247,13 @@ def test_a_message_is_told_by_its_fields_and_a_table_of_its_bytes(write_master):
 
 
 def test_a_name_of_another_cell_does_not_pass():
-    space = {"np": np, "most": 255}
+    namespace = {"np": np, "most": 255}
     source = "def double(pixels):\n    return np.minimum(pixels.astype(int) * 2, most).astype(np.uint8)\n"
     linecache.cache["<answer>"] = (len(source), None, source.splitlines(keepends=True), "<answer>")
-    exec(compile(source, "<answer>", "exec"), space)
-    result = check("test-double", space["double"])
+    exec(compile(source, "<answer>", "exec"), namespace)
+    result = check("test-double", namespace["double"])
     assert not result.passed and result.points == 3
-    assert "double() uses most, which another cell defines. Grading takes the answer's cell alone" in repr(
-        result
-    )
+    assert "double() uses most, which another cell defines. Grading runs only the answer cell" in repr(result)
 
 
 def test_html_is_escaped_and_marks_what_differs(write_master):
@@ -278,21 +275,21 @@ def test_large_arrays_are_drawn_with_the_first_differing_pixel_named():
     result = run_cases(declared, wraps, cases=declared.hidden)
     html = result._repr_html_()
     assert 'src="data:image/png;base64,' in html
-    (alt,) = re.findall(r'alt="([^"]*)"', html)
-    found = result.results[0].failed.difference
-    row, col = found.index
-    assert alt.endswith(f"{found.count} pixels differ, the first at row {row}, col {col}.")
+    *_, alt = re.findall(r'alt="([^"]*)"', html)
+    difference = result.results[0].failed_call.difference
+    row, col = difference.index
+    assert alt == f"{difference.count} of 400 pixels differ, the first at row {row}, col {col}"
     assert f"row {row}, col {col}" in repr(result)
 
 
 def test_hidden_cases_draw_from_another_seed():
     declared = find_exercise("test-double")
-    public = run_cases(declared, wraps, cases=declared.hidden).results[0].failed.arguments[0]
-    secret = run_cases(declared, wraps, cases=declared.hidden, seed=99).results[0].failed.arguments[0]
+    public = run_cases(declared, wraps, cases=declared.hidden).results[0].failed_call.arguments[0]
+    secret = run_cases(declared, wraps, cases=declared.hidden, seed=99).results[0].failed_call.arguments[0]
     assert not np.array_equal(public, secret)
 
 
-def test_what_is_no_function_is_answered_with_the_cure():
+def test_a_value_that_is_no_function_is_refused_with_the_remedy():
     with pytest.raises(
         TypeError,
         match="needs your function double itself, got a value of type int; run the cell with your function",

@@ -1,10 +1,10 @@
-"""Where two forms differ, in words and numbers."""
+"""The first difference of two canonical forms."""
 
 import numpy as np
 import pytest
 
 from imgproc_course.exercises.canonical import canonical
-from imgproc_course.exercises.comparison import compare, describe, place
+from imgproc_course.exercises.comparison import compare, describe, describe_index
 
 
 def difference(expected, actual, tolerance=0.0, limit=None):
@@ -61,26 +61,26 @@ def test_the_first_difference_is_named_with_its_place_and_numbers():
     expected = np.zeros((4, 5), np.uint8)
     actual = expected.copy()
     actual[1, 3], actual[2, 0] = 7, 9
-    found = difference(expected, actual)
-    assert (found.index, found.expected, found.actual, found.count, found.total) == ((1, 3), 0, 7, 2, 20)
-    assert found.message == "2 of 20 values differ; the first at row 1, col 3: 7 came back, 0 was expected"
+    result = difference(expected, actual)
+    assert (result.index, result.expected, result.actual, result.count, result.total) == ((1, 3), 0, 7, 2, 20)
+    assert result.message == "2 of 20 values differ; the first at row 1, col 3: expected 0, got 7"
 
 
-def test_a_difference_inside_is_found_by_its_path():
-    found = difference({"edges": (1, [2, 3])}, {"edges": (1, [2, 4])})
-    assert found.where == "['edges'][1][1]"
-    assert (found.expected, found.actual) == (3, 4)
+def test_a_difference_inside_an_answer_has_its_path():
+    result = difference({"edges": (1, [2, 3])}, {"edges": (1, [2, 4])})
+    assert result.path == "['edges'][1][1]"
+    assert (result.expected, result.actual) == (3, 4)
 
 
 def test_the_tolerance_is_absolute_and_inclusive():
     assert difference(100, 102, tolerance=2) is None
     assert difference(100, 103, tolerance=2).kind == "value"
     expected, actual = np.full(3, 100, np.uint8), np.array([100, 102, 103], np.uint8)
-    found = difference(expected, actual, tolerance=2)
-    assert (found.index, found.count) == ((2,), 1)
+    result = difference(expected, actual, tolerance=2)
+    assert (result.index, result.count) == ((2,), 1)
 
 
-def test_digests_are_compared_where_values_are_not_written_out():
+def test_digests_are_compared_if_the_values_are_not_stored():
     expected = np.arange(100_000, dtype=np.int32)
     actual = expected.copy()
     assert difference(expected, actual, limit=1_000) is None
@@ -89,12 +89,12 @@ def test_digests_are_compared_where_values_are_not_written_out():
     assert compare(canonical(expected, 1_000), canonical(expected, None)) is None
 
 
-def test_what_has_no_value_is_never_equal():
+def test_objects_without_a_value_are_never_equal():
     assert difference(object(), object()).kind == "type"
 
 
-def test_words():
+def test_descriptions():
     assert describe(canonical(np.zeros((5, 4), np.uint8))) == "an array of shape (5, 4), uint8"
-    assert describe(canonical(3)) == "the whole number 3"
+    assert describe(canonical(3)) == "the integer 3"
     assert describe(canonical({"a": 1})) == "a dict with the keys 'a'"
-    assert place((3, 7, 2)) == "row 3, col 7, channel 2"
+    assert describe_index((3, 7, 2)) == "row 3, col 7, channel 2"

@@ -13,51 +13,59 @@ from imgproc_course.exercises.declaration import (
 
 
 def test_a_whole_exercise_is_read(write_master):
-    (declared,) = read_exercises(write_master())
-    assert (declared.id, declared.function, declared.time_limit) == ("test-double", "double", 0.5)
-    assert (declared.title, declared.refused, declared.practice) == ("test-double", ("cv2",), False)
-    assert [case.id for case in declared.cases] == [
+    (exercise_read,) = read_exercises(write_master())
+    assert (exercise_read.id, exercise_read.function, exercise_read.time_limit) == (
+        "test-double",
+        "double",
+        0.5,
+    )
+    assert (exercise_read.title, exercise_read.refused, exercise_read.practice) == (
+        "test-double",
+        ("cv2",),
+        False,
+    )
+    assert [case.id for case in exercise_read.cases] == [
         "case-test-double-1",
         "case-test-double-2",
         "hidden-test-double-1",
     ]
-    assert [case.points for case in declared.cases] == [2, 1, 3]
-    assert declared.points == 6
-    assert [case.hint for case in declared.public] == ["Widen.", "Start small."]
-    assert [mistake.says for mistake in declared.mistakes] == ["It wraps.", "One too many."]
-    assert declared.given == ("LIMIT = 255",)
+    assert [case.points for case in exercise_read.cases] == [2, 1, 3]
+    assert exercise_read.points == 6
+    assert [case.hint for case in exercise_read.public] == ["Widen.", "Start small."]
+    assert [mistake.says for mistake in exercise_read.mistakes] == ["It wraps.", "One too many."]
+    assert exercise_read.given == ("LIMIT = 255",)
 
 
-def test_the_solution_finds_numpy_and_the_given_names_and_nothing_else(write_master):
-    (declared,) = read_exercises(write_master())
-    double = declared.function_of(declared.solution, "solution")
+def test_the_solution_gets_numpy_and_the_given_names_only(write_master):
+    (exercise_read,) = read_exercises(write_master())
+    double = exercise_read.function_of(exercise_read.solution, "solution")
     np.testing.assert_array_equal(double(np.uint8([3, 200])), np.uint8([6, 255]))
     assert "SIDE" not in double.__globals__ and "exercise" not in double.__globals__
 
 
-def test_mistakes_may_bend_the_solution(write_master):
-    (declared,) = read_exercises(write_master())
-    wrong = declared.function_of(declared.mistakes[1].source, "mistake", prepared=True)
+def test_mistakes_may_call_the_solution(write_master):
+    (exercise_read,) = read_exercises(write_master())
+    wrong = exercise_read.function_of(exercise_read.mistakes[1].source, "mistake", prepared=True)
     np.testing.assert_array_equal(wrong(np.uint8([3])), np.uint8([7]))
 
 
-def test_inputs_follow_the_seed_and_nothing_else(write_master):
-    (declared,) = read_exercises(write_master())
-    case = declared.public[0]
-    ((first,),) = declared.arguments(case)
-    ((again,),) = declared.arguments(case, PUBLIC_SEED)
-    ((other,),) = declared.arguments(case, 1)
+def test_inputs_depend_on_the_seed_alone(write_master):
+    (exercise_read,) = read_exercises(write_master())
+    case = exercise_read.public[0]
+    ((first,),) = exercise_read.arguments(case)
+    ((again,),) = exercise_read.arguments(case, PUBLIC_SEED)
+    ((other,),) = exercise_read.arguments(case, 1)
     np.testing.assert_array_equal(first, again)
     assert first.shape == (3, 4) and not np.array_equal(first, other)
-    assert len(declared.arguments(declared.public[1])) == 2
+    assert len(exercise_read.arguments(exercise_read.public[1])) == 2
     (moved,) = read_exercises(write_master("81_moved", title="# %% [markdown]\n# # Doubling\n# More words."))
     np.testing.assert_array_equal(moved.arguments(moved.public[0])[0][0], first)
 
 
 def test_practice_has_no_points(write_master):
     heading = '# %% role="exercise"\nexercise("test-double", function="double", practice=True)\nSIDE = 3'
-    (declared,) = read_exercises(write_master(exercise=heading))
-    assert declared.points == 0 and declared.practice
+    (exercise_read,) = read_exercises(write_master(exercise=heading))
+    assert exercise_read.points == 0 and exercise_read.practice
 
 
 def test_a_changed_master_is_read_again(write_master):
@@ -67,7 +75,7 @@ def test_a_changed_master_is_read_again(write_master):
 
 
 @pytest.mark.parametrize(
-    ("changed", "said"),
+    ("changed", "message"),
     [
         ({"solution": ""}, 'needs one role="solution" cell, found 0'),
         ({"case": '# %% role="case"\ndef inputs(rng): ...'}, 'a case cell needs title="..."'),
@@ -92,15 +100,15 @@ def test_a_changed_master_is_read_again(write_master):
         ({"case": '# %% role="case" title="x" points\n...'}, "points has no value"),
     ],
 )
-def test_a_broken_declaration_says_what_and_where(write_master, changed, said):
+def test_a_broken_declaration_is_named_with_its_place(write_master, changed, message):
     with pytest.raises(MasterError) as error:
         read_exercises(write_master(**changed))
-    assert said in str(error.value)
+    assert message in str(error.value)
     assert "80_doubling.py" in str(error.value)
 
 
 @pytest.mark.parametrize(
-    ("changed", "said"),
+    ("changed", "message"),
     [
         (
             {"case": '# %% role="case" title="x"\ndef inputs(rng): return rng'},
@@ -118,11 +126,11 @@ def test_a_broken_declaration_says_what_and_where(write_master, changed, said):
         ),
     ],
 )
-def test_a_broken_case_says_what_and_where(write_master, changed, said):
-    (declared,) = read_exercises(write_master(**changed))
+def test_a_broken_case_is_named_with_its_place(write_master, changed, message):
+    (exercise_read,) = read_exercises(write_master(**changed))
     with pytest.raises(MasterError) as error:
-        declared.arguments(declared.public[0])
-    assert said in str(error.value)
+        exercise_read.arguments(exercise_read.public[0])
+    assert message in str(error.value)
     assert "80_doubling.py" in str(error.value)
 
 
@@ -138,20 +146,20 @@ def test_arguments_of_a_declaration_are_checked():
             exercise(**arguments)
 
 
-def test_an_unknown_exercise_is_answered_with_the_nearest(write_master):
+def test_for_an_unknown_exercise_the_nearest_is_named(write_master):
     write_master()
     assert find_exercise("test-double").id == "test-double"
     with pytest.raises(MasterError, match="did you mean 'test-double'"):
         find_exercise("test-duoble")
 
 
-def test_a_master_half_written_does_not_stand_in_the_way_of_another(write_master):
+def test_a_half_written_master_does_not_block_another(write_master):
     path = write_master()
     path.with_name("70_half.py").write_text('# %% role="exercise"\nexercise(', encoding="utf-8")
     assert find_exercise("test-double").id == "test-double"
 
 
-def test_a_folder_of_masters_that_is_not_there_is_named(monkeypatch, tmp_path):
+def test_a_missing_folder_of_masters_is_named(monkeypatch, tmp_path):
     monkeypatch.setenv("IMGPROC_COURSE_MASTERS", str(tmp_path / "nowhere"))
-    with pytest.raises(MasterError, match=r"IMGPROC_COURSE_MASTERS names .*nowhere.*no folder"):
+    with pytest.raises(MasterError, match=r"IMGPROC_COURSE_MASTERS names .*nowhere.*not a folder"):
         find_exercise("test-double")

@@ -1,6 +1,5 @@
 """The pages: everything escaped, nothing loaded, nobody else's in it; and looked at in a browser."""
 
-import base64
 import html.parser
 import io
 import json
@@ -12,11 +11,12 @@ import pytest
 from PIL import Image
 from submissions import SEED, answers_of, notebook, write
 
+from imgproc_course.exercises.answer_images import answer_images
 from imgproc_course.exercises.canonical import canonical
-from imgproc_course.exercises.values import wrong_of
+from imgproc_course.exercises.values import differing_elements
 from imgproc_course.gradebook.grade import grade_submissions
 from imgproc_course.gradebook.report import learner_page
-from imgproc_course.gradebook.report_values import pictures_of, value_of
+from imgproc_course.gradebook.report_values import value_of
 from imgproc_course.gradebook.sanitize import for_spreadsheet, visible, visible_line
 
 pytestmark = pytest.mark.sandbox
@@ -84,8 +84,8 @@ def test_what_a_learner_writes_is_shown_as_text(pages):
 def test_a_learners_page_names_the_mistake_and_shows_the_public_check(pages):
     text = pages["ada"].read_text(encoding="utf-8")
     assert "A known mistake: uint8 wraps." in text and "uint8 ends at 255: widen first." in text
-    assert "given pixels" in text and "came back [0]" in text and "expected [1]" in text
-    assert text.count("data:image/png") == 4  # given, came back, expected, where they differ
+    assert "given pixels" in text and "returned [0]" in text and "expected [1]" in text
+    assert text.count("data:image/png") == 4  # given, returned, expected, and where they differ
     assert "4 <small>of 10 points" in text
 
 
@@ -113,7 +113,7 @@ def test_of_a_hidden_check_nothing_is_shown_whatever_the_result_holds(
         }
         exercise["said"] = "its \u202e eye"
     text = learner_page(entry, {"20_light": result}, answer_keys)
-    assert "came back" in text and "a secret" not in text
+    assert "returned" in text and "a secret" not in text
     assert "Its \\u202e eye." in text and "\u202e" not in text
 
 
@@ -262,7 +262,7 @@ def test_the_pages_in_a_browser(pages):
     assert complaints == []
 
 
-# ---------------------------------------------------------------- values and pictures
+# ---------------------------------------------------------------- values and images
 
 
 def case_of(given, actual, expected):
@@ -270,26 +270,27 @@ def case_of(given, actual, expected):
     return {"given": [forms[0]], "actual": forms[1], "expected": forms[2]}
 
 
-def pixels_of(picture):
-    data = base64.b64decode(picture.data.partition(",")[2])
-    return np.asarray(Image.open(io.BytesIO(data)))
+def pixels_of(image):
+    return np.asarray(Image.open(io.BytesIO(image.png)))
 
 
 def test_a_small_array_is_a_table_with_what_differs_marked():
     case = case_of(0, np.array([[1, 2]]), np.array([[1, 3]]))
-    wrong = wrong_of(case["expected"], case["actual"], 0)
-    value = value_of("came back", case["actual"], wrong)
+    wrong = differing_elements(case["expected"], case["actual"], 0)
+    value = value_of("returned", case["actual"], wrong)
     assert value.rows == ((("1", False), ("2", True)),)
-    assert value.words == "an array of shape (1, 2), int64"
+    assert value.description == "an array of shape (1, 2), int64"
 
 
-def test_pictures_are_drawn_from_pixels_blue_first():
+def test_images_are_drawn_from_pixels_blue_first():
     bgr = np.zeros((20, 20, 3), np.uint8)
     bgr[..., 0] = 200
     other = bgr.copy()
     other[0, 0, 1] = 9
     form, expected = canonical(bgr), canonical(other)
-    given, back, wanted, differs = pictures_of(form, "", expected, form, wrong_of(expected, form, 0))
+    given, back, wanted, differs = answer_images(
+        form, "", expected, form, differing_elements(expected, form, 0)
+    )
     assert pixels_of(given)[0, 0].tolist() == pixels_of(back)[0, 0].tolist() == [0, 0, 200]
     assert pixels_of(wanted)[0, 0].tolist() == [0, 9, 200]
     assert pixels_of(differs)[0, 0].tolist() == [200, 40, 40]
@@ -298,11 +299,11 @@ def test_pictures_are_drawn_from_pixels_blue_first():
     assert "1 of 400 pixels differ, the first at row 0, col 0" in differs.alt
 
 
-def test_pictures_of_floats_share_their_limits_and_bear_what_is_no_number():
+def test_images_of_floats_share_their_limits_and_allow_nan_and_infinity():
     actual = np.full((20, 20), np.nan)
     actual[0] = [-1.0] * 10 + [np.inf] * 10
     expected = np.linspace(0, 3, 400).reshape(20, 20)
-    _, back, wanted, _ = pictures_of(
+    _, back, wanted, _ = answer_images(
         canonical(expected), "", canonical(expected), canonical(actual), np.ones((20, 20), bool)
     )
     assert "black -1, white 3" in back.caption and "black -1, white 3" in wanted.caption
@@ -312,17 +313,17 @@ def test_pictures_of_floats_share_their_limits_and_bear_what_is_no_number():
 @pytest.mark.parametrize(
     "value", [np.zeros((0, 9)), np.zeros((500, 1)), np.zeros((3, 3, 3, 50)), "x", None, 3]
 )
-def test_what_is_no_picture_is_none(value):
+def test_a_value_that_is_no_image_is_not_drawn(value):
     form = canonical(value)
-    assert pictures_of(form, "", form, form, None) == []
-    assert value_of("came back", form).words
+    assert answer_images(form, "", form, form, None) == []
+    assert value_of("returned", form).description
 
 
 def test_hostile_forms_are_words():
     nested = canonical([[[[["<b>\u202e"]]]]])
-    assert "\u202e" not in value_of("x", nested).words
-    assert value_of("x", canonical({"a": {"b": "\ud800"}})).words.encode("utf-8")
-    assert value_of("x", None).words == "nothing came back"
+    assert "\u202e" not in value_of("x", nested).description
+    assert value_of("x", canonical({"a": {"b": "\ud800"}})).description.encode("utf-8")
+    assert value_of("x", None).description == "nothing was returned"
 
 
 # ---------------------------------------------------------------- text

@@ -19,7 +19,12 @@ from pathlib import Path
 PACKAGE = Path(__file__).resolve().parents[2]
 INSIDE = Path(__file__).resolve().parent / "inside"
 ROOMS = ("messages", "imaging", "recording", "display", "ros")  # what lessons teach with
-ANSWER_FORMS = ("canonical", "comparison", "reach", "running")  # modules of `exercises` that check cells need
+ANSWER_FORMS = (
+    "canonical",
+    "comparison",
+    "dependencies",
+    "running",
+)  # modules of `exercises` that check cells need
 SITE, OURS, PYTHON = "/course/site-packages", "/course/rooms", "/python"
 GRADER = f"{OURS}/imgproc_course/autograder"
 _OPTIONS = ("-s", "-P", "-B")  # not -I: it would forget PYTHONHASHSEED

@@ -16,7 +16,7 @@ import types
 
 from imgproc_course.autograder.sandbox.inside.input_encoding import decode
 from imgproc_course.exercises import running
-from imgproc_course.exercises.reach import reach_of
+from imgproc_course.exercises.dependencies import find_dependencies
 
 MIME = "application/vnd.imgproc-course.answer+json"
 LARGEST = 1_000_000  # bytes of one array; a larger one is shown by its digest
@@ -51,8 +51,8 @@ def emit(function):
         told.append(told_of(outcome))
         if outcome.timed_out:
             break
-    reach = reach_of(function, refused, set())
-    display({MIME: {"calls": told, "refused": list(reach.refused)}}, raw=True)
+    dependencies = find_dependencies(function, refused, set())
+    display({MIME: {"calls": told, "refused": list(dependencies.refused)}}, raw=True)
 
 
 def _called(function, arguments, seconds):

@@ -1,7 +1,7 @@
-"""What an answer reaches for outside its own cell: refused modules, and names that grading will not know.
+"""What an answer uses from outside its own cell: refused modules, and names that grading does not know.
 
-Grading takes the answer's cell alone. A function that works in the notebook only because another cell defined
-something is told so here, before handing in.
+Grading runs the answer cell alone. If a function works in the notebook only because another cell defined
+something, the learner reads it here, before submitting.
 """
 
 import ast
@@ -15,77 +15,80 @@ from imgproc_course.exercises.running import code_of
 
 
 @dataclass(frozen=True)
-class Reach:
+class Dependencies:
     """refused: modules, as the exercise names them; foreign: names that another cell defines. Sorted."""
 
     refused: tuple = ()
     foreign: tuple = ()
 
 
-def reach_of(function, refused, provided):
-    """What a function and its helper functions reach for.
+def find_dependencies(function, refused, provided):
+    """What a function and its helper functions use.
 
-    The code that would run is read, so `import cv2 as c` and `from cv2 import cvtColor` in other cells are
-    seen too.
+    The compiled code is read, so `import cv2 as c` and `from cv2 import cvtColor` in other cells are found
+    too.
 
     Parameters
     ----------
     function : the learner's
-    refused : sequence of str, module names; their submodules are refused with them
-    provided : set of str, names that every answer finds (the given cells')
+    refused : sequence of str, module names; their submodules are refused too
+    provided : set of str, names that every answer has (from the given cells)
 
     Returns
     -------
-    Reach
+    Dependencies
     """
     if code_of(function) is None:
-        return Reach()
+        return Dependencies()
     walker = _Walker(tuple(refused), provided)
     walker.visit(function)
-    return Reach(tuple(sorted(walker.refused_found)), tuple(sorted(walker.foreign)))
+    return Dependencies(tuple(sorted(walker.used_refused)), tuple(sorted(walker.foreign)))
 
 
 class _Walker:
     def __init__(self, refused, provided):
         self._refused = refused
         self._provided = provided
-        self._seen = set()
-        self.refused_found = set()
+        self._visited = set()
+        self.used_refused = set()
         self.foreign = set()
 
     def visit(self, function):
         code = code_of(function)
-        if code is None or code in self._seen:
+        if code is None or code in self._visited:
             return
-        self._seen.add(code)
-        here = names_of_cell(code.co_filename)
-        space = function.__globals__
+        self._visited.add(code)
+        cell_names = names_of_cell(code.co_filename)
+        namespace = function.__globals__
         for name in _imports(code):
-            self._refuse(name)
+            self._is_refused(name)
         for name in _global_names(code):
-            if name not in space:
-                # A built-in, or a NameError that the call itself will show: of a module that is refused,
-                # there is no use in importing it.
-                self._refuse(name)
+            if name not in namespace:
+                # A built-in, or a name that will raise NameError. If it names a refused module, the learner
+                # should know that importing it would not help.
+                self._is_refused(name)
                 continue
-            value = space[name]
-            own = (
-                value.__name__ if isinstance(value, types.ModuleType) else getattr(value, "__module__", None)
-            )
-            if self._refuse(own) or name in self._provided or hasattr(builtins, name):
+            value = namespace[name]
+            if self._is_refused(_module_of(value)) or name in self._provided or hasattr(builtins, name):
                 continue
-            if here is not None and name not in here:
+            if cell_names is not None and name not in cell_names:
                 self.foreign.add(name)
-            elif isinstance(value, types.FunctionType) and value.__globals__ is space:
+            elif isinstance(value, types.FunctionType) and value.__globals__ is namespace:
                 self.visit(value)
 
-    def _refuse(self, module):
-        """Whether a module is refused; notes it where it is."""
+    def _is_refused(self, module):
+        """Whether a module is refused; a refused one is recorded."""
         if not isinstance(module, str):
             return False
-        found = {name for name in self._refused if module == name or module.startswith(name + ".")}
-        self.refused_found |= found
-        return bool(found)
+        matches = {name for name in self._refused if module == name or module.startswith(name + ".")}
+        self.used_refused |= matches
+        return bool(matches)
+
+
+def _module_of(value):
+    if isinstance(value, types.ModuleType):
+        return value.__name__
+    return getattr(value, "__module__", None)
 
 
 def _codes(code):
@@ -96,10 +99,10 @@ def _codes(code):
 
 
 def _global_names(code):
-    found = (
+    names = (
         step.argval for part in _codes(code) for step in dis.get_instructions(part) if step.opname in _GLOBAL
     )
-    return dict.fromkeys(found)
+    return dict.fromkeys(names)
 
 
 _IMPORT = dis.opmap["IMPORT_NAME"]
@@ -108,7 +111,7 @@ _GLOBAL = ("LOAD_GLOBAL", "LOAD_NAME", "STORE_GLOBAL")
 
 def _imports(code):
     for part in _codes(code):
-        if _IMPORT not in part.co_code[::2]:  # to take it apart takes much longer
+        if _IMPORT not in part.co_code[::2]:  # a quick test: disassembling takes much longer
             continue
         module = ""
         for step in dis.get_instructions(part):
@@ -128,7 +131,7 @@ def names_of_cell(filename):
 
     Returns
     -------
-    set of str, or None where the source is not known
+    set of str, or None if the source is not known
     """
     source = "".join(linecache.getlines(filename))
     if not source:
@@ -137,7 +140,7 @@ def names_of_cell(filename):
 
 
 def bound_names(source):
-    """The names that a source binds at its top level; empty for one that does not parse."""
+    """The names that a source binds at its top level; empty for a source that does not parse."""
     try:
         statements = ast.parse(source).body
     except SyntaxError:

@@ -1,34 +1,34 @@
-"""What an answer reaches for outside its own cell."""
+"""What an answer uses from outside its own cell."""
 
 import linecache
 
-from imgproc_course.exercises.reach import Reach, bound_names, reach_of
+from imgproc_course.exercises.dependencies import Dependencies, bound_names, find_dependencies
 
 
 def function_in_cell(source, *, others="", name="f", file="<cell 1>"):
     """A function as a notebook holds it: its own cell, and one shared namespace."""
-    space = {}
-    exec(compile(others, "<another cell>", "exec"), space)
+    namespace = {}
+    exec(compile(others, "<another cell>", "exec"), namespace)
     linecache.cache[file] = (len(source), None, source.splitlines(keepends=True), file)
-    exec(compile(source, file, "exec"), space)
-    return space[name]
+    exec(compile(source, file, "exec"), namespace)
+    return namespace[name]
 
 
-def test_a_function_that_needs_nothing_reaches_for_nothing():
+def test_a_function_that_needs_nothing_has_no_dependencies():
     function = function_in_cell("import numpy as np\nK = 3\ndef f(a):\n    return np.sum(a) + K + len(a)\n")
-    assert reach_of(function, ("cv2",), set()) == Reach()
+    assert find_dependencies(function, ("cv2",), set()) == Dependencies()
 
 
-def test_names_of_another_cell_are_told_and_given_ones_are_not():
+def test_names_of_another_cell_are_foreign_and_given_ones_are_not():
     function = function_in_cell(
         "def f(a):\n    return helper(a) + K\n", others="K = 3\ndef helper(a): return a\n"
     )
-    assert reach_of(function, (), {"K"}).foreign == ("helper",)
+    assert find_dependencies(function, (), {"K"}).foreign == ("helper",)
 
 
 def test_a_helper_in_the_same_cell_is_followed():
     function = function_in_cell("def g(a):\n    return K\ndef f(a):\n    return g(a)\n", others="K = 3")
-    assert reach_of(function, (), set()).foreign == ("K",)
+    assert find_dependencies(function, (), set()).foreign == ("K",)
 
 
 def test_refused_modules_are_seen_however_they_are_named():
@@ -43,14 +43,14 @@ def test_refused_modules_are_seen_however_they_are_named():
         "def f(a):\n    from imgproc_course import imaging\n": "imgproc_course.imaging",
     }
     for source, module in sources.items():
-        assert reach_of(function_in_cell(source), refused, set()).refused == (module,), source
+        assert find_dependencies(function_in_cell(source), refused, set()).refused == (module,), source
     other_cell = function_in_cell("def f(a):\n    return dumps(a)\n", others="from json import dumps")
-    assert reach_of(other_cell, refused, set()) == Reach(refused=("json",))
+    assert find_dependencies(other_cell, refused, set()) == Dependencies(refused=("json",))
 
 
 def test_a_name_that_only_begins_like_a_refused_one_is_free():
     function = function_in_cell("def f(a):\n    import jsonschema\n")
-    assert reach_of(function, ("json",), set()).refused == ()
+    assert find_dependencies(function, ("json",), set()).refused == ()
 
 
 def test_bound_names():
