@@ -1,4 +1,4 @@
-"""The command line `imgproc-course`. What a command calls is imported when that command runs."""
+"""The command line `imgproc-course`. Each command imports what it calls when it runs."""
 
 import subprocess
 from datetime import datetime
@@ -12,34 +12,34 @@ _COULD_NOT_GRADE = 3
 
 
 class CourseGroup(click.Group):
-    """The commands, with one line instead of a traceback where a package is not installed."""
+    """The commands. If a package is not installed, they print one line instead of a traceback."""
 
     def invoke(self, ctx):
         try:
             return super().invoke(ctx)
         except ModuleNotFoundError as error:
-            # The course without all that it needs, as in a robot's environment.
-            missing = (error.name or "").partition(".")[0]
-            if missing in ("", "imgproc_course"):
+            # A robot's environment, for example, has the course but not all the packages that it needs.
+            package = (error.name or "").partition(".")[0]
+            if package in ("", "imgproc_course"):
                 raise
             raise click.ClickException(
-                f"{missing} is not installed for this Python, and this command needs it; use the "
-                "imgproc-course of the course's own .venv, which environment/setup makes"
+                f"this command needs {package}, which is not installed for this Python; use the "
+                "imgproc-course in the course's own .venv, which environment/setup makes"
             ) from error
 
 
 @click.group(cls=CourseGroup, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(package_name="imgproc-course")
 def main():
-    """Image processing in ROS 2: the course's own commands."""
+    """Commands of the course "Image processing in ROS 2"."""
 
 
 @main.command()
 def doctor():
-    """Look at everything that the lessons use; each failure names its remedy."""
-    from imgproc_course.doctor import doctor as examine
+    """Check everything that the lessons use; each failure comes with its remedy."""
+    from imgproc_course.doctor import doctor as run_doctor
 
-    report = examine()
+    report = run_doctor()
     report.print()
     if not report.ready:
         raise SystemExit(1)
@@ -48,10 +48,10 @@ def doctor():
 @main.command(context_settings={"ignore_unknown_options": True, "help_option_names": ["-h", "--help"]})
 @click.argument("jupyter_options", nargs=-1, type=click.UNPROCESSED)
 def start(jupyter_options):
-    """Bring the lessons into my_lessons/ and open JupyterLab there.
+    """Copy the lessons into my_lessons/ and open JupyterLab there.
 
-    An update of the course brings new and corrected lessons beside what you have begun, never over it.
-    Every option goes on to JupyterLab: --no-browser, --port 8890, --ip ADDRESS, and so on.
+    An update of the course never overwrites your work: an updated lesson is added under a new name.
+    JupyterLab gets all options: --no-browser, --port 8890, --ip ADDRESS, and so on.
     """
     from imgproc_course.lab import LabError
     from imgproc_course.lab import start as start_lab
@@ -64,22 +64,35 @@ def start(jupyter_options):
 
 
 @main.command()
-@click.option("--speed", type=float, default=1.0, show_default=True, help="Times the recording's own rate.")
-@click.option("--loop/--once", default=True, show_default=True, help="Start again at the end, or stop there.")
-@click.option("--recording", default="drive", show_default=True, help="'drive', or the path of a rosbag2.")
-@click.option("--camera-topic", help="Which of its cameras to play; the first of colour unless said.")
 @click.option(
-    "--topic", default="/kachaka/front_camera/image_raw", show_default=True, help="Raw pictures' topic."
+    "--speed",
+    type=float,
+    default=1.0,
+    show_default=True,
+    help="Playback speed: 2 is twice the recording's own rate.",
+)
+@click.option("--loop/--once", default=True, show_default=True, help="At the end, start again or stop.")
+@click.option(
+    "--recording", default="drive", show_default=True, help="'drive', or the path of a rosbag2 recording."
+)
+@click.option(
+    "--camera-topic", help="Camera topic to play from the recording.  [default: its first colour camera]"
+)
+@click.option(
+    "--topic",
+    default="/kachaka/front_camera/image_raw",
+    show_default=True,
+    help="Topic on which the raw images are published.",
 )
 @click.option(
     "--stamps",
     type=click.Choice(["now", "recorded"]),
     default="now",
     show_default=True,
-    help="Stamp each picture with the time it is sent, or as it was recorded.",
+    help="Stamp of each image: the time of sending, or the recorded stamp.",
 )
 def play(**options):
-    """Publish the recorded drive as the robot publishes its camera, until Ctrl-C."""
+    """Publish the recorded drive as the robot publishes its camera images, until Ctrl-C."""
     from imgproc_course.ros import ros_problem
 
     problem = ros_problem()
@@ -95,11 +108,22 @@ def play(**options):
 
 
 @main.command()
-@click.option("--minutes", type=float, default=10.0, show_default=True, help="How long, after a warm-up.")
-@click.option("--speed", type=float, default=3.0, show_default=True, help="Times the drive's own 10 Hz.")
-@click.option("--warm-up", type=float, default=25.0, show_default=True, help="Seconds that do not count.")
+@click.option("--minutes", type=float, default=10.0, show_default=True, help="Duration, without the warm-up.")
+@click.option(
+    "--speed",
+    type=float,
+    default=3.0,
+    show_default=True,
+    help="Playback speed: 3 is three times the drive's 10 Hz.",
+)
+@click.option(
+    "--warm-up", type=float, default=25.0, show_default=True, help="Seconds before the measurement starts."
+)
 def soak(minutes, speed, warm_up):
-    """Run camera, both nodes and a subscriber, and say what was lost and what grew; exit 1 if anything."""
+    """Run a camera, both nodes and a subscriber for a long time.
+
+    Reports lost frames, and growth of memory, threads and open files. Exits with 1 if there is any.
+    """
     from imgproc_course.ros import ros_problem
 
     problem = ros_problem()
@@ -123,28 +147,28 @@ def soak(minutes, speed, warm_up):
     "--check",
     "only_check",
     is_flag=True,
-    help="Write nothing; fail where a stored lesson differs from its master.",
+    help="Write nothing; fail if a stored lesson differs from its master.",
 )
 @click.option(
     "--masters",
     type=_FOLDER,
     default=CHECKOUT / "notebooks" / "masters",
-    help="Folder of masters; the course's own unless said.",
+    help="Folder of the masters.  [default: the course's own]",
 )
 @click.option(
     "--out",
     type=_FOLDER,
-    help="Folder for the lessons; the masters' parent unless said.",
+    help="Folder for the lessons.  [default: the parent of the masters' folder]",
 )
 @click.option(
     "--solved",
     type=_FOLDER,
-    help="Folder for the solved twins; solved/ unless said.",
+    help="Folder for the solved lessons.  [default: solved/]",
 )
 def build(lessons, only_check, masters, out, solved):
-    """Make lessons, and their solved twins, from masters.
+    """Build the lessons from their masters, and each lesson a second time with solutions.
 
-    LESSON names one of them, 02 or 02_images_as_messages; all are built where none is named.
+    LESSON is a number or a name: 02 or 02_images_as_messages. Without LESSON, all lessons are built.
     """
     from imgproc_course.authoring.build import build as build_lessons
     from imgproc_course.authoring.build import compare_lessons
@@ -165,17 +189,17 @@ def build(lessons, only_check, masters, out, solved):
         click.echo(problem, err=True)
     if report.problems:
         raise SystemExit(1)
-    what = "as their masters say" if only_check else f"built into {out}"
-    click.echo(f"Lessons {what}: {len(report.built)}.")
+    result = "equal to their masters" if only_check else f"built into {out}"
+    click.echo(f"Lessons {result}: {len(report.built)}.")
 
 
 @main.command()
 @click.argument(
     "notebooks", nargs=-1, required=True, type=click.Path(path_type=Path), metavar="LESSON.ipynb..."
 )
-@click.option("--run", "and_run", is_flag=True, help="Run your answers against the checks too.")
+@click.option("--run", "and_run", is_flag=True, help="Also run the checks on your answers.")
 def check(notebooks, and_run):
-    """Look at a lesson before you hand it in: is every answer there, and where grading looks for it?"""
+    """Check a lesson before you submit it: is every answer present, and in its answer cell?"""
     from imgproc_course.exercises.declaration import MasterError
     from imgproc_course.gradebook.check import HandInError, look_at, report_lines, run_answers
 
@@ -193,15 +217,15 @@ def check(notebooks, and_run):
         raise SystemExit(1)
 
 
-class _Moment(click.ParamType):
-    name = "moment"
+class _LocalTime(click.ParamType):
+    name = "time"
 
     def convert(self, value, param, ctx):
         try:
-            moment = datetime.fromisoformat(value)
+            time = datetime.fromisoformat(value)
         except ValueError:
-            self.fail(f"{value!r} is no moment; give it like 2026-12-01T23:59", param, ctx)
-        return moment.astimezone().replace(tzinfo=None) if moment.tzinfo else moment
+            self.fail(f"{value!r} is not a date and time; write it like 2026-12-01T23:59", param, ctx)
+        return time.astimezone().replace(tzinfo=None) if time.tzinfo else time
 
 
 def _masters_folder(masters):
@@ -209,23 +233,25 @@ def _masters_folder(masters):
 
     folders = [masters] if masters else masters_folders()
     if not folders:
-        raise click.ClickException("no masters here; say where they are: --masters FOLDER")
+        raise click.ClickException("there are no masters here; give their folder: --masters FOLDER")
     return folders[0]
 
 
 @main.command()
 @click.argument("lessons", nargs=-1, metavar="[LESSON]...")
-@click.option("--seed", help="The secret that the inputs are drawn from; made and kept where none is given.")
-@click.option("--out", type=_FOLDER, default=Path("key"), show_default=True, help="Folder of the key.")
+@click.option("--seed", help="Secret seed of the inputs.  [default: a new one, saved beside the key]")
+@click.option("--out", type=_FOLDER, default=Path("key"), show_default=True, help="Folder for the key.")
 @click.option(
-    "--masters", type=_FOLDER, help="Folder of masters; IMGPROC_COURSE_MASTERS or the course's unless said."
+    "--masters",
+    type=_FOLDER,
+    help="Folder of the masters.  [default: IMGPROC_COURSE_MASTERS, or the course's own]",
 )
-@click.option("--force", "--replace", "replace", is_flag=True, help="Take the place of a key that is there.")
+@click.option("--force", "--replace", "replace", is_flag=True, help="Replace an existing key.")
 @click.option("--unsafe", is_flag=True, help="Run the masters' solutions without a sandbox.")
 def key(lessons, seed, out, masters, replace, unsafe):
     """Make the answer key: run the solutions on inputs drawn from a secret seed.
 
-    LESSON names one of them, 02 or 02_images_as_messages; all are in the key where none is named.
+    LESSON is a number or a name: 02 or 02_images_as_messages. Without LESSON, the key has all lessons.
     """
     from imgproc_course.autograder.answer_key import KeyFolderError
     from imgproc_course.autograder.make_answer_key import kept_seed, make_key
@@ -235,29 +261,31 @@ def key(lessons, seed, out, masters, replace, unsafe):
     seed_file = out.with_name(f"{out.name}.seed")
     try:
         folder = _masters_folder(masters)
-        kept = seed is None
-        seed = kept_seed(seed_file) if kept else seed
-        made = make_key(folder, seed, out, lessons, unsafe=unsafe, replace=replace)
+        is_seed_saved = seed is None
+        seed = kept_seed(seed_file) if is_seed_saved else seed
+        answer_key = make_key(folder, seed, out, lessons, unsafe=unsafe, replace=replace)
     except (MasterError, KeyFolderError, SandboxError) as error:
         raise click.ClickException(str(error)) from error
     except OSError as error:
         raise click.ClickException(f"the key cannot be written: {error}") from error
-    count = sum(not each.practice for lesson in made.lessons.values() for each in lesson.exercises)
-    click.echo(f"Key of {len(made.lessons)} lessons and {count} exercises: {out}/")
-    if kept:
-        click.echo(f"Its secret seed is kept in {seed_file}, to make the same key again.")
+    exercises = [exercise for lesson in answer_key.lessons.values() for exercise in lesson.exercises]
+    count = sum(not exercise.practice for exercise in exercises)
+    click.echo(f"Key of {len(answer_key.lessons)} lessons and {count} exercises: {out}/")
+    if is_seed_saved:
+        click.echo(f"Its secret seed is saved in {seed_file}: you need it to make the same key again.")
     else:
-        click.echo("Its seed is kept nowhere: you need it to make the same key again.")
-    for path in (out, *([seed_file] if kept else ())):
+        click.echo("Its seed is not saved: remember it, you need it to make the same key again.")
+    for path in (out, *([seed_file] if is_seed_saved else ())):
         if _would_be_committed(path):
             click.echo(
-                f"Warning: {path} is in a git checkout and not ignored: add it to .gitignore", err=True
+                f"Warning: {path} is in a git checkout and git does not ignore it: add it to .gitignore",
+                err=True,
             )
 
 
 def _would_be_committed(path):
     try:
-        asked = subprocess.run(
+        process = subprocess.run(
             ["git", "check-ignore", "-q", path.name],
             cwd=path.resolve().parent,
             capture_output=True,
@@ -266,7 +294,7 @@ def _would_be_committed(path):
         )
     except (OSError, subprocess.TimeoutExpired):
         return False
-    return asked.returncode == 1  # 0: ignored; 128: no checkout
+    return process.returncode == 1  # 0: ignored; 128: not a git checkout
 
 
 @main.command()
@@ -278,30 +306,36 @@ def _would_be_committed(path):
     multiple=True,
     default=(Path("key"),),
     show_default=True,
-    help="Folder of the key; said again for keys of other versions or of other lessons.",
+    help="Folder of a key; repeat the option for keys of other versions or other lessons.",
 )
-@click.option("--out", type=_FOLDER, default=Path("grades"), show_default=True, help="Folder of the grades.")
+@click.option("--out", type=_FOLDER, default=Path("grades"), show_default=True, help="Folder for the grades.")
 @click.option(
-    "--workers", type=click.IntRange(1), help="How many are graded at once; one a core unless said."
+    "--workers", type=click.IntRange(1), help="Number of submissions graded at once.  [default: one per core]"
 )
 @click.option("--kernel", type=click.Choice(["fast", "ipykernel"]), default="fast", show_default=True)
-@click.option("--deadline", type=_Moment(), help="Mark what came later: 2026-12-01T23:59, in local time.")
-@click.option("--unsafe", is_flag=True, help="Run learners' code without a sandbox, as you, with your files.")
+@click.option(
+    "--deadline", type=_LocalTime(), help="Mark later submissions as late. In local time: 2026-12-01T23:59."
+)
+@click.option(
+    "--unsafe",
+    is_flag=True,
+    help="Run the learners' code without a sandbox: it can read and change your files.",
+)
 @click.option("--fresh", is_flag=True, help="Grade again what was graded before.")
 @click.option(
     "--platform-table",
     "platform_tables",
     type=click.Path(path_type=Path, dir_okay=False),
     multiple=True,
-    help="Canvas's gradebook or Moodle's grading worksheet, as exported: filled with points, to import back.",
+    help="Gradebook of Canvas or grading worksheet of Moodle, as exported: it is returned with points.",
 )
 @click.option("--scheduler", metavar="ADDRESS", help="Grade on a Dask cluster: tcp://10.0.0.5:8786.")
 def grade(submissions, keys, out, workers, kernel, deadline, unsafe, fresh, platform_tables, scheduler):
-    """Grade everything in SUBMISSIONS: a folder, or the zip of a learning platform.
+    """Grade everything in SUBMISSIONS: a folder, or the zip file of a learning platform.
 
-    What was graded before, with the same key and the same answers, is not graded again: a run that was
-    interrupted goes on where it stopped. Exit codes: 0 all graded, 3 some could not be (they have 0 points
-    and a reason), 1 nothing was graded, 130 interrupted.
+    A submission that was graded before, with the same key and the same answers, is not graded again: after an
+    interruption, the same command continues. Exit codes: 0 all graded, 3 some could not be graded (they get
+    0 points and a reason), 1 nothing was graded, 130 interrupted.
     """
     from imgproc_course.autograder.answer_key import KeyFolderError
     from imgproc_course.autograder.sandbox.bubblewrap import SandboxError
@@ -310,7 +344,7 @@ def grade(submissions, keys, out, workers, kernel, deadline, unsafe, fresh, plat
     from imgproc_course.gradebook.grades_json import GradesFolderError
 
     try:
-        told = grade_submissions(
+        report = grade_submissions(
             submissions,
             keys,
             out,
@@ -325,20 +359,20 @@ def grade(submissions, keys, out, workers, kernel, deadline, unsafe, fresh, plat
     except (CollectError, KeyFolderError, SandboxError, GradesFolderError, ValueError) as error:
         raise click.ClickException(str(error)) from error
     except KeyboardInterrupt:
-        click.echo("\nStopped. What is graded is kept: the same command goes on from here.", err=True)
+        click.echo("\nStopped. Finished grades are saved: run the same command again to continue.", err=True)
         raise SystemExit(130) from None
-    click.echo(told.text)
-    if told.not_graded:
+    click.echo(report.text)
+    if report.not_graded:
         raise SystemExit(_COULD_NOT_GRADE)
 
 
 @main.command("new-lesson")
 @click.argument("name")
 @click.option(
-    "--out", type=_FOLDER, required=True, help="Folder of your masters; made where it is not there."
+    "--out", type=_FOLDER, required=True, help="Folder of your masters; created if it does not exist."
 )
 def new_lesson(name, out):
-    """Begin a lesson of your own: a master that builds and grades at once."""
+    """Create a lesson of your own: a master that you can build and grade at once."""
     from imgproc_course.authoring.new_lesson import new_lesson as write
     from imgproc_course.exercises.declaration import MasterError
 
@@ -346,6 +380,6 @@ def new_lesson(name, out):
         path = write(name, out)
     except MasterError as error:
         raise click.ClickException(str(error)) from error
-    click.echo(f"{path}: change it, then")
+    click.echo(f"{path}: change it, then run")
     click.echo(f"  imgproc-course build --masters {out} --out LESSONS --solved SOLVED")
     click.echo(f"  imgproc-course key --masters {out} --out KEY")

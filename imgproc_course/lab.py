@@ -14,7 +14,7 @@ from jupyter_server.serverapp import ServerApp, list_running_servers
 from nbformat.sign import NotebookNotary
 from traitlets import TraitError, validate
 
-from imgproc_course.working_copies import CHECKOUT, bring_lessons
+from imgproc_course.working_copies import CHECKOUT, update_lessons
 
 CONFIGURATION = Path(__file__).with_name("jupyter_config")
 DISCOVERY_VARIABLES = (
@@ -55,7 +55,7 @@ class CourseServer(ServerApp):
 
 
 def start(options=(), say=print_now):
-    """Brings the lessons into my_lessons/, then runs JupyterLab there until it is shut down.
+    """Copies the lessons into my_lessons/, then runs JupyterLab there until it is shut down.
 
     Parameters
     ----------
@@ -67,7 +67,7 @@ def start(options=(), say=print_now):
     LessonsError, LabError : one line that says what to do
     """
     folder = CHECKOUT / "my_lessons"
-    changes = bring_lessons(target=folder)
+    changes = update_lessons(target=folder)
     for line in changes.lines():
         say(line)
     check_runtime_folder()

@@ -1,8 +1,8 @@
-"""The learner's working copies: lessons go into my_lessons/, and work begun there is never written over.
+"""The learner's working copies: lessons are copied into my_lessons/, and work there is never overwritten.
 
-For each copy, my_lessons/.course.json keeps which lesson it came from. A copy that the learner has not
-changed follows an update; beside one with work in it the updated lesson is laid under a name of its own.
-Nothing is ever deleted. Without that file, every copy that differs from its lesson counts as work.
+my_lessons/.course.json stores for each copy which lesson it came from. An update replaces a copy that the
+learner has not changed. If the learner has changed it, the updated lesson is added under a new name.
+Nothing is ever deleted. Without .course.json, every copy that differs from its lesson counts as changed.
 """
 
 import contextlib
@@ -24,61 +24,59 @@ NOT_FOR_LEARNERS = {"masters", "__pycache__"}
 
 
 class LessonsError(Exception):
-    """The lessons could not be brought; the text is one line that says what to do."""
+    """The lessons could not be copied; the text is one line that says what to do."""
 
 
 @dataclass
-class Brought:
-    """What happened to the working copies: names of files, relative to my_lessons/."""
+class LessonChanges:
+    """What has changed among the working copies: names of files, relative to my_lessons/."""
 
     new: list[str] = field(default_factory=list)
-    corrected: list[str] = field(default_factory=list)
-    beside: list[tuple[str, str]] = field(
-        default_factory=list
-    )  # (the learner's file, the updated lesson beside it)
+    updated: list[str] = field(default_factory=list)
+    added_beside: list[tuple[str, str]] = field(default_factory=list)  # (learner's file, updated lesson)
     folder: str = "my_lessons"
 
     @property
     def written(self):
-        """Every file that was laid down, as it is in the course."""
-        return [*self.new, *self.corrected, *(theirs for _, theirs in self.beside)]
+        """Every file that was written."""
+        return [*self.new, *self.updated, *(lesson for _, lesson in self.added_beside)]
 
     def lines(self):
-        """What to tell the learner, one sentence a line."""
+        """Lines of text that tell the learner what has changed."""
         if self.new:
             yield f"New in {self.folder}/: {', '.join(self.new)}"
-        if self.corrected:
-            yield f"Brought up to date, as you had not changed them: {', '.join(self.corrected)}"
-        for mine, theirs in self.beside:
-            yield f"Changed in the course: {mine}. Yours is as you left it; the new one is {theirs}"
-        if not (self.new or self.corrected or self.beside):
-            yield f"{self.folder}/ is up to date; nothing in it was touched."
+        if self.updated:
+            yield f"Updated, because you had not changed them: {', '.join(self.updated)}"
+        for learners_file, lesson in self.added_beside:
+            yield f"Updated in the course: {learners_file}. Your file is unchanged; the new one is {lesson}"
+        if not self.written:
+            yield f"{self.folder}/ is up to date; nothing was changed."
 
 
 class Origin(NamedTuple):
-    """Which lesson a working copy came from, and which update was last laid beside it."""
+    """The lesson that a working copy came from, and the update that was last added beside it."""
 
     shipped: str  # digest of the lesson's bytes
-    work: str  # digest of what a learner can change in it
-    offered: str = ""  # digest of the bytes of the update beside it
+    work: str  # digest of the parts that a learner changes
+    offered: str = ""  # digest of the bytes of the update that was added beside it
 
 
-def bring_lessons(source=None, target=None, version=None):
-    """Makes or updates the working copies.
+def update_lessons(source=None, target=None, version=None):
+    """Creates or updates the working copies.
 
     Parameters
     ----------
-    source : the folder of the lessons; the checkout's notebooks/ unless said
-    target : the learner's folder; the checkout's my_lessons/ unless said
-    version : version of the course, for the name of an update beside a learner's file
+    source : folder of the lessons; if omitted, notebooks/ of the checkout
+    target : the learner's folder; if omitted, my_lessons/ of the checkout
+    version : version of the course, for the name of an update that is added beside a learner's file
 
     Returns
     -------
-    Brought
+    LessonChanges
 
     Raises
     ------
-    LessonsError : no lessons, or the folder cannot be written; then everything is as it was
+    LessonsError : there are no lessons, or the folder cannot be written; then nothing has changed
     """
     source = Path(source or CHECKOUT / "notebooks")
     target = Path(target or CHECKOUT / "my_lessons")
@@ -89,80 +87,80 @@ def bring_lessons(source=None, target=None, version=None):
         )
     if target.exists() and not target.is_dir():
         raise LessonsError(
-            f"{target.name} is a file, and the lessons need a folder of that name; rename the file"
+            f"{target.name} is a file, but the lessons need a folder of this name; rename the file"
         )
     try:
         target.mkdir(exist_ok=True)
         with _one_at_a_time(target / LOCK):
-            return _bring(source, target, lessons, version or imgproc_course.__version__)
+            return _update(source, target, lessons, version or imgproc_course.__version__)
     except OSError as error:
-        raise LessonsError(_what_to_do(target, error)) from error
+        raise LessonsError(_failure_text(target, error)) from error
 
 
 def _lessons(source):
-    """Relative names of everything that a learner gets, in order."""
+    """Relative names of all files that a learner gets, sorted."""
     for path in sorted(source.rglob("*")) if source.is_dir() else ():
         name = path.relative_to(source)
-        hidden = any(part.startswith(".") or part in NOT_FOR_LEARNERS for part in name.parts)
-        if path.is_file() and not hidden:
+        is_excluded = any(part.startswith(".") or part in NOT_FOR_LEARNERS for part in name.parts)
+        if path.is_file() and not is_excluded:
             yield name.as_posix()
 
 
-def _bring(source, target, lessons, version):
+def _update(source, target, lessons, version):
     origins = _read_state(target / STATE)
-    brought, staged = Brought(folder=target.name), Staged(target)
+    changes, staged = LessonChanges(folder=target.name), StagedFiles(target)
     with staged:
         for name in lessons:
             data = (source / name).read_bytes()
-            origins[name] = _bring_one(staged, brought, name, data, origins.get(name), version)
+            origins[name] = _update_one(staged, changes, name, data, origins.get(name), version)
         state = target / STATE
         staged.write(
             STATE, _state_text(origins).encode(), replaces=state.read_bytes() if state.exists() else None
         )
         staged.put_in_place()
-    return brought
+    return changes
 
 
-def _bring_one(staged, brought, name, data, origin, version):
-    """Stages what has to be written for one lesson; returns the origin to remember."""
+def _update_one(staged, changes, name, data, origin, version):
+    """Stages the files to write for one lesson; returns the origin to store."""
     copy = staged.folder / name
     lesson = Origin(_digest(data), _work_digest(name, data))
     if not copy.exists():
         staged.write(name, data)
-        brought.new.append(name)
+        changes.new.append(name)
         return lesson
     if origin and origin.shipped == lesson.shipped:
         return origin
-    mine = copy.read_bytes()
-    mine_work = _work_digest(name, mine)
-    if origin and mine_work == origin.work:
-        if mine != data:
-            staged.write(name, data, replaces=mine)
-            brought.corrected.append(name)
+    copy_data = copy.read_bytes()
+    copy_work = _work_digest(name, copy_data)
+    if origin and copy_work == origin.work:
+        if copy_data != data:
+            staged.write(name, data, replaces=copy_data)
+            changes.updated.append(name)
         return lesson
-    if mine_work == lesson.work:
+    if copy_work == lesson.work:
         return lesson
     if origin and (origin.offered == lesson.shipped or origin.work == lesson.work):
-        return origin  # laid beside it already, or nothing that a learner would see has changed
-    beside = _name_beside(staged.folder, name, version, data)
-    if beside is not None:
-        staged.write(beside, data)
-        brought.beside.append((name, beside))
+        return origin  # the update was added before, or it changes nothing that a learner sees
+    name_beside = _name_beside(staged.folder, name, version, data)
+    if name_beside is not None:
+        staged.write(name_beside, data)
+        changes.added_beside.append((name, name_beside))
     return Origin(origin.shipped if origin else "", origin.work if origin else "", lesson.shipped)
 
 
 def _name_beside(folder, name, version, data):
-    """A free name for an updated lesson, or None when the same bytes lie beside it already."""
+    """A free name for an updated lesson; None if a file with the same bytes exists already."""
     path = Path(name)
     for number in range(1, 1000):
         label = f"version {version}" if number == 1 else f"version {version}, {number}"
-        beside = path.with_name(f"{path.stem} ({label}){path.suffix}").as_posix()
-        if not (folder / beside).exists():
-            return beside
-        if (folder / beside).read_bytes() == data:
+        name_beside = path.with_name(f"{path.stem} ({label}){path.suffix}").as_posix()
+        if not (folder / name_beside).exists():
+            return name_beside
+        if (folder / name_beside).read_bytes() == data:
             return None
     raise LessonsError(
-        f"there are 999 updates of {name} in {folder.name}/ already; move some of them elsewhere"
+        f"there are already 999 updates of {name} in {folder.name}/; move some of them elsewhere"
     )
 
 
@@ -171,10 +169,10 @@ def _digest(data):
 
 
 def _work_digest(name, data):
-    """Digest of what counts as a learner's work: of a notebook its cells, without outputs and counts.
+    """Digest of what counts as a learner's work: in a notebook the cells, without their outputs and counts.
 
-    Running cells is no work; writing, adding or moving one is, and so is pasting a picture into it. Of what
-    is no readable notebook every byte counts.
+    Running cells is not work; writing, adding or moving a cell is, and so is pasting an image into one. In a
+    file that is not a readable notebook, every byte counts.
     """
     if name.endswith(".ipynb"):
         with contextlib.suppress(ValueError, KeyError, TypeError, AttributeError):
@@ -195,10 +193,10 @@ def _work_of(cell):
 
 def _read_state(path):
     try:
-        known = json.loads(path.read_text(encoding="utf-8"))["lessons"]
+        entries = json.loads(path.read_text(encoding="utf-8"))["lessons"]
         return {
             str(name): Origin(str(entry["shipped"]), str(entry["work"]), str(entry.get("offered", "")))
-            for name, entry in known.items()
+            for name, entry in entries.items()
         }
     except (FileNotFoundError, ValueError, KeyError, TypeError, AttributeError):
         return {}
@@ -210,38 +208,38 @@ def _state_text(origins):
     )
 
 
-class Staged:
-    """Files written beside their places first; put in place only when every one is whole on disk."""
+class StagedFiles:
+    """Files that are first written under temporary names, and renamed only when all are complete on disk."""
 
     def __init__(self, folder):
         self.folder = folder
-        self._waiting = []  # (temporary path, its place, the bytes that it replaces there or None)
+        self._files = []  # (temporary path, final path, the bytes that it replaces there or None)
 
     def __enter__(self):
         return self
 
     def __exit__(self, *exception):
-        for temporary, _, _ in self._waiting:
+        for temporary, _, _ in self._files:
             temporary.unlink(missing_ok=True)
 
     def write(self, name, data, *, replaces=None):
         if data == replaces:
             return
-        place = self.folder / name
-        temporary = stage_file(place, data, sync=True)
-        self._waiting.append((temporary, place, replaces))
+        path = self.folder / name
+        temporary = stage_file(path, data, sync=True)
+        self._files.append((temporary, path, replaces))
 
     def put_in_place(self):
-        for _, place, replaces in self._waiting:
-            if (place.read_bytes() if place.exists() else None) != replaces:
-                raise LessonsError(f"{place.name} was saved while it was brought up to date; start again")
-        for temporary, place, _ in self._waiting:
-            temporary.replace(place)
+        for _, path, replaces in self._files:
+            if (path.read_bytes() if path.exists() else None) != replaces:
+                raise LessonsError(f"{path.name} was saved during its update; start again")
+        for temporary, path, _ in self._files:
+            temporary.replace(path)
 
 
 @contextlib.contextmanager
 def _one_at_a_time(path):
-    """Two starts at once: the second waits until the first has brought everything."""
+    """A lock: if two starts run at once, the second waits until the first has copied everything."""
     with path.open("a+b") as file:
         if os.name == "nt":
             import msvcrt
@@ -254,12 +252,12 @@ def _one_at_a_time(path):
         yield
 
 
-def _what_to_do(target, error):
-    why = error.strerror or str(error)
+def _failure_text(target, error):
+    reason = error.strerror or str(error)
     if error.errno in (errno.ENOSPC, errno.EDQUOT):
         remedy = "free 100 MB and start again"
     elif error.errno in (errno.EACCES, errno.EPERM, errno.EROFS):
         remedy = "give yourself the right to write there, or clone the course to a folder of your own"
     else:
-        remedy = "see that it is an ordinary folder of yours, and start again"
-    return f"no lessons were brought into {target.name}/, and nothing in it was changed ({why}); {remedy}"
+        remedy = "make sure that it is an ordinary folder of yours, and start again"
+    return f"no lessons were copied into {target.name}/, and nothing in it was changed ({reason}); {remedy}"

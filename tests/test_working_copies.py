@@ -1,4 +1,4 @@
-"""Working copies: an update brings lessons beside work already begun, never over it."""
+"""Working copies: an update never overwrites the learner's work; it adds the new lesson beside it."""
 
 import errno
 import json
@@ -9,7 +9,7 @@ import sys
 import pytest
 
 from imgproc_course import working_copies
-from imgproc_course.working_copies import LessonsError, bring_lessons
+from imgproc_course.working_copies import LessonsError, update_lessons
 
 
 def notebook(*sources, outputs=(), version="0.1.0", ids=None):
@@ -29,11 +29,11 @@ def notebook(*sources, outputs=(), version="0.1.0", ids=None):
 
 
 class Course:
-    """A small checkout: `ship` writes lessons as an update would, `start` brings them."""
+    """A small checkout: `ship` writes lessons as an update does, `start` copies them."""
 
     def __init__(self, folder):
         self.notebooks = folder / "notebooks"
-        self.mine = folder / "my_lessons"
+        self.copies = folder / "my_lessons"
         self.notebooks.mkdir()
 
     def ship(self, **lessons):
@@ -41,19 +41,21 @@ class Course:
             (self.notebooks / f"{name}.ipynb").write_text(text)
 
     def start(self, version="0.2.0"):
-        return bring_lessons(self.notebooks, self.mine, version)
+        return update_lessons(self.notebooks, self.copies, version)
 
     def read(self, name):
-        return (self.mine / f"{name}.ipynb").read_text()
+        return (self.copies / f"{name}.ipynb").read_text()
 
     def write(self, name, text):
-        (self.mine / f"{name}.ipynb").write_text(text)
+        (self.copies / f"{name}.ipynb").write_text(text)
 
     def files(self):
-        return sorted(path.name for path in self.mine.iterdir() if not path.name.startswith("."))
+        return sorted(path.name for path in self.copies.iterdir() if not path.name.startswith("."))
 
-    def everything(self):
-        return {path.name: path.read_bytes() for path in self.mine.iterdir()} if self.mine.exists() else None
+    def all_files(self):
+        return (
+            {path.name: path.read_bytes() for path in self.copies.iterdir()} if self.copies.exists() else None
+        )
 
 
 @pytest.fixture
@@ -63,21 +65,21 @@ def course(tmp_path):
     return course
 
 
-def test_the_first_start_brings_every_lesson(course):
-    brought = course.start()
+def test_the_first_start_copies_every_lesson(course):
+    changes = course.start()
     assert course.files() == ["a.ipynb", "b.ipynb"]
     assert course.read("a") == notebook("1")
-    assert list(brought.lines()) == ["New in my_lessons/: a.ipynb, b.ipynb"]
+    assert list(changes.lines()) == ["New in my_lessons/: a.ipynb, b.ipynb"]
 
 
-def test_a_second_start_touches_nothing(course):
+def test_a_second_start_changes_nothing(course):
     course.start()
     course.write("a", notebook("my work"))
     course.write("b", notebook("2", outputs=[{"output_type": "stream", "name": "stdout", "text": "2"}]))
-    before = course.everything()
-    brought = course.start()
-    assert course.everything() == before
-    assert list(brought.lines()) == ["my_lessons/ is up to date; nothing in it was touched."]
+    files_before = course.all_files()
+    changes = course.start()
+    assert course.all_files() == files_before
+    assert list(changes.lines()) == ["my_lessons/ is up to date; nothing was changed."]
 
 
 def test_masters_and_hidden_files_are_not_for_learners(course):
@@ -86,40 +88,40 @@ def test_masters_and_hidden_files_are_not_for_learners(course):
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text("x")
     course.start()
-    assert sorted(course.everything()) == [".course.json", ".course.lock", "a.ipynb", "b.ipynb"]
+    assert sorted(course.all_files()) == [".course.json", ".course.lock", "a.ipynb", "b.ipynb"]
 
 
-def test_data_files_and_folders_come_too(course):
+def test_data_files_and_folders_are_copied_too(course):
     (course.notebooks / "figures").mkdir()
     (course.notebooks / "figures" / "robot.png").write_bytes(b"\x89PNG")
     course.start()
-    assert (course.mine / "figures" / "robot.png").read_bytes() == b"\x89PNG"
-    (course.mine / "figures" / "robot.png").write_bytes(b"scribbled over")
+    assert (course.copies / "figures" / "robot.png").read_bytes() == b"\x89PNG"
+    (course.copies / "figures" / "robot.png").write_bytes(b"scribbled over")
     (course.notebooks / "figures" / "robot.png").write_bytes(b"\x89PNG2")
-    brought = course.start("0.3.0")
-    assert brought.beside == [("figures/robot.png", "figures/robot (version 0.3.0).png")]
-    assert (course.mine / "figures" / "robot.png").read_bytes() == b"scribbled over"
+    changes = course.start("0.3.0")
+    assert changes.added_beside == [("figures/robot.png", "figures/robot (version 0.3.0).png")]
+    assert (course.copies / "figures" / "robot.png").read_bytes() == b"scribbled over"
 
 
-def test_a_new_lesson_comes_beside_work(course):
+def test_a_new_lesson_is_added_beside_work(course):
     course.start()
     course.write("a", notebook("my work"))
     course.ship(c=notebook("3"))
-    brought = course.start()
-    assert brought.new == ["c.ipynb"]
+    changes = course.start()
+    assert changes.new == ["c.ipynb"]
     assert (course.read("a"), course.read("c")) == (notebook("my work"), notebook("3"))
 
 
-def test_a_copy_without_work_follows_the_update(course):
+def test_an_update_replaces_a_copy_without_work(course):
     course.start()
     course.ship(a=notebook("1 corrected"))
-    brought = course.start()
+    changes = course.start()
     assert course.read("a") == notebook("1 corrected")
     assert course.files() == ["a.ipynb", "b.ipynb"]
-    assert list(brought.lines()) == ["Brought up to date, as you had not changed them: a.ipynb"]
+    assert list(changes.lines()) == ["Updated, because you had not changed them: a.ipynb"]
 
 
-def test_a_copy_that_was_only_run_follows_the_update(course):
+def test_an_update_replaces_a_copy_that_was_only_run(course):
     course.start()
     course.write("a", notebook("1", outputs=[{"output_type": "stream", "name": "stdout", "text": "1"}]))
     course.ship(a=notebook("1 corrected"))
@@ -127,7 +129,7 @@ def test_a_copy_that_was_only_run_follows_the_update(course):
     assert course.read("a") == notebook("1 corrected")
 
 
-def test_a_notebook_that_jupyterlab_saved_is_no_work(course):
+def test_a_notebook_that_jupyterlab_saved_does_not_count_as_work(course):
     course.start()
     saved = json.loads(course.read("a"))
     saved["cells"][0]["source"] = ["1"]  # as a list of lines
@@ -156,34 +158,34 @@ def test_a_notebook_that_jupyterlab_saved_is_no_work(course):
         '{"cells": 3}',
     ],
 )
-def test_work_stays_and_the_update_lies_beside_it(course, work):
+def test_work_stays_and_the_update_is_added_beside_it(course, work):
     course.start()
     course.write("a", work)
     course.ship(a=notebook("1 corrected"))
-    brought = course.start("0.2.0")
+    changes = course.start("0.2.0")
     assert course.read("a") == work
     assert course.read("a (version 0.2.0)") == notebook("1 corrected")
     assert course.files() == ["a (version 0.2.0).ipynb", "a.ipynb", "b.ipynb"]
-    assert list(brought.lines()) == [
-        "Changed in the course: a.ipynb. Yours is as you left it; the new one is a (version 0.2.0).ipynb"
+    assert list(changes.lines()) == [
+        "Updated in the course: a.ipynb. Your file is unchanged; the new one is a (version 0.2.0).ipynb"
     ]
 
 
-def test_an_update_is_laid_beside_once(course):
+def test_an_update_is_added_once(course):
     course.start()
     course.write("a", notebook("my work"))
     course.ship(a=notebook("1 corrected"))
     course.start()
     course.write("a (version 0.2.0)", notebook("I went on here"))
-    before = course.everything()
-    assert course.start().beside == []
-    assert course.everything() == before
-    (course.mine / "a (version 0.2.0).ipynb").unlink()
-    assert course.start().beside == []
+    files_before = course.all_files()
+    assert course.start().added_beside == []
+    assert course.all_files() == files_before
+    (course.copies / "a (version 0.2.0).ipynb").unlink()
+    assert course.start().added_beside == []
     assert course.files() == ["a.ipynb", "b.ipynb"]
 
 
-def test_a_second_update_has_a_name_of_its_own(course):
+def test_a_second_update_has_its_own_name(course):
     course.start()
     course.write("a", notebook("my work"))
     for number, version in enumerate(("0.2.0", "0.2.0", "0.3.0")):
@@ -195,36 +197,36 @@ def test_a_second_update_has_a_name_of_its_own(course):
     assert course.read("a (version 0.3.0)") == notebook("correction 2")
 
 
-def test_an_update_that_the_learner_took_over_by_hand_is_not_told_again(course):
+def test_an_update_that_the_learner_copied_by_hand_is_not_reported(course):
     course.start()
     course.ship(a=notebook("1", version="0.2.0"))
     course.write("a", notebook("1", version="0.2.0"))
-    assert list(course.start().lines()) == ["my_lessons/ is up to date; nothing in it was touched."]
+    assert list(course.start().lines()) == ["my_lessons/ is up to date; nothing was changed."]
 
 
-def test_an_update_of_the_version_number_alone_is_not_laid_beside_work(course):
+def test_an_update_of_the_version_number_alone_is_not_added_beside_work(course):
     course.start()
     course.write("a", notebook("my work"))
     course.ship(a=notebook("1", version="0.2.0"), b=notebook("2", version="0.2.0"))
-    brought = course.start()
-    assert (brought.beside, brought.corrected) == ([], ["b.ipynb"])
+    changes = course.start()
+    assert (changes.added_beside, changes.updated) == ([], ["b.ipynb"])
     assert course.read("a") == notebook("my work")
     assert course.read("b") == notebook("2", version="0.2.0")
 
 
-def test_work_that_was_taken_back_follows_the_update_after_all(course):
+def test_an_update_replaces_a_copy_whose_changes_were_undone(course):
     course.start()
     course.write("a", notebook("my work"))
     course.ship(a=notebook("1 corrected"))
     course.start()
     course.write("a", notebook("1"))
-    assert course.start().corrected == ["a.ipynb"]
+    assert course.start().updated == ["a.ipynb"]
     assert course.read("a") == notebook("1 corrected")
 
 
-def test_a_deleted_copy_comes_back_fresh(course):
+def test_a_deleted_copy_is_created_again(course):
     course.start()
-    (course.mine / "a.ipynb").unlink()
+    (course.copies / "a.ipynb").unlink()
     assert course.start().new == ["a.ipynb"]
     assert course.read("a") == notebook("1")
 
@@ -239,130 +241,133 @@ def test_a_lesson_that_the_course_no_longer_has_stays(course):
 @pytest.mark.parametrize(
     "damage", [None, "", "{", "[]", '{"lessons": []}', '{"lessons": {"a.ipynb": 3}}', "\x00"]
 )
-def test_without_its_memory_nothing_is_written_over(course, damage):
+def test_without_the_state_file_nothing_is_overwritten(course, damage):
     course.start()
     course.write("a", notebook("my work"))
     course.write("b", notebook("2", outputs=[{"output_type": "stream", "name": "stdout", "text": "2"}]))
-    state = course.mine / ".course.json"
+    state = course.copies / ".course.json"
     state.unlink() if damage is None else state.write_text(damage)
-    before = {name: data for name, data in course.everything().items() if not name.startswith(".")}
-    brought = course.start()
-    assert (brought.new, brought.corrected) == ([], [])
-    assert brought.beside == [("a.ipynb", "a (version 0.2.0).ipynb")]
-    after = course.everything()
-    assert {name: after[name] for name in before} == before
-    assert course.start().beside == []
+    files_before = {name: data for name, data in course.all_files().items() if not name.startswith(".")}
+    changes = course.start()
+    assert (changes.new, changes.updated) == ([], [])
+    assert changes.added_beside == [("a.ipynb", "a (version 0.2.0).ipynb")]
+    files_after = course.all_files()
+    assert {name: files_after[name] for name in files_before} == files_before
+    assert course.start().added_beside == []
 
 
-def test_without_its_memory_an_update_that_lies_there_is_not_laid_again(course):
+def test_without_the_state_file_an_update_is_not_added_again(course):
     course.start()
     course.write("a", notebook("my work"))
     course.ship(a=notebook("1 corrected"))
     course.start()
-    (course.mine / ".course.json").unlink()
-    assert course.start().beside == []
+    (course.copies / ".course.json").unlink()
+    assert course.start().added_beside == []
     assert course.files() == ["a (version 0.2.0).ipynb", "a.ipynb", "b.ipynb"]
 
 
-def test_other_files_of_the_learner_stay(course):
-    course.mine.mkdir()
-    (course.mine / "notes.txt").write_text("mine")
+def test_the_learners_other_files_stay(course):
+    course.copies.mkdir()
+    (course.copies / "notes.txt").write_text("mine")
     course.write("a", notebook("mine from before"))
-    brought = course.start()
-    assert (course.mine / "notes.txt").read_text() == "mine"
+    changes = course.start()
+    assert (course.copies / "notes.txt").read_text() == "mine"
     assert course.read("a") == notebook("mine from before")
-    assert brought.beside == [("a.ipynb", "a (version 0.2.0).ipynb")]
+    assert changes.added_beside == [("a.ipynb", "a (version 0.2.0).ipynb")]
 
 
-def said(course):
-    with pytest.raises(LessonsError) as caught:
+def error_line(course):
+    with pytest.raises(LessonsError) as raised:
         course.start()
-    line = str(caught.value)
+    line = str(raised.value)
     assert "\n" not in line
     return line
 
 
 def test_a_folder_without_lessons_says_what_to_do(tmp_path):
     with pytest.raises(LessonsError, match=r"^there are no lessons in notebooks/; run this from a clone"):
-        bring_lessons(tmp_path / "notebooks", tmp_path / "my_lessons")
+        update_lessons(tmp_path / "notebooks", tmp_path / "my_lessons")
     assert not (tmp_path / "my_lessons").exists()
 
 
 def test_a_file_where_the_folder_should_be(course):
-    course.mine.write_text("hello")
-    assert said(course) == "my_lessons is a file, and the lessons need a folder of that name; rename the file"
-    assert course.mine.read_text() == "hello"
+    course.copies.write_text("hello")
+    assert (
+        error_line(course)
+        == "my_lessons is a file, but the lessons need a folder of this name; rename the file"
+    )
+    assert course.copies.read_text() == "hello"
 
 
 @pytest.mark.parametrize("writes_until_full", [0, 1, 2])
-@pytest.mark.parametrize("begun", [False, True])
-def test_a_full_disk_leaves_everything_as_it_was(course, monkeypatch, writes_until_full, begun):
-    if begun:
+@pytest.mark.parametrize("has_work", [False, True])
+def test_a_full_disk_leaves_everything_as_it_was(course, monkeypatch, writes_until_full, has_work):
+    if has_work:
         course.start()
         course.write("b", notebook("my work"))
         course.ship(a=notebook("1 corrected"), b=notebook("2 corrected"))
-    before = course.everything() or {".course.lock": b""}
-    written = []
+    files_before = course.all_files() or {".course.lock": b""}
+    syncs = []
 
     def sync(number):
-        if len(written) == writes_until_full:
+        if len(syncs) == writes_until_full:
             raise OSError(errno.ENOSPC, "No space left on device")
-        written.append(number)
+        syncs.append(number)
 
     monkeypatch.setattr(os, "fsync", sync)
-    assert said(course) == (
-        "no lessons were brought into my_lessons/, and nothing in it was changed (No space left on device); "
+    assert error_line(course) == (
+        "no lessons were copied into my_lessons/, and nothing in it was changed (No space left on device); "
         "free 100 MB and start again"
     )
-    assert course.everything() == before
+    assert course.all_files() == files_before
     monkeypatch.undo()
-    brought = course.start()
-    assert (brought.new or brought.corrected) and course.read("a") in (notebook("1"), notebook("1 corrected"))
+    changes = course.start()
+    assert (changes.new or changes.updated) and course.read("a") in (notebook("1"), notebook("1 corrected"))
 
 
 def test_a_folder_that_cannot_be_written(course, monkeypatch):
     def refuse(*_, **__):
         raise OSError(errno.EROFS, "Read-only file system")
 
-    course.mine.mkdir()
+    course.copies.mkdir()
     monkeypatch.setattr("pathlib.Path.open", refuse)
-    line = said(course)
+    line = error_line(course)
     assert "(Read-only file system)" in line
     assert line.endswith("clone the course to a folder of your own")
 
 
 def test_a_folder_in_the_place_of_a_lesson(course):
-    (course.mine / "a.ipynb").mkdir(parents=True)
-    assert "see that it is an ordinary folder of yours" in said(course)
+    (course.copies / "a.ipynb").mkdir(parents=True)
+    assert "make sure that it is an ordinary folder of yours" in error_line(course)
 
 
 def test_a_save_at_the_same_moment_is_not_lost(course, monkeypatch):
     course.start()
     course.ship(a=notebook("1 corrected"))
-    bring_one = working_copies._bring_one
+    update_one = working_copies._update_one
 
     def save_in_between(*arguments):
-        origin = bring_one(*arguments)
+        origin = update_one(*arguments)
         course.write("a", notebook("saved just now"))
         return origin
 
-    monkeypatch.setattr(working_copies, "_bring_one", save_in_between)
-    assert said(course) == "a.ipynb was saved while it was brought up to date; start again"
+    monkeypatch.setattr(working_copies, "_update_one", save_in_between)
+    assert error_line(course) == "a.ipynb was saved during its update; start again"
     assert course.read("a") == notebook("saved just now")
     monkeypatch.undo()
-    assert course.start().beside == [("a.ipynb", "a (version 0.2.0).ipynb")]
+    assert course.start().added_beside == [("a.ipynb", "a (version 0.2.0).ipynb")]
 
 
 def test_two_starts_at_once_give_one_result(course):
     course.ship(**{f"lesson{i}": notebook(str(i)) for i in range(20)})
     code = (
-        "import sys; from imgproc_course.working_copies import bring_lessons; "
-        "brought = bring_lessons(sys.argv[1], sys.argv[2], '0.2.0'); "
-        "assert not brought.beside and not brought.corrected; print(len(brought.new))"
+        "import sys; from imgproc_course.working_copies import update_lessons; "
+        "changes = update_lessons(sys.argv[1], sys.argv[2], '0.2.0'); "
+        "assert not changes.added_beside and not changes.updated; print(len(changes.new))"
     )
-    command = [sys.executable, "-c", code, course.notebooks, course.mine]
+    command = [sys.executable, "-c", code, course.notebooks, course.copies]
     running = [subprocess.Popen(command, stdout=subprocess.PIPE, text=True) for _ in range(3)]
     counts = sorted(int(process.communicate()[0]) for process in running)
     assert counts == [0, 0, 22]
     assert len(course.files()) == 22
-    assert [name for name in course.everything() if name.endswith(".tmp")] == []
+    assert [name for name in course.all_files() if name.endswith(".tmp")] == []

@@ -28,7 +28,7 @@ def test_build_then_check_agree(write_master, call, tmp_path):
     assert done.exit_code == 0 and done.stdout.endswith(f"Lessons built into {tmp_path / 'out'}: 1.\n")
     assert (tmp_path / "twins" / "90_template.ipynb").is_file()
     done = call(path, "--check", "90")
-    assert done.exit_code == 0 and "Lessons as their masters say: 1." in done.stdout
+    assert done.exit_code == 0 and "Lessons equal to their masters: 1." in done.stdout
     write_master(("Write `double`", "Please write `double`"))
     done = call(path, "--check")
     assert done.exit_code == 1
