@@ -324,17 +324,17 @@ def suppress(magnitude, sector):
 def suppress(magnitude, sector):
     height, width = magnitude.shape
     padded = np.pad(magnitude, 1)
-    first = {0: (0, -1), 1: (-1, -1), 2: (-1, 0), 3: (-1, 1)}
+    first_step = {0: (0, -1), 1: (-1, -1), 2: (-1, 0), 3: (-1, 1)}
     thinned = np.zeros_like(magnitude)
     for row in range(height):
         for col in range(width):
-            d_row, d_col = first[int(sector[row, col])]
-            here = magnitude[row, col]
-            one = padded[1 + row + d_row, 1 + col + d_col]
-            two = padded[1 + row - d_row, 1 + col - d_col]
-            beats_two = here >= two if sector[row, col] in (0, 2) else here > two
-            if here > one and beats_two:
-                thinned[row, col] = here
+            d_row, d_col = first_step[int(sector[row, col])]
+            value = magnitude[row, col]
+            first = padded[1 + row + d_row, 1 + col + d_col]
+            second = padded[1 + row - d_row, 1 + col - d_col]
+            beats_second = value >= second if sector[row, col] in (0, 2) else value > second
+            if value > first and beats_second:
+                thinned[row, col] = value
     return thinned
 
 
@@ -369,24 +369,24 @@ def inputs(rng):
 # %% role="mistake" name=">= for >" says="Two equal neighbours were both kept, so the edge is two pixels thick. A pixel must be greater than the first neighbour, not only equal to it."
 def suppress(magnitude, sector):
     padded = np.pad(magnitude, 1)
-    first = {0: (0, -1), 1: (-1, -1), 2: (-1, 0), 3: (-1, 1)}
+    first_step = {0: (0, -1), 1: (-1, -1), 2: (-1, 0), 3: (-1, 1)}
     thinned = np.zeros_like(magnitude)
-    for (row, col), here in np.ndenumerate(magnitude):
-        d_row, d_col = first[int(sector[row, col])]
-        if here >= padded[1 + row + d_row, 1 + col + d_col] and here >= padded[1 + row - d_row, 1 + col - d_col]:
-            thinned[row, col] = here
+    for (row, col), value in np.ndenumerate(magnitude):
+        d_row, d_col = first_step[int(sector[row, col])]
+        if value >= padded[1 + row + d_row, 1 + col + d_col] and value >= padded[1 + row - d_row, 1 + col - d_col]:
+            thinned[row, col] = value
     return thinned
 
 
 # %% role="mistake" name="> on both sides" says="Of two equal neighbours neither was kept, so the edge has a gap. In sectors 0 and 2 a pixel may be equal to the second neighbour."
 def suppress(magnitude, sector):
     padded = np.pad(magnitude, 1)
-    first = {0: (0, -1), 1: (-1, -1), 2: (-1, 0), 3: (-1, 1)}
+    first_step = {0: (0, -1), 1: (-1, -1), 2: (-1, 0), 3: (-1, 1)}
     thinned = np.zeros_like(magnitude)
-    for (row, col), here in np.ndenumerate(magnitude):
-        d_row, d_col = first[int(sector[row, col])]
-        if here > padded[1 + row + d_row, 1 + col + d_col] and here > padded[1 + row - d_row, 1 + col - d_col]:
-            thinned[row, col] = here
+    for (row, col), value in np.ndenumerate(magnitude):
+        d_row, d_col = first_step[int(sector[row, col])]
+        if value > padded[1 + row + d_row, 1 + col + d_col] and value > padded[1 + row - d_row, 1 + col - d_col]:
+            thinned[row, col] = value
     return thinned
 
 
@@ -399,11 +399,11 @@ def suppress(magnitude, sector):
 def suppress(magnitude, sector):
     padded = np.pad(magnitude, 1)
     thinned = np.zeros_like(magnitude)
-    for (row, col), here in np.ndenumerate(magnitude):
+    for (row, col), value in np.ndenumerate(magnitude):
         around = padded[row : row + 3, col : col + 3].copy()
         around[1, 1] = 0
-        if here > around.max():
-            thinned[row, col] = here
+        if value > around.max():
+            thinned[row, col] = value
     return thinned
 
 

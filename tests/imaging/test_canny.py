@@ -260,9 +260,9 @@ def test_hysteresis_connects_over_corners_and_drops_components_without_a_strong_
     strong[2, 2] = True
     edges = hysteresis(weak, strong)
     assert (edges // 255).tolist() == [[1, 0, 0, 0, 0], [0, 1, 0, 0, 0], [0, 0, 1, 0, 0], [0, 0, 0, 0, 0]]
-    none = np.zeros_like(weak)
-    assert not hysteresis(weak, none).any()
-    assert np.array_equal(hysteresis(none, weak) == 255, weak)
+    no_pixels = np.zeros_like(weak)
+    assert not hysteresis(weak, no_pixels).any()
+    assert np.array_equal(hysteresis(no_pixels, weak) == 255, weak)
 
 
 def test_hysteresis_follows_a_chain_of_any_length():
