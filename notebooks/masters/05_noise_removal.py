@@ -190,7 +190,7 @@ assert response.sum() == 160  # the weights add up to 1, so the sum stays
 # %% [markdown]
 # ## 5 · Four filters, two kinds of noise (8 minutes)
 #
-# Now a camera frame, with random noise that has a fixed seed, so everybody gets the same noise. **Gaussian noise** changes every pixel by a normally distributed error. Besides box, Gaussian and median we try the **bilateral filter**. It is a weighted mean like the Gaussian filter, but neighbours with a very different gray level get almost no weight. So it keeps steps.
+# Now a camera frame, with random noise that has a fixed seed, so everybody gets the same noise. **Gaussian noise** changes every pixel by a normally distributed error. Besides box, Gaussian and median we try the **bilateral filter**. It is a weighted mean like the Gaussian filter, but neighbours with a very different gray level get almost no weight. So it keeps steps sharp.
 
 # %%
 salted = add_salt_and_pepper(gray, 0.05, seed=1)

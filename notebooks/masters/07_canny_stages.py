@@ -8,7 +8,7 @@
 # %% [markdown]
 # # 07 · The stages of Canny
 #
-# `cv2.Canny(gray, 50, 150)` is one line, and for most people it is magic. Inside are five plain steps. You will write four of them. At the end your edges are equal to OpenCV's on every pixel.
+# `cv2.Canny(gray, 50, 150)` is one line, and for most people it is magic. Inside are five plain steps. You will write four of them. Together the steps give OpenCV's edges on every pixel.
 #
 # **You will be able to**
 # - name the input and the output of each stage, with units,
@@ -60,7 +60,7 @@ print("difference", difference)
 assert difference.tolist() == [0, 0, 0, 150, 150, 0, 0, 0]
 
 # %% [markdown]
-# This is a **correlation** with the kernel `[-1, 0, 1]`, as in lesson 05: the kernel moves along the row, and at each pixel its weights are multiplied with the gray levels below them and added. The result is the *filter response*. Here the response is 0 where nothing changes. At a step it is the height of the step. A step from bright to dark gives a negative response.
+# This is a **correlation** with the kernel `[-1, 0, 1]`, as in lesson 05: the kernel moves along the row, and at each pixel its weights are multiplied with the gray levels under them, and the products are added. The result is the *filter response*. Here the response is 0 where nothing changes. At a step it is the height of the step. A step from bright to dark gives a negative response.
 #
 # A **convolution** first flips the kernel, here to `[1, 0, -1]`. So the response changes its sign. OpenCV's filters correlate; `np.convolve` and many textbooks convolve.
 
@@ -78,7 +78,7 @@ assert (convolved == -correlated).all()
 #
 # $$\begin{bmatrix}-1&0&1\\-2&0&2\\-1&0&1\end{bmatrix}$$
 #
-# This kernel is separable: it smooths with 1, 2, 1 down the column and takes the difference −1, 0, 1 along the row. Its response to a *vertical edge* is large. The transposed kernel takes the difference down the column, so its response to a *horizontal edge* is large.
+# This kernel is separable: it smooths with 1, 2, 1 down the column and takes the difference −1, 0, 1 along the row. So it responds to a *vertical edge*, where the gray level changes along the row. The transposed kernel takes the difference down the column. It responds to a *horizontal edge*, where the gray level changes down the column.
 #
 # **Predict** the response at a straight step of height 150: the weights 1, 2, 1 add up to 4.
 
@@ -170,7 +170,7 @@ def my_sobel(gray):
     return (across[2:] - across[:-2]).astype(np.int32), (along[:, 2:] - along[:, :-2]).astype(np.int32)
 
 
-# %% role="mistake" name="rows and columns exchanged" says="The two gradients are swapped: grad_row, the change down a column, comes first."
+# %% role="mistake" name="rows and columns swapped" says="The two gradients are swapped: grad_row, the change down a column, comes first."
 def my_sobel(gray):
     grad_row, grad_col = solution(gray)
     return grad_col, grad_row
@@ -229,7 +229,7 @@ assert l2[2, 2] == (int(down[2, 2]) ** 2 + int(right[2, 2]) ** 2) ** 0.5
 assert (l1 >= l2).all()  # the L1 norm is never smaller
 
 # %% [markdown]
-# Now the gradient magnitude of a camera frame, and below it the direction. The second figure shows the direction as a colour (*hue*) and the magnitude as brightness.
+# The next figure shows the gradient magnitude of a camera frame. The figure after it shows the direction as a colour (*hue*) and the magnitude as brightness.
 
 # %%
 stages = canny_stages(gray, 50, 150)
@@ -407,7 +407,7 @@ def suppress(magnitude, sector):
     return thinned
 
 
-# %% role="mistake" name="the diagonals exchanged" says="Sectors 1 and 3 are swapped: sector 1 compares with above left and below right, sector 3 with above right and below left."
+# %% role="mistake" name="the diagonals swapped" says="Sectors 1 and 3 are swapped: sector 1 compares with above left and below right, sector 3 with above right and below left."
 def suppress(magnitude, sector):
     return solution(magnitude, np.where(sector % 2 == 1, 4 - sector, sector).astype(np.uint8))
 
