@@ -201,18 +201,18 @@ def build(lessons, only_check, masters, out, solved):
 def check(notebooks, and_run):
     """Check a lesson before you submit it: is every answer present, and in its answer cell?"""
     from imgproc_course.exercises.declaration import MasterError
-    from imgproc_course.gradebook.check import HandInError, look_at, report_lines, run_answers
+    from imgproc_course.gradebook.check import LessonFileError, check_lesson, report_lines, run_answers
 
     ready = True
     for path in notebooks:
         try:
-            handin = look_at(path)
+            lesson_check = check_lesson(path)
             if and_run:
-                run_answers(handin)
-        except (HandInError, MasterError) as error:
+                run_answers(lesson_check)
+        except (LessonFileError, MasterError) as error:
             raise click.ClickException(str(error)) from error
-        click.echo("\n".join(report_lines(handin)))
-        ready = ready and handin.ready
+        click.echo("\n".join(report_lines(lesson_check)))
+        ready = ready and lesson_check.ready
     if not ready:
         raise SystemExit(1)
 

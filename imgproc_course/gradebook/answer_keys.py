@@ -1,8 +1,9 @@
-"""A answer_keys's keys: which lessons there are, what was handed out, and which key fits which version."""
+"""The answer keys that submissions are graded with: one key per version of a lesson."""
 
 import json
 
 from imgproc_course.autograder.answer_key import HANDED_OUT, KeyFolderError, load_key
+from imgproc_course.gradebook.lesson_description import LessonDescription
 
 
 class AnswerKeys:
@@ -10,7 +11,11 @@ class AnswerKeys:
 
     Parameters
     ----------
-    keys : list of Key, one a version of a lesson; the first one that has a lesson is its usual key
+    keys : list of Key, one per version of a lesson; the first that has a lesson is the default for it
+
+    Attributes
+    ----------
+    lessons : {name: KeyLesson of the lesson's default key}
     """
 
     def __init__(self, keys):
@@ -19,33 +24,34 @@ class AnswerKeys:
         for key in self.keys:
             for name, lesson in key.lessons.items():
                 self.lessons.setdefault(name, lesson)
-        self._handed_out = {key.digest: _read_handed_out(key.path) for key in self.keys}
+        self._cells = {key.digest: _read_handed_out(key.path) for key in self.keys}
 
     def key_for(self, lesson, version):
-        """The key made from that version of a lesson; the lesson's usual one where there is none."""
-        having = [key for key in self.keys if lesson in key.lessons]
-        return next((key for key in having if key.lessons[lesson].version == version), having[0])
+        """The key made from this version of a lesson, or the lesson's default key."""
+        candidates = [key for key in self.keys if lesson in key.lessons]
+        return next((key for key in candidates if key.lessons[lesson].version == version), candidates[0])
 
     def answer_ids(self, lesson):
         """The ids of a lesson's answer cells, in any version, as a set."""
-        having = [key.lessons[lesson] for key in self.keys if lesson in key.lessons]
-        return {f"answer-{each.id}" for lesson in having for each in lesson.exercises}
+        versions = [key.lessons[lesson] for key in self.keys if lesson in key.lessons]
+        return {f"answer-{exercise.id}" for version in versions for exercise in version.exercises}
 
-    def handed_out(self, key, lesson):
-        """{cell id: source of a check or given cell, None for the others}; empty where it was not kept."""
-        return self._handed_out[key.digest].get(lesson, {})
+    def describe(self, lesson, version):
+        """The LessonDescription of a lesson, from the key for this version."""
+        key = self.key_for(lesson, version)
+        return LessonDescription.from_key(key.lessons[lesson], self._cells[key.digest].get(lesson, {}))
 
     def key_of(self, digest):
-        """The key with that digest."""
+        """The key with this digest."""
         return next(key for key in self.keys if key.digest == digest)
 
 
-def load_keys(paths):
-    """Read the keys in these folders.
+def load_keys(folders):
+    """Read answer keys.
 
     Parameters
     ----------
-    paths : sequence of Path
+    folders : sequence of Path
 
     Returns
     -------
@@ -53,14 +59,15 @@ def load_keys(paths):
 
     Raises
     ------
-    KeyFolderError : one of them is none
+    KeyFolderError : one of the folders is not an answer key
     """
-    return AnswerKeys([load_key(path) for path in paths])
+    return AnswerKeys([load_key(folder) for folder in folders])
 
 
-def _read_handed_out(path):
+def _read_handed_out(folder):
+    """{lesson: {cell id: source or None}}; empty if the key does not have it."""
     try:
-        lessons = json.loads((path / HANDED_OUT).read_text(encoding="utf-8"))
+        lessons = json.loads((folder / HANDED_OUT).read_text(encoding="utf-8"))
         return {
             name: {id: source if isinstance(source, str) else None for id, source in cells.items()}
             for name, cells in lessons.items()
@@ -68,4 +75,6 @@ def _read_handed_out(path):
     except FileNotFoundError:
         return {}
     except (OSError, ValueError, AttributeError) as error:
-        raise KeyFolderError(f"{path}/{HANDED_OUT}: cannot be read ({error}); make the key again") from error
+        raise KeyFolderError(
+            f"{folder}/{HANDED_OUT}: cannot be read ({error}); make the key again"
+        ) from error

@@ -339,11 +339,12 @@ def _file_problem(status, largest):
     if status.st_nlink > 1:
         return "it is a hard link: the same file has another name; submit a copy"
     if status.st_size > largest:
-        return _too_large(status.st_size, largest)
+        return too_large(status.st_size, largest)
     return ""
 
 
-def _too_large(size, largest):
+def too_large(size, largest):
+    """Why a file of this size in bytes is not read, and what to do."""
     return (
         f"it has {size // 1_000_000} MB, at most {largest // 1_000_000} are read: clear its outputs"
         " (Kernel > Restart Kernel and Clear Outputs), save it and submit it again"
@@ -369,7 +370,7 @@ def _member_problem(member, parts, suffix):
     if member.flag_bits & 1:
         return "it is locked with a password"
     if member.file_size > LARGEST:
-        return _too_large(member.file_size, LARGEST)
+        return too_large(member.file_size, LARGEST)
     if member.file_size > MOST_RATIO * max(member.compress_size, 1) and member.file_size > 1_000_000:
         return f"it unpacks to more than {MOST_RATIO} times its size"
     return ""
@@ -441,7 +442,7 @@ class _Archives:
 def _read_bounded(file):
     data = file.read(LARGEST + 1)
     if len(data) > LARGEST:
-        raise CollectError(_too_large(len(data), LARGEST))
+        raise CollectError(too_large(len(data), LARGEST))
     return data
 
 

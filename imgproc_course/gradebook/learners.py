@@ -9,7 +9,12 @@ from tqdm import tqdm
 
 from imgproc_course.autograder.answer_key import Key
 from imgproc_course.gradebook.collect import CollectError, SubmittedFile, digest_of
-from imgproc_course.gradebook.submission import Finding, NotebookReader, SubmissionContent, read_submission
+from imgproc_course.gradebook.submission import (
+    NotebookReader,
+    SubmissionContent,
+    lesson_by_name,
+    read_submission,
+)
 
 
 @dataclass
@@ -20,7 +25,8 @@ class Submission:
     file_digest     SHA-256 of its bytes, "" if they could not be read
     content         what the file holds
     late            submitted late; False if there is no deadline
-    answers_digest  identifies its answers together with their key; "" if there is nothing to grade
+    answers_digest  identifies its answers together with their key; "" if it cannot be read
+    has_answers     True if it holds the answer to an exercise
     key             the key that it is graded with, or None
     """
 
@@ -29,6 +35,7 @@ class Submission:
     content: SubmissionContent
     late: bool
     answers_digest: str = ""
+    has_answers: bool = False
     key: Key | None = None
 
     @property
@@ -85,28 +92,19 @@ def _read(file, answer_keys, store, deadline, reader):
     try:
         data = file.read()
     except CollectError as error:
-        content = SubmissionContent(lesson=_lesson_by_name(file.source, answer_keys), reason=str(error))
+        content = SubmissionContent(
+            lesson=lesson_by_name(file.source, answer_keys.lessons), reason=str(error)
+        )
         return Submission(file, "", content, late)
-    content = read_submission(data, answer_keys, reader)
+    content = read_submission(data, answer_keys, reader, file.source)
     submission = Submission(file, digest_of(data), content, late)
     if content.reason:
-        content.lesson = _lesson_by_name(file.source, answer_keys)
+        content.lesson = lesson_by_name(file.source, answer_keys.lessons)
         return submission
     submission.key = answer_keys.key_for(content.lesson, content.version)
-    key_version = submission.key.lessons[content.lesson].version
-    if content.version != key_version:
-        version = f"version {content.version[:40]!r}" if content.version else "an unknown version"
-        text = f"it was made from {version} of the lesson, and graded with the key of version {key_version}"
-        content.findings.append(Finding("message", "", text))
     submission.answers_digest = store.keep_answers(submission.key, content.lesson, content.answers)
-    content.answers = {}
+    submission.has_answers, content.answers = bool(content.answers), {}
     return submission
-
-
-def _lesson_by_name(source, answer_keys):
-    """The one lesson whose name is part of a file's name, or None."""
-    names = [name for name in answer_keys.lessons if name in source]
-    return names[0] if len(names) == 1 else None
 
 
 def _learners(submissions):
@@ -138,7 +136,7 @@ def _display_names(submissions):
 
 
 def _add(learner, submission):
-    """A later submission replaces an earlier one, unless only the earlier one can be graded."""
+    """A later submission replaces an earlier one, unless only the earlier one has answers to grade."""
     lesson = submission.lesson
     if lesson is None:
         learner.unidentified.append(submission)
@@ -147,17 +145,22 @@ def _add(learner, submission):
     if before is None:
         learner.submissions[lesson] = submission
         return
-    before_counts = bool(submission.content.reason) and not before.content.reason
+    before_counts = _value(before) > _value(submission)
     learner.submissions[lesson] = before if before_counts else submission
     learner.earlier.setdefault(lesson, []).append(submission if before_counts else before)
+
+
+def _value(submission):
+    return not submission.content.reason, submission.has_answers
 
 
 def _report_repeated(learner):
     for lesson, earlier in learner.earlier.items():
         submission = learner.submissions[lesson]
         earlier.sort(key=lambda submission: submission.file.order)
-        text = f"handed in {len(earlier) + 1} times; the latest counts ({submission.file.source})"
-        submission.content.findings.append(Finding("message", "", text))
+        submission.content.add(
+            f"submitted {len(earlier) + 1} times; this one counts: {submission.file.source}"
+        )
 
 
 def digest_of_answers(key, lesson, answers, conditions):

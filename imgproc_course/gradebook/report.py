@@ -289,8 +289,10 @@ def _odd(handed_in):
         told = [
             _with_exercise(notice)
             for notice in lesson["notices"]
-            # how often something was handed in, the table of learners tells already
-            if not (lesson["earlier"] and notice["text"].startswith("handed in "))
+            # the table of learners shows already how often something was submitted, and the results what is
+            # wrong with an answer
+            if notice["kind"] != "answer"
+            and not (lesson["earlier"] and notice["text"].startswith("submitted "))
         ]
         for exercise in lesson["exercises"]:
             words = {case["outcome"] for case in exercise["cases"]} & set(LOOK_AT)

@@ -1,7 +1,9 @@
-"""Lift answers out of what learners handed in: the source of answer cells, by their ids, and nothing else.
+"""Read a submission: where each answer is, and what is unusual about the notebook.
 
-Everything else that was handed in (check cells, outputs, metadata, kernels, tags) is ignored; where it was
-changed in a way that grading would mind, it is told.
+`imgproc-course check` and `imgproc-course grade` both read submissions here, so that they find the same
+answers and report the same findings. Only the source of answer cells is taken. Everything else in a
+notebook (check cells, outputs, metadata, kernels, tags) is ignored; a change that matters becomes a
+finding.
 """
 
 import contextlib
@@ -10,23 +12,36 @@ import select
 import subprocess
 import sys
 import time
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
+from enum import StrEnum
 from pathlib import Path
 
 from imgproc_course.gradebook.sanitize import visible_line
+from imgproc_course.gradebook.submission_reader import MOST_CHARACTERS, function_names, syntax_digest
 
 SECONDS = 60  # for reading one notebook
-MEMORY = 2 << 30
+MEMORY = 2 << 30  # bytes, of the process that reads notebooks
 _READER = Path(__file__).with_name("submission_reader.py")
-_ORDERS = ("# NBVAL_", "# PYTEST_VALIDATE_")
+_GRADER_COMMENTS = ("# NBVAL_", "# PYTEST_VALIDATE_")
+
+
+class AnswerState(StrEnum):
+    """The state of one exercise in a submission, before anything is run."""
+
+    ANSWERED = "answered"
+    NOT_ATTEMPTED = "not attempted"  # the stub, as it was handed out
+    MISSING = "missing"  # no answer cell
+    BROKEN = "broken"  # an answer cell that cannot get its points as it is
 
 
 @dataclass(frozen=True)
 class Finding:
-    """Something to be told of a submission.
+    """Something unusual about a submission.
 
-    kind      "message": for the learner too; "odd": for the teacher alone
-    exercise  its id, or "" for the whole
+    kind      "message": for the learner and the instructor
+              "answer": a fault of an answer itself; grading reports it to the learner in its own words
+              "odd": for the instructor
+    exercise  its id, or "" for the whole notebook
     text      one line
     """
 
@@ -37,58 +52,77 @@ class Finding:
 
 @dataclass
 class SubmissionContent:
-    """What was content out of one file.
+    """What a notebook holds.
 
-    lesson    its name, or None where it is none of the key's;  version: str or None, as the file says
+    lesson    its name, or None if it is unknown
+    version   str or None, of the course, as the notebook says
     answers   {exercise id: source}
+    states    {exercise id: AnswerState}, one for every exercise of the lesson
+    findings  list of Finding
     claims    exercise ids whose stored outputs say that every check passes
-    reason    why nothing could be content, or ""
+    reason    why the notebook cannot be read, or ""
     """
 
     lesson: str | None = None
     version: str | None = None
     answers: dict = field(default_factory=dict)
+    states: dict = field(default_factory=dict)
     findings: list = field(default_factory=list)
     claims: list = field(default_factory=list)
     reason: str = ""
 
-    def as_json(self):
-        """Itself as data that JSON holds."""
-        return asdict(self)
+    def add(self, text, exercise="", kind="message"):
+        """Add a finding."""
+        self.findings.append(Finding(kind, exercise, text))
 
 
 class NotebookReader:
-    """The process that reads notebooks, started when needed and again when one has ended it."""
+    """The process that reads notebooks. It starts when it is needed, and again if a notebook has ended it.
+
+    Parameters
+    ----------
+    seconds : float, for reading one notebook
+    memory : int, bytes
+    """
 
     def __init__(self, seconds=SECONDS, memory=MEMORY):
         self._seconds, self._memory, self._process = seconds, memory, None
 
     def read(self, data):
-        """What a notebook holds: (dict of `submission_reader.read_notebook`, "") or (None, the reason)."""
+        """Read a notebook.
+
+        Parameters
+        ----------
+        data : bytes
+
+        Returns
+        -------
+        (dict as `submission_reader.read_notebook` returns it, ""), or (None, the reason)
+        """
         if self._process is None:
             self._start()
         try:
-            line = self._answer(data)
+            line = self._reply(data)
         except OSError:
             line = b""
         if not line.endswith(b"\n"):
             self.close()
             return None, "reading it takes more time or memory than a notebook needs"
-        answer = json.loads(line)
-        return answer.get("read"), answer.get("reason", "")
+        reply = json.loads(line)
+        return reply.get("notebook"), reply.get("reason", "")
 
-    def _answer(self, data):
+    def _reply(self, data):
         stdin, stdout = self._process.stdin, self._process.stdout
         stdin.write(b"%d\n" % len(data))
         stdin.write(data)
         stdin.flush()
-        until, line = time.monotonic() + self._seconds, b""
+        end, line = time.monotonic() + self._seconds, b""
         while not line.endswith(b"\n"):
-            ready, _, _ = select.select([stdout], [], [], max(0.0, until - time.monotonic()))
-            more = stdout.read1(1 << 20) if ready else b""
-            if not more:
+            readable, _, _ = select.select([stdout], [], [], max(0.0, end - time.monotonic()))
+            chunk = stdout.read1(1 << 20) if readable else b""
+            if not chunk:
                 break
-            line += more
+            line += chunk
         return line
 
     def _start(self):
@@ -117,137 +151,213 @@ class NotebookReader:
         self.close()
 
 
-def read_submission(data, answer_keys, reader):
-    """Lift the answers out of one file.
+def read_submission(data, catalog, reader, name=""):
+    """Read a submission and inspect it.
 
     Parameters
     ----------
-    data : bytes
-    answer_keys : AnswerKeys, whose keys say which lessons and exercises there are
+    data : bytes of the notebook
+    catalog : AnswerKeys (for `grade`) or MasterCatalog (for `check`), the lessons that it can be
     reader : NotebookReader
+    name : str, the file's name, which may name the lesson
 
     Returns
     -------
     SubmissionContent
     """
-    read, reason = reader.read(data)
-    if read is None:
+    notebook, reason = reader.read(data)
+    if notebook is None:
         return SubmissionContent(reason=reason)
-    content = SubmissionContent(version=read["version"])
-    cells = [cell for cell in read["cells"] if cell is not None]
-    content.lesson = _lesson_of(read, cells, answer_keys, content)
+    content = SubmissionContent(version=notebook["version"])
+    cells = [cell for cell in notebook["cells"] if cell is not None]
+    content.lesson = _recognize(notebook, cells, catalog, name, content)
     if content.lesson is None:
-        told = f"; it says that it is {visible_line(read['lesson'], 80)!r}" if read["lesson"] else ""
-        content.reason = f"it is no lesson of this key{told}; the key has {', '.join(answer_keys.lessons)}"
+        claim = f"; it says that it is {visible_line(notebook['lesson'], 80)!r}" if notebook["lesson"] else ""
+        content.reason = f"it is not one of the lessons {', '.join(sorted(catalog.lessons))}{claim}"
         return content
-    if len(cells) < len(read["cells"]):
-        content.findings.append(
-            Finding("odd", "", f"{len(read['cells']) - len(cells)} of its cells are none")
-        )
-    if read["kernel"] not in (None, "python3"):
-        kernel = visible_line(read["kernel"], 60)
-        content.findings.append(
-            Finding("odd", "", f"it asks for the kernel {kernel!r}; grading uses its own")
-        )
-    key = answer_keys.key_for(content.lesson, content.version)
-    lesson, handed_out = key.lessons[content.lesson], answer_keys.handed_out(key, content.lesson)
+    lesson = catalog.describe(content.lesson, content.version)
+    _inspect_notebook(notebook, cells, lesson, content)
     for exercise in lesson.exercises:
-        _lift_answer(exercise, cells, handed_out, content)
-        _compare_given(exercise, cells, handed_out, content)
+        content.states[exercise.id] = _inspect_answer(exercise, cells, lesson, content)
+        _compare_given(exercise, cells, lesson, content)
     return content
 
 
-def _lesson_of(read, cells, answer_keys, content):
-    """The lesson by its metadata, if its answer cells agree; else the one whose answer cells there are."""
+def lesson_by_name(name, lessons):
+    """The one lesson whose name is part of a file's name, or None if there is none or more than one.
+
+    Parameters
+    ----------
+    name : str
+    lessons : iterable of str
+    """
+    candidates = [lesson for lesson in lessons if lesson in name]
+    return candidates[0] if len(candidates) == 1 else None
+
+
+def _recognize(notebook, cells, catalog, name, content):
+    """The lesson by its metadata if its answer cells agree, by its answer cells, or by its file name."""
     ids = {cell["id"] for cell in cells}
-    counts = {name: len(ids & answer_keys.answer_ids(name)) for name in answer_keys.lessons}
+    claim = notebook["lesson"] if notebook["lesson"] in catalog.lessons else None
+    if claim and ids & catalog.answer_ids(claim):
+        return claim
+    counts = {lesson: len(ids & catalog.answer_ids(lesson)) for lesson in catalog.lessons}
     best = max(counts, key=counts.get, default=None)
-    said = read["lesson"]
-    if said in counts and (counts[said] or not counts[best]):
-        return said
     if best is None or not counts[best]:
-        return None
-    if said in counts:
-        text = f"it says that it is {said}, and its answer cells are those of {best}"
-        content.findings.append(Finding("message", "", f"{text}; it is graded as {best}"))
+        return claim or lesson_by_name(name, catalog.lessons)
+    if claim:
+        text = f"it says that it is {claim}, but its answer cells are those of {best}"
+        content.add(f"{text}; it is graded as {best}")
     return best
 
 
-def _lift_answer(exercise, cells, handed_out, content):
-    id = f"answer-{exercise.id}"
-    standing = [number for number, cell in enumerate(cells) if cell["id"] == id]
-
-    def tell(text, kind="message"):
-        content.findings.append(Finding(kind, exercise.id, text))
-
-    if not standing:
-        where = _defined_elsewhere(exercise.function, cells)
-        place = (
-            f"; {exercise.function}() stands in another cell ({where}), which is not graded" if where else ""
+def _inspect_notebook(notebook, cells, lesson, content):
+    if content.version != lesson.version:
+        version = f"version {content.version[:40]!r}" if content.version else "an unknown version"
+        content.add(
+            f"it was made from {visible_line(version)} of the lesson, not from version {lesson.version}"
         )
-        tell(f"its answer cell was deleted{place}")
-        return
-    code = [number for number in standing if cells[number]["type"] == "code"]
-    if len(standing) > 1:
-        tell(f"its answer cell stands there {len(standing)} times; the first one with code is graded")
+    if len(cells) < len(notebook["cells"]):
+        content.add(f"{len(notebook['cells']) - len(cells)} of its cells are not cells", kind="odd")
+    if notebook["kernel"] not in (None, "python3"):
+        kernel = visible_line(notebook["kernel"], 60)
+        content.add(f"it asks for the kernel {kernel!r}; grading uses its own", kind="odd")
+
+
+# ---------------------------------------------------------------- answers
+
+
+def _inspect_answer(exercise, cells, lesson, content):
+    """Take an exercise's answer, add what is unusual about it, and return its AnswerState."""
+    positions = [position for position, cell in enumerate(cells) if cell["id"] == exercise.answer_id]
+    if not positions:
+        place = _place_of_definition(exercise, cells, lesson)
+        text = f"its answer cell ({exercise.answer_id}) is missing"
+        if place:
+            text += f"; {exercise.function}() is defined in another cell ({place}), which is not graded"
+        content.add(text, exercise.id)
+        return AnswerState.MISSING
+    code = [position for position in positions if cells[position]["type"] == "code"]
+    if len(positions) > 1:
+        text = f"its answer cell ({exercise.answer_id}) occurs {len(positions)} times"
+        content.add(f"{text}; the first code cell of them is graded", exercise.id)
     if not code:
-        tell(f"its answer cell was made a {visible_line(cells[standing[0]]['type'], 20) or 'nameless'} cell")
-        return
+        kind = visible_line(cells[positions[0]]["type"], 20) or "nameless"
+        content.add(f"its answer cell is a {kind} cell, not a code cell", exercise.id)
+        return AnswerState.BROKEN
     cell = cells[code[0]]
     if cell["source"] is None:
-        tell("the source of its answer cell is no text")
-        return
+        content.add("the source of its answer cell is not text", exercise.id)
+        return AnswerState.BROKEN
     content.answers[exercise.id] = cell["source"]
-    if cell["orders"] or any(order in cell["source"] for order in _ORDERS):
-        tell("its answer cell gives orders to a grader (tags or comments), which are ignored", "odd")
-    _tell_of_split(exercise, cells, code[0], handed_out, tell)
+    if cell["grader_tags"] or any(comment in cell["source"] for comment in _GRADER_COMMENTS):
+        text = "its answer cell has tags or comments that direct a grader; they are ignored"
+        content.add(text, exercise.id, "odd")
+    state = _inspect_source(exercise, cell, cells, lesson, content)
+    if state in (AnswerState.ANSWERED, AnswerState.NOT_ATTEMPTED):
+        _inspect_next_cell(exercise, cells[code[0] + 1 : code[0] + 2], lesson, content)
+    return AnswerState.BROKEN if len(code) > 1 else state
 
 
-def _tell_of_split(exercise, cells, number, handed_out, tell):
-    """A cell that was split: its function, or a part of it, stands where grading does not look."""
-    defines = f"def {exercise.function}" in cells[number]["source"]
-    elsewhere = _defined_elsewhere(exercise.function, cells)
-    if not defines and elsewhere:
-        tell(
-            f"its answer cell does not define {exercise.function}(), but cell {elsewhere} does, which is not"
-            " graded: was it split? Join the two (Edit > Merge Cells)"
+def _inspect_source(exercise, cell, cells, lesson, content):
+    source, syntax = cell["source"], cell["answer"]
+    if len(source) > MOST_CHARACTERS:
+        text = f"its answer is longer than {MOST_CHARACTERS} characters, the most that are graded"
+        content.add(text, exercise.id, "answer")
+        return AnswerState.BROKEN
+    if _is_stub(source, syntax, exercise.stub):
+        return AnswerState.NOT_ATTEMPTED
+    if not _has_code(source):
+        _add_undefined("its answer cell is empty", exercise, cells, lesson, content)
+        return AnswerState.BROKEN
+    if syntax["error"]:
+        line, text, message = syntax["error"]
+        text = f"line {line} of its answer cell is not Python: {visible_line(text, 80)}"
+        text += f" ({visible_line(message, 100)})"
+        content.add(text, exercise.id, "answer")
+        return AnswerState.BROKEN
+    if syntax["names"] is not None and exercise.function not in syntax["names"]:
+        text = f"its answer cell does not define {exercise.function}()"
+        _add_undefined(text, exercise, cells, lesson, content)
+        return AnswerState.BROKEN
+    return AnswerState.ANSWERED
+
+
+def _is_stub(source, syntax, stub):
+    same_text = source.strip() == stub.strip()
+    return same_text or (syntax["digest"] is not None and syntax["digest"] == syntax_digest(stub))
+
+
+def _has_code(source):
+    return any(line.strip() and not line.strip().startswith("#") for line in source.splitlines())
+
+
+def _add_undefined(text, exercise, cells, lesson, content):
+    place = _place_of_definition(exercise, cells, lesson)
+    if place:
+        text += (
+            f"; cell {place} defines {exercise.function}(), which is not graded: was the answer cell split?"
         )
-        return
-    after = cells[number + 1] if number + 1 < len(cells) else None
-    foreign = handed_out and after and after["id"] not in handed_out and not after.get("blank", True)
-    if foreign and after["type"] == "code" and after.get("defines"):
-        names = ", ".join(f"{visible_line(name, 60)}()" for name in after["defines"][:3])
-        tell(f"a cell behind its answer defines {names}; the answer's own cell alone is graded")
+        text += " Join the two (Edit > Merge Cells)"
+    content.add(text, exercise.id, "message" if place else "answer")
 
 
-def _defined_elsewhere(function, cells):
-    found = next((cell for cell in cells if function in cell.get("defines", ())), None)
-    return None if found is None else visible_line(found["id"], 80) or "without an id"
+def _inspect_next_cell(exercise, next_cells, lesson, content):
+    """Report functions in a learner's cell directly below the answer: perhaps the answer needs them."""
+    for cell in next_cells:
+        if lesson.cells and cell["id"] not in lesson.cells and cell.get("functions"):
+            names = ", ".join(f"{visible_line(name, 60)}()" for name in cell["functions"][:3])
+            text = f"a cell below its answer cell defines {names}; only the answer cell is graded"
+            content.add(text, exercise.id)
 
 
-def _compare_given(exercise, cells, handed_out, content):
-    """Tell of check and given cells that were changed or removed, and of what check cells claim."""
-    standing = {}
+def _place_of_definition(exercise, cells, lesson):
+    """The id of a cell that defines the exercise's function where it is not graded; "" if there is none."""
     for cell in cells:
-        standing.setdefault(cell["id"], cell)
-    for id, source in handed_out.items():
+        own = cell["id"].startswith("answer-") or _defines(lesson, cell["id"], exercise.function)
+        if not own and exercise.function in cell.get("functions", ()):
+            return visible_line(cell["id"], 80) or "without an id"
+    return ""
+
+
+def _defines(lesson, id, function):
+    """Whether the lesson as it was handed out defines a function in this cell."""
+    if not lesson.cells:
+        return id.startswith("given-")
+    return function in function_names(lesson.cells.get(id) or "")
+
+
+# ---------------------------------------------------------------- cells of the lesson
+
+
+def _compare_given(exercise, cells, lesson, content):
+    """Report check and given cells that were changed or removed, and collect what check cells claim."""
+    cells_by_id = {}
+    for cell in cells:
+        cells_by_id.setdefault(cell["id"], cell)
+    for id, source in lesson.cells.items():
         if source is None or not id.startswith((f"check-{exercise.id}-", f"given-{exercise.id}-")):
             continue
-        what = "check cell" if id.startswith("check-") else "given cell"
-        cell = standing.get(id)
-        changed = "was removed" if cell is None else "is no code any more" if cell["type"] != "code" else ""
-        if not changed and (cell["source"] or "").strip() != source.strip():
-            changed = "was changed"
-        if changed:
-            content.findings.append(
-                Finding("message", exercise.id, f"its {what} ({id}) {changed}; grading uses its own")
-            )
-    shown = "\n".join(
-        cell["shown"] for id, cell in standing.items() if id.startswith(f"check-{exercise.id}-")
-    )
-    claims = (f"{exercise.id}: the check passes", f"{exercise.id}: all ")
-    if any(
-        line.startswith(claims) and line.rstrip(".").endswith(("passes", "pass"))
-        for line in shown.splitlines()
-    ):
+        change = _change(cells_by_id.get(id), source)
+        if change:
+            role = "check cell" if id.startswith("check-") else "given cell"
+            content.add(f"its {role} ({id}) {change}; grading uses its own", exercise.id)
+    outputs = (cell["output"] for id, cell in cells_by_id.items() if id.startswith(f"check-{exercise.id}-"))
+    if _claims_to_pass(exercise.id, "\n".join(outputs)):
         content.claims.append(exercise.id)
+
+
+def _change(cell, source):
+    if cell is None:
+        return "is missing"
+    if cell["type"] != "code":
+        return "is not a code cell any more"
+    return "" if (cell["source"] or "").strip() == source.strip() else "was changed"
+
+
+def _claims_to_pass(exercise_id, output):
+    starts = (f"{exercise_id}: the check passes", f"{exercise_id}: all ")
+    return any(
+        line.startswith(starts) and line.rstrip(".").endswith(("passes", "pass"))
+        for line in output.splitlines()
+    )

@@ -1,28 +1,32 @@
-"""Reads notebooks that learners handed in, in a process of its own that may be lost.
+"""Reads notebooks of learners, in a process of its own that may fail without harm.
 
-`lift` starts it with a limit on memory, hands it bytes and takes back plain data: of each cell its id, its
-type and, where it is one of the course's, its source. Nothing of a notebook is run or followed here.
+`submission.NotebookReader` starts this file as a program with a limit on memory, sends it the bytes of a
+notebook and receives plain data: the id and type of each cell, and the source of the cells that belong to
+the course. Nothing in a notebook is run or followed. The program imports the standard library only: it
+starts quickly, and no module of a learner can take the place of ours.
 """
 
 import ast
+import hashlib
 import json
 import resource
 import sys
 
-LONGEST = 200_001  # characters of one source: one more than are graded
+MOST_CHARACTERS = 200_000  # of one source; grading refuses a longer answer
 MOST_CELLS = 5_000
-_COURSE = ("answer-", "check-", "given-")
-_DEFINES = 200  # names of functions that are told of one cell
-_SHOWN = 2_000  # characters of a check cell's output
-_NAME = 200
+_COURSE_IDS = ("answer-", "check-", "given-")
+_MOST_FUNCTIONS = 200  # function names that are returned per cell
+_MOST_OUTPUT = 2_000  # characters of a check cell's output
+_MOST_NAME = 200  # characters of a name or an id
+_UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
 
 
-class Unreadable(ValueError):
-    """The reason, to be read by a teacher and a learner."""
+class UnreadableError(ValueError):
+    """Why the bytes are not a notebook, for instructors and learners."""
 
 
 def read_notebook(data):
-    """What a notebook holds, as plain data.
+    """Read a notebook as plain data.
 
     Parameters
     ----------
@@ -30,52 +34,61 @@ def read_notebook(data):
 
     Returns
     -------
-    dict with lesson, version, kernel (str or None), format (str), cells: list of dict
+    dict with
+
+    lesson, version, kernel : str, or None if the notebook does not name them
+    cells : list of dict, None in the place of anything that is not a cell. Each has `id`, `type`, and of code
+        cells `functions` (names defined at the top level). A cell of the course has `source`
+        (str, at most one character more than MOST_CHARACTERS; None if it is not text) and `grader_tags`; an
+        answer cell also has `answer` (see `_parsed_answer`), a check cell `output`
 
     Raises
     ------
-    Unreadable : it is none
+    UnreadableError : the bytes are not a notebook of format 4
     """
     notebook = _parsed(data)
-    form = notebook.get("nbformat")
-    if isinstance(form, bool) or not isinstance(form, int):
-        raise Unreadable("it does not say which notebook format it has; save it again in JupyterLab")
-    if form != 4:
-        raise Unreadable(
-            f"it has notebook format {str(form)[:20]}, and cells have names from format 4.5 on; open the"
+    nbformat = notebook.get("nbformat")
+    if isinstance(nbformat, bool) or not isinstance(nbformat, int):
+        raise UnreadableError("it does not say which notebook format it has; save it again in JupyterLab")
+    if nbformat != 4:
+        raise UnreadableError(
+            f"it has notebook format {str(nbformat)[:20]}, but only cells of format 4 have ids; open the"
             " lesson in JupyterLab and copy your answers there"
         )
     cells = notebook.get("cells")
     if not isinstance(cells, list):
-        raise Unreadable("it has no list of cells")
+        raise UnreadableError("it has no list of cells; save it again in JupyterLab")
     if len(cells) > MOST_CELLS:
-        raise Unreadable(f"it has {len(cells)} cells; at most {MOST_CELLS} are read")
+        raise UnreadableError(f"it has {len(cells)} cells; at most {MOST_CELLS} are read")
     metadata = _dict(notebook.get("metadata"))
     about = _dict(metadata.get("imgproc_course"))
     return {
         "lesson": _text(about.get("lesson")),
         "version": _text(about.get("version")),
         "kernel": _text(_dict(metadata.get("kernelspec")).get("name")),
-        "minor": notebook["nbformat_minor"] if isinstance(notebook.get("nbformat_minor"), int) else None,
         "cells": [_cell(cell) for cell in cells],
     }
 
 
 def _parsed(data):
     if not data.strip():
-        raise Unreadable("the file is empty")
+        raise UnreadableError("the file is empty")
     try:
         notebook = json.loads(data.decode("utf-8-sig"))
     except UnicodeDecodeError as error:
-        raise Unreadable(f"it is not UTF-8 text (byte {error.start}); save it again in JupyterLab") from error
+        raise UnreadableError(
+            f"it is not UTF-8 text (byte {error.start}); save it again in JupyterLab"
+        ) from error
     except RecursionError as error:
-        raise Unreadable("it is nested too deep to be a notebook") from error
+        raise UnreadableError("it is nested too deep to be a notebook") from error
     except ValueError as error:
-        where = getattr(error, "lineno", None)
-        place = f" (line {where})" if where else ""
-        raise Unreadable(f"it is no notebook: its JSON is broken{place}; save it again") from error
+        line = getattr(error, "lineno", None)
+        place = f" (line {line})" if line else ""
+        raise UnreadableError(
+            f"it is not a notebook: its JSON is broken{place}; save it again in JupyterLab"
+        ) from error
     if not isinstance(notebook, dict):
-        raise Unreadable("it is no notebook: its JSON holds something else")
+        raise UnreadableError("it is not a notebook: its JSON holds something else")
     return notebook
 
 
@@ -84,73 +97,137 @@ def _dict(value):
 
 
 def _text(value):
-    return value[:_NAME] if isinstance(value, str) else None
+    return value[:_MOST_NAME] if isinstance(value, str) else None
+
+
+def _joined(text):
+    """A text that may be stored as a list of lines, as one str; None if it is neither."""
+    if isinstance(text, list) and all(isinstance(line, str) for line in text):
+        text = "".join(text)
+    return text if isinstance(text, str) else None
 
 
 def _cell(cell):
-    """A cell's id, type and, where it is the course's, its source; None for what is no cell."""
+    """A cell as `read_notebook` describes it; None for anything that is not a cell."""
     if not isinstance(cell, dict):
         return None
-    read = {"id": _text(cell.get("id")) or "", "type": _text(cell.get("cell_type")) or ""}
-    source = cell.get("source")
-    if isinstance(source, list) and all(isinstance(line, str) for line in source):
-        source = "".join(source)
-    is_text = isinstance(source, str)
-    if read["id"].startswith(_COURSE):
-        read["source"] = source[:LONGEST] if is_text else None
-        read["orders"] = _orders(cell)
-    else:
-        read["defines"] = _defined(source) if is_text else []
-        read["blank"] = not is_text or not source.strip()
-    if read["id"].startswith("check-"):
-        read["shown"] = _shown(cell)
-    return read
+    content = {"id": _text(cell.get("id")) or "", "type": _text(cell.get("cell_type")) or ""}
+    source = _joined(cell.get("source"))
+    if source is not None:
+        source = source[: MOST_CHARACTERS + 1]
+    if content["type"] == "code":
+        content["functions"] = function_names(source or "")
+    if content["id"].startswith(_COURSE_IDS):
+        content["source"] = source
+        content["grader_tags"] = _grader_tags(cell)
+    if content["id"].startswith("answer-") and source is not None:
+        content["answer"] = _parsed_answer(source)
+    if content["id"].startswith("check-"):
+        content["output"] = _output_text(cell)
+    return content
 
 
-def _orders(cell):
-    """Tags by which nbval or nbgrader would take orders."""
+def _grader_tags(cell):
+    """The tags and metadata that would direct nbval, nbgrader or otter-grader."""
     metadata = _dict(cell.get("metadata"))
     tags = metadata.get("tags")
     tags = [tag for tag in tags if isinstance(tag, str)] if isinstance(tags, list) else []
-    found = [tag[:_NAME] for tag in tags if tag.startswith(("nbval-", "raises-exception", "skip", "otter"))]
-    return found[:10] + [name for name in ("nbgrader", "points", "otter") if name in metadata]
+    prefixes = ("nbval-", "raises-exception", "skip", "otter")
+    grader_tags = [tag[:_MOST_NAME] for tag in tags if tag.startswith(prefixes)]
+    return grader_tags[:10] + [name for name in ("nbgrader", "points", "otter") if name in metadata]
 
 
-def _defined(source):
+def function_names(source):
+    """The names of the functions that a source defines at its top level; empty if it does not parse."""
     try:
-        tree = ast.parse(source[:LONGEST])
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        tree = ast.parse(source)
+    except _UNPARSABLE:
         return []
     kinds = (ast.FunctionDef, ast.AsyncFunctionDef)
-    return [node.name[:_NAME] for node in tree.body if isinstance(node, kinds)][:_DEFINES]
+    return [node.name[:_MOST_NAME] for node in tree.body if isinstance(node, kinds)][:_MOST_FUNCTIONS]
 
 
-def _shown(cell):
-    """The beginning of what the stored outputs show as text."""
+def syntax_digest(source):
+    """SHA-256 of a source's syntax tree: equal for sources that differ only in comments and spacing.
+
+    Returns
+    -------
+    str of hexadecimal digits, or None if the source does not parse
+    """
+    try:
+        return _tree_digest(ast.parse(source))
+    except _UNPARSABLE:
+        return None
+
+
+def _tree_digest(tree):
+    try:
+        return hashlib.sha256(ast.dump(tree).encode("utf-8", "surrogatepass")).hexdigest()
+    except (RecursionError, MemoryError):
+        return None
+
+
+def _parsed_answer(source):
+    """What the syntax of an answer says.
+
+    Returns
+    -------
+    dict with
+
+    error : [line number, text of the line, message] of a syntax error, or None
+    digest : see `syntax_digest`
+    names : list of str, what the source binds at its top level; None if that is unknown
+    """
+    try:
+        tree = ast.parse(source)
+    except SyntaxError as error:
+        text = (error.text or "").strip()[:_MOST_NAME]
+        return {"error": [error.lineno or 1, text, error.msg[:_MOST_NAME]], "digest": None, "names": None}
+    except (ValueError, RecursionError, MemoryError):
+        return {"error": None, "digest": None, "names": None}
+    return {"error": None, "digest": _tree_digest(tree), "names": _bound_names(tree)}
+
+
+def _bound_names(tree):
+    """The names that a module binds at its top level; None if it imports `*`, which can bind any name."""
+    names, nodes = set(), list(tree.body)
+    while nodes:
+        node = nodes.pop()
+        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
+            names.add(node.name)
+            continue
+        if isinstance(node, (ast.Import, ast.ImportFrom)):
+            names |= {(alias.asname or alias.name).split(".")[0] for alias in node.names}
+        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            names.add(node.id)
+        if not isinstance(node, ast.Lambda):
+            nodes.extend(ast.iter_child_nodes(node))
+    return None if "*" in names else sorted(names)
+
+
+def _output_text(cell):
+    """The beginning of a cell's stored outputs, as text."""
     outputs = cell.get("outputs")
     texts = []
     for output in outputs[:20] if isinstance(outputs, list) else ():
         output = _dict(output)
         for text in (output.get("text"), _dict(output.get("data")).get("text/plain")):
-            if isinstance(text, list) and all(isinstance(line, str) for line in text):
-                text = "".join(text)
-            if isinstance(text, str):
-                texts.append(text[:_SHOWN])
-    return "\n".join(texts)[:_SHOWN]
+            texts.append((_joined(text) or "")[:_MOST_OUTPUT])
+    return "\n".join(filter(None, texts))[:_MOST_OUTPUT]
 
 
-def serve(incoming, outgoing):
-    """Answer each `<length>\\n<bytes>` with one line of JSON."""
-    while header := incoming.readline():
-        data = incoming.read(int(header))
+def serve(requests, replies):
+    """Answer each request, `<length>\\n<bytes>`, with a line of JSON: {"notebook": } or {"reason": }."""
+    while header := requests.readline():
+        data = requests.read(int(header))
         try:
-            answer = {"read": read_notebook(data)}
-        except Unreadable as reason:
-            answer = {"reason": str(reason)}
+            reply = {"notebook": read_notebook(data)}
+        except UnreadableError as error:
+            reply = {"reason": str(error)}
         except (MemoryError, RecursionError):
-            answer = {"reason": "reading it takes more memory than a notebook needs"}
-        outgoing.write(json.dumps(answer).encode("ascii") + b"\n")
-        outgoing.flush()
+            reply = {"reason": "reading it takes more memory than a notebook needs"}
+        replies.write(json.dumps(reply).encode("ascii") + b"\n")
+        replies.flush()
 
 
 if __name__ == "__main__":

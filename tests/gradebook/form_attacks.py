@@ -98,7 +98,7 @@ def claim(made, id="light-double"):
 # ---------------------------------------------------------------- cells and metadata
 
 
-@of_cells(1, "deleted checks", "was removed")
+@of_cells(1, "deleted checks", "is missing; grading uses its own")
 def _deleted_checks(made):
     made["cells"] = [cell for cell in made["cells"] if not cell["id"].startswith("check-")]
 
@@ -108,12 +108,12 @@ def edit_checks(made):
     cell_of(made, "check-light-double-1")["source"] = "print('light-double: the check passes.')"
 
 
-@of_cells(3, "checks made raw cells", "no code any more")
+@of_cells(3, "checks made raw cells", "not a code cell any more")
 def _retyped_checks(made):
     cell_of(made, "check-light-double-1")["cell_type"] = "raw"
 
 
-@of_cells(4, "points in the metadata", "orders to a grader")
+@of_cells(4, "points in the metadata", "direct a grader")
 def _points(made):
     for cell in made["cells"]:
         cell["metadata"] = {"nbgrader": {"points": 1000, "grade": True, "locked": False}, "points": 1000}
@@ -126,7 +126,7 @@ def _hidden_case_ids(made):
         made["cells"].append({"id": id, "cell_type": "code", "metadata": {}, "source": "1", "outputs": []})
 
 
-@of_cells(5, "every cell twice", "stands there 2 times")
+@of_cells(5, "every cell twice", "occurs 2 times")
 def _duplicates(made):
     made["cells"] += [dict(cell) for cell in made["cells"]]
 
@@ -136,17 +136,17 @@ def _reordered(made):
     made["cells"].reverse()
 
 
-@of_cells(7, "the answer in another cell", "stands in another cell (mine), which is not graded")
+@of_cells(7, "the answer in another cell", "is defined in another cell (mine), which is not graded")
 def _moved(made):
     cell_of(made, "answer-light-double")["id"] = "mine"
 
 
-@of_cells(8, "tags that skip", "orders to a grader")
+@of_cells(8, "tags that skip", "direct a grader")
 def _skipping_tags(made):
     cell_of(made, "answer-light-double")["metadata"]["tags"] = ["nbval-skip", "nbval-ignore-output"]
 
 
-@of_cells(9, "tags that allow an exception", "orders to a grader")
+@of_cells(9, "tags that allow an exception", "direct a grader")
 def _raising_tags(made):
     cell_of(made, "answer-light-double")["metadata"]["tags"] = ["nbval-raises-exception", "raises-exception"]
 

@@ -86,7 +86,7 @@ def test_exit_codes(run, light, key_path, tmp_path):
         "grade", "in", "--key", key_path, "--out", "out", "--deadline", "2026-11-01T00:00", "--workers", 1
     )
     assert some.exit_code == 3
-    assert "bob: bob.ipynb: it is no notebook" in some.output and "(0 now), 2 late" in some.output
+    assert "bob: bob.ipynb: it is not a notebook" in some.output and "(0 now), 2 late" in some.output
 
 
 @pytest.mark.parametrize(

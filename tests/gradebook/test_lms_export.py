@@ -36,7 +36,7 @@ def test_the_table_for_a_spreadsheet(tables):
     ada = found["Ada, Lovelace"]
     assert (ada["points"], ada["of"], ada["percent"], ada["late"]) == ("6", "6", "100.0", "")
     assert found["eveadam"]["late"] == "late"
-    assert found["Bob"]["status"] == "not graded" and "no notebook" in found["Bob"]["to tell"]
+    assert found["Bob"]["status"] == "not graded" and "not a notebook" in found["Bob"]["to tell"]
     assert found["'=cmd|\" ,x\\n;y"]["points"] == "6"
 
 

@@ -201,7 +201,7 @@ def alike(light, key_path, tmp_path_factory):
         ("refused", "cv2, which this exercise refuses.", "write it by hand"),
         ("endless", "double() used more than 1 s of processor time.", "loop whose condition stays true"),
         ("ending", "", "no os._exit()"),
-        ("deleted", "Its answer cell was deleted.", "<code>imgproc-course check</code>"),
+        ("deleted", "Its answer cell (answer-light-double) is missing.", "<code>imgproc-course check</code>"),
     ],
 )
 def test_one_cause_for_every_check_is_told_once_in_place_of_their_hints(alike, name, cause, advice):
@@ -225,7 +225,7 @@ def test_an_answer_in_another_cell_is_among_what_the_teacher_looks_at(alike):
     _, _, looked_at = alike["summary"].partition("<h2>To look at</h2>")
     rows = looked_at.partition("</section>")[0].split("<tr>")
     (row,) = [row for row in rows if "<bdi>behind</bdi>" in row]
-    assert "a cell behind its answer defines double()" in row and "0 of 6" in row
+    assert "a cell below its answer cell defines double()" in row and "0 of 6" in row
     assert not [row for row in rows if "<bdi>syntax</bdi>" in row]
 
 

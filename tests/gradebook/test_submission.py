@@ -1,4 +1,4 @@
-"""What is lifted out of a notebook, what is told of it, and that a broken one is a reason and no more."""
+"""Which answers are read from a notebook, and what is reported about it."""
 
 import json
 
@@ -6,10 +6,13 @@ import pytest
 from form_attacks import MALFORMED
 from submissions import answers_of, cell_of, notebook
 
-from imgproc_course.gradebook.submission import NotebookReader, read_submission
-from imgproc_course.gradebook.submission_reader import LONGEST, Unreadable, read_notebook
+from imgproc_course.autograder.nbval_plugin import LONGEST
+from imgproc_course.gradebook.submission import AnswerState, NotebookReader, read_submission
+from imgproc_course.gradebook.submission_reader import MOST_CHARACTERS, UnreadableError, read_notebook
 
 pytestmark = pytest.mark.sandbox  # the key is made in one
+
+DOUBLE = "answer-light-double"
 
 
 @pytest.fixture(scope="module")
@@ -19,13 +22,14 @@ def reader():
 
 
 @pytest.fixture
-def lifted(answer_keys, reader):
-    def of(made):
-        return read_submission(
-            made if isinstance(made, bytes) else json.dumps(made).encode(), answer_keys, reader
-        )
+def read(answer_keys, reader):
+    """Reads a notebook, given as a dict or as bytes."""
 
-    return of
+    def read(made, name=""):
+        data = made if isinstance(made, bytes) else json.dumps(made).encode()
+        return read_submission(data, answer_keys, reader, name)
+
+    return read
 
 
 @pytest.fixture
@@ -33,198 +37,264 @@ def made(light):
     return notebook(light, answers_of(light, "right"))
 
 
-def told(lifted, kind=None):
-    return [each.text for each in lifted.findings if kind in (None, each.kind)]
+def texts(content, kind=None):
+    return [finding.text for finding in content.findings if kind in (None, finding.kind)]
 
 
-def test_a_whole_lesson_gives_its_answers_and_nothing_to_tell(lifted, made, light):
-    found = lifted(made)
-    assert found.answers == answers_of(light, "right")
-    assert (found.lesson, found.version, found.reason) == ("20_light", "0.1.0", "")
-    assert found.findings == [] and found.claims == []
+def test_a_complete_lesson_gives_its_answers_and_no_findings(read, made, light):
+    content = read(made)
+    assert content.answers == answers_of(light, "right")
+    assert (content.lesson, content.version, content.reason) == ("20_light", "0.1.0", "")
+    assert content.states == {"light-double": "answered", "light-halves": "answered"}
+    assert content.findings == [] and content.claims == []
 
 
-def test_a_source_in_lines_is_the_same_source(lifted, made, light):
+def test_a_lesson_as_handed_out_is_not_attempted_and_has_no_findings(read, light):
+    content = read(notebook(light))
+    assert content.states == {"light-double": "not attempted", "light-halves": "not attempted"}
+    assert content.findings == []
+
+
+def test_a_source_in_lines_is_the_same_source(read, made, light):
     for cell in made["cells"]:
         cell["source"] = cell["source"].splitlines(keepends=True)
-    assert lifted(made).answers == answers_of(light, "right")
+    assert read(made).answers == answers_of(light, "right")
 
 
-def test_a_deleted_answer_cell(lifted, made):
-    made["cells"].remove(cell_of(made, "answer-light-double"))
-    found = lifted(made)
-    assert list(found.answers) == ["light-halves"]
-    assert told(found, "message") == ["its answer cell was deleted"]
+def test_a_deleted_answer_cell(read, made):
+    made["cells"].remove(cell_of(made, DOUBLE))
+    content = read(made)
+    assert list(content.answers) == ["light-halves"]
+    assert content.states["light-double"] is AnswerState.MISSING
+    assert texts(content, "message") == [f"its answer cell ({DOUBLE}) is missing"]
 
 
-def test_an_answer_in_another_cell(lifted, made):
-    cell_of(made, "answer-light-double")["id"] = "mine"
-    found = lifted(made)
-    assert "light-double" not in found.answers
-    assert "double() stands in another cell (mine), which is not graded" in told(found, "message")[0]
+def test_an_answer_in_another_cell(read, made):
+    cell_of(made, DOUBLE)["id"] = "mine"
+    content = read(made)
+    assert "light-double" not in content.answers
+    assert texts(content, "message") == [
+        f"its answer cell ({DOUBLE}) is missing; double() is defined in another cell (mine),"
+        " which is not graded"
+    ]
 
 
-def test_a_duplicated_answer_cell(lifted, made):
-    copy = dict(cell_of(made, "answer-light-double"), source="def double(p):\n    return p")
+def test_a_definition_in_a_markdown_cell_is_no_answer_in_another_cell(read, made):
+    cell_of(made, DOUBLE).update(id="mine", cell_type="markdown")
+    assert texts(read(made)) == [f"its answer cell ({DOUBLE}) is missing"]
+
+
+def test_a_duplicated_answer_cell(read, made):
+    copy = dict(cell_of(made, DOUBLE), source="def double(p):\n    return p")
     made["cells"].append(copy)
-    found = lifted(made)
-    assert "astype" in found.answers["light-double"]
-    assert told(found, "message") == [
-        "its answer cell stands there 2 times; the first one with code is graded"
+    content = read(made)
+    assert "astype" in content.answers["light-double"]
+    assert content.states["light-double"] is AnswerState.BROKEN
+    assert texts(content, "message") == [
+        f"its answer cell ({DOUBLE}) occurs 2 times; the first code cell of them is graded"
+    ]
+
+
+def test_a_markdown_cell_with_the_id_of_an_answer_before_it(read, made, light):
+    made["cells"].insert(0, dict(cell_of(made, DOUBLE), cell_type="markdown", source="Notes"))
+    content = read(made)
+    assert content.answers == answers_of(light, "right")
+    assert content.states["light-double"] is AnswerState.ANSWERED
+    assert texts(content, "message") == [
+        f"its answer cell ({DOUBLE}) occurs 2 times; the first code cell of them is graded"
     ]
 
 
 @pytest.mark.parametrize("kind", ["raw", "markdown"])
-def test_a_retyped_answer_cell(lifted, made, kind):
-    cell_of(made, "answer-light-double")["cell_type"] = kind
-    found = lifted(made)
-    assert list(found.answers) == ["light-halves"]
-    assert told(found, "message") == [f"its answer cell was made a {kind} cell"]
+def test_a_retyped_answer_cell(read, made, kind):
+    cell_of(made, DOUBLE)["cell_type"] = kind
+    content = read(made)
+    assert list(content.answers) == ["light-halves"]
+    assert content.states["light-double"] is AnswerState.BROKEN
+    assert texts(content, "message") == [f"its answer cell is a {kind} cell, not a code cell"]
 
 
-def test_a_split_answer_cell(lifted, made):
-    cell = cell_of(made, "answer-light-double")
-    at = made["cells"].index(cell)
-    made["cells"].insert(at + 1, dict(cell, id="new-half"))
-    cell["source"] = "import numpy as np"
-    assert "cell new-half does, which is not graded: was it split?" in told(lifted(made), "message")[0]
+@pytest.mark.parametrize(
+    ("source", "state", "text"),
+    [
+        ("", "broken", "its answer cell is empty"),
+        ("# later\n", "broken", "its answer cell is empty"),
+        ("def double(p)\n    return p", "broken", "line 1 of its answer cell is not Python: def double(p) "),
+        ("def dubble(p):\n    return p", "broken", "its answer cell does not define double()"),
+        ("#" * 200_100, "broken", "its answer is longer than 200000 characters, the most that are graded"),
+        ('def double(pixels):\n    # hm\n    raise NotImplementedError("your turn")', "not attempted", ""),
+        ("double = lambda p: p", "answered", ""),
+        ("from numpy import abs as double", "answered", ""),
+        ("from numpy import *", "answered", ""),
+        ("if True:\n    def double(p): return p", "answered", ""),
+        ("double = " + "-" * 90_000 + "1", "answered", ""),  # too deep to parse: it may be right
+    ],
+)
+def test_the_state_of_an_answer(read, made, source, state, text):
+    cell_of(made, DOUBLE)["source"] = source
+    content = read(made)
+    assert content.states["light-double"] == state
+    assert len(content.answers["light-double"]) == min(len(source), MOST_CHARACTERS + 1)
+    (finding,) = [*texts(content, "answer"), *([] if text else [""])]
+    assert finding.startswith(text) and texts(content, "message") == []
 
 
-def test_a_helper_behind_the_answer(lifted, made):
-    at = made["cells"].index(cell_of(made, "answer-light-double"))
+def test_a_split_answer_cell(read, made):
+    cell = cell_of(made, DOUBLE)
+    position = made["cells"].index(cell)
+    made["cells"].insert(position + 1, dict(cell, id="new-half"))
+    for source in ("import numpy as np", ""):
+        cell["source"] = source
+        (text,) = texts(read(made), "message")
+        assert "cell new-half defines double(), which is not graded: was the answer cell split?" in text
+
+
+def test_a_helper_below_the_answer(read, made):
+    position = made["cells"].index(cell_of(made, DOUBLE))
     helper = {"id": "h", "cell_type": "code", "metadata": {}, "source": "def wide(p): ...", "outputs": []}
-    made["cells"].insert(at + 1, helper)
-    assert told(lifted(made)) == [
-        "a cell behind its answer defines wide(); the answer's own cell alone is graded"
+    made["cells"].insert(position + 1, helper)
+    assert texts(read(made)) == [
+        "a cell below its answer cell defines wide(); only the answer cell is graded"
     ]
 
 
-def test_changed_removed_and_retyped_check_cells(lifted, made):
+def test_changed_removed_and_retyped_check_cells(read, made):
     cell_of(made, "check-light-double-1")["source"] = "print('all 1 checks pass')"
     made["cells"].remove(cell_of(made, "check-light-halves-1"))
     cell_of(made, "given-light-double-1")["cell_type"] = "markdown"
-    assert told(lifted(made)) == [
+    content = read(made)
+    assert texts(content) == [
         "its check cell (check-light-double-1) was changed; grading uses its own",
-        "its given cell (given-light-double-1) is no code any more; grading uses its own",
-        "its check cell (check-light-halves-1) was removed; grading uses its own",
+        "its given cell (given-light-double-1) is not a code cell any more; grading uses its own",
+        "its check cell (check-light-halves-1) is missing; grading uses its own",
     ]
+    assert set(content.states.values()) == {"answered"}
 
 
-def test_orders_to_a_grader(lifted, made):
-    cell = cell_of(made, "answer-light-double")
+def test_tags_and_comments_that_direct_a_grader(read, made):
+    cell = cell_of(made, DOUBLE)
     cell["metadata"] = {
         "tags": ["nbval-skip", "raises-exception"],
         "nbgrader": {"points": 1000},
         "points": 99,
     }
     cell_of(made, "answer-light-halves")["source"] = "# NBVAL_SKIP\ndef halves(p): ..."
-    assert [each.exercise for each in lifted(made).findings if each.kind == "odd"] == [
-        "light-double",
-        "light-halves",
-    ]
+    findings = [finding for finding in read(made).findings if finding.kind == "odd"]
+    assert [finding.exercise for finding in findings] == ["light-double", "light-halves"]
 
 
-def test_another_kernel(lifted, made):
+def test_another_kernel(read, made):
     made["metadata"]["kernelspec"] = {"name": "evil\u202e"}
-    assert told(lifted(made), "odd") == ["it asks for the kernel 'evil\\\\u202e'; grading uses its own"]
+    assert texts(read(made), "odd") == ["it asks for the kernel 'evil\\\\u202e'; grading uses its own"]
 
 
-def test_claims_are_lifted(lifted, made):
-    text = ["light-double: the check passes.\n", "✓ A picture\n"]
+def test_claims_are_read(read, made):
+    text = ["light-double: the check passes.\n", "✓ An image\n"]
     cell_of(made, "check-light-double-1")["outputs"] = [
         {"output_type": "display_data", "data": {"text/plain": text}, "metadata": {}}
     ]
-    assert lifted(made).claims == ["light-double"]
+    assert read(made).claims == ["light-double"]
     text[0] = "light-double: 0 of 1 checks pass.\n"
-    assert lifted(made).claims == []
+    assert read(made).claims == []
 
 
-def test_the_lesson_is_known_by_its_cells_where_the_metadata_are_lost(lifted, made):
+# ---------------------------------------------------------------- which lesson it is
+
+
+def test_without_metadata_the_answer_cells_name_the_lesson(read, made):
     made["metadata"] = {}
-    found = lifted(made)
-    assert (found.lesson, found.version) == ("20_light", None)
+    content = read(made, "21_sound.ipynb")
+    assert (content.lesson, content.version) == ("20_light", None)
+    assert texts(content) == ["it was made from an unknown version of the lesson, not from version 0.1.0"]
 
 
-def test_a_lesson_that_says_it_is_another_one(lifted, made):
+def test_without_metadata_and_answer_cells_the_file_name_names_the_lesson(read, made):
+    made["metadata"], made["cells"] = {}, made["cells"][:1]
+    content = read(made, "ada/20_light-1.ipynb")
+    assert (content.lesson, content.answers) == ("20_light", {})
+    assert set(content.states.values()) == {AnswerState.MISSING}
+    assert read(made, "20_light/21_sound.ipynb").lesson is None
+
+
+def test_a_lesson_with_the_answer_cells_of_another_one(read, made):
     made["metadata"]["imgproc_course"]["lesson"] = "21_sound"
-    found = lifted(made)
-    assert found.lesson == "20_light"
-    assert "it is graded as 20_light" in told(found, "message")[0]
+    content = read(made)
+    assert content.lesson == "20_light"
+    assert "it is graded as 20_light" in texts(content, "message")[0]
 
 
-def test_a_notebook_that_is_no_lesson(lifted):
-    found = lifted({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": []})
-    assert (
-        found.lesson is None and found.reason == "it is no lesson of this key; the key has 20_light, 21_sound"
-    )
+def test_a_notebook_that_is_no_lesson(read):
+    content = read({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": []})
+    assert (content.lesson, content.reason) == (None, "it is not one of the lessons 20_light, 21_sound")
+
+
+# ---------------------------------------------------------------- damaged notebooks
 
 
 @pytest.mark.parametrize("name", MALFORMED)
-def test_a_malformed_notebook_is_a_reason(lifted, made, light, name):
+def test_a_malformed_notebook_is_a_reason(read, made, light, name):
     _, data, reason = MALFORMED[name]
-    found = lifted(data)
-    assert reason in found.reason
-    assert found.answers == {} and found.lesson is None
-    assert lifted(made).answers == answers_of(light, "right")  # the next one is read as if alone
+    content = read(data)
+    assert reason in content.reason
+    assert content.answers == {} and content.lesson is None
+    assert read(made).answers == answers_of(light, "right")  # the next one is read as if alone
 
 
 @pytest.mark.parametrize("source", [7, None, True, {"a": 1}, [1, 2], [["x"]]])
-def test_a_source_that_is_no_text(lifted, made, source):
-    cell_of(made, "answer-light-double")["source"] = source
-    found = lifted(made)
-    assert list(found.answers) == ["light-halves"]
-    assert "the source of its answer cell is no text" in told(found)
+def test_a_source_that_is_not_text(read, made, source):
+    cell_of(made, DOUBLE)["source"] = source
+    content = read(made)
+    assert list(content.answers) == ["light-halves"]
+    assert "the source of its answer cell is not text" in texts(content)
 
 
-def test_cells_that_are_none(lifted, made, light):
+def test_entries_that_are_not_cells(read, made, light):
     made["cells"] += [None, 7, "cell", [], {}, {"id": 3, "cell_type": []}]
     made["nbformat_minor"] = 99
     made["metadata"]["imgproc_course"]["version"] = ["0.1.0"]
-    found = lifted(made)
-    assert found.answers == answers_of(light, "right")
-    assert "4 of its cells are none" in told(found, "odd")
+    content = read(made)
+    assert content.answers == answers_of(light, "right")
+    assert "4 of its cells are not cells" in texts(content, "odd")
 
 
-def test_lone_surrogates_pass_through_as_data(lifted, made):
-    cell_of(made, "answer-light-double")["source"] = "x = '\ud800\u202e'"
+def test_lone_surrogates_pass_through_as_data(read, made):
+    cell_of(made, DOUBLE)["source"] = "x = '\ud800\u202e'"
     made["cells"].append({"id": "\ud800", "cell_type": "code", "source": "def double(): ..."})
-    found = lifted(made)
-    assert found.answers["light-double"] == "x = '\ud800\u202e'"
-    json.dumps([each.text for each in found.findings], ensure_ascii=False).encode("utf-8")
+    content = read(made)
+    assert content.answers["light-double"] == "x = '\ud800\u202e'"
+    json.dumps(texts(content), ensure_ascii=False).encode("utf-8")
 
 
-def test_a_huge_source_is_cut_and_judged_as_too_long(lifted, made):
-    cell_of(made, "answer-light-double")["source"] = "#" * 3_000_000
-    assert len(lifted(made).answers["light-double"]) == LONGEST
+def test_a_huge_source_is_cut_and_still_too_long_for_grading(read, made):
+    cell_of(made, DOUBLE)["source"] = "#" * 3_000_000
+    assert len(read(made).answers["light-double"]) == MOST_CHARACTERS + 1 == LONGEST + 1
 
 
-def test_a_byte_order_mark_is_no_mistake(lifted, made, light):
-    assert lifted(b"\xef\xbb\xbf" + json.dumps(made).encode()).answers == answers_of(light, "right")
+def test_a_byte_order_mark_is_no_mistake(read, made, light):
+    assert read(b"\xef\xbb\xbf" + json.dumps(made).encode()).answers == answers_of(light, "right")
 
 
-def test_a_notebook_that_eats_memory_costs_itself_only(answer_keys, made, light):
+def test_a_notebook_that_uses_too_much_memory_harms_only_itself(answer_keys, made, light):
     with NotebookReader(memory=300 << 20) as reader:
-        eats = b'{"nbformat": 4, "cells": [], "x": [' + b"[]," * 8_000_000 + b"[]]}"
-        assert "memory" in read_submission(eats, answer_keys, reader).reason
-        assert read_submission(json.dumps(made).encode(), answer_keys, reader).answers == answers_of(
-            light, "right"
-        )
+        huge = b'{"nbformat": 4, "cells": [], "x": [' + b"[]," * 8_000_000 + b"[]]}"
+        assert "memory" in read_submission(huge, answer_keys, reader).reason
+        content = read_submission(json.dumps(made).encode(), answer_keys, reader)
+        assert content.answers == answers_of(light, "right")
 
 
 def test_a_reader_that_hangs_is_ended(answer_keys, made, light):
+    data = json.dumps(made).encode()
     with NotebookReader(seconds=0.0) as reader:
-        assert "time" in read_submission(json.dumps(made).encode(), answer_keys, reader).reason
+        assert "time" in read_submission(data, answer_keys, reader).reason
     with NotebookReader() as reader:
         reader.read(b"{}")
         reader._process.kill()
         reader._process.wait()
-        assert "time or memory" in read_submission(json.dumps(made).encode(), answer_keys, reader).reason
-        assert read_submission(json.dumps(made).encode(), answer_keys, reader).answers == answers_of(
-            light, "right"
-        )
+        assert "time or memory" in read_submission(data, answer_keys, reader).reason
+        assert read_submission(data, answer_keys, reader).answers == answers_of(light, "right")
 
 
 def test_reading_runs_and_imports_nothing_of_a_notebook(made):
-    with pytest.raises(Unreadable):
+    with pytest.raises(UnreadableError):
         read_notebook(b"__import__('os')._exit(1)")
     assert read_notebook(json.dumps(made).encode())["lesson"] == "20_light"

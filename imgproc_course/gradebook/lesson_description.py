@@ -1,0 +1,61 @@
+"""What a submission of a lesson must contain: a description made from an answer key or from a master."""
+
+from dataclasses import dataclass
+
+_COMPARED = ("check", "given")  # roles of the cells whose source a learner should not change
+
+
+@dataclass(frozen=True)
+class ExerciseDescription:
+    """One exercise: its id, the function that the learner writes, and the stub in its answer cell."""
+
+    id: str
+    function: str
+    stub: str
+
+    @property
+    def answer_id(self):
+        """The id of its answer cell."""
+        return f"answer-{self.id}"
+
+
+@dataclass(frozen=True)
+class LessonDescription:
+    """A lesson as it was handed out.
+
+    version    of the course that the lesson was made from
+    exercises  tuple of ExerciseDescription
+    cells      {cell id: source of a check or given cell, None for the others}; empty if unknown
+    """
+
+    name: str
+    version: str
+    exercises: tuple
+    cells: dict
+
+    @classmethod
+    def from_key(cls, lesson, cells):
+        """The description of a KeyLesson.
+
+        Parameters
+        ----------
+        lesson : KeyLesson
+        cells : dict, as in `LessonDescription`
+        """
+        return cls(lesson.name, lesson.version, _exercises(lesson.exercises), cells)
+
+    @classmethod
+    def from_master(cls, master, version):
+        """The description of a Master.
+
+        Parameters
+        ----------
+        master : Master
+        version : str, of the course
+        """
+        cells = {cell.id: cell.source if cell.role in _COMPARED else None for cell in master.cells}
+        return cls(master.name, version, _exercises(master.exercises), cells)
+
+
+def _exercises(declared):
+    return tuple(ExerciseDescription(exercise.id, exercise.function, exercise.stub) for exercise in declared)
