@@ -168,7 +168,7 @@ def test_a_camera_that_stopped_on_an_error_fails_the_command(call, monkeypatch):
             "Error: drive holds no pictures on /back, but on: /kachaka/front_camera/",
         ),
         (["--speed", "-1"], "Error: speed -1.0 is no positive number"),
-        (["--topic", "no topic"], "Error: 'no topic' is no topic name"),
+        (["--topic", "no topic"], "Error: 'no topic' is not a topic name"),
     ],
 )
 def test_bad_input_to_play_is_one_line(call, options, error):

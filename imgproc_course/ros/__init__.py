@@ -1,27 +1,29 @@
-"""A running ROS 2 graph in a notebook: the camera, a subscriber, and the session that they share.
+"""A running ROS 2 graph in a notebook: cameras, subscribers, nodes, and the session that spins them.
 
-Importing this chooses the Fast DDS profile (unless you set one), and never fails: where ROS is missing,
-`ros_available()` is False, and what needs a graph raises RosMissingError, which says what to install.
+Importing this package chooses the Fast DDS profile (unless you set one). The import never fails: without
+ROS, `ros_available()` is False, and everything that needs a graph raises RosMissingError with the remedy.
 """
 
-from imgproc_course.ros.missing import RosMissingError, import_problem, stand_in, stand_in_main
+from imgproc_course.ros.availability import RosMissingError, class_stub, import_problem, run_processor_stub
+from imgproc_course.ros.numeric_parameter import NumericParameter
 from imgproc_course.ros.profile import DdsProfile, choose_profile
-from imgproc_course.ros.setting import Setting
 
-# Before rclpy is imported: the middleware reads its profile once in the life of a process.
+# Before rclpy is imported: the middleware reads its profile only once in a process.
 _profile = choose_profile()
 _problem = import_problem()
 
 if _problem is None:
     from imgproc_course.ros.camera import Camera, open_camera
-    from imgproc_course.ros.processor import ImageProcessor, run_processor
+    from imgproc_course.ros.node_process import run_processor
+    from imgproc_course.ros.processor import ImageProcessor
     from imgproc_course.ros.session import RosSession
     from imgproc_course.ros.subscriber import ImageSubscriber
 else:
-    Camera, ImageSubscriber, RosSession, open_camera = (
-        stand_in(name, _problem) for name in ("Camera", "ImageSubscriber", "RosSession", "open_camera")
+    Camera, ImageProcessor, ImageSubscriber, RosSession, open_camera = (
+        class_stub(name, _problem)
+        for name in ("Camera", "ImageProcessor", "ImageSubscriber", "RosSession", "open_camera")
     )
-    ImageProcessor, run_processor = stand_in("ImageProcessor", _problem), stand_in_main(_problem)
+    run_processor = run_processor_stub(_problem)
 
 
 def ros_available():
@@ -30,12 +32,12 @@ def ros_available():
 
 
 def ros_problem():
-    """Why no ROS graph can run here, with the remedy, in one line; None where one can."""
+    """Why no ROS graph can run here, with the remedy, in one line; None if one can run."""
     return _problem
 
 
 def dds_profile():
-    """The Fast DDS profile in force in this process: a DdsProfile, whose `str()` is one line for people."""
+    """The Fast DDS profile that this process uses: a DdsProfile; its `str()` is one readable line."""
     return _profile
 
 
@@ -44,9 +46,9 @@ __all__ = [
     "DdsProfile",
     "ImageProcessor",
     "ImageSubscriber",
+    "NumericParameter",
     "RosMissingError",
     "RosSession",
-    "Setting",
     "dds_profile",
     "open_camera",
     "ros_available",

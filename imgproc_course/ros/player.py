@@ -1,4 +1,4 @@
-"""The camera in a process of its own: what `imgproc-course play` runs until Ctrl-C."""
+"""The camera in a process of its own: `imgproc-course play` runs it until Ctrl-C."""
 
 import signal
 import threading
@@ -8,6 +8,7 @@ from imgproc_course.ros.camera import open_camera
 from imgproc_course.ros.session import RosSession
 
 STATUS_SECONDS = 10.0
+_STOP_SIGNALS = (signal.SIGINT, signal.SIGTERM)
 
 
 def play(*, recording="drive", status_seconds=STATUS_SECONDS, **options):
@@ -16,54 +17,51 @@ def play(*, recording="drive", status_seconds=STATUS_SECONDS, **options):
     Parameters
     ----------
     recording, and `topic`, `camera_topic`, `speed`, `loop`, `stamps` : as in `open_camera`
-    status_seconds : time between two lines that say how it goes
+    status_seconds : seconds between two status lines
 
     Returns
     -------
-    int, the exit code: 0, or 1 when the camera stopped on an error
+    int, the exit code: 0, or 1 if the camera stopped because of an error
 
     Raises
     ------
     ValueError : as `open_camera`
     """
-    leaving = threading.Event()
-    former = {number: signal.signal(number, lambda *_: leaving.set()) for number in _SIGNALS}
+    stopping = threading.Event()
+    previous_handlers = {number: signal.signal(number, lambda *_: stopping.set()) for number in _STOP_SIGNALS}
     try:
         with open_camera(recording=recording, **options) as camera:
-            print(_opening(camera, recording), flush=True)
-            _watch(camera, leaving, status_seconds)
+            print(_first_line(camera, recording), flush=True)
+            _print_status(camera, stopping, status_seconds)
             if camera.last_error is None:
-                why = "" if camera.published else ", as nobody subscribed to these"
+                reason = "" if camera.published else " (the raw topic had no subscriber)"
                 print(
-                    f"stopped after {camera.shown} pictures, {camera.published} of them sent raw{why}",
+                    f"stopped after {camera.played} images; {camera.published} raw images sent{reason}",
                     flush=True,
                 )
             return 0 if camera.last_error is None else 1
     finally:
         RosSession().stop()
-        for number, handler in former.items():
+        for number, handler in previous_handlers.items():
             signal.signal(number, handler)
 
 
-_SIGNALS = (signal.SIGINT, signal.SIGTERM)
-
-
-def _opening(camera, recording):
+def _first_line(camera, recording):
     domain = RosSession.current().context.get_domain_id()
     topics = ", ".join((camera.topic, camera.compressed_topic, *camera.info_topics))
     return f"{recording} at {camera.rate:g} Hz in domain {domain}: {topics} (Ctrl-C stops)"
 
 
-def _watch(camera, leaving, status_seconds):
-    began = time.monotonic()
-    told = 0
-    while not leaving.wait(0.1) and camera.running:
-        running = time.monotonic() - began
-        if running >= (told + 1) * status_seconds:
-            told = int(running // status_seconds)
-            print(f"{running:.0f} s: {camera.shown} pictures; subscribers: {_listeners(camera)}", flush=True)
+def _print_status(camera, stopping, period):
+    start = time.monotonic()
+    lines = 0
+    while not stopping.wait(0.1) and camera.running:
+        elapsed = time.monotonic() - start
+        if elapsed >= (lines + 1) * period:
+            lines = int(elapsed // period)
+            print(f"{elapsed:.0f} s: {camera.played} images; subscribers: {_subscribers(camera)}", flush=True)
 
 
-def _listeners(camera):
+def _subscribers(camera):
     counts = [f"{topic} {count}" for topic, count in camera.subscribers().items() if count]
     return ", ".join(counts) or "none"

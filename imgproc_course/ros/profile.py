@@ -1,6 +1,6 @@
-"""Which Fast DDS profile this process uses, chosen before the first ROS node of the process exists.
+"""Chooses the Fast DDS profile of this process, before the first ROS node of the process exists.
 
-Fast DDS reads the name of its profile file from the environment, once, when the first participant is made.
+Fast DDS reads the name of its profile file from the environment, once, when the first participant is created.
 """
 
 import os
@@ -21,10 +21,10 @@ SHARED_MEMORY = Path("/dev/shm")
 
 # Measured: a segment takes 1.05 times its size, a participant 0.7 MiB more.
 _SMALL_NEEDS = 18 << 20
-# Camera, notebook, and two more, so that the first to come does not take it all.
+# Camera, notebook, and two more processes, so that the first one does not take all of it.
 _LARGE_NEEDS = 4 * (69 << 20)
 _SEGMENT_NAME = re.compile(r"fastrtps_[0-9a-f]{16}")
-_CURE_SMALL = (
+_SMALL_REMEDY = (
     "enlarge it (docker run --shm-size=1g, or mount -o remount,size=1g /dev/shm), "
     "or subscribe to the /compressed topic"
 )
@@ -32,15 +32,15 @@ _CURE_SMALL = (
 
 @dataclass(frozen=True)
 class DdsProfile:
-    """The profile in force. `str()` of it is one line for people.
+    """The profile that is in use. Its `str()` is one readable line.
 
     Attributes
     ----------
-    chosen_by : "course", "user" (a variable or file of the user's decides), or "nobody" (Fast DDS's defaults)
-    path : the profile file, or None where none is in force
-    segment_bytes : size of the shared-memory segment that the course's profile asks for; None otherwise
-    free_bytes : free shared memory when the choice was made; None where there is no /dev/shm
-    note : what is not as it should be, with the remedy; None when all is well
+    chosen_by : "course", "user" (by an environment variable or a file), or "nobody" (Fast DDS's defaults)
+    path : the profile file, or None if none is used
+    segment_bytes : size of the shared-memory segment that the course's profile requests; None otherwise
+    free_bytes : free shared memory at the time of the choice; None without /dev/shm
+    note : a problem, with the remedy; None if there is none
     """
 
     chosen_by: str
@@ -51,35 +51,35 @@ class DdsProfile:
 
     def __str__(self):
         if self.chosen_by == "course":
-            what = (
+            profile = (
                 f"the course's {Path(self.path).name}: {self.segment_bytes >> 20} MiB shared memory, and UDP"
             )
         elif self.chosen_by == "user":
-            what = f"your own choice ({self.path})" if self.path else "your own choice"
+            profile = f"your own choice ({self.path})" if self.path else "your own choice"
         else:
-            what = "none: Fast DDS's defaults"
-        return f"{what}; {self.note}" if self.note else what
+            profile = "none: Fast DDS's defaults"
+        return f"{profile}; {self.note}" if self.note else profile
 
 
 def choose_profile():
-    """Sets the profile for this process and those it starts, unless the user chose; returns a DdsProfile."""
-    chosen = _users_choice()
-    if chosen is not None:
-        return chosen
+    """Sets the profile for this process and its children, unless the user chose one. Returns a DdsProfile."""
+    user_profile = _users_choice()
+    if user_profile is not None:
+        return user_profile
     free = free_shared_memory()
     if free is not None and free < _LARGE_NEEDS and remove_stale_segments():
         free = free_shared_memory()
     if _a_node_exists():
         note = (
             "a ROS node existed before imgproc_course.ros was imported, so Fast DDS keeps its defaults and "
-            "raw pictures get lost between processes; restart the kernel and import imgproc_course.ros first"
+            "raw images get lost between processes; restart the kernel and import imgproc_course.ros first"
         )
         warnings.warn(note, RuntimeWarning, stacklevel=3)
         return DdsProfile("nobody", free_bytes=free, note=note)
     if free is not None and free < _SMALL_NEEDS:
         note = (
-            f"{SHARED_MEMORY} has {free >> 20} MiB free and pictures need {_SMALL_NEEDS >> 20}, so raw "
-            f"pictures get lost between processes; {_CURE_SMALL}"
+            f"{SHARED_MEMORY} has {free >> 20} MiB free, but images need {_SMALL_NEEDS >> 20}, so raw "
+            f"images get lost between processes; {_SMALL_REMEDY}"
         )
         warnings.warn(note, RuntimeWarning, stacklevel=3)
         return DdsProfile("nobody", free_bytes=free, note=note)
@@ -95,25 +95,25 @@ def choose_profile():
 def _users_choice():
     middleware = os.environ.get("RMW_IMPLEMENTATION", "")
     if middleware and "fastrtps" not in middleware:
-        return DdsProfile("user", note=f"RMW_IMPLEMENTATION={middleware}, which takes no Fast DDS profile")
-    own = {str(path) for path in SEGMENT_BYTES}  # inherited from a process that chose it for us
+        return DdsProfile("user", note=f"RMW_IMPLEMENTATION={middleware}, which uses no Fast DDS profile")
+    course_files = {str(path) for path in SEGMENT_BYTES}  # inherited from a parent process that chose it
     files = {name: os.environ[name] for name in PROFILE_VARIABLES if os.environ.get(name)}
     for name, path in files.items():
-        if path not in own:
+        if path not in course_files:
             note = None if Path(path).is_file() else f"{name} names a file that does not exist; unset it"
             if name != PROFILE_VARIABLES[0] and PROFILE_VARIABLES[0] not in files and note is None:
-                note = f"Fast DDS 2 (ROS 2 Jazzy) reads {PROFILE_VARIABLES[0]} only; set that one too"
+                note = f"Fast DDS 2 (ROS 2 Jazzy) reads only {PROFILE_VARIABLES[0]}; set it too"
             return DdsProfile("user", path, note=note)
     if os.environ.get("FASTDDS_BUILTIN_TRANSPORTS"):
         return DdsProfile(
             "user", note=f"FASTDDS_BUILTIN_TRANSPORTS={os.environ['FASTDDS_BUILTIN_TRANSPORTS']}"
         )
-    local = Path("DEFAULT_FASTRTPS_PROFILES.xml")  # Fast DDS reads a file of this name by itself
-    return DdsProfile("user", str(local.absolute())) if local.is_file() else None
+    local_file = Path("DEFAULT_FASTRTPS_PROFILES.xml")  # Fast DDS reads a file with this name by itself
+    return DdsProfile("user", str(local_file.absolute())) if local_file.is_file() else None
 
 
 def _a_node_exists():
-    """Whether this process has a DDS participant already: its memory is mapped, or rclpy is running."""
+    """Whether this process already has a DDS participant: its memory is mapped, or rclpy is running."""
     if sys.modules.get("rclpy") is None:
         return False
     maps = Path("/proc/self/maps")
@@ -125,19 +125,20 @@ def _a_node_exists():
 
 
 def free_shared_memory():
-    """Free bytes of /dev/shm, or None where there is no such folder."""
+    """Free bytes of /dev/shm, or None if there is no such folder."""
     return shutil.disk_usage(SHARED_MEMORY).free if SHARED_MEMORY.is_dir() else None
 
 
 def remove_stale_segments(folder=SHARED_MEMORY, *, older_than=10.0):
-    """Removes the shared memory of killed processes: up to 67 MB each, which Fast DDS never takes back.
+    """Removes the shared memory of killed processes: up to 67 MB each. Fast DDS never frees it.
 
-    A living owner holds a lock on its segment's `_el` file; a killed one holds none. Other users' files stay.
+    A running owner holds a lock on its segment's `_el` file; a killed one holds none. Files of other users
+    stay.
 
     Parameters
     ----------
-    folder : where the segments lie
-    older_than : seconds; younger files stay, since their owner may be about to lock them
+    folder : contains the segments
+    older_than : seconds; younger files stay, because their owner may not have locked them yet
 
     Returns
     -------
@@ -149,16 +150,16 @@ def remove_stale_segments(folder=SHARED_MEMORY, *, older_than=10.0):
     for segment in [path for path in folder.iterdir() if _SEGMENT_NAME.fullmatch(path.name)]:
         lock = segment.with_name(f"{segment.name}_el")
         try:
-            if time.time() - segment.stat().st_mtime > older_than and _nobody_holds(lock):
+            if time.time() - segment.stat().st_mtime > older_than and _is_unlocked(lock):
                 segment.unlink()
                 lock.unlink(missing_ok=True)
                 removed += 1
         except (PermissionError, FileNotFoundError):
-            continue  # another user's, or its owner has just removed it
+            continue  # it belongs to another user, or its owner has just removed it
     return removed
 
 
-def _nobody_holds(lock):
+def _is_unlocked(lock):
     import fcntl
 
     with lock.open("r+b") as file:

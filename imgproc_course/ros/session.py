@@ -1,7 +1,7 @@
-"""The ROS session of a process: one context, one executor, one thread that spins it, for as long as you like.
+"""The ROS session of a process: one context, one executor, and one thread that spins it.
 
-A cell must never call rclpy.spin, which does not return. Here a thread of its own spins instead, and is gone
-before the interpreter is: a thread still spinning at exit would abort the process.
+A cell must never call rclpy.spin, because it does not return. Here a background thread spins instead. It ends
+before the interpreter does: a thread that still spins at exit would abort the process.
 """
 
 import atexit
@@ -26,13 +26,14 @@ from imgproc_course.ros.profile import remove_stale_segments
 RCLError = rclpy_implementation.RCLError  # rclpy exports it nowhere else
 log = logging.getLogger("imgproc_course.ros")
 
-PATIENCE = 5.0  # seconds that a callback may keep others waiting
+CALLBACK_TIMEOUT = 5.0  # seconds that others wait for a callback to return
+LOG_PERIOD = 5.0  # seconds between two log lines about the same fault
 
 
 class Throttle:
-    """True at most once every so many seconds, so that a fault at 30 Hz is told and does not flood."""
+    """True at most once per period, so that a fault at 30 Hz is logged but does not flood the log."""
 
-    def __init__(self, seconds=PATIENCE):
+    def __init__(self, seconds=LOG_PERIOD):
         self._seconds = seconds
         self._last = None
 
@@ -47,39 +48,39 @@ class Throttle:
 class RosSession:
     """Context, executor and spinning thread of this process.
 
-    There is one per process: `RosSession()` gives the same object each time, `RosSession.current()` also
-    starts it. Starting twice, stopping twice, and starting again after a stop are all fine. Its context is
-    its own, so that your rclpy.init() and rclpy.shutdown() in the same process do not touch it.
+    There is one session per process: `RosSession()` always returns the same object, and
+    `RosSession.current()` also starts it. You may start twice, stop twice, and start again after a stop. The
+    session has its own context: your rclpy.init() and rclpy.shutdown() in the same process do not affect it.
 
     Attributes
     ----------
-    node : the session's own node, on which cameras and subscribers of this process live; None while stopped
-    context, executor : as rclpy knows them; None while stopped
+    node : the session's own node, which holds the cameras and subscribers of this process; None if stopped
+    context, executor : those of rclpy; None if stopped
     """
 
-    _only = None
-    _birth = threading.Lock()
+    _instance = None
+    _instance_lock = threading.Lock()
 
     def __new__(cls):
-        with cls._birth:
-            if cls._only is None:
-                cls._only = super().__new__(cls)
-                cls._only._life = threading.RLock()  # one start at a time
-                cls._only._graph = None
-                cls._only._forked = False
-            return cls._only
+        with cls._instance_lock:
+            if cls._instance is None:
+                cls._instance = super().__new__(cls)
+                cls._instance._start_lock = threading.RLock()
+                cls._instance._spinner = None
+                cls._instance._was_forked = False
+            return cls._instance
 
     @classmethod
     def current(cls):
-        """The running session of this process, started if it was not running."""
+        """The running session of this process; started if it was stopped."""
         return cls().start()
 
     def start(self):
-        """Starts the session, or does nothing when it is running. Returns the session.
+        """Starts the session; does nothing if it is running. Returns the session.
 
         Raises
         ------
-        ValueError : ROS_DOMAIN_ID is no domain
+        ValueError : ROS_DOMAIN_ID is not a domain
         RuntimeError : called from a callback of a session that is stopping, or in a process that was forked
             from one with a running session
         """
@@ -87,42 +88,42 @@ class RosSession:
             return self
         if self.is_spinning_thread():
             raise RuntimeError("the ROS session is stopping; start it from outside its callbacks")
-        if self._forked:
+        if self._was_forked:
             raise RuntimeError(
-                "this process was forked from one with a running ROS session, which DDS does not survive; "
-                "start it with multiprocessing.get_context('spawn') or subprocess instead"
+                "this process was forked from one with a running ROS session, and DDS does not work after a "
+                "fork; start the process with multiprocessing.get_context('spawn') or subprocess instead"
             )
-        with self._life:
+        with self._start_lock:
             if not self.running:
                 self.stop()
                 _check_domain()
                 remove_stale_segments()
-                self._graph = _Graph()
+                self._spinner = _Spinner()
         return self
 
     def stop(self):
-        """Stops cameras and subscribers, destroys the nodes, joins the thread. A second stop does nothing.
+        """Stops cameras and subscribers, destroys the nodes, joins the thread. A second call does nothing.
 
-        May be called from anywhere, a callback included (the thread then leaves after that callback).
+        May be called from anywhere. If a callback calls it, the thread ends after that callback.
         """
-        if self._graph is None or self._forked:
+        if self._spinner is None or self._was_forked:
             return
-        self._graph.leave()
+        self._spinner.leave()
         if not self.is_spinning_thread():
-            self._graph.thread.join(PATIENCE)
-            if self._graph.thread.is_alive():
+            self._spinner.thread.join(CALLBACK_TIMEOUT)
+            if self._spinner.thread.is_alive():
                 log.warning(
-                    "a callback has not returned for %g s; the ROS session leaves without it", PATIENCE
+                    "a callback has not returned for %g s; the ROS session stops without it", CALLBACK_TIMEOUT
                 )
 
     @property
     def running(self):
-        """Whether the session's thread spins, and is to go on."""
-        return self._graph is not None and not self._forked and self._graph.spinning
+        """Whether the session's thread spins and has not been asked to stop."""
+        return self._spinner is not None and not self._was_forked and self._spinner.spinning
 
-    context = property(lambda self: self._graph.context if self.running else None)
-    executor = property(lambda self: self._graph.executor if self.running else None)
-    node = property(lambda self: self._graph.node if self.running else None)
+    context = property(lambda self: self._spinner.context if self.running else None)
+    executor = property(lambda self: self._spinner.executor if self.running else None)
+    node = property(lambda self: self._spinner.node if self.running else None)
 
     def __enter__(self):
         return self.start()
@@ -134,37 +135,37 @@ class RosSession:
         return f"<RosSession: {f'domain {self.context.get_domain_id()}' if self.running else 'stopped'}>"
 
     def add_node(self, node):
-        """Spins a node of yours too, made with `context=session.context`; the session's end destroys it."""
-        graph = self._running_graph()
-        self.run(lambda: graph.add(node))
+        """Spins your node too. Create it with `context=session.context`; the session destroys it on stop."""
+        spinner = self._running_spinner()
+        self.run(lambda: spinner.add(node))
         return node
 
     def remove_node(self, node):
-        """Stops spinning a node of yours, and destroys it. A second call does nothing."""
-        graph = self._graph
+        """Stops spinning your node and destroys it. A second call does nothing."""
+        spinner = self._spinner
         if self.running:
-            self.run(lambda: graph.destroy(node))
+            self.run(lambda: spinner.destroy(node))
 
     def resolve_topic(self, topic):
-        """The full name of a topic, remapped as the command line says.
+        """The full name of a topic, after the remapping of the command line.
 
         Raises
         ------
-        ValueError : it is no topic name
+        ValueError : it is not a topic name
         """
         try:
-            return self._running_graph().node.resolve_topic_name(topic)
+            return self._running_spinner().node.resolve_topic_name(topic)
         except RCLError as error:
             cause = str(error).removeprefix("failed to resolve name: ").partition(", at ")[0]
             raise ValueError(
-                f"{topic!r} is no topic name ({cause}); one looks like /camera/image_raw"
+                f"{topic!r} is not a topic name ({cause}); a topic name looks like /camera/image_raw"
             ) from error
 
-    def run(self, function, timeout=PATIENCE):
-        """Calls a function in the spinning thread, between two callbacks, and returns what it returns.
+    def run(self, function, timeout=CALLBACK_TIMEOUT):
+        """Calls a function in the spinning thread, between two callbacks, and returns its result.
 
-        Nodes and subscriptions must be destroyed there: rclpy's executor stumbles over one that vanishes
-        while it waits for it.
+        Destroy nodes and subscriptions in this way: rclpy's executor fails if one disappears while the
+        executor waits for it.
 
         Raises
         ------
@@ -173,52 +174,55 @@ class RosSession:
         """
         if self.is_spinning_thread():
             return function()
-        answer = concurrent.futures.Future()
+        future = concurrent.futures.Future()
 
         def call():
             try:
-                answer.set_result(function())
-            except Exception as error:  # noqa: BLE001  it is the caller's, who gets it
-                answer.set_exception(error)
+                future.set_result(function())
+            except Exception as error:  # noqa: BLE001  the caller receives it
+                future.set_exception(error)
 
-        if not self._running_graph().post(call):
+        if not self._running_spinner().post(call):
             raise RuntimeError("the ROS session has just stopped; RosSession.current() starts it")
-        return answer.result(timeout)
+        return future.result(timeout)
 
     def post(self, function):
-        """Has the spinning thread call a function soon, and does not wait; nothing happens when stopped."""
+        """Lets the spinning thread call a function soon, without waiting. Does nothing if stopped."""
         if self.running:
-            self._graph.post(function)
+            self._spinner.post(function)
 
     def is_spinning_thread(self):
         """Whether the caller is a callback of this session."""
-        return self._graph is not None and threading.current_thread() is self._graph.thread
+        return self._spinner is not None and threading.current_thread() is self._spinner.thread
 
-    def at_stop(self, owner, function):
-        """Has `function()` called, in the spinning thread, when the session stops; None takes it back."""
+    def on_shutdown(self, owner, callback):
+        """Lets the spinning thread call `callback()` when the session stops.
+
+        Each owner has one callback; a new one replaces it, and None removes it.
+        """
         if self.running:
-            self._graph.at_stop(owner, function)
+            self._spinner.on_shutdown(owner, callback)
 
-    def _running_graph(self):
+    def _running_spinner(self):
         if not self.running:
             raise RuntimeError("the ROS session is stopped; RosSession.current() starts it")
-        return self._graph
+        return self._spinner
 
-    def _leave_to_parent(self):
-        """In a forked child: forgets the graph without touching it; its threads live in the parent only."""
-        self._life = threading.RLock()
-        if self._graph is None or self._graph.closed:
+    def _abandon_after_fork(self):
+        """In a forked child: forgets the spinner without touching it; its threads are in the parent only."""
+        self._start_lock = threading.RLock()
+        if self._spinner is None or self._spinner.closed:
             return
-        self._forked = True
-        ctypes.pythonapi.Py_IncRef(ctypes.py_object(self._graph))
+        self._was_forked = True
+        ctypes.pythonapi.Py_IncRef(ctypes.py_object(self._spinner))
         if sys.platform == "linux":
-            # Fast DDS's static destructors crash in a process without its threads: leave before they run.
+            # Fast DDS's static destructors crash in a process without its threads: exit before they run.
             libc = ctypes.CDLL(None)
             libc.on_exit(libc._exit, None)
 
 
-class _Graph:
-    """One life of the session, from its start to its stop."""
+class _Spinner:
+    """The context, executor, node and thread of a session, from one start to the next stop."""
 
     def __init__(self):
         self.context = _new_context()
@@ -229,10 +233,10 @@ class _Graph:
         self._nodes = [self.node]
         self._lock = threading.RLock()
         self._leaving = threading.Event()
-        self._work = collections.deque()
-        self._farewells = {}
-        self._complain = Throttle()
-        # A daemon, so that a callback that never returns cannot keep the interpreter from leaving.
+        self._tasks = collections.deque()
+        self._shutdown_callbacks = {}
+        self._may_log = Throttle()
+        # A daemon thread, so that a callback that never returns cannot keep the interpreter alive.
         self.thread = threading.Thread(target=self._spin, name="imgproc_course ROS session", daemon=True)
         self.thread.start()
 
@@ -242,24 +246,24 @@ class _Graph:
 
     def leave(self):
         self._leaving.set()
-        self.post(lambda: None)  # the executor's own wake() does not bring spin_once to return
+        self.post(lambda: None)  # the executor's own wake() does not make spin_once return
 
     def post(self, function):
         with self._lock:
             if not self.closed:
-                self._work.append(function)
-                self.executor.create_task(self._do_work)
+                self._tasks.append(function)
+                self.executor.create_task(self._run_tasks)
             return not self.closed
 
-    def _do_work(self):
-        while self._work:
-            self._work.popleft()()
+    def _run_tasks(self):
+        while self._tasks:
+            self._tasks.popleft()()
 
-    def at_stop(self, owner, function):
+    def on_shutdown(self, owner, callback):
         with self._lock:
-            self._farewells.pop(id(owner), None)
-            if function is not None:
-                self._farewells[id(owner)] = function
+            self._shutdown_callbacks.pop(id(owner), None)
+            if callback is not None:
+                self._shutdown_callbacks[id(owner)] = callback
 
     def add(self, node):
         self._nodes.append(node)
@@ -277,7 +281,7 @@ class _Graph:
             while not self._leaving.is_set() and self.context.ok():
                 self._spin_once()
         except ExternalShutdownException:
-            pass  # Ctrl-C, after somebody's rclpy.init() installed ROS's own signal handlers
+            pass  # Ctrl-C, after an rclpy.init() elsewhere installed ROS's own signal handlers
         finally:
             self._leaving.set()
             self._close()
@@ -288,18 +292,18 @@ class _Graph:
         except ExternalShutdownException:
             raise
         except InvalidHandle:
-            pass  # something was destroyed between the wait and its turn; the next round knows
+            pass  # something was destroyed between the wait and its callback; the next round is in order
         except Exception:  # callbacks are other people's code, and the graph must live on
-            if self._complain():
-                log.exception("a ROS callback failed; the graph goes on")
+            if self._may_log():
+                log.exception("a ROS callback failed; the graph continues")
 
     def _close(self):
         with self._lock:
-            farewells, self._farewells = list(self._farewells.values()), {}
-        for farewell in farewells:
-            farewell()
-        with self._lock:  # from here on nobody can post
-            self._do_work()
+            callbacks, self._shutdown_callbacks = list(self._shutdown_callbacks.values()), {}
+        for callback in callbacks:
+            callback()
+        with self._lock:  # from here on no thread can post
+            self._run_tasks()
             for node in list(self._nodes):
                 self.destroy(node)
             self.executor.shutdown()
@@ -308,7 +312,7 @@ class _Graph:
 
 
 def spin_once(executor, timeout_sec=None):
-    """Executes what is ready, as `executor.spin_once`, and knows every end of ROS as one.
+    """Executes what is ready, as `executor.spin_once` does, with one exception for every shutdown of ROS.
 
     Raises
     ------
@@ -317,8 +321,8 @@ def spin_once(executor, timeout_sec=None):
     try:
         executor.spin_once(timeout_sec)
     except RCLError as error:
-        # rclpy asks whether the context lives only after the wait: one that was shut down between two rounds
-        # (by ROS's signal handlers, from their own thread) fails while the wait is prepared.
+        # rclpy checks the context only after the wait. If ROS's signal handlers shut it down between two
+        # rounds, from their own thread, then the preparation of the wait fails.
         if executor.context.ok():
             raise
         raise ExternalShutdownException from error
@@ -338,21 +342,23 @@ def _new_context():
 
 
 def _check_domain():
-    given = os.environ.get("ROS_DOMAIN_ID") or "0"
-    if not given.isdecimal() or int(given) > 232:
-        raise ValueError(f"ROS_DOMAIN_ID={given} is no ROS domain; choose 0 to 101, the same on all machines")
+    domain = os.environ.get("ROS_DOMAIN_ID") or "0"
+    if not domain.isdecimal() or int(domain) > 232:
+        raise ValueError(
+            f"ROS_DOMAIN_ID={domain} is not a ROS domain; choose 0 to 101, the same on all machines"
+        )
 
 
 @atexit.register
 def _stop_at_exit():
-    if RosSession._only is not None:
-        RosSession._only.stop()
+    if RosSession._instance is not None:
+        RosSession._instance.stop()
 
 
 def _after_fork_in_child():
-    RosSession._birth = threading.Lock()
-    if RosSession._only is not None:
-        RosSession._only._leave_to_parent()
+    RosSession._instance_lock = threading.Lock()
+    if RosSession._instance is not None:
+        RosSession._instance._abandon_after_fork()
 
 
 if hasattr(os, "register_at_fork"):

@@ -1,4 +1,4 @@
-"""The whole graph for a long time: camera, both nodes, a notebook. Is anything lost, does anything grow?"""
+"""Runs camera, both nodes and a notebook for a long time, and reports what is lost and what grows."""
 
 import json
 import os
@@ -20,181 +20,178 @@ from imgproc_course.ros.camera import TOPIC
 from imgproc_course.ros.session import RosSession
 from imgproc_course.ros.subscriber import ImageSubscriber
 
-NODES = {"image_gray_processor": "gray", "image_edge_detection": "edges"}  # node -> the output that is heard
-SAMPLES = 200  # of each process, however long the run
-PATIENCE = 60.0  # seconds that a process may take to start
-# Memory comes and goes by the working arrays of one picture (Canny's: 9 MiB), whichever moment is sampled;
-# to keep one picture in 200 is 250 MB in 10 minutes.
+NODES = {"image_gray_processor": "gray", "image_edge_detection": "edges"}  # node -> its subscribed output
+SAMPLES = 200  # per process, however long the run
+START_TIMEOUT = 60.0  # seconds that a process may take to start, or to end
+# Memory varies by the working arrays of one image (Canny's: 9 MiB), depending on the moment of the sample.
+# A leak of one image in 200 would add 250 MB in 10 minutes.
 MEMORY_SLACK = 20 << 20
 _PLAY = "import sys; from imgproc_course.ros.player import play; sys.exit(play(topic={!r}, speed={!r}))"
 _RUN = "import sys; sys.path.insert(0, {!r}); from {name}.{name} import main; sys.exit(main())"
 
 
 def soak(minutes=10.0, speed=3.0, *, warm_up=25.0, say=print):
-    """Runs the graph on topics of its own, and judges it.
+    """Runs the graph on its own topics, and reports losses and growth.
 
     Parameters
     ----------
-    minutes : how long, after the warm-up
-    speed : times the drive's own 10 Hz
-    warm_up : seconds before anything counts: processes start, buffers fill
-    say : function of one line, for what happens meanwhile
+    minutes : duration after the warm-up
+    speed : factor on the drive's own 10 Hz
+    warm_up : seconds that are not measured: processes start, buffers fill
+    say : function of one line, which prints the progress
 
     Returns
     -------
-    int, the exit code: 0, or 1 when a picture was lost or failed, memory, threads or open files grew, or a
-    process ended; Ctrl-C ends the run and judges what there is, or is 130 where nothing was measured yet
+    int, the exit code: 0; 1 if an image was lost or failed, if memory, threads or open files grew, or if a
+    process ended. Ctrl-C ends the run and reports what was measured, or returns 130 if nothing was
 
     Raises
     ------
-    ValueError : a length, speed or warm-up that is none; the two packages are nowhere
+    ValueError : a bad duration, speed or warm-up, or the two packages are not found
     """
     for name, number in (("minutes", minutes), ("speed", speed)):
         if not 0 < number < float("inf"):
             raise ValueError(f"{name} must be a positive number, got {number!r}")
     if not 0 <= warm_up < float("inf"):
         raise ValueError(f"the warm-up must be 0 or more seconds, got {warm_up!r}")
-    graph = _Graph(speed, say)
-    # Ended by SIGTERM like by Ctrl-C, so that no camera and no node is left behind.
-    former = signal.signal(signal.SIGTERM, signal.default_int_handler)
+    soak_run = _SoakRun(speed, say)
+    # SIGTERM ends the run as Ctrl-C does, so that no camera and no node keeps running.
+    previous_handler = signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
-        graph.start()
-        graph.run(warm_up)
-        if graph.is_whole:
-            graph.forget()
-            say(f"warm after {warm_up:g} s; {minutes:g} minutes from now on (Ctrl-C ends them)")
-            graph.run(minutes * 60)
-            graph.catch_up()
+        soak_run.start()
+        soak_run.watch(warm_up)
+        if not soak_run.problems:
+            soak_run.end_warm_up()
+            say(f"warm after {warm_up:g} s; measuring {minutes:g} minutes (Ctrl-C ends it)")
+            soak_run.watch(minutes * 60)
+            soak_run.wait_for_statistics()
     except KeyboardInterrupt:
-        if not graph.is_warm:
+        if not soak_run.is_warm:
             say("ended by Ctrl-C during the warm-up: nothing was measured")
             return 130
         say("ended by Ctrl-C")
     finally:
-        graph.stop()
-        signal.signal(signal.SIGTERM, former)
-    return graph.report()
+        soak_run.stop()
+        signal.signal(signal.SIGTERM, previous_handler)
+    return soak_run.report()
 
 
-class _Graph:
-    """Camera, nodes and subscribers, and what was seen of them."""
+class _SoakRun:
+    """Camera, nodes and subscribers of one run, and what was measured."""
 
     def __init__(self, speed, say):
         self._say = say
         self._namespace = f"/soak_{os.getpid()}"
         self._topic = f"{self._namespace}/image_raw"
-        rename = ["--ros-args", "-r", f"{TOPIC}:={self._topic}", "-r", f"__ns:={self._namespace}"]
+        remapping = ["--ros-args", "-r", f"{TOPIC}:={self._topic}", "-r", f"__ns:={self._namespace}"]
         self._commands = {"camera": [sys.executable, "-c", _PLAY.format(self._topic, speed)]}
-        self._commands |= {name: [*_command(name), *rename] for name in NODES}
-        self._processes, self._watched, self._subscribers, self._before = {}, {}, {}, {}
-        self._said = dict.fromkeys(self._commands, b"")  # the end of what each wrote to stderr
-        self._numbers = {}
-        self._problems = []
+        self._commands |= {name: [*_command(name), *remapping] for name in NODES}
+        self._processes, self._samples, self._subscribers, self._counts_before = {}, {}, {}, {}
+        self._stderr = dict.fromkeys(self._commands, b"")  # the end of each process's stderr
+        self._statistics = {}
         self._seconds = 0.0
+        self.problems = []
         self.is_warm = False
-
-    @property
-    def is_whole(self):
-        return not self._problems
 
     def start(self):
         for name, command in self._commands.items():
-            # In a session of their own, so that Ctrl-C on the terminal is ours alone.
+            # In their own process sessions, so that Ctrl-C in the terminal reaches this process only.
             self._processes[name] = subprocess.Popen(
                 command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, start_new_session=True
             )
             os.set_blocking(self._processes[name].stderr.fileno(), False)
         self._session = RosSession.current()
-        self._watched = {name: _Watched(process.pid) for name, process in self._processes.items()}
-        self._watched["notebook"] = _Watched(os.getpid())
+        self._samples = {name: _ProcessSamples(process.pid) for name, process in self._processes.items()}
+        self._samples["notebook"] = _ProcessSamples(os.getpid())
         for name, output in NODES.items():
-            topic = f"{self._namespace}/{name}/{output}"
-            # As a live view does: every frame becomes a JPEG.
-            self._subscribers[name] = ImageSubscriber(topic, _as_jpeg, encoding="passthrough")
-            self._session.node.create_subscription(
-                String,
-                f"{self._namespace}/{name}/statistics",
-                lambda msg, name=name: self._numbers.update({name: json.loads(msg.data)}),
-                1,
-            )
+            self._subscribe(name, output)
         subscribers = self._subscribers.values()
-        self._wait(lambda: all(subscriber.received for subscriber in subscribers), "no picture came")
-        self._wait(lambda: len(self._numbers) == len(NODES), "no statistics came")
+        self._wait(lambda: all(subscriber.received for subscriber in subscribers), "no image arrived")
+        self._wait(lambda: len(self._statistics) == len(NODES), "no statistics arrived")
 
-    def _wait(self, condition, otherwise):
-        end = time.monotonic() + PATIENCE
-        while not condition() and not self._problems:
+    def _subscribe(self, name, output):
+        topic = f"{self._namespace}/{name}/{output}"
+        # Every frame is compressed, as a live view does.
+        self._subscribers[name] = ImageSubscriber(topic, _compress, encoding="passthrough")
+        self._session.node.create_subscription(
+            String,
+            f"{self._namespace}/{name}/statistics",
+            lambda msg: self._statistics.update({name: json.loads(msg.data)}),
+            1,
+        )
+
+    def _wait(self, condition, problem):
+        end = time.monotonic() + START_TIMEOUT
+        while not condition() and not self.problems:
             if time.monotonic() > end:
-                self._problems.append(f"{otherwise} within {PATIENCE:g} s")
-            self._look_for_ends()
+                self.problems.append(f"{problem} within {START_TIMEOUT:g} s")
+            self._check_processes()
             time.sleep(0.05)
 
-    def run(self, seconds):
-        """Watches for so long, or until something has ended."""
-        began = time.monotonic()
-        told = began
+    def watch(self, seconds):
+        """Takes samples for so many seconds, or until a process has ended."""
+        start = last_line = time.monotonic()
         pause = max(0.2, seconds / SAMPLES)
         self._seconds = 0.0
-        while self._seconds < seconds and not self._problems:
+        while self._seconds < seconds and not self.problems:
             time.sleep(min(pause, seconds - self._seconds))
-            self._seconds = time.monotonic() - began
-            self._look_for_ends()
-            for watched in self._watched.values():
-                watched.sample()
-            if time.monotonic() - told > max(10.0, seconds / 10):
-                told = time.monotonic()
-                self._say(f"{told - began:.0f} s: {self._line()}")
+            self._seconds = time.monotonic() - start
+            self._check_processes()
+            for samples in self._samples.values():
+                samples.take()
+            if time.monotonic() - last_line > max(10.0, seconds / 10):
+                last_line = time.monotonic()
+                self._say(f"{last_line - start:.0f} s: {self._progress()}")
 
-    def _look_for_ends(self):
+    def _check_processes(self):
         for name, process in self._processes.items():
-            code = process.poll()  # before the pipe is read: what it said last is in there
-            self._said[name] = (self._said[name] + (process.stderr.read() or b""))[-4000:]
-            if code is not None and not self._problems:
-                said = self._said[name].decode(errors="replace").strip().splitlines()
-                self._problems.append(f"{name} ended with code {code}: {' / '.join(said[-2:])}")
+            code = process.poll()  # before the pipe is read: it holds the last lines of the process
+            self._stderr[name] = (self._stderr[name] + (process.stderr.read() or b""))[-4000:]
+            if code is not None and not self.problems:
+                lines = self._stderr[name].decode(errors="replace").strip().splitlines()
+                self.problems.append(f"{name} ended with code {code}: {' / '.join(lines[-2:])}")
 
-    def _line(self):
-        return "; ".join(f"{name} {self._frames(name)} frames, {self._losses(name)} lost" for name in NODES)
+    def _progress(self):
+        parts = []
+        for name in NODES:
+            counts = self._counts_since_warm_up(name)
+            frames = counts.pop("frames")
+            parts.append(f"{name} {frames} frames, {sum(counts.values())} lost")
+        return "; ".join(parts)
 
-    def forget(self):
-        """What came so far does not count."""
+    def end_warm_up(self):
+        """Discards what was measured so far."""
         self.is_warm = True
-        for watched in self._watched.values():
-            watched.samples.clear()
-        self._before = {name: self._counts(name) for name in NODES}
+        for samples in self._samples.values():
+            samples.clear()
+        self._counts_before = {name: self._counts(name) for name in NODES}
 
-    def catch_up(self):
-        """Waits for statistics that are newer than the last picture that counts."""
-        self._numbers.clear()
-        self._wait(lambda: len(self._numbers) == len(NODES), "no statistics came")
+    def wait_for_statistics(self):
+        """Waits for statistics that include the last image of the run."""
+        self._statistics.clear()
+        self._wait(lambda: len(self._statistics) == len(NODES), "no statistics arrived")
 
     def _counts(self, name):
-        numbers = self._numbers.get(name, {})
+        node_statistics = self._statistics.get(name, {})
         subscriber = self._subscribers[name]
         return {
-            "frames": numbers.get("processed", 0),
-            "lost before the node": numbers.get("lost") or 0,
-            "failed": numbers.get("failed", 0) + subscriber.failed,
+            "frames": node_statistics.get("processed", 0),
+            "lost before the node": node_statistics.get("lost") or 0,
+            "failed": node_statistics.get("failed", 0) + subscriber.failed,
             "lost before the notebook": subscriber.dropped or 0,
         }
 
-    def _since(self, name):
-        before = self._before.get(name, {})
-        return {what: number - before.get(what, 0) for what, number in self._counts(name).items()}
-
-    def _frames(self, name):
-        return self._since(name)["frames"]
-
-    def _losses(self, name):
-        return sum(number for what, number in self._since(name).items() if what != "frames")
+    def _counts_since_warm_up(self, name):
+        before = self._counts_before.get(name, {})
+        return {key: count - before.get(key, 0) for key, count in self._counts(name).items()}
 
     def stop(self):
-        self._final = {name: self._since(name) for name in self._subscribers}
+        self._final_counts = {name: self._counts_since_warm_up(name) for name in self._subscribers}
         for process in self._processes.values():
             process.terminate()
         for process in self._processes.values():
             try:
-                process.wait(PATIENCE)
+                process.wait(START_TIMEOUT)
             except subprocess.TimeoutExpired:
                 process.kill()
                 process.wait()
@@ -202,87 +199,98 @@ class _Graph:
         RosSession().stop()
 
     def report(self):
-        """Prints what was seen, and returns the exit code."""
+        """Prints the measurements, and returns the exit code."""
         table = Table(title=f"{self._seconds:.0f} s, {self._topic}", title_justify="left")
         for column in ("process", "frames", "lost", "failed", "memory MiB", "threads", "files"):
             table.add_column(column, justify="left" if column == "process" else "right")
-        for name, watched in self._watched.items():
-            counts = self._final.get(name)
-            lost = counts and counts["lost before the node"] + counts["lost before the notebook"]
-            shown = [counts["frames"], lost, counts["failed"]] if counts else ["", "", ""]
-            table.add_row(name, *map(str, shown), *watched.spans())
+        for name, samples in self._samples.items():
+            table.add_row(name, *self._count_cells(name), *samples.ranges())
         Console(width=110).print(table)
-        problems = list(self._problems)
-        for name, counts in self._final.items():
-            if not counts.pop("frames"):
-                problems.append(f"{name}: no frame was processed")
-            problems += [f"{name}: {number} {what}" for what, number in counts.items() if number]
-        for name, watched in self._watched.items():
-            problems += [f"{name}: {growth}" for growth in watched.growth()]
+        problems = [*self.problems, *self._count_problems()]
+        for name, samples in self._samples.items():
+            problems += [f"{name}: {growth}" for growth in samples.growth()]
         for problem in problems:
             self._say(problem)
-        self._say("something was lost, or grew" if problems else "no loss, no growth")
+        self._say("something was lost or grew" if problems else "no loss, no growth")
         return 1 if problems else 0
 
+    def _count_cells(self, name):
+        counts = self._final_counts.get(name)
+        if not counts:
+            return ["", "", ""]
+        lost = counts["lost before the node"] + counts["lost before the notebook"]
+        return [str(counts["frames"]), str(lost), str(counts["failed"])]
 
-class _Watched:
-    """Memory, threads and open files of a process, sampled."""
+    def _count_problems(self):
+        for name, counts in self._final_counts.items():
+            if not counts["frames"]:
+                yield f"{name}: no frame was processed"
+            for key, count in counts.items():
+                if key != "frames" and count:
+                    yield f"{name}: {count} {key}"
+
+
+class _ProcessSamples:
+    """Samples of a process: (own memory in bytes, threads, open files)."""
 
     def __init__(self, pid):
         self._process = psutil.Process(pid)
-        self.samples = []
+        self.values = []
 
-    def sample(self):
+    def take(self):
         try:
             with self._process.oneshot():
                 memory = self._process.memory_info()
-                # Without what is shared: DDS's shared-memory segment fills up with use, and has a fixed size.
+                # Without shared memory: DDS's segment fills up with use, and its size is fixed.
                 own = memory.rss - getattr(memory, "shared", 0)
-                self.samples.append((own, self._process.num_threads(), self._process.num_fds()))
+                self.values.append((own, self._process.num_threads(), self._process.num_fds()))
         except psutil.NoSuchProcess:
-            pass  # the graph notices by itself
+            pass  # the run notices this by itself
 
-    def spans(self):
-        """For the table: first and last of each."""
-        if not self.samples:
+    def clear(self):
+        self.values.clear()
+
+    def ranges(self):
+        """For the table: the first and the last value of memory, threads and files."""
+        if not self.values:
             return ["", "", ""]
         early, late = self._early_and_late()
         pairs = zip((early[0] >> 20, *early[1:]), (late[0] >> 20, *late[1:]), strict=True)
-        return [f"{before} → {now}" for before, now in pairs]
+        return [f"{before} → {after}" for before, after in pairs]
 
     def growth(self):
-        """What is more in the last quarter than in the first: one line each."""
-        if not self.samples:
+        """Yields one line for each value that is larger in the last quarter than in the first."""
+        if not self.values:
             return
         early, late = self._early_and_late()
         if late[0] - early[0] > MEMORY_SLACK:
             yield f"memory grew by {(late[0] - early[0]) / (1 << 20):.1f} MiB"
-        for what, before, now in zip(("threads", "open files"), early[1:], late[1:], strict=True):
-            if now > before:
-                yield f"{what} grew from {before} to {now}"
+        for name, before, after in zip(("threads", "open files"), early[1:], late[1:], strict=True):
+            if after > before:
+                yield f"{name} grew from {before} to {after}"
 
     def _early_and_late(self):
-        quarter = max(1, len(self.samples) // 4)
+        quarter = max(1, len(self.values) // 4)
         return tuple(
             tuple(int(statistics.median_high(column)) for column in zip(*part, strict=True))
-            for part in (self.samples[:quarter], self.samples[-quarter:])
+            for part in (self.values[:quarter], self.values[-quarter:])
         )
 
 
-def _as_jpeg(frame, msg):
+def _compress(frame, msg):
     cv2.imencode(".jpg", frame)
 
 
 def _command(name):
-    """How a node is started: as installed in a sourced workspace, else from the sources of this checkout."""
+    """The command that starts a node: installed in a sourced workspace, or from this checkout's sources."""
     for prefix in filter(None, os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep)):
-        installed = Path(prefix) / "lib" / name / name
-        if installed.is_file():
-            return [str(installed)]
+        executable = Path(prefix) / "lib" / name / name
+        if executable.is_file():
+            return [str(executable)]
     sources = Path(imgproc_course.__file__).parents[1] / "environment" / "ros2_ws" / "src" / name
     if not sources.is_dir():
         raise ValueError(
-            f"the package {name} is nowhere; source a workspace in which it is built (install/setup.bash), "
+            f"the package {name} is not found; source a workspace in which it is built (install/setup.bash), "
             "or run this in a checkout of the course"
         )
     return [sys.executable, "-c", _RUN.format(str(sources), name=name)]

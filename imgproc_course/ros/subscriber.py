@@ -17,11 +17,12 @@ from rclpy.qos import (
 from sensor_msgs.msg import CompressedImage, Image
 
 from imgproc_course.messages import ConversionError, compressed_to_array, encoding_info, image_to_array
+from imgproc_course.ros.diagnostics import explain_missing_messages
+from imgproc_course.ros.loss_counter import LossCounter
 from imgproc_course.ros.session import RCLError, RosSession, Throttle, log
-from imgproc_course.ros.silence import why_nothing_came
 
 # What cameras offer (rclpy.qos.qos_profile_sensor_data): a late frame is worth nothing, so a lost one is not
-# sent again. A reliable subscriber would hear nothing from such a publisher.
+# sent again. A reliable subscription would receive nothing from such a publisher.
 QOS = {
     "sensor_data": QoSProfile(
         history=HistoryPolicy.KEEP_LAST,
@@ -35,46 +36,46 @@ RATE_WINDOW = 2.0  # seconds over which the rate is measured
 
 _QOS_REMEDIES = {
     QoSPolicyKind.RELIABILITY: (
-        'this subscriber asks for RELIABLE, the publisher offers BEST_EFFORT; use qos="sensor_data"'
+        'this subscription requests RELIABLE, the publisher offers BEST_EFFORT; use qos="sensor_data"'
     ),
     QoSPolicyKind.DURABILITY: (
-        "this subscriber asks for TRANSIENT_LOCAL (old messages too), the publisher offers VOLATILE "
+        "this subscription requests TRANSIENT_LOCAL (old messages too), the publisher offers VOLATILE "
         '(new ones only); use qos="sensor_data"'
     ),
 }
 
 
 class ImageSubscriber:
-    """Subscribes to pictures and keeps the newest one, as a frame.
+    """Subscribes to images and keeps the newest one, as a frame.
 
     Parameters
     ----------
-    topic : sensor_msgs/Image, or sensor_msgs/CompressedImage where it ends in /compressed or /compressedDepth
-    on_image : function(frame, msg), called for every frame in ROS's thread: keep it shorter than the camera's
-        period, or iterate instead, which skips to the newest frame
-    qos : "sensor_data" (best effort, depth 5: what cameras offer), "reliable" (what a plain 10 means: hears
-        nothing of a best-effort camera), or an rclpy QoSProfile
-    encoding : what the frames shall be; "passthrough" for as sent (then a read-only view of the message)
+    topic : sensor_msgs/Image, or sensor_msgs/CompressedImage if it ends in /compressed or /compressedDepth
+    on_image : function(frame, msg), called for every frame in ROS's thread. It must be faster than the
+        camera's period; if it is not, iterate over the subscriber instead, which skips to the newest frame
+    qos : "sensor_data" (best effort, depth 5: what cameras offer), "reliable" (what a plain 10 means; it
+        receives nothing from a best-effort camera), or an rclpy QoSProfile
+    encoding : of the frames; "passthrough" keeps the encoding of the message and gives a read-only view of it
 
     Attributes
     ----------
     received : messages that arrived
-    failed : those that did not convert, or on which `on_image` raised; they are logged and skipped
-    last_error : what the last of those failed on, in one line; None
-    dropped : messages lost on the way, or overwritten while ROS's thread was busy, by the gaps in the
-        publisher's own count; None where the middleware does not count, or while several publish the topic
-    skipped : frames that a loop over this subscriber passed over to get to the newest
-    incompatible_qos : what does not match, with the remedy; None
-    measured_rate : frames a second, by time of arrival, over the last two seconds
+    failed : messages that could not be converted, or for which `on_image` raised; they are logged and skipped
+    last_error : why the last of those failed, in one line; None
+    dropped : messages lost on the way, or overwritten while ROS's thread was busy, by the publisher's own
+        numbers; None if the middleware does not number them, or while several nodes publish the topic
+    skipped : frames that a loop over this subscriber skipped to get to the newest
+    incompatible_qos : the QoS policy that does not match, with the remedy; None
+    measured_rate : frames per second that arrived during the last two seconds
 
-    Any thread may use it. It stops with `.stop()`, at the end of its `with`, with the RosSession, or when
-    nobody holds it any more. One with an `on_image` is held until it is stopped; in a notebook, another one
-    on the same topic with a function of the same name replaces it, so that running a cell again does not
-    call the function twice.
+    Any thread may use it. It stops with `.stop()`, at the end of its `with`, with the RosSession, or when no
+    reference to it is left. A subscriber with an `on_image` is kept alive until it is stopped. In a notebook,
+    a new one on the same topic with a function of the same name replaces it, so that a cell that runs again
+    does not call the function twice.
 
     Raises
     ------
-    ValueError : no topic name, no such qos, no such encoding
+    ValueError : not a topic name, an unknown qos or encoding
 
     Examples
     --------
@@ -82,22 +83,20 @@ class ImageSubscriber:
     ...     frame = subscriber.wait()
     """
 
-    _held = {}  # noqa: RUF012  key -> subscriber with an on_image
+    _subscribers = {}  # noqa: RUF012  key -> subscriber with an on_image, which keeps it alive
 
     def __init__(self, topic, on_image=None, *, qos="sensor_data", encoding="bgr8"):
         if encoding != "passthrough":
             encoding_info(encoding)
-        self.qos = _qos(qos)
+        self.qos = _qos_profile(qos)
         self.encoding = encoding
         self._on_image = on_image
         self._change = threading.Condition()
         self._arrivals = collections.deque()
-        self._complain = Throttle()
+        self._may_log = Throttle()
         self._latest = (None, None)
         self._converted = 0
-        self._sequence = None
-        self._counts = True
-        self._dropped = 0
+        self._losses = LossCounter()
         self._stopped = False
         self._key = None
         self.received = self.failed = self.skipped = 0
@@ -108,14 +107,14 @@ class ImageSubscriber:
         self.message_type = CompressedImage if is_compressed else Image
         self._convert = compressed_to_array if is_compressed else image_to_array
         if on_image is not None:
-            self._replace_former()
+            self._replace_previous()
         self._subscription = subscription = self._subscribe()
-        self.session.at_stop(subscription, _weak(self.stop))
+        self.session.on_shutdown(subscription, _weak(self.stop))
         self._finalizer = weakref.finalize(self, _unsubscribe, self.session, self.session.node, subscription)
-        self._finalizer.atexit = False  # the session sees to that
+        self._finalizer.atexit = False  # the session destroys the subscription then
 
     def _subscribe(self):
-        # Weak, so that a subscriber that nobody holds any more goes, and its subscription with it.
+        # Weak references, so that an unused subscriber is deleted, and its subscription with it.
         events = SubscriptionEventCallbacks(
             incompatible_qos=_weak(self._on_incompatible_qos), matched=_weak(self._on_matched)
         )
@@ -129,22 +128,22 @@ class ImageSubscriber:
                 event_callbacks=events,
             )
         except RCLError as error:
-            kind = self.message_type.__name__
             raise ValueError(
-                f"{self.topic} cannot be subscribed as {kind}: this process has it with another type; "
-                "pictures come as Image, and as CompressedImage where the name ends in /compressed"
+                f"cannot subscribe to {self.topic} as {self.message_type.__name__}: this process already "
+                "uses the topic with another type; images come as Image, or as CompressedImage if the name "
+                "ends in /compressed"
             ) from error
 
-    def _replace_former(self):
+    def _replace_previous(self):
         function = getattr(self._on_image, "__func__", self._on_image)
-        # Only what a notebook or script defines: running a cell again makes no module's function anew.
+        # Only functions of a notebook or script: a cell that runs again redefines no function of a module.
         in_notebook = getattr(function, "__module__", None) == "__main__"
         name = getattr(function, "__qualname__", repr(function))
         self._key = (self.topic, name) if in_notebook else id(self)
-        former = self._held.get(self._key)
-        self._held[self._key] = self
-        if former is not None:
-            former.stop()
+        previous = self._subscribers.get(self._key)
+        self._subscribers[self._key] = self
+        if previous is not None:
+            previous.stop()
             log.warning("replaced the subscriber that called %s on %s", name, self.topic)
 
     def latest(self):
@@ -152,7 +151,7 @@ class ImageSubscriber:
         return self._latest[0]
 
     def latest_message(self):
-        """The newest message that converted, or None before the first."""
+        """The newest message that could be converted, or None before the first."""
         return self._latest[1]
 
     def wait(self, timeout=5.0):
@@ -164,14 +163,14 @@ class ImageSubscriber:
 
         Raises
         ------
-        TimeoutError : none came; the text says why (nobody publishes, QoS does not match, frames do not
-            convert, ...) and the remedy
-        RuntimeError : the subscriber is stopped, or the caller is a ROS callback, during which none can come
+        TimeoutError : no frame arrived. The text gives the reason (no publisher, an incompatible QoS policy,
+            frames that cannot be converted, ...) and the remedy
+        RuntimeError : the subscriber is stopped, or the caller is a ROS callback; no frame can arrive then
         """
         return self._wait(timeout)[0]
 
     def wait_message(self, timeout=5.0):
-        """The message of a frame that arrives after this call; raises as `wait` does."""
+        """The message of a frame that arrives after this call; raises the same errors as `wait`."""
         return self._wait(timeout)[1]
 
     def _wait(self, timeout):
@@ -180,29 +179,43 @@ class ImageSubscriber:
                 "no frame can arrive while a ROS callback waits for it; use on_image or latest()"
             )
         with self._change:
-            seen, failed = self._converted, self.failed
-            self._change.wait_for(self._newer_than(seen), timeout)
-            if self._converted > seen:
+            converted_before, failed_before = self._converted, self.failed
+            self._change.wait_for(self._is_newer_than(converted_before), timeout)
+            if self._converted > converted_before:
                 return self._latest
-        if self._stopped:
+        node = self.session.node
+        if self._stopped or node is None:
             raise RuntimeError(f"the subscriber of {self.topic} is stopped; make a new ImageSubscriber")
-        raise TimeoutError(why_nothing_came(self, timeout, self.failed - failed))
+        raise TimeoutError(
+            explain_missing_messages(
+                node,
+                self.topic,
+                self.message_type,
+                self.qos,
+                seconds=timeout,
+                matched=self.matched,
+                received=self.received,
+                failed=self.failed - failed_before,
+                last_error=self.last_error,
+                incompatible_qos=self.incompatible_qos,
+            )
+        )
 
     def __iter__(self):
-        """Yields each new frame; when several came meanwhile, the newest. Ends when the subscriber stops."""
-        seen = self._converted
+        """Yields new frames; if several came meanwhile, only the newest. Ends when the subscriber stops."""
+        count = self._converted
         while True:
             with self._change:
-                self._change.wait_for(self._newer_than(seen))
-                if self._converted == seen:
+                self._change.wait_for(self._is_newer_than(count))
+                if self._converted == count:
                     return
-                self.skipped += self._converted - seen - 1
-                seen = self._converted
+                self.skipped += self._converted - count - 1
+                count = self._converted
                 frame = self._latest[0]
             yield frame
 
-    def _newer_than(self, seen):
-        return lambda: self._converted > seen or self._stopped
+    def _is_newer_than(self, count):
+        return lambda: self._converted > count or self._stopped
 
     @property
     def measured_rate(self):
@@ -214,11 +227,11 @@ class ImageSubscriber:
 
     @property
     def dropped(self):
-        return self._dropped if self._counts else None
+        return self._losses.lost
 
     @property
     def matched(self):
-        """How many publishers this subscriber hears, QoS and type agreeing."""
+        """The number of publishers whose QoS and type match this subscription."""
         return 0 if self._stopped else self._subscription.get_publisher_count()
 
     @property
@@ -227,12 +240,12 @@ class ImageSubscriber:
         return self._stopped
 
     def stop(self):
-        """Ends the subscription, and every wait and loop over it. A second stop does nothing."""
+        """Ends the subscription, and every wait and loop over it. A second call does nothing."""
         with self._change:
             self._stopped = True
             self._change.notify_all()
-        if self._held.get(self._key) is self:
-            del self._held[self._key]
+        if self._subscribers.get(self._key) is self:
+            del self._subscribers[self._key]
         self._finalizer()
 
     def __enter__(self):
@@ -250,11 +263,11 @@ class ImageSubscriber:
             return
         with self._change:
             self.received += 1
-            self._count_gap(info.get("publication_sequence_number"))
+            self._losses.receive(info.get("publication_sequence_number"))
         try:
             frame = self._convert(msg, self.encoding)
         except ConversionError as error:
-            self._fail(f"a message of {self.topic} does not convert: {error}")
+            self._count_failure(f"a message of {self.topic} cannot be converted: {error}")
             return
         with self._change:
             self._latest = (frame, msg)
@@ -269,65 +282,56 @@ class ImageSubscriber:
         try:
             self._on_image(frame, msg)
         except Exception as error:  # noqa: BLE001  it is the learner's code; the graph must live on
-            where = traceback.extract_tb(error.__traceback__)[-1]
-            what = traceback.format_exception_only(error)[-1].strip()
-            self._fail(f"on_image failed in line {where.lineno} ({where.line}): {what}")
+            location = traceback.extract_tb(error.__traceback__)[-1]
+            text = traceback.format_exception_only(error)[-1].strip()
+            self._count_failure(f"on_image failed in line {location.lineno} ({location.line}): {text}")
 
-    def _fail(self, text):
+    def _count_failure(self, text):
         with self._change:
             self.failed += 1
             self.last_error = text
-        if self._complain():
+        if self._may_log():
             log.warning("%s (skipped; %d failed so far)", text, self.failed)
-
-    def _count_gap(self, sequence):
-        """The publisher numbers its messages; a number left out is a message that never came."""
-        if not sequence:
-            self._counts = False
-        elif self._counts and self._sequence is not None and sequence > self._sequence:
-            self._dropped += sequence - self._sequence - 1
-        self._sequence = sequence
 
     def _on_matched(self, event):
         with self._change:
-            self._sequence = None  # another publisher counts anew
-            self._counts = event.current_count <= 1
+            self._losses.set_publishers(event.current_count)
 
     def _on_incompatible_qos(self, event):
         remedy = _QOS_REMEDIES.get(
             event.last_policy_kind,
-            f"the policy {event.last_policy_kind.name} differs; compare both sides' QoS",
+            f"the policy {event.last_policy_kind.name} differs; compare the QoS profiles of both sides",
         )
-        text = f"{self.topic} is published with a QoS that does not match: {remedy}"
+        text = f"{self.topic} is published with an incompatible QoS policy: {remedy}"
         if text != self.incompatible_qos:
             self.incompatible_qos = text
             log.warning("%s", text)
 
     def _forget_old_arrivals(self):
-        horizon = time.monotonic() - RATE_WINDOW
-        while self._arrivals and self._arrivals[0] < horizon:
+        oldest = time.monotonic() - RATE_WINDOW
+        while self._arrivals and self._arrivals[0] < oldest:
             self._arrivals.popleft()
 
 
-def _qos(qos):
+def _qos_profile(qos):
     if isinstance(qos, QoSProfile):
         return qos
     if not isinstance(qos, str) or qos not in QOS:
-        raise ValueError(f"qos {qos!r} is neither 'sensor_data' nor 'reliable' nor an rclpy.qos.QoSProfile")
+        raise ValueError(f"qos must be 'sensor_data', 'reliable' or an rclpy.qos.QoSProfile, got {qos!r}")
     return QOS[qos]
 
 
 def _weak(method):
-    """A function that calls the method for as long as its object lives."""
+    """A function that calls the method as long as its object exists."""
     reference = weakref.WeakMethod(method)
 
     def call(*arguments):
-        alive = reference()
-        return alive(*arguments) if alive is not None else None
+        bound_method = reference()
+        return bound_method(*arguments) if bound_method is not None else None
 
     return call
 
 
 def _unsubscribe(session, node, subscription):
-    session.at_stop(subscription, None)
+    session.on_shutdown(subscription, None)
     session.post(lambda: node.destroy_subscription(subscription))

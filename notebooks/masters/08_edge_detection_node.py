@@ -76,12 +76,15 @@ def check_thresholds(low, high, sigma):
 
 # %%
 if ros_available():
-    from imgproc_course.ros import Setting
+    from imgproc_course.ros import NumericParameter
 
-    settings = [
-        Setting("low", 50, 0, 1530, "weak edge pixels are above it; L1 magnitude of the Sobel gradient"),
-        Setting("high", 150, 0, 1530, "strong edge pixels are above it; L1 magnitude of the Sobel gradient"),
-        Setting("sigma", 0.0, 0.0, 10.0, "blur before, in pixels"),
+    from imgproc_course.ros import NumericParameter
+
+    parameters = [
+        NumericParameter("low", 50, 0, 1530, "weak edge pixels are above it; L1 magnitude of the Sobel gradient"),
+        NumericParameter("high", 150, 0, 1530, "strong edge pixels are above it; L1 magnitude of the Sobel gradient"),
+        NumericParameter("sigma", 0.0, 0.0, 10.0, "standard deviation of the Gaussian blur, in pixels"),
+    ]
     ]
 
 # %% tags=["nbval-ignore-output", "long"]
@@ -91,7 +94,7 @@ if ros_available():
     session = RosSession.current()
     camera = open_camera("recording")
     node = session.add_node(
-        ImageProcessor("edges_by_hand", find_edges, ["gray", "edges"], settings=settings,
+        ImageProcessor("edges_by_hand", find_edges, ["gray", "edges"], parameters=parameters,
                        check=check_thresholds, context=session.context)
     )
     edge_frames = ImageSubscriber("/edges_by_hand/edges", encoding="mono8")

@@ -1,8 +1,8 @@
-"""Both nodes on 1280×720 at 30 Hz, the camera in another process, beside the original lesson's node bodies.
+"""Both nodes on 1280×720 at 30 Hz, the camera in another process, compared with the original lesson's nodes.
 
-For each: pictures sent; processed (results by the node's own count: all that were delivered to it); results
-delivered here; and the time from the stamp of a picture to the publication of its result. The lesson's bodies
-are a plain callback with a plain conversion and OpenCV's own functions; they publish too, for equal work.
+For each node: images sent; images processed (results by the node's own numbers, which are all images that
+reached it); results delivered here; and the time from the stamp of an image to the publication of its result.
+The lesson's callbacks use a plain conversion and OpenCV's functions; they publish too, so the work is equal.
 
 Run it with `environment/test --benchmarks nodes`; SECONDS=60 in the environment makes each run longer.
 """
@@ -27,10 +27,10 @@ OURS = (
     "import sys; from imgproc_course.ros.soak import _command; import os;"
     "command = _command({!r}); os.execvp(command[0], command)"
 )
-# What the lesson's page shows, with its imshow replaced by a publisher.
+# The callback of the lesson's page, with a publisher instead of imshow.
 LESSON = """
 import sys, time
-import imgproc_course.ros  # the DDS profile, so that the same pictures arrive
+import imgproc_course.ros  # chooses the DDS profile, so that the same images arrive
 import cv2, numpy as np, rclpy
 from rclpy.node import Node
 from rclpy.qos import QoSProfile, ReliabilityPolicy, DurabilityPolicy
@@ -50,10 +50,10 @@ class Lesson(Node):
         result = cv2.cvtColor(frame, cv2.COLOR_RGB2GRAY)
         if CANNY:
             result = cv2.Canny(result, 50, 150)
-        answer = Image(header=msg.header, height=msg.height, width=msg.width, step=msg.width)
-        answer.encoding = "mono8"
-        answer.data.frombytes(result.data)
-        self.sender.publish(answer)
+        output = Image(header=msg.header, height=msg.height, width=msg.width, step=msg.width)
+        output.encoding = "mono8"
+        output.data.frombytes(result.data)
+        self.sender.publish(output)
 
 rclpy.init()
 node = Lesson()
@@ -62,13 +62,13 @@ try:
 except (KeyboardInterrupt, rclpy.executors.ExternalShutdownException):
     pass
 """
-WAYS = {
-    "gray, the lesson's body": ([sys.executable, "-c", LESSON, "gray"], "/lesson/result"),
+COMMANDS = {
+    "gray, the lesson's node": ([sys.executable, "-c", LESSON, "gray"], "/lesson/result"),
     "gray, image_gray_processor": (
         [sys.executable, "-c", OURS.format("image_gray_processor")],
         "/image_gray_processor/gray",
     ),
-    "edges, the lesson's body": ([sys.executable, "-c", LESSON, "edges"], "/lesson/result"),
+    "edges, the lesson's node": ([sys.executable, "-c", LESSON, "edges"], "/lesson/result"),
     "edges, image_edge_detection": (
         [sys.executable, "-c", OURS.format("image_edge_detection")],
         "/image_edge_detection/edges",
@@ -82,7 +82,7 @@ def main():
     results = collections.defaultdict(list)
     with RosSession.current() as session, camera():
         for _ in range(ROUNDS):
-            for name, (command, topic) in WAYS.items():
+            for name, (command, topic) in COMMANDS.items():
                 results[name].append(measure(session, command, topic))
     return report(results)
 
@@ -104,7 +104,7 @@ def process(command):
 
 
 def measure(session, command, topic):
-    """One run: (sent, heard, [seconds from the stamp of a picture to the arrival of its result])."""
+    """One run: a dict of sent, processed, delivered, and latencies in seconds."""
     from rclpy.qos import qos_profile_sensor_data
     from sensor_msgs.msg import Image
 
@@ -128,14 +128,14 @@ def measure(session, command, topic):
         latencies.clear()
         sequence.clear()
         time.sleep(SECONDS)
-        found, numbers = list(latencies), list(sequence)
+        run_latencies, run_sequence = list(latencies), list(sequence)
         session.run(lambda: session.node.destroy_subscription(subscription))
-    span = (numbers[-1][0] - numbers[0][0]) / 1e9
+    span = (run_sequence[-1][0] - run_sequence[0][0]) / 1e9
     return {
-        "sent": round(span * 30) + 1,  # the camera stamps its pictures 1/30 s apart
-        "processed": numbers[-1][1] - numbers[0][1] + 1,
-        "delivered": len(numbers),
-        "latencies": found,
+        "sent": round(span * 30) + 1,  # the camera's stamps are 1/30 s apart
+        "processed": run_sequence[-1][1] - run_sequence[0][1] + 1,
+        "delivered": len(run_sequence),
+        "latencies": run_latencies,
     }
 
 
@@ -153,9 +153,10 @@ def report(results):
     behind = []
     for kind in ("gray", "edges"):
         ours, theirs = (
-            next(n for n in shares if n.startswith(kind) and (w in n)) for w in ("image_", "lesson")
+            next(name for name in shares if name.startswith(kind) and part in name)
+            for part in ("image_", "lesson")
         )
-        # Where the machine itself is too busy for the lesson's few milliseconds, only the difference tells.
+        # On a busy machine even the lesson's node falls behind, so only the ratio counts.
         ratio = shares[ours] / shares[theirs]
         verdict = "kept" if ratio >= 0.98 else "OVER"
         print(

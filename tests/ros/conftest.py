@@ -1,4 +1,4 @@
-"""What the tests of this room share: a session that ends with its test, and processes of their own."""
+"""Fixtures for the tests of imgproc_course.ros: a session that ends with its test, and child processes."""
 
 import os
 import signal
@@ -19,13 +19,13 @@ def session():
 
 @pytest.fixture
 def wait_until():
-    """Waits for something that other threads or processes bring about; fails when it does not come."""
+    """Waits for a condition that other threads or processes fulfil; fails after a timeout."""
 
     def wait(condition, seconds=20.0):
         end = time.monotonic() + seconds
         while not condition():
             if time.monotonic() > end:
-                pytest.fail("waited in vain")
+                pytest.fail("the condition did not become true in time")
             time.sleep(0.01)
 
     return wait
@@ -33,10 +33,10 @@ def wait_until():
 
 @pytest.fixture
 def run_python():
-    """Runs code in a process of its own and returns (exit code, stdout, stderr)."""
+    """Runs code in a child process and returns (exit code, stdout, stderr)."""
 
     def run(code, *, seconds=60, cwd=None, **environment):
-        done = subprocess.run(
+        process = subprocess.run(
             [sys.executable, "-c", code],
             capture_output=True,
             text=True,
@@ -44,14 +44,14 @@ def run_python():
             cwd=cwd,
             env=_environment(environment),
         )
-        return done.returncode, done.stdout, done.stderr
+        return process.returncode, process.stdout, process.stderr
 
     return run
 
 
 @pytest.fixture
 def start_python():
-    """Starts code in a process of its own; the process ends with the test."""
+    """Starts code in a child process, which is killed at the end of the test."""
     running = []
 
     def start(code, *, cwd=None, **environment):
@@ -74,6 +74,6 @@ def start_python():
 
 
 def _environment(changes):
-    """This process's environment with changes; None takes a variable away."""
+    """This process's environment with changes; None removes a variable."""
     merged = {**os.environ, **changes}
     return {name: value for name, value in merged.items() if value is not None}

@@ -11,7 +11,7 @@ CLOSED = []
 
 
 class FakeRecording:
-    """Four pictures of one value each, 0.1 s apart save the last gap of 0.3 s; counts what is decoded."""
+    """Four images of one value each, 0.1 s apart except the last gap of 0.3 s; records what is decoded."""
 
     def __init__(self, stamps=(0.0, 0.1, 0.2, 0.5), frame_id="camera_front"):
         self.stamps = np.array([1_700_000_000_000_000_000 + round(s * 1e9) for s in stamps], np.int64)
@@ -78,12 +78,12 @@ def collect(session):
     """collect(topic, type) -> the list that its messages go to."""
     from rclpy.qos import qos_profile_sensor_data
 
-    def listen(topic, kind):
+    def subscribe(topic, message_type):
         messages = []
-        session.node.create_subscription(kind, topic, messages.append, qos_profile_sensor_data)
+        session.node.create_subscription(message_type, topic, messages.append, qos_profile_sensor_data)
         return messages
 
-    return listen
+    return subscribe
 
 
 def stamp_of(msg):
@@ -95,13 +95,13 @@ def test_the_pixels_are_those_of_the_recording(open_camera, wait_until):
     from imgproc_course.recording import open_recording
     from imgproc_course.ros import ImageSubscriber
 
-    seen = {}
+    frames = {}
     open_camera(stamps="recorded", speed=3.0)
-    with ImageSubscriber(TOPIC, lambda frame, msg: seen.update({stamp_of(msg): frame})) as subscriber:
-        wait_until(lambda: len(seen) >= 5)
+    with ImageSubscriber(TOPIC, lambda frame, msg: frames.update({stamp_of(msg): frame})) as subscriber:
+        wait_until(lambda: len(frames) >= 5)
     with open_recording("drive") as drive:
         numbers = {int(stamp): k for k, stamp in enumerate(drive.stamps)}
-        for stamp, frame in list(seen.items())[:5]:
+        for stamp, frame in list(frames.items())[:5]:
             assert np.array_equal(frame, drive.frame(numbers[stamp]))
     assert subscriber.failed == 0
 
@@ -174,14 +174,12 @@ def test_stamps_are_now_unless_the_recorded_ones_are_asked_for(open_camera, coll
     recorded = collect("/recorded", Image)
     open_camera(recording="fake", topic="/recorded", stamps="recorded", speed=4)
     wait_until(lambda: len(recorded) >= 9)
-    kept = {int(msg.data[0]): stamp_of(msg) for msg in recorded}
-    assert kept == dict(enumerate(FakeRecording().stamps.tolist()))
+    stamps_by_value = {int(msg.data[0]): stamp_of(msg) for msg in recorded}
+    assert stamps_by_value == dict(enumerate(FakeRecording().stamps.tolist()))
 
 
 @pytest.mark.ros
-def test_without_loop_each_picture_comes_once_and_the_camera_says_it_has_ended(
-    open_camera, collect, wait_until
-):
+def test_without_loop_each_image_comes_once_and_then_the_camera_has_ended(open_camera, collect, wait_until):
     from sensor_msgs.msg import Image
 
     raw = collect(TOPIC, Image)
@@ -190,17 +188,17 @@ def test_without_loop_each_picture_comes_once_and_the_camera_says_it_has_ended(
     wait_until(lambda: raw and raw[-1].data[0] == 3)
     values = [int(msg.data[0]) for msg in raw]
     assert values == [0, 1, 2, 3][-len(values) :] and len(values) >= 3
-    assert (camera.running, camera.shown, camera.last_error) == (False, 4, None)
-    assert (camera.published, camera._pictures._recording.closed) == (len(values), True)
+    assert (camera.running, camera.played, camera.last_error) == (False, 4, None)
+    assert (camera.published, camera._images._recording.closed) == (len(values), True)
 
 
 @pytest.mark.ros
-def test_nothing_is_decoded_while_nobody_listens(open_camera, collect, wait_until):
+def test_nothing_is_decoded_without_a_subscriber(open_camera, collect, wait_until):
     from sensor_msgs.msg import Image
 
     camera = open_camera(recording="fake", speed=10)
-    recording = camera._pictures._recording
-    wait_until(lambda: camera.shown > 6)
+    recording = camera._images._recording
+    wait_until(lambda: camera.played > 6)
     assert (recording.decoded, camera.published) == ([], 0)
     assert camera.subscribers() == {TOPIC: 0, f"{TOPIC}/compressed": 0}
     raw = collect(TOPIC, Image)
@@ -210,22 +208,22 @@ def test_nothing_is_decoded_while_nobody_listens(open_camera, collect, wait_unti
 
 def due_times(speed=1.0, loop=True, count=12, clock=lambda: 100.0, **recording):
     pytest.importorskip("rclpy")
-    from imgproc_course.ros import pictures as module
+    from imgproc_course.ros import image_sources as module
 
     patch = pytest.MonkeyPatch()
     patch.setattr(module, "time", types.SimpleNamespace(monotonic=clock))
     try:
-        pictures = module.RecordedPictures(FakeRecording(**recording), speed, loop, "now")
-        return [round(float(due), 9) for due, _ in itertools.islice(pictures, count)]
+        images = module.RecordedImages(FakeRecording(**recording), speed, loop, "now")
+        return [round(float(due), 9) for due, _ in itertools.islice(images, count)]
     finally:
         patch.undo()
 
 
 @pytest.mark.ros
-def test_pictures_are_due_as_recorded_counted_from_the_start():
-    # 4 pictures in 0.5 s: the mean period 1/6 s passes before the next lap.
-    lap = 0.5 + 1 / 6
-    expected = [100 + lap * n + s for n in range(3) for s in (0.0, 0.1, 0.2, 0.5)]
+def test_images_are_due_as_recorded_counted_from_the_start():
+    # 4 images in 0.5 s: the mean period of 1/6 s passes before the recording starts again.
+    duration = 0.5 + 1 / 6
+    expected = [100 + duration * n + s for n in range(3) for s in (0.0, 0.1, 0.2, 0.5)]
     assert due_times() == pytest.approx(expected)
 
 
@@ -237,28 +235,28 @@ def test_speed_divides_every_time(speed):
 
 
 @pytest.mark.ros
-def test_a_lap_without_loop_ends():
+def test_without_loop_the_recording_ends():
     assert due_times(loop=False) == pytest.approx([100.0, 100.1, 100.2, 100.5])
 
 
 @pytest.mark.ros
-def test_after_the_machine_slept_it_goes_on_from_there():
+def test_after_the_machine_slept_it_continues_from_there():
     clock = iter([100.0, 100.0, 100.1, 900.2, 900.2, 900.3])
     assert due_times(count=4, clock=lambda: next(clock)) == pytest.approx([100.0, 100.1, 900.2, 900.5])
 
 
 @pytest.mark.ros
-def test_a_single_picture_and_stamps_that_jump_back_can_be_played():
+def test_a_single_image_and_stamps_that_jump_back_can_be_played():
     assert due_times(stamps=(0.0,), count=3) == [100.0, 101.0, 102.0]
     assert due_times(stamps=(0.0, 0.3, 0.2, 0.4), count=4) == pytest.approx([100.0, 100.3, 100.3, 100.4])
 
 
 @pytest.mark.ros
 @pytest.mark.parametrize("encoding", ["16UC1", "32FC1", "8UC3"])
-def test_a_recording_of_depth_is_no_camera_s(encoding):
+def test_a_recording_of_depth_cannot_be_played_as_a_camera(encoding):
     from sensor_msgs.msg import Image
 
-    from imgproc_course.ros.pictures import RecordedPictures
+    from imgproc_course.ros.image_sources import RecordedImages
 
     class Depth(FakeRecording):
         name, camera_topic = "tof", "/tof/image_raw"
@@ -267,22 +265,22 @@ def test_a_recording_of_depth_is_no_camera_s(encoding):
             return Image(encoding=encoding)
 
     with pytest.raises(ValueError) as caught:
-        RecordedPictures(Depth(), 1.0, True, "now")
+        RecordedImages(Depth(), 1.0, True, "now")
     assert str(caught.value) == (
-        f"tof cannot be played as a camera: the pictures on /tof/image_raw are {encoding}, neither colour "
+        f"tof cannot be played as a camera: the images on /tof/image_raw are {encoding}, neither colour "
         "nor gray (depth?); record a colour camera's topic too, or read these with "
         "open_recording(...).frame(k, 'passthrough')"
     )
 
 
 @pytest.mark.ros
-def test_a_recording_of_raw_pictures_without_camera_info_can_be_played(session, collect, wait_until):
+def test_a_recording_of_raw_images_without_camera_info_can_be_played(session, collect, wait_until):
     from sensor_msgs.msg import CameraInfo, CompressedImage, Image
 
     from imgproc_course.messages import compressed_to_array
     from imgproc_course.recording import NotRecordedError
     from imgproc_course.ros.camera import Camera
-    from imgproc_course.ros.pictures import RecordedPictures
+    from imgproc_course.ros.image_sources import RecordedImages
 
     class RawRecording(FakeRecording):
         @property
@@ -293,7 +291,7 @@ def test_a_recording_of_raw_pictures_without_camera_info_can_be_played(session, 
             return Image(encoding="rgb8")
 
     images, infos = collect("/own/compressed", CompressedImage), collect("/camera_info", CameraInfo)
-    with Camera("/own", RecordedPictures(RawRecording(), 1.0, True, "now")):
+    with Camera("/own", RecordedImages(RawRecording(), 1.0, True, "now")):
         wait_until(lambda: images and infos)
     assert compressed_to_array(images[0], "bgr8").shape == (2, 3, 3)
     assert images[0].header.frame_id == "camera_front"
@@ -301,7 +299,7 @@ def test_a_recording_of_raw_pictures_without_camera_info_can_be_played(session, 
 
 
 @pytest.mark.ros
-def test_opening_it_again_replaces_the_former_and_says_so(open_camera, session, wait_until, caplog):
+def test_opening_it_again_replaces_the_previous_camera_and_logs_it(open_camera, session, wait_until, caplog):
     first = open_camera(recording="fake")
     second = open_camera(recording="fake")
     assert (first.running, second.running) == (False, True)
@@ -326,12 +324,12 @@ def test_it_stops_twice_and_with_its_block_and_with_the_session(open_camera, ses
 
 
 @pytest.mark.ros
-def test_another_process_on_the_topic_is_said_once(
+def test_another_publisher_of_the_topic_is_logged_once(
     open_camera, start_python, wait_until, caplog, monkeypatch
 ):
     from imgproc_course.ros import camera as module
 
-    monkeypatch.setattr(module, "LOOK_AROUND", 0.05)
+    monkeypatch.setattr(module, "CHECK_PERIOD", 0.05)
     other = start_python(
         "import time\nfrom imgproc_course.ros import open_camera\ncamera = open_camera()\n"
         "print(camera._node.get_name())\ntime.sleep(60)"
@@ -339,30 +337,30 @@ def test_another_process_on_the_topic_is_said_once(
     name = other.stdout.readline().strip()
     camera = open_camera(recording="fake", speed=10)
     wait_until(lambda: caplog.records)
-    seen = camera.shown
-    wait_until(lambda: camera.shown > seen + 10)
+    played = camera.played
+    wait_until(lambda: camera.played > played + 10)
     (record,) = caplog.records
-    assert record.message.startswith(f"{TOPIC} is published by {name} too, in another process: ")
+    assert record.message.startswith(f"{TOPIC} is also published by {name}, in another process: ")
     assert "ROS_DOMAIN_ID" in record.message
 
 
 @pytest.mark.ros
-def test_a_recording_that_breaks_off_is_said(open_camera, collect, wait_until, monkeypatch, caplog):
+def test_a_recording_that_cannot_be_read_on_is_logged(open_camera, collect, wait_until, monkeypatch, caplog):
     from sensor_msgs.msg import Image
 
     def breaks(self, k, encoding="bgr8"):
-        raise ValueError("the file ends in the middle of a picture")
+        raise ValueError("the file ends in the middle of an image")
 
     monkeypatch.setattr(FakeRecording, "frame", breaks)
     collect(TOPIC, Image)
     camera = open_camera(recording="fake")
     wait_until(lambda: not camera.running)
-    assert camera.last_error == "the file ends in the middle of a picture"
+    assert camera.last_error == "the file ends in the middle of an image"
     assert caplog.records[-1].message == f"the camera on {TOPIC} stopped: {camera.last_error}"
 
 
 @pytest.mark.ros
-def test_a_topic_that_a_robot_publishes_is_taken_as_it_is(open_camera):
+def test_a_topic_that_a_robot_publishes_is_used_unchanged(open_camera):
     camera = open_camera("topic", topic="/er_kachaka/front_camera/image_raw")
     assert camera.topic == "/er_kachaka/front_camera/image_raw"
     assert camera.compressed_topic == "/er_kachaka/front_camera/image_raw/compressed"
@@ -371,25 +369,25 @@ def test_a_topic_that_a_robot_publishes_is_taken_as_it_is(open_camera):
 
 
 class FakeCapture:
-    """A cv2.VideoCapture of a camera that gives pictures of one value, then none."""
+    """A cv2.VideoCapture that gives images of one value, and after some none."""
 
-    def __init__(self, number, pictures=40):
-        self.left = pictures
+    def __init__(self, number, images=40):
+        self.remaining = images
 
     def isOpened(self):
         return True
 
-    def get(self, what):
+    def get(self, property_id):
         return 15.0
 
     def read(self):
-        self.left -= 1
-        picture = np.empty((2, 3, 3), np.uint8)
-        picture[:] = (10, 20, 30)
+        self.remaining -= 1
+        frame = np.empty((2, 3, 3), np.uint8)
+        frame[:] = (10, 20, 30)
         import time
 
         time.sleep(0.05)
-        return self.left >= 0, picture
+        return self.remaining >= 0, frame
 
     def release(self):
         CLOSED.append(self)
@@ -414,12 +412,12 @@ def test_a_webcam_is_published_like_the_robots_camera(open_camera, collect, wait
     )
     assert (compressed[0].format, infos[0].width, infos[0].k[0]) != ("", 0, 1.0)
     wait_until(lambda: not camera.running)
-    assert camera.last_error.startswith("the webcam gives no more pictures; plug one in")
+    assert camera.last_error.startswith("the webcam sends no more images; plug one in")
     assert len(CLOSED) == 1
 
 
 @pytest.mark.ros
-def test_no_webcam_is_said_with_the_cure(open_camera, monkeypatch):
+def test_a_missing_webcam_is_an_error_with_the_remedy(open_camera, monkeypatch):
     import cv2
 
     monkeypatch.setattr(FakeCapture, "isOpened", lambda self: False)
@@ -429,32 +427,32 @@ def test_no_webcam_is_said_with_the_cure(open_camera, monkeypatch):
 
 
 @pytest.mark.ros
-def test_where_no_webcam_is_the_error_says_all(capfd):
-    from imgproc_course.ros.pictures import Webcam
+def test_without_a_webcam_only_the_error_appears(capfd):
+    from imgproc_course.ros.image_sources import Webcam
 
     with pytest.raises(RuntimeError, match=r"camera 97\)"):
         Webcam(97)
-    assert capfd.readouterr().err == ""  # OpenCV's own lines name its sources
+    assert capfd.readouterr().err == ""  # OpenCV would print lines of its own
 
 
 @pytest.mark.ros
 @pytest.mark.parametrize(
-    "options, said",
+    "options, message",
     [
-        ({"source": "robot"}, "source 'robot' is none of 'recording', 'webcam', 'topic'"),
+        ({"source": "robot"}, "unknown source 'robot'; use 'recording', 'webcam' or 'topic'"),
         ({"source": "wecbam"}, "did you mean 'webcam'?"),
-        ({"speed": 0}, "speed 0 is no positive number"),
-        ({"speed": -1.0}, "speed -1.0 is no positive number"),
-        ({"speed": float("nan")}, "speed nan is no positive number"),
-        ({"speed": float("inf")}, "speed inf is no positive number"),
-        ({"speed": "fast"}, "speed 'fast' is no positive number"),
-        ({"source": "webcam", "speed": 2.0}, "only a recording has another speed than 1.0"),
-        ({"stamps": "then"}, "stamps 'then' is neither 'now' nor 'recorded'"),
-        ({"topic": "two words"}, "'two words' is no topic name"),
+        ({"speed": 0}, "speed must be a positive number, got 0"),
+        ({"speed": -1.0}, "speed must be a positive number, got -1.0"),
+        ({"speed": float("nan")}, "speed must be a positive number, got nan"),
+        ({"speed": float("inf")}, "speed must be a positive number, got inf"),
+        ({"speed": "fast"}, "speed must be a positive number, got 'fast'"),
+        ({"source": "webcam", "speed": 2.0}, "only a recording can change its speed"),
+        ({"stamps": "then"}, "stamps must be 'now' or 'recorded', got 'then'"),
+        ({"topic": "two words"}, "'two words' is not a topic name"),
         ({"recording": "/no/such/bag"}, "/no/such/bag"),
     ],
 )
-def test_bad_arguments_are_said(open_camera, options, said):
+def test_bad_arguments_are_refused_in_one_line(open_camera, options, message):
     with pytest.raises(ValueError) as error:
         open_camera(**options)
-    assert said in str(error.value) and "\n" not in str(error.value)
+    assert message in str(error.value) and "\n" not in str(error.value)

@@ -1,4 +1,4 @@
-"""A notebook's kernel: cells run again in any order, restarted, interrupted and killed, without a word."""
+"""A notebook's kernel: cells run again in any order, restarts, interrupts and kills, without error output."""
 
 import time
 from queue import Empty
@@ -27,7 +27,7 @@ print(sum('ROS session' in t.name for t in threading.enumerate()),
 
 
 class Notebook:
-    """A kernel, and what its cells printed."""
+    """A kernel, and a client that runs cells in it."""
 
     def __init__(self, stderr):
         self.manager = KernelManager(kernel_name="python3")
@@ -40,7 +40,7 @@ class Notebook:
         self.client.wait_for_ready(timeout=60)
 
     def run(self, code, seconds=60):
-        """Runs a cell; returns (stdout, stderr) of it, and fails on an error."""
+        """Runs a cell; returns its (stdout, stderr), and fails on an error."""
         request = self.client.execute(code)
         printed = {"stdout": "", "stderr": ""}
         end = time.monotonic() + seconds
@@ -76,18 +76,18 @@ class Notebook:
 
 @pytest.fixture
 def notebook(tmp_path):
-    """A kernel that ends with the test, and may have written nothing outside its cells."""
+    """A kernel that ends with the test. Fails if the kernel wrote our errors outside its cells."""
     with (tmp_path / "stderr").open("w") as file:
-        book = Notebook(file)
-        yield book
-        book.close()
+        notebook = Notebook(file)
+        yield notebook
+        notebook.close()
     lines = (tmp_path / "stderr").read_text().splitlines()
-    # What ipykernel and debugpy say of themselves is not ours.
-    ours = ("terminate", "imgproc", "rcl", "RTPS", "Traceback")
-    assert [line for line in lines if any(word in line for word in ours)] == []
+    # Messages of ipykernel and debugpy themselves do not count.
+    markers = ("terminate", "imgproc", "rcl", "RTPS", "Traceback")
+    assert [line for line in lines if any(marker in line for marker in markers)] == []
 
 
-def test_cells_in_any_order_double_nothing(notebook):
+def test_cells_in_any_order_duplicate_nothing(notebook):
     for cell in (OPEN, SUBSCRIBE, READ, OPEN, READ, SUBSCRIBE, SUBSCRIBE, READ, STOP, STOP):
         notebook.run(cell)
     for cell in (SUBSCRIBE, OPEN, READ, SUBSCRIBE, READ):
@@ -113,12 +113,12 @@ def test_the_kernel_restarts_and_the_cells_run_again(notebook, now):
     assert notebook.run(ALIVE) == ("1 1 1\n", "")
 
 
-@pytest.mark.parametrize("also", ["", "import rclpy; rclpy.init()"], ids=["plain", "with rclpy.init"])
-def test_interrupting_a_waiting_cell_leaves_the_graph_running(notebook, also):
+@pytest.mark.parametrize("extra", ["", "import rclpy; rclpy.init()"], ids=["plain", "with rclpy.init"])
+def test_interrupting_a_waiting_cell_leaves_the_graph_running(notebook, extra):
     notebook.run(OPEN)
     notebook.run(SUBSCRIBE)
-    notebook.run(also)
-    # Short sleeps: a long one does not see a signal that came between the print and its beginning.
+    notebook.run(extra)
+    # Short sleeps: a long one would miss a signal that comes between the print and the sleep.
     notebook.interrupt("import time\nprint('waits', flush=True)\nfor _ in range(1200): time.sleep(0.05)")
     assert notebook.run(READ) == ("(720, 1280, 3)\n", "")
     assert notebook.run(ALIVE) == ("1 1 1\n", "")

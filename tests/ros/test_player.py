@@ -1,4 +1,4 @@
-"""The camera as a process of its own: what it prints, whom it serves, how it leaves."""
+"""The camera in a process of its own: what it prints, what it publishes, how it ends."""
 
 import signal
 
@@ -15,7 +15,7 @@ FIRST = (
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
-def test_it_plays_until_it_is_told_to_stop(start_python, session, wait_until, number):
+def test_it_plays_until_a_signal_stops_it(start_python, session, wait_until, number):
     from imgproc_course.ros import ImageSubscriber
 
     process = start_python(PLAY.format("speed=2.0, status_seconds=0.5"))
@@ -24,7 +24,7 @@ def test_it_plays_until_it_is_told_to_stop(start_python, session, wait_until, nu
         assert subscriber.wait(20).shape == (720, 1280, 3)
         while "subscribers: none" in (line := process.stdout.readline()):
             pass
-    assert line.endswith(" pictures; subscribers: /kachaka/front_camera/image_raw 1\n")
+    assert line.endswith(" images; subscribers: /kachaka/front_camera/image_raw 1\n")
     process.send_signal(number)
     out, err = process.communicate(timeout=20)
     assert (process.returncode, err) == (0, "")
@@ -35,17 +35,17 @@ def test_without_loop_it_ends_by_itself(run_python):
     code, out, err = run_python(PLAY.format("speed=30.0, loop=False"))
     assert (code, err) == (0, "")
     assert (
-        out.splitlines()[-1] == "stopped after 90 pictures, 0 of them sent raw, as nobody subscribed to these"
+        out.splitlines()[-1] == "stopped after 90 images; 0 raw images sent (the raw topic had no subscriber)"
     )
 
 
-def test_a_status_without_subscribers_says_so(start_python):
+def test_the_status_line_without_subscribers(start_python):
     process = start_python(PLAY.format("status_seconds=0.2"))
     process.stdout.readline()
-    assert process.stdout.readline().endswith("pictures; subscribers: none\n")
+    assert process.stdout.readline().endswith("images; subscribers: none\n")
 
 
-def test_bad_arguments_are_said(run_python):
+def test_bad_arguments_end_with_a_message(run_python):
     code, _, err = run_python(PLAY.format("speed=-1"))
     assert code == 1
-    assert err.splitlines()[-1].startswith("ValueError: speed -1 is no positive number")
+    assert err.splitlines()[-1].startswith("ValueError: speed must be a positive number, got -1")

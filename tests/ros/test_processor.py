@@ -1,4 +1,4 @@
-"""ImageProcessor in a notebook's session: what is asked of `process`, what becomes of its errors."""
+"""ImageProcessor in a notebook's session: how `process` is called, and what happens to its errors."""
 
 import json
 import re
@@ -35,37 +35,37 @@ def publish(session):
     from imgproc_course.messages import array_to_image
 
     publisher = session.node.create_publisher(Image, TOPIC, qos_profile_sensor_data)
-    sent = []
+    count = 0
 
     def send(frame, encoding="bgr8"):
-        sent.append(1)
+        nonlocal count
+        count += 1
         header = Header(frame_id="camera_front")
-        header.stamp.sec = len(sent)
+        header.stamp.sec = count
         publisher.publish(array_to_image(frame, encoding, header))
-        return len(sent)
 
     send.publisher = publisher
     return send
 
 
 @pytest.fixture
-def ear(session):
+def subscribe(session):
     from rclpy.qos import qos_profile_sensor_data
     from sensor_msgs.msg import Image
 
-    def listen(topic="/learner/gray"):
+    def subscribe_to(topic="/learner/gray"):
         messages = []
         session.node.create_subscription(Image, topic, messages.append, qos_profile_sensor_data)
         return messages
 
-    return listen
+    return subscribe_to
 
 
 FRAME = np.arange(4 * 6 * 3, dtype=np.uint8).reshape(4, 6, 3)
 
 
 def send_until(condition, publish, wait_until, frame=FRAME, encoding="bgr8"):
-    def answered():
+    def holds_after_sending():
         if condition():
             return True
         publish(frame, encoding)
@@ -74,17 +74,19 @@ def send_until(condition, publish, wait_until, frame=FRAME, encoding="bgr8"):
     def wait_a_little(condition):
         return threading.Event().wait(0.03) or condition()
 
-    wait_until(answered)
+    wait_until(holds_after_sending)
 
 
-def test_the_frame_is_bgr_and_may_be_drawn_on_whatever_the_camera_sends(make_node, publish, ear, wait_until):
+def test_the_frame_is_bgr_and_may_be_drawn_on_whatever_the_camera_sends(
+    make_node, publish, subscribe, wait_until
+):
     def process(frame):
         before = frame.copy()
         frame[:] = 0
         return {"gray": before}
 
     make_node(process)
-    messages = ear()
+    messages = subscribe()
     for frame, encoding in ((FRAME, "bgr8"), (FRAME[..., ::-1].copy(), "rgb8")):
         messages.clear()
         send_until(lambda: messages, publish, wait_until, frame, encoding)
@@ -102,11 +104,11 @@ def test_the_frame_is_bgr_and_may_be_drawn_on_whatever_the_camera_sends(make_nod
     ],
     ids=["mono8", "bgr8", "32FC1", "16UC1"],
 )
-def test_what_process_returns_is_published_as_what_it_is(
-    make_node, publish, ear, wait_until, result, encoding
+def test_the_encoding_follows_from_the_array_that_process_returns(
+    make_node, publish, subscribe, wait_until, result, encoding
 ):
     make_node(lambda frame: {"gray": result})
-    messages = ear()
+    messages = subscribe()
     send_until(lambda: messages, publish, wait_until)
     assert (messages[0].encoding, messages[0].height, messages[0].width) == (encoding, 2, 3)
     assert bytes(messages[0].data) == result.tobytes()
@@ -121,50 +123,50 @@ def stops(frame):
 
 
 @pytest.mark.parametrize(
-    "process, said",
+    "process, error",
     [
         (divides_by_zero, r"process failed in line \d+ of test_processor.py \(return .* 1 // 0\}\): ZeroDiv"),
         (stops, r"process failed in line \d+ of test_processor.py \(raise StopIteration\): StopIteration"),
-        (lambda frame: frame, r"must return a dict with the keys \['gray'\], and returned a ndarray"),
-        (lambda frame: {"grey": frame}, r"keys \['gray'\], and returned \['grey'\]"),
-        (lambda frame: {"gray": None}, r"process returned no picture: expected a NumPy array, got None"),
+        (lambda frame: frame, r"must return a dict with the keys \['gray'\], but it returned a ndarray"),
+        (lambda frame: {"grey": frame}, r"keys \['gray'\], but it returned \['grey'\]"),
+        (lambda frame: {"gray": None}, r"process did not return an image: expected a NumPy array, got None"),
         (lambda frame: {"gray": lambda: 1 // 0}, r"process failed in line \d+ .*: ZeroDivisionError"),
         (lambda: {}, r"process failed .*: TypeError: .*takes 0 positional arguments but 1 was given"),
     ],
 )
-def test_a_mistake_of_the_learners_is_counted_and_said_and_the_node_goes_on(
-    make_node, publish, ear, wait_until, process, said
+def test_a_mistake_in_process_is_counted_and_logged_and_the_node_continues(
+    make_node, publish, subscribe, wait_until, process, error
 ):
     node = make_node(process)
-    messages = ear()
+    messages = subscribe()
     send_until(lambda: node.statistics()["failed"] >= 2, publish, wait_until)
-    assert re.search(said, node.statistics()["last_error"])
+    assert re.search(error, node.statistics()["last_error"])
     node._process = lambda frame: {"gray": frame}
     send_until(lambda: messages, publish, wait_until)
-    numbers = node.statistics()
-    assert numbers["received"] == numbers["processed"] + numbers["failed"] + numbers["unheard"]
+    counts = node.statistics()
+    assert counts["received"] == counts["processed"] + counts["failed"] + counts["ignored"]
 
 
-def test_only_what_somebody_hears_is_computed(make_node, publish, ear, wait_until):
-    asked = []
+def test_only_outputs_with_a_subscriber_are_computed(make_node, publish, subscribe, wait_until):
+    computed = []
 
     def output(key):
         def compute():
-            asked.append(key)
+            computed.append(key)
             return FRAME
 
         return compute
 
     node = make_node(lambda frame: {key: output(key) for key in ("gray", "view")}, ("gray", "view"))
-    send_until(lambda: node.statistics()["unheard"] >= 2, publish, wait_until)
-    assert asked == []
-    messages = ear("/learner/view")
+    send_until(lambda: node.statistics()["ignored"] >= 2, publish, wait_until)
+    assert computed == []
+    messages = subscribe("/learner/view")
     send_until(lambda: messages, publish, wait_until)
-    assert set(asked) == {"view"}
+    assert set(computed) == {"view"}
 
 
-def test_of_pictures_that_wait_the_oldest_are_dropped_first(session, wait_until):
-    """Twenty pictures come while the first is processed: then come the last five, in order."""
+def test_the_oldest_waiting_images_are_dropped_first(session, wait_until):
+    """Twenty images arrive while the first is processed; then the last five are processed, in order."""
     from rclpy.context import Context
     from rclpy.executors import SingleThreadedExecutor
 
@@ -173,12 +175,12 @@ def test_of_pictures_that_wait_the_oldest_are_dropped_first(session, wait_until)
 
     context = Context()
     context.init()
-    begun, go_on, seen = threading.Event(), threading.Event(), []
+    started, may_continue, levels = threading.Event(), threading.Event(), []
 
     def process(frame):
-        begun.set()
-        go_on.wait(30)
-        seen.append(int(frame[0, 0, 0]))
+        started.set()
+        may_continue.wait(30)
+        levels.append(int(frame[0, 0, 0]))
         return {"gray": frame}
 
     node = ImageProcessor("slow", process, ["gray"], context=context)
@@ -190,78 +192,85 @@ def test_of_pictures_that_wait_the_oldest_are_dropped_first(session, wait_until)
     camera = session.node.create_publisher(Image, TOPIC, qos_profile_sensor_data)
     messages = []
     session.node.create_subscription(Image, "/slow/gray", messages.append, qos_profile_sensor_data)
-    heard = node._publishers_of["gray"].get_subscription_count
+    gray_subscribers = node._outputs.publishers["gray"].get_subscription_count
     wait_until(
-        lambda: heard() and camera.get_subscription_count() and node._subscription.get_publisher_count()
+        lambda: (
+            gray_subscribers()
+            and camera.get_subscription_count()
+            and node._subscription.get_publisher_count()
+        )
     )
-    leaving = threading.Event()
+    stopping = threading.Event()
 
     def spin():
-        while not leaving.is_set():
+        while not stopping.is_set():
             executor.spin_once(timeout_sec=0.05)
 
     thread = threading.Thread(target=spin)
     thread.start()
     try:
         camera.publish(array_to_image(np.full((2, 2, 3), 100, np.uint8), "bgr8"))
-        assert begun.wait(30)
+        assert started.wait(30)
         for k in range(20):
             camera.publish(array_to_image(np.full((2, 2, 3), k, np.uint8), "bgr8"))
-        # What was published has arrived when a later one, on a way of its own, has.
+        # When a later image has arrived at another subscription, the earlier ones have arrived here.
         arrived = []
         session.node.create_subscription(Image, TOPIC, arrived.append, qos_profile_sensor_data)
         last = array_to_image(np.full((2, 2, 3), 19, np.uint8), "bgr8")
         wait_until(lambda: (camera.publish(last), arrived)[1])
-        go_on.set()
-        wait_until(lambda: len(seen) >= 6)
-        numbers = node.statistics()
+        may_continue.set()
+        wait_until(lambda: len(levels) >= 6)
+        statistics = node.statistics()
     finally:
-        leaving.set()
-        go_on.set()
+        stopping.set()
+        may_continue.set()
         thread.join()
         executor.shutdown()
         node.destroy_node()
         context.try_shutdown()
-    assert seen[0] == 100
-    assert seen[-1] == 19 and seen[1:] == sorted(seen[1:])
-    assert len(seen) == 6 and numbers["lost"] >= 15
+    assert levels[0] == 100
+    assert levels[-1] == 19 and levels[1:] == sorted(levels[1:])
+    assert len(levels) == 6 and statistics["lost"] >= 15
 
 
-def test_settings_reach_process_and_a_check_refuses_what_does_not_go_together(
-    make_node, publish, ear, wait_until
+def test_parameters_reach_process_and_a_check_refuses_values_that_do_not_fit_together(
+    make_node, publish, subscribe, wait_until
 ):
     from rclpy.parameter import Parameter
 
-    from imgproc_course.ros import Setting
+    from imgproc_course.ros import NumericParameter
 
     def check(gain, offset):
         if gain * 100 + offset > 255:
             raise ValueError(f"gain {gain} and offset {offset} leave the range")
 
-    seen = []
+    values = []
 
     def process(frame, gain, offset):
-        seen.append((gain, offset))
+        values.append((gain, offset))
         return {"gray": frame}
 
-    settings = [Setting("gain", 1.0, 0, 4, "times"), Setting("offset", 5, 0, 255, "gray levels")]
-    node = make_node(process, settings=settings, check=check)
-    messages = ear()
+    parameters = [
+        NumericParameter("gain", 1.0, 0, 4, "factor"),
+        NumericParameter("offset", 5, 0, 255, "gray levels"),
+    ]
+    node = make_node(process, parameters=parameters, check=check)
+    messages = subscribe()
     send_until(lambda: messages, publish, wait_until)
-    assert set(seen) == {(1.0, 5)}
-    refused = node.set_parameters_atomically([Parameter("gain", value=3), Parameter("offset", value=6)])
-    assert (refused.successful, refused.reason) == (False, "gain 3.0 and offset 6 leave the range")
+    assert set(values) == {(1.0, 5)}
+    result = node.set_parameters_atomically([Parameter("gain", value=3), Parameter("offset", value=6)])
+    assert (result.successful, result.reason) == (False, "gain 3.0 and offset 6 leave the range")
     assert node.set_parameters_atomically(
         [Parameter("gain", value=2), Parameter("offset", value=6)]
     ).successful
-    seen.clear()
+    values.clear()
     messages.clear()
     send_until(lambda: len(messages) >= 2, publish, wait_until)
-    assert seen[-1] == (2.0, 6) and isinstance(seen[-1][0], float)
+    assert values[-1] == (2.0, 6) and isinstance(values[-1][0], float)
 
 
-def test_first_values_that_do_not_go_together_are_refused(session):
-    from imgproc_course.ros import ImageProcessor, Setting
+def test_initial_values_that_do_not_fit_together_are_refused(session):
+    from imgproc_course.ros import ImageProcessor, NumericParameter
 
     def check(low):
         raise ValueError("never")
@@ -271,7 +280,7 @@ def test_first_values_that_do_not_go_together_are_refused(session):
             "refused",
             print,
             ["gray"],
-            settings=[Setting("low", 1, 0, 2, "")],
+            parameters=[NumericParameter("low", 1, 0, 2, "")],
             check=check,
             context=session.context,
         )
@@ -283,45 +292,47 @@ def test_display_in_a_notebook_is_refused_because_windows_need_the_main_thread(m
     node = make_node(lambda frame: {"gray": frame})
     result = node.set_parameters_atomically([Parameter("display", value=True)])
     assert not result.successful
-    assert result.reason.startswith("display needs a process of the node's own (ros2 run)")
+    assert result.reason.startswith("display needs a process for the node alone (ros2 run)")
 
 
-def test_statistics_are_published_while_somebody_listens(session, make_node, publish, ear, wait_until):
+def test_statistics_are_published_while_the_topic_has_a_subscriber(
+    session, make_node, publish, subscribe, wait_until
+):
     from std_msgs.msg import String
 
     node = make_node(lambda frame: {"gray": frame})
-    heard, messages = [], ear()
-    session.node.create_subscription(String, "/learner/statistics", heard.append, 1)
+    published, messages = [], subscribe()
+    session.node.create_subscription(String, "/learner/statistics", published.append, 1)
     send_until(lambda: len(messages) >= 3, publish, wait_until)
-    wait_until(lambda: heard and json.loads(heard[-1].data)["processed"] >= 3)
-    numbers = json.loads(heard[-1].data)
-    assert numbers.keys() == node.statistics().keys()
-    median, slowest = numbers["latency_ms"]
-    assert 0 < median <= slowest and numbers["process_ms"][0] <= median
-    assert (numbers["failed"], numbers["lost"], numbers["last_error"]) == (0, 0, None)
+    wait_until(lambda: published and json.loads(published[-1].data)["processed"] >= 3)
+    statistics = json.loads(published[-1].data)
+    assert statistics.keys() == node.statistics().keys()
+    median, slowest = statistics["latency_ms"]
+    assert 0 < median <= slowest and statistics["process_ms"][0] <= median
+    assert (statistics["failed"], statistics["lost"], statistics["last_error"]) == (0, 0, None)
 
 
 SHOWS = """
 import threading, time
 import numpy as np
-import imgproc_course.ros.processor as processor
+import imgproc_course.ros.windows as windows
 from imgproc_course.messages import array_to_image
 from imgproc_course.ros import ImageProcessor, RosSession, run_processor
+from imgproc_course.ros.camera import TOPIC
 from rclpy.qos import qos_profile_sensor_data
 from sensor_msgs.msg import Image
 
-shown = []
-def show(pictures):
-    if pictures:
-        names = sorted(pictures), threading.current_thread() is threading.main_thread()
-        print(*names, {title: picture.tolist() for title, picture in pictures.items()}, flush=True)
+def draw(images):
+    if images:
+        names = sorted(images), threading.current_thread() is threading.main_thread()
+        print(*names, {title: array.tolist() for title, array in images.items()}, flush=True)
         raise KeyboardInterrupt
-processor.window_problem = lambda: None
-processor.show_windows = show
-processor.close_windows = lambda: print("closed", flush=True)
+windows.window_problem = lambda: None
+windows.draw = draw
+windows.close_all = lambda: print("closed", flush=True)
 
 session = RosSession.current()
-camera = session.node.create_publisher(Image, processor.TOPIC, qos_profile_sensor_data)
+camera = session.node.create_publisher(Image, TOPIC, qos_profile_sensor_data)
 def play():
     camera.publish(array_to_image(np.full((1, 2, 3), 9, np.uint8), "bgr8"))
 session.node.create_timer(0.05, play)
@@ -344,7 +355,7 @@ def test_windows_show_every_output_in_the_main_thread_and_are_closed(run_python)
     assert "Traceback" not in err
 
 
-def test_an_opencv_that_fails_to_show_switches_display_off_and_the_node_goes_on(run_python):
+def test_an_opencv_that_fails_to_show_switches_display_off_and_the_node_continues(run_python):
     fails = SHOWS.replace(
         "        raise KeyboardInterrupt\n", "        import cv2; raise cv2.error('the screen is gone')\n"
     )
@@ -358,40 +369,40 @@ def test_an_opencv_that_fails_to_show_switches_display_off_and_the_node_goes_on(
     ends = fails.replace("    return node\n", leave)
     code, out, err = run_python(ends)
     assert (code, out.count("True"), out.splitlines()[1:]) == (0, 1, ["closed"]), err
-    assert "OpenCV cannot show the pictures" in err and "display is switched off" in err
+    assert "OpenCV cannot show the images" in err and "display is switched off" in err
     assert "Traceback" not in err
 
 
-def test_no_screen_is_no_crash(monkeypatch):
+def test_a_missing_screen_does_not_end_the_process(monkeypatch):
     from imgproc_course.ros import windows
 
     monkeypatch.setenv("DISPLAY", ":77")
     monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
-    # As OpenCV's window library does where no screen answers: it ends the process.
+    # OpenCV's window library does this without a screen: it ends the process.
     monkeypatch.setattr(windows, "_PROBE", "import os; os.abort()")
     assert windows.window_problem() == (
-        "display needs a screen, and none answers (DISPLAY is :77); start the node on a desktop"
+        "display needs a screen, and no screen answers (DISPLAY is :77); start the node on a desktop"
     )
     monkeypatch.setattr(windows, "_PROBE", "pass")
     assert windows.window_problem() is None
-    monkeypatch.setattr(windows, "PATIENCE", 0.2)
+    monkeypatch.setattr(windows, "SCREEN_TIMEOUT", 0.2)
     monkeypatch.setattr(windows, "_PROBE", "import time; time.sleep(60)")
-    assert windows.window_problem() == "display needs a screen, and none has answered for 0.2 s"
+    assert windows.window_problem() == "display needs a screen, and no screen answered within 0.2 s"
 
 
-LEAVES = """
+SIGNALS = """
 import os, signal
-from imgproc_course.ros.processor import _Leaving
-leaving = _Leaving()
-print(leaving())
+from imgproc_course.ros.node_process import _StopSignals
+stop_signals = _StopSignals()
+print(stop_signals.received())
 for number in (signal.SIGINT, signal.SIGTERM):
     os.kill(os.getpid(), number)
-    print(leaving(), flush=True)
+    print(stop_signals.received(), flush=True)
 os.kill(os.getpid(), signal.SIGINT)
 """
 
 
-def test_two_signals_wait_for_the_picture_at_hand_and_the_third_does_not(run_python):
-    code, out, err = run_python(LEAVES)
+def test_two_signals_wait_for_the_current_image_and_the_third_does_not(run_python):
+    code, out, err = run_python(SIGNALS)
     assert (code, out.split()) == (-2, ["False", "True", "True"])
     assert err.splitlines()[-1] == "KeyboardInterrupt"

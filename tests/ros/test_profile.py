@@ -1,4 +1,4 @@
-"""Which Fast DDS profile is in force, and what happens when that cannot be the course's."""
+"""Which Fast DDS profile is used, and what happens if it cannot be the course's."""
 
 import os
 import re
@@ -13,8 +13,8 @@ MIB = 1 << 20
 
 
 @pytest.fixture
-def untouched(monkeypatch, tmp_path):
-    """An environment in which nobody has chosen, with plenty of shared memory and no node."""
+def clean_environment(monkeypatch, tmp_path):
+    """An environment without a user's choice, with plenty of shared memory and no node."""
     for name in (*profile.PROFILE_VARIABLES, "RMW_IMPLEMENTATION", "FASTDDS_BUILTIN_TRANSPORTS"):
         monkeypatch.setenv(name, "")
     monkeypatch.chdir(tmp_path)
@@ -23,100 +23,103 @@ def untouched(monkeypatch, tmp_path):
     return monkeypatch
 
 
-def test_the_courses_profile_is_chosen_under_both_names(untouched):
-    chosen = profile.choose_profile()
-    assert (chosen.chosen_by, chosen.path) == ("course", str(profile.LARGE))
-    assert chosen.segment_bytes == 64 * MIB
+def test_the_courses_profile_is_chosen_under_both_names(clean_environment):
+    dds_profile = profile.choose_profile()
+    assert (dds_profile.chosen_by, dds_profile.path) == ("course", str(profile.LARGE))
+    assert dds_profile.segment_bytes == 64 * MIB
     assert os.environ["FASTRTPS_DEFAULT_PROFILES_FILE"] == str(profile.LARGE)
     assert os.environ["FASTDDS_DEFAULT_PROFILES_FILE"] == str(profile.LARGE)
-    assert str(chosen) == "the course's fastdds.xml: 64 MiB shared memory, and UDP"
+    assert str(dds_profile) == "the course's fastdds.xml: 64 MiB shared memory, and UDP"
 
 
-def test_a_process_started_by_ours_knows_that_the_course_chose(untouched):
+def test_a_child_process_knows_that_the_course_chose(clean_environment):
     profile.choose_profile()
     assert profile.choose_profile().chosen_by == "course"
 
 
 @pytest.mark.parametrize("name", profile.PROFILE_VARIABLES)
-def test_a_users_profile_is_left_alone(untouched, tmp_path, name):
+def test_a_users_profile_is_left_alone(clean_environment, tmp_path, name):
     mine = tmp_path / "mine.xml"
     mine.write_text("<dds/>")
-    untouched.setenv(name, str(mine))
-    chosen = profile.choose_profile()
-    assert (chosen.chosen_by, chosen.path) == ("user", str(mine))
+    clean_environment.setenv(name, str(mine))
+    dds_profile = profile.choose_profile()
+    assert (dds_profile.chosen_by, dds_profile.path) == ("user", str(mine))
     other = next(variable for variable in profile.PROFILE_VARIABLES if variable != name)
     assert os.environ[other] == ""
 
 
-def test_a_users_profile_that_does_not_exist_is_said(untouched):
-    untouched.setenv("FASTRTPS_DEFAULT_PROFILES_FILE", "/nowhere/mine.xml")
+def test_a_users_profile_that_does_not_exist_is_noted(clean_environment):
+    clean_environment.setenv("FASTRTPS_DEFAULT_PROFILES_FILE", "/nowhere/mine.xml")
     note = "FASTRTPS_DEFAULT_PROFILES_FILE names a file that does not exist; unset it"
     assert profile.choose_profile().note == note
 
 
-def test_the_newer_name_alone_is_not_read_by_this_fast_dds(untouched, tmp_path):
+def test_the_newer_name_alone_is_not_read_by_this_fast_dds(clean_environment, tmp_path):
     (tmp_path / "mine.xml").write_text("<dds/>")
-    untouched.setenv("FASTDDS_DEFAULT_PROFILES_FILE", str(tmp_path / "mine.xml"))
-    assert "reads FASTRTPS_DEFAULT_PROFILES_FILE only" in profile.choose_profile().note
+    clean_environment.setenv("FASTDDS_DEFAULT_PROFILES_FILE", str(tmp_path / "mine.xml"))
+    assert "reads only FASTRTPS_DEFAULT_PROFILES_FILE" in profile.choose_profile().note
 
 
 @pytest.mark.parametrize(
     "name, value",
     [("RMW_IMPLEMENTATION", "rmw_cyclonedds_cpp"), ("FASTDDS_BUILTIN_TRANSPORTS", "UDPv4")],
 )
-def test_another_choice_of_the_users_is_left_alone(untouched, name, value):
-    untouched.setenv(name, value)
-    chosen = profile.choose_profile()
-    assert chosen.chosen_by == "user"
-    assert f"{name}={value}" in chosen.note
+def test_another_choice_of_the_user_is_left_alone(clean_environment, name, value):
+    clean_environment.setenv(name, value)
+    dds_profile = profile.choose_profile()
+    assert dds_profile.chosen_by == "user"
+    assert f"{name}={value}" in dds_profile.note
     assert [os.environ[variable] for variable in profile.PROFILE_VARIABLES] == ["", ""]
 
 
-def test_the_middleware_that_is_ours_anyway_is_no_other_choice(untouched):
-    untouched.setenv("RMW_IMPLEMENTATION", "rmw_fastrtps_cpp")
+def test_naming_the_default_middleware_is_not_another_choice(clean_environment):
+    clean_environment.setenv("RMW_IMPLEMENTATION", "rmw_fastrtps_cpp")
     assert profile.choose_profile().chosen_by == "course"
 
 
-def test_a_profile_in_the_working_folder_is_the_users(untouched, tmp_path):
+def test_a_profile_in_the_working_folder_is_the_users(clean_environment, tmp_path):
     (tmp_path / "DEFAULT_FASTRTPS_PROFILES.xml").write_text("<dds/>")
-    chosen = profile.choose_profile()
-    assert (chosen.chosen_by, chosen.path) == ("user", str(tmp_path / "DEFAULT_FASTRTPS_PROFILES.xml"))
+    dds_profile = profile.choose_profile()
+    assert (dds_profile.chosen_by, dds_profile.path) == (
+        "user",
+        str(tmp_path / "DEFAULT_FASTRTPS_PROFILES.xml"),
+    )
 
 
-def test_little_shared_memory_takes_the_small_profile_and_says_so(untouched):
-    untouched.setattr(profile, "free_shared_memory", lambda: 64 * MIB)
-    chosen = profile.choose_profile()
-    assert (chosen.path, chosen.segment_bytes) == (str(profile.SMALL), 16 * MIB)
-    assert "/dev/shm has only 64 MiB free" in chosen.note and "--shm-size=1g" in chosen.note
+def test_little_shared_memory_selects_the_small_profile_with_a_note(clean_environment):
+    clean_environment.setattr(profile, "free_shared_memory", lambda: 64 * MIB)
+    dds_profile = profile.choose_profile()
+    assert (dds_profile.path, dds_profile.segment_bytes) == (str(profile.SMALL), 16 * MIB)
+    assert "/dev/shm has only 64 MiB free" in dds_profile.note and "--shm-size=1g" in dds_profile.note
 
 
-def test_what_killed_processes_left_is_removed_before_a_small_profile_is_taken(untouched):
+def test_stale_segments_are_removed_before_the_small_profile_is_selected(clean_environment):
     free = [64 * MIB, 500 * MIB]
-    untouched.setattr(profile, "free_shared_memory", lambda: free.pop(0))
-    untouched.setattr(profile, "remove_stale_segments", lambda: 3)
+    clean_environment.setattr(profile, "free_shared_memory", lambda: free.pop(0))
+    clean_environment.setattr(profile, "remove_stale_segments", lambda: 3)
     assert profile.choose_profile().path == str(profile.LARGE)
 
 
-def test_too_little_shared_memory_is_said(untouched):
-    untouched.setattr(profile, "free_shared_memory", lambda: 10 * MIB)
-    with pytest.warns(RuntimeWarning, match="has 10 MiB free and pictures need 18"):
-        chosen = profile.choose_profile()
-    assert chosen.chosen_by == "nobody"
+def test_too_little_shared_memory_is_warned_about(clean_environment):
+    clean_environment.setattr(profile, "free_shared_memory", lambda: 10 * MIB)
+    with pytest.warns(RuntimeWarning, match="has 10 MiB free, but images need 18"):
+        dds_profile = profile.choose_profile()
+    assert dds_profile.chosen_by == "nobody"
     assert [os.environ[variable] for variable in profile.PROFILE_VARIABLES] == ["", ""]
 
 
-def test_a_node_made_too_early_is_said(untouched):
-    untouched.setattr(profile, "_a_node_exists", lambda: True)
+def test_a_node_that_exists_too_early_is_warned_about(clean_environment):
+    clean_environment.setattr(profile, "_a_node_exists", lambda: True)
     with pytest.warns(RuntimeWarning, match=r"restart the kernel and import imgproc_course\.ros first"):
         assert profile.choose_profile().chosen_by == "nobody"
 
 
-def test_no_shared_memory_folder_is_no_obstacle(untouched):
-    untouched.setattr(profile, "free_shared_memory", lambda: None)
+def test_without_a_shared_memory_folder_the_large_profile_is_selected(clean_environment):
+    clean_environment.setattr(profile, "free_shared_memory", lambda: None)
     assert profile.choose_profile().path == str(profile.LARGE)
 
 
-def test_the_two_profiles_differ_in_their_sizes_only():
+def test_the_two_profiles_differ_only_in_their_sizes():
     def tree(path):
         return [
             (element.tag, "" if re.search(r"segment_size|maxMessageSize", element.tag) else element.text)
@@ -130,7 +133,7 @@ def test_the_two_profiles_differ_in_their_sizes_only():
 
 @pytest.mark.parametrize("path", profile.SEGMENT_BYTES, ids=lambda path: path.name)
 def test_the_participant_uses_shared_memory_and_udp(path):
-    # On loopback Fast DDS opens UDP sockets without being told, so that no test there could miss this.
+    # On loopback Fast DDS opens UDP sockets by default, so a test over loopback could not notice this.
     name = "{http://www.eprosima.com/XMLSchemas/fastRTPS_Profiles}"
     root = ET.parse(path)
     kinds = {
@@ -145,7 +148,7 @@ MAPPED = """
 import os, pathlib, psutil
 from rclpy.context import Context
 from rclpy.node import Node
-context = Context(); context.init(); node = Node("looks", context=context)
+context = Context(); context.init(); node = Node("observer", context=context)
 lines = pathlib.Path("/proc/self/maps").read_text().splitlines()
 spans = [line.split()[0].split("-") for line in lines if "/dev/shm/fastrtps_" in line and "port" not in line]
 ports = [socket.laddr.port for socket in psutil.Process().net_connections("udp4")]
@@ -160,13 +163,13 @@ node.destroy_node(); context.try_shutdown()
     "beginning, segment_mib",
     [
         ("import imgproc_course.ros", 67),
-        ("import rclpy, imgproc_course.ros", 67),  # imported, and nothing made yet: early enough
+        ("import rclpy, imgproc_course.ros", 67),  # imported, but no node exists yet: early enough
         ("", 0),
     ],
 )
-def test_fast_dds_takes_the_profile_and_keeps_udp(run_python, beginning, segment_mib):
-    nobody_chose = dict.fromkeys(profile.PROFILE_VARIABLES)
-    code, out, err = run_python(beginning + MAPPED, **nobody_chose)
+def test_fast_dds_uses_the_profile_and_keeps_udp(run_python, beginning, segment_mib):
+    no_choice = dict.fromkeys(profile.PROFILE_VARIABLES)
+    code, out, err = run_python(beginning + MAPPED, **no_choice)
     assert (code, out.split(), err) == (0, [str(segment_mib), "True"], "")
 
 
@@ -176,10 +179,10 @@ def test_a_node_that_exists_already_is_noticed(run_python):
         "import rclpy, warnings\n"
         "from rclpy.context import Context; from rclpy.node import Node\n"
         "context = Context(); context.init(); node = Node('early', context=context)\n"
-        "with warnings.catch_warnings(record=True) as said:\n"
+        "with warnings.catch_warnings(record=True) as caught:\n"
         "    warnings.simplefilter('always')\n"
         "    import imgproc_course.ros as ros\n"
-        "print(ros.dds_profile().chosen_by, len(said), 'restart the kernel' in str(said[0].message))\n"
+        "print(ros.dds_profile().chosen_by, len(caught), 'restart the kernel' in str(caught[0].message))\n"
         "node.destroy_node(); context.try_shutdown()",
         **dict.fromkeys(profile.PROFILE_VARIABLES),
     )
@@ -187,21 +190,21 @@ def test_a_node_that_exists_already_is_noticed(run_python):
 
 
 @pytest.mark.ros
-def test_the_segment_of_a_killed_process_is_removed_and_that_of_a_living_one_stays(start_python):
-    # In domains of their own, since a process maps the segments of those that it has found, too.
+def test_the_segment_of_a_killed_process_is_removed_and_that_of_a_running_one_stays(start_python):
+    # In separate domains, because a process also maps the segments of the processes that it has discovered.
     living, killed = (start_python(HOLDS_A_SEGMENT, ROS_DOMAIN_ID=domain) for domain in ("18", "19"))
-    kept, left = living.stdout.readline().split(), killed.stdout.readline().split()
-    assert kept and left and not set(kept) & set(left)
+    living_segments, killed_segments = living.stdout.readline().split(), killed.stdout.readline().split()
+    assert living_segments and killed_segments and not set(living_segments) & set(killed_segments)
     killed.kill()
     killed.wait()
-    assert all((profile.SHARED_MEMORY / name).exists() for name in left)
+    assert all((profile.SHARED_MEMORY / name).exists() for name in killed_segments)
     long_ago = time.time() - 1000
     assert profile.remove_stale_segments(older_than=2000) == 0
-    for name in (*kept, *left):  # not the files of others, who may be about to lock theirs
+    for name in (*living_segments, *killed_segments):  # only these: others may be about to lock theirs
         os.utime(profile.SHARED_MEMORY / name, (long_ago, long_ago))
-    assert profile.remove_stale_segments(older_than=500) >= len(left)
-    assert not any((profile.SHARED_MEMORY / name).exists() for name in left)
-    assert all((profile.SHARED_MEMORY / name).exists() for name in kept)
+    assert profile.remove_stale_segments(older_than=500) >= len(killed_segments)
+    assert not any((profile.SHARED_MEMORY / name).exists() for name in killed_segments)
+    assert all((profile.SHARED_MEMORY / name).exists() for name in living_segments)
 
 
 HOLDS_A_SEGMENT = """

@@ -1,4 +1,4 @@
-"""The session of a process: started and stopped in any order, left in any way, and nothing remains."""
+"""The session of a process: started and stopped in any order, ended in any way, and nothing remains."""
 
 import threading
 
@@ -6,13 +6,13 @@ import pytest
 
 pytestmark = pytest.mark.ros
 
-LEAVES = """
+RECEIVES = """
 from imgproc_course.ros import ImageSubscriber, RosSession, open_camera
 camera = open_camera(speed=3.0)
 frames = []
 subscriber = ImageSubscriber(camera.topic, lambda frame, msg: frames.append(frame.shape))
 subscriber.wait(20)
-print("a frame came", flush=True)
+print("a frame arrived", flush=True)
 """
 
 
@@ -57,9 +57,9 @@ def test_ten_starts_and_stops_leave_no_thread_and_no_node(session, wait_until):
     wait_until(lambda: psutil.Process().num_threads() <= before)
     context = Context()
     context.init()
-    looks = Node("looks", context=context)
-    assert looks.get_node_names() == ["looks"]
-    looks.destroy_node()
+    observer = Node("observer", context=context)
+    assert observer.get_node_names() == ["observer"]
+    observer.destroy_node()
     context.try_shutdown()
 
 
@@ -75,7 +75,7 @@ def test_many_threads_start_one_session(session):
     assert ros_threads() == ["imgproc_course ROS session"]
 
 
-def test_run_calls_in_the_spinning_thread_and_returns_the_answer(session):
+def test_run_calls_in_the_spinning_thread_and_returns_the_result(session):
     assert session.run(lambda: threading.current_thread().name) == "imgproc_course ROS session"
     with pytest.raises(ZeroDivisionError):
         session.run(lambda: 1 / 0)
@@ -96,21 +96,21 @@ def test_stop_from_within_a_callback(session, wait_until):
 
 
 def test_starting_from_a_callback_of_a_stopping_session_is_refused(session, wait_until):
-    said = []
+    errors = []
 
     def callback():
         session.stop()
         try:
             session.start()
         except RuntimeError as error:
-            said.append(str(error))
+            errors.append(str(error))
 
     session.node.create_timer(0.01, callback)
     wait_until(lambda: ros_threads() == [])
-    assert said == ["the ROS session is stopping; start it from outside its callbacks"]
+    assert errors == ["the ROS session is stopping; start it from outside its callbacks"]
 
 
-def test_a_callback_that_raises_is_logged_and_the_graph_goes_on(session, wait_until, caplog):
+def test_a_callback_that_raises_is_logged_and_the_graph_continues(session, wait_until, caplog):
     calls = []
 
     def callback():
@@ -120,7 +120,7 @@ def test_a_callback_that_raises_is_logged_and_the_graph_goes_on(session, wait_un
     session.node.create_timer(0.01, callback)
     wait_until(lambda: len(calls) >= 5)
     assert session.running
-    assert [record.message for record in caplog.records] == ["a ROS callback failed; the graph goes on"]
+    assert [record.message for record in caplog.records] == ["a ROS callback failed; the graph continues"]
     assert "the learner's mistake" in caplog.text
 
 
@@ -140,44 +140,44 @@ def test_a_node_of_the_learners_is_spun_and_destroyed_with_the_session(session, 
     assert ros_threads() == []
 
 
-def test_destroying_while_spinning_stumbles_over_nothing(session, wait_until, caplog):
+def test_destroying_a_subscription_while_spinning_is_safe(session, wait_until, caplog):
     from sensor_msgs.msg import Image
 
     ticks = []
     session.node.create_timer(0.001, lambda: ticks.append(1))
     for _ in range(50):
-        subscription = session.node.create_subscription(Image, "/pictures", lambda msg: None, 5)
+        subscription = session.node.create_subscription(Image, "/images", lambda msg: None, 5)
         session.node.destroy_subscription(subscription)  # in this thread, as learners do
-    seen = len(ticks)
-    wait_until(lambda: len(ticks) > seen + 10)
+    count = len(ticks)
+    wait_until(lambda: len(ticks) > count + 10)
     assert session.running and caplog.records == []
 
 
-def test_your_own_rclpy_lives_beside_it(run_python):
+def test_your_own_rclpy_context_works_beside_it(run_python):
     code, out, err = run_python(
-        LEAVES + "import rclpy\n"
+        RECEIVES + "import rclpy\n"
         "rclpy.init(); node = rclpy.create_node('mine')\n"
         "rclpy.spin_once(node, timeout_sec=0.1)\n"
         "subscriber.wait(20)\n"
         "node.destroy_node(); rclpy.shutdown()\n"
-        "subscriber.wait(20); print('both lived')\n"
+        "subscriber.wait(20); print('both work')\n"
     )
-    assert (code, out, err) == (0, "a frame came\nboth lived\n", "")
+    assert (code, out, err) == (0, "a frame arrived\nboth work\n", "")
 
 
 @pytest.mark.parametrize("end", ["", "raise SystemExit(3)", "RosSession.current().stop()"])
-def test_leaving_without_a_word_is_quiet(run_python, end):
-    code, out, err = run_python(LEAVES + end)
-    assert (code, out, err) == (3 if "3" in end else 0, "a frame came\n", "")
+def test_the_interpreter_ends_without_error_output(run_python, end):
+    code, out, err = run_python(RECEIVES + end)
+    assert (code, out, err) == (3 if "3" in end else 0, "a frame arrived\n", "")
 
 
-@pytest.mark.parametrize("also", ["", "import rclpy; rclpy.init()\n"], ids=["plain", "with rclpy.init"])
-def test_ctrl_c_in_a_waiting_script_leaves_with_the_usual_traceback(start_python, also):
+@pytest.mark.parametrize("extra", ["", "import rclpy; rclpy.init()\n"], ids=["plain", "with rclpy.init"])
+def test_ctrl_c_in_a_waiting_script_ends_it_with_the_usual_traceback(start_python, extra):
     import signal
 
-    # Short sleeps: a long one does not see a signal that came between the print and its beginning.
+    # Short sleeps: a long one would miss a signal that comes between the print and the sleep.
     waits = "import time\nprint('waiting', flush=True)\nfor _ in range(1200): time.sleep(0.05)"
-    process = start_python(LEAVES + also + waits)
+    process = start_python(RECEIVES + extra + waits)
     while process.stdout.readline() != "waiting\n":
         assert process.poll() is None
     process.send_signal(signal.SIGINT)
@@ -188,18 +188,18 @@ def test_ctrl_c_in_a_waiting_script_leaves_with_the_usual_traceback(start_python
 
 
 def shut_down_before_its_next_wait(node):
-    """Brings the moment about in which a signal handler comes between two rounds of an executor."""
+    """Shuts the context down between two rounds of an executor, as a signal handler may do."""
     from rclpy.waitable import NumberOfEntities, Waitable
 
-    class Handler(Waitable):
+    class ShutsDown(Waitable):
         def get_num_entities(self):
             node.context.try_shutdown()
             return NumberOfEntities()
 
-    node.add_waitable(Handler(node.default_callback_group))
+    node.add_waitable(ShutsDown(node.default_callback_group))
 
 
-def test_a_shutdown_between_two_rounds_ends_the_session_without_a_word(session, wait_until, caplog):
+def test_a_shutdown_between_two_rounds_ends_the_session_quietly(session, wait_until, caplog):
     session.run(lambda: shut_down_before_its_next_wait(session.node))
     wait_until(lambda: ros_threads() == [])
     assert caplog.records == [] and not session.running
@@ -221,9 +221,9 @@ def test_a_shutdown_between_two_rounds_ends_a_node_as_any_other():
     node.destroy_node()
 
 
-def test_after_rclpys_own_handlers_shut_all_down_it_can_be_started_again(run_python):
+def test_after_rclpys_own_signal_handlers_it_can_be_started_again(run_python):
     code, out, err = run_python(
-        LEAVES + "import os, rclpy, signal, time\n"
+        RECEIVES + "import os, rclpy, signal, time\n"
         "rclpy.init()\n"
         "session = RosSession.current()\n"
         "try:\n"
@@ -237,19 +237,19 @@ def test_after_rclpys_own_handlers_shut_all_down_it_can_be_started_again(run_pyt
         "    print(subscriber.wait(20).shape)"
     )
     assert (code, err) == (0, "")
-    assert out == "a frame came\nFalse True\n(720, 1280, 3)\n"
+    assert out == "a frame arrived\nFalse True\n(720, 1280, 3)\n"
 
 
-def test_a_callback_that_never_returns_cannot_keep_the_interpreter(run_python):
+def test_a_callback_that_never_returns_cannot_keep_the_interpreter_alive(run_python):
     code, out, err = run_python(
         "import time\nfrom imgproc_course.ros import session as module\n"
-        "module.PATIENCE = 0.5\n"
+        "module.CALLBACK_TIMEOUT = 0.5\n"
         "session = module.RosSession.current()\n"
         "session.post(lambda: time.sleep(3600))\n"
         "print('leaving', flush=True)"
     )
     assert (code, out) == (0, "leaving\n")
-    assert err == "a callback has not returned for 0.5 s; the ROS session leaves without it\n"
+    assert err == "a callback has not returned for 0.5 s; the ROS session stops without it\n"
 
 
 FORK = """
@@ -277,17 +277,17 @@ def test_a_forked_child_inherits_no_session_and_the_parent_keeps_its_own(run_pyt
     assert (code, err) == (0, "")
     assert out.splitlines() == [
         "child running: False",
-        "this process was forked from one with a running ROS session, which DDS does not survive; "
-        "start it with multiprocessing.get_context('spawn') or subprocess instead",
+        "this process was forked from one with a running ROS session, and DDS does not work after a fork; "
+        "start the process with multiprocessing.get_context('spawn') or subprocess instead",
         "child left with 7",
         "parent running: True 42",
     ]
 
 
-def test_a_child_forked_before_any_session_may_have_one(run_python):
+def test_a_child_forked_before_any_session_can_start_one(run_python):
     code, out, err = run_python(
         "import os, warnings, imgproc_course.ros as ros\n"
-        "warnings.simplefilter('ignore')  # Python 3.12 warns of the threads of NumPy's own\n"
+        "warnings.simplefilter('ignore')  # Python 3.12 warns about NumPy's threads\n"
         "if os.fork() == 0: print(ros.RosSession.current().run(lambda: 42))\n"
         "else: os.wait()"
     )
@@ -295,7 +295,7 @@ def test_a_child_forked_before_any_session_may_have_one(run_python):
 
 
 @pytest.mark.parametrize("domain", ["abc", "300", "-1"])
-def test_a_domain_that_is_none_is_said(run_python, domain):
+def test_a_bad_domain_is_refused(run_python, domain):
     code, out, err = run_python(
         "from imgproc_course.ros import RosSession\n"
         "try: RosSession.current()\n"
@@ -303,11 +303,11 @@ def test_a_domain_that_is_none_is_said(run_python, domain):
         ROS_DOMAIN_ID=domain,
     )
     assert (code, err) == (0, "")
-    expected = f"ROS_DOMAIN_ID={domain} is no ROS domain; choose 0 to 101, the same on all machines\n"
+    expected = f"ROS_DOMAIN_ID={domain} is not a ROS domain; choose 0 to 101, the same on all machines\n"
     assert out == expected
 
 
-def test_a_log_folder_that_cannot_be_written_is_no_obstacle(run_python):
+def test_a_log_folder_that_cannot_be_written_does_no_harm(run_python):
     code, out, err = run_python(
         "from imgproc_course.ros import RosSession; print(RosSession.current().run(lambda: 42))",
         ROS_LOG_DIR="/proc/no/such/folder",

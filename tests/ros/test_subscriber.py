@@ -1,4 +1,4 @@
-"""The subscriber: frames with the right pixels, honest counts, and the reason when nothing comes."""
+"""The subscriber: frames with the right pixels, correct counts, and the reason if no image arrives."""
 
 import gc
 import threading
@@ -10,12 +10,12 @@ import pytest
 
 pytestmark = pytest.mark.ros
 
-TOPIC = "/pictures/image_raw"
+TOPIC = "/images/image_raw"
 
 
 @pytest.fixture
 def send(session, wait_until):
-    """send(array, ...) publishes a picture on TOPIC once somebody listens."""
+    """send(array, ...) publishes an image on TOPIC as soon as it has a subscriber."""
     from rclpy.qos import qos_profile_sensor_data
     from sensor_msgs.msg import Image
 
@@ -23,8 +23,8 @@ def send(session, wait_until):
 
     publisher = session.node.create_publisher(Image, TOPIC, qos_profile_sensor_data)
 
-    def publish(array, encoding="rgb8", listeners=1):
-        wait_until(lambda: publisher.get_subscription_count() >= listeners)
+    def publish(array, encoding="rgb8", subscribers=1):
+        wait_until(lambda: publisher.get_subscription_count() >= subscribers)
         msg = array if isinstance(array, Image) else array_to_image(array, encoding)
         publisher.publish(msg)
 
@@ -34,17 +34,17 @@ def send(session, wait_until):
 
 @pytest.fixture
 def subscribe(session):
-    """Makes subscribers that end with the test."""
+    """Creates subscribers that end with the test."""
     from imgproc_course.ros import ImageSubscriber
 
-    made = []
+    subscribers = []
 
     def make(*arguments, **options):
-        made.append(ImageSubscriber(*arguments, **options))
-        return made[-1]
+        subscribers.append(ImageSubscriber(*arguments, **options))
+        return subscribers[-1]
 
     yield make
-    for subscriber in made:
+    for subscriber in subscribers:
         subscriber.stop()
 
 
@@ -64,7 +64,7 @@ def send_soon(send, *arguments):
     threading.Timer(0.2, send, arguments).start()
 
 
-def test_wait_gives_the_picture_that_was_sent_in_the_encoding_asked_for(send, subscribe):
+def test_wait_returns_the_image_in_the_requested_encoding(send, subscribe):
     subscriber = subscribe(TOPIC)
     assert (subscriber.latest(), subscriber.latest_message()) == (None, None)
     send_soon(send, colours())
@@ -82,14 +82,14 @@ def test_frames_come_in_other_encodings(send, subscribe, encoding):
     assert np.array_equal(subscriber.wait(20), colours())
 
 
-def test_wait_message_gives_the_message(send, subscribe):
+def test_wait_message_returns_the_message(send, subscribe):
     subscriber = subscribe(TOPIC)
     send_soon(send, colours())
     msg = subscriber.wait_message(20)
     assert (msg.height, msg.width, bytes(msg.data)) == (4, 5, colours().tobytes())
 
 
-def test_wait_gives_a_new_frame_and_not_the_one_before(send, subscribe):
+def test_wait_returns_a_new_frame_and_not_the_previous_one(send, subscribe):
     subscriber = subscribe(TOPIC)
     send_soon(send, colours())
     subscriber.wait(20)
@@ -121,7 +121,9 @@ def test_on_image_gets_frame_and_message_in_order(send, subscribe, wait_until):
     assert seen == [(1, "mono8"), (2, "mono8"), (3, "mono8")]
 
 
-def test_a_frame_that_does_not_convert_is_logged_counted_and_skipped(send, subscribe, wait_until, caplog):
+def test_a_message_that_cannot_be_converted_is_logged_counted_and_skipped(
+    send, subscribe, wait_until, caplog
+):
     seen = []
     subscriber = subscribe(TOPIC, lambda frame, msg: seen.append(frame))
     send(broken_image())
@@ -129,7 +131,7 @@ def test_a_frame_that_does_not_convert_is_logged_counted_and_skipped(send, subsc
     wait_until(lambda: seen)
     assert (subscriber.received, subscriber.failed, len(seen)) == (2, 1, 1)
     assert np.array_equal(subscriber.latest(), colours()[:, :, ::-1])
-    assert subscriber.last_error.startswith(f"a message of {TOPIC} does not convert: ")
+    assert subscriber.last_error.startswith(f"a message of {TOPIC} cannot be converted: ")
     assert [record.message for record in caplog.records] == [
         f"{subscriber.last_error} (skipped; 1 failed so far)"
     ]
@@ -163,21 +165,21 @@ def test_an_exception_in_on_image_is_logged_counted_and_kills_nothing(send, subs
     assert ending in caplog.text
 
 
-def test_a_reliable_subscriber_is_told_why_it_hears_nothing(send, subscribe, wait_until, caplog):
+def test_a_reliable_subscriber_learns_why_it_receives_nothing(send, subscribe, wait_until, caplog):
     subscriber = subscribe(TOPIC, qos="reliable")
     wait_until(lambda: caplog.records)
-    told = (
-        f"{TOPIC} is published with a QoS that does not match: this subscriber asks for RELIABLE, "
+    text = (
+        f"{TOPIC} is published with an incompatible QoS policy: this subscription requests RELIABLE, "
         'the publisher offers BEST_EFFORT; use qos="sensor_data"'
     )
-    assert subscriber.incompatible_qos == told
-    assert [record.message for record in caplog.records] == [told]
+    assert subscriber.incompatible_qos == text
+    assert [record.message for record in caplog.records] == [text]
     with pytest.raises(TimeoutError) as error:
         subscriber.wait(0.1)
-    assert str(error.value) == f"no frame on {TOPIC} in 0.1 s: {told}"
+    assert str(error.value) == f"no image arrived on {TOPIC} in 0.1 s: {text}"
 
 
-def test_another_policy_that_does_not_match_is_named(send, subscribe, wait_until):
+def test_another_incompatible_policy_is_named(send, subscribe, wait_until):
     from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 
     subscriber = subscribe(
@@ -189,31 +191,31 @@ def test_another_policy_that_does_not_match_is_named(send, subscribe, wait_until
         ),
     )
     wait_until(lambda: subscriber.incompatible_qos)
-    assert "asks for TRANSIENT_LOCAL" in subscriber.incompatible_qos
+    assert "requests TRANSIENT_LOCAL" in subscriber.incompatible_qos
 
 
 def reason(subscriber, seconds=0.3):
     with pytest.raises(TimeoutError) as error:
         subscriber.wait(seconds)
-    start = f"no frame on {subscriber.topic} in {seconds:g} s: "
+    start = f"no image arrived on {subscriber.topic} in {seconds:g} s: "
     assert str(error.value).startswith(start)
     assert "\n" not in str(error.value)
     return str(error.value).removeprefix(start)
 
 
-def test_nobody_publishes_and_a_similar_topic_exists(send, subscribe, session):
-    session.node.create_publisher(type(broken_image()), "/pictures/other", 5)
-    text = reason(subscribe("/pictures/image_rw"))
+def test_no_publisher_but_a_similar_topic(send, subscribe, session):
+    session.node.create_publisher(type(broken_image()), "/images/other", 5)
+    text = reason(subscribe("/images/image_rw"))
     domain = session.context.get_domain_id()
     assert text.startswith(
-        f"nobody publishes it (domain {domain}, discovery range LOCALHOST); pictures come on "
+        f"no node publishes this topic (domain {domain}, discovery range LOCALHOST); images are published on "
     )
-    assert text.split("pictures come on ")[1].split(", ")[0] == TOPIC
+    assert text.split("images are published on ")[1].split(", ")[0] == TOPIC
 
 
-def test_nobody_publishes_anything(subscribe):
+def test_no_publisher_at_all(subscribe):
     text = reason(subscribe(TOPIC))
-    assert text.startswith("nobody publishes it, nor any picture (domain ")
+    assert text.startswith("no node publishes this topic or any other image (domain ")
     assert "open_camera()" in text and "imgproc-course play" in text and "ROS_DOMAIN_ID" in text
 
 
@@ -221,30 +223,30 @@ def test_the_publisher_is_silent(send, subscribe, session, wait_until):
     subscriber = subscribe(TOPIC)
     wait_until(lambda: subscriber.matched == 1)
     text = reason(subscriber)
-    assert text.startswith(f"/{session.node.get_name()} publishes it, but nothing came; it is paused")
+    assert text.startswith(f"/{session.node.get_name()} publishes it, but no image came; the node is paused")
     assert f"subscribe to {TOPIC}/compressed" in text
 
 
-def test_the_publisher_has_fallen_silent(send, subscribe, session):
+def test_the_publisher_has_become_silent(send, subscribe, session):
     subscriber = subscribe(TOPIC)
     send_soon(send, colours())
     subscriber.wait(5)
     assert reason(subscriber) == (
-        f"/{session.node.get_name()} publishes it, and nothing came any more; it is paused, or was killed "
-        "or cut off (ROS notices only after some 20 s)"
+        f"/{session.node.get_name()} publishes it, but the images have stopped; the node is paused, was "
+        "killed, or is cut off (ROS notices this only after about 20 s)"
     )
 
 
-def test_frames_arrive_and_none_converts(send, subscribe):
+def test_messages_arrive_and_none_can_be_converted(send, subscribe):
     subscriber = subscribe(TOPIC)
     send_soon(send, broken_image())
     text = reason(subscriber, seconds=2)
-    assert text.startswith(f"1 arrived and failed; a message of {TOPIC} does not convert: ")
+    assert text.startswith(f"1 arrived and failed; a message of {TOPIC} cannot be converted: ")
 
 
 @pytest.fixture
 def another_process():
-    """A node of another context: to DDS, and to the session, that is another process."""
+    """A node of another context: for DDS and for the session this is another process."""
     from rclpy.context import Context
     from rclpy.node import Node
 
@@ -257,24 +259,26 @@ def another_process():
 
 
 @pytest.mark.parametrize(
-    "kind, remedy",
+    "message_type, remedy",
     [
         ("sensor_msgs/msg/CompressedImage", "its name must end in /compressed to be read as that"),
-        ("std_msgs/msg/String", "no pictures there"),
+        ("std_msgs/msg/String", "this topic carries no images"),
     ],
 )
-def test_another_type_is_on_the_topic(another_process, session, subscribe, wait_until, kind, remedy):
+def test_another_type_is_on_the_topic(another_process, session, subscribe, wait_until, message_type, remedy):
     import importlib
 
-    package, name = kind.split("/msg/")
+    package, name = message_type.split("/msg/")
     another_process.create_publisher(getattr(importlib.import_module(f"{package}.msg"), name), TOPIC, 5)
     subscriber = subscribe(TOPIC)
     wait_until(lambda: session.node.count_publishers(TOPIC))
     text = reason(subscriber)
-    assert text.startswith(f"it carries {kind}, and sensor_msgs/msg/Image was expected; {remedy}")
+    assert text.startswith(
+        f"the topic carries {message_type}, but the subscription expects sensor_msgs/msg/Image; {remedy}"
+    )
 
 
-def test_a_compressed_topic_that_carries_raw_pictures_is_said(
+def test_a_compressed_topic_that_carries_raw_images_is_explained(
     another_process, session, subscribe, wait_until
 ):
     topic = f"{TOPIC}/compressed"
@@ -282,22 +286,22 @@ def test_a_compressed_topic_that_carries_raw_pictures_is_said(
     subscriber = subscribe(topic)
     wait_until(lambda: session.node.count_publishers(topic))
     assert reason(subscriber) == (
-        "it carries sensor_msgs/msg/Image, and sensor_msgs/msg/CompressedImage was expected; "
-        f"subscribe to {TOPIC} for raw pictures"
+        "the topic carries sensor_msgs/msg/Image, but the subscription expects "
+        f"sensor_msgs/msg/CompressedImage; subscribe to {TOPIC} for raw images"
     )
 
 
-def test_another_type_in_this_process_is_said(session):
+def test_another_type_in_this_process_is_refused(session):
     from std_msgs.msg import String
 
     from imgproc_course.ros import ImageSubscriber
 
     session.node.create_publisher(String, "/words", 5)
-    with pytest.raises(ValueError, match="/words cannot be subscribed as Image: this process has it with"):
+    with pytest.raises(ValueError, match="cannot subscribe to /words as Image: this process already uses"):
         ImageSubscriber("/words")
 
 
-def test_waiting_on_a_stopped_subscriber_says_so(subscribe):
+def test_waiting_on_a_stopped_subscriber_is_an_error(subscribe):
     subscriber = subscribe(TOPIC)
     subscriber.stop()
     subscriber.stop()
@@ -339,7 +343,7 @@ def test_iteration_yields_the_newest_and_ends_with_stop(send, subscribe, wait_un
     def read():
         for frame in subscriber:
             seen.append(int(frame[0, 0]))
-            if seen == [1]:  # meanwhile three more come, and only the last is read
+            if seen == [1]:  # three more arrive meanwhile, and only the last is read
                 for value in (2, 3, 4):
                     send(np.full((2, 2), value, np.uint8), "mono8")
                     wait_until(lambda value=value: subscriber.received == value)
@@ -355,7 +359,7 @@ def test_iteration_yields_the_newest_and_ends_with_stop(send, subscribe, wait_un
     assert not reader.is_alive()
 
 
-def test_the_rate_is_measured_by_time_of_arrival(subscribe, monkeypatch):
+def test_the_rate_is_measured_from_the_arrival_times(subscribe, monkeypatch):
     from imgproc_course.ros import subscriber as module
 
     clock = [100.0]
@@ -374,7 +378,7 @@ def test_the_rate_is_measured_by_time_of_arrival(subscribe, monkeypatch):
     assert subscriber.measured_rate == 0.0
 
 
-def test_drops_are_the_gaps_in_the_publishers_count(subscribe):
+def test_dropped_messages_are_the_gaps_in_the_publishers_numbers(subscribe):
     from imgproc_course.ros import subscriber as module
 
     subscriber = subscribe(TOPIC, encoding="mono8")
@@ -387,7 +391,7 @@ def test_drops_are_the_gaps_in_the_publishers_count(subscribe):
 
     arrive(7, 8, 11)
     assert subscriber.dropped == 2
-    subscriber._on_matched(types.SimpleNamespace(current_count=1))  # another publisher counts anew
+    subscriber._on_matched(types.SimpleNamespace(current_count=1))  # another publisher starts again
     arrive(1, 2, 4)
     assert subscriber.dropped == 3
     subscriber._on_matched(types.SimpleNamespace(current_count=2))
@@ -418,7 +422,7 @@ def test_messages_overwritten_while_the_thread_is_busy_count_as_dropped(send, su
     assert (subscriber.received, subscriber.dropped) == (6, 7)
 
 
-def test_a_subscriber_that_nobody_holds_goes(send, subscribe, session, wait_until):
+def test_a_subscriber_without_references_is_deleted(send, subscribe, session, wait_until):
     from imgproc_course.ros import ImageSubscriber
 
     subscriber = ImageSubscriber(TOPIC)
@@ -460,28 +464,32 @@ def test_a_modules_function_may_be_called_by_two_subscribers(send, subscribe, wa
 
     subscribe(TOPIC, on_image)
     subscribe(TOPIC, on_image)
-    send(colours(), listeners=2)
+    send(colours(), subscribers=2)
     wait_until(lambda: len(seen) == 2)
 
 
 @pytest.mark.parametrize(
-    "arguments, options, said",
+    "arguments, options, message",
     [
-        ((TOPIC,), {"qos": "best"}, "qos 'best' is neither 'sensor_data' nor 'reliable'"),
+        (
+            (TOPIC,),
+            {"qos": "best"},
+            "qos must be 'sensor_data', 'reliable' or an rclpy.qos.QoSProfile, got 'best'",
+        ),
         ((TOPIC,), {"encoding": "bgr9"}, "bgr9"),
-        (("/two words",), {}, "'/two words' is no topic name"),
-        ((None,), {}, "None is no topic name"),
+        (("/two words",), {}, "'/two words' is not a topic name"),
+        ((None,), {}, "None is not a topic name"),
     ],
 )
-def test_bad_arguments_are_said(session, arguments, options, said):
+def test_bad_arguments_are_refused_in_one_line(session, arguments, options, message):
     from imgproc_course.ros import ImageSubscriber
 
     with pytest.raises(ValueError) as error:
         ImageSubscriber(*arguments, **options)
-    assert said in str(error.value) and "\n" not in str(error.value)
+    assert message in str(error.value) and "\n" not in str(error.value)
 
 
-def test_the_default_qos_is_what_cameras_offer():
+def test_the_default_qos_is_the_one_that_cameras_offer():
     from rclpy.qos import DurabilityPolicy, HistoryPolicy, ReliabilityPolicy
 
     from imgproc_course.ros.subscriber import QOS

@@ -1,4 +1,4 @@
-"""Both packages built once by colcon, their executables as processes, and a camera that does as told."""
+"""Fixtures: both packages built once by colcon, their executables as processes, and a camera for tests."""
 
 import json
 import re
@@ -17,7 +17,7 @@ import pytest
 SOURCES = Path(__file__).parents[2] / "environment" / "ros2_ws" / "src"
 PACKAGES = ("image_edge_detection", "image_gray_processor")
 TOPIC = "/kachaka/front_camera/image_raw"
-ASK_THE_INDEX = (
+QUERY_INDEX = (
     "import json\n"
     "from ament_index_python import get_package_prefix as prefix, get_package_share_directory as share\n"
     f"print(json.dumps({{name: [prefix(name), share(name)] for name in {PACKAGES}}}))"
@@ -26,36 +26,36 @@ ASK_THE_INDEX = (
 
 @pytest.fixture(scope="session")
 def workspace(tmp_path_factory):
-    """A colcon workspace with both packages built, and its environment as sourced."""
+    """A colcon workspace with both packages built, and its environment after sourcing."""
     root = tmp_path_factory.mktemp("ros2_ws")
-    leave_out = shutil.ignore_patterns("__pycache__", "build", "install", "log", ".pytest_cache")
-    shutil.copytree(SOURCES, root / "src", ignore=leave_out)
+    ignore = shutil.ignore_patterns("__pycache__", "build", "install", "log", ".pytest_cache")
+    shutil.copytree(SOURCES, root / "src", ignore=ignore)
     colcon = Path(sys.executable).with_name("colcon")
-    built = subprocess.run(
+    build = subprocess.run(
         [colcon, "--log-base", "log", "build"], cwd=root, capture_output=True, text=True, timeout=240
     )
-    assert built.returncode == 0, built.stdout + built.stderr
+    assert build.returncode == 0, build.stdout + build.stderr
     sourced = subprocess.run(
         ["bash", "-c", "source install/setup.bash && env -0"], cwd=root, capture_output=True, check=True
     )
     pairs = (entry.partition("=") for entry in sourced.stdout.decode().split("\0") if entry)
     environment = {name: value for name, _, value in pairs} | {"ROS_LOG_DIR": str(root / "ros_log")}
-    found = subprocess.run(
-        [sys.executable, "-c", ASK_THE_INDEX], env=environment, capture_output=True, text=True, check=True
+    query = subprocess.run(
+        [sys.executable, "-c", QUERY_INDEX], env=environment, capture_output=True, text=True, check=True
     )
-    found = json.loads(found.stdout)
+    folders = json.loads(query.stdout)
     return SimpleNamespace(
         root=root,
         colcon=colcon,
-        said=built.stdout,
+        output=build.stdout,
         environment=environment,
-        prefix={name: Path(prefix) for name, (prefix, _) in found.items()},
-        share={name: Path(share) for name, (_, share) in found.items()},
+        prefix={name: Path(prefix) for name, (prefix, _) in folders.items()},
+        share={name: Path(share) for name, (_, share) in folders.items()},
     )
 
 
 class Process:
-    """A process and all that it says."""
+    """A process and all its output."""
 
     def __init__(self, command, environment):
         self._process = subprocess.Popen(
@@ -66,39 +66,39 @@ class Process:
             text=True,
         )
         self.pid = self._process.pid
-        self.said = ""
+        self.output = ""
         self._reader = threading.Thread(target=self._read, daemon=True)
         self._reader.start()
 
     def _read(self):
         with self._process.stdout as lines:
             for line in lines:
-                self.said += line
+                self.output += line
 
     @property
     def running(self):
         return self._process.poll() is None
 
     def wait_for(self, pattern, seconds=40.0, times=1):
-        """The match of a regular expression in what it said, once there are so many."""
+        """Waits until the output has so many matches of a regular expression; returns the last of them."""
         end = time.monotonic() + seconds
-        while len(found := list(re.finditer(pattern, self.said))) < times:
+        while len(matches := list(re.finditer(pattern, self.output))) < times:
             if time.monotonic() > end or not (self.running or self._reader.is_alive()):
-                pytest.fail(f"the process never said {pattern!r} {times} times; it said:\n{self.said}")
+                pytest.fail(f"no {pattern!r} ({times} times) in the output:\n{self.output}")
             time.sleep(0.02)
-        return found[times - 1]
+        return matches[times - 1]
 
     def send(self, number):
         self._process.send_signal(number)
 
     def leave(self, *numbers, seconds=20.0):
-        """Its exit code after these signals (SIGINT unless said)."""
+        """Sends these signals (SIGINT if omitted) and returns the exit code."""
         for number in numbers or (signal.SIGINT,):
             self.send(number)
         return self.wait(seconds)
 
     def wait(self, seconds=20.0):
-        """Its exit code, once it has ended by itself."""
+        """Waits until it has ended by itself and returns the exit code."""
         code = self._process.wait(seconds)
         self._reader.join(seconds)
         return code
@@ -110,7 +110,7 @@ class Process:
 
 @pytest.fixture
 def start(workspace):
-    """Starts a command in the sourced workspace; it ends with the test."""
+    """Starts a command in the sourced workspace; it is killed at the end of the test."""
     running = []
 
     def start_process(*command, **variables):
@@ -127,12 +127,12 @@ def start(workspace):
 
 @pytest.fixture
 def start_node(start, workspace):
-    """Starts the installed executable of a package, as `ros2 run` does, and waits until it listens."""
+    """Starts the installed executable of a package, as `ros2 run` does, and waits until it has subscribed."""
 
     def start_installed(package, *arguments, **variables):
         executable = workspace.prefix[package] / "lib" / package / package
         process = start(executable, *(["--ros-args", *arguments] if arguments else []), **variables)
-        process.wait_for("listening to")
+        process.wait_for("subscribed to")
         return process
 
     return start_installed
@@ -148,30 +148,30 @@ def session():
 
 @pytest.fixture
 def wait_until():
-    """Waits for something that other threads or processes bring about; fails when it does not come."""
+    """Waits for a condition that other threads or processes fulfil; fails after a timeout."""
 
     def wait(condition, seconds=30.0):
         end = time.monotonic() + seconds
-        while not (found := condition()):
+        while not (result := condition()):
             if time.monotonic() > end:
-                pytest.fail("waited in vain")
+                pytest.fail("the condition did not become true in time")
             time.sleep(0.01)
-        return found
+        return result
 
     return wait
 
 
-class Ear:
-    """Keeps every message of a topic, in the order of arrival."""
+class Collector:
+    """Subscribes to a topic and keeps every message, in the order of arrival."""
 
-    def __init__(self, session, topic, kind=None, qos=None):
+    def __init__(self, session, topic, message_type=None, qos=None):
         from rclpy.qos import qos_profile_sensor_data
         from sensor_msgs.msg import Image
 
         self.messages = []
         self._session = session
         self._subscription = session.node.create_subscription(
-            kind or Image, topic, self.messages.append, qos or qos_profile_sensor_data
+            message_type or Image, topic, self.messages.append, qos or qos_profile_sensor_data
         )
 
     def stop(self):
@@ -180,18 +180,18 @@ class Ear:
     def stamps(self):
         return [nanoseconds(message) for message in list(self.messages)]
 
-    def of(self, stamp):
-        """The message of that stamp, or None."""
+    def with_stamp(self, stamp):
+        """The message with this stamp, or None."""
         return next((message for message in list(self.messages) if nanoseconds(message) == stamp), None)
 
 
 @pytest.fixture
-def listen(session):
-    return lambda topic, kind=None, qos=None: Ear(session, topic, kind, qos)
+def collect(session):
+    return lambda topic, message_type=None, qos=None: Collector(session, topic, message_type, qos)
 
 
 class Camera:
-    """Publishes pictures one by one, each with the next stamp."""
+    """Publishes images one by one, each with the next stamp."""
 
     def __init__(self, session, topic=TOPIC):
         from rclpy.qos import qos_profile_sensor_data
@@ -203,7 +203,7 @@ class Camera:
         self.sent = 0
 
     def send(self, message, stamp=None):
-        """Publishes a message under that stamp (or the next), and returns the stamp."""
+        """Publishes a message with this stamp (or the next), and returns the stamp."""
         self.stamp = self.stamp + 33_000_000 if stamp is None else stamp
         message.header.stamp.sec, message.header.stamp.nanosec = divmod(self.stamp, 1_000_000_000)
         message.header.frame_id = "camera_front"
@@ -212,23 +212,23 @@ class Camera:
         return self.stamp
 
     def send_until(self, condition, message, seconds=40.0, every=0.03, stamp=None):
-        """Sends the message again and again until the condition holds, for best effort may lose some."""
+        """Sends the message repeatedly until the condition holds, because best effort may lose some."""
         end = time.monotonic() + seconds
-        while not (found := condition()):
+        while not (result := condition()):
             if time.monotonic() > end:
-                pytest.fail(f"waited in vain, after {self.sent} pictures")
+                pytest.fail(f"the condition did not become true after {self.sent} images")
             self.send(message, stamp)
             time.sleep(every)
-        return found
+        return result
 
-    def get_answer(self, ear, message):
-        """What a listener hears of this picture: sent until an answer of this or a later sending comes."""
+    def get_result(self, collector, message):
+        """The result that a collector receives for this image; the image is sent until a result comes."""
         first = self.send(message)
 
-        def answer():
-            return next((m for m in reversed(ear.messages) if nanoseconds(m) >= first), None)
+        def result():
+            return next((m for m in reversed(collector.messages) if nanoseconds(m) >= first), None)
 
-        return self.send_until(answer, message)
+        return self.send_until(result, message)
 
 
 @pytest.fixture
@@ -240,7 +240,7 @@ def nanoseconds(message):
     return message.header.stamp.sec * 1_000_000_000 + message.header.stamp.nanosec
 
 
-def picture(seed=0, height=48, width=64):
+def make_frame(seed=0, height=48, width=64):
     """A small frame with edges in it: (height, width, 3) uint8, bgr8."""
     rng = np.random.default_rng(seed)
     frame = np.full((height, width, 3), 30, np.uint8)
@@ -251,7 +251,7 @@ def picture(seed=0, height=48, width=64):
 
 
 def contrasts():
-    """A step that grows from left to right (low ends it), and squares apart (high chooses among them)."""
+    """A step that grows from left to right (low ends its edge), and separate squares (high selects some)."""
     frame = np.zeros((96, 256, 3), np.uint8)
     frame[72:] = np.arange(256, dtype=np.uint8)[None, :, None]
     for k, level in enumerate((30, 50, 100, 200)):
@@ -259,7 +259,7 @@ def contrasts():
     return frame
 
 
-def image(frame, encoding="bgr8"):
+def message_of(frame, encoding="bgr8"):
     """A sensor_msgs/Image of the frame."""
     from sensor_msgs.msg import Image
 
@@ -279,10 +279,10 @@ def pixels(message):
 
 @pytest.fixture
 def tools():
-    """The functions above, for tests: importlib mode imports no conftest by name."""
+    """The functions above, for the tests: in importlib mode a test cannot import conftest."""
     return SimpleNamespace(
-        image=image,
-        picture=picture,
+        message_of=message_of,
+        make_frame=make_frame,
         contrasts=contrasts,
         pixels=pixels,
         nanoseconds=nanoseconds,
@@ -293,15 +293,15 @@ def tools():
 
 
 @pytest.fixture
-def statistics_of(listen):
-    """The newest statistics that a node publishes: a function that returns a dict, or None at first."""
+def statistics_of(collect):
+    """statistics_of(node name) -> function that returns the newest statistics as a dict, or None."""
     from std_msgs.msg import String
 
-    def hear(node_name):
-        ear = listen(f"/{node_name}/statistics", String, 1)
-        return lambda: json.loads(ear.messages[-1].data) if ear.messages else None
+    def subscribe(node_name):
+        collector = collect(f"/{node_name}/statistics", String, 1)
+        return lambda: json.loads(collector.messages[-1].data) if collector.messages else None
 
-    return hear
+    return subscribe
 
 
 class Parameters:
@@ -317,28 +317,29 @@ class Parameters:
         from rclpy.parameter import parameter_value_to_python
 
         return [
-            parameter_value_to_python(v) for v in _answer(lambda: self._client.get_parameters(names)).values
+            parameter_value_to_python(value)
+            for value in _response(lambda: self._client.get_parameters(names)).values
         ]
 
     def describe(self, *names):
-        return _answer(lambda: self._client.describe_parameters(names)).descriptors
+        return _response(lambda: self._client.describe_parameters(names)).descriptors
 
     def set(self, **values):
-        """Sets all or none: (whether they were taken, the reason when not)."""
+        """Sets all or none: (whether they were accepted, the reason if not)."""
         from rclpy.parameter import Parameter
 
-        wanted = [Parameter(name, value=value) for name, value in values.items()]
-        result = _answer(lambda: self._client.set_parameters_atomically(wanted)).result
+        request = [Parameter(name, value=value) for name, value in values.items()]
+        result = _response(lambda: self._client.set_parameters_atomically(request)).result
         return result.successful, result.reason
 
 
-def _answer(ask):
-    """What a service answers. DDS may know a service before the way back: then the answer is lost."""
+def _response(call):
+    """The response of a service. DDS may find the service before the way back: then a response is lost."""
     for _ in range(6):
-        done = threading.Event()
-        future = ask()
-        future.add_done_callback(lambda _, done=done: done.set())
-        if done.wait(8.0):
+        received = threading.Event()
+        future = call()
+        future.add_done_callback(lambda _, received=received: received.set())
+        if received.wait(8.0):
             return future.result()
     pytest.fail("the node's parameter service does not answer")
 

@@ -1,7 +1,7 @@
-"""The two ament_python packages: built by colcon from PyPI, found in the index, tested, launched as they say.
+"""The two ament_python packages: built by PyPI's colcon, found in the index, tested, and their launch files.
 
-Not tested here, for want of the commands: `ros2 run` and `ros2 launch` themselves (the executables that they
-run are, in the other files of this folder), and rosdep.
+Not tested here, because the commands are missing: `ros2 run` and `ros2 launch` themselves (the other files of
+this folder test the executables that they run), and rosdep.
 """
 
 import ast
@@ -20,13 +20,13 @@ ROS_PACKAGES = {"rcl_interfaces", "rclpy", "ros2launch", "sensor_msgs", "std_msg
 NO_KEY = {"imgproc_course"}
 
 
-def each_package(function):
+def for_both_packages(function):
     return pytest.mark.parametrize("name", ["image_edge_detection", "image_gray_processor"])(function)
 
 
-@each_package
+@for_both_packages
 def test_colcon_builds_it_and_the_index_finds_it(workspace, name):
-    assert f"Finished <<< {name}" in workspace.said
+    assert f"Finished <<< {name}" in workspace.output
     assert workspace.prefix[name] == workspace.root / "install" / name
     marker = workspace.prefix[name] / "share/ament_index/resource_index/packages" / name
     assert marker.read_bytes() == b""
@@ -36,8 +36,8 @@ def test_colcon_builds_it_and_the_index_finds_it(workspace, name):
     assert {"package.xml", f"launch/{name}.launch.py"} <= installed
 
 
-@each_package
-def test_what_ros2_run_executes_is_run_by_the_python_that_built_it(workspace, name):
+@for_both_packages
+def test_the_executable_uses_the_python_that_built_it(workspace, name):
     scripts = [path.name for path in (workspace.prefix[name] / "lib" / name).iterdir()]
     assert scripts == [name]
     script = workspace.prefix[name] / "lib" / name / name
@@ -45,8 +45,8 @@ def test_what_ros2_run_executes_is_run_by_the_python_that_built_it(workspace, na
     assert script.stat().st_mode & 0o111
 
 
-@each_package
-def test_package_xml_names_what_it_needs_and_nothing_that_rosdep_does_not_know(tools, name):
+@for_both_packages
+def test_package_xml_names_all_dependencies_and_only_keys_that_rosdep_knows(tools, name):
     from catkin_pkg.package import parse_package
 
     warnings = []
@@ -55,14 +55,21 @@ def test_package_xml_names_what_it_needs_and_nothing_that_rosdep_does_not_know(t
     assert (package.package_format, package.name, package.version) == (3, name, "0.1.0")
     assert [str(export) for export in package.exports] == ["<build_type>ament_python</build_type>"]
     assert (package.licenses[0], package.get_build_type()) == ("Apache-2.0", "ament_python")
-    needed = {dependency.name for dependency in package.exec_depends + package.test_depends}
-    assert needed <= ROSDEP_KEYS | ROS_PACKAGES
-    assert needed >= {"rclpy", "sensor_msgs", "std_msgs", "python3-opencv", "python3-numpy", "python3-scipy"}
+    dependencies = {dependency.name for dependency in package.exec_depends + package.test_depends}
+    assert dependencies <= ROSDEP_KEYS | ROS_PACKAGES
+    assert dependencies >= {
+        "rclpy",
+        "sensor_msgs",
+        "std_msgs",
+        "python3-opencv",
+        "python3-numpy",
+        "python3-scipy",
+    }
     text = (tools.sources / name / "package.xml").read_text()
     assert re.search(r"<!--.*imgproc_course.*no rosdep key.*-->", text, re.S)
 
 
-@each_package
+@for_both_packages
 def test_every_import_of_the_node_is_declared(tools, name):
     keys = {"cv2": "python3-opencv", "numpy": "python3-numpy", "scipy": "python3-scipy"}
     declared = (tools.sources / name / "package.xml").read_text()
@@ -76,7 +83,7 @@ def test_every_import_of_the_node_is_declared(tools, name):
 
 def test_colcon_test_runs_the_tests_of_both(workspace, tools):
     plain = {**workspace.environment, "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"}
-    tested = subprocess.run(
+    test_run = subprocess.run(
         [workspace.colcon, "--log-base", "log", "test", "--return-code-on-test-failure"],
         cwd=workspace.root,
         env=plain,
@@ -84,7 +91,7 @@ def test_colcon_test_runs_the_tests_of_both(workspace, tools):
         text=True,
         timeout=240,
     )
-    assert tested.returncode == 0, tested.stdout + tested.stderr
+    assert test_run.returncode == 0, test_run.stdout + test_run.stderr
     result = subprocess.run(
         [workspace.colcon, "--log-base", "log", "test-result", "--all"],
         cwd=workspace.root,
@@ -94,24 +101,24 @@ def test_colcon_test_runs_the_tests_of_both(workspace, tools):
         timeout=60,
     )
     for name in tools.packages:
-        written = (tools.sources / name / "test" / "test_process.py").read_text().count("def test_")
-        found = re.search(
+        functions = (tools.sources / name / "test" / "test_process.py").read_text().count("def test_")
+        match = re.search(
             rf"{name}/pytest\.xml: (\d+) tests?, 0 errors, 0 failures, 0 skipped", result.stdout
         )
-        assert found and int(found[1]) >= written > 0, result.stdout
+        assert match and int(match[1]) >= functions > 0, result.stdout
     assert result.stdout.splitlines()[-1].endswith(" tests, 0 errors, 0 failures, 0 skipped")
 
 
 class Recorded:
-    """Stands in for an action of `launch`: keeps what it was made of."""
+    """Replaces a class of `launch` and keeps its arguments."""
 
     def __init__(self, *arguments, **options):
         self.kind, self.arguments, self.options = type(self).__name__, arguments, options
 
 
 @pytest.fixture
-def launch_stand_ins(monkeypatch):
-    """`launch` has no wheel: its six names, which only record."""
+def launch_stubs(monkeypatch):
+    """`launch` has no wheel: stubs with its six names, which only keep their arguments."""
     modules = {
         "launch": ["LaunchDescription"],
         "launch.actions": ["DeclareLaunchArgument"],
@@ -122,8 +129,8 @@ def launch_stand_ins(monkeypatch):
     }
     for name, classes in modules.items():
         module = types.ModuleType(name)
-        for each in classes:
-            setattr(module, each, type(each, (Recorded,), {}))
+        for class_name in classes:
+            setattr(module, class_name, type(class_name, (Recorded,), {}))
         monkeypatch.setitem(sys.modules, name, module)
 
 
@@ -133,18 +140,18 @@ DECLARED = {
 }
 
 
-@each_package
+@for_both_packages
 def test_the_launch_file_starts_the_executable_with_the_parameters_that_the_node_declares(
-    workspace, launch_stand_ins, tools, name
+    workspace, launch_stubs, tools, name
 ):
     namespace = {}
     exec((workspace.share[name] / f"launch/{name}.launch.py").read_text(encoding="utf-8"), namespace)
-    *declared, node = namespace["generate_launch_description"]().arguments[0]
+    *arguments, node = namespace["generate_launch_description"]().arguments[0]
     assert (node.options["package"], node.options["executable"]) == (name, name)
     assert (workspace.prefix[name] / "lib" / node.options["package"] / node.options["executable"]).is_file()
     [(source, target)] = node.options["remappings"]
     assert (source, target.arguments) == (tools.topic, ("topic",))
-    defaults = {argument.arguments[0]: argument.options["default_value"] for argument in declared}
+    defaults = {argument.arguments[0]: argument.options["default_value"] for argument in arguments}
     assert defaults.pop("topic") == tools.topic
     [parameters] = node.options["parameters"]
     assert {
@@ -153,7 +160,7 @@ def test_the_launch_file_starts_the_executable_with_the_parameters_that_the_node
     assert {key: ast.literal_eval(value.capitalize()) for key, value in defaults.items()} == DECLARED[name]
 
 
-def test_the_first_values_of_the_launch_files_are_those_of_the_nodes(start_node, parameters_of):
+def test_the_default_values_of_the_launch_files_are_those_of_the_nodes(start_node, parameters_of):
     for name, values in DECLARED.items():
         process = start_node(name)
         assert parameters_of(name).get(*values) == list(values.values())
@@ -172,14 +179,14 @@ print(main())
 """
 
 
-def test_where_ros_is_missing_the_functions_work_and_main_says_what_to_install(workspace):
-    done = subprocess.run(
+def test_without_ros_the_functions_work_and_main_says_what_to_install(workspace):
+    process = subprocess.run(
         [sys.executable, "-c", WITHOUT_ROS],
         env=workspace.environment,
         capture_output=True,
         text=True,
         timeout=60,
     )
-    assert (done.returncode, done.stdout.splitlines()) == (0, ["200 0", "2"])
-    [remedy] = done.stderr.splitlines()
+    assert (process.returncode, process.stdout.splitlines()) == (0, ["200 0", "2"])
+    [remedy] = process.stderr.splitlines()
     assert remedy.startswith("cannot start: ROS 2 is missing") and "environment/setup" in remedy

@@ -1,4 +1,4 @@
-"""The parameters of the edge node: described, changed while pictures come, all of a request or none."""
+"""The parameters of the edge node: described, changed while images arrive, all of a request or none."""
 
 import cv2
 import pytest
@@ -28,45 +28,45 @@ def parameters(node, parameters_of):
 def test_each_parameter_has_a_range_and_a_description(parameters):
     low, high, sigma, display = parameters.describe("low", "high", "sigma", "display")
     for threshold in (low, high):
-        [span] = threshold.integer_range
-        assert (span.from_value, span.to_value) == (0, 1530)
-        assert "a pixel above it is an edge" in threshold.description and "4 h" in threshold.description
-    [span] = sigma.floating_point_range
-    assert (span.from_value, span.to_value) == (0.0, 10.0)
+        [limits] = threshold.integer_range
+        assert (limits.from_value, limits.to_value) == (0, 1530)
+        assert "a pixel above it is " in threshold.description and "4 h" in threshold.description
+    [limits] = sigma.floating_point_range
+    assert (limits.from_value, limits.to_value) == (0.0, 10.0)
     assert "pixels" in sigma.description and "windows" in display.description
     assert parameters.get("low", "high", "sigma", "display") == [50, 150, 0.0, False]
 
 
 def test_thresholds_changed_in_mid_stream_take_effect_together(
-    parameters, listen, camera, tools, gray_of, wait_until
+    parameters, collect, camera, tools, gray_of, wait_until
 ):
     frame = tools.contrasts()
-    gray, message = gray_of(frame), tools.image(frame)
-    before, after, half = (cv2.Canny(gray, *pair) for pair in ((50, 150), (300, 600), (50, 600)))
-    assert (before != after).any() and (before != half).any() and (after != half).any()
-    ear = listen(f"/{EDGE}/edges")
-    camera.send_until(lambda: len(ear.messages) >= 5, message)
+    gray, message = gray_of(frame), tools.message_of(frame)
+    before, after, mixed = (cv2.Canny(gray, *pair) for pair in ((50, 150), (300, 600), (50, 600)))
+    assert (before != after).any() and (before != mixed).any() and (after != mixed).any()
+    collector = collect(f"/{EDGE}/edges")
+    camera.send_until(lambda: len(collector.messages) >= 5, message)
     assert parameters.set(low=300, high=600) == (True, "")
-    camera.send_until(lambda: (tools.pixels(ear.messages[-1]) == after).all(), message)
-    camera.send_until(lambda: len(ear.messages) >= 12, message)
-    seen = [tools.pixels(answer) for answer in list(ear.messages)]
-    is_new = [bool((edges == after).all()) for edges in seen]
-    assert all(new or (edges == before).all() for new, edges in zip(is_new, seen, strict=True))
-    assert is_new == sorted(is_new)  # first the old ones, then the new ones
+    camera.send_until(lambda: (tools.pixels(collector.messages[-1]) == after).all(), message)
+    camera.send_until(lambda: len(collector.messages) >= 12, message)
+    published = [tools.pixels(message) for message in list(collector.messages)]
+    is_new = [bool((edges == after).all()) for edges in published]
+    assert all(new or (edges == before).all() for new, edges in zip(is_new, published, strict=True))
+    assert is_new == sorted(is_new)  # first the old values, then the new ones
 
 
 def test_low_above_high_is_refused_with_the_reason_and_nothing_changes(
-    node, parameters, listen, camera, tools, gray_of
+    node, parameters, collect, camera, tools, gray_of
 ):
     for request in ({"low": 200}, {"low": 60, "high": 40}, {"sigma": 2.0, "low": 151}):
-        taken, reason = parameters.set(**request)
+        accepted, reason = parameters.set(**request)
         low, high = request["low"], request.get("high", 150)
-        assert not taken
+        assert not accepted
         assert reason == f"low ({low}) must not be above high ({high}); set both at once, or high first"
     assert parameters.get("low", "high", "sigma") == [50, 150, 0.0]
-    frame = tools.picture(3)
-    answer = camera.get_answer(listen(f"/{EDGE}/edges"), tools.image(frame))
-    assert (tools.pixels(answer) == cv2.Canny(gray_of(frame), 50, 150)).all()
+    frame = tools.make_frame(3)
+    result = camera.get_result(collect(f"/{EDGE}/edges"), tools.message_of(frame))
+    assert (tools.pixels(result) == cv2.Canny(gray_of(frame), 50, 150)).all()
 
 
 REFUSED = [
@@ -89,31 +89,33 @@ def test_a_bad_value_is_refused_with_the_reason(parameters):
     assert parameters.set(sigma=1.5, low=50) == (True, "")
 
 
-def test_sigma_takes_whole_numbers_too(parameters, listen, camera, tools, gray_of):
+def test_sigma_accepts_whole_numbers_too(parameters, collect, camera, tools, gray_of):
     assert parameters.set(sigma=2) == (True, "")
-    frame = tools.picture(4)
+    frame = tools.make_frame(4)
     blurred = cv2.GaussianBlur(gray_of(frame), (0, 0), 2)
     expected = cv2.Canny(blurred, 50, 150)
     assert (expected != cv2.Canny(gray_of(frame), 50, 150)).any()
-    answer = camera.get_answer(listen(f"/{EDGE}/edges"), tools.image(frame))
-    assert (tools.pixels(answer) == expected).all()
+    result = camera.get_result(collect(f"/{EDGE}/edges"), tools.message_of(frame))
+    assert (tools.pixels(result) == expected).all()
 
 
-def test_display_is_refused_where_opencv_has_no_windows(node, parameters):
-    taken, reason = parameters.set(display=True)
-    assert not taken
+def test_display_is_refused_if_opencv_has_no_windows(node, parameters):
+    accepted, reason = parameters.set(display=True)
+    assert not accepted
     assert reason.startswith("display needs an OpenCV with windows, and this one is headless: pip uninstall")
     assert parameters.get("display") == [False]
 
 
-def test_display_asked_for_at_the_start_says_what_to_install_and_goes_on(start_node, parameters_of):
+def test_display_requested_at_the_start_says_what_to_install_and_the_node_continues(
+    start_node, parameters_of
+):
     process = start_node(EDGE, "-p", "display:=true")
     process.wait_for(
-        "then pip install opencv-python; or use live_view in a notebook; going on without windows"
+        "then pip install opencv-python; or use live_view in a notebook; the node continues without windows"
     )
     assert parameters_of(EDGE).get("display") == [False]
     assert process.leave() == 0
-    assert "Traceback" not in process.said
+    assert "Traceback" not in process.output
 
 
 @pytest.mark.parametrize(
@@ -124,29 +126,29 @@ def test_display_asked_for_at_the_start_says_what_to_install_and_goes_on(start_n
         ("sigma:=-1.0", r"Parameter sigma out of range Min: 0\.0, Max: 10\.0, value: -1\.0"),
     ],
 )
-def test_a_bad_first_value_ends_the_start_in_one_line(start, workspace, assignment, reason):
+def test_a_bad_initial_value_ends_the_start_in_one_line(start, workspace, assignment, reason):
     executable = workspace.prefix[EDGE] / "lib" / EDGE / EDGE
     process = start(executable, "--ros-args", "-p", assignment)
     assert process.wait(60) == 2
-    [line] = process.said.splitlines()
+    [line] = process.output.splitlines()
     assert line.startswith("cannot start: ")
     process.wait_for(reason)
 
 
 @pytest.mark.parametrize(
-    "given, others",
+    "arguments, unknown",
     [
         (["--low", "40"], "--low 40"),
         (["--help"], "--help"),
         (["--ros-args", "-p", "low:=40", "--", "extra"], "extra"),
     ],
 )
-def test_what_ros_would_drop_in_silence_ends_the_start(start, workspace, given, others):
-    process = start(workspace.prefix[EDGE] / "lib" / EDGE / EDGE, *given)
+def test_arguments_that_ros_would_ignore_end_the_start(start, workspace, arguments, unknown):
+    process = start(workspace.prefix[EDGE] / "lib" / EDGE / EDGE, *arguments)
     assert process.wait(60) == 2
-    assert process.said == (
-        f"cannot start: '{others}' says nothing to a node; a parameter is given as "
-        "--ros-args -p NAME:=VALUE, another topic as --ros-args -r FROM:=TO\n"
+    assert process.output == (
+        f"cannot start: unknown argument '{unknown}'; set a parameter with --ros-args -p NAME:=VALUE, "
+        "remap a topic with --ros-args -r FROM:=TO\n"
     )
 
 
@@ -154,7 +156,7 @@ def test_a_middleware_that_is_not_installed_ends_the_start_in_one_line(start, wo
     executable = workspace.prefix[EDGE] / "lib" / EDGE / EDGE
     process = start(executable, RMW_IMPLEMENTATION="rmw_none_such_cpp")
     assert process.wait(60) == 2
-    assert process.said == (
+    assert process.output == (
         "cannot start: RMW_IMPLEMENTATION=rmw_none_such_cpp is set, but that middleware is not installed "
         "here; unset RMW_IMPLEMENTATION, then start again (in a notebook: restart the kernel)\n"
     )

@@ -9,7 +9,7 @@ setup(
     version="0.1.0",
     packages=find_packages(exclude=["test"]),
     data_files=[
-        # The marker by which ROS finds the package, and what `ros2 launch` finds in its share folder.
+        # The marker by which ROS finds the package, and the files for `ros2 launch` in its share folder.
         ("share/ament_index/resource_index/packages", [f"resource/{package_name}"]),
         (f"share/{package_name}", ["package.xml"]),
         (f"share/{package_name}/launch", sorted(map(str, Path("launch").glob("*.launch.py")))),
@@ -18,11 +18,11 @@ setup(
     zip_safe=True,
     maintainer="The course's authors",
     maintainer_email="course@example.org",
-    description="Finds edges in the camera's pictures: the ROS 2 node of the course on image processing.",
+    description="Detects edges in the camera's images: a ROS 2 node of the course on image processing.",
     license="Apache-2.0",
     extras_require={"test": ["pytest"]},
     entry_points={
-        # Makes the executable of `ros2 run image_edge_detection image_edge_detection`.
+        # Creates the executable for `ros2 run image_edge_detection image_edge_detection`.
         "console_scripts": [f"{package_name} = {package_name}.{package_name}:main"],
     },
 )

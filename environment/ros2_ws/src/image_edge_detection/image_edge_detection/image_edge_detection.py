@@ -1,19 +1,25 @@
-"""Finds edges in the camera's pictures with Canny's method, and publishes them on ~/edges."""
+"""Detects edges in the camera's images with Canny's method, and publishes them on ~/edges."""
 
 import cv2
 
-from imgproc_course.ros import ImageProcessor, Setting, run_processor
+from imgproc_course.ros import ImageProcessor, NumericParameter, run_processor
 
-# The unit of both thresholds: |gradient down| + |gradient right|, by Sobel's 3×3 windows. A straight step of
-# h gray levels gives 4 h; 1530 is the most that any picture gives.
-SETTINGS = [
-    Setting(
-        "low", 50, 0, 1530, "a pixel above it is an edge if it is joined to one above high (step of h: 4 h)"
+# The unit of both thresholds: the L1 norm of the gradient, by Sobel's 3×3 kernels. A straight step of h gray
+# levels gives 4 h; 1530 is the maximum of any image.
+PARAMETERS = [
+    NumericParameter(
+        "low",
+        50,
+        0,
+        1530,
+        "a pixel above it is an edge if it is connected to one above high (step of h: 4 h)",
     ),
-    Setting(
-        "high", 150, 0, 1530, "a pixel above it is an edge in any case (a step of h gray levels gives 4 h)"
+    NumericParameter(
+        "high", 150, 0, 1530, "a pixel above it is always an edge (a step of h gray levels gives 4 h)"
     ),
-    Setting("sigma", 0.0, 0.0, 10.0, "standard deviation of the Gaussian blur before, in pixels; 0: no blur"),
+    NumericParameter(
+        "sigma", 0.0, 0.0, 10.0, "standard deviation of the Gaussian blur, in pixels; 0: no blur"
+    ),
 ]
 
 
@@ -24,7 +30,7 @@ def process(frame, low, high, sigma):
     -------
     dict of "gray" and "edges", (H, W) uint8, and "view", a function that returns (H, 3 W, 3) uint8 bgr8
     """
-    # OpenCV's own: the same pixels as imgproc_course.imaging computes by hand, in a quarter of the time.
+    # OpenCV's functions: the same pixels as imgproc_course.imaging.canny, in a quarter of the time.
     gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
     smoothed = cv2.GaussianBlur(gray, (0, 0), sigma) if sigma else gray
     edges = cv2.Canny(smoothed, low, high)
@@ -32,12 +38,12 @@ def process(frame, low, high, sigma):
 
 
 def side_by_side(frame, gray, edges):
-    """The original, gray, and edges in one picture of three times the width: (H, 3 W, 3) uint8, bgr8."""
-    return cv2.hconcat([frame, *(cv2.cvtColor(picture, cv2.COLOR_GRAY2BGR) for picture in (gray, edges))])
+    """The original, gray, and edges side by side in one image: (H, 3 W, 3) uint8, bgr8."""
+    return cv2.hconcat([frame, *(cv2.cvtColor(image, cv2.COLOR_GRAY2BGR) for image in (gray, edges))])
 
 
 def check(low, high, sigma):
-    """Refuses thresholds in the wrong order, which OpenCV would swap in silence."""
+    """Refuses thresholds in the wrong order. OpenCV would swap them silently."""
     if low > high:
         raise ValueError(f"low ({low}) must not be above high ({high}); set both at once, or high first")
 
@@ -47,7 +53,7 @@ def make_node(**node_options):
         "image_edge_detection",
         process,
         ["gray", "edges", "view"],
-        settings=SETTINGS,
+        parameters=PARAMETERS,
         check=check,
         **node_options,
     )

@@ -13,12 +13,14 @@ def generate_launch_description():
     return LaunchDescription(
         [
             DeclareLaunchArgument(
-                "topic", default_value=TOPIC, description="the camera's, raw or /compressed"
+                "topic", default_value=TOPIC, description="topic of the camera, raw or /compressed"
             ),
             DeclareLaunchArgument("low", default_value="50", description="lower threshold of Canny"),
             DeclareLaunchArgument("high", default_value="150", description="upper threshold of Canny"),
-            DeclareLaunchArgument("sigma", default_value="0.0", description="blur before, in pixels"),
-            DeclareLaunchArgument("display", default_value="false", description="show windows of OpenCV"),
+            DeclareLaunchArgument(
+                "sigma", default_value="0.0", description="standard deviation of the Gaussian blur, in pixels"
+            ),
+            DeclareLaunchArgument("display", default_value="false", description="show OpenCV windows"),
             Node(
                 package="image_edge_detection",
                 executable="image_edge_detection",

@@ -13,9 +13,9 @@ def generate_launch_description():
     return LaunchDescription(
         [
             DeclareLaunchArgument(
-                "topic", default_value=TOPIC, description="the camera's, raw or /compressed"
+                "topic", default_value=TOPIC, description="topic of the camera, raw or /compressed"
             ),
-            DeclareLaunchArgument("display", default_value="false", description="show windows of OpenCV"),
+            DeclareLaunchArgument("display", default_value="false", description="show OpenCV windows"),
             Node(
                 package="image_gray_processor",
                 executable="image_gray_processor",

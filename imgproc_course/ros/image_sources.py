@@ -1,4 +1,4 @@
-"""Where a camera's pictures come from: a recording, or a webcam; each picture with the time it is due."""
+"""The sources of a camera's images: a recording or a webcam. Each image comes with the time to publish it."""
 
 import functools
 import time
@@ -11,35 +11,35 @@ from imgproc_course.messages import array_to_compressed, array_to_image, encodin
 from imgproc_course.recording import NotRecordedError
 
 FRAME_ID = "camera_front"
-_WEBCAM_CURE = "plug one in, close the program that uses it, or open_camera() for the recorded drive"
+_WEBCAM_REMEDY = "plug one in, close the program that uses it, or open_camera() for the recorded drive"
 
 
-class RecordedPictures:
-    """Yields (due, picture) for each picture of a recording: due in seconds of time.monotonic().
+class RecordedImages:
+    """Yields (due, image) for each image of a recording; `due` is in seconds of time.monotonic().
 
     Parameters
     ----------
-    recording : Recording; it is closed with this
-    speed : times the recording's own rate
-    loop : whether it starts again at its end
+    recording : Recording; `close` closes it too
+    speed : factor on the recorded rate
+    loop : whether the recording starts again at its end
     stamps : "now" or "recorded"
 
     Raises
     ------
-    ValueError : its pictures are nothing to look at, such as depth
+    ValueError : the images have neither colour nor gray levels; depth images, for example
     """
 
     def __init__(self, recording, speed, loop, stamps):
         self._recording = recording
         self._loop = loop
-        self._keep_stamps = stamps == "recorded"
+        self._uses_recorded_stamps = stamps == "recorded"
         self._stamps = recording.stamps
         first = recording.message(0)
         self._frame_id = first.header.frame_id or FRAME_ID
         self._is_compressed = hasattr(first, "format")
         if not self._is_compressed and encoding_info(first.encoding).color is None:
             raise ValueError(
-                f"{recording.name} cannot be played as a camera: the pictures on {recording.camera_topic} "
+                f"{recording.name} cannot be played as a camera: the images on {recording.camera_topic} "
                 f"are {first.encoding}, neither colour nor gray (depth?); record a colour camera's topic "
                 "too, or read these with open_recording(...).frame(k, 'passthrough')"
             )
@@ -48,24 +48,24 @@ class RecordedPictures:
         except NotRecordedError:
             self._info = _uncalibrated(*recording.frame(0).shape[:2])
         self.rate = (recording.rate or 1.0) * speed
-        # Seconds from the start; a stamp that jumps back is shown at once.
-        self._due = np.maximum.accumulate(self._stamps - self._stamps[0]) / 1e9 / speed
-        self._lap = self._due[-1] + 1 / self.rate
+        # Seconds from the start. If a stamp jumps back, its image is due at once.
+        self._offsets = np.maximum.accumulate(self._stamps - self._stamps[0]) / 1e9 / speed
+        self._duration = self._offsets[-1] + 1 / self.rate
 
     def __iter__(self):
         start = time.monotonic()
         while True:
-            for k, due in enumerate(self._due):
-                late = time.monotonic() - start - due
-                if late > max(1.0, 2 / self.rate):
-                    start += late  # the machine slept: go on from here instead of hurrying after
-                # Counted from the start, never from the last picture, so that no delay adds up.
-                yield start + due, _RecordedPicture(self, k)
+            for k, offset in enumerate(self._offsets):
+                delay = time.monotonic() - start - offset
+                if delay > max(1.0, 2 / self.rate):
+                    start += delay  # the machine was asleep: continue from here, do not catch up
+                # Counted from the start, not from the last image, so that delays do not add up.
+                yield start + offset, _RecordedImage(self, k)
             if not self._loop:
                 return
-            start += self._lap
+            start += self._duration
 
-    def image(self, k):
+    def message(self, k):
         return array_to_image(self._recording.frame(k, "rgb8"), "rgb8")
 
     def compressed(self, k, header):
@@ -79,7 +79,7 @@ class RecordedPictures:
         return _with_header(self._info, header)
 
     def stamp(self, k):
-        return int(self._stamps[k]) if self._keep_stamps else None
+        return int(self._stamps[k]) if self._uses_recorded_stamps else None
 
     @property
     def frame_id(self):
@@ -89,52 +89,52 @@ class RecordedPictures:
         self._recording.close()
 
 
-class _RecordedPicture:
-    """One picture; what is costly is done when it is asked for."""
+class _RecordedImage:
+    """One image; it is decoded only when its message is needed."""
 
-    def __init__(self, pictures, k):
-        self._pictures, self._k = pictures, k
-        self.frame_id = pictures.frame_id
-        self.stamp = pictures.stamp(k)
-        self.camera_info = pictures.camera_info
+    def __init__(self, images, k):
+        self._images, self._k = images, k
+        self.frame_id = images.frame_id
+        self.stamp = images.stamp(k)
+        self.camera_info = images.camera_info
 
     @functools.cached_property
-    def image(self):
-        return self._pictures.image(self._k)
+    def message(self):
+        return self._images.message(self._k)
 
     def compressed(self, header):
-        return self._pictures.compressed(self._k, header)
+        return self._images.compressed(self._k, header)
 
 
 class Webcam:
-    """Yields (due, picture) for each picture of this machine's first camera, at its own rate.
+    """Yields (due, image) for each image of this machine's first camera, at the camera's own rate.
 
     Raises
     ------
-    RuntimeError : none answers
+    RuntimeError : no camera answers
     """
 
     def __init__(self, number=0):
         log_level = cv2.utils.logging.getLogLevel()
-        cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)  # the error below says it all
+        cv2.utils.logging.setLogLevel(cv2.utils.logging.LOG_LEVEL_SILENT)  # the error below is enough
         self._capture = cv2.VideoCapture(number)
         cv2.utils.logging.setLogLevel(log_level)
         if not self._capture.isOpened():
-            raise RuntimeError(f"no webcam answers on this machine (camera {number}); {_WEBCAM_CURE}")
+            raise RuntimeError(f"no webcam answers on this machine (camera {number}); {_WEBCAM_REMEDY}")
         self.rate = self._capture.get(cv2.CAP_PROP_FPS) or None
 
     def __iter__(self):
         while True:
-            answered, frame = self._capture.read()
-            if not answered:
-                raise RuntimeError(f"the webcam gives no more pictures; {_WEBCAM_CURE}")
-            yield time.monotonic(), _WebcamPicture(frame)
+            succeeded, frame = self._capture.read()
+            if not succeeded:
+                raise RuntimeError(f"the webcam sends no more images; {_WEBCAM_REMEDY}")
+            yield time.monotonic(), _WebcamImage(frame)
 
     def close(self):
         self._capture.release()
 
 
-class _WebcamPicture:
+class _WebcamImage:
     frame_id = "webcam"
     stamp = None
 
@@ -142,7 +142,7 @@ class _WebcamPicture:
         self._frame = frame
 
     @functools.cached_property
-    def image(self):
+    def message(self):
         return array_to_image(cv2.cvtColor(self._frame, cv2.COLOR_BGR2RGB), "rgb8")
 
     def compressed(self, header):
@@ -153,7 +153,7 @@ class _WebcamPicture:
 
 
 def _uncalibrated(height, width):
-    """What sensor_msgs says of a camera that nobody measured: its matrix K is zero."""
+    """The camera info of an uncalibrated camera, as sensor_msgs defines it: its matrix K is zero."""
     return CameraInfo(height=height, width=width)
 
 

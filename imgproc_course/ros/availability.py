@@ -1,4 +1,4 @@
-"""What stands in for this room where ROS is missing: the same names; calling one says what to install."""
+"""Whether ROS can be used here; and if not, stubs with the public names that say what to install."""
 
 import ctypes
 import importlib
@@ -11,10 +11,10 @@ class RosMissingError(ImportError):
 
 
 def import_problem():
-    """Why rclpy cannot be imported here, with the remedy, in one line; None where it can."""
+    """Why rclpy cannot be imported here, with the remedy, in one line; None if it can be imported."""
     middleware = os.environ.get("RMW_IMPLEMENTATION")
-    # rclpy ends the whole process, and so the kernel, when this variable names what is not installed.
-    if middleware and sys.platform == "linux" and not _loads(f"lib{middleware}.so"):
+    # If this variable names a middleware that is not installed, rclpy ends the whole process: the kernel.
+    if middleware and sys.platform == "linux" and not _can_load(f"lib{middleware}.so"):
         return (
             f"RMW_IMPLEMENTATION={middleware} is set, but that middleware is not installed here; "
             "unset RMW_IMPLEMENTATION, then start again (in a notebook: restart the kernel)"
@@ -24,18 +24,18 @@ def import_problem():
             importlib.import_module(name)
         except ModuleNotFoundError as error:
             if error.name not in (name, name.partition(".")[0]):
-                return _broken(error)
+                return _load_problem(error)
             return (
                 f"ROS 2 is missing ({name} is not installed), and this needs a running graph. "
                 "On Linux x86-64: environment/setup. On macOS or ARM: environment/pixi.toml or "
-                "environment/Dockerfile. On Windows: WSL. Without it, use open_recording('drive')"
+                "environment/Dockerfile. On Windows: WSL. Without ROS, use open_recording('drive')"
             )
         except ImportError as error:
-            return _broken(error)
+            return _load_problem(error)
     return None
 
 
-def _loads(library):
+def _can_load(library):
     try:
         ctypes.CDLL(library)
     except OSError:
@@ -43,7 +43,7 @@ def _loads(library):
     return True
 
 
-def _broken(error):
+def _load_problem(error):
     version = f"{sys.version_info.major}.{sys.version_info.minor}"
     return (
         f"ROS 2 is installed, but Python {version} cannot load it ({error}); start JupyterLab with "
@@ -51,8 +51,8 @@ def _broken(error):
     )
 
 
-def stand_in_main(problem):
-    """A `run_processor` for a node that cannot start: it says why in one line, and returns exit code 2."""
+def run_processor_stub(problem):
+    """A `run_processor` for a node that cannot start: prints the reason in one line, returns exit code 2."""
 
     def run_processor(make_node, args=None):
         print(f"cannot start: {problem}", file=sys.stderr)
@@ -61,8 +61,8 @@ def stand_in_main(problem):
     return run_processor
 
 
-def stand_in(name, problem):
-    """A class of the given name; making one, or calling its `current`, raises RosMissingError(problem)."""
+def class_stub(name, problem):
+    """A class with this name. Creating an object, or calling `current`, raises RosMissingError(problem)."""
 
     def refuse(*args, **kwargs):
         raise RosMissingError(problem)

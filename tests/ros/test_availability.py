@@ -1,4 +1,4 @@
-"""Where ROS is missing or broken: the room imports, and what needs a graph says what to install."""
+"""Without ROS, or with a broken one: the package imports, and calls that need a graph say what to install."""
 
 import pytest
 
@@ -7,7 +7,7 @@ CALLS = ["open_camera()", "ImageSubscriber('/image')", "RosSession()", "RosSessi
 
 
 @pytest.mark.parametrize("call", CALLS)
-def test_what_needs_a_graph_says_what_to_install(run_python, call):
+def test_calls_that_need_a_graph_say_what_to_install(run_python, call):
     code, out, err = run_python(
         NO_RCLPY + "from imgproc_course.ros import *\n"
         "from imgproc_course.ros import RosMissingError\n"
@@ -33,7 +33,7 @@ def test_the_error_is_an_import_error():
     assert issubclass(RosMissingError, ImportError)
 
 
-def test_an_rclpy_of_another_python_is_told_from_a_missing_one(run_python, tmp_path):
+def test_an_rclpy_of_another_python_is_distinguished_from_a_missing_one(run_python, tmp_path):
     (tmp_path / "rclpy").mkdir()
     (tmp_path / "rclpy" / "__init__.py").write_text("import rclpy._rclpy_pybind11")
     code, out, err = run_python(
@@ -56,6 +56,6 @@ def test_a_middleware_that_is_not_installed_does_not_end_the_kernel(run_python):
 
 
 @pytest.mark.ros
-def test_all_is_well_where_ros_is(run_python):
+def test_ros_is_available_if_it_is_installed(run_python):
     code, out, err = run_python("import imgproc_course.ros as r; print(r.ros_available(), r.ros_problem())")
     assert (code, out, err) == (0, "True None\n", "")

@@ -1,0 +1,109 @@
+"""Why no image arrives on a topic, and what to do."""
+
+import difflib
+import os
+
+from rclpy.qos import QoSCompatibility, qos_check_compatible
+
+IMAGE_TYPES = ("sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage")
+
+
+def explain_missing_messages(
+    node,
+    topic,
+    message_type,
+    qos,
+    *,
+    seconds,
+    matched,
+    received=0,
+    failed=0,
+    last_error=None,
+    incompatible_qos=None,
+    own_topics=(),
+):
+    """The cause and the remedy, in one line.
+
+    Parameters
+    ----------
+    node : rclpy Node of the subscription, which is asked about the graph
+    topic, message_type, qos : of the subscription
+    seconds : how long no image came
+    matched : number of publishers that the subscription is connected to
+    received : messages received before; 0 if none has ever come
+    failed : messages that arrived in this time and could not be converted
+    last_error : why the last of those failed
+    incompatible_qos : the mismatch of QoS that ROS has reported, with the remedy; None
+    own_topics : topics that the subscriber itself publishes; they are not proposed
+    """
+    start = f"no image arrived on {topic} in {seconds:g} s: "
+    if failed:
+        return f"{start}{failed} arrived and failed; {last_error}"
+    publishers = node.get_publishers_info_by_topic(topic)
+    if not publishers:
+        return start + _no_publisher(node, topic, own_topics)
+    expected_type = f"{message_type.__module__.split('.')[0]}/msg/{message_type.__name__}"
+    of_expected_type = [publisher for publisher in publishers if publisher.topic_type == expected_type]
+    if not of_expected_type:
+        return start + _wrong_type(publishers[0].topic_type, expected_type, topic)
+    if not matched:
+        return start + (incompatible_qos or _not_matched(of_expected_type[0], qos))
+    return start + _silent_publisher(of_expected_type, topic, received)
+
+
+def _no_publisher(node, topic, own_topics):
+    types_of = dict(node.get_topic_names_and_types())
+    image_topics = [
+        name
+        for name, types in types_of.items()
+        if name not in (topic, *own_topics) and set(types) & set(IMAGE_TYPES) and node.count_publishers(name)
+    ]
+    similar = difflib.get_close_matches(topic, image_topics, n=3, cutoff=0.5) or image_topics[:3]
+    network = f"domain {node.context.get_domain_id()}, discovery range {_discovery_range()}"
+    if similar:
+        return f"no node publishes this topic ({network}); images are published on {', '.join(similar)}"
+    return (
+        f"no node publishes this topic or any other image ({network}); run open_camera(), or imgproc-course "
+        "play in a terminal; for a robot, use its ROS_DOMAIN_ID and the discovery range SUBNET"
+    )
+
+
+def _discovery_range():
+    return os.environ.get("ROS_AUTOMATIC_DISCOVERY_RANGE") or "SUBNET (the default)"
+
+
+def _wrong_type(actual_type, expected_type, topic):
+    remedy = "this topic carries no images"
+    if actual_type == IMAGE_TYPES[1]:
+        remedy = "its name must end in /compressed: remap it, or publish it under such a name"
+    elif actual_type == IMAGE_TYPES[0]:
+        remedy = f"subscribe to {topic.rpartition('/')[0]} for raw images"
+    return f"the topic carries {actual_type}, but the subscription expects {expected_type}; {remedy}"
+
+
+def _not_matched(publisher, qos):
+    compatibility, reason = qos_check_compatible(publisher.qos_profile, qos)
+    if compatibility is QoSCompatibility.OK:
+        return "it is published, but publisher and subscription have not found each other yet; wait again"
+    return f'the QoS policies are incompatible ({reason.strip("; ")}); use qos="sensor_data"'
+
+
+def _silent_publisher(publishers, topic, received):
+    names = {
+        f"{info.node_namespace.rstrip('/')}/{info.node_name}"
+        for info in publishers
+        if "UNKNOWN_" not in info.node_name
+    }
+    nodes = ", ".join(sorted(names)) or "a node whose name is not known yet"
+    if received:
+        return (
+            f"{nodes} publishes it, but the images have stopped; the node is paused, was killed, or is cut "
+            "off (ROS notices this only after about 20 s)"
+        )
+    reason = "the node is paused, or still starting (a Kachaka's depth camera is silent on its charger)"
+    if not topic.endswith("compressed"):
+        reason += (
+            f", or its big images get lost on the way: subscribe to {topic}/compressed, and look at "
+            "imgproc_course.ros.dds_profile() in the process that publishes"
+        )
+    return f"{nodes} publishes it, but no image came; {reason}"

@@ -1,0 +1,80 @@
+"""What an ImageProcessor logs about its stream, its losses, its publishers and its subscribers."""
+
+import collections
+
+from rclpy.event_handler import PublisherEventCallbacks
+from rclpy.qos import qos_policy_name_from_kind
+
+from imgproc_course.ros.session import Throttle
+
+DUPLICATE_NAME_PERIOD = 60.0  # seconds between two warnings about a second node of the same name
+
+
+class NodeLog:
+    """Logs in the name of a node. A repeated warning is logged at most every few seconds.
+
+    Parameters
+    ----------
+    node : rclpy Node
+    """
+
+    def __init__(self, node):
+        self._node = node
+        self._throttles = collections.defaultdict(Throttle)
+        self._throttles["duplicate name"] = Throttle(DUPLICATE_NAME_PERIOD)
+
+    def info(self, text):
+        self._node.get_logger().info(text)
+
+    def warn(self, kind, text):
+        """Logs a warning, unless one of the same kind was logged just before."""
+        if self._throttles[kind]():
+            self._node.get_logger().warning(text)
+
+    def report(self, stream, statistics, explain_silence):
+        """Logs what happened since the last report.
+
+        Parameters
+        ----------
+        stream : StreamMonitor
+        statistics : ProcessingStatistics
+        explain_silence : function that returns why no image arrives; called only if the stream became silent
+        """
+        for change in stream.changes():
+            self.info(change)
+        losses = statistics.new_losses()
+        if losses:
+            self.warn("losses", losses)
+        if stream.has_become_silent():
+            self._node.get_logger().warning(explain_silence())
+        self._warn_about_duplicate_name()
+
+    def _warn_about_duplicate_name(self):
+        node = self._node
+        own_name = (node.get_name(), node.get_namespace())
+        if node.get_node_names_and_namespaces().count(own_name) > 1:
+            self.warn(
+                "duplicate name",
+                f"another node has the name {node.get_fully_qualified_name()} too (or had it, and was killed "
+                "just now): both publish on the same topics; rename one: --ros-args -r __node:=another",
+            )
+
+    def publisher_count_changed(self, topic, count):
+        self.info(f"{topic} has {count or 'no'} publisher{'' if count == 1 else 's'}")
+
+    def publisher_events(self, topic):
+        """PublisherEventCallbacks that log who subscribes to the topic, and with which QoS in vain."""
+
+        def on_incompatible_qos(event):
+            policy = qos_policy_name_from_kind(event.last_policy_kind)
+            self.warn(
+                f"{topic} qos",
+                f"a subscriber of {topic} requests an incompatible QoS policy ({policy}) and receives "
+                "nothing; images are published BEST_EFFORT: subscribe with qos_profile_sensor_data",
+            )
+
+        def on_matched(event):
+            count = event.current_count
+            self.info(f"{topic} has {count or 'no'} subscriber{'' if count == 1 else 's'}")
+
+        return PublisherEventCallbacks(incompatible_qos=on_incompatible_qos, matched=on_matched)

@@ -1,0 +1,75 @@
+"""The ROS parameters of an ImageProcessor: the numbers that `process` takes, and `display`."""
+
+from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
+
+
+class NodeParameters:
+    """Declares the parameters, checks every request to change them, and holds their values.
+
+    Parameters
+    ----------
+    node : rclpy Node
+    numeric_parameters : sequence of NumericParameter
+    check : function(**values) that raises ValueError if the values do not fit together; or None
+    window_problem : function that returns why no window can be opened, or None
+
+    Attributes
+    ----------
+    values : {name: number} of the numeric parameters
+    display : bool, whether the images are shown in windows
+
+    Raises
+    ------
+    ValueError : `check` refuses the initial values
+    rclpy.exceptions.ParameterException : an initial value is out of its range, or has another type
+    """
+
+    def __init__(self, node, numeric_parameters, check, window_problem):
+        self._types = {parameter.name: type(parameter.default) for parameter in numeric_parameters}
+        self._check = check
+        self._window_problem = window_problem
+        initial = {
+            parameter.name: node.declare_parameter(
+                parameter.name, parameter.default, parameter.descriptor()
+            ).value
+            for parameter in numeric_parameters
+        }
+        descriptor = ParameterDescriptor(description="show the images in OpenCV windows")
+        self.display = node.declare_parameter("display", False, descriptor).value
+        self.values = self._checked(initial)
+        node.add_on_set_parameters_callback(self._validate)
+        node.add_post_set_parameters_callback(self._apply)
+
+    def _checked(self, values):
+        """The values, converted to their declared types. Raises ValueError if they are refused."""
+        for name, value in values.items():
+            if isinstance(value, bool) or not isinstance(value, int | float):
+                raise ValueError(f"{name} must be a number, got {value!r}")
+        values = {name: self._types[name](value) for name, value in values.items()}
+        if self._check is not None:
+            self._check(**values)
+        return values
+
+    def _merged(self, request):
+        """All values as they are after the request."""
+        changes = {parameter.name: parameter.value for parameter in request if parameter.name in self.values}
+        return {**self.values, **changes}
+
+    def _validate(self, request):
+        """Called once for all parameters of a request: either all are accepted, or none."""
+        try:
+            self._checked(self._merged(request))
+        except ValueError as error:
+            return SetParametersResult(successful=False, reason=str(error))
+        if any(parameter.name == "display" and parameter.value for parameter in request) and not self.display:
+            problem = self._window_problem()
+            if problem:
+                return SetParametersResult(successful=False, reason=problem)
+        return SetParametersResult(successful=True)
+
+    def _apply(self, request):
+        # One assignment: an image is processed with all old values or with all new ones, never with a mix.
+        self.values = self._checked(self._merged(request))
+        for parameter in request:
+            if parameter.name == "display":
+                self.display = parameter.value

@@ -1,0 +1,87 @@
+"""An ImageProcessor as a process of its own: from its first line to a quiet end."""
+
+import signal
+import sys
+
+import rclpy
+from rclpy.exceptions import ParameterException
+from rclpy.executors import ExternalShutdownException
+from rclpy.signals import SignalHandlerOptions
+from rclpy.utilities import remove_ros_args
+
+from imgproc_course.ros.stream_statistics import statistics_line
+
+
+def run_processor(make_node, args=None):
+    """Runs an ImageProcessor until Ctrl-C, SIGTERM, or until ROS is shut down.
+
+    Parameters
+    ----------
+    make_node : function without arguments that returns the node
+    args : arguments for ROS; None for those of the command line, which may contain no others
+
+    Returns
+    -------
+    int, the exit code: 0, or 2 if the node could not start (the reason is one line on stderr)
+    """
+    node, stop_signals = None, _StopSignals()
+    try:
+        try:
+            if args is None:
+                _refuse_other_arguments(sys.argv)
+            # ROS's own handlers would shut the context down from another thread, in the middle of a call.
+            rclpy.init(args=args, signal_handler_options=SignalHandlerOptions.NO)
+            node = make_node()
+        except (ValueError, RuntimeError, ParameterException) as error:
+            print(f"cannot start: {' '.join(str(error).split())}", file=sys.stderr)
+            return 2
+        _log_profile(node)
+        node.spin(stop_signals.received)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        if node is not None:
+            print(f"{node.get_name()}: {statistics_line(node.statistics())}", file=sys.stderr)
+            node.destroy_node()
+        rclpy.try_shutdown()
+    return 0
+
+
+def _refuse_other_arguments(command_line):
+    """ROS ignores them silently: `--low 40` would start a node with the default low."""
+    unknown = remove_ros_args(command_line)[1:]
+    if unknown:
+        raise ValueError(
+            f"unknown argument '{' '.join(unknown)}'; set a parameter with --ros-args -p NAME:=VALUE, "
+            "remap a topic with --ros-args -r FROM:=TO"
+        )
+
+
+class _StopSignals:
+    """Counts Ctrl-C and SIGTERM: the current image is finished, and no other is begun."""
+
+    # Under `ros2 launch` Ctrl-C comes twice, from the terminal and from launch. A third interrupts at once.
+    EXPECTED = 2
+
+    def __init__(self):
+        self._count = 0
+        for number in (signal.SIGINT, signal.SIGTERM):
+            signal.signal(number, self._on_signal)
+
+    def received(self):
+        return self._count > 0
+
+    def _on_signal(self, number, _):
+        self._count += 1
+        if self._count > self.EXPECTED:
+            raise KeyboardInterrupt
+
+
+def _log_profile(node):
+    from imgproc_course.ros import dds_profile  # not at the top: the package imports this module
+
+    profile = dds_profile()
+    if profile.note:
+        node.get_logger().warning(f"DDS profile: {profile}")
+    else:
+        node.get_logger().info(f"DDS profile: {profile}")

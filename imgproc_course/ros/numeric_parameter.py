@@ -1,0 +1,36 @@
+"""A numeric ROS parameter of a node. Imports no ROS, so that a node's functions can be used without ROS."""
+
+from typing import NamedTuple
+
+
+class NumericParameter(NamedTuple):
+    """A number that can be changed while the node runs: a ROS parameter, and a keyword of `process`.
+
+    Attributes
+    ----------
+    name : of the parameter and of the keyword
+    default : if it is an int, the parameter accepts whole numbers only; if it is a float, it accepts both
+    minimum, maximum : the range; both ends are allowed
+    description : what the number does, with its unit
+    """
+
+    name: str
+    default: int | float
+    minimum: int | float
+    maximum: int | float
+    description: str
+
+    def descriptor(self):
+        """The rcl_interfaces/ParameterDescriptor of the parameter."""
+        from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
+
+        is_integer = isinstance(self.default, int)
+        return ParameterDescriptor(
+            description=self.description,
+            # ROS itself would refuse the 1 of `ros2 param set NODE sigma 1`, because 1 is not a float.
+            dynamic_typing=not is_integer,
+            integer_range=[IntegerRange(from_value=int(self.minimum), to_value=int(self.maximum))],
+            floating_point_range=[
+                FloatingPointRange(from_value=float(self.minimum), to_value=float(self.maximum))
+            ],
+        )

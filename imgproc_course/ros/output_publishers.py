@@ -1,0 +1,74 @@
+"""The publishers of an ImageProcessor's outputs: one private topic for each."""
+
+import numpy as np
+from sensor_msgs.msg import Image
+
+from imgproc_course.messages import ConversionError, array_to_image
+from imgproc_course.ros.process_function import SkippedImageError
+
+
+class OutputPublishers:
+    """Publishes arrays as sensor_msgs/Image.
+
+    Parameters
+    ----------
+    node : rclpy Node
+    outputs : names; each is published on `~/<name>`
+    qos : QoSProfile
+    log : NodeLog
+
+    Attributes
+    ----------
+    publishers : {output: rclpy Publisher}
+    """
+
+    def __init__(self, node, outputs, qos, log):
+        self._context = node.context
+        self.publishers = {
+            output: node.create_publisher(
+                Image,
+                f"~/{output}",
+                qos,
+                event_callbacks=log.publisher_events(node.resolve_topic_name(f"~/{output}")),
+            )
+            for output in outputs
+        }
+
+    def topics(self):
+        return [publisher.topic_name for publisher in self.publishers.values()]
+
+    def all(self):
+        """The names of all outputs."""
+        return list(self.publishers)
+
+    def subscribed(self):
+        """The names of the outputs that have a subscriber."""
+        return [output for output, publisher in self.publishers.items() if publisher.get_subscription_count()]
+
+    def publish(self, arrays, header):
+        """Publishes {output: array} with this header. Returns False if ROS was shut down meanwhile.
+
+        Raises
+        ------
+        SkippedImageError : an array is not an image, or the middleware refuses a message
+        """
+        try:
+            messages = {
+                output: array_to_image(array, _encoding_of(array), header) for output, array in arrays.items()
+            }
+        except ConversionError as error:
+            raise SkippedImageError(f"process did not return an image: {error}") from error
+        try:
+            for output, message in messages.items():
+                self.publishers[output].publish(message)
+        except RuntimeError as error:
+            if self._context.ok():
+                raise SkippedImageError(f"the middleware does not accept the images: {error}") from error
+            return False
+        return True
+
+
+def _encoding_of(array):
+    if isinstance(array, np.ndarray) and array.dtype == np.uint8:
+        return "mono8" if array.ndim == 2 else "bgr8" if array.shape[2:] == (3,) else "passthrough"
+    return "passthrough"

@@ -1,0 +1,149 @@
+"""Statistics of the images that a node receives: counts, times, changes of the stream, and silence."""
+
+import collections
+import time
+
+import numpy as np
+
+from imgproc_course.ros.loss_counter import LossCounter
+
+SILENCE = 3.0  # seconds without an image after which a stream is silent
+RECENT = 600  # images from which rate and times are computed
+LATE = 1.5  # seconds between two reports, one second apart, from which on the thread was blocked
+
+
+class StreamMonitor:
+    """Notices what changes in a stream of images, and whether it has become silent."""
+
+    def __init__(self):
+        self._format = self._reported_format = self._stamp = None
+        self._last_arrival = time.monotonic()
+        self._is_silent = False
+        self._pause = self._step_back = 0.0  # seconds, not reported yet
+
+    def observe(self, msg):
+        """Takes note of a message that arrived."""
+        now = time.monotonic()
+        if self._is_silent:
+            self._pause, self._is_silent = now - self._last_arrival, False
+        self._last_arrival = now
+        self._format = _format(msg)
+        stamp = msg.header.stamp.sec * 10**9 + msg.header.stamp.nanosec
+        if self._stamp is not None:
+            self._step_back = max(self._step_back, (self._stamp - stamp) / 1e9)
+        self._stamp = stamp
+
+    def changes(self):
+        """Yields one sentence for each change since the last call."""
+        if self._pause:
+            yield f"images arrive again, after {self._pause:.1f} s without"
+        if self._format != self._reported_format:
+            previous = f" (was {self._reported_format})" if self._reported_format else ""
+            yield f"size and encoding: {self._format}{previous}"
+        if self._step_back:
+            yield (
+                f"stamps went back by {self._step_back:.3f} s: the camera was restarted, its recording "
+                "started again, or its clock was set; the node continues"
+            )
+        self._reported_format, self._pause, self._step_back = self._format, 0.0, 0.0
+
+    def has_become_silent(self):
+        """True once, when no image has arrived for some seconds."""
+        if self._is_silent or time.monotonic() - self._last_arrival < SILENCE:
+            return False
+        self._is_silent = True
+        return True
+
+
+class ProcessingStatistics:
+    """What an ImageProcessor counts and times.
+
+    Attributes
+    ----------
+    received, processed, failed, ignored : numbers of images; `ImageProcessor.statistics` explains them
+    last_error : the cause of the latest failure in one line, or None
+    busy : seconds spent in the callback
+    losses : LossCounter
+    """
+
+    def __init__(self):
+        self.received = self.processed = self.failed = self.ignored = 0
+        self.last_error = None
+        self.busy = 0.0
+        self.losses = LossCounter()
+        self._arrivals = collections.deque(maxlen=RECENT)
+        self._latencies = collections.deque(maxlen=RECENT)
+        self._durations = collections.deque(maxlen=RECENT)
+        self._reported = (0, 0, 0.0, time.perf_counter())
+
+    def count_received(self, number):
+        """Counts a message that arrived, with the number that its publisher gave it."""
+        self.received += 1
+        self._arrivals.append(time.monotonic())
+        self.losses.receive(number)
+
+    def count_processed(self, latency, duration):
+        """Counts an image whose results are published; both times in seconds."""
+        self.processed += 1
+        self._latencies.append(latency)
+        self._durations.append(duration)
+
+    def new_losses(self):
+        """How many images were lost since the last call and why, in one line; None if none was."""
+        lost, received, busy, start = self._reported
+        now = time.perf_counter()
+        self._reported = (self.losses.total, self.received, self.busy, now)
+        lost = self.losses.total - lost
+        if not lost:
+            return None
+        sent = lost + self.received - received
+        busy_share = (self.busy - busy) / (now - start)
+        period = "second" if now - start < LATE else f"{now - start:.1f} s"
+        text = f"{lost} of {sent} images of the last {period} were lost: "
+        if busy_share > 0.5:
+            return f"{text}this node is busy {busy_share:.0%} of the time, so the oldest images are dropped"
+        if now - start >= LATE:
+            return f"{text}this node's thread was blocked meanwhile, so the oldest images were dropped"
+        return (
+            f"{text}they did not arrive here; does the camera's process use the course's DDS profile (import "
+            "imgproc_course.ros there)? Or this machine is too busy: subscribe to the /compressed topic"
+        )
+
+    def as_dict(self):
+        """The statistics as `ImageProcessor.statistics` describes them."""
+        span = self._arrivals[-1] - self._arrivals[0] if len(self._arrivals) > 1 else 0
+        return {
+            "received": self.received,
+            "processed": self.processed,
+            "failed": self.failed,
+            "ignored": self.ignored,
+            "lost": self.losses.lost,
+            "rate": round((len(self._arrivals) - 1) / span, 1) if span else None,
+            "latency_ms": _percentiles(self._latencies),
+            "process_ms": _percentiles(self._durations),
+            "last_error": self.last_error,
+        }
+
+
+def _percentiles(seconds):
+    return np.percentile(seconds, (50, 99)).dot(1e3).round(2).tolist() if seconds else None
+
+
+def statistics_line(statistics):
+    """The dict of `ImageProcessor.statistics` as one line of text."""
+    parts = [f"{statistics[key]} {key}" for key in ("received", "processed", "failed", "ignored")]
+    if statistics["lost"] is not None:
+        parts.append(f"{statistics['lost']} lost")
+    if statistics["rate"] is not None:
+        parts.append(f"{statistics['rate']} Hz")
+    if statistics["latency_ms"] is not None:
+        parts.append("latency {} ms (median), {} ms (99 %)".format(*statistics["latency_ms"]))
+    if statistics["last_error"] is not None:
+        parts.append(f"last error: {statistics['last_error']}")
+    return ", ".join(parts)
+
+
+def _format(msg):
+    if hasattr(msg, "format"):
+        return msg.format
+    return f"{msg.width}×{msg.height} {msg.encoding}"
