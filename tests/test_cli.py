@@ -167,7 +167,7 @@ def test_a_camera_that_stopped_on_an_error_fails_the_command(call, monkeypatch):
             ["--camera-topic", "/back"],
             "Error: drive holds no pictures on /back, but on: /kachaka/front_camera/",
         ),
-        (["--speed", "-1"], "Error: speed -1.0 is no positive number"),
+        (["--speed", "-1"], "Error: speed must be a positive number, got -1.0"),
         (["--topic", "no topic"], "Error: 'no topic' is not a topic name"),
     ],
 )

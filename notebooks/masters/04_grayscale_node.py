@@ -8,14 +8,14 @@
 # %% [markdown]
 # # 04 · The grayscale node
 #
-# A function turns one frame gray. A *node* does it for every picture that the camera sends, as long as the robot runs, and publishes the result for others. Between the two lie few lines and some traps.
+# A function converts one frame to gray. A *node* does it for every image that the camera sends, as long as the robot runs, and publishes the results for other nodes. The step from the function to the node needs few lines, but it has some traps.
 #
 # **You will be able to**
-# - write a ROS 2 node that subscribes, processes and publishes, and say what each line is for,
-# - say why `rclpy.spin` in a notebook never returns, and what to do instead,
-# - choose a QoS, copy a header, and keep a node alive when a picture is bad.
+# - write a ROS 2 node that subscribes, processes and publishes, and explain each of its lines,
+# - explain why `rclpy.spin` never returns in a notebook, and what to do instead,
+# - choose QoS policies, copy a header, and keep a node running when an image is broken.
 #
-# **Time** about 50 minutes. **You need** lessons 02 and 03. This lesson needs a running ROS 2; without one (macOS, Windows without WSL) read along, and do the exercise in section 5.
+# **Time** about 50 minutes. **You need** lessons 02 and 03. This lesson needs a running ROS 2. Without it (macOS, Windows without WSL), read the lesson and do the exercise in section 5.
 
 # %% role="given" exercise=["node-process"]
 import cv2
@@ -34,37 +34,39 @@ if ros_available():
     print("the camera publishes", camera.topic)
 
 # %% [markdown]
-# ## 1 · A callback is a function that somebody else calls (6 minutes)
+# ## 1 · A callback is a function that ROS calls (6 minutes)
 #
-# **Ask.** Until now you asked for a picture and waited. A node does not wait. It hands ROS a function, a *callback*, and ROS calls it whenever a picture arrives. **Predict** how often the function below is called in two seconds; the camera sends ten pictures a second.
+# **Ask.** Until now you asked for an image and waited for it. A node does not wait. It subscribes to a topic with a function, its *callback*, and ROS calls this function for every message that arrives. **Predict** how often ROS calls the function below in two seconds. The camera sends ten images per second.
 
 # %%
-seen = []
+stamps = []
 
 
-def remember(frame, msg):
-    seen.append(msg.header.stamp)
+def on_image(frame, msg):
+    stamps.append(msg.header.stamp)
 
 
 # %% tags=["nbval-ignore-output"]
 import time
 
 if ros_available():
-    listener = ImageSubscriber(camera.topic, remember)
-    listener.wait(timeout=10)
-    seen.clear()
+    subscriber = ImageSubscriber(camera.topic, on_image)
+    subscriber.wait(timeout=10)
+    stamps.clear()
     time.sleep(2)
-    cameras = listener.session.node.count_publishers(camera.topic)
-    listener.stop()
-    print("called", len(seen), "times in two seconds; cameras:", cameras)
-    assert 10 <= len(seen) <= 25 * cameras
+    cameras = subscriber.session.node.count_publishers(camera.topic)
+    subscriber.stop()
+    print("called", len(stamps), "times in two seconds; cameras:", cameras)
+    assert 10 <= len(stamps) <= 25 * cameras
 
 # %% [markdown]
-# About twenty times, while this cell did nothing but sleep (forty where another lesson is still open and plays the drive, too: then there are two cameras). Somebody must have called the function: a thread in the background that *spins*, which means: waits for messages and calls callbacks, for ever.
+# About twenty times, although this cell only slept. If another lesson is still open, you see forty: it plays the drive too, so there are two cameras.
+#
+# The callback ran in a background thread. In this thread an *executor* works: it waits for messages and calls the callbacks, again and again. To run an executor like this is to *spin*.
 #
 # ## 2 · The node, line by line (10 minutes)
 #
-# Now the whole node, as it would run on a robot.
+# Here is the whole node, as it would run on a robot. The numbers at the ends of the lines belong to the explanations below.
 
 # %% tags=["long"]
 if ros_available():
@@ -90,19 +92,22 @@ if ros_available():
             self.gray.publish(array_to_image(gray, "mono8", msg.header))                            # 7
 
 # %% [markdown]
-# 1. The node's name. Others see it in the graph.
-# 2. It will publish pictures on `~/gray`. The `~` stands for the node's own name: `/gray_by_hand/gray`. A second node of another name does not get in its way.
-# 3. It subscribes to the camera. `qos_profile_sensor_data` is **best effort, depth 5, volatile**: what cameras offer. Best effort, since a late picture is worth nothing; depth 5, so that at most five wait and the oldest is dropped first; volatile: nothing is kept for latecomers.
-# 4. The message becomes a frame, blue first, whatever encoding the robot sends.
-# 5. A picture that does not convert is *logged*, at most every five seconds, and skipped. A node must not die of one bad picture.
-# 6. The one line that computes. It knows nothing of ROS.
-# 7. The result becomes a message. The **header is copied**, so that whoever receives it knows when the picture was taken.
+# 1. This is the node's name. Other programs see it in the ROS graph, the network of all running nodes and topics.
+# 2. A *publisher* for images on `~/gray`. The `~` stands for the node's own name: `/gray_by_hand/gray`. So a node with another name uses another topic.
+# 3. A *subscription* to the camera's topic. `qos_profile_sensor_data` is a set of *QoS policies*, the ones that cameras offer:
+#    - **reliability: best effort.** A lost image is not sent again, because a late image is worth nothing.
+#    - **history: keep last, depth: 5.** At most five images wait. If a sixth one arrives, the oldest is dropped.
+#    - **durability: volatile.** Images from before the subscription are not delivered.
+# 4. The message becomes a frame with blue first, for every encoding that the robot may send.
+# 5. If an image cannot be converted, the node *logs* the error, at most every five seconds, and skips the image. One broken image must not end the node.
+# 6. The only line that computes. It knows nothing about ROS.
+# 7. The result becomes a message. The node **copies the header**, so that the receiver knows when the image was taken.
 #
 # ## 3 · Planned failure: the cell that never returns (7 minutes)
 #
-# Every ROS tutorial ends with `rclpy.spin(node)`. In a script that is right: it runs until Ctrl-C. **Predict** what it does in a notebook cell.
+# Every ROS tutorial ends with `rclpy.spin(node)`. In a script this is right: it runs until Ctrl-C. **Predict** what it does in a notebook cell.
 #
-# You would sit before a `[*]` that never goes away, with every other cell waiting behind it. (The remedy for that is **Kernel → Interrupt Kernel**.) So that this lesson goes on, the next cell spins for three seconds only. Try to run another cell meanwhile.
+# The cell shows `[*]` and never ends, and all other cells have to wait. (**Kernel → Interrupt Kernel** ends it.) To let this lesson continue, the second of the next two cells spins for three seconds only. Try to run another cell meanwhile.
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
@@ -110,13 +115,13 @@ if ros_available():
 
     session = RosSession.current()
     node = GrayNode(context=session.context)
-    executor = SingleThreadedExecutor(context=session.context)  # what rclpy.spin uses, too
+    executor = SingleThreadedExecutor(context=session.context)  # rclpy.spin uses this executor too
     executor.add_node(node)
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
     started = time.monotonic()
-    while time.monotonic() < started + 3:  # rclpy.spin(node) has no such end
+    while time.monotonic() < started + 3:  # rclpy.spin(node) never stops
         executor.spin_once(timeout_sec=0.1)
     blocked = time.monotonic() - started
     executor.remove_node(node)
@@ -124,7 +129,7 @@ if ros_available():
     assert blocked >= 3
 
 # %% [markdown]
-# **Repair it**: let somebody else spin. `RosSession` is that somebody: one thread in the background that spins every node of this notebook. Starting it twice does no harm, and it leaves when the kernel does.
+# **Repair it**: use a background thread. `RosSession` has one: its executor spins all nodes of this notebook. You can start it twice without harm, and it stops with the kernel.
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
@@ -135,10 +140,10 @@ if ros_available():
     assert gray.shape == (720, 1280) and gray.dtype == np.uint8
 
 # %% [markdown]
-# **Look** at it live. The picture goes the long way: camera → topic → your node → topic → this page. (Without ROS there is a short way alone: recording → `to_gray` → this page.)
+# **Look** at it live. Each image goes from the camera to a topic, to your node, to a second topic, and to this page. (Without ROS it goes from the recording to `to_gray` and to this page.)
 
 # %% tags=["nbval-ignore-output"]
-caption = "Gray, live: every picture of the drive, ten a second."
+caption = "The drive in gray, live, with ten images per second."
 alt = "The living room in gray, while the robot drives."
 if ros_available():
     view = live_view(gray_frames, encoding="mono8", caption=caption, alt=alt)
@@ -149,7 +154,7 @@ assert view.running
 # %% [markdown]
 # ## 4 · The same node for every function (6 minutes)
 #
-# Six of the seven lines would be the same in an edge node. So the course has them once, in `ImageProcessor`: you give it a name, a function and the names of what the function returns. The function, `process`, gets a frame and returns a dictionary; each key becomes a topic.
+# Six of the seven lines would be the same in an edge node. So the course has one class for them, `ImageProcessor`. You give it a name, a function and the names of the function's results. The function, `process`, gets a frame and returns a dictionary. Each key of the dictionary becomes a topic.
 
 # %%
 def make_gray(frame):
@@ -162,18 +167,18 @@ print({key: (array.shape, str(array.dtype)) for key, array in result.items()})
 assert (result["gray"] == cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)).all()
 
 # %% [markdown]
-# On a robot nobody waits for arithmetic by hand, so a real node calls OpenCV's `cvtColor` here. The assert says that it is the same gray, on every pixel.
+# On a robot, speed matters, so a real node calls OpenCV's `cvtColor` here. The assert checks that both give the same gray level on every pixel.
 #
-# Bad pictures and bad functions are counted, and the node lives on. Here is a function that fails on every second picture, by design. The lines on red ground are the node's *log*: a terminal would show them, and a notebook shows them under the cell that runs. `INFO` tells, `WARN` warns.
+# `ImageProcessor` counts broken images and failing functions, and the node continues. The next function fails on every second image, on purpose. The lines on a red background are the node's *log*. In a terminal they would appear there; in a notebook they appear under the running cell. `INFO` lines inform, `WARN` lines warn.
 
 # %% tags=["nbval-ignore-output"]
 calls = []
 
 
-def clumsy(frame):
+def failing(frame):
     calls.append(1)
     if len(calls) % 2:
-        raise ValueError("every second time I fail")
+        raise ValueError("I fail on every second image")
     return make_gray(frame)
 
 
@@ -181,19 +186,25 @@ def clumsy(frame):
 if ros_available():
     from imgproc_course.ros import ImageProcessor
 
-    clumsy_node = session.add_node(ImageProcessor("clumsy", clumsy, ["gray"], context=session.context))
-    survivors = ImageSubscriber("/clumsy/gray", encoding="mono8")
+    failing_node = session.add_node(ImageProcessor("failing", failing, ["gray"], context=session.context))
+    gray_images = ImageSubscriber("/failing/gray", encoding="mono8")
     for _ in range(3):
-        survivors.wait(timeout=10)
-    counted = clumsy_node.statistics()
-    print("processed", counted["processed"], " failed", counted["failed"])
-    assert counted["processed"] >= 3 and counted["failed"] >= 2
-    session.remove_node(clumsy_node)
+        gray_images.wait(timeout=10)
+    statistics = failing_node.statistics()
+    print("processed", statistics["processed"], " failed", statistics["failed"])
+    assert statistics["processed"] >= 3 and statistics["failed"] >= 2
+    session.remove_node(failing_node)
 
 # %% [markdown]
 # ## 5 · Your turn: the node's function (8 minutes)
 #
-# Write `process(frame)` for a grayscale node: a (height, width, 3) uint8 frame in, blue first; a dictionary out with one key, `"gray"`, and the (height, width) uint8 luma as its value. The frame must stay as it is: others may look at it too. `cv2` is allowed.
+# Write `process(frame)`, the function of a grayscale node. You may use `cv2`. Do not change the frame: other code may use it too.
+#
+# | | |
+# |---|---|
+# | Input | `frame`: (height, width, 3) uint8, channels blue, green, red |
+# | Output | a dictionary with one key, `"gray"`; its value is the luma, (height, width) uint8 |
+# | Example call | `process(frame)["gray"].shape` is `(720, 1280)` |
 
 # %% role="exercise"
 exercise(
@@ -219,32 +230,32 @@ def process(frame):
 check("node-process", process)
 
 
-# %% role="case" title="a small frame" points=1 hint="The node asks for the key \"gray\"."
+# %% role="case" title="a small frame" points=1 hint="The key must be \"gray\", because the node reads this key."
 def inputs(rng):
     return (rng.integers(0, 256, size=(6, 8, 3), dtype=np.uint8),)
 
 
-# %% role="hidden" title="any frame" points=1 hint="Blue comes first: which of OpenCV's codes starts with BGR?"
+# %% role="hidden" title="any frame" points=1 hint="Blue comes first. Which of OpenCV's conversion codes starts with BGR?"
 def inputs(rng):
     return (rng.integers(0, 256, size=(30, 40, 3), dtype=np.uint8),)
 
 
-# %% role="mistake" name="the array without its dictionary" says="That is the picture itself. A node needs to know on which topic it goes: return a dictionary, {\"gray\": picture}."
+# %% role="mistake" name="the array without its dictionary" says="You return the image itself. The node also needs the name of its topic: return a dictionary, {\"gray\": image}."
 def process(frame):
     return cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
 
 
-# %% role="mistake" name="red and blue exchanged" says="The weights of red and blue are exchanged: the frame is BGR, so the code is COLOR_BGR2GRAY."
+# %% role="mistake" name="red and blue exchanged" says="The weights of red and blue are exchanged. The frame is BGR, so use COLOR_BGR2GRAY."
 def process(frame):
     return {"gray": cv2.cvtColor(frame, cv2.COLOR_RGB2GRAY)}
 
 
-# %% role="mistake" name="gray with three channels" says="The picture is gray but has three equal channels. A gray picture has one number a pixel: (height, width)."
+# %% role="mistake" name="gray with three channels" says="Your image is gray, but it has three equal channels. A gray image has one number per pixel: (height, width)."
 def process(frame):
     return {"gray": cv2.cvtColor(cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY), cv2.COLOR_GRAY2BGR)}
 
 
-# %% role="mistake" name="another key" says="The picture is right, but its key is not \"gray\": nobody listens to that topic."
+# %% role="mistake" name="another key" says="Your image is right, but its key is not \"gray\", so it would go to a topic without subscribers."
 def process(frame):
     return {"grey": cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)}
 
@@ -252,21 +263,25 @@ def process(frame):
 # %% [markdown]
 # ## 6 · Practice: your node, live (8 minutes)
 #
-# Put your own `process` into a node and watch it. In the next cell write `process` in place of `make_gray`, run it, and then make it do something of your own: turn the picture upside down, draw a frame around it, keep only the red. Run the cell again after each change: the new node replaces the old one.
+# Run your own `process` in a node and watch it. In the second of the next two cells, replace `make_gray` by `process` and run the cell. Then change `process`: turn the image upside down, draw a border around it, or keep only the red channel. After each change run the second cell again. It removes the old node before it starts the new one.
+
+# %%
+my_node = None
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
-    mine = session.add_node(ImageProcessor("my_node", make_gray, ["gray"], context=session.context))
-    my_pictures = ImageSubscriber("/my_node/gray", encoding="mono8")
-    mine_received = my_pictures.wait(timeout=10)
-    my_view = live_view(my_pictures, encoding="mono8", caption="What my node publishes.",
-                        alt="The pictures of my own node, live.")
-    assert mine_received.shape == (720, 1280)
+    session.remove_node(my_node)  # the node of the previous run of this cell; on the first run there is none
+    my_node = session.add_node(ImageProcessor("my_node", make_gray, ["gray"], context=session.context))
+    my_images = ImageSubscriber("/my_node/gray", encoding="mono8")
+    my_image = my_images.wait(timeout=10)
+    my_view = live_view(my_images, encoding="mono8", caption="What my node publishes.",
+                        alt="The images of my own node, live.")
+    assert my_image.shape == (720, 1280)
 
 # %% [markdown]
 # ## Recap
 #
-# A node is a callback with a name: subscribe, convert, process, publish with the header copied, log what fails. In a notebook somebody else must spin it.
+# A node subscribes to a topic with a callback. The callback converts the message, processes the frame, publishes the result with the copied header, and logs failures. In a notebook, a background thread must spin the node.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|

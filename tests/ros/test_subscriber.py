@@ -261,7 +261,7 @@ def another_process():
 @pytest.mark.parametrize(
     "message_type, remedy",
     [
-        ("sensor_msgs/msg/CompressedImage", "its name must end in /compressed to be read as that"),
+        ("sensor_msgs/msg/CompressedImage", "its name must end in /compressed: remap it, or publish it"),
         ("std_msgs/msg/String", "this topic carries no images"),
     ],
 )
