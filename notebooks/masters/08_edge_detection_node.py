@@ -78,13 +78,10 @@ def check_thresholds(low, high, sigma):
 if ros_available():
     from imgproc_course.ros import NumericParameter
 
-    from imgproc_course.ros import NumericParameter
-
     parameters = [
         NumericParameter("low", 50, 0, 1530, "weak edge pixels are above it; L1 magnitude of the Sobel gradient"),
         NumericParameter("high", 150, 0, 1530, "strong edge pixels are above it; L1 magnitude of the Sobel gradient"),
         NumericParameter("sigma", 0.0, 0.0, 10.0, "standard deviation of the Gaussian blur, in pixels"),
-    ]
     ]
 
 # %% tags=["nbval-ignore-output", "long"]
