@@ -66,8 +66,8 @@ def compare(title, ways, images, rounds, budgets=None):
     """Time each way on all images; the first way is the peer. Return the names that exceed their budget."""
     medians = median_seconds({name: on_all(way, images) for name, way in ways.items()}, rounds)
     medians = {name: seconds / len(images) for name, seconds in medians.items()}
-    over = print_ratios(title, medians, next(iter(ways)), budgets)
-    return [f"{title}: {name}" for name in over]
+    over_budget = print_ratios(title, medians, next(iter(ways)), budgets)
+    return [f"{title}: {name}" for name in over_budget]
 
 
 def bench_gray(frames, rounds):
@@ -82,7 +82,7 @@ def bench_gray(frames, rounds):
 
 
 def bench_canny(grays, rounds):
-    over = []
+    over_budget = []
     for low, high in THRESHOLDS:
         ways = {
             "cv2": lambda gray, low=low, high=high: cv2.Canny(gray, low, high),
@@ -90,21 +90,23 @@ def bench_canny(grays, rounds):
             "canny_stages": lambda gray, low=low, high=high: imaging.canny_stages(gray, low, high),
         }
         title = f"Canny {low}/{high}, aperture 3, L1, 1280×720"
-        over += compare(title, ways, grays, rounds, {"canny": CANNY_BUDGET})
+        over_budget += compare(title, ways, grays, rounds, {"canny": CANNY_BUDGET})
     for aperture, scale in ((3, 1), (5, 12), (7, 160)):
         for l2 in (False, True):
             if (aperture, l2) == (3, False):
                 continue
             options = {"apertureSize": aperture, "L2gradient": l2}
-            ours = {"aperture": aperture, "l2_gradient": l2}
+            our_options = {"aperture": aperture, "l2_gradient": l2}
             pair = (50 * scale, 150 * scale)
             ways = {
                 "cv2": lambda gray, pair=pair, options=options: cv2.Canny(gray, *pair, **options),
-                "canny": lambda gray, pair=pair, ours=ours: imaging.canny(gray, *pair, **ours),
+                "canny": lambda gray, pair=pair, our_options=our_options: imaging.canny(
+                    gray, *pair, **our_options
+                ),
             }
             title = f"Canny {pair[0]}/{pair[1]}, aperture {aperture}, {'L2' if l2 else 'L1'}"
             compare(title, ways, grays, rounds)
-    return over
+    return over_budget
 
 
 def bench_canny_against_skimage(grays, rounds):
@@ -159,8 +161,8 @@ def bench_filters(grays, rounds):
         ),
         "PSNR": (lambda g: cv2.PSNR(g, g[::-1]), lambda g: imaging.psnr(g, g[::-1])),
     }
-    for name, (theirs, ours) in pairs.items():
-        compare(f"{name}, 1280×720", {"cv2": theirs, "ours": ours}, grays, max(3, rounds // 4))
+    for name, (opencv, by_hand) in pairs.items():
+        compare(f"{name}, 1280×720", {"cv2": opencv, "ours": by_hand}, grays, max(3, rounds // 4))
     similarity = {
         "skimage": lambda g: skimage.metrics.structural_similarity(g, g[::-1], data_range=255),
         "ours": lambda g: imaging.ssim(g, g[::-1]),
@@ -223,17 +225,17 @@ def main():
 
     frames = frames_of_the_drive()
     grays = [cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY) for frame in frames]
-    over = bench_gray(frames, options.rounds)
-    over += bench_canny(grays, options.rounds)
-    over += bench_canny_against_skimage(grays, options.rounds)
+    over_budget = bench_gray(frames, options.rounds)
+    over_budget += bench_canny(grays, options.rounds)
+    over_budget += bench_canny_against_skimage(grays, options.rounds)
     bench_filters(grays, options.rounds)
     if options.growth:
         draw_growth(measure_growth(frames[1]), GROWTH)
         print(f"drawn: {GROWTH.name}")
     console = Console()
-    for name in over:
+    for name in over_budget:
         console.print(f"over its budget: {name}", style="red")
-    return 1 if over else 0
+    return 1 if over_budget else 0
 
 
 if __name__ == "__main__":
