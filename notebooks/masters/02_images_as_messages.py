@@ -8,16 +8,16 @@
 # %% [markdown]
 # # 02 · Images as messages
 #
-# A robot's camera does not send pictures. It sends *messages*: a few numbers that describe a picture, and one long row of bytes.
-# Whoever reads the bytes must believe the numbers, or sees a wrong picture.
+# A robot's camera sends *messages*. A message with an image has a few fields that describe the image, and one long row of bytes.
+# The fields say how to read the bytes. If you ignore these fields, you read the bytes wrongly.
 #
 # **You will be able to**
 # - name the fields of a `sensor_msgs/Image` and say what each is for,
 # - turn the bytes of a message into an array by hand, and back,
-# - recognise two classic wrong pictures (red and blue swapped; a sheared picture) and repair them,
-# - subscribe to a camera that sends best-effort, and say why a reliable subscriber hears nothing.
+# - recognise two classic wrong images (red and blue swapped; a sheared image) and repair them,
+# - subscribe to a camera that publishes with best-effort reliability, and say why a reliable subscription receives nothing from it.
 #
-# **Time** about 50 minutes. **You need** lesson 00, and to know that a NumPy array has a shape and a dtype.
+# **Time** about 50 minutes. **You need** lesson 00. You should know that a NumPy array has a shape and a dtype.
 #
 # If the next cell says *No module named 'imgproc_course'*, open the lessons with `environment/lab`, as lesson 00 explains.
 
@@ -35,10 +35,10 @@ from imgproc_course.recording import open_recording
 from imgproc_course.ros import ImageSubscriber, open_camera, ros_available
 
 # %% [markdown]
-# ## 1 · A picture is a message (8 minutes)
+# ## 1 · An image is a message (8 minutes)
 #
-# **Ask.** What arrives when a camera sends a picture?
-# We take the first picture of the recorded drive, put it into a message as the robot does, and look at every field but the bytes.
+# **Ask.** What arrives when a camera sends an image?
+# We take the first frame of the recorded drive (a *frame* is one image of a stream) and put it into a message, as the robot does. Then we look at every field except the bytes.
 
 # %%
 recording = open_recording("drive")
@@ -49,29 +49,29 @@ for field in ("height", "width", "encoding", "is_bigendian", "step"):
 print(f"{'data':13} {len(message.data)} bytes, the first six: {list(message.data[:6])}")
 
 # %% [markdown]
-# | field | what it says |
+# | field | meaning |
 # |---|---|
-# | `height`, `width` | rows and columns of the picture, in pixels |
-# | `encoding` | what the bytes of one pixel mean: `rgb8` is red, green, blue, one byte each |
-# | `step` | how many bytes one row takes in `data` |
-# | `is_bigendian` | for numbers of two bytes and more: does the big end come first? |
+# | `height`, `width` | rows and columns of the image, in pixels |
+# | `encoding` | the channels of a pixel and their type: `rgb8` has the channels red, green and blue, one byte (8 bits) each |
+# | `step` | number of bytes per row in `data` |
+# | `is_bigendian` | for numbers of two or more bytes: is the more significant byte first? |
 # | `data` | all rows, one after the other |
-# | `header` | when the picture was taken, and by which camera |
+# | `header` | when the image was taken, and by which camera |
 #
-# **Predict.** How many bytes are in `data`? Work it out on paper from height, width and the bytes of a pixel before you run the next cell.
+# **Predict.** How many bytes are in `data`? Calculate it on paper from height, width and the bytes per pixel before you run the next cell.
 
 # %%
 bytes_per_pixel = 3
-size = message.height * message.width * bytes_per_pixel
-print(f"{message.height} rows × {message.width} columns × {bytes_per_pixel} bytes = {size}")
+total_bytes = message.height * message.width * bytes_per_pixel
+print(f"{message.height} rows × {message.width} columns × {bytes_per_pixel} bytes = {total_bytes}")
 
-assert size == len(message.data) == 2_764_800
+assert total_bytes == len(message.data) == 2_764_800
 assert message.step == message.width * bytes_per_pixel == 3840
 
 # %% [markdown]
 # ## 2 · Find a pixel by hand (10 minutes)
 #
-# **Ask.** Where in that row of bytes is the pixel of row 1, column 2? A picture small enough to read tells more than a big one: five rows of five pixels, one byte each, encoding `mono8`.
+# **Ask.** At which position in `data` is the pixel of row 1, column 2? We use an image that is small enough to read: five rows of five pixels, one byte per pixel, encoding `mono8`. With one channel, the value of a pixel is its *intensity*, also called its *gray level*: 0 is black and 255 is white.
 
 # %%
 tiny = np.array([[10, 11, 12, 13, 14],
@@ -85,11 +85,11 @@ print("data", list(tiny_message.data))
 
 # %%
 show(tiny, "data, cut into rows of step = 5 bytes", encoding="mono8",
-     caption="The tens digit of each value is its row and the units digit its column, so a wrong cut shows at once.",
+     caption="The tens digit of a value counts its row, the units digit its column. So you can see at once if the rows are cut wrongly.",
      alt="A five by five grid of gray squares with the numbers 10 to 54 in them.")
 
 # %% [markdown]
-# One row takes `step` bytes. So row 1 begins at byte `1 * step`, and column 2 stands two bytes further on.
+# One row takes `step` bytes. So row 1 begins at byte `1 * step`, and column 2 is two bytes after that.
 #
 # $$\text{position} = \text{row} \cdot \text{step} + \text{column} \cdot \text{bytes per pixel}$$
 #
@@ -104,7 +104,7 @@ assert position == 7
 assert tiny_message.data[position] == tiny[row, column] == 22
 
 # %% [markdown]
-# **All pixels at once.** `np.frombuffer` looks at the bytes as numbers without copying them; `reshape` cuts them into rows.
+# **All pixels at once.** `np.frombuffer` reads the bytes as numbers without copying them. `reshape` cuts them into rows.
 
 # %%
 flat = np.frombuffer(tiny_message.data, dtype=np.uint8)
@@ -115,7 +115,7 @@ print("decoded", decoded.shape, decoded.dtype, "range", decoded.min(), "to", dec
 assert (decoded == tiny).all()
 
 # %% [markdown]
-# The same three lines decode the camera's picture, with one number more: three bytes a pixel.
+# The same lines decode the camera's image, with one more number: three bytes per pixel.
 
 # %%
 flat = np.frombuffer(message.data, dtype=np.uint8)
@@ -124,26 +124,26 @@ print("frame", frame.shape, frame.dtype, "range", frame.min(), "to", frame.max()
 
 assert frame.shape == (720, 1280, 3)
 show(frame, "decoded by hand", encoding="rgb8",
-     caption="The first picture of the drive, from 2,764,800 bytes and three lines of NumPy.",
+     caption="The first frame of the drive, decoded from 2,764,800 bytes with two lines of NumPy.",
      alt="A living room seen from close to the floor, with a red and white ball ahead.")
 
 # %% [markdown]
-# ## 3 · Planned failure: whose red is it? (6 minutes)
+# ## 3 · Planned failure: which channel is red? (6 minutes)
 #
-# OpenCV keeps its pixels as blue, green, red. The robot sends red, green, blue. The bytes do not know: only `encoding` does.
+# OpenCV stores the channels of a pixel in the order blue, green, red. The robot sends red, green, blue. The bytes alone do not say it. Only `encoding` says it.
 #
-# **Predict.** The ball ahead is red and white. What colour will it have if somebody takes `rgb8` bytes for `bgr8`?
+# **Predict.** The ball ahead is red and white. What colour will it have if a program reads `rgb8` bytes as `bgr8`?
 
 # %%
-show([frame, frame], ["told the truth: rgb8", "told a lie: bgr8"], encoding=["rgb8", "bgr8"],
+show([frame, frame], ["right: read as rgb8", "wrong: read as bgr8"], encoding=["rgb8", "bgr8"],
      caption="The same bytes shown twice: read as bgr8, the red ball turns blue and the wooden floor turns blue-gray.",
-     alt="Two copies of the living room; in the right one all reds are blue.")
+     alt="Two copies of the living room. In the right one everything red is blue.")
 
 ball = frame[388, 551]
-print("a pixel on the ball's red stripe, as it lies in data:", ball)
+print("a pixel on the ball's red stripe, in the order of data:", ball)
 
 # %% [markdown]
-# No error was raised, and that is the trap. Now **repair it**: OpenCV wants `bgr8`, so the channels must change places. `image_to_array` reads `encoding` and does it when it is told what you want.
+# Python raised no error. This makes the mistake dangerous. Now **repair it**: OpenCV needs `bgr8`, so red and blue must be swapped. `image_to_array` reads `encoding`. If you name the encoding that you need, it swaps the channels.
 
 # %%
 bgr = image_to_array(message, "bgr8")
@@ -155,7 +155,7 @@ assert bgr[388, 551].tolist() == frame[388, 551].tolist()[::-1]
 # %% [markdown]
 # ## 4 · Planned failure: a padded row (8 minutes)
 #
-# Many cameras let every row begin at a round address, and fill the rest of the row with bytes that mean nothing: *padding*. Then `step` is larger than width × bytes per pixel.
+# Many cameras start every row at a multiple of, for example, 16 bytes. They fill the rest of the row with bytes that have no meaning: *padding*. Then `step` is larger than width × bytes per pixel.
 #
 # **Try.** Five columns, but a step of eight: the last three bytes of each row (here 99) are padding.
 
@@ -168,20 +168,20 @@ print("bytes:", len(padded.data), "  height × width:", padded.height * padded.w
 assert len(padded.data) == 40
 
 # %% [markdown]
-# **Predict.** A hurried programmer takes the first 25 bytes and cuts them into rows of five. Which number will stand in row 1, column 0?
+# **Predict.** A programmer ignores `step`, takes the first 25 bytes and cuts them into rows of five. Which number will be in row 1, column 0?
 
 # %%
-hurried = np.frombuffer(padded.data, np.uint8)[:25].reshape(5, 5)
-careful = np.frombuffer(padded.data, np.uint8).reshape(padded.height, padded.step)[:, : padded.width]
-show([hurried, careful], ["width instead of step", "cut by step, then crop"], encoding="mono8",
-     caption="On the left every row starts three pixels late and padding (99) shows through: the picture is sheared.",
+cut_by_width = np.frombuffer(padded.data, np.uint8)[:25].reshape(5, 5)
+cut_by_step = np.frombuffer(padded.data, np.uint8).reshape(padded.height, padded.step)[:, : padded.width]
+show([cut_by_width, cut_by_step], ["cut by width", "cut by step, then cropped"], encoding="mono8",
+     caption="On the left, padding (99) is read as pixels, and each row is shifted three pixels more than the row above: the image is sheared.",
      alt="Two five by five grids of numbers: the left one has 99 scattered in it, the right one counts 10 to 54.")
 
-assert hurried[1, 0] == 99
-assert (careful == tiny).all()
+assert cut_by_width[1, 0] == 99
+assert (cut_by_step == tiny).all()
 
 # %% [markdown]
-# The same mistake on the camera's picture, with rows padded by a single pixel:
+# The same mistake on the camera's image. Here every row is padded by one pixel:
 
 # %%
 wide = np.zeros((720, 1280 + 1, 3), np.uint8)
@@ -189,12 +189,12 @@ wide[:, :1280] = frame
 sheared = wide.reshape(-1)[: 720 * 1280 * 3].reshape(720, 1280, 3)
 show(sheared, "padding read as pixels", encoding="rgb8",
      caption="Each row is shifted by one more pixel than the row above it: the room leans.",
-     alt="The living room leaning to the right, wrapped around at the picture's edge.")
+     alt="The living room leaning to the right, wrapped around at the border of the image.")
 
 assert (sheared[1, 0] == 0).all() and (sheared[700, 700:] == frame[700, :580]).all()
 
 # %% [markdown]
-# `image_to_array` goes by `step`. And where a message contradicts itself, it does not guess: it says which field is wrong, what it expected, and what to do.
+# `image_to_array` uses `step`. If the fields of a message contradict each other, it does not guess. It raises an error that says which field is wrong, what it expected, and what to do.
 
 # %%
 assert (image_to_array(padded) == tiny).all()
@@ -206,22 +206,22 @@ except ValueError as error:
     print(error)
 
 # %% [markdown]
-# ## 5 · Which end comes first? (4 minutes)
+# ## 5 · Which byte comes first? (4 minutes)
 #
-# A depth camera needs numbers above 255, so each pixel takes two bytes: encoding `16UC1` or `mono16`. Two bytes can be written in two orders.
+# A depth camera needs numbers above 255, so a pixel takes two bytes: encoding `16UC1` or `mono16`. Two bytes can be stored in two orders. *Big-endian* stores the more significant byte first, *little-endian* the less significant one.
 #
-# **Predict.** The bytes are 1 and 2. Big end first, that is 1 × 256 + 2. And little end first?
+# **Predict.** The bytes are 1 and 2. Big-endian, they mean 1 × 256 + 2. What do they mean little-endian?
 
 # %%
 two_bytes = bytes([1, 2])
 big = np.frombuffer(two_bytes, dtype=">u2")[0]
 little = np.frombuffer(two_bytes, dtype="<u2")[0]
-print("big end first:", big, "  little end first:", little)
+print("big-endian:", big, "  little-endian:", little)
 
 assert big == 258 and little == 513
 
 # %% [markdown]
-# `is_bigendian` in the message says which it is; nearly every robot sends 0, little end first. A reader that ignores the field is right nearly always, and wildly wrong otherwise.
+# The field `is_bigendian` says which order it is. Nearly every robot sends 0: little-endian. A program that ignores the field is usually right; but when it is wrong, it is very wrong.
 
 # %%
 for is_bigendian in (0, 1):
@@ -231,11 +231,11 @@ for is_bigendian in (0, 1):
 assert image_to_array(depth)[0, 0] == 258
 
 # %% [markdown]
-# ## 6 · Let the library do it (5 minutes)
+# ## 6 · Use the library (5 minutes)
 #
-# ROS 2 has its own converter, `cv_bridge`. It does not come from pip; the course's `CvBridge` has the same names and gives the same bytes, so what you learn here runs on a robot with one line changed.
+# ROS 2 has its own converter, `cv_bridge`. pip cannot install it. The course's `CvBridge` has the same names and gives the same bytes. So your code runs on a robot after you change one line, the import.
 #
-# **Check** that three ways agree: by hand, with the course's function, with `CvBridge`.
+# **Check** that three ways agree: by hand, with the course's function, and with `CvBridge`.
 
 # %%
 by_hand = np.frombuffer(message.data, np.uint8).reshape(message.height, message.step)[:, : message.width * 3]
@@ -244,24 +244,24 @@ by_function = image_to_array(message)
 by_bridge = CvBridge().imgmsg_to_cv2(message, desired_encoding="passthrough")
 
 assert (by_hand == by_function).all() and (by_hand == by_bridge).all()
-print("three ways, pixels that differ:", int((by_hand != by_function).sum() + (by_hand != by_bridge).sum()))
+print("values that differ between the three ways:", int((by_hand != by_function).sum() + (by_hand != by_bridge).sum()))
 
 # %% [markdown]
-# **A view is not a copy.** When nothing must change, `image_to_array` only *looks* at the message's bytes. That takes no time, but drawing into the array would draw into the message. So the array is read-only, and a copy is what you draw on.
+# **A view is not a copy.** If no value changes, `image_to_array` does not copy the bytes of the message: the array is a *view* of them. That takes no time. But if you drew into the array, you would change the message. So the array is read-only. To draw, make a copy.
 
 # %%
-print("may be written to:", by_function.flags.writeable)
+print("writeable:", by_function.flags.writeable)
 canvas = by_function.copy()
 cv2.circle(canvas, (546, 380), 40, (255, 255, 0), thickness=4)  # OpenCV's points are (column, row)
 show(canvas[310:450, 446:646], "a circle on a copy", encoding="rgb8",
-     caption="The circle is on the copy; the message still holds what the camera saw.",
+     caption="The circle is on the copy. The message still holds the camera's image.",
      alt="The red and white ball with a yellow circle around it.")
 
 assert not by_function.flags.writeable
 assert (image_to_array(message) == frame).all()
 
 # %% [markdown]
-# Every name that a camera may write into `encoding` has a dtype and a number of channels:
+# Every encoding has a dtype and a number of channels:
 
 # %%
 for name in ("mono8", "rgb8", "bgra8", "16UC1", "32FC1"):
@@ -273,13 +273,14 @@ assert encoding_info("rgb8").channels == 3 and np.dtype(encoding_info("16UC1").d
 # %% [markdown]
 # ## 7 · Your turn: decode a message (10 minutes)
 #
-# Write `decode(message)`. It gets an object with the fields of an Image and gives back its pixels as an array:
+# Write `decode(message)`. Its input is an object with the fields of an Image. It returns the pixels as an array:
 #
-# - `mono8`: shape (height, width), dtype uint8; `rgb8` and `bgr8`: shape (height, width, 3), dtype uint8, the channels as they lie in `data`;
-# - `mono16`: shape (height, width), dtype uint16, with the byte order that `is_bigendian` says;
-# - rows may be padded: `step` counts.
+# - `mono8`: shape (height, width), dtype uint8
+# - `rgb8` and `bgr8`: shape (height, width, 3), dtype uint8, with the channels in the same order as in `data`
+# - `mono16`: shape (height, width), dtype uint16, with the byte order of `is_bigendian`
+# - rows may be padded: use `step`
 #
-# Use NumPy alone. The course's converter and `cv2` are refused here: this time you are the converter.
+# Use only NumPy. The course's converter and `cv2` are refused here.
 
 # %% role="exercise"
 from types import SimpleNamespace
@@ -290,13 +291,13 @@ exercise(
     function="decode",
     time_limit=5,
     refused=("cv2", "imgproc_course.messages"),
-    hint="Cut data into rows of step bytes first; crop the padding; only then make pixels of what is left.",
+    hint="First cut data into rows of step bytes. Then crop the padding. Only then turn the remaining bytes into pixels.",
 )
 
 
 def make_message(rng, encoding, channels, padding, *, dtype="u1", is_bigendian=0):
     height, width = (int(n) for n in rng.integers(2, 6, size=2))
-    width += height  # never square: rows and columns must not be confused
+    width += height  # never square, so that exchanged rows and columns are noticed
     pixels = rng.integers(0, 256 if dtype == "u1" else 65536, size=(height, width * channels), dtype=np.uint32)
     order = ">" if is_bigendian else "<"
     rows = pixels.astype(order + dtype).view("u1").reshape(height, -1)
@@ -327,42 +328,42 @@ def decode(message):
 check("messages-decode", decode)
 
 
-# %% role="case" exercise="messages-decode" title="a colour picture without padding" points=1
+# %% role="case" exercise="messages-decode" title="a colour image without padding" points=1
 def inputs(rng):
     return (make_message(rng, "rgb8", 3, 0),)
 
 
-# %% role="case" exercise="messages-decode" title="a colour picture with padded rows" points=1
+# %% role="case" exercise="messages-decode" title="a colour image with padded rows" points=1
 def inputs(rng):
     return (make_message(rng, "bgr8", 3, int(rng.integers(1, 6))),)
 
 
-# %% role="case" exercise="messages-decode" title="a gray picture with padded rows" points=1
+# %% role="case" exercise="messages-decode" title="a gray image with padded rows" points=1
 def inputs(rng):
     return (make_message(rng, "mono8", 1, int(rng.integers(1, 6))),)
 
 
-# %% role="case" exercise="messages-decode" title="16 bits, big end first" points=1
+# %% role="case" exercise="messages-decode" title="16 bits, big-endian" points=1
 def inputs(rng):
     return (make_message(rng, "mono16", 1, 2, dtype="u2", is_bigendian=1),)
 
 
-# %% role="case" exercise="messages-decode" title="16 bits, little end first" points=1
+# %% role="case" exercise="messages-decode" title="16 bits, little-endian" points=1
 def inputs(rng):
     return (make_message(rng, "mono16", 1, 0, dtype="u2"),)
 
 
-# %% role="hidden" exercise="messages-decode" title="padding that is no whole pixel" points=1 hint="The padding may be one byte where a pixel has three or two: crop bytes, not pixels."
+# %% role="hidden" exercise="messages-decode" title="padding that is not a whole pixel" points=1 hint="The padding may be one byte although a pixel has two or three: crop bytes, not pixels."
 def inputs(rng):
     return (make_message(rng, "rgb8", 3, 1),)
 
 
-# %% role="hidden" exercise="messages-decode" title="16 bits, little end first, padded" points=1 hint="Is the byte order read from the message, or always the same?"
+# %% role="hidden" exercise="messages-decode" title="16 bits, little-endian, padded" points=1 hint="Does your function read the byte order from the message, or does it always use the same?"
 def inputs(rng):
     return (make_message(rng, "mono16", 1, 3, dtype="u2"),)
 
 
-# %% role="mistake" exercise="messages-decode" name="padding read as pixels" says="Each row starts where the last one's pixels ended: the padding was read as pixels and the picture is sheared. Cut data into rows of step bytes, then crop."
+# %% role="mistake" exercise="messages-decode" name="padding read as pixels" says="The padding was read as pixels, so the image is sheared. Cut data into rows of step bytes, then crop the padding."
 def decode(message):
     channels = {"mono8": 1, "mono16": 1, "rgb8": 3, "bgr8": 3}[message.encoding]
     dtype = np.dtype((">" if message.is_bigendian else "<") + ("u2" if message.encoding == "mono16" else "u1"))
@@ -372,33 +373,33 @@ def decode(message):
     return pixels.reshape(shape)
 
 
-# %% role="mistake" exercise="messages-decode" name="channels turned around" says="Red and blue have changed places. The task asks for the channels as they lie in data."
+# %% role="mistake" exercise="messages-decode" name="channels swapped" says="Red and blue are swapped. The channels must be in the same order as in data."
 def decode(message):
     return solution(message)[..., ::-1] if message.encoding in ("rgb8", "bgr8") else solution(message)
 
 
-# %% role="mistake" exercise="messages-decode" name="rows and columns exchanged" says="Height and width have changed places: the first axis of an array is its rows, so the shape begins with height."
+# %% role="mistake" exercise="messages-decode" name="rows and columns exchanged" says="Height and width are exchanged. The first axis of an array is its rows, so the shape begins with height."
 def decode(message):
     pixels = solution(message)
     return pixels.reshape((message.width, message.height, *pixels.shape[2:]))
 
 
-# %% role="mistake" exercise="messages-decode" name="the wrong end first" says="The two bytes of each pixel were read in the wrong order: is_bigendian says which end comes first."
+# %% role="mistake" exercise="messages-decode" name="wrong byte order" says="The two bytes of a pixel were read in the wrong order. is_bigendian says which byte comes first."
 def decode(message):
     pixels = solution(message)
     return pixels.byteswap() if message.encoding == "mono16" and message.is_bigendian else pixels
 
 
 # %% [markdown]
-# ## 8 · The header: when, and by whom (3 minutes)
+# ## 8 · The header: time and camera (3 minutes)
 #
-# A picture without its time is of little use to a moving robot. `header.stamp` is the moment when the picture was taken, `header.frame_id` the camera's place on the robot. A node that publishes a processed picture copies the header, so that whoever receives it knows which moment it shows.
+# A moving robot needs the time of an image. `header.stamp` is the moment when the image was taken. `header.frame_id` names the coordinate frame of the camera on the robot. (Here *frame* means a coordinate system, not an image of a stream.) A node that publishes a processed image copies the header, so that a subscriber knows when the image was taken.
 
 # %%
 stamps = recording.stamps
 print("frame_id:", message.header.frame_id)
-print("pictures:", len(recording), "  from first to last:", (stamps[-1] - stamps[0]) / 1e9, "s")
-print("between two pictures:", np.median(np.diff(stamps)) / 1e6, "ms")
+print("frames:", len(recording), "  from first to last:", (stamps[-1] - stamps[0]) / 1e9, "s")
+print("between two frames:", np.median(np.diff(stamps)) / 1e6, "ms")
 
 assert message.header.frame_id == "camera_front"
 assert len(recording) == 90 and np.median(np.diff(stamps)) == 100_000_000  # nanoseconds
@@ -406,34 +407,34 @@ assert len(recording) == 90 and np.median(np.diff(stamps)) == 100_000_000  # nan
 # %% [markdown]
 # ## 9 · Raw or compressed? (4 minutes)
 #
-# The robot sends each picture twice: raw on `image_raw`, and as a JPEG on `image_raw/compressed`. **Predict** how many times smaller the JPEG is.
+# The robot publishes each image twice: raw on the topic `image_raw`, and as a JPEG on the topic `image_raw/compressed`. **Predict** how many times smaller the JPEG is.
 
 # %%
 compressed = recording.message(0)
 raw_bytes, jpeg_bytes = len(message.data), len(compressed.data)
 print(f"raw {raw_bytes:,} bytes, JPEG {jpeg_bytes:,} bytes: {raw_bytes / jpeg_bytes:.1f} times smaller")
-print(f"ten a second: raw {raw_bytes * 80 / 1e6:.0f} Mbit/s, JPEG {jpeg_bytes * 80 / 1e6:.0f} Mbit/s")
-print(f"packets of UDP, at most 65,507 bytes each: raw {-(-raw_bytes // 65_507)}, JPEG {-(-jpeg_bytes // 65_507)}")
+print(f"10 per second: raw {raw_bytes * 80 / 1e6:.0f} Mbit/s, JPEG {jpeg_bytes * 80 / 1e6:.0f} Mbit/s")
+print(f"UDP packets of at most 65,507 bytes: raw {-(-raw_bytes // 65_507)}, JPEG {-(-jpeg_bytes // 65_507)}")
 
 assert jpeg_bytes == 159_329 and round(raw_bytes / jpeg_bytes, 1) == 17.4
 assert round(raw_bytes * 80 / 1e6) == 221 and round(jpeg_bytes * 80 / 1e6) == 13
 assert -(-raw_bytes // 65_507) == 43
 
 # %% [markdown]
-# 221 Mbit/s is more than most Wi-Fi carries, and a best-effort picture of 43 packets is lost when one of them is. Over Wi-Fi, subscribe to the compressed topic. Its price: JPEG changes pixels a little each time it is made.
+# Most Wi-Fi networks cannot carry 221 Mbit/s. Also, a best-effort image of 43 packets is lost if one packet is lost. Over Wi-Fi, subscribe to the compressed topic. The disadvantage: JPEG changes the pixels a little each time an image is compressed.
 
 # %%
 once = compressed_to_array(compressed, "bgr8")
 again = cv2.imdecode(cv2.imencode(".jpg", once, [cv2.IMWRITE_JPEG_QUALITY, 90])[1], cv2.IMREAD_COLOR)
 difference = np.abs(once.astype(np.int16) - again)
-print("compressed once more: mean change", round(float(difference.mean()), 2), "gray levels, largest", difference.max())
+print("compressed again: mean change", round(float(difference.mean()), 2), "gray levels, largest", difference.max())
 
 assert 0 < difference.mean() < 2
 
 # %% [markdown]
-# ## 10 · A live topic, and the subscriber that hears nothing (8 minutes)
+# ## 10 · A live topic, and a subscription that receives nothing (8 minutes)
 #
-# Now the real thing: the recorded drive is published on the robot's own topic, through ROS 2, and this notebook subscribes. (Without ROS on this machine the cells below say so and what to install; everything above works all the same.)
+# Now ROS 2 itself: the recorded drive is published on the robot's own topic, and this notebook subscribes to it. (If ROS is not installed on this machine, the cells below say so, and what to install. Everything above works without ROS.)
 
 # %%
 if ros_available():
@@ -445,20 +446,28 @@ if ros_available():
     assert live_frame.shape == (720, 1280, 3) and live_frame.dtype == np.uint8
 
 # %% [markdown]
-# **Planned failure.** A camera sends *best effort*: a lost picture is not sent again, since the next one is more useful. A subscriber may ask for *reliable* delivery, and many tutorials do so by writing a plain `10`. **Predict** what happens.
+# **QoS.** A publisher and a subscription each state their *Quality of Service* (QoS), a set of policies:
+#
+# | QoS policy | meaning | a camera driver uses |
+# |---|---|---|
+# | reliability | is a lost message sent again? | *best effort*: no |
+# | durability | does a late subscription receive earlier messages? | *volatile*: no |
+# | history and depth | how many messages wait in the queue? | keep the last 5 |
+#
+# **Planned failure.** A camera publishes with *best effort*: it does not send a lost image again, because the next one is more useful. A subscription can request *reliable* delivery. Many tutorials do this without saying so: they write `10` in the place of the QoS policies. **Predict** what happens.
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
-    careless = ImageSubscriber(camera.topic, qos="reliable")
+    reliable_subscriber = ImageSubscriber(camera.topic, qos="reliable")
     try:
-        careless.wait(timeout=2)
+        reliable_subscriber.wait(timeout=2)
     except TimeoutError:
-        print("pictures received in two seconds:", careless.received)
-    assert careless.received == 0 and careless.incompatible_qos
-    careless.stop()
+        print("frames received in two seconds:", reliable_subscriber.received)
+    assert reliable_subscriber.received == 0 and reliable_subscriber.incompatible_qos
+    reliable_subscriber.stop()
 
 # %% [markdown]
-# Nothing arrives, and ROS raises no error: the two never agreed to talk. The line on red ground comes from the course's subscriber, which asks ROS for the reason: it wanted more (reliable) than the camera offers (best effort). Other subscribers warn once at best, and most tutorials' say nothing. **Repair it**: ask for no more than is offered. `qos="sensor_data"` is best effort, keep the last 5, volatile: what camera drivers use, and what this course's subscriber takes unless told otherwise.
+# Nothing arrives, and ROS raises no error: the QoS policies are not compatible, so ROS does not connect the two. The line on a red background comes from the course's subscriber. It asks ROS for the reason: it requests more (reliable) than the camera offers (best effort). Other subscribers warn at most once; the subscribers in most tutorials print nothing. **Repair it**: do not request more than the camera offers. `qos="sensor_data"` means best effort, volatile, keep the last 5. Camera drivers use it, and it is the default of this course's subscriber.
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
@@ -469,7 +478,7 @@ if ros_available():
     repaired.stop()
 
 # %% [markdown]
-# **Look.** The live picture, with one function of yours in between. Move the slider while it runs: `shift` moves the colour channels of the message apart, one pixel at a time.
+# **Look.** The live image: your own function processes each frame. Move the slider while it runs. `shift` moves the red and the blue channel apart, by the number of pixels that you choose.
 
 # %% tags=["nbval-ignore-output"]
 def shift_channels(frame, shift=0):
@@ -478,13 +487,13 @@ def shift_channels(frame, shift=0):
 
 
 source = subscriber if ros_available() else recording
-view = live_view(source, shift_channels, shift=(0, 40), caption="The drive, its red and blue moved apart.",
-                 alt="The living room with coloured fringes, wider as the slider moves to the right.")
+view = live_view(source, shift_channels, shift=(0, 40), caption="The drive, with the red and blue channels moved apart.",
+                 alt="The living room with coloured fringes that become wider as the slider moves to the right.")
 
 # %% [markdown]
 # ## Recap
 #
-# A message is fields and bytes; `encoding`, `step` and `is_bigendian` say what the bytes mean. Believe the fields, and ask for no more than the sender offers.
+# A message consists of fields and bytes. `encoding`, `step` and `is_bigendian` say what the bytes mean. Use the fields, and do not request more than the publisher offers.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
