@@ -1,19 +1,21 @@
-"""Image processing in ROS 2: the helper package of the course.
+"""Image processing in ROS 2: the Python package of the course.
 
-messages   sensor_msgs/Image <-> NumPy             imaging     the mathematics, by hand
-recording  the recorded drive                      ros         a running graph
-display    what a notebook shows                   exercises   what an answer is
-grading    the teacher's wing                      cli         imgproc-course
+messages    sensor_msgs/Image <-> NumPy      imaging     the mathematics, by hand
+recording   the recorded drive               ros         a running graph
+display     what a notebook shows            exercises   exercises, and checking an answer
+authoring   masters -> lessons               autograder  answer key, running answers
+gradebook   submissions -> grades            cli         the command imgproc-course
+doctor      checks of the machine            lab         starts JupyterLab
 """
 
 
 def __getattr__(name):
     if name != "__version__":
         raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-    # Here, and not above: it takes longer to import than the rest of most rooms.
+    # Imported here: it takes longer than importing most of our packages.
     from importlib.metadata import PackageNotFoundError, version
 
     try:
-        return version("imgproc-course")  # pyproject.toml holds the one number
-    except PackageNotFoundError:  # a copy of the folder beside a robot's own code
+        return version("imgproc-course")  # the only version number is in pyproject.toml
+    except PackageNotFoundError:  # a copy of the folder in a robot's own code
         return "0+unknown"

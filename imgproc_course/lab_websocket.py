@@ -1,4 +1,4 @@
-"""The kernel's connection to the browser, without the pause of 40 ms before a short message."""
+"""The kernel's connection to the browser, without a delay of 40 ms before short messages."""
 
 from jupyter_server.services.kernels.connection.channels import ZMQChannelsWebsocketConnection
 
@@ -6,10 +6,10 @@ from jupyter_server.services.kernels.connection.channels import ZMQChannelsWebso
 class PromptWebsocketConnection(ZMQChannelsWebsocketConnection):
     """Jupyter Server's own connection, on a socket that sends at once.
 
-    A moved slider answers in four or five short messages. TCP holds the second of them back until the browser
-    has acknowledged the first (Nagle's algorithm, RFC 896), and the browser's side waits 40 ms for something
-    to acknowledge it with. Tornado leaves this choice to the application; Jupyter Server 2.21 does not make
-    it. Can go when a release of Jupyter Server calls `set_nodelay` itself.
+    After a slider has moved, the kernel sends four or five short messages. TCP delays the second until the
+    browser has acknowledged the first (Nagle's algorithm, RFC 896), which the browser does after up to 40 ms.
+    Tornado lets the application switch this off; Jupyter Server 2.21 does not do it. This class can go when a
+    release of Jupyter Server calls `set_nodelay` itself.
     """
 
     def connect(self):

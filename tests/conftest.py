@@ -1,4 +1,4 @@
-"""What every test shares: a DDS domain of its own on loopback, and the reasons to skip."""
+"""Common to all tests: a DDS domain for each worker on loopback, and the reasons to skip."""
 
 import importlib.util
 import os
@@ -8,15 +8,15 @@ import zlib
 
 import pytest
 
-# A domain for each pytest-xdist worker, and others for another run beside this one; set before anything
-# imports rclpy. ROS allows 0 to 101: 20 runs of 4 workers, from 20 on.
+# One domain for each pytest-xdist worker, and others for a second run at the same time; set before anything
+# imports rclpy. ROS allows 0 to 101: 20 runs of 4 workers, from domain 20 on.
 _worker = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
 _run = zlib.crc32(os.environ.get("PYTEST_XDIST_TESTRUNUID", str(os.getpid())).encode())
 os.environ["ROS_DOMAIN_ID"] = str(20 + _run % 20 * 4 + _worker % 4)
 os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
 os.environ.pop("ROS_LOCALHOST_ONLY", None)
 os.environ.setdefault("MPLBACKEND", "agg")
-# In the background of a script pytest ignores Ctrl-C, and so would every process that a test ends by it.
+# In the background of a script pytest ignores Ctrl-C, and its child processes would too; some tests send it.
 if signal.getsignal(signal.SIGINT) is signal.SIG_IGN:
     signal.signal(signal.SIGINT, signal.default_int_handler)
 
@@ -36,16 +36,16 @@ def pytest_runtest_setup(item):
             pytest.skip(reason)
 
 
-# What takes long begins first: begun last, it would leave the other workers nothing to do meanwhile.
+# Long tests start first: if they started last, the other workers would wait for them without work.
 LONGEST_FIRST = ("ros_packages", "browser", "autograder", "gradebook", "notebooks", "ros")
-# A worker takes a file at a time; of these folders all files, for what they share (a colcon workspace, a
-# JupyterLab with its browser) takes long to make; and of these a test at a time, for each is a whole lesson.
+# A worker takes one file at a time. Of WHOLE_FOLDERS it takes all files, because what they share (a colcon
+# workspace, a JupyterLab with its browser) takes long to make. Of SINGLE_TESTS it takes one test, a lesson.
 WHOLE_FOLDERS = ("ros_packages", "browser")
 SINGLE_TESTS = ("notebooks",)
 
 
 def _folder(nodeid):
-    """The folder below tests/, or the file that lies in none."""
+    """The folder below tests/, or the file if it is in none."""
     return nodeid.partition("::")[0].removeprefix("tests/").partition("/")[0]
 
 
@@ -55,7 +55,7 @@ def pytest_collection_modifyitems(items):
 
 
 def scope_of(nodeid):
-    """What one worker runs one after another: tests with the same answer."""
+    """A name; one worker runs all tests of one name, one after another."""
     if (folder := _folder(nodeid)) in SINGLE_TESTS:
         return nodeid
     return folder if folder in WHOLE_FOLDERS else nodeid.partition("::")[0]
@@ -75,7 +75,9 @@ def pytest_xdist_make_scheduler(config, log):
 
 
 def pytest_addoption(parser):
-    parser.addoption("--no-skips", action="store_true", help="a skipped test is a failure (as in .ci/run)")
+    parser.addoption(
+        "--no-skips", action="store_true", help="count a skipped test as a failure (as in .ci/run)"
+    )
 
 
 def pytest_terminal_summary(terminalreporter, config):

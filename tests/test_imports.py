@@ -11,8 +11,8 @@ import pytest
 ROOT = Path(__file__).parents[1]
 PACKAGE = ROOT / "imgproc_course"
 
-# Each package, and the packages of ours that its modules import. Exactly these: an arrow that is missing here
-# is an import that the design does not allow, and one that is not used any more has to go.
+# Each package, and exactly those of our packages that its modules import. The design allows no other import,
+# and an arrow that is no longer used must be removed.
 ARROWS = {
     "messages": set(),
     "imaging": set(),
@@ -24,12 +24,12 @@ ARROWS = {
     "autograder": {"authoring", "exercises"},
     "gradebook": {"authoring", "autograder", "exercises"},
 }
-# An arrow that only some modules of a package may use.
+# Arrows that only some modules of a package may use.
 ONLY_IN = {
     ("display", "ros"): {"display/live_view.py"},
     ("autograder", "authoring"): {"autograder/make_answer_key.py"},
 }
-# These call what they need: the command line, and what stands beside it.
+# These may import every package: the command line, and the modules that its commands start.
 CALLERS = {
     "cli.py",
     "doctor",
@@ -51,7 +51,7 @@ def relative(path):
 
 
 def imported_names(path):
-    """Absolute names of everything that a module imports, wherever in the module it does."""
+    """Absolute names of everything that a module imports, also inside functions."""
     for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
         if isinstance(node, ast.Import):
             yield from (alias.name for alias in node.names)
@@ -70,7 +70,7 @@ def package_of(path):
 
 
 def packages_imported(path):
-    """The other packages of ours that a module imports."""
+    """Our other packages that a module imports."""
     parts = (name.split(".") for name in imported_names(path))
     names = {part[1] for part in parts if part[0] == "imgproc_course" and len(part) > 1}
     return (names & ARROWS.keys()) - {package_of(path)}
@@ -125,7 +125,7 @@ def tracked_files():
 
 
 def test_no_file_names_this_machine_or_a_package_index():
-    here = re.compile(
+    forbidden = re.compile(
         "|".join(
             [
                 re.escape(f"{ROOT}/"),
@@ -136,27 +136,27 @@ def test_no_file_names_this_machine_or_a_package_index():
         )
     )
     allowed = {"tests/test_imports.py"}
-    found = []
+    matches = []
     for path in tracked_files():
         name = path.relative_to(ROOT).as_posix()
         if name in allowed or not path.is_file() or path.suffix in {".mcap", ".gz", ".png", ".jpg", ".db3"}:
             continue
         text = path.read_text(encoding="utf-8", errors="replace")
-        found += [f"{name}: {match[0]}" for match in here.finditer(text)]
-    assert found == []
+        matches += [f"{name}: {match[0]}" for match in forbidden.finditer(text)]
+    assert matches == []
 
 
-@pytest.mark.parametrize("which", ["lab", "test", "opencv5", "uv", "nbgrader"])
-def test_requirements_are_pinned_and_hashed(which):
-    text = (ROOT / f"environment/requirements-{which}.txt").read_text(encoding="utf-8")
+@pytest.mark.parametrize("name", ["lab", "test", "opencv5", "uv", "nbgrader"])
+def test_requirements_are_pinned_and_hashed(name):
+    text = (ROOT / f"environment/requirements-{name}.txt").read_text(encoding="utf-8")
     requirements = re.split(r"\n(?=\S)", text.strip())
-    assert len(requirements) >= (1 if which in ("opencv5", "uv") else 50)
+    assert len(requirements) >= (1 if name in ("opencv5", "uv") else 50)
     for requirement in requirements:
         assert re.match(r"[a-z0-9][a-z0-9.-]*==\S+", requirement), requirement.splitlines()[0]
         assert requirement.count("--hash=sha256:") >= 1, requirement.splitlines()[0]
 
 
-def test_the_real_rclpy_is_asked_for_only_where_its_wheels_exist():
+def test_the_real_rclpy_is_required_only_where_its_wheels_exist():
     text = (ROOT / "environment/requirements-lab.txt").read_text(encoding="utf-8")
     lines = [line for line in text.splitlines() if line.startswith("ros-")]
     assert len(lines) > 50

@@ -1,4 +1,4 @@
-"""The order of the tests, and what one worker takes: long ones first, some folders whole."""
+"""The order of the tests and their distribution: long tests first, some folders on one worker."""
 
 import importlib.util
 from pathlib import Path
@@ -14,12 +14,12 @@ def conftest():
     spec = importlib.util.spec_from_file_location("conftest_of_all", TESTS / "conftest.py")
     module = importlib.util.module_from_spec(spec)
     with pytest.MonkeyPatch.context() as patch:
-        patch.setenv("ROS_DOMAIN_ID", "1")  # which the module sets
+        patch.setenv("ROS_DOMAIN_ID", "1")  # restores it: the module sets it
         spec.loader.exec_module(module)
     return module
 
 
-def test_every_folder_that_is_named_exists(conftest):
+def test_every_listed_folder_exists(conftest):
     for name in {*conftest.LONGEST_FIRST, *conftest.WHOLE_FOLDERS, *conftest.SINGLE_TESTS}:
         assert list((TESTS / name).glob("test_*.py")), name
 
@@ -33,11 +33,11 @@ def test_every_folder_that_is_named_exists(conftest):
         ("tests/notebooks/test_lessons.py::test_d[01]", "tests/notebooks/test_lessons.py::test_d[01]"),
     ],
 )
-def test_what_a_worker_runs_one_after_another(conftest, test, scope):
+def test_the_scope_that_one_worker_runs(conftest, test, scope):
     assert conftest.scope_of(test) == scope
 
 
-def test_long_ones_come_first_and_the_rest_keeps_its_order(conftest):
+def test_long_tests_come_first_and_the_others_keep_their_order(conftest):
     names = ["tests/imaging/b.py::t", "tests/test_cli.py::t", "tests/ros/a.py::t", "tests/browser/a.py::t"]
     items = [SimpleNamespace(nodeid=name) for name in names]
     conftest.pytest_collection_modifyitems(items)

@@ -1,4 +1,4 @@
-"""environment/setup: what it says when it cannot, and that a second run does nothing."""
+"""environment/setup: its error messages, and that a second run does nothing."""
 
 import os
 import shutil
@@ -18,7 +18,7 @@ def run(command, **changes):
 
 @pytest.fixture
 def checkout(tmp_path):
-    """A checkout with no environment made in it yet: only what environment/setup reads."""
+    """A checkout without an environment: only the files that environment/setup reads."""
     root = tmp_path / "course"
     shutil.copytree(
         ROOT / "environment", root / "environment", ignore=shutil.ignore_patterns("drive", "ros2_ws")
@@ -28,28 +28,28 @@ def checkout(tmp_path):
 
 
 def test_second_run_does_nothing_and_needs_no_network():
-    done = run([ROOT / "environment/setup", "test"], PIP_INDEX_URL="http://127.0.0.1:9/", PIP_NO_INDEX="1")
-    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+    process = run([ROOT / "environment/setup", "test"], PIP_INDEX_URL="http://127.0.0.1:9/", PIP_NO_INDEX="1")
+    assert (process.returncode, process.stdout, process.stderr) == (0, "", "")
 
 
-def test_the_tests_environment_serves_the_lab_too():
-    done = run([ROOT / "environment/setup", "lab"], PIP_INDEX_URL="http://127.0.0.1:9/", PIP_NO_INDEX="1")
-    assert (done.returncode, done.stdout, done.stderr) == (0, "", "")
+def test_the_environment_of_the_tests_also_serves_the_lab():
+    process = run([ROOT / "environment/setup", "lab"], PIP_INDEX_URL="http://127.0.0.1:9/", PIP_NO_INDEX="1")
+    assert (process.returncode, process.stdout, process.stderr) == (0, "", "")
 
 
-def test_help_and_unknown_sets_say_how_to_call_it():
-    helped = run([ROOT / "environment/setup", "--help"])
-    assert helped.returncode == 0
-    assert "environment/setup [lab|test]" in helped.stdout
+def test_help_and_an_unknown_set_print_the_usage():
+    process = run([ROOT / "environment/setup", "--help"])
+    assert process.returncode == 0
+    assert "environment/setup [lab|test]" in process.stdout
     assert run([ROOT / "environment/setup", "everything"]).returncode == 2
 
 
-def test_a_python_that_does_not_suit_is_named(checkout):
-    done = run([checkout / "environment/setup"], PYTHON="/bin/false")
-    assert done.returncode == 1
-    assert done.stderr == (
+def test_an_unsupported_python_is_named(checkout):
+    process = run([checkout / "environment/setup"], PYTHON="/bin/false")
+    assert process.returncode == 1
+    assert process.stderr == (
         "environment/setup: PYTHON=/bin/false is not a Python 3.11, 3.12 or 3.13; "
-        "unset it or name one that is\n"
+        "unset it or give a path to one\n"
     )
 
 
@@ -58,14 +58,14 @@ def test_without_any_python_it_says_what_to_install(checkout, tmp_path):
     tools.mkdir()
     for name in ("bash", "env", "dirname", "cat", "cksum", "df", "awk", "touch", "sed"):
         (tools / name).symlink_to(shutil.which(name))
-    done = run([shutil.which("bash"), checkout / "environment/setup"], PATH=str(tools), PYTHON="")
-    assert done.returncode == 1
-    assert "no Python 3.11, 3.12 or 3.13 found; install one" in done.stderr
-    assert "Traceback" not in done.stderr
+    process = run([shutil.which("bash"), checkout / "environment/setup"], PATH=str(tools), PYTHON="")
+    assert process.returncode == 1
+    assert "no Python 3.11, 3.12 or 3.13 found; install one" in process.stderr
+    assert "Traceback" not in process.stderr
 
 
-def test_an_index_out_of_reach_is_said_in_one_line(checkout):
-    done = run(
+def test_an_unreachable_index_is_reported_in_one_line(checkout):
+    process = run(
         [checkout / "environment/setup"],
         PYTHON=sys.executable,
         PIP_INDEX_URL="http://127.0.0.1:9/",
@@ -74,23 +74,25 @@ def test_an_index_out_of_reach_is_said_in_one_line(checkout):
         PIP_FIND_LINKS="",
         PIP_RETRIES="0",
     )
-    assert done.returncode == 1
-    last = done.stderr.strip().splitlines()[-1]
-    assert last.startswith("environment/setup: the package index was not reached; connect to the network")
+    assert process.returncode == 1
+    last_line = process.stderr.strip().splitlines()[-1]
+    assert last_line.startswith(
+        "environment/setup: the package index cannot be reached; connect to the network"
+    )
 
 
 @pytest.mark.sandbox
-def test_a_read_only_folder_is_said(checkout):
-    done = run(
+def test_a_read_only_folder_is_reported(checkout):
+    process = run(
         ["bwrap", "--dev-bind", "/", "/", "--ro-bind", checkout, checkout, checkout / "environment/setup"]
     )
-    assert done.returncode == 1
-    assert "read-only or full disk?); clone the course to a folder of your own" in done.stderr
+    assert process.returncode == 1
+    assert "read-only or full disk?); clone the course to a folder of your own" in process.stderr
 
 
 @pytest.mark.sandbox
-def test_a_disk_that_is_too_small_is_said_before_anything_is_loaded(checkout):
-    small = [
+def test_a_disk_that_is_too_small_is_reported_before_any_download(checkout):
+    small_disk = [
         "--size",
         str(64 * 2**20),
         "--tmpfs",
@@ -99,7 +101,7 @@ def test_a_disk_that_is_too_small_is_said_before_anything_is_loaded(checkout):
         ROOT / "environment",
         checkout / "environment",
     ]
-    done = run(["bwrap", "--dev-bind", "/", "/", *small, checkout / "environment/setup"])
-    assert done.returncode == 1
-    assert "MB free in" in done.stderr
-    assert "2000 MB are needed; free some space and run the same command again" in done.stderr
+    process = run(["bwrap", "--dev-bind", "/", "/", *small_disk, checkout / "environment/setup"])
+    assert process.returncode == 1
+    assert "MB free in" in process.stderr
+    assert "2000 MB are needed; free some space and run the same command again" in process.stderr
