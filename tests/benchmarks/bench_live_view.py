@@ -1,9 +1,9 @@
-"""Live view in JupyterLab: pictures that Chromium decodes of those published; how soon tune follows a slider.
+"""Live view in JupyterLab: how many published images Chromium decodes, and how soon `tune` follows a slider.
 
 Needs Debian's chromium. A camera of 1280 × 720 at 30 Hz (the recorded drive, three times as fast) goes
-through ROS where rclpy is installed, else straight from the recording; each frame goes through the course's
-to_gray and canny; then one slider of `tune` is moved to and fro. Exits 1 under 25 frames/s, or over 50 ms
-from key to picture (median).
+through ROS if rclpy is installed, else directly from the recording; each frame goes through the course's
+to_gray and canny; then one slider of `tune` moves right and left. Exits with 1 below 25 frames/s, or above
+50 ms from key to image (median).
 """
 
 import os
@@ -41,28 +41,28 @@ tuner = tune(canny, open_recording().frame(30, encoding="mono8"), thresholds=(0,
 def measure_live_view(browser, address):
     page = NotebookPage(browser, address, "live.ipynb")
     page.run_all()
-    page.wait_for_picture()
+    page.wait_for_image()
     page.page.wait_for_timeout(3000)
-    seen = page.pictures_per_second(SECONDS)
+    rates = page.images_per_second(SECONDS)
     page.run_cell(3)
-    way, sent = page.outputs(3)[0].split("\n")[0].rsplit(" ", 1)
-    _refuse_errors(page)
+    source, sent_rate = page.outputs(3)[0].split("\n")[0].rsplit(" ", 1)
+    _exit_on_errors(page)
     page.screenshot("bench_live_view")
     page.close()
-    return way, float(sent), seen
+    return source, float(sent_rate), rates
 
 
 def measure_tune(browser, address):
     page = NotebookPage(browser, address, "tune.ipynb")
     page.run_all()
-    page.wait_for_picture()
-    latencies = page.slider_latencies(PRESSES, number=1)[10:]  # what is first is slow
-    _refuse_errors(page)
+    page.wait_for_image()
+    latencies = page.slider_latencies(PRESSES, number=1)[10:]  # the first are slow
+    _exit_on_errors(page)
     page.close()
     return latencies
 
 
-def _refuse_errors(page):
+def _exit_on_errors(page):
     if page.errors():
         sys.exit("the notebook failed:\n" + "\n".join(page.errors()))
 
@@ -76,21 +76,19 @@ def main():
         write_notebook(folder / "live.ipynb", [IMPORTS, CAMERA, LIVE, PUBLISHED])
         write_notebook(folder / "tune.ipynb", [IMPORTS, TUNE])
         with running_lab(folder, Path(scratch)) as address, running_chromium() as browser:
-            # The still picture first: the camera of the other notebook plays on in its kernel.
+            # The still image first: the camera of the other notebook keeps playing in its kernel.
             latencies = measure_tune(browser, address)
-            way, sent, seen = measure_live_view(browser, address)
+            source, sent_rate, rates = measure_live_view(browser, address)
     median = statistics.median(latencies)
     table = Table("what", "measured", "budget", title="Live view and tune in Chromium", title_justify="left")
-    table.add_row(f"camera at 30 Hz from {way}: frames/s sent to the browser", f"{sent:.1f}", "")
-    table.add_row("frames/s decoded by the browser", f"{seen['loads']:.1f}", f"≥ {LEAST_RATE}")
-    table.add_row("of these, different from the one before", f"{seen['changes']:.1f}", "")
-    table.add_row("decoded of 30 published", f"{seen['loads'] / 30:.2f}", "")
-    table.add_row(
-        "tune, from key to decoded picture: median", f"{median:.0f} ms", f"≤ {MOST_MILLISECONDS} ms"
-    )
+    table.add_row(f"camera at 30 Hz from {source}: frames/s sent to the browser", f"{sent_rate:.1f}", "")
+    table.add_row("frames/s decoded by the browser", f"{rates['loads']:.1f}", f"≥ {LEAST_RATE}")
+    table.add_row("of these, different from the last", f"{rates['changes']:.1f}", "")
+    table.add_row("decoded of 30 published", f"{rates['loads'] / 30:.2f}", "")
+    table.add_row("tune, from key to decoded image: median", f"{median:.0f} ms", f"≤ {MOST_MILLISECONDS} ms")
     table.add_row("nine of ten within", f"{statistics.quantiles(latencies, n=10)[-1]:.0f} ms", "")
     Console(width=110).print(table)
-    return int(seen["loads"] < LEAST_RATE or median > MOST_MILLISECONDS)
+    return int(rates["loads"] < LEAST_RATE or median > MOST_MILLISECONDS)
 
 
 if __name__ == "__main__":

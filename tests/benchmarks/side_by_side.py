@@ -1,4 +1,4 @@
-"""Times several ways of doing one thing in turns, so that a busy machine slows all of them alike."""
+"""Times several functions in turns, so that a busy machine slows all of them equally."""
 
 import statistics
 import time
@@ -7,37 +7,37 @@ from rich.console import Console
 from rich.table import Table
 
 
-def time_in_turns(ways, *, rounds=50, warm_up=3):
-    """Median seconds a call of each way; the ways take turns, round by round.
+def time_in_turns(functions, *, rounds=50, warm_up=3):
+    """Median seconds per call of each function; the functions take turns, round by round.
 
     Parameters
     ----------
-    ways : dict of name -> function without arguments
-    rounds, warm_up : calls of each way that count, and calls before them that do not
+    functions : dict of name -> function without arguments
+    rounds, warm_up : calls of each function that count, and calls before them that do not
 
     Returns
     -------
     dict of name -> median wall time of one call, in seconds
     """
     for _ in range(warm_up):
-        for way in ways.values():
-            way()
-    taken = {name: [] for name in ways}
+        for function in functions.values():
+            function()
+    durations = {name: [] for name in functions}
     for _ in range(rounds):
-        for name, way in ways.items():
+        for name, function in functions.items():
             started = time.perf_counter()
-            way()
-            taken[name].append(time.perf_counter() - started)
-    return {name: statistics.median(seconds) for name, seconds in taken.items()}
+            function()
+            durations[name].append(time.perf_counter() - started)
+    return {name: statistics.median(seconds) for name, seconds in durations.items()}
 
 
 def print_ratios(title, medians, peer, budgets=None):
-    """Prints a table: time of each way, its ratio to `peer`, and the budget that the ratio must keep.
+    """Prints a table: time of each function, its ratio to `peer`, and the budget of this ratio.
 
-    `budgets` maps a name to the largest ratio allowed. Returns the names over their budget.
+    `budgets` maps a name to its largest allowed ratio. Returns the names above their budget.
     """
     budgets = budgets or {}
-    table = Table("way", "µs", f"× {peer}", "budget", title=title, title_justify="left")
+    table = Table("function", "µs", f"× {peer}", "budget", title=title, title_justify="left")
     over = []
     for name, seconds in medians.items():
         ratio = seconds / medians[peer]

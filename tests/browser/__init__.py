@@ -1,1 +1,1 @@
-"""A package, for pytest: what lives as long as it (a browser, a JupyterLab) ends with its last test."""
+"""A package, so that pytest ends its fixtures (a browser, a JupyterLab) after its last test."""

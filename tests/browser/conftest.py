@@ -1,5 +1,7 @@
-"""One JupyterLab and one Chromium for all tests of this package, ended before those of another begin: while a
-Playwright is open, its thread has an event loop that runs, and no other can."""
+"""One JupyterLab and one Chromium for all tests of this package, closed before other tests start.
+
+While Playwright is open, its thread has a running event loop, and no other event loop can run there.
+"""
 
 import sys
 from pathlib import Path
@@ -26,29 +28,29 @@ def lab(tmp_path_factory):
 
 @pytest.fixture(scope="package")
 def tab(lab, browser):
-    """A function that gives the tab of all tests; a new one where a test has left a dialog in it."""
+    """A function that returns the tab for all tests, or a new tab if a test has left a dialog in it."""
     tabs = []
 
-    def usable():
+    def usable_tab():
         if tabs and tabs[-1].locator(".jp-Dialog").count():
             tabs.pop().close()
         if not tabs:
             tabs.append(open_tab(browser, lab[0]))
         return tabs[-1]
 
-    return usable
+    return usable_tab
 
 
 @pytest.fixture
 def open_notebook(lab, browser, tab):
-    """Opens a notebook of the lab's folder (by its address: in its own tab); closes it and its kernel."""
+    """Opens a notebook of the lab's folder (by address: in its own tab); later closes it and its kernel."""
     pages = []
 
-    def open_one(name, *, by_its_address=False):
-        page = NotebookPage(browser, lab[0], name, tab=None if by_its_address else tab())
+    def open_page(name, *, by_address=False):
+        page = NotebookPage(browser, lab[0], name, tab=None if by_address else tab())
         pages.append(page)
         return page
 
-    yield open_one
+    yield open_page
     for page in pages:
         page.close()

@@ -1,4 +1,4 @@
-"""A JupyterLab of our own on loopback, and a notebook open in Chromium, used as a learner uses it."""
+"""Our own JupyterLab on loopback, and a notebook open in Chromium, used as a learner uses it."""
 
 import json
 import os
@@ -28,43 +28,43 @@ CHROMIUM_OPTIONS = [
     "--disable-component-update",
     "--disable-sync",
 ]
-# Counts pictures that the browser has decoded, not messages that reached it; and of these, those that differ.
-COUNT_PICTURES = """async ([selector, seconds, number]) => {
+# Counts the images that the browser has decoded (not the messages that it received), and their changes.
+COUNT_IMAGES = """async ([selector, seconds, number]) => {
     const image = document.querySelectorAll(selector)[number];
     const canvas = new OffscreenCanvas(32, 18);
     const context = canvas.getContext("2d", {willReadFrequently: true});
-    let loads = 0, changes = 0, before = "";
-    const look = () => {
+    let loads = 0, changes = 0, lastPixels = "";
+    const countImage = () => {
         loads += 1;
         context.drawImage(image, 0, 0, 32, 18);
-        const now = context.getImageData(0, 0, 32, 18).data.join();
-        changes += now !== before;
-        before = now;
+        const pixels = context.getImageData(0, 0, 32, 18).data.join();
+        changes += pixels !== lastPixels;
+        lastPixels = pixels;
     };
-    image.addEventListener("load", look);
+    image.addEventListener("load", countImage);
     const start = performance.now();
-    await new Promise(done => setTimeout(done, 1000 * seconds));
-    image.removeEventListener("load", look);
-    const taken = (performance.now() - start) / 1000;
-    return {loads: loads / taken, changes: changes / taken};
+    await new Promise(resolve => setTimeout(resolve, 1000 * seconds));
+    image.removeEventListener("load", countImage);
+    const elapsed = (performance.now() - start) / 1000;
+    return {loads: loads / elapsed, changes: changes / elapsed};
 }"""
-# Milliseconds from a key or pointer event to the next decoded picture, gathered in window.latencies.
+# Collects in window.latencies the milliseconds from a key press to the next decoded image.
 WATCH_LATENCY = """selector => {
     window.latencies = [];
-    let moved = null;
-    const note = () => { if (moved === null) moved = performance.now(); };
-    document.addEventListener("keydown", note, true);
+    let pressTime = null;
+    const notePress = () => { if (pressTime === null) pressTime = performance.now(); };
+    document.addEventListener("keydown", notePress, true);
     document.querySelector(selector).addEventListener("load", () => {
-        if (moved !== null) window.latencies.push(performance.now() - moved);
-        moved = null;
+        if (pressTime !== null) window.latencies.push(performance.now() - pressTime);
+        pressTime = null;
     });
 }"""
-# Whether a JupyterLab that loads can do what OPEN_NOTEBOOK asks for.
+# Whether a JupyterLab that is loading is ready for OPEN_NOTEBOOK.
 READY = """() => {
     const app = window.jupyterapp;
     return app?.commands.hasCommand("docmanager:open") && app.docRegistry.getWidgetFactory("Notebook");
 }"""
-# Opens a notebook in a JupyterLab that runs already, in place of what was open.
+# Opens a notebook in a running JupyterLab, and closes what was open.
 OPEN_NOTEBOOK = """async name => {
     const app = window.jupyterapp;
     await app.restored;
@@ -81,7 +81,7 @@ TRACEBACK = re.compile(r"Traceback \(most recent call last\)|Cell In\[\d+\], lin
 
 
 def write_notebook(path, cells):
-    """A notebook of code cells; their outputs are still to come."""
+    """Writes a notebook of code cells without outputs."""
     notebook = nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(cell) for cell in cells])
     notebook.metadata["kernelspec"] = {"name": "python3", "display_name": "Python 3", "language": "python"}
     nbformat.write(notebook, path)
@@ -104,7 +104,7 @@ def _command(folder, port):
     ]
     if list((ROOT / "notebooks").glob("*.ipynb")):
         return [ROOT / "environment/lab", *options]
-    # Before the lessons are built environment/lab has none to open; this is what it comes to.
+    # Before the lessons are built, environment/lab has none to open. This runs the same function.
     run = "import sys; from imgproc_course.lab import run; run(sys.argv[1], sys.argv[2:])"
     return [sys.executable, "-c", run, folder, *options]
 
@@ -115,16 +115,16 @@ def running_lab(folder, scratch):
 
     Parameters
     ----------
-    folder : Path, whose notebooks are opened
-    scratch : Path, for the settings, workspaces and history that would otherwise be the user's
+    folder : Path of the notebooks
+    scratch : Path for settings, workspaces and history, to keep the user's own unchanged
     """
     port = _free_port()
     settings = scratch / "jupyterlab_settings_dir/@jupyterlab/apputils-extension"
     settings.mkdir(parents=True)
     (settings / "notification.jupyterlab-settings").write_text('{"fetchNews": "false"}')
-    places = ("JUPYTER_CONFIG_DIR", "JUPYTERLAB_SETTINGS_DIR", "JUPYTERLAB_WORKSPACES_DIR", "IPYTHONDIR")
-    environment = os.environ | {name: str(scratch / name.lower()) for name in places}
-    # The kernel must not take the tests' drawing backend for the learner's.
+    variables = ("JUPYTER_CONFIG_DIR", "JUPYTERLAB_SETTINGS_DIR", "JUPYTERLAB_WORKSPACES_DIR", "IPYTHONDIR")
+    environment = os.environ | {name: str(scratch / name.lower()) for name in variables}
+    # The kernel must not inherit the matplotlib backend of the tests.
     environment.pop("MPLBACKEND", None)
     log = (scratch / "lab.log").open("w+")
     server = subprocess.Popen(
@@ -158,7 +158,7 @@ def _wait_for(address, server, log):
                 return
         except (urllib.error.URLError, ConnectionError, TimeoutError):
             time.sleep(0.1)
-    raise RuntimeError(f"JupyterLab did not answer within a minute:\n{Path(log).read_text()[-3000:]}")
+    raise RuntimeError(f"JupyterLab did not reply within a minute:\n{Path(log).read_text()[-3000:]}")
 
 
 @contextmanager
@@ -173,7 +173,7 @@ def running_chromium():
 
 
 def open_tab(browser, address):
-    """A tab with JupyterLab in it, for one notebook after another: to load JupyterLab takes seconds."""
+    """A tab with JupyterLab, for one notebook after another: JupyterLab takes seconds to load."""
     page = browser.new_page(viewport={"width": 1400, "height": 1000})
     page.goto(f"{address}/lab/workspaces/tests?reset&token={TOKEN}")
     page.wait_for_function(READY)
@@ -181,13 +181,13 @@ def open_tab(browser, address):
 
 
 class NotebookPage:
-    """One notebook in one tab: in a tab of its own, or in a `tab` from `open_tab`."""
+    """One notebook in its own tab, or in a `tab` from `open_tab`."""
 
     def __init__(self, browser, address, name, *, height=1000, tab=None):
         self.page = tab or browser.new_page()
         self.page.set_viewport_size({"width": 1400, "height": height})
         self.page.set_default_timeout(60_000)
-        self._address, self._name, self._shares = address, name, tab is not None
+        self._address, self._name, self._is_shared = address, name, tab is not None
         self._closed = False
         if tab:
             tab.evaluate(OPEN_NOTEBOOK, name)
@@ -198,36 +198,36 @@ class NotebookPage:
         self.page.locator(".jp-StatusBar-Left", has_text="| Idle").wait_for()
 
     def close(self):
-        """Closes the tab, or the notebook in it, and ends the kernel that would go on without it."""
+        """Closes the tab, or the notebook in it, and shuts down its kernel."""
         if self._closed:
             return
         self._closed = True
-        if self._shares:
+        if self._is_shared:
             self.page.evaluate(CLOSE_ALL)
         else:
             self.page.close()
-        for session in json.load(self._ask("GET", "sessions")):
+        for session in json.load(self._request("GET", "sessions")):
             if session["path"] == self._name:
-                self._ask("DELETE", f"sessions/{session['id']}").close()
+                self._request("DELETE", f"sessions/{session['id']}").close()
 
-    def _ask(self, method, what):
-        url = f"{self._address}/api/{what}?token={TOKEN}"
+    def _request(self, method, resource):
+        url = f"{self._address}/api/{resource}?token={TOKEN}"
         return urllib.request.urlopen(urllib.request.Request(url, method=method), timeout=30)
 
     def run_all(self, timeout=240):
-        """Runs every cell from the menu, and waits until none is waiting to run."""
+        """Runs all cells from the menu, and waits until they have run."""
         self.page.get_by_role("menuitem", name="Run", exact=True).click()
         self.page.get_by_role("menuitem", name="Run All Cells", exact=True).click()
         self.wait_until_run(timeout)
 
     def run_cell(self, number, timeout=60):
-        """Runs one code cell, again perhaps, with Ctrl-Enter."""
+        """Runs one code cell with Ctrl-Enter."""
         self.page.locator(".jp-CodeCell .cm-content").nth(number).click()
         self.page.keyboard.press("Control+Enter")
         self.wait_until_run(timeout)
 
     def wait_until_run(self, timeout):
-        """Until no cell has an asterisk: every one has its number, save those after an error."""
+        """Waits until no cell shows an asterisk: all have a number, except those after an error."""
         deadline = time.monotonic() + timeout
         self.page.wait_for_timeout(300)
         while "[*]:" in self.prompts() or not any(re.search(r"\d", prompt) for prompt in self.prompts()):
@@ -240,7 +240,7 @@ class NotebookPage:
         return self.page.locator(".jp-CodeCell .jp-InputPrompt").all_text_contents()
 
     def wait_until(self, condition, timeout=30):
-        """Waits for a condition that is looked up from here, on the page or on the disk."""
+        """Waits until a function returns true."""
         deadline = time.monotonic() + timeout
         while not condition():
             if time.monotonic() > deadline:
@@ -248,8 +248,8 @@ class NotebookPage:
                 raise TimeoutError(f"not reached within {timeout} s; see screenshots/not_reached.png")
             self.page.wait_for_timeout(50)
 
-    def wait_for_picture(self, selector=VIEW):
-        """Until the first live picture stands on the page."""
+    def wait_for_image(self, selector=VIEW):
+        """Waits until the page shows the first live image."""
         self.page.wait_for_function(
             "selector => document.querySelector(selector)?.naturalWidth > 0", arg=selector
         )
@@ -260,41 +260,41 @@ class NotebookPage:
             self.page.locator(".jp-CodeCell").nth(number).locator(".jp-RenderedText pre").all_text_contents()
         )
 
-    def place_of(self, selector):
-        """Rows of the page from the first cell down to an element, however the page is scrolled."""
-        tops = [self.page.locator(one).first.bounding_box()["y"] for one in (".jp-Cell", selector)]
-        return tops[1] - tops[0]
+    def distance_from_top(self, selector):
+        """CSS pixels from the first cell down to an element; scrolling does not change it."""
+        first_cell, element = (self.page.locator(css).first.bounding_box() for css in (".jp-Cell", selector))
+        return element["y"] - first_cell["y"]
 
     def errors(self):
-        """Text of every traceback in the notebook, also where the page is not scrolled to."""
+        """Text of every traceback in the notebook, also outside the visible part of the page."""
         mimes = ("application/vnd.jupyter.stderr", "application/vnd.jupyter.error")
-        places = ", ".join(f'.jp-OutputArea-output[data-mime-type="{mime}"]' for mime in mimes)
-        return [text for text in self.page.locator(places).all_text_contents() if TRACEBACK.search(text)]
+        selector = ", ".join(f'.jp-OutputArea-output[data-mime-type="{mime}"]' for mime in mimes)
+        return [text for text in self.page.locator(selector).all_text_contents() if TRACEBACK.search(text)]
 
     def not_run(self):
-        """Numbers of the code cells that did not run to their end."""
+        """Numbers of the code cells that have not finished."""
         return [k for k, prompt in enumerate(self.prompts()) if not re.search(r"\d", prompt)]
 
-    def pictures_per_second(self, seconds=3.0, selector=VIEW, number=0):
-        """What the browser decodes of a picture, a second: {"loads": all, "changes": other than before}."""
-        return self.page.evaluate(COUNT_PICTURES, [selector, seconds, number])
+    def images_per_second(self, seconds=3.0, selector=VIEW, number=0):
+        """Images that the browser decodes per second: {"loads": all, "changes": different from the last}."""
+        return self.page.evaluate(COUNT_IMAGES, [selector, seconds, number])
 
     def press_on_slider(self, key, number=0):
-        """Gives a key to the handle of a slider, as who uses no mouse does."""
+        """Presses a key on the handle of a slider, as a learner without a mouse does."""
         self.page.locator(".noUi-handle").nth(number).focus()
         self.page.keyboard.press(key)
 
     def press_button(self, name):
-        # By its words: an icon of a font puts a sign of its own into a button's name.
+        # By its text: a font icon adds a character to a button's accessible name.
         self.page.locator("button.jupyter-button", has_text=name).click()
 
     def readout(self, number=0):
         return self.page.locator(".widget-readout").nth(number).inner_text()
 
     def slider_latencies(self, presses=30, number=0, selector=VIEW):
-        """Milliseconds from key to picture, one for each press on a slider, to and fro.
+        """Milliseconds from key to image, for each key press; the slider moves right and left in turn.
 
-        Each step must change the picture: one that does not is never sent.
+        Each step must change the image: an unchanged image is not sent.
         """
         self.page.evaluate(WATCH_LATENCY, selector)
         for k in range(presses):
@@ -302,10 +302,10 @@ class NotebookPage:
             self.page.wait_for_function("count => window.latencies.length > count", arg=k)
         return self.page.evaluate("window.latencies")
 
-    def screenshot(self, name, of=None):
-        """Keeps what the tab shows, with the first element that `of` selects in its middle."""
-        if of:
-            self.page.locator(of).first.evaluate("one => one.scrollIntoView({block: 'center'})")
+    def screenshot(self, name, selector=None):
+        """Saves an image of the tab, with the first element that `selector` selects in the middle."""
+        if selector:
+            self.page.locator(selector).first.evaluate("node => node.scrollIntoView({block: 'center'})")
         SCREENSHOTS.mkdir(exist_ok=True)
         path = SCREENSHOTS / f"{name}.png"
         self.page.screenshot(path=path)

@@ -1,4 +1,4 @@
-"""show, live_view and tune in a real browser: pictures move, sliders are alive, the page stays still."""
+"""show, live_view and tune in a real browser: images change, sliders work, the page does not move."""
 
 import textwrap
 
@@ -8,7 +8,7 @@ from jupyter_page import VIEW, write_notebook
 pytestmark = pytest.mark.browser
 
 LAST_CELL = ".jp-CodeCell >> nth=-1"
-# A camera of 1280 × 720 at 30 Hz: a bright bar that wanders over a gradient.
+# A camera of 1280 × 720 at 30 Hz: a red bar that moves over a gradient.
 CAMERA = textwrap.dedent(
     """
     import time
@@ -16,7 +16,7 @@ CAMERA = textwrap.dedent(
     import numpy as np
     from imgproc_course.display import live_view, show, tune
 
-    class Wandering:
+    class MovingBar:
         rate = 30.0
         def __len__(self):
             return 120
@@ -26,14 +26,14 @@ CAMERA = textwrap.dedent(
             frame[:, 10 * k : 10 * k + 60] = (0, 0, 255)
             return frame
 
-    camera = Wandering()
+    camera = MovingBar()
     """
 )
 
 
 @pytest.fixture
 def notebook(lab, open_notebook, request):
-    """Writes a notebook of CAMERA and some cells, opens it and runs it all."""
+    """Writes a notebook of CAMERA and the given cells, opens it and runs all cells."""
 
     def make(*cells, run=True):
         name = f"{request.node.name.partition('[')[0]}.ipynb"
@@ -47,41 +47,41 @@ def notebook(lab, open_notebook, request):
 
 
 def colour_at(page, x, y):
-    """[red, green, blue] of the live picture at a place, each a share of its size."""
+    """[red, green, blue] of the live image at (x, y), each from 0 to 1."""
     return page.page.evaluate(
         """([selector, x, y]) => {
             const image = document.querySelector(selector);
             const canvas = new OffscreenCanvas(image.naturalWidth, image.naturalHeight);
             const context = canvas.getContext("2d");
             context.drawImage(image, 0, 0);
-            const place = [x * canvas.width, y * canvas.height].map(Math.floor);
-            return Array.from(context.getImageData(...place, 1, 1).data).slice(0, 3);
+            const pixel = [x * canvas.width, y * canvas.height].map(Math.floor);
+            return Array.from(context.getImageData(...pixel, 1, 1).data).slice(0, 3);
         }""",
         [VIEW, x, y],
     )
 
 
-def test_live_view_moves_and_its_slider_acts_while_it_runs(notebook):
+def test_a_live_view_changes_and_its_slider_works_while_it_runs(notebook):
     page = notebook(
         """
         def bright(frame, level=100):
             return cv2.threshold(cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY), level, 255, cv2.THRESH_BINARY)[1]
 
-        view = live_view(camera, bright, level=(0, 250, 50), caption="What is bright is white.")
+        view = live_view(camera, bright, level=(0, 250, 50), caption="Bright pixels are white.")
         """,
         "1 + 1",
     )
     assert page.errors() == []
-    page.wait_for_picture()
-    assert page.pictures_per_second(3)["changes"] > 5
+    page.wait_for_image()
+    assert page.images_per_second(3)["changes"] > 5
     page.wait_until(lambda: colour_at(page, 0.9, 0.5)[0] > 200 or colour_at(page, 0.9, 0.2)[0] > 200)
-    before = page.place_of(LAST_CELL)
+    distance = page.distance_from_top(LAST_CELL)
     for _ in range(5):
         page.press_on_slider("ArrowRight")
     page.wait_until(lambda: max(colour_at(page, 0.9, 0.5)) < 60)
     assert page.readout() == "250"
     page.page.locator("code", has_text="bright(frame, level=250)").wait_for()
-    assert page.place_of(LAST_CELL) == before
+    assert page.distance_from_top(LAST_CELL) == distance
     page.screenshot("live_view", VIEW)
 
 
@@ -95,12 +95,12 @@ def test_live_view_shows_red_as_red(notebook):
         view = live_view(camera, red)
         """
     )
-    page.wait_for_picture()
+    page.wait_for_image()
     page.wait_until(lambda: colour_at(page, 0.5, 0.5)[0] > 240)
     assert max(colour_at(page, 0.5, 0.5)[1:]) < 15
 
 
-def test_error_in_the_function_is_on_the_page_and_stops_nothing(notebook):
+def test_an_error_in_the_function_is_shown_and_the_view_goes_on(notebook):
     page = notebook(
         """
         count = 0
@@ -116,46 +116,46 @@ def test_error_in_the_function_is_on_the_page_and_stops_nothing(notebook):
         """,
         "1 + 1",
     )
-    words = page.page.get_by_text("ValueError: a frame that I do not like")
-    words.wait_for()
-    place = page.place_of(LAST_CELL)
-    assert 'raise ValueError("a frame that I do not like")' in words.inner_text()
-    assert "in every_third, line 7" in words.inner_text()
+    error_line = page.page.get_by_text("ValueError: a frame that I do not like")
+    error_line.wait_for()
+    distance = page.distance_from_top(LAST_CELL)
+    assert 'raise ValueError("a frame that I do not like")' in error_line.inner_text()
+    assert "in every_third, line 7" in error_line.inner_text()
     page.screenshot("live_view_error", VIEW)
     page.page.get_by_text("number 9").wait_for()
-    assert words.count() == 0
+    assert error_line.count() == 0
     assert page.outputs(1) == []
-    assert page.place_of(LAST_CELL) == place
+    assert page.distance_from_top(LAST_CELL) == distance
     assert page.errors() == []
 
 
 def test_stop_start_snapshot_and_running_the_cell_again(notebook, lab):
     page = notebook(
-        "first = []",
-        "view = live_view(camera); first.append(view)",
-        "print([one.running for one in first])",
+        "views = []",
+        "view = live_view(camera); views.append(view)",
+        "print([view.running for view in views])",
     )
-    page.wait_for_picture()
+    page.wait_for_image()
     page.press_button("Stop")
     page.page.get_by_text("stopped after").wait_for()
     page.page.wait_for_timeout(300)
-    assert page.pictures_per_second(1)["loads"] == 0
+    assert page.images_per_second(1)["loads"] == 0
     page.press_button("Snapshot")
     page.page.get_by_text("saved as .snapshots[0] and snapshot-001.png").wait_for()
     assert (lab[1] / "snapshot-001.png").stat().st_size > 1000
     page.press_button("Start")
-    page.wait_until(lambda: page.pictures_per_second(0.5)["loads"] > 0)
+    page.wait_until(lambda: page.images_per_second(0.5)["loads"] > 0)
     page.run_cell(2)
     page.run_cell(3)
     assert page.outputs(3) == ["[False, True]\n"]
 
 
-def test_live_view_rests_without_its_output(notebook):
+def test_a_live_view_pauses_when_its_output_is_deleted(notebook):
     page = notebook(
         "view = live_view(camera)",
         "time.sleep(0.5); a = view.shown; time.sleep(1); print(view.shown - a < 3)",
     )
-    page.wait_for_picture()
+    page.wait_for_image()
     page.run_cell(2)
     assert page.outputs(2) == ["False\n"]
     page.page.locator(".jp-CodeCell .cm-content").nth(1).click()
@@ -166,15 +166,15 @@ def test_live_view_rests_without_its_output(notebook):
     assert page.outputs(2) == ["True\n"]
 
 
-def test_a_view_goes_on_while_another_cell_works(notebook):
+def test_a_view_goes_on_while_another_cell_runs(notebook):
     page = notebook("view = live_view(camera)", "'ready'")
-    page.wait_for_picture()
+    page.wait_for_image()
     page.page.locator(".jp-CodeCell .cm-content").nth(2).click()
     page.page.keyboard.press("Control+A")
     page.page.keyboard.type("time.sleep(6)")
     page.page.keyboard.press("Control+Enter")
     page.page.wait_for_timeout(500)
-    assert page.pictures_per_second(3)["loads"] > 2
+    assert page.images_per_second(3)["loads"] > 2
     assert "[*]:" in page.prompts()
     page.wait_until_run(30)
 
@@ -191,7 +191,7 @@ def test_tune_follows_its_range_slider_and_resets(notebook):
         "print(tuner.call, tuner.value.sum() // 255)",
     )
     assert page.errors() == []
-    page.wait_for_picture()
+    page.wait_for_image()
     assert page.readout() == "100 – 200"
     page.press_on_slider("PageUp", 1)
     page.wait_until(lambda: page.readout() != "100 – 200")
@@ -228,52 +228,50 @@ def left_top_width(page, selector):
     )
 
 
-@pytest.mark.parametrize("width, beside", [(1000, False), (1280, False), (1400, False), (1600, True)])
-def test_sliders_are_long_enough_beside_the_picture_or_else_under_it(tuner_page, width, beside):
-    tuner_page.wait_for_picture()
+@pytest.mark.parametrize("width, is_beside", [(1000, False), (1280, False), (1400, False), (1600, True)])
+def test_sliders_are_long_enough_beside_the_image_or_below_it(tuner_page, width, is_beside):
+    tuner_page.wait_for_image()
     tuner_page.page.set_viewport_size({"width": width, "height": 1000})
     tuner_page.page.wait_for_timeout(500)
-    picture = left_top_width(tuner_page, VIEW)
+    image = left_top_width(tuner_page, VIEW)
     slider = left_top_width(tuner_page, ".noUi-target")
     assert slider[2] > 240
-    assert (slider[0] > picture[0] + picture[2], slider[1] < picture[1] + 100) == (beside, beside)
+    assert (slider[0] > image[0] + image[2], slider[1] < image[1] + 100) == (is_beside, is_beside)
     column = left_top_width(tuner_page, ".noUi-target")[0]
     for control in (".widget-checkbox input", ".widget-dropdown select"):
         assert abs(left_top_width(tuner_page, control)[0] - column) < 12
 
 
-def test_show_has_an_alt_text_also_in_a_notebook_that_is_not_trusted(notebook, lab, open_notebook):
+def test_show_has_an_alternative_text_also_in_an_untrusted_notebook(notebook, lab, open_notebook):
     page = notebook(
         """
         show([camera.frame(20), camera.frame(20)[:, :, 2]], ["frame", "its red channel"],
-             alt="a red bar on a gray ramp", caption="The bar is white where only red is looked at.")
+             alt="a red bar on a gray ramp", caption="In the red channel the bar is white.")
         """,
         "show(np.arange(25, dtype=np.uint8).reshape(5, 5) * 10, alt='five by five numbers')",
     )
-    alts = page.page.locator("figure img").evaluate_all("all => all.map(one => one.alt)")
+    alts = page.page.locator("figure img").evaluate_all("nodes => nodes.map(node => node.alt)")
     assert alts == ["a red bar on a gray ramp", "five by five numbers"]
     page.page.keyboard.press("Control+s")
     page.screenshot("show")
-    path = lab[1] / "test_show_has_an_alt_text_also_in_a_notebook_that_is_not_trusted.ipynb"
+    path = lab[1] / "test_show_has_an_alternative_text_also_in_an_untrusted_notebook.ipynb"
     page.wait_until(
         lambda: "five by five numbers" in path.read_text().replace("alt='five by five numbers'", "")
     )
     page.close()
-    # Copied, as every lesson is, it is a notebook whose outputs nobody trusts yet.
+    # A copy with another source, as an updated lesson, is a notebook that Jupyter does not trust.
     copy = lab[1] / "copied.ipynb"
     copy.write_text(path.read_text().replace("np.arange(25", "np.arange( 25"))
     page = open_notebook(copy.name)
     images = page.page.locator("figure img")
     images.first.wait_for()
-    seen = images.evaluate_all("all => all.map(one => [one.alt, one.naturalWidth > 300])")
-    assert seen == [["a red bar on a gray ramp", True], ["five by five numbers", True]]
-    assert page.page.locator("figcaption").all_inner_texts() == [
-        "The bar is white where only red is looked at."
-    ]
+    alts_and_sizes = images.evaluate_all("nodes => nodes.map(node => [node.alt, node.naturalWidth > 300])")
+    assert alts_and_sizes == [["a red bar on a gray ramp", True], ["five by five numbers", True]]
+    assert page.page.locator("figcaption").all_inner_texts() == ["In the red channel the bar is white."]
 
 
-@pytest.mark.parametrize("bad", ["1 / 0", "def"])
-def test_an_error_far_down_the_page_is_found(notebook, bad):
-    page = notebook(*["print('line\\n' * 60)"] * 8, bad, "'never reached'")
+@pytest.mark.parametrize("wrong_cell", ["1 / 0", "def"])
+def test_an_error_far_down_the_page_is_found(notebook, wrong_cell):
+    page = notebook(*["print('line\\n' * 60)"] * 8, wrong_cell, "'never reached'")
     assert len(page.errors()) == 1
     assert page.not_run() == [10]
