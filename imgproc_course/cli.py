@@ -178,19 +178,19 @@ def build(lessons, only_check, masters, out, solved):
     solved = solved or CHECKOUT / "solved"
     try:
         if only_check:
-            report = compare_lessons(masters, out, lessons, say=click.echo)
+            result = compare_lessons(masters, out, lessons, progress=click.echo)
         else:
-            report = build_lessons(masters, out, solved, lessons, say=click.echo)
+            result = build_lessons(masters, out, solved, lessons, progress=click.echo)
     except MasterError as error:
         raise click.ClickException(str(error)) from error
     except OSError as error:
         raise click.ClickException(f"cannot write the lessons: {error}") from error
-    for problem in report.problems:
+    for problem in result.problems:
         click.echo(problem, err=True)
-    if report.problems:
+    if result.problems:
         raise SystemExit(1)
-    result = "equal to their masters" if only_check else f"built into {out}"
-    click.echo(f"Lessons {result}: {len(report.built)}.")
+    verdict = "equal to their masters" if only_check else f"built into {out}"
+    click.echo(f"Lessons {verdict}: {len(result.built)}.")
 
 
 @main.command()

@@ -1,4 +1,4 @@
-"""Read masters: the one source of a lesson, its solved twin, and what grades it.
+"""Read masters: a master is the one source of a lesson, its solved twin and its grading.
 
 A master is `notebooks/masters/NN_name.py`, a percent script (JupyterLab opens it with jupytext). It is
 ordinary Python: prose in `# %% [markdown]` cells, code in `# %%` cells, and *roles* in the cells' headers.
@@ -58,58 +58,56 @@ Front matter
     `jupyter: imgproc_course:` holds `title` (also the `# heading` of the first cell) and `minutes`.
 
 Roles (`role="..."` in a code cell's header; every other value is JSON: "text", 3, 0.5, true, ["a", "b"])
-    given      visible in the lesson; runs before the learner's answer, before each case, and in grading. What
-               an answer may use from outside its own cell stands here, imports too (`np` is always there).
-               `exercise=` names its exercise, or a list of them.
-    exercise   the declaration; dropped from the lesson: one call of `exercise(...)`, with literals only (see
-               `imgproc_course.exercises.exercise`). What else stands there (imports, functions that make
+    given      visible in the lesson; runs before the learner's answer, before each case, and in grading. It
+               holds everything that an answer may use from outside its own cell, imports too (`np` is always
+               defined). `exercise=` names its exercise, or a list of them.
+    exercise   the declaration, dropped from the lesson: one call of `exercise(...)`, with literals only (see
+               `imgproc_course.exercises.exercise`). The rest of the cell (imports, functions that make
                inputs) runs before each case and mistake of this exercise.
     answer     the stub: it raises NotImplementedError, or its body is `...`. The learner edits this cell, and
-               this cell alone is graded. Its id in the lesson is `answer-<exercise>`.
-    solution   stands in the answer's place in the solved twin.
+               only this cell is graded. Its id in the lesson is `answer-<exercise>`.
+    solution   replaces the answer in the solved twin.
     check      visible: `check("<exercise>", function)`. Its id is `check-<exercise>-<n>`.
     case       a public check; `inputs(rng)` draws the arguments of one call (a tuple), or a list of such
-               tuples, from a NumPy Generator. `title`, `points` (1 unless said), `hint`, `tolerance` in the
-               header. Expected answers are never written down: the solution gives them. Dropped.
+               tuples, from a NumPy Generator. `title`, `points` (1 if omitted), `hint`, `tolerance` in the
+               header. The solution gives the expected values; nobody writes them down. Dropped.
     hidden     the same, run only in grading. Dropped.
     mistake    a wrong answer that learners give, with `name` and what it `says` to the learner. It may call
-               the right answer, `solution(...)`, and bend what comes back. Dropped.
-    After the declaration, a role cell belongs to the last declared exercise unless it says `exercise="..."`.
+               the right answer, `solution(...)`, and change its result. Dropped.
+    After the declaration, a role cell belongs to the last declared exercise, or to the one that `exercise=`
+    names.
 
 Tags (`tags=["..."]`, any code cell)
-    nbval-ignore-output        its output varies (a live picture); an assert stands in it or in the next one
+    nbval-ignore-output        its output varies (a live image); it or the next code cell contains an assert
     nbval-raises-exception     the lesson's planned failure: the cell raises, and the error is stored
     long                       more than 12 lines of code, on purpose
 
 A practice exercise (`practice=True`) is checked but not graded: its points count as 0.
 """
 
-import ast
 import re
 from dataclasses import dataclass
 from pathlib import Path
 
+from imgproc_course.authoring.rules import VARYING_TAG, master_problems
 from imgproc_course.exercises.declaration import MasterError, read_exercises
 from imgproc_course.exercises.percent_script import read_script
 
 LESSON_NAME = re.compile(r"\d\d_[a-z0-9_]+")
-VARYING = "nbval-ignore-output"
-RAISING = ("nbval-raises-exception", "raises-exception")
-MOST_LINES = 12
-_DROPPED = ("exercise", "case", "hidden", "mistake")
-_HIDING_TAGS = re.compile(r"(hide|remove|skip)([-_]|$)|nbval-skip")
+_DROPPED = ("exercise", "solution", "case", "hidden", "mistake")
 
 
 @dataclass(frozen=True)
 class Cell:
-    """One cell that a lesson shows.
+    """One cell of a lesson.
 
-    id        "answer-<exercise>", "check-<exercise>-<n>", "given-<exercise>-<n>", or "<lesson>-<position>"
-    kind      "markdown" or "code"
-    source    what the lesson shows; solved_source what the solved twin shows
-    role      "given", "answer", "check" or ""
-    exercise  the id of its exercise, or ""
-    tags      tuple of str
+    id             "answer-<exercise>", "check-<exercise>-<n>", "given-<exercise>-<n>" or "<lesson>-<n>"
+    kind           "markdown" or "code"
+    source         its source in the lesson
+    solved_source  its source in the solved twin
+    role           "given", "answer", "check" or ""
+    exercise       the id of its exercise, or ""
+    tags           tuple of str
     """
 
     id: str
@@ -122,12 +120,12 @@ class Cell:
 
     @property
     def varies(self):
-        return VARYING in self.tags
+        return VARYING_TAG in self.tags
 
 
 @dataclass(frozen=True)
 class Master:
-    """A master as read: `cells` are the lesson's, `exercises` what grading knows."""
+    """A master: `cells` are the lesson's, `exercises` are the declarations that grading needs."""
 
     path: Path
     title: str
@@ -146,7 +144,7 @@ def find_masters(folder, names=()):
     Parameters
     ----------
     folder : Path
-    names : names of lessons; all of them where empty. "02" and "02_images" name 02_images_as_messages
+    names : names of lessons; all if empty. "02" and "02_images" both name 02_images_as_messages
 
     Returns
     -------
@@ -154,28 +152,28 @@ def find_masters(folder, names=()):
 
     Raises
     ------
-    MasterError : there is no such folder, no master in it, or a name fits none or several
+    MasterError : no such folder, no master in it, or a name that matches no lesson or several
     """
-    found = sorted(path for path in Path(folder).glob("*.py") if LESSON_NAME.fullmatch(path.stem))
-    if not found:
+    paths = sorted(path for path in Path(folder).glob("*.py") if LESSON_NAME.fullmatch(path.stem))
+    if not paths:
         raise MasterError(f"no masters in {folder}; a master is named like 02_images_as_messages.py")
     if not names:
-        return found
-    chosen = set()
-    for name in names:
-        wanted = Path(name).stem
-        fitting = [path for path in found if path.stem == wanted] or [
-            path for path in found if path.stem.startswith(wanted)
-        ]
-        if len(fitting) != 1:
-            there = ", ".join(path.stem for path in fitting or found)
-            raise MasterError(f"{name!r} names {'several lessons' if fitting else 'no lesson'}: {there}")
-        chosen.add(fitting[0])
-    return sorted(chosen)
+        return paths
+    return sorted({_find_master(paths, name) for name in names})
+
+
+def _find_master(paths, name):
+    stem = Path(name).stem
+    matches = [path for path in paths if path.stem == stem]
+    matches = matches or [path for path in paths if path.stem.startswith(stem)]
+    if len(matches) != 1:
+        lessons = ", ".join(path.stem for path in matches or paths)
+        raise MasterError(f"{name!r} names {'several lessons' if matches else 'no lesson'}: {lessons}")
+    return matches[0]
 
 
 def read_master(path):
-    """Read a master whole, and refuse one that breaks the format's rules.
+    """Read a whole master, and refuse it if it breaks a rule of the format.
 
     Parameters
     ----------
@@ -187,7 +185,7 @@ def read_master(path):
 
     Raises
     ------
-    MasterError : every rule that it breaks, a line each
+    MasterError : every rule that it breaks, one per line
     """
     path = Path(path)
     script = read_script(path)
@@ -196,143 +194,34 @@ def read_master(path):
         path=path,
         title=str(script.front_matter.get("title", "")),
         minutes=script.front_matter.get("minutes", 0),
-        cells=tuple(_visible_cells(path, script, exercises)),
+        cells=tuple(_lesson_cells(path, script, exercises)),
         exercises=exercises,
     )
-    problems = [
-        *_problems_of_lesson(master),
-        *(problem for each in exercises for problem in _problems_of(each)),
-    ]
+    problems = master_problems(master)
     if problems:
         raise MasterError("\n".join(f"{path.name}: {problem}" for problem in problems))
     return master
 
 
-def _visible_cells(path, script, exercises):
-    counts, last, shown = {}, "", 0
-    declared = iter(exercises)
-    solutions = {each.id: each.solution for each in exercises}
+def _lesson_cells(path, script, exercises):
+    counts, latest, position = {}, "", 0
+    remaining = iter(exercises)
+    solutions = {exercise.id: exercise.solution for exercise in exercises}
     for cell in script.cells:
         role = cell.role
         if role == "exercise":
-            last = next(declared).id
-        if role in _DROPPED or role == "solution":
+            latest = next(remaining).id
+        if role in _DROPPED:
             continue
-        shown += 1
-        owners = cell.options.get("exercise", last)
+        position += 1
+        owners = cell.options.get("exercise", latest)
         owner = (owners if isinstance(owners, str) else owners[0]) if role else ""
         tags = tuple(cell.options.get("tags", ()))
-        id = f"{path.stem}-{shown}"
+        id = f"{path.stem}-{position}"
         if role == "answer":
             id = f"answer-{owner}"
         elif role:
             counts[role, owner] = counts.get((role, owner), 0) + 1
             id = f"{role}-{owner}-{counts[role, owner]}"
-        solved = solutions[owner] if role == "answer" else cell.source
-        yield Cell(id, cell.kind, cell.source, solved, role, owner, tags)
-
-
-# ---------------------------------------------------------------- the rules
-
-
-def _problems_of(declared):
-    if not declared.public:
-        yield f'exercise {declared.id} has no role="case"; without one `check` has nothing to say'
-    if not declared.hidden:
-        yield f'exercise {declared.id} has no role="hidden"; the public values could be copied into an answer'
-    if not declared.mistakes:
-        yield f'exercise {declared.id} has no role="mistake"; which wrong answer do learners give?'
-    names = [mistake.name for mistake in declared.mistakes]
-    yield from (
-        f"exercise {declared.id} declares the mistake {name!r} twice"
-        for name in sorted(set(names))
-        if names.count(name) > 1
-    )
-
-
-def _problems_of_lesson(master):
-    first = master.cells[0] if master.cells else None
-    if not master.title or not isinstance(master.minutes, int) or master.minutes <= 0:
-        yield "the front matter needs jupyter: imgproc_course: title: and minutes:"
-    if (
-        first is None
-        or first.kind != "markdown"
-        or not re.match(rf"# (.*\W)?{re.escape(master.title)}\W*$", first.source, re.M)
-    ):
-        yield f"the first cell must be markdown that begins with the heading '# {master.title}'"
-    functions = {each.function for each in master.exercises}
-    for cell in master.cells:
-        if cell.kind == "code" and not cell.role:
-            for name in sorted(functions & _names_bound(cell)):
-                yield f"{cell.id} binds {name}, which an exercise asks the learner for; take another name"
-    ids = [cell.id for cell in master.cells]
-    yield from (f"two cells have the id {id}" for id in sorted(set(ids)) if ids.count(id) > 1)
-    yield from (
-        f"the id {id} is longer than the 64 characters that a notebook takes" for id in ids if len(id) > 64
-    )
-    for each in master.exercises:
-        if f"check-{each.id}-1" not in ids:
-            yield f'exercise {each.id} has no role="check" cell'
-    code = [cell for cell in master.cells if cell.kind == "code"]
-    for cell, following in zip(code, [*code[1:], None], strict=True):
-        yield from (
-            f"{cell.id}: {problem}\n    {_first_line(cell)}" for problem in _problems_of_cell(cell, following)
-        )
-
-
-def _first_line(cell):
-    return cell.source.splitlines()[0] if cell.source else "(empty)"
-
-
-def _problems_of_cell(cell, following):
-    lines = [line for line in cell.source.splitlines() if line.strip() and not line.strip().startswith("#")]
-    if not lines:
-        yield "a code cell without code; nbval would never compare it"
-        return
-    if len(lines) > MOST_LINES and cell.role != "answer" and "long" not in cell.tags:
-        yield f'{len(lines)} lines of code, at most {MOST_LINES}; split it, or tag it "long", with a reason'
-    if any(
-        re.match(r"\s*(from\s+\S+\s+import\s+\*|%%(capture|script|html|javascript))", line) for line in lines
-    ):
-        yield "star imports and cells that hide their work are refused; name what is imported, show what runs"
-    if lines[-1].rstrip().endswith(";"):
-        yield "ends with ';', which nbval does not heed: assign the value to _ instead"
-    if any(_HIDING_TAGS.match(tag) for tag in cell.tags):
-        yield "a tag hides this cell; everything a lesson does is seen"
-    if re.search(r"^\s*#\s*(NBVAL_|PYTEST_VALIDATE)", cell.source, re.M):
-        yield f'give nbval its orders as a tag (tags=["{VARYING}"]), not as a comment'
-    if cell.varies and not _asserts(cell) and not (following and _asserts(following)):
-        yield f"tagged {VARYING}: it must hold an assert, or the next code cell must"
-    if cell.role and not _is_python(cell.source):
-        yield f"a {cell.role} cell must be plain Python; it takes no magics"
-    if cell.role == "check" and not re.search(
-        rf"""check\(\s*["']{re.escape(cell.exercise)}["']""", cell.source
-    ):
-        yield f'must call check("{cell.exercise}", ...)'
-
-
-def _is_python(source):
-    try:
-        ast.parse(source)
-    except SyntaxError:
-        return False
-    return True
-
-
-def _names_bound(cell):
-    """What a cell defines for the cells after it: its functions, classes and variables."""
-    try:
-        body = ast.parse(cell.source).body
-    except SyntaxError:
-        return set()  # a magic; running it will tell
-    defined = {node.name for node in body if isinstance(node, ast.FunctionDef | ast.ClassDef)}
-    plain = [node for node in body if not isinstance(node, ast.FunctionDef | ast.ClassDef)]
-    stored = (name for node in plain for name in ast.walk(node) if isinstance(name, ast.Name))
-    return defined | {name.id for name in stored if isinstance(name.ctx, ast.Store)}
-
-
-def _asserts(cell):
-    try:
-        return any(isinstance(node, ast.Assert) for node in ast.walk(ast.parse(cell.source)))
-    except SyntaxError:
-        return False  # a magic; running it will tell
+        solved_source = solutions[owner] if role == "answer" else cell.source
+        yield Cell(id, cell.kind, cell.source, solved_source, role, owner, tags)

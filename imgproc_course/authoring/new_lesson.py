@@ -1,4 +1,4 @@
-"""A first master for a teacher's own lesson: it builds, and it grades, before a word of it is changed."""
+"""A template master for an instructor's own lesson; it builds and grades as it is."""
 
 import re
 from pathlib import Path
@@ -14,8 +14,8 @@ def new_lesson(name, folder):
 
     Parameters
     ----------
-    name : str, "brightness", or "10_brightness"; without a number it gets the folder's next one from 10 on
-    folder : Path, made where it is not there
+    name : str, "brightness" or "10_brightness"; without a number it gets the next free one from 10 on
+    folder : Path, made if it is missing
 
     Returns
     -------
@@ -23,31 +23,33 @@ def new_lesson(name, folder):
 
     Raises
     ------
-    MasterError : a name that no lesson can have, or a lesson that is there already
+    MasterError : a name that no lesson can have, or that another lesson has
     """
     folder = Path(folder)
-    words = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_")
-    if words and not LESSON_NAME.fullmatch(words):
-        words = f"{_next_number(folder):02d}_{words}"
-    if not LESSON_NAME.fullmatch(words):
-        raise MasterError(f"{name!r} cannot name a lesson; letters and digits can: brightness, 10_brightness")
-    path = folder / f"{words}.py"
-    plain = words[3:]
+    stem = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_")
+    if stem and not LESSON_NAME.fullmatch(stem):
+        stem = f"{_next_number(folder):02d}_{stem}"
+    if not LESSON_NAME.fullmatch(stem):
+        raise MasterError(
+            f"{name!r} cannot name a lesson; use letters and digits, as in brightness or 10_brightness"
+        )
+    path = folder / f"{stem}.py"
+    name_part = stem[3:]
     text = TEMPLATE.read_text(encoding="utf-8")
-    text = text.replace("LESSON-TITLE", plain.replace("_", " ").capitalize())
-    text = text.replace("LESSON-ID", plain.replace("_", "-"))
+    text = text.replace("LESSON-TITLE", name_part.replace("_", " ").capitalize())
+    text = text.replace("LESSON-ID", name_part.replace("_", "-"))
     try:
         folder.mkdir(parents=True, exist_ok=True)
         with path.open("x", encoding="utf-8") as file:
             file.write(text)
     except FileExistsError as error:
-        raise MasterError(f"{path}: there is a lesson of that name; choose another one") from error
+        raise MasterError(f"{path}: a lesson with that name exists; choose another name") from error
     except OSError as error:
         raise MasterError(f"{path}: cannot be written ({error.strerror})") from error
     return path
 
 
 def _next_number(folder):
-    taken = {int(path.name[:2]) for path in folder.glob("*.py") if LESSON_NAME.fullmatch(path.stem)}
-    free = (number for number in range(10, 100) if number not in taken)
-    return next(free, 99)
+    used_numbers = {int(path.name[:2]) for path in folder.glob("*.py") if LESSON_NAME.fullmatch(path.stem)}
+    free_numbers = (number for number in range(10, 100) if number not in used_numbers)
+    return next(free_numbers, 99)

@@ -1,71 +1,75 @@
-"""Prove an exercise before anybody is graded by it."""
+"""Validate an exercise before any learner is graded by it."""
 
 from imgproc_course.exercises.canonical import VALUE_BYTES, array_of, canonical
 from imgproc_course.exercises.checking import run_cases
 from imgproc_course.exercises.running import call
 
-_ANOTHER_SEED = 1  # a teacher's key draws other inputs than the lesson does
+_ANOTHER_SEED = 1  # an instructor's key draws other inputs than the lesson
 
 
-def prove(declared):
-    """What is wrong with an exercise: the right answer must pass, the stub and each mistake be known.
+def validate_exercise(exercise):
+    """Check that the solution passes, and that the stub and each mistake are recognized.
 
     Parameters
     ----------
-    declared : Exercise
+    exercise : Exercise
 
     Returns
     -------
-    list of str, empty for an exercise that grades justly
+    list of str, the problems; empty for a valid exercise
 
     Raises
     ------
     MasterError : the solution or a case fails outright
     """
-    solution = declared.function_of(declared.solution, "solution")
-    right = run_cases(declared, solution, cases=declared.cases)
-    elsewhere = run_cases(declared, solution, cases=declared.cases, seed=_ANOTHER_SEED)
+    solution = exercise.function_of(exercise.solution, "solution")
+    result = run_cases(exercise, solution, cases=exercise.cases)
+    other_result = run_cases(exercise, solution, cases=exercise.cases, seed=_ANOTHER_SEED)
     problems = [
-        f"{result.case.id}: the solution does not pass it a second time; does it draw by chance?"
-        for result in (*right.results, *elsewhere.results)
-        if not result.passed
+        f"{case_result.case.id}: the solution does not pass it a second time; is the solution random?"
+        for case_result in (*result.results, *other_result.results)
+        if not case_result.passed
     ]
     problems += [
-        f"{declared.id}: the solution uses {module}, which the exercise refuses"
-        for module in right.reach.refused
+        f"{exercise.id}: the solution uses {module}, which the exercise refuses"
+        for module in result.dependencies.refused
     ]
-    if not _is_empty(declared):
-        problems.append(f'{declared.id}: the stub answers; let it raise NotImplementedError("your turn")')
-    for mistake in declared.mistakes:
-        problems += _problems_of(declared, mistake)
-    for result in right.results:
-        problems += _too_large(declared, result.case)
+    if not _is_empty_stub(exercise):
+        problems.append(
+            f'{exercise.id}: the stub returns a value; let it raise NotImplementedError("your turn")'
+        )
+    for mistake in exercise.mistakes:
+        problems += _mistake_problems(exercise, mistake)
+    for case_result in result.results:
+        problems += _size_problems(exercise, case_result.case)
     return problems
 
 
-def _problems_of(declared, mistake):
-    found = run_cases(
-        declared, declared.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
-    )
-    if all(result.passed for result in found.results):
-        yield f"{declared.id}: the mistake {mistake.name!r} passes every public case; add one that catches it"
-    elif found.mistake != mistake:
-        taken_for = f"is taken for {found.mistake.name!r}" if found.mistake else "is not known again"
-        yield f"{declared.id}: the mistake {mistake.name!r} {taken_for}; add a public case that parts them"
+def _mistake_problems(exercise, mistake):
+    wrong_function = exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
+    result = run_cases(exercise, wrong_function)
+    if all(case_result.passed for case_result in result.results):
+        yield f"{exercise.id}: the mistake {mistake.name!r} passes every public case; add one that catches it"
+    elif result.mistake != mistake:
+        confusion = f"is taken for {result.mistake.name!r}" if result.mistake else "is not recognized"
+        yield (
+            f"{exercise.id}: the mistake {mistake.name!r} {confusion};"
+            " add a public case that tells the two apart"
+        )
 
 
-def _is_empty(declared):
-    """Whether the stub gives nothing: a learner who adds a docstring to it has still not attempted it."""
-    stub = declared.function_of(declared.stub, "stub")
-    arguments = declared.arguments(declared.cases[0])[0]
-    outcome = call(stub, arguments, [str(k) for k in range(len(arguments))], declared.time_limit)
-    return outcome.error == "NotImplementedError" or outcome.value == {"type": "None"}
+def _is_empty_stub(exercise):
+    """Whether the stub returns nothing: with a docstring added it must still count as not attempted."""
+    stub = exercise.function_of(exercise.stub, "stub")
+    arguments = exercise.arguments(exercise.cases[0])[0]
+    result = call(stub, arguments, [str(k) for k in range(len(arguments))], exercise.time_limit)
+    return result.error == "NotImplementedError" or result.value == {"type": "None"}
 
 
-def _too_large(declared, case):
-    """Grading carries large arrays as digests, in which a tolerance has no meaning."""
-    solution = declared.function_of(declared.solution, "solution")
-    for arguments in declared.arguments(case):
+def _size_problems(exercise, case):
+    """Grading carries large arrays as digests, and a tolerance has no meaning for a digest."""
+    solution = exercise.function_of(exercise.solution, "solution")
+    for arguments in exercise.arguments(case):
         answer = array_of(canonical(solution(*arguments), limit=None))
         if (
             answer is not None
@@ -73,7 +77,7 @@ def _too_large(declared, case):
             and (answer.dtype.kind == "f" or case.tolerance)
         ):
             yield (
-                f"{case.id}: an answer of {answer.nbytes} bytes cannot be compared with a tolerance"
-                f" in grading; draw a smaller input, up to {VALUE_BYTES} bytes of answer"
+                f"{case.id}: grading cannot compare an answer of {answer.nbytes} bytes with a tolerance;"
+                f" draw a smaller input, up to {VALUE_BYTES} bytes of answer"
             )
             return

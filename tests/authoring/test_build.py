@@ -1,4 +1,4 @@
-"""Masters become lessons: the same each time, and with nothing of the solution in them."""
+"""Masters become lessons: the same in every build, and without the solutions."""
 
 import base64
 import json
@@ -11,7 +11,7 @@ import pytest
 from imgproc_course.authoring.build import build, compare_lessons
 from imgproc_course.exercises import MasterError
 
-# Everything whose output is hard to keep the same.
+# Cells whose output is hard to reproduce.
 EXTRAS = """
 
 # %%
@@ -35,14 +35,14 @@ import base64
 
 from IPython.display import Image
 
-Image(data=base64.b64decode("PICTURE"), format="png")
+Image(data=base64.b64decode("IMAGE_DATA"), format="png")
 
 # %%
 from ipywidgets import Label
 
 Label("a widget")
 """
-# A PNG of one pixel with the day and the program in it, as matplotlib and cameras write them.
+# A PNG of one pixel with a date and a program's name, as matplotlib and cameras write them.
 NOTED_PNG = (
     "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAAAAAA6fptVAAAAB3RJTUUH6gsVCgAAZouBLgAAABJ0RVh0U29mdHdhcmUAYSBwcm9n"
     "cmFtmsrMTQAAAApJREFUeJxjYAAAAAIAAUivpHEAAAAASUVORK5CYII="
@@ -56,18 +56,18 @@ def built(tmp_path_factory, template):
     masters = folder / "masters"
     masters.mkdir()
     master = masters / "90_template.py"
-    master.write_text(template + EXTRAS.replace("PICTURE", NOTED_PNG), encoding="utf-8")
-    said = []
-    report = build(masters, folder / "lessons", folder / "solved", say=said.append)
-    assert report.problems == []
-    return folder, said
+    master.write_text(template + EXTRAS.replace("IMAGE_DATA", NOTED_PNG), encoding="utf-8")
+    lines = []
+    result = build(masters, folder / "lessons", folder / "solved", progress=lines.append)
+    assert result.problems == []
+    return folder, lines
 
 
 def cells_of(path):
     return {cell.id: cell for cell in nbformat.read(path, as_version=4).cells}
 
 
-def test_a_lesson_shows_the_stub_and_nothing_that_is_for_grading(built):
+def test_a_lesson_shows_the_stub_and_nothing_of_the_grading(built):
     folder, _ = built
     text = (folder / "lessons" / "90_template.ipynb").read_text()
     for hidden in ("np.minimum", "def inputs", "pixels * 2", "Widen", "exercise(", "Any pixels", "role"):
@@ -88,7 +88,7 @@ def test_the_solved_twin_passes_its_checks(built):
     assert list(solved) == list(cells_of(folder / "lessons" / "90_template.ipynb"))
 
 
-def test_the_metadata_are_the_lessons_own_and_name_no_machine(built):
+def test_the_metadata_name_the_lesson_and_no_machine(built):
     folder, _ = built
     notebook = nbformat.read(folder / "lessons" / "90_template.ipynb", as_version=4)
     assert notebook.metadata == {
@@ -123,14 +123,14 @@ def test_a_planned_failure_is_stored(built):
     assert (error.ename, error.evalue) == ("ValueError", "invalid literal for int() with base 10: 'three'")
 
 
-def test_pictures_lose_their_date_and_program(built):
-    (picture,) = outputs_of(built, 10)
-    raw = base64.b64decode(picture.data["image/png"])
+def test_images_lose_their_date_and_program(built):
+    (image,) = outputs_of(built, 10)
+    raw = base64.b64decode(image.data["image/png"])
     assert b"IDAT" in raw and b"IEND" in raw
     assert b"tIME" not in raw and b"tEXt" not in raw
 
 
-def test_widgets_leave_no_model_behind(built):
+def test_widgets_leave_no_model(built):
     (widget,) = outputs_of(built, 11)
     assert list(widget.data) == ["text/plain"]
     folder, _ = built
@@ -138,20 +138,20 @@ def test_widgets_leave_no_model_behind(built):
 
 
 def test_progress_names_the_lesson(built):
-    _, said = built
-    assert said[0] == "90_template ..."
-    assert said[1].startswith("90_template: ") and said[1].endswith(" s")
+    _, lines = built
+    assert lines[0] == "90_template ..."
+    assert lines[1].startswith("90_template: ") and lines[1].endswith(" s")
 
 
 def test_building_again_changes_nothing(built):
     folder, _ = built
     path = folder / "lessons" / "90_template.ipynb"
     before = path.read_bytes()
-    assert compare_lessons(folder / "masters", folder / "lessons", say=str).problems == []
-    report = build(folder / "masters", folder / "lessons", folder / "solved", ["90"], say=str)
-    assert report.problems == [] and report.built == ["90_template"]
+    assert compare_lessons(folder / "masters", folder / "lessons", progress=str).problems == []
+    result = build(folder / "masters", folder / "lessons", folder / "solved", ["90"], progress=str)
+    assert result.problems == [] and result.built == ["90_template"]
     assert path.read_bytes() == before
-    assert sorted(p.name for p in path.parent.iterdir()) == ["90_template.ipynb"]  # no part left behind
+    assert sorted(p.name for p in path.parent.iterdir()) == ["90_template.ipynb"]  # no temporary file is left
 
 
 def test_a_difference_is_named_with_lesson_and_cell(built, tmp_path):
@@ -165,29 +165,29 @@ def test_a_difference_is_named_with_lesson_and_cell(built, tmp_path):
     notebook["metadata"]["imgproc_course"]["version"] = "0.0.1"
     (tmp_path / "90_template.ipynb").write_text(json.dumps(notebook))
     (tmp_path / "80_gone.ipynb").write_text(json.dumps(notebook))
-    problems = compare_lessons(folder / "masters", tmp_path, say=str).problems
+    problems = compare_lessons(folder / "masters", tmp_path, progress=str).problems
     assert [problem.splitlines()[0] for problem in problems] == [
         "90_template.ipynb: the lesson's metadata (title, minutes, version) differ",
         "90_template.ipynb: cell answer-template-double: its source differs from the master",
         "90_template.ipynb: cell 90_template-7: its outputs differ from the stored ones",
         "90_template.ipynb: cell 90_template-10: its outputs differ from the stored ones",
-        "80_gone.ipynb: there is no master for it; delete it, or bring its master back",
+        "80_gone.ipynb: it has no master; delete it, or restore its master",
     ]
     assert "stored: one three" in problems[2] and "now:    one two" in problems[2]
 
 
 def test_a_lesson_that_was_never_built_is_named(write_master, tmp_path):
     path = write_master()
-    problems = compare_lessons(path.parent, tmp_path, say=str).problems
-    assert problems == ["90_template.ipynb: not built yet, or no notebook; run imgproc-course build"]
+    problems = compare_lessons(path.parent, tmp_path, progress=str).problems
+    assert problems == ["90_template.ipynb: not built yet, or not a notebook; run imgproc-course build"]
 
 
 @pytest.mark.parametrize(
-    ("added", "said"),
+    ("added", "message"),
     [
         ("\n# %%\n1 / 0\n", "90_template.py: cell 90_template-7: ZeroDivisionError: division by zero"),
-        ("\n# %%\nprint(np.__file__)\n", "90_template-7: its output holds a path of this machine"),
-        ("\n# %%\nobject()\n", "90_template-7: its output holds the address 0x"),
+        ("\n# %%\nprint(np.__file__)\n", "90_template-7: its output contains a path of this machine"),
+        ("\n# %%\nobject()\n", "90_template-7: its output contains the address 0x"),
         (
             '\n# %% tags=["nbval-raises-exception"]\nx = 1\n',
             "90_template-7: tagged nbval-raises-exception, but",
@@ -195,33 +195,33 @@ def test_a_lesson_that_was_never_built_is_named(write_master, tmp_path):
         ("\n# %%\nimport os\n\nos._exit(1)\n", "90_template.py: cell 90_template-7: the kernel died"),
     ],
 )
-def test_a_cell_that_cannot_be_shipped_is_named_and_the_former_lesson_stays(
-    write_master, tmp_path, added, said
+def test_a_cell_that_cannot_be_stored_is_named_and_the_stored_lesson_stays(
+    write_master, tmp_path, added, message
 ):
     path = write_master(add=added)
-    former = tmp_path / "lessons" / "90_template.ipynb"
-    former.parent.mkdir()
-    former.write_text("the former one")
-    report = build(path.parent, former.parent, tmp_path / "solved", say=str)
-    assert report.built == []
-    assert len(report.problems) == 1 and said in report.problems[0]
-    assert former.read_text() == "the former one"
+    stored = tmp_path / "lessons" / "90_template.ipynb"
+    stored.parent.mkdir()
+    stored.write_text("the stored one")
+    result = build(path.parent, stored.parent, tmp_path / "solved", progress=str)
+    assert result.built == []
+    assert len(result.problems) == 1 and message in result.problems[0]
+    assert stored.read_text() == "the stored one"
 
 
-def test_one_bad_lesson_does_not_keep_another_from_being_built(write_master, tmp_path):
+def test_one_bad_lesson_does_not_block_another(write_master, tmp_path):
     write_master(("minutes: 5", "minutes: 0"), name="80_bad")
     path = write_master(("template-double", "template-twice"))
-    report = build(path.parent, tmp_path / "lessons", tmp_path / "solved", say=str)
-    assert report.built == ["90_template"]
-    assert "80_bad.py: the front matter needs" in report.problems[0]
+    result = build(path.parent, tmp_path / "lessons", tmp_path / "solved", progress=str)
+    assert result.built == ["90_template"]
+    assert "80_bad.py: the front matter needs" in result.problems[0]
 
 
-def test_the_kernel_sees_nobodys_robot_and_no_backend_of_ours(write_master, tmp_path, monkeypatch):
+def test_the_kernel_sees_no_other_robot_and_no_backend_setting(write_master, tmp_path, monkeypatch):
     monkeypatch.setenv("MPLBACKEND", "agg")
     names = ("MPLBACKEND", "ROS_AUTOMATIC_DISCOVERY_RANGE")
     code = "import os\n\n" + "\n".join(f"print(os.environ[{name!r}])" for name in names)
     path = write_master(add=f"\n# %%\n{code}\nprint(os.listdir())\n")
-    build(path.parent, tmp_path / "lessons", tmp_path / "solved", say=str)
+    build(path.parent, tmp_path / "lessons", tmp_path / "solved", progress=str)
     printed = cells_of(tmp_path / "lessons" / "90_template.ipynb")["90_template-7"].outputs[0].text
     assert printed == "module://matplotlib_inline.backend_inline\nLOCALHOST\n['.ipython']\n"
     assert os.environ["MPLBACKEND"] == "agg"
@@ -229,4 +229,4 @@ def test_the_kernel_sees_nobodys_robot_and_no_backend_of_ours(write_master, tmp_
 
 def test_no_masters_is_an_error_of_one_line(tmp_path):
     with pytest.raises(MasterError, match="no masters in"):
-        build(tmp_path, tmp_path, tmp_path, say=str)
+        build(tmp_path, tmp_path, tmp_path, progress=str)

@@ -24,20 +24,20 @@ def call(tmp_path):
 
 def test_build_then_check_agree(write_master, call, tmp_path):
     path = write_master()
-    done = call(path)
-    assert done.exit_code == 0 and done.stdout.endswith(f"Lessons built into {tmp_path / 'out'}: 1.\n")
+    result = call(path)
+    assert result.exit_code == 0 and result.stdout.endswith(f"Lessons built into {tmp_path / 'out'}: 1.\n")
     assert (tmp_path / "twins" / "90_template.ipynb").is_file()
-    done = call(path, "--check", "90")
-    assert done.exit_code == 0 and "Lessons equal to their masters: 1." in done.stdout
+    result = call(path, "--check", "90")
+    assert result.exit_code == 0 and "Lessons equal to their masters: 1." in result.stdout
     write_master(("Write `double`", "Please write `double`"))
-    done = call(path, "--check")
-    assert done.exit_code == 1
-    assert "90_template.ipynb: cell 90_template-4: its source differs from the master" in done.stderr
+    result = call(path, "--check")
+    assert result.exit_code == 1
+    assert "90_template.ipynb: cell 90_template-4: its source differs from the master" in result.stderr
 
 
-def test_what_cannot_be_built_is_said_in_a_line(write_master, call):
-    done = call(write_master(("minutes: 5", "minutes: 0")))
-    assert done.exit_code == 1
-    assert done.stderr.startswith("90_template.py: the front matter needs")
-    done = call(write_master(), "77")
-    assert done.exit_code == 1 and "Error: '77' names no lesson" in done.stderr
+def test_a_master_that_cannot_be_built_is_reported_in_one_line(write_master, call):
+    result = call(write_master(("minutes: 5", "minutes: 0")))
+    assert result.exit_code == 1
+    assert result.stderr.startswith("90_template.py: the front matter needs")
+    result = call(write_master(), "77")
+    assert result.exit_code == 1 and "Error: '77' names no lesson" in result.stderr

@@ -27,7 +27,7 @@ THIRTEEN = "\n".join(f"x{k} = {k}" for k in range(13))
 
 
 @pytest.mark.parametrize(
-    ("replacements", "added", "said"),
+    ("replacements", "added", "message"),
     [
         ([("title: Doubling", "title: Trebling")], "", "begins with the heading '# Trebling'"),
         ([("minutes: 5", "minutes: few")], "", "the front matter needs"),
@@ -38,20 +38,20 @@ THIRTEEN = "\n".join(f"x{k} = {k}" for k in range(13))
         ([], '\n# %% role="answer"\ndef double(pixels): ...\n', 'needs one role="answer" cell, found 2'),
         ([], f"\n# %%\n{THIRTEEN}\n", "13 lines of code, at most 12"),
         ([], "\n# %%\nfrom math import *\n", "star imports"),
-        ([], "\n# %%\n# %%capture\nx = 1\n", "cells that hide their work"),
+        ([], "\n# %%\n# %%capture\nx = 1\n", "magics that hide work"),
         ([], "\n# %%\nx = 1\nx;\n", "ends with ';'"),
         ([], '\n# %% tags=["hide-input"]\nx = 1\n', "a tag hides this cell"),
         ([], "\n# %%\n# NBVAL_IGNORE_OUTPUT\nx = 1\n", "as a tag"),
         ([], "\n# %%\n# only words\n", "a code cell without code"),
-        ([], '\n# %% tags=["nbval-ignore-output"]\nx = 1\n\n# %%\ny = x\n', "it must hold an assert"),
-        ([], "\n# %%\ndouble = 2 * 3\n", "binds double, which an exercise asks the learner for"),
+        ([], '\n# %% tags=["nbval-ignore-output"]\nx = 1\n\n# %%\ny = x\n', "it must contain an assert"),
+        ([], "\n# %%\ndouble = 2 * 3\n", "defines double, which is the name of an exercise's function"),
         ([], '\n# %% role="given"\n# !ls\n', "it takes no magics"),
     ],
 )  # fmt: skip
-def test_a_rule_that_is_broken_is_named(write_master, replacements, added, said):
+def test_a_broken_rule_is_named(write_master, replacements, added, message):
     with pytest.raises(MasterError) as error:
         read_master(write_master(*replacements, add=added))
-    assert said in str(error.value)
+    assert message in str(error.value)
     assert str(error.value).startswith("90_template.py")
 
 
@@ -64,11 +64,11 @@ def test_a_rule_that_is_broken_is_named(write_master, replacements, added, said)
         "\n# %%\n# !echo hello\n",
     ],
 )
-def test_a_rule_that_is_kept_is_kept_silent(write_master, added):
+def test_a_master_that_follows_the_rules_is_read(write_master, added):
     assert len(read_master(write_master(add=added)).cells) > 6
 
 
-def test_every_broken_rule_is_said_at_once(write_master):
+def test_every_broken_rule_is_named_at_once(write_master):
     with pytest.raises(MasterError) as error:
         read_master(write_master(("minutes: 5", "minutes: 0"), add="\n# %%\nfrom math import *\n"))
     assert len(str(error.value).splitlines()) == 3  # the second names its line too

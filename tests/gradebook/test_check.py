@@ -6,7 +6,7 @@ import nbformat
 import pytest
 from click.testing import CliRunner
 
-from imgproc_course.authoring.build import unexecuted
+from imgproc_course.authoring.build import lesson_notebook
 from imgproc_course.authoring.masters import read_master
 from imgproc_course.cli import check
 from imgproc_course.gradebook import check as check_module
@@ -18,7 +18,7 @@ def lesson(write_master, tmp_path):
     """Writes a learner's notebook, changed by a function, and returns its path."""
 
     def write(change=lambda cells: None, *, solved=True):
-        notebook = json.loads(nbformat.writes(unexecuted(read_master(write_master()), solved=solved)))
+        notebook = json.loads(nbformat.writes(lesson_notebook(read_master(write_master()), solved=solved)))
         cells = {cell["id"]: cell for cell in notebook["cells"]}
         change(cells)
         notebook["cells"] = [cell for cell in cells.values() if cell is not None]

@@ -188,7 +188,7 @@ def test_a_new_lesson_overwrites_nothing(run, tmp_path):
     assert run("new-lesson", "42_light", "--out", "mine").exit_code == 0
     (tmp_path / "mine" / "42_light.py").write_text("changed")
     again = run("new-lesson", "42_light", "--out", "mine")
-    assert again.exit_code == 1 and "there is a lesson of that name" in again.output
+    assert again.exit_code == 1 and "a lesson with that name exists" in again.output
     assert (tmp_path / "mine" / "42_light.py").read_text() == "changed"
     with pytest.raises(MasterError, match="cannot name a lesson"):
         new_lesson("!!", tmp_path)

@@ -1,0 +1,125 @@
+"""The rules that every master follows; `masters` describes the format."""
+
+import ast
+import re
+
+VARYING_TAG = "nbval-ignore-output"
+RAISING_TAGS = ("nbval-raises-exception", "raises-exception")
+MOST_LINES = 12  # of code in a cell
+_MOST_ID_CHARACTERS = 64  # of a cell id in a notebook
+_HIDING_TAGS = re.compile(r"(hide|remove|skip)([-_]|$)|nbval-skip")
+
+
+def master_problems(master):
+    """The rules that a master breaks.
+
+    Parameters
+    ----------
+    master : Master
+
+    Returns
+    -------
+    list of str, one for each broken rule
+    """
+    problems = [*_heading_problems(master), *_name_problems(master), *_id_problems(master)]
+    code_cells = [cell for cell in master.cells if cell.kind == "code"]
+    for cell, next_cell in zip(code_cells, [*code_cells[1:], None], strict=True):
+        first_line = cell.source.splitlines()[0] if cell.source else "(empty)"
+        problems += [f"{cell.id}: {problem}\n    {first_line}" for problem in _cell_problems(cell, next_cell)]
+    return problems + [problem for exercise in master.exercises for problem in _exercise_problems(exercise)]
+
+
+def _exercise_problems(exercise):
+    if not exercise.public:
+        yield f'exercise {exercise.id} has no role="case"; without one, `check` has nothing to run'
+    if not exercise.hidden:
+        yield f'exercise {exercise.id} has no role="hidden"; an answer could copy the public values'
+    if not exercise.mistakes:
+        yield f'exercise {exercise.id} has no role="mistake"; which wrong answer do learners give?'
+    names = [mistake.name for mistake in exercise.mistakes]
+    yield from (
+        f"exercise {exercise.id} declares the mistake {name!r} twice"
+        for name in sorted(set(names))
+        if names.count(name) > 1
+    )
+
+
+def _heading_problems(master):
+    first = master.cells[0] if master.cells else None
+    if not master.title or not isinstance(master.minutes, int) or master.minutes <= 0:
+        yield "the front matter needs jupyter: imgproc_course: title: and minutes:"
+    heading = rf"# (.*\W)?{re.escape(master.title)}\W*$"
+    if first is None or first.kind != "markdown" or not re.match(heading, first.source, re.M):
+        yield f"the first cell must be markdown that begins with the heading '# {master.title}'"
+
+
+def _name_problems(master):
+    functions = {exercise.function for exercise in master.exercises}
+    for cell in master.cells:
+        if cell.kind == "code" and not cell.role:
+            for name in sorted(functions & _names_bound(cell)):
+                yield f"{cell.id} defines {name}, which is the name of an exercise's function; rename it"
+
+
+def _id_problems(master):
+    ids = [cell.id for cell in master.cells]
+    yield from (f"two cells have the id {id}" for id in sorted(set(ids)) if ids.count(id) > 1)
+    yield from (
+        f"the id {id} is longer than the {_MOST_ID_CHARACTERS} characters that a notebook allows"
+        for id in ids
+        if len(id) > _MOST_ID_CHARACTERS
+    )
+    for exercise in master.exercises:
+        if f"check-{exercise.id}-1" not in ids:
+            yield f'exercise {exercise.id} has no role="check" cell'
+
+
+def _cell_problems(cell, next_cell):
+    lines = [line for line in cell.source.splitlines() if line.strip() and not line.strip().startswith("#")]
+    if not lines:
+        yield "a code cell without code; nbval would never compare it"
+        return
+    if len(lines) > MOST_LINES and cell.role != "answer" and "long" not in cell.tags:
+        yield f'{len(lines)} lines of code, at most {MOST_LINES}; split it, or tag it "long", with a reason'
+    if any(
+        re.match(r"\s*(from\s+\S+\s+import\s+\*|%%(capture|script|html|javascript))", line) for line in lines
+    ):
+        yield "star imports and magics that hide work are refused; name each import, and show each step"
+    if lines[-1].rstrip().endswith(";"):
+        yield "ends with ';', which nbval ignores: assign the value to _ instead"
+    if any(_HIDING_TAGS.match(tag) for tag in cell.tags):
+        yield "a tag hides this cell; every cell of a lesson is visible"
+    if re.search(r"^\s*#\s*(NBVAL_|PYTEST_VALIDATE)", cell.source, re.M):
+        yield f'write instructions for nbval as a tag (tags=["{VARYING_TAG}"]), not as a comment'
+    if cell.varies and not _asserts(cell) and not (next_cell and _asserts(next_cell)):
+        yield f"tagged {VARYING_TAG}: it must contain an assert, or the next code cell must"
+    if cell.role and _parse(cell.source) is None:
+        yield f"a {cell.role} cell must be plain Python; it takes no magics"
+    if cell.role == "check" and not re.search(
+        rf"""check\(\s*["']{re.escape(cell.exercise)}["']""", cell.source
+    ):
+        yield f'must call check("{cell.exercise}", ...)'
+
+
+def _names_bound(cell):
+    """What a cell defines for the cells after it: its functions, classes and variables."""
+    module = _parse(cell.source)
+    if module is None:
+        return set()
+    definitions = {node.name for node in module.body if isinstance(node, ast.FunctionDef | ast.ClassDef)}
+    statements = [node for node in module.body if not isinstance(node, ast.FunctionDef | ast.ClassDef)]
+    names = (name for node in statements for name in ast.walk(node) if isinstance(name, ast.Name))
+    return definitions | {name.id for name in names if isinstance(name.ctx, ast.Store)}
+
+
+def _asserts(cell):
+    module = _parse(cell.source)
+    return module is not None and any(isinstance(node, ast.Assert) for node in ast.walk(module))
+
+
+def _parse(source):
+    """The syntax tree of a cell; None for a cell with a magic or an error, which running it will show."""
+    try:
+        return ast.parse(source)
+    except SyntaxError:
+        return None
