@@ -14,7 +14,12 @@ from imgproc_course.exercises.declaration import Exercise, MasterError, masters_
 from imgproc_course.exercises.feedback import explain_call
 from imgproc_course.gradebook.collect import LARGEST, too_large
 from imgproc_course.gradebook.lesson_description import LessonDescription
-from imgproc_course.gradebook.submission import AnswerState, NotebookReader, read_submission
+from imgproc_course.gradebook.submission import (
+    AnswerState,
+    NotebookReader,
+    SubmissionContent,
+    read_submission,
+)
 
 _ADVICE = {
     AnswerState.MISSING: "Open the lesson afresh and copy your function into this cell.",
@@ -48,17 +53,20 @@ class ExerciseCheck:
 class LessonCheck:
     """A checked lesson.
 
-    lesson     its name
+    content    SubmissionContent, exactly as grading reads it
     exercises  list of ExerciseCheck, in the lesson's order
-    notes      list of str, about the whole notebook
     was_run    True if the answers were run against their public checks
     """
 
     path: Path
-    lesson: str
-    exercises: list = field(default_factory=list)
-    notes: list = field(default_factory=list)
+    content: SubmissionContent
+    exercises: list
     was_run: bool = False
+
+    @property
+    def notes(self):
+        """What is unusual about the whole notebook, as a list of str."""
+        return self.content.texts_about("")
 
     @property
     def ready(self):
@@ -125,15 +133,15 @@ def check_lesson(path, folders=None):
         content = read_submission(data, catalog, reader, path.name)
     if content.reason:
         raise LessonFileError(f"{path}: {content.reason}")
-    lesson_check = LessonCheck(path, content.lesson)
-    lesson_check.notes = [finding.text for finding in content.findings if not finding.exercise]
-    for exercise in catalog.master(content.lesson).exercises:
-        state = content.states[exercise.id]
-        notes = [finding.text for finding in content.findings if finding.exercise == exercise.id]
-        notes += [_ADVICE[state]] if state in _ADVICE else []
-        answer = content.answers.get(exercise.id, "")
-        lesson_check.exercises.append(ExerciseCheck(exercise, state, answer, notes))
-    return lesson_check
+    exercises = catalog.master(content.lesson).exercises
+    return LessonCheck(path, content, [_exercise_check(exercise, content) for exercise in exercises])
+
+
+def _exercise_check(exercise, content):
+    state = content.states[exercise.id]
+    notes = content.texts_about(exercise.id)
+    notes += [_ADVICE[state]] if state in _ADVICE else []
+    return ExerciseCheck(exercise, state, content.answers.get(exercise.id, ""), notes)
 
 
 def _read(path):
@@ -213,7 +221,7 @@ def report_lines(lesson_check):
     ------
     str
     """
-    yield f"{lesson_check.path.name}: {lesson_check.lesson}"
+    yield f"{lesson_check.path.name}: {lesson_check.content.lesson}"
     yield from (f"  note: {note}" for note in lesson_check.notes)
     for entry in lesson_check.exercises:
         practice = " (practice)" if entry.exercise.practice else ""

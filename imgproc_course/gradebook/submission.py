@@ -75,6 +75,10 @@ class SubmissionContent:
         """Add a finding."""
         self.findings.append(Finding(kind, exercise, text))
 
+    def texts_about(self, exercise):
+        """The texts of the findings about an exercise; about the whole notebook if it is ""."""
+        return [finding.text for finding in self.findings if finding.exercise == exercise]
+
 
 class NotebookReader:
     """The process that reads notebooks. It starts when it is needed, and again if a notebook has ended it.
@@ -335,7 +339,7 @@ def _compare_given(exercise, cells, lesson, content):
     cells_by_id = {}
     for cell in cells:
         cells_by_id.setdefault(cell["id"], cell)
-    for id, source in lesson.cells.items():
+    for id, source in sorted(lesson.cells.items()):
         if source is None or not id.startswith((f"check-{exercise.id}-", f"given-{exercise.id}-")):
             continue
         change = _change(cells_by_id.get(id), source)

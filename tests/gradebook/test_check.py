@@ -182,7 +182,7 @@ def test_a_lesson_without_metadata_is_recognized_by_its_cells_or_its_name(lesson
     notebook["cells"] = [cell for cell in notebook["cells"] if cell["id"] != ANSWER]
     renamed = path.with_name("90_template_final.ipynb")
     renamed.write_text(json.dumps(notebook))
-    assert check_lesson(renamed).lesson == "90_template"
+    assert check_lesson(renamed).content.lesson == "90_template"
     path.write_text(json.dumps(notebook))
     with pytest.raises(LessonFileError, match=r"it is not one of the lessons .*90_template"):
         check_lesson(path)
