@@ -1,0 +1,165 @@
+# %% name="my_psnr of the cell above" origin="walk" sentence="my_psnr is defined in another cell: copy it into this cell, or import psnr from imgproc_course.imaging." must_say=["my_psnr", "cell|import"] kind="other-cell"
+def best_filter(clean, noisy, filters):
+    return max(filters, key=lambda name: my_psnr(clean, filters[name](noisy)))
+
+# %% name="psnr without its import" origin="new" sentence="psnr is imported in another cell: write from imgproc_course.imaging import psnr in this cell, too." must_say=["psnr", "import"] kind="missing-import"
+def best_filter(clean, noisy, filters):
+    best = None
+    for name in filters:
+        value = psnr(clean, filters[name](noisy))
+        if best is None or value > best_value:
+            best, best_value = name, value
+    return best
+
+# %% name="the smallest PSNR" origin="new" sentence="You keep the smallest PSNR, and a higher PSNR is cleaner: use max (or > in the loop)." must_say=["smallest|lowest|min|wrong (way|direction)|worst", "max|high|large|>|great"] kind="value"
+from imgproc_course.imaging import psnr
+
+
+def best_filter(clean, noisy, filters):
+    return min(filters, key=lambda name: psnr(clean, filters[name](noisy)))
+
+# %% name="the value instead of the name" origin="new" sentence="You return the highest PSNR; the task asks for the name of the filter that has it." must_say=["name", "PSNR|value|number|score"] kind="type"
+from imgproc_course.imaging import psnr
+
+
+def best_filter(clean, noisy, filters):
+    return max(psnr(clean, f(noisy)) for f in filters.values())
+
+# %% name="the function instead of its name" origin="new" sentence="You return the function itself (a value of the dictionary); return its key, the name." must_say=["function", "name|key"] kind="type"
+from imgproc_course.imaging import psnr
+
+
+def best_filter(clean, noisy, filters):
+    return max(filters.values(), key=lambda f: psnr(clean, f(noisy)))
+
+# %% name="the largest name of the alphabet" origin="new" sentence="max(filters) compares the names by the alphabet: give max a key that computes the PSNR of each filter." must_say=["alphabet|names|key=|letters", "PSNR|key|value"] kind="value"
+def best_filter(clean, noisy, filters):
+    return max(filters)
+
+# %% name="always median" origin="new" sentence="The median wins against salt and pepper only, and here the name is typed in: apply each filter and compare the PSNR." must_say=["median|typed|hard|fixed|always", "PSNR|each|compare|every"] kind="value"
+def best_filter(clean, noisy, filters):
+    return "median 3"
+
+# %% name="filters applied to the clean image" origin="new" sentence="You filter the clean image, but the noisy one is to be cleaned: call each filter with noisy." must_say=["clean", "noisy"] must_not_say=["compare with noisy"] kind="value"
+from imgproc_course.imaging import psnr
+
+
+def best_filter(clean, noisy, filters):
+    return max(filters, key=lambda name: psnr(clean, filters[name](clean)))
+
+# %% name="compared with noisy" origin="new" sentence="You measure against the noisy image, so the filter that changes least wins: compare the result with clean." must_say=["noisy", "clean"] kind="value"
+from imgproc_course.imaging import psnr
+
+
+def best_filter(clean, noisy, filters):
+    return max(filters, key=lambda name: psnr(noisy, filters[name](noisy)))
+
+# %% name="filter not called" origin="new" sentence="filters[name] is the function, not its result: call it with noisy, filters[name](noisy)." must_say=["function|call", "noisy|result|\\(\\)"] kind="error"
+from imgproc_course.imaging import psnr
+
+
+def best_filter(clean, noisy, filters):
+    scores = {}
+    for name, f in filters.items():
+        scores[name] = psnr(clean, f)
+    return max(scores, key=scores.get)
+
+# %% name="loop over the dictionary as pairs" origin="new" sentence="A loop over a dictionary gives its keys only: write filters.items() to get names and functions." must_say=["items|keys? only|only (the )?keys?", "dict|items|filters|function"] kind="error"
+from imgproc_course.imaging import psnr
+
+
+def best_filter(clean, noisy, filters):
+    best_name, best_value = None, -1
+    for name, f in filters:
+        value = psnr(clean, f(noisy))
+        if value > best_value:
+            best_name, best_value = name, value
+    return best_name
+
+# %% name="the best value is never updated" origin="new" sentence="You update the name but not the best value, so each filter is compared with the start value and the last one wins: store the new best value too." must_say=["update|store|remember|keep|best value|assign", "value|last|best"] kind="value"
+from imgproc_course.imaging import psnr
+
+
+def best_filter(clean, noisy, filters):
+    best_name, best_value = None, 0
+    for name, f in filters.items():
+        value = psnr(clean, f(noisy))
+        if value > best_value:
+            best_name = name
+    return best_name
+
+# %% name="return in the loop" origin="new" sentence="The return stands inside the loop, so only the first filter is tried: move it to the left, below the loop." must_say=["return", "loop|first filter|indent"] kind="value"
+from imgproc_course.imaging import psnr
+
+
+def best_filter(clean, noisy, filters):
+    best_name, best_value = None, 0
+    for name, f in filters.items():
+        value = psnr(clean, f(noisy))
+        if value > best_value:
+            best_name, best_value = name, value
+        return best_name
+
+# %% name="PSNR in uint8" origin="new" sentence="clean - result wraps around in uint8, so your PSNR is wrong: widen clean with astype(float) before you subtract." must_say=["wrap|uint8|overflow", "widen|astype|float"] kind="value"
+def best_filter(clean, noisy, filters):
+    scores = {}
+    for name, f in filters.items():
+        mse = ((clean - f(noisy)) ** 2).mean()
+        scores[name] = 10 * np.log10(255**2 / mse)
+    return max(scores, key=scores.get)
+
+# %% name="largest MSE" origin="new" sentence="A large mean squared error is bad: with the MSE take the smallest, with PSNR the largest." must_say=["MSE|error|squared", "small|min|low|PSNR"] kind="value"
+def best_filter(clean, noisy, filters):
+    errors = {}
+    for name, f in filters.items():
+        errors[name] = ((clean.astype(float) - f(noisy)) ** 2).mean()
+    return max(errors, key=errors.get)
+
+# %% name="a ranking instead of one name" origin="new" sentence="You return the whole sorted list of names: the task asks for one name, the best." must_say=["list|all|ranking|sorted", "one|single|first|best|\\[0\\]"] kind="type"
+from imgproc_course.imaging import psnr
+
+
+def best_filter(clean, noisy, filters):
+    return sorted(filters, key=lambda name: psnr(clean, filters[name](noisy)), reverse=True)
+
+# %% name="sorted upwards, first taken" origin="new" sentence="sorted() puts the smallest PSNR first, so [0] is the worst filter: take the last one, [-1], or sort with reverse=True." must_say=["smallest|ascend|upward|worst|lowest|order", "last|-1|reverse|max|highest"] kind="value"
+from imgproc_course.imaging import psnr
+
+
+def best_filter(clean, noisy, filters):
+    return sorted(filters, key=lambda name: psnr(clean, filters[name](noisy)))[0]
+
+# %% name="print instead of return" origin="new" sentence="You print the best name and return nothing: use return." must_say=["return", "print"] kind="no-return"
+from imgproc_course.imaging import psnr
+
+
+def best_filter(clean, noisy, filters):
+    print(max(filters, key=lambda name: psnr(clean, filters[name](noisy))))
+
+# %% name="index of argmax" origin="new" sentence="np.argmax gives the position of the best score, a number: look the name up with list(filters)[position]." must_say=["position|index|number|argmax", "name"] kind="type"
+from imgproc_course.imaging import psnr
+
+
+def best_filter(clean, noisy, filters):
+    return np.argmax([psnr(clean, f(noisy)) for f in filters.values()])
+
+# %% name="global filters of the lesson" origin="new" sentence="You use the four filters of the lesson by name, but the function gets its own dictionary: loop over filters." must_say=["lesson|own|fixed|hard|by name|KeyError|key", "filters|dict|loop"] kind="error"
+from imgproc_course.imaging import psnr
+
+
+def best_filter(clean, noisy, filters):
+    best = "box 3"
+    for name in ["box 3", "Gaussian 1.5", "median 3", "bilateral"]:
+        if psnr(clean, filters[name](noisy)) > psnr(clean, filters[best](noisy)):
+            best = name
+    return best
+
+# %% name="two names of filters shadowed" origin="new" sentence="for filters in filters writes over the dictionary with a name, so filters[...] then indexes a text: give the loop variable another name." must_say=["name|variable|overwrit|writes over|shadow", "filters"] kind="error"
+from imgproc_course.imaging import psnr
+
+
+def best_filter(clean, noisy, filters):
+    scores = {}
+    for filters in filters:
+        scores[filters] = psnr(clean, filters[filters](noisy))
+    return max(scores, key=scores.get)

@@ -1,0 +1,115 @@
+# %% name="print instead of return" origin="walk" sentence="Your function prints the number but returns nothing: give it back with return, because print only shows it." must_say=["return", "print"] kind="no-return"
+def count_pixels(frame):
+    print(frame.shape[0] * frame.shape[1])
+
+# %% name="size counts channels, divided with /" origin="walk" sentence="The value is right, but / makes a float; a count is a whole number, so divide with // (or call int())." must_say=["float|whole number|integer|\\bint\\b", "//|int\\("] must_not_say=["channel"] kind="type"
+def count_pixels(frame):
+    return frame.size / 3
+
+# %% name="no parameter, global frame" origin="walk" sentence="Your function takes no argument, but it is called with a frame: write count_pixels(frame) and use that parameter, not the frame of another cell." must_say=["argument|parameter", "frame"] must_not_say=["define frame"] kind="error"
+def count_pixels():
+    return frame.shape[0] * frame.shape[1]
+
+# %% name="function renamed" origin="walk" sentence="The exercise needs a function with the name count_pixels, and this cell defines countpixels: use the name of the task." must_say=["name|called|defin", "count_pixels"] kind="other-name"
+def countpixels(frame):
+    return frame.shape[0] * frame.shape[1]
+
+# %% name="size counts every channel" origin="new" sentence="frame.size counts all numbers in the array, three for each pixel (one per channel): multiply rows by columns only." must_say=["three|\\b3\\b|channel", "row|column|pixel"] kind="value"
+def count_pixels(frame):
+    return frame.size
+
+# %% name="all three of shape multiplied" origin="new" sentence="You also multiply by the 3 channels: a pixel has three numbers, but it is one pixel, so leave the last number of the shape out." must_say=["three|\\b3\\b|channel", "pixel|row|column"] kind="value"
+def count_pixels(frame):
+    height, width, channels = frame.shape
+    return height * width * channels
+
+# %% name="hard-coded 720 x 1280" origin="new" sentence="921600 is right only for the frame of the lesson: other images have another size, so compute the number from frame.shape." must_say=["shape|other (image|frame|size)|another size|fixed|hard", "frame|image|size"] kind="value"
+def count_pixels(frame):
+    return 720 * 1280
+
+# %% name="len counts only the rows" origin="new" sentence="len(frame) is the number of rows only: multiply it by the number of columns, frame.shape[1]." must_say=["row", "column|shape\\[1\\]|width"] kind="value"
+def count_pixels(frame):
+    return len(frame)
+
+# %% name="rows plus columns" origin="new" sentence="You add rows and columns; a grid of rows and columns has rows times columns pixels, so multiply." must_say=["add|sum|\\+|plus", "multipl|times|product|\\*|×"] kind="value"
+def count_pixels(frame):
+    rows = frame.shape[0]
+    columns = frame.shape[1]
+    return rows + columns
+
+# %% name="shape indexed from 1" origin="new" sentence="Python counts from 0: the rows are shape[0] and the columns shape[1], while shape[2] is the number of channels." must_say=["shape\\[0\\]|from 0|from zero|first", "channel|shape\\[2\\]|row|index"] kind="value"
+def count_pixels(frame):
+    return frame.shape[1] * frame.shape[2]
+
+# %% name="rows and columns as a tuple" origin="new" sentence="You return two numbers, the rows and the columns, as a tuple: the task asks for one number, so multiply them." must_say=["tuple|two (numbers|values)|pair", "multipl|one (whole )?number|product|times"] kind="type"
+def count_pixels(frame):
+    return frame.shape[0], frame.shape[1]
+
+# %% name="only the pixels that are not black" origin="new" sentence="np.count_nonzero counts the values that are not 0, so black pixels are lost and each channel counts: the values do not matter here, only the shape does." must_say=["zero|black|\\b0\\b", "shape|value|row|every pixel|all pixels"] kind="value"
+def count_pixels(frame):
+    return np.count_nonzero(frame)
+
+# %% name="return forgotten" origin="new" sentence="You compute the number but never give it back: end the function with return." must_say=["return"] must_not_say=["print"] kind="no-return"
+def count_pixels(frame):
+    rows = frame.shape[0]
+    columns = frame.shape[1]
+    pixels = rows * columns
+
+# %% name="shape called like a function" origin="new" sentence="shape is a tuple, not a function: take its parts with square brackets, frame.shape[0]." must_say=["tuple|not a function|not callable|cannot be called", "bracket|\\[0\\]|\\[ *\\]"] kind="error"
+def count_pixels(frame):
+    return frame.shape(0) * frame.shape(1)
+
+# %% name="three numbers unpacked into two names" origin="new" sentence="frame.shape has three numbers here (rows, columns, channels) and you give it only two names: take frame.shape[:2], or add a third name." must_say=["three|\\b3\\b|too many", "two|\\b2\\b|unpack|names|\\[:2\\]|third"] kind="error"
+def count_pixels(frame):
+    rows, columns = frame.shape
+    return rows * columns
+
+# %% name="text instead of a number" origin="new" sentence="You return a text (str), but a number was asked for: return rows * columns without the f-string." must_say=["text|string|\\bstr\\b", "number|int"] kind="type"
+def count_pixels(frame):
+    return f"{frame.shape[0] * frame.shape[1]}"
+
+# %% name="return inside the loop" origin="new" sentence="The return stands inside the outer loop, so the function ends after the first row: move it to the left, below the loops." must_say=["return", "loop|indent|first row|too early"] kind="value"
+def count_pixels(frame):
+    count = 0
+    for row in frame:
+        for pixel in row:
+            count += 1
+        return count
+
+# %% name="loops end one early" origin="new" sentence="range(n) already stops before n, so with range(n - 1) the last row and the last column are not counted: use range(n)." must_say=["range|last|one (row|too few|less|early)|- 1|off by one", "row|column|range"] kind="value"
+def count_pixels(frame):
+    count = 0
+    for y in range(frame.shape[0] - 1):
+        for x in range(frame.shape[1] - 1):
+            count = count + 1
+    return count
+
+# %% name="raise left in place" origin="new" sentence="The line with raise is still there, so your own line below it never runs: delete the raise line." must_say=["raise|NotImplemented|stub", "delete|remove|still|attempt"] kind="error"
+def count_pixels(frame):
+    raise NotImplementedError("your turn: delete this line and write the function")
+    return frame.shape[0] * frame.shape[1]
+
+# %% name="colon forgotten" origin="new" sentence="Python cannot read this cell: the def line must end with a colon." must_say=["colon|':'|syntax"] kind="syntax"
+def count_pixels(frame)
+    return frame.shape[0] * frame.shape[1]
+
+# %% name="sum of the values" origin="new" sentence="sum adds up the values of the pixels instead of counting the pixels: use the shape of the array." must_say=["sum|add", "shape|count|row"] kind="value"
+def count_pixels(frame):
+    return frame.sum()
+
+# %% name="fields of a message on an array" origin="new" sentence="A NumPy array has no height and width: its rows and columns stand in frame.shape." must_say=["height|attribute|has no", "shape"] kind="error"
+def count_pixels(frame):
+    return frame.height * frame.width
+
+# %% name="function of a library without its import" origin="new" sentence="The name math is not known in this cell: write import math in it, or multiply the two numbers yourself." must_say=["math", "import"] kind="missing-import"
+def count_pixels(frame):
+    return math.prod(frame.shape[:2])
+
+# %% name="shape of another cell's frame" origin="new" sentence="You read the frame from recording, a name of another cell: use the frame that your function receives as its argument." must_say=["recording|another cell|other cell", "argument|parameter|receive|cell"] kind="other-cell"
+def count_pixels(frame):
+    first = recording.frame(0)
+    return first.shape[0] * first.shape[1]
+
+# %% name="number of different values" origin="new" sentence="np.unique lists the different values, so you count gray levels and not pixels: multiply the rows by the columns." must_say=["unique|different|distinct|gray level", "row|column|shape|pixel"] kind="value"
+def count_pixels(frame):
+    return len(np.unique(frame))
