@@ -1,0 +1,276 @@
+# %% name="one sweep from the top left" origin="walk" sentence="One sweep over the image is not enough: a chain that runs up or to the left is not followed, so repeat until nothing changes." must_say=["sweep|one pass|once|one time|single pass", "repeat|until|again|while"] must_not_say=["corner"] kind="value"
+def grow(weak, strong):
+    edges = strong.copy()
+    h, w = weak.shape
+    for y in range(h):
+        for x in range(w):
+            if weak[y, x] and edges[max(y - 1, 0) : y + 2, max(x - 1, 0) : x + 2].any():
+                edges[y, x] = True
+    return np.where(edges, 255, 0).astype(np.uint8)
+
+# %% name="four neighbours" origin="walk" sentence="You look at four neighbours only; pixels that touch at a corner count too, so look at all eight." must_say=["four|\\b4\\b|corner|diagonal", "eight|\\b8\\b|corner|diagonal"] must_not_say=["repeat"] kind="value"
+def grow(weak, strong):
+    edges = strong.copy()
+    while True:
+        p = np.pad(edges, 1)
+        near = p[1:-1, :-2] | p[1:-1, 2:] | p[:-2, 1:-1] | p[2:, 1:-1]
+        new = edges | (weak & near)
+        if (new == edges).all():
+            break
+        edges = new
+    return np.where(edges, 255, 0).astype(np.uint8)
+
+# %% name="one step of growth" origin="walk" sentence="You grow by one step only; edges grow along the whole chain, so repeat the step until nothing changes." must_say=["one step|once|step|single", "repeat|until|again|while|loop|chain"] must_not_say=["corner"] kind="value"
+def grow(weak, strong):
+    p = np.pad(strong, 1)
+    h, w = strong.shape
+    near = np.any([p[y : y + h, x : x + w] for y in range(3) for x in range(3)], axis=0)
+    return np.where(strong | (weak & near), 255, 0).astype(np.uint8)
+
+# %% name="bool result" origin="new" sentence="The edges are right, but they are bool: the task asks for uint8, 255 where an edge is and 0 elsewhere." must_say=["bool|True|dtype", "255|uint8"] must_not_say=["repeat", "corner"] kind="dtype"
+def grow(weak, strong):
+    edges = strong.copy()
+    h, w = edges.shape
+    for _ in range(h * w):
+        p = np.pad(edges, 1)
+        near = np.any([p[y : y + h, x : x + w] for y in range(3) for x in range(3)], axis=0)
+        new = edges | (weak & near)
+        if (new == edges).all():
+            break
+        edges = new
+    return edges
+
+# %% name="0 and 1 instead of 0 and 255" origin="new" sentence="astype(np.uint8) makes 1 of True; an edge must be 255: use np.where(edges, 255, 0), or multiply by 255." must_say=["\\b1\\b|True", "255"] kind="value"
+def grow(weak, strong):
+    edges = strong.copy()
+    h, w = edges.shape
+    for _ in range(h * w):
+        p = np.pad(edges, 1)
+        near = np.any([p[y : y + h, x : x + w] for y in range(3) for x in range(3)], axis=0)
+        new = edges | (weak & near)
+        if (new == edges).all():
+            break
+        edges = new
+    return edges.astype(np.uint8)
+
+# %% name="int64 from np.where" origin="new" sentence="The values are right, but np.where(edges, 255, 0) makes int64: add .astype(np.uint8)." must_say=["int64|dtype", "uint8"] kind="dtype"
+def grow(weak, strong):
+    edges = strong.copy()
+    h, w = edges.shape
+    for _ in range(h * w):
+        p = np.pad(edges, 1)
+        near = np.any([p[y : y + h, x : x + w] for y in range(3) for x in range(3)], axis=0)
+        new = edges | (weak & near)
+        if (new == edges).all():
+            break
+        edges = new
+    return np.where(edges, 255, 0)
+
+# %% name="weak pixels all kept" origin="new" sentence="You keep every weak pixel; a weak pixel is an edge only if a chain leads from it to a strong one." must_say=["weak|candidate", "chain|connect|touch|strong|seed"] must_not_say=["corner"] kind="value"
+def grow(weak, strong):
+    return np.where(weak | strong, 255, 0).astype(np.uint8)
+
+# %% name="only the strong pixels" origin="new" sentence="You return the strong pixels alone; the weak pixels that are connected with them are edges, too." must_say=["strong|seed", "weak|candidate|grow"] kind="value"
+def grow(weak, strong):
+    return np.where(strong, 255, 0).astype(np.uint8)
+
+# %% name="grows over everything" origin="new" sentence="Your edges grow over pixels that are neither weak nor strong: keep a new pixel only where weak is True." must_say=["weak|candidate", "only|neither|not weak|where|limit|&"] kind="value"
+def grow(weak, strong):
+    edges = strong.copy()
+    h, w = edges.shape
+    for _ in range(h + w):
+        p = np.pad(edges, 1)
+        edges = np.any([p[y : y + h, x : x + w] for y in range(3) for x in range(3)], axis=0)
+    return np.where(edges, 255, 0).astype(np.uint8)
+
+# %% name="fixed number of steps" origin="new" sentence="You grow a fixed number of 10 steps; a long chain needs more, so repeat until nothing changes." must_say=["fixed|10|number of steps|long|steps", "until|while|nothing changes|no more"] kind="value"
+def grow(weak, strong):
+    edges = strong.copy()
+    h, w = edges.shape
+    for _ in range(10):
+        p = np.pad(edges, 1)
+        near = np.any([p[y : y + h, x : x + w] for y in range(3) for x in range(3)], axis=0)
+        edges = edges | (weak & near)
+    return np.where(edges, 255, 0).astype(np.uint8)
+
+# %% name="strong pixels lost" origin="new" sentence="In your loop a new step keeps only the weak pixels, and the strong ones are lost: combine with | so that edges stay edges." must_say=["strong|seed|edges", "lost|lose|disappear|stay|keep|\\|"] kind="value"
+def grow(weak, strong):
+    edges = strong.copy()
+    h, w = edges.shape
+    only_weak = weak & ~strong
+    for _ in range(h * w):
+        p = np.pad(edges, 1)
+        near = np.any([p[y : y + h, x : x + w] for y in range(3) for x in range(3)], axis=0)
+        new = only_weak & near
+        if (new == edges).all():
+            break
+        edges = new
+    return np.where(edges, 255, 0).astype(np.uint8)
+
+# %% name="arguments exchanged" origin="new" sentence="You start from the weak pixels and grow into the strong ones; it is the other way round: start from strong." must_say=["weak", "strong", "other way|swap|exchang|start|wrong|revers"] kind="value"
+def grow(weak, strong):
+    edges = weak.copy()
+    h, w = edges.shape
+    for _ in range(h * w):
+        p = np.pad(edges, 1)
+        near = np.any([p[y : y + h, x : x + w] for y in range(3) for x in range(3)], axis=0)
+        new = edges | (strong & near)
+        if (new == edges).all():
+            break
+        edges = new
+    return np.where(edges, 255, 0).astype(np.uint8)
+
+# %% name="wraps at the border" origin="new" sentence="np.roll connects the left border with the right one and the top with the bottom: pad with False and take slices instead." must_say=["roll|opposite|wrap|other side|left border", "pad|border|slice"] kind="value"
+def grow(weak, strong):
+    edges = strong.copy()
+    while True:
+        near = np.zeros_like(edges)
+        for dy in (-1, 0, 1):
+            for dx in (-1, 0, 1):
+                near |= np.roll(edges, (dy, dx), axis=(0, 1))
+        new = edges | (weak & near)
+        if (new == edges).all():
+            break
+        edges = new
+    return np.where(edges, 255, 0).astype(np.uint8)
+
+# %% name="border pixels never grow" origin="new" sentence="Your loop leaves the border pixels out, so a chain along the border is not followed: pad the image, or cut the window at the border." must_say=["border|outermost", "pad|visit|cut|loop|all pixels|leave"] must_not_say=["corner"] kind="value"
+def grow(weak, strong):
+    edges = strong.copy()
+    h, w = edges.shape
+    changed = True
+    while changed:
+        changed = False
+        for y in range(1, h - 1):
+            for x in range(1, w - 1):
+                if weak[y, x] and not edges[y, x] and edges[y - 1 : y + 2, x - 1 : x + 2].any():
+                    edges[y, x] = True
+                    changed = True
+    return np.where(edges, 255, 0).astype(np.uint8)
+
+# %% name="index outside at the border" origin="new" sentence="edges[y + 1, x + 1] is outside the image at the lower and right border: check the limits, or pad first." must_say=["outside|out of (bounds|range)|border|beyond", "pad|check|limit|border"] kind="error"
+def grow(weak, strong):
+    edges = strong.copy()
+    h, w = edges.shape
+    changed = True
+    while changed:
+        changed = False
+        for y in range(h):
+            for x in range(w):
+                if weak[y, x] and not edges[y, x]:
+                    for dy in (-1, 0, 1):
+                        for dx in (-1, 0, 1):
+                            if edges[y + dy, x + dx]:
+                                edges[y, x] = True
+                                changed = True
+    return np.where(edges, 255, 0).astype(np.uint8)
+
+# %% name="strong changed in place" origin="new" sentence="edges = strong is only another name for the same array, so the input is changed: write edges = strong.copy()." must_say=["same array|another name|input|chang|view|alias", "copy"] kind="input-changed"
+def grow(weak, strong):
+    edges = strong
+    h, w = edges.shape
+    changed = True
+    while changed:
+        changed = False
+        for y in range(h):
+            for x in range(w):
+                if weak[y, x] and not edges[y, x] and edges[max(y - 1, 0) : y + 2, max(x - 1, 0) : x + 2].any():
+                    edges[y, x] = True
+                    changed = True
+    return np.where(edges, 255, 0).astype(np.uint8)
+
+# %% name="loop that never ends" origin="new" sentence="edges |= ... changes the same array that old points to, so the loop compares it with itself or never sees an end: keep a copy of the old edges, and stop when nothing changed." must_say=["never ends|endless|for ever|forever|stop|end", "copy|nothing chang|chang"] kind="too-slow"
+def grow(weak, strong):
+    edges = strong.copy()
+    h, w = edges.shape
+    changed = True
+    while changed:
+        p = np.pad(edges, 1)
+        near = np.any([p[y : y + h, x : x + w] for y in range(3) for x in range(3)], axis=0)
+        edges = edges | (weak & near)
+        changed = edges.any() or True
+    return np.where(edges, 255, 0).astype(np.uint8)
+
+# %% name="compared with itself, one step" origin="new" sentence="old = edges is the same array, so old and edges are always equal and the loop stops after one step: write old = edges.copy()." must_say=["same array|itself|always equal|another name", "copy"] kind="value"
+def grow(weak, strong):
+    edges = strong.copy()
+    h, w = edges.shape
+    while True:
+        old = edges
+        p = np.pad(edges, 1)
+        near = np.any([p[y : y + h, x : x + w] for y in range(3) for x in range(3)], axis=0)
+        edges |= weak & near
+        if (old == edges).all():
+            break
+    return np.where(edges, 255, 0).astype(np.uint8)
+
+# %% name="grow_once of the lesson" origin="new" sentence="grow_once is defined in another cell: copy its definition into this cell." must_say=["grow_once|another cell|other cell", "copy|define|cell"] kind="other-cell"
+def grow(weak, strong):
+    edges = strong
+    for _ in range(weak.size):
+        edges = grow_once(edges, weak) | strong
+    return np.where(edges, 255, 0).astype(np.uint8)
+
+# %% name="cv2 finds the components" origin="new" sentence="cv2 is refused in this task: let the edges grow step by step with NumPy." must_say=["cv2|opencv", "refus|not allowed|numpy|yourself|by hand|forbid"] kind="refused"
+import cv2
+
+
+def grow(weak, strong):
+    both = (weak | strong).astype(np.uint8)
+    _, labels = cv2.connectedComponents(both, connectivity=8)
+    keep = np.unique(labels[strong])
+    return np.where(np.isin(labels, keep) & (both > 0), 255, 0).astype(np.uint8)
+
+# %% name="scipy finds the components" origin="new" sentence="scipy is refused in this task: let the edges grow step by step with NumPy." must_say=["scipy|ndimage", "refus|not allowed|numpy|yourself|by hand|forbid"] kind="refused"
+from scipy import ndimage
+
+
+def grow(weak, strong):
+    labels, _ = ndimage.label(weak | strong, structure=np.ones((3, 3)))
+    keep = np.unique(labels[strong])
+    return np.where(np.isin(labels, keep[keep > 0]), 255, 0).astype(np.uint8)
+
+# %% name="window cut one short" origin="new" sentence="The slice y - 1 : y + 1 ends before y + 1, so the row below and the column to the right are not looked at: write y + 2 and x + 2." must_say=["slice|ends? before|below|right|window", "\\+ ?2|below|right|row"] kind="value"
+def grow(weak, strong):
+    edges = strong.copy()
+    h, w = edges.shape
+    changed = True
+    while changed:
+        changed = False
+        for y in range(h):
+            for x in range(w):
+                if weak[y, x] and not edges[y, x] and edges[max(y - 1, 0) : y + 1, max(x - 1, 0) : x + 1].any():
+                    edges[y, x] = True
+                    changed = True
+    return np.where(edges, 255, 0).astype(np.uint8)
+
+# %% name="recursion without a memory" origin="new" sentence="Your function calls itself for pixels that it has visited already, so it never ends: mark each pixel as an edge before you go on to its neighbours." must_say=["recurs|calls itself|visited", "mark|visited|already|stop|memory"] kind="error"
+def grow(weak, strong):
+    h, w = weak.shape
+    out = np.zeros((h, w), np.uint8)
+
+    def visit(y, x):
+        if not (0 <= y < h and 0 <= x < w) or not (weak[y, x] or strong[y, x]):
+            return
+        for dy in (-1, 0, 1):
+            for dx in (-1, 0, 1):
+                if (dy, dx) != (0, 0):
+                    visit(y + dy, x + dx)
+        out[y, x] = 255
+
+    for y, x in np.argwhere(strong):
+        visit(y, x)
+    return out
+
+# %% name="return forgotten" origin="new" sentence="The edges are found and never given back: add return at the end." must_say=["return"] kind="no-return"
+def grow(weak, strong):
+    edges = strong.copy()
+    h, w = edges.shape
+    for _ in range(h * w):
+        p = np.pad(edges, 1)
+        near = np.any([p[y : y + h, x : x + w] for y in range(3) for x in range(3)], axis=0)
+        new = edges | (weak & near)
+        if (new == edges).all():
+            break
+        edges = new
+    result = np.where(edges, 255, 0).astype(np.uint8)
