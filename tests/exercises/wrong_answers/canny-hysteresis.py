@@ -179,16 +179,17 @@ def grow(weak, strong):
                     changed = True
     return np.where(edges, 255, 0).astype(np.uint8)
 
-# %% name="loop that never ends" origin="new" sentence="edges |= ... changes the same array that old points to, so the loop compares it with itself or never sees an end: keep a copy of the old edges, and stop when nothing changed." must_say=["never ends|endless|for ever|forever|stop|end", "copy|nothing chang|chang"] kind="too-slow"
+# %% name="loop that never ends" origin="new" sentence="Your loop never ends: it waits until no weak pixel touches an edge, but the pixels that are edges already still touch; stop when a step changed nothing." must_say=["never ends|endless|for ever|forever|stop|end", "chang|already|new pixel"] kind="too-slow"
 def grow(weak, strong):
     edges = strong.copy()
     h, w = edges.shape
-    changed = True
-    while changed:
+    while True:
         p = np.pad(edges, 1)
         near = np.any([p[y : y + h, x : x + w] for y in range(3) for x in range(3)], axis=0)
-        edges = edges | (weak & near)
-        changed = edges.any() or True
+        touched = weak & near
+        if not touched.any():
+            break
+        edges = edges | touched
     return np.where(edges, 255, 0).astype(np.uint8)
 
 # %% name="compared with itself, one step" origin="new" sentence="old = edges is the same array, so old and edges are always equal and the loop stops after one step: write old = edges.copy()." must_say=["same array|itself|always equal|another name", "copy"] kind="value"

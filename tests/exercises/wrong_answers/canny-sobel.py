@@ -158,8 +158,9 @@ import cv2
 
 
 def my_sobel(gray):
-    grad_row = cv2.Sobel(gray, cv2.CV_32S, 0, 1, borderType=cv2.BORDER_REPLICATE)
-    return grad_row, cv2.Sobel(gray, cv2.CV_32S, 1, 0, borderType=cv2.BORDER_REPLICATE)
+    grad_row = cv2.Sobel(gray, cv2.CV_16S, 0, 1, borderType=cv2.BORDER_REPLICATE)
+    grad_col = cv2.Sobel(gray, cv2.CV_16S, 1, 0, borderType=cv2.BORDER_REPLICATE)
+    return grad_row.astype(np.int32), grad_col.astype(np.int32)
 
 # %% name="the course's sobel" origin="new" sentence="sobel is the course's own function, from another cell: the task is to write it yourself." must_say=["sobel|course|another cell", "yourself|refus|own|write|import"] kind="other-cell"
 def my_sobel(gray):

@@ -316,7 +316,7 @@ def f1_score(edges, outlines, tolerance):
     recall = int((outlines & grow(found)).sum()) / int(outlines.sum())
     return 2 * precision * recall / (precision + recall)
 
-# %% name="bitwise and of 255 and True" origin="new" sentence="edges is uint8 and outlines bool, and 255 & True gives 1, not a mask: compare first, (edges > 0) & outlines." must_say=["255|uint8|mask|bool", "> ?0|compare|== ?255|astype\\(bool"] kind="error"
+# %% name="bitwise and of 255 and True" origin="new" sentence="edges holds 255 and the mask True, and 255 & True is 1: make a mask of edges first, edges > 0, and count with it." must_say=["255|uint8", "> ?0|compare|== ?255|astype\\(bool|mask"] kind="value"
 def f1_score(edges, outlines, tolerance):
     t = tolerance
 
@@ -325,9 +325,13 @@ def f1_score(edges, outlines, tolerance):
         p = np.pad(mask, t)
         return np.any([p[y : y + h, x : x + w] for y in range(2 * t + 1) for x in range(2 * t + 1)], axis=0)
 
-    near_outlines = outlines[grow(outlines)]
-    hits = edges[near_outlines]
-    return float(hits.sum() / edges.sum())
+    if not edges.any() or not outlines.any():
+        return 0.0
+    precision = (edges & grow(outlines)).sum() / edges.sum()
+    recall = (outlines & grow(edges > 0)).sum() / outlines.sum()
+    if precision + recall == 0:
+        return 0.0
+    return float(2 * precision * recall / (precision + recall))
 
 # %% name="edges are 1, not 255" origin="new" sentence="You look for edges == 1, but an edge pixel is 255: write edges > 0 or edges == 255." must_say=["255", "\\b1\\b|> ?0|== ?255"] kind="value"
 def f1_score(edges, outlines, tolerance):

@@ -106,7 +106,7 @@ def executable_of(install, package):
 def executable_of(install, package):
     from pathlib import Path
 
-    return str(Path("workspace", install, package, "lib", package, package).resolve())
+    return str((Path(install) / package / "lib" / package / package).resolve())
 
 # %% name="quotes not closed" origin="new" sentence="Python cannot read this line: the text is opened with a quote and never closed." must_say=["quot|syntax|closed|string"] kind="syntax"
 def executable_of(install, package):
