@@ -144,7 +144,7 @@ def otsu(gray):
         variances.append(low.size / gray.size * high.size / gray.size * (np.mean(low) - np.mean(high)) ** 2)
     return int(np.argmax(variances))
 
-# %% name="empty image of one gray level" origin="new" sentence="If the image has only one gray level, no t splits it and best_t is never set: give it a start value before the loop." must_say=["one (gray )?level|never set|never assigned|no (t|threshold)|before (the|it)|start value|undefined|unbound", "start|before|set|value|assign"] kind="error"
+# %% name="empty image of one gray level" origin="new" sentence="If the image has only one gray level, no t splits it and best_t is never set: give it a start value before the loop." must_say=["one (gray )?level|never set|never assigned|no (t|threshold)|before (the|it)|start value|undefined|unbound", "start|before|set|value|assign"] kind="error" passes=true
 def otsu(gray):
     best = 0.0
     for t in range(256):
@@ -157,7 +157,7 @@ def otsu(gray):
             best_t = t
     return best_t
 
-# %% name="histogram by range with a last bin missing" origin="new" sentence="range(1, 254) leaves out the first and the last thresholds: try all of them, range(256)." must_say=["range|leaves? out|missing|skip|not tried|all", "256|first|last|every|all"] kind="value"
+# %% name="histogram by range with a last bin missing" origin="new" sentence="range(1, 254) leaves out the first and the last thresholds: try all of them, range(256)." must_say=["range|leaves? out|missing|skip|not tried|all", "256|first|last|every|all"] kind="value" passes=true
 def otsu(gray):
     best, best_t = -1.0, 1
     for t in range(1, 254):

@@ -276,7 +276,7 @@ def suppress(magnitude, sector):
                 out[y, x] = m
     return out
 
-# %% name="and between arrays" origin="new" sentence="and works on single values only; between two arrays write & and put each comparison in parentheses." must_say=["\\band\\b|single|array|ambiguous", "&|logical_and"] kind="error"
+# %% name="and between arrays" origin="walk" sentence="and works on single values only; between two arrays write & and put each comparison in parentheses." must_say=["\\band\\b|single|array|ambiguous", "&|logical_and"] kind="error"
 def suppress(magnitude, sector):
     p = np.pad(magnitude, 1)
     m = magnitude

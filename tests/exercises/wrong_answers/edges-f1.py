@@ -300,7 +300,7 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return float((found & outlines).sum() / union)
 
-# %% name="nothing on the other divides by zero" origin="new" sentence="When nothing lies on the other, precision and recall are both 0 and you divide by 0: return 0.0 first." must_say=["zero|\\b0\\b|nan", "precision|recall|nothing|both", "return|divi|first|case"] kind="error"
+# %% name="nothing on the other divides by zero" origin="new" sentence="When nothing lies on the other, precision and recall are both 0 and you divide by 0: return 0.0 first." must_say=["zero|\\b0\\b|nan", "precision|recall|nothing|both", "return|divi|first|case"] kind="error" passes=true
 def f1_score(edges, outlines, tolerance):
     t = tolerance
 
@@ -387,7 +387,7 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return round(float(2 * precision * recall / (precision + recall)), 2)
 
-# %% name="cv2.dilate" origin="new" sentence="cv2 is refused in this task: look at the shifted slices of a padded mask instead of cv2.dilate." must_say=["cv2|opencv|dilate", "refus|not allowed|numpy|yourself|by hand|slice|forbid"] kind="refused"
+# %% name="cv2.dilate" origin="walk" sentence="cv2 is refused in this task: look at the shifted slices of a padded mask instead of cv2.dilate." must_say=["cv2|opencv|dilate", "refus|not allowed|numpy|yourself|by hand|slice|forbid"] kind="refused"
 import cv2
 
 

@@ -46,7 +46,7 @@ def luma(bgr):
     weights = np.array([3735, 19235, 9798])
     return ((bgr * weights).sum(axis=0) + 2**14 >> 15).astype(np.uint8)
 
-# %% name="weights as uint8 multiplication" origin="new" sentence="3735 does not fit into uint8, the dtype of your channels: widen them with astype(np.uint32) before you multiply." must_say=["uint8|fit|overflow|255", "widen|astype|uint32|int"] kind="error"
+# %% name="weights as uint8 multiplication" origin="walk" sentence="3735 does not fit into uint8, the dtype of your channels: widen them with astype(np.uint32) before you multiply." must_say=["uint8|fit|overflow|255", "widen|astype|uint32|int"] kind="error"
 def luma(bgr):
     return (bgr[..., 0] * 3735 + bgr[..., 1] * 19235 + bgr[..., 2] * 9798 + 2**14) >> 15
 
@@ -81,7 +81,7 @@ from imgproc_course.imaging import to_gray
 def luma(bgr):
     return to_gray(bgr)
 
-# %% name="PIL copied from the web" origin="new" sentence="Image.fromarray takes the channels as red, green, blue, but your frame has blue first; compute the weighted sum with NumPy instead." must_say=["PIL|pillow|fromarray|convert|library|refus|blue", "numpy|blue|weight|order|yourself"] kind="refused"
+# %% name="PIL copied from the web" origin="new" sentence="Image.fromarray takes the channels as red, green, blue, but your frame has blue first; compute the weighted sum with NumPy instead." must_say=["PIL|pillow|fromarray|convert|library|refus|blue", "numpy|blue|weight|order|yourself"] kind="value"
 from PIL import Image
 
 
@@ -93,7 +93,7 @@ def luma(bgr):
     blue, green, red = 30, 60, 220
     return (blue * 3735 + green * 19235 + red * 9798 + 2**14) >> 15
 
-# %% name="loop writes a list" origin="new" sentence="You return a list of lists, and an array was asked for: put the values into np.array(rows, dtype=np.uint8)." must_say=["list", "array"] kind="type"
+# %% name="loop writes a list" origin="walk" sentence="You return a list of lists, and an array was asked for: put the values into np.array(rows, dtype=np.uint8)." must_say=["list", "array"] kind="type"
 def luma(bgr):
     rows = []
     for y in range(bgr.shape[0]):

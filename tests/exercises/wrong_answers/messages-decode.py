@@ -1,4 +1,4 @@
-# %% name="mono16 read as bytes" origin="walk" sentence="A mono16 pixel takes two bytes, and you read every byte as a pixel: for mono16 read the data as uint16." must_say=["two bytes|2 bytes|16", "uint16|u2|mono16"] kind="value"
+# %% name="mono16 read as bytes" origin="walk" sentence="A mono16 pixel takes two bytes, and you read every byte as a pixel: for mono16 read the data as uint16." must_say=["two bytes|2 bytes|16", "uint16|u2|mono16"] kind="dtype"
 def decode(message):
     rows = np.frombuffer(message.data, np.uint8).reshape(message.height, message.step)
     if message.encoding in ("rgb8", "bgr8"):
@@ -93,9 +93,10 @@ def decode(message):
     if message.encoding == "mono16":
         order = ">u2" if message.is_bigendian else "<u2"
         return np.frombuffer(message.data, order).reshape(h, message.step // 2).astype(np.uint16)
-    return flat.reshape(h, message.step // 3, 3)
+    rows = flat.reshape(h, message.step)
+    return rows[:, : message.step // 3 * 3].reshape(h, message.step // 3, 3)
 
-# %% name="mono16 as uint8 after reading" origin="new" sentence="You read the right numbers and then narrow them to uint8, so everything above 255 is lost: mono16 stays uint16." must_say=["uint8|255|narrow", "uint16"] kind="value"
+# %% name="mono16 as uint8 after reading" origin="new" sentence="You read the right numbers and then narrow them to uint8, so everything above 255 is lost: mono16 stays uint16." must_say=["uint8|255|narrow", "uint16"] kind="dtype"
 def decode(message):
     h, w = message.height, message.width
     rows = np.frombuffer(message.data, np.uint8).reshape(h, message.step)

@@ -32,7 +32,7 @@ from imgproc_course.imaging import psnr
 def best_filter(clean, noisy, filters):
     return max(filters.values(), key=lambda f: psnr(clean, f(noisy)))
 
-# %% name="the largest name of the alphabet" origin="new" sentence="max(filters) compares the names by the alphabet: give max a key that computes the PSNR of each filter." must_say=["alphabet|names|key=|letters", "PSNR|key|value"] kind="value"
+# %% name="the largest name of the alphabet" origin="new" sentence="max(filters) compares the names by the alphabet: give max a key that computes the PSNR of each filter." must_say=["alphabet|names|key=|letters", "PSNR|key|value"] kind="value" passes=true
 def best_filter(clean, noisy, filters):
     return max(filters)
 
@@ -100,7 +100,7 @@ def best_filter(clean, noisy, filters):
             best_name, best_value = name, value
         return best_name
 
-# %% name="PSNR in uint8" origin="new" sentence="clean - result wraps around in uint8, so your PSNR is wrong: widen clean with astype(float) before you subtract." must_say=["wrap|uint8|overflow", "widen|astype|float"] kind="value"
+# %% name="PSNR in uint8" origin="new" sentence="clean - result wraps around in uint8, so your PSNR is wrong: widen clean with astype(float) before you subtract." must_say=["wrap|uint8|overflow", "widen|astype|float"] kind="value" passes=true
 def best_filter(clean, noisy, filters):
     scores = {}
     for name, f in filters.items():

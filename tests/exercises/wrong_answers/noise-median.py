@@ -195,7 +195,7 @@ def median3(gray):
             result[y, x] = values[4]
     return result
 
-# %% name="cv2 does it" origin="new" sentence="This task is the median by hand: do not use cv2 or the course's median_blur, sort the nine values with NumPy." must_say=["cv2|opencv|median_blur|library|course", "by hand|refus|not allowed|numpy|yourself|forbid|import"] kind="refused"
+# %% name="the course's median_blur" origin="new" sentence="median_blur is the course's own function, from another cell; the task is to write the median yourself: sort the nine values." must_say=["median_blur", "yourself|by hand|own|another cell|other cell|refus|import|write"] kind="other-cell"
 def median3(gray):
     return median_blur(gray, 3)
 
@@ -206,3 +206,10 @@ def median3(gray):
     for y in range(gray.shape[0]):
         for x in range(gray.shape[1]):
             result[y, x] = np.sort(padded[y : y + 3, x : x + 3], axis=None)[4]
+
+# %% name="cv2 does it" origin="new" sentence="cv2 is refused here, since this task is the median by hand: sort the nine values with NumPy." must_say=["cv2|opencv", "by hand|refus|not allowed|numpy|yourself|forbid"] kind="refused"
+import cv2
+
+
+def median3(gray):
+    return cv2.medianBlur(gray, 3)

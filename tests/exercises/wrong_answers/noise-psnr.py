@@ -73,7 +73,7 @@ def my_psnr(clean, other):
         return float("inf")
     return float(10 * np.log10(255**2 / error))
 
-# %% name="square of the mean" origin="new" sentence="You square the mean of the differences, in which plus and minus cancel: square each difference first, then take the mean." must_say=["squar", "first|each|before|order|then"] must_not_say=["uint8"] kind="error"
+# %% name="square of the mean" origin="new" sentence="You square the mean of the differences, in which plus and minus cancel: square each difference first, then take the mean." must_say=["squar", "first|each|before|order|then"] must_not_say=["uint8"] kind="value"
 def my_psnr(clean, other):
     mse = (clean.astype(float) - other).mean() ** 2
     if mse == 0:
@@ -130,7 +130,7 @@ def my_psnr(clean, other):
         return float("inf")
     return f"{10 * np.log10(255**2 / mse):.1f} dB"
 
-# %% name="an array, one value for each row" origin="new" sentence="mean(axis=1) gives one value for each row: leave the axis out to get one mean of all pixels." must_say=["axis|each row|per row|array", "one (number|value|mean)|all pixels|whole image|single|float"] kind="error"
+# %% name="an array, one value for each row" origin="new" sentence="mean(axis=1) gives one value for each row: leave the axis out to get one mean of all pixels." must_say=["axis|each row|per row|array", "one (number|value|mean)|all pixels|whole image|single|float"] kind="type"
 def my_psnr(clean, other):
     mse = ((clean.astype(float) - other) ** 2).mean(axis=1)
     if (mse == 0).all():
@@ -144,7 +144,7 @@ def my_psnr(clean, other):
         return float("inf")
     return float(10 * np.log10(255**2 / mse))
 
-# %% name="widened to int8" origin="new" sentence="int8 ends at 127, so values above are changed: widen to a larger type, astype(float) or astype(int)." must_say=["int8|127", "float|larger|wider|int16|int32|astype"] kind="value"
+# %% name="widened to int8" origin="new" sentence="int8 ends at 127, so values above are changed: widen to a larger type, astype(float) or astype(int)." must_say=["int8|127", "float|larger|wider|int16|int32|astype"] kind="value" passes=true
 def my_psnr(clean, other):
     difference = clean.astype(np.int8) - other.astype(np.int8)
     mse = np.mean(difference.astype(float) ** 2)
@@ -152,7 +152,7 @@ def my_psnr(clean, other):
         return float("inf")
     return float(10 * np.log10(255**2 / mse))
 
-# %% name="int16 squares overflow" origin="new" sentence="The difference fits into int16, but its square, up to 65025, does not (int16 ends at 32767): widen to float or int32." must_say=["int16|32767|square|overflow", "float|int32|int64|wider|widen"] kind="value"
+# %% name="int16 squares overflow" origin="new" sentence="The difference fits into int16, but its square, up to 65025, does not (int16 ends at 32767): widen to float or int32." must_say=["int16|32767|square|overflow", "float|int32|int64|wider|widen"] kind="value" passes=true
 def my_psnr(clean, other):
     difference = clean.astype(np.int16) - other.astype(np.int16)
     mse = np.mean(difference**2)

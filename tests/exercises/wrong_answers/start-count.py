@@ -84,7 +84,7 @@ def count_pixels(frame):
             count = count + 1
     return count
 
-# %% name="raise left in place" origin="new" sentence="The line with raise is still there, so your own line below it never runs: delete the raise line." must_say=["raise|NotImplemented|stub", "delete|remove|still|attempt"] kind="error"
+# %% name="raise left in place" origin="new" sentence="The line with raise is still there, so your own line below it never runs: delete the raise line." must_say=["raise|NotImplemented|stub", "delete|remove|still|attempt"] kind="not-attempted"
 def count_pixels(frame):
     raise NotImplementedError("your turn: delete this line and write the function")
     return frame.shape[0] * frame.shape[1]

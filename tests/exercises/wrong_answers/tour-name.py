@@ -68,7 +68,7 @@ def name_operation(before, after):
         return "edges"
     return "grayscale"
 
-# %% name="noise removal asked by equality of values" origin="new" sentence="Noise removal changes pixels, so before and after are not equal; what stays is the shape with its three channels." must_say=["equal|same|chang|differ", "shape|channel|colou?r"] kind="error"
+# %% name="noise removal asked by equality of values" origin="new" sentence="Noise removal changes pixels, so before and after are not equal; what stays is the shape with its three channels." must_say=["equal|same|chang|differ", "shape|channel|colou?r"] kind="value"
 def name_operation(before, after):
     if np.array_equal(before, after):
         return "noise removal"

@@ -1,0 +1,119 @@
+"""The table of learners' wrong answers is well formed, and every answer in it is wrong.
+
+The table was written without the feedback code, so that it can measure the feedback.
+"""
+
+import importlib.util
+import re
+from pathlib import Path
+
+import pytest
+
+from imgproc_course.exercises import MasterError, find_exercise
+from imgproc_course.exercises.checking import run_cases
+
+_spec = importlib.util.spec_from_file_location("wrong_answers", Path(__file__).with_name("wrong_answers.py"))
+wrong_answers = importlib.util.module_from_spec(_spec)
+_spec.loader.exec_module(wrong_answers)
+
+FILES = sorted(wrong_answers.FOLDER.glob("*.py"))
+EXERCISES = {
+    "start-count",
+    "tour-name",
+    "messages-decode",
+    "grayscale-luma",
+    "node-process",
+    "noise-median",
+    "noise-psnr",
+    "noise-choose",
+    "binarization-otsu",
+    "canny-sobel",
+    "canny-suppression",
+    "canny-thresholds",
+    "canny-hysteresis",
+    "edges-f1",
+    "packages-executable",
+}
+KINDS = {
+    "value",
+    "dtype",
+    "shape",
+    "type",
+    "error",
+    "syntax",
+    "missing-import",
+    "no-return",
+    "input-changed",
+    "not-attempted",
+    "other-cell",
+    "other-name",
+    "refused",
+    "too-slow",
+}
+
+each_file = pytest.mark.parametrize("path", FILES, ids=[path.stem for path in FILES])
+
+
+def passes(declared, answer):
+    """Whether an answer earns all points."""
+    # An endless loop takes the whole time limit, and shows it in the first case.
+    cases = declared.cases[:1] if answer.kind == "too-slow" else declared.cases
+    try:
+        function = declared.function_of(answer.source, answer.name)
+    except MasterError:  # the cell does not run
+        return False
+    return run_cases(declared, function, cases=cases).passed
+
+
+def test_every_exercise_has_a_file():
+    assert {path.stem for path in FILES} == EXERCISES
+
+
+@each_file
+def test_the_exercise_exists(path):
+    assert find_exercise(path.stem).id == path.stem
+
+
+@each_file
+def test_the_fields_are_well_formed(path):
+    answers = wrong_answers.read_wrong_answers(path)
+    names = [answer.name for answer in answers]
+    assert len(set(names)) == len(names)
+    assert sum(answer.origin == "new" for answer in answers) >= 12
+    for answer in answers:
+        assert answer.origin in {"walk", "new"}, answer.name
+        assert answer.kind in KINDS, answer.name
+        assert answer.passes in {True, False}, answer.name
+        assert answer.sentence.endswith((".", "!")) and answer.source.strip(), answer.name
+        assert answer.must_say, answer.name
+        for pattern in [*answer.must_say, *answer.must_not_say]:
+            assert isinstance(pattern, str) and re.compile(pattern), answer.name
+
+
+@each_file
+def test_every_sentence_names_its_own_mistake(path):
+    answers = wrong_answers.read_wrong_answers(path)
+    assert [answer.name for answer in answers if not answer.is_named_by(answer.sentence)] == []
+
+
+@each_file
+def test_only_a_cell_of_that_kind_does_not_parse(path):
+    for answer in wrong_answers.read_wrong_answers(path):
+        try:
+            compile(answer.source, answer.name, "exec")
+        except SyntaxError:
+            assert answer.kind == "syntax", answer.name
+        else:
+            assert answer.kind != "syntax", answer.name
+
+
+@each_file
+def test_no_wrong_answer_earns_all_points(path):
+    declared = find_exercise(path.stem)
+    answers = wrong_answers.read_wrong_answers(path)
+    passing = {answer.name for answer in answers if passes(declared, answer)}
+    known = {answer.name for answer in answers if answer.passes}
+    assert passing - known == set(), "these answers are wrong and pass: add a case that catches them"
+    assert known - passing == set(), (
+        "the cases catch these answers now: take passes=true out of their headers"
+    )
