@@ -1,4 +1,4 @@
-# %% name="shares left out of the formula" origin="walk" sentence="You maximize only (mean0 - mean1) ** 2: the formula also multiplies by the shares w0 and w1 of the two groups." must_say=["share|weight|w0|w_0|number of pixels", "multipl|formula|w1|both|times|also|missing"] must_not_say=["smallest"] kind="value"
+# %% name="shares left out of the formula" origin="walk" sentence="You maximize only (mean0 - mean1) ** 2: the formula also multiplies by the shares w0 and w1 of the two groups." must_say=["share|w0|w_0|number of pixels|group sizes|weight", "multipl|formula|both|times|missing|forg|left out|only"] must_not_say=["smallest"] kind="value"
 def otsu(gray):
     best, best_t = -1.0, 0
     for t in range(256):
@@ -10,12 +10,12 @@ def otsu(gray):
             best, best_t = variance, t
     return best_t
 
-# %% name="argmax of the histogram" origin="walk" sentence="np.argmax(counts) is the most frequent gray level, not a threshold between two groups: compute the between-class variance of every t and take its argmax." must_say=["most (frequent|common)|histogram|counts|peak", "variance|every t|each t|threshold"] must_not_say=["smallest difference"] kind="value"
+# %% name="argmax of the histogram" origin="walk" sentence="np.argmax(counts) is the most frequent gray level, not a threshold between two groups: compute the between-class variance of every t and take its argmax." must_say=["most (frequent|common)|largest count|highest peak|histogram", "between|variance"] must_not_say=["smallest difference"] kind="value"
 def otsu(gray):
     counts = np.bincount(gray.ravel(), minlength=256)
     return int(np.argmax(counts))
 
-# %% name="t in uint8 never passes 255" origin="walk" sentence="t is a uint8, so t + 1 after 255 does not become 256 and the loop never ends: use a Python int, for t in range(256)." must_say=["uint8|255|256|overflow|wrap", "range|int|never ends|endless|loop|fit"] kind="too-slow"
+# %% name="t in uint8 never passes 255" origin="walk" sentence="t is a uint8, so t + 1 after 255 does not become 256 and the loop never ends: use a Python int, for t in range(256)." must_say=["uint8", "range|never ends|endless|for ?ever|256"] kind="too-slow"
 def otsu(gray):
     import warnings
 
@@ -30,12 +30,12 @@ def otsu(gray):
         t += np.uint8(1)
     return best_t
 
-# %% name="helper of the lesson" origin="walk" sentence="between_class_variance is defined in another cell: copy its definition into this cell, or compute the variance here." must_say=["between_class_variance|another cell|other cell", "cell|copy|define"] kind="other-cell"
+# %% name="helper of the lesson" origin="walk" sentence="between_class_variance is defined in another cell: copy its definition into this cell, or compute the variance here." must_say=["between_class_variance", "cell|copy|define"] kind="other-cell"
 def otsu(gray):
     counts = np.bincount(gray.ravel(), minlength=256)
     return int(np.argmax([between_class_variance(counts, t) for t in range(256)]))
 
-# %% name="last of equal maxima" origin="new" sentence="With >= a later t with the same variance replaces the earlier one, and the task asks for the smallest t: use >." must_say=[">=|equal|same|tie", "smallest|first|earlier|\\b>(?!=)"] kind="value"
+# %% name="last of equal maxima" origin="new" sentence="With >= a later t with the same variance replaces the earlier one, and the task asks for the smallest t: use >." must_say=[">=|equal|same variance|ties?\\b", "smallest|first|earlier", "use >|>|strict|replac|later|last"] must_not_say=["endless"] kind="value"
 def otsu(gray):
     best, best_t = -1.0, 0
     for t in range(256):
@@ -47,7 +47,7 @@ def otsu(gray):
             best, best_t = variance, t
     return best_t
 
-# %% name="groups split with < and >=" origin="new" sentence="Pixels equal to t belong to the lower group, so split with gray <= t and gray > t; your threshold comes out one too large." must_say=["<=|at or below|equal|one too|lower group|>", "t|group"] kind="value"
+# %% name="groups split with < and >=" origin="new" sentence="Pixels equal to t belong to the lower group, so split with gray <= t and gray > t; your threshold comes out one too large." must_say=["<=|at or below|equal to t|one too large|belong", "group|above|>"] must_not_say=["share"] kind="value"
 def otsu(gray):
     best, best_t = -1.0, 0
     for t in range(256):
@@ -59,7 +59,7 @@ def otsu(gray):
             best, best_t = variance, t
     return best_t
 
-# %% name="smallest variance" origin="new" sentence="You look for the smallest between-class variance; Otsu takes the largest, because then the groups differ most." must_say=["smallest|min|<", "largest|max|greatest|most|>"] kind="value"
+# %% name="smallest variance" origin="new" sentence="You look for the smallest between-class variance; Otsu takes the largest, because then the groups differ most." must_say=["smallest between|smallest|minimum|\\bmin\\b|wrong direction", "largest|\\bmax|greatest", "between-class|look for|takes|keep|variance", "look for|wrong|not the smallest|Otsu takes|instead"] kind="value"
 def otsu(gray):
     best, best_t = float("inf"), 0
     for t in range(256):
@@ -71,7 +71,7 @@ def otsu(gray):
             best, best_t = variance, t
     return best_t
 
-# %% name="the variance is returned" origin="new" sentence="You return the largest variance itself; the task asks for the t that has it." must_say=["variance", "threshold|\\bt\\b|argmax|gray level"] kind="type"
+# %% name="the variance is returned" origin="new" sentence="You return the largest variance itself; the task asks for the t that has it." must_say=["variance", "itself|return", "the t that|threshold|argmax|\\bt\\b"] kind="type"
 def otsu(gray):
     best = 0.0
     for t in range(256):
@@ -82,7 +82,7 @@ def otsu(gray):
         best = max(best, variance)
     return best
 
-# %% name="difference not squared" origin="new" sentence="The difference of the means must be squared: without ** 2 it is negative for every t." must_say=["squar|\\*\\* ?2"] kind="value"
+# %% name="difference not squared" origin="new" sentence="The difference of the means must be squared: without ** 2 it is negative for every t." must_say=["squar|\\*\\* ?2", "mean|differ|negative|without"] kind="value"
 def otsu(gray):
     best, best_t = -1e30, 0
     for t in range(256):
@@ -94,19 +94,19 @@ def otsu(gray):
             best, best_t = variance, t
     return best_t
 
-# %% name="mean of the image" origin="new" sentence="The mean gray level is not Otsu's threshold: try every t and keep the one with the largest between-class variance." must_say=["mean|average", "variance|every|each|otsu|try"] kind="value"
+# %% name="mean of the image" origin="new" sentence="The mean gray level is not Otsu's threshold: try every t and keep the one with the largest between-class variance." must_say=["mean gray level is|mean is|average|not Otsu|mean of the image", "every|each|try|variance"] kind="value"
 def otsu(gray):
     return int(gray.mean())
 
-# %% name="middle of the range" origin="new" sentence="The middle between the darkest and the brightest pixel is not Otsu's threshold: compute the between-class variance of every t." must_say=["middle|half|between|darkest|min", "variance|every|each"] kind="value"
+# %% name="middle of the range" origin="new" sentence="The middle between the darkest and the brightest pixel is not Otsu's threshold: compute the between-class variance of every t." must_say=["middle|half|darkest|brightest", "variance|every|each"] kind="value"
 def otsu(gray):
     return (int(gray.min()) + int(gray.max())) // 2
 
-# %% name="hard-coded from the lesson" origin="new" sentence="128 is a fixed number: the threshold must be computed from the gray levels of each image." must_say=["128|fixed|hard|typed|same|constant", "comput|each image|every image|from the|other image|gray level"] kind="value"
+# %% name="hard-coded from the lesson" origin="new" sentence="128 is a fixed number: the threshold must be computed from the gray levels of each image." must_say=["128|fixed|hard|typed|constant", "comput|each image|every image|other image|gray level"] kind="value"
 def otsu(gray):
     return 128
 
-# %% name="means of the counts" origin="new" sentence="counts[: t + 1].mean() is the mean of the counts, not of the gray levels: weigh each level with its count." must_say=["count", "level|weigh|gray"] kind="value"
+# %% name="means of the counts" origin="new" sentence="counts[: t + 1].mean() is the mean of the counts, not of the gray levels: weigh each level with its count." must_say=["of the counts|counts? .*mean|mean .*counts?", "level|weigh"] kind="value"
 def otsu(gray):
     counts = np.bincount(gray.ravel(), minlength=256)
     best, best_t = -1.0, 0
@@ -119,7 +119,7 @@ def otsu(gray):
             best, best_t = variance, t
     return best_t
 
-# %% name="slice of the histogram one short" origin="new" sentence="counts[:t] ends before t, so the pixels with gray level t are in the wrong group: write counts[: t + 1]." must_say=["slice|ends before|t ?\\+ ?1|one (short|too)|off by one|without t", "t|group"] kind="value"
+# %% name="slice of the histogram one short" origin="new" sentence="counts[:t] ends before t, so the pixels with gray level t are in the wrong group: write counts[: t + 1]." must_say=["ends before|slice|one short|off by one|wrong group|t itself|without t", "\\bt\\b|group"] kind="value"
 def otsu(gray):
     counts = np.bincount(gray.ravel(), minlength=256)
     levels = np.arange(256)
@@ -133,7 +133,7 @@ def otsu(gray):
         variances[t] = n0 * n1 * (m0 - m1) ** 2
     return int(np.argmax(variances))
 
-# %% name="empty group not handled" origin="new" sentence="Where one group is empty its mean is nan, and np.argmax takes a nan for the largest: leave such thresholds out, or give them the variance 0." must_say=["empty|no pixels|nan", "skip|leave|variance|\\b0\\b|out|nan"] kind="value"
+# %% name="empty group not handled" origin="new" sentence="Where one group is empty its mean is nan, and np.argmax takes a nan for the largest: leave such thresholds out, or give them the variance 0." must_say=["empty|no pixels|\\bnan\\b", "leave|skip|variance|\\bnan\\b"] kind="value"
 def otsu(gray):
     import warnings
 
@@ -144,7 +144,7 @@ def otsu(gray):
         variances.append(low.size / gray.size * high.size / gray.size * (np.mean(low) - np.mean(high)) ** 2)
     return int(np.argmax(variances))
 
-# %% name="empty image of one gray level" origin="new" sentence="If the image has only one gray level, no t splits it and best_t is never set: give it a start value before the loop." must_say=["one (gray )?level|never set|never assigned|no (t|threshold)|before (the|it)|start value|undefined|unbound", "start|before|set|value|assign"] kind="error" passes=true
+# %% name="empty image of one gray level" origin="new" sentence="If the image has only one gray level, no t splits it and best_t is never set: give it a start value before the loop." must_say=["one (gray )?level|never set|never assigned|start value|undefined|unbound|not (been )?(set|assigned|defined)|without a value", "start|before|value|assign|set"] kind="error" passes=true
 def otsu(gray):
     best = 0.0
     for t in range(256):
@@ -157,7 +157,7 @@ def otsu(gray):
             best_t = t
     return best_t
 
-# %% name="histogram by range with a last bin missing" origin="new" sentence="range(1, 254) leaves out the first and the last thresholds: try all of them, range(256)." must_say=["range|leaves? out|missing|skip|not tried|all", "256|first|last|every|all"] kind="value" passes=true
+# %% name="histogram by range with a last bin missing" origin="new" sentence="range(1, 254) leaves out the first and the last thresholds: try all of them, range(256)." must_say=["leaves? out|not tried|missing|skip|range\\(1", "256|first|last|every|all"] kind="value" passes=true
 def otsu(gray):
     best, best_t = -1.0, 1
     for t in range(1, 254):
@@ -169,7 +169,7 @@ def otsu(gray):
             best, best_t = variance, t
     return best_t
 
-# %% name="sum of levels in uint8" origin="new" sentence="np.arange(..., dtype=np.uint8) times the counts is fine, but sums collected in uint8 wrap around at 255: use Python ints or int64." must_say=["uint8|wrap|255|overflow", "int|widen|astype|larger"] kind="value"
+# %% name="sum of levels in uint8" origin="new" sentence="np.arange(..., dtype=np.uint8) times the counts is fine, but sums collected in uint8 wrap around at 255: use Python ints or int64." must_say=["sum", "wrap|255|overflow|uint8", "\\bints?\\b|int64|widen|astype|larger"] kind="value"
 def otsu(gray):
     best, best_t = -1.0, 0
     for t in range(256):
@@ -183,7 +183,7 @@ def otsu(gray):
             best, best_t = variance, t
     return best_t
 
-# %% name="float threshold" origin="new" sentence="You return a float; the threshold is one whole number: use int()." must_say=["float", "int|whole"] kind="type"
+# %% name="float threshold" origin="new" sentence="You return a float; the threshold is one whole number: use int()." must_say=["float", "\\bint\\b|whole"] kind="type"
 def otsu(gray):
     best, best_t = -1.0, 0.0
     for t in np.arange(0.0, 256.0):
@@ -195,7 +195,7 @@ def otsu(gray):
             best, best_t = variance, t
     return float(best_t)
 
-# %% name="binary image instead of the threshold" origin="new" sentence="You return the binary image, but the task asks for the threshold, one number: return best_t." must_say=["binary|image|array", "number|threshold|one"] kind="type"
+# %% name="binary image instead of the threshold" origin="new" sentence="You return the binary image, but the task asks for the threshold, one number: return best_t." must_say=["binary image|\\bimage\\b|\\barray\\b", "number|threshold", "return"] kind="type"
 def otsu(gray):
     best, best_t = -1.0, 0
     for t in range(256):
@@ -207,7 +207,7 @@ def otsu(gray):
             best, best_t = variance, t
     return np.where(gray > best_t, 255, 0).astype(np.uint8)
 
-# %% name="cv2 finds the threshold" origin="new" sentence="cv2 is refused here, since the task is Otsu by hand: compute the variance of every t with NumPy." must_say=["cv2|opencv", "refus|by hand|yourself|not allowed|numpy|import|forbid"] kind="refused"
+# %% name="cv2 finds the threshold" origin="new" sentence="cv2 is refused here, since the task is Otsu by hand: compute the variance of every t with NumPy." must_say=["cv2|opencv", "refus|by hand|yourself|not allowed|numpy|forbid"] kind="refused"
 import cv2
 
 
@@ -232,7 +232,7 @@ def otsu(gray):
                 best, best_t = variance, t
         return best_t
 
-# %% name="no return" origin="new" sentence="The best threshold is found and then lost: add return best_t at the end." must_say=["return"] kind="no-return"
+# %% name="no return" origin="new" sentence="The best threshold is found and then lost: add return best_t at the end." must_say=["return|give .* back", "never|forg|nothing|None|no return|without (a )?return|missing|add (a )?return|end with|end the function|lost"] kind="no-return"
 def otsu(gray):
     best, best_t = -1.0, 0
     for t in range(256):
@@ -242,7 +242,7 @@ def otsu(gray):
             if variance > best:
                 best, best_t = variance, t
 
-# %% name="within-class variance maximized" origin="new" sentence="You maximize the variance inside the groups; that one must be smallest, or take the between-class variance and its largest value." must_say=["within|inside", "between|small|min"] kind="value"
+# %% name="within-class variance maximized" origin="new" sentence="You maximize the variance inside the groups; that one must be smallest, or take the between-class variance and its largest value." must_say=["within|inside", "between|smallest|\\bmin"] kind="value"
 def otsu(gray):
     best, best_t = -1.0, 0
     for t in range(256):

@@ -1,4 +1,4 @@
-# %% name="one sweep from the top left" origin="walk" sentence="One sweep over the image is not enough: a chain that runs up or to the left is not followed, so repeat until nothing changes." must_say=["sweep|one pass|once|one time|single pass", "repeat|until|again|while"] must_not_say=["corner"] kind="value"
+# %% name="one sweep from the top left" origin="walk" sentence="One sweep over the image is not enough: a chain that runs up or to the left is not followed, so repeat until nothing changes." must_say=["sweep|one pass|single pass|up or|to the left|upwards", "repeat|until|again|while"] must_not_say=["corner"] kind="value"
 def grow(weak, strong):
     edges = strong.copy()
     h, w = weak.shape
@@ -20,14 +20,14 @@ def grow(weak, strong):
         edges = new
     return np.where(edges, 255, 0).astype(np.uint8)
 
-# %% name="one step of growth" origin="walk" sentence="You grow by one step only; edges grow along the whole chain, so repeat the step until nothing changes." must_say=["one step|once|step|single", "repeat|until|again|while|loop|chain"] must_not_say=["corner"] kind="value"
+# %% name="one step of growth" origin="walk" sentence="You grow by one step only; edges grow along the whole chain, so repeat the step until nothing changes." must_say=["one step|only once|single step|by one", "repeat|until|again|while|whole chain"] must_not_say=["corner"] kind="value"
 def grow(weak, strong):
     p = np.pad(strong, 1)
     h, w = strong.shape
     near = np.any([p[y : y + h, x : x + w] for y in range(3) for x in range(3)], axis=0)
     return np.where(strong | (weak & near), 255, 0).astype(np.uint8)
 
-# %% name="bool result" origin="new" sentence="The edges are right, but they are bool: the task asks for uint8, 255 where an edge is and 0 elsewhere." must_say=["bool|True|dtype", "255|uint8"] must_not_say=["repeat", "corner"] kind="dtype"
+# %% name="bool result" origin="new" sentence="The edges are right, but they are bool: the task asks for uint8, 255 where an edge is and 0 elsewhere." must_say=["bool|True and False", "255|uint8"] must_not_say=["repeat", "corner"] kind="dtype"
 def grow(weak, strong):
     edges = strong.copy()
     h, w = edges.shape
@@ -40,7 +40,7 @@ def grow(weak, strong):
         edges = new
     return edges
 
-# %% name="0 and 1 instead of 0 and 255" origin="new" sentence="astype(np.uint8) makes 1 of True; an edge must be 255: use np.where(edges, 255, 0), or multiply by 255." must_say=["\\b1\\b|True", "255"] kind="value"
+# %% name="0 and 1 instead of 0 and 255" origin="new" sentence="astype(np.uint8) makes 1 of True; an edge must be 255: use np.where(edges, 255, 0), or multiply by 255." must_say=["\\b1\\b", "255"] must_not_say=["repeat", "corner"] kind="value"
 def grow(weak, strong):
     edges = strong.copy()
     h, w = edges.shape
@@ -53,7 +53,7 @@ def grow(weak, strong):
         edges = new
     return edges.astype(np.uint8)
 
-# %% name="int64 from np.where" origin="new" sentence="The values are right, but np.where(edges, 255, 0) makes int64: add .astype(np.uint8)." must_say=["int64|dtype", "uint8"] kind="dtype"
+# %% name="int64 from np.where" origin="new" sentence="The values are right, but np.where(edges, 255, 0) makes int64: add .astype(np.uint8)." must_say=["int64", "uint8"] must_not_say=["repeat", "corner"] kind="dtype"
 def grow(weak, strong):
     edges = strong.copy()
     h, w = edges.shape
@@ -66,15 +66,15 @@ def grow(weak, strong):
         edges = new
     return np.where(edges, 255, 0)
 
-# %% name="weak pixels all kept" origin="new" sentence="You keep every weak pixel; a weak pixel is an edge only if a chain leads from it to a strong one." must_say=["weak|candidate", "chain|connect|touch|strong|seed"] must_not_say=["corner"] kind="value"
+# %% name="weak pixels all kept" origin="new" sentence="You keep every weak pixel; a weak pixel is an edge only if a chain leads from it to a strong one." must_say=["every weak|all (the )?weak|weak", "chain|connect|touch|leads", "only if|unless|every|all|not"] must_not_say=["corner"] kind="value"
 def grow(weak, strong):
     return np.where(weak | strong, 255, 0).astype(np.uint8)
 
-# %% name="only the strong pixels" origin="new" sentence="You return the strong pixels alone; the weak pixels that are connected with them are edges, too." must_say=["strong|seed", "weak|candidate|grow"] kind="value"
+# %% name="only the strong pixels" origin="new" sentence="You return the strong pixels alone; the weak pixels that are connected with them are edges, too." must_say=["strong pixels alone|alone|only the strong|only strong", "weak|candidate|grow"] kind="value"
 def grow(weak, strong):
     return np.where(strong, 255, 0).astype(np.uint8)
 
-# %% name="grows over everything" origin="new" sentence="Your edges grow over pixels that are neither weak nor strong: keep a new pixel only where weak is True." must_say=["weak|candidate", "only|neither|not weak|where|limit|&"] kind="value"
+# %% name="grows over everything" origin="new" sentence="Your edges grow over pixels that are neither weak nor strong: keep a new pixel only where weak is True." must_say=["weak|candidate", "neither|not weak|over|only where|everything|limit|&"] kind="value"
 def grow(weak, strong):
     edges = strong.copy()
     h, w = edges.shape
@@ -83,7 +83,7 @@ def grow(weak, strong):
         edges = np.any([p[y : y + h, x : x + w] for y in range(3) for x in range(3)], axis=0)
     return np.where(edges, 255, 0).astype(np.uint8)
 
-# %% name="fixed number of steps" origin="new" sentence="You grow a fixed number of 10 steps; a long chain needs more, so repeat until nothing changes." must_say=["fixed|10|number of steps|long|steps", "until|while|nothing changes|no more"] kind="value"
+# %% name="fixed number of steps" origin="new" sentence="You grow a fixed number of 10 steps; a long chain needs more, so repeat until nothing changes." must_say=["fixed|\\b10\\b|number of steps|enough", "until|while|no more|nothing changes|long|chain"] kind="value"
 def grow(weak, strong):
     edges = strong.copy()
     h, w = edges.shape
@@ -93,7 +93,7 @@ def grow(weak, strong):
         edges = edges | (weak & near)
     return np.where(edges, 255, 0).astype(np.uint8)
 
-# %% name="strong pixels lost" origin="new" sentence="In your loop a new step keeps only the weak pixels, and the strong ones are lost: combine with | so that edges stay edges." must_say=["strong|seed|edges", "lost|lose|disappear|stay|keep|\\|"] kind="value"
+# %% name="strong pixels lost" origin="new" sentence="In your loop a new step keeps only the weak pixels, and the strong ones are lost: combine with | so that edges stay edges." must_say=["strong|seed|edges", "are lost|lose|disappear|stay|\\|"] kind="value"
 def grow(weak, strong):
     edges = strong.copy()
     h, w = edges.shape
@@ -107,7 +107,7 @@ def grow(weak, strong):
         edges = new
     return np.where(edges, 255, 0).astype(np.uint8)
 
-# %% name="arguments exchanged" origin="new" sentence="You start from the weak pixels and grow into the strong ones; it is the other way round: start from strong." must_say=["weak", "strong", "other way|swap|exchang|start|wrong|revers"] kind="value"
+# %% name="arguments exchanged" origin="new" sentence="You start from the weak pixels and grow into the strong ones; it is the other way round: start from strong." must_say=["weak", "strong", "other way|swap|exchang|start from|revers"] kind="value"
 def grow(weak, strong):
     edges = weak.copy()
     h, w = edges.shape
@@ -120,7 +120,7 @@ def grow(weak, strong):
         edges = new
     return np.where(edges, 255, 0).astype(np.uint8)
 
-# %% name="wraps at the border" origin="new" sentence="np.roll connects the left border with the right one and the top with the bottom: pad with False and take slices instead." must_say=["roll|opposite|wrap|other side|left border", "pad|border|slice"] kind="value"
+# %% name="wraps at the border" origin="new" sentence="np.roll connects the left border with the right one and the top with the bottom: pad with False and take slices instead." must_say=["roll|opposite|wrap|other side|left border with", "pad|slice|border"] kind="value"
 def grow(weak, strong):
     edges = strong.copy()
     while True:
@@ -134,7 +134,7 @@ def grow(weak, strong):
         edges = new
     return np.where(edges, 255, 0).astype(np.uint8)
 
-# %% name="border pixels never grow" origin="new" sentence="Your loop leaves the border pixels out, so a chain along the border is not followed: pad the image, or cut the window at the border." must_say=["border|outermost", "pad|visit|cut|loop|all pixels|leave"] must_not_say=["corner"] kind="value"
+# %% name="border pixels never grow" origin="new" sentence="Your loop leaves the border pixels out, so a chain along the border is not followed: pad the image, or cut the window at the border." must_say=["border|outermost", "leaves?|left out|visit|along|never|inner|not followed", "pad|cut|visit|all|limit"] must_not_say=["corner"] kind="value"
 def grow(weak, strong):
     edges = strong.copy()
     h, w = edges.shape
@@ -148,7 +148,7 @@ def grow(weak, strong):
                     changed = True
     return np.where(edges, 255, 0).astype(np.uint8)
 
-# %% name="index outside at the border" origin="new" sentence="edges[y + 1, x + 1] is outside the image at the lower and right border: check the limits, or pad first." must_say=["outside|out of (bounds|range)|border|beyond", "pad|check|limit|border"] kind="error"
+# %% name="index outside at the border" origin="new" sentence="edges[y + 1, x + 1] is outside the image at the lower and right border: check the limits, or pad first." must_say=["outside|out of (bounds|range)|beyond", "pad|check|limit|border"] kind="error"
 def grow(weak, strong):
     edges = strong.copy()
     h, w = edges.shape
@@ -165,7 +165,7 @@ def grow(weak, strong):
                                 changed = True
     return np.where(edges, 255, 0).astype(np.uint8)
 
-# %% name="strong changed in place" origin="new" sentence="edges = strong is only another name for the same array, so the input is changed: write edges = strong.copy()." must_say=["same array|another name|input|chang|view|alias", "copy"] kind="input-changed"
+# %% name="strong changed in place" origin="new" sentence="edges = strong is only another name for the same array, so the input is changed: write edges = strong.copy()." must_say=["input|strong\\.copy|strong .*chang|caller", "copy"] kind="input-changed"
 def grow(weak, strong):
     edges = strong
     h, w = edges.shape
@@ -179,7 +179,7 @@ def grow(weak, strong):
                     changed = True
     return np.where(edges, 255, 0).astype(np.uint8)
 
-# %% name="loop that never ends" origin="new" sentence="Your loop never ends: it waits until no weak pixel touches an edge, but the pixels that are edges already still touch; stop when a step changed nothing." must_say=["never ends|endless|for ever|forever|stop|end", "chang|already|new pixel"] kind="too-slow"
+# %% name="loop that never ends" origin="new" sentence="Your loop never ends: it waits until no weak pixel touches an edge, but the pixels that are edges already still touch; stop when a step changed nothing." must_say=["never ends|endless|for ever|forever|never stops", "step|chang|new pixel"] kind="too-slow"
 def grow(weak, strong):
     edges = strong.copy()
     h, w = edges.shape
@@ -192,7 +192,7 @@ def grow(weak, strong):
         edges = edges | touched
     return np.where(edges, 255, 0).astype(np.uint8)
 
-# %% name="compared with itself, one step" origin="new" sentence="old = edges is the same array, so old and edges are always equal and the loop stops after one step: write old = edges.copy()." must_say=["same array|itself|always equal|another name", "copy"] kind="value"
+# %% name="compared with itself, one step" origin="new" sentence="old = edges is the same array, so old and edges are always equal and the loop stops after one step: write old = edges.copy()." must_say=["same array|itself|always equal|another name", "copy", "old|one step|equal|stops|compar"] kind="value"
 def grow(weak, strong):
     edges = strong.copy()
     h, w = edges.shape
@@ -205,7 +205,7 @@ def grow(weak, strong):
             break
     return np.where(edges, 255, 0).astype(np.uint8)
 
-# %% name="grow_once of the lesson" origin="new" sentence="grow_once is defined in another cell: copy its definition into this cell." must_say=["grow_once|another cell|other cell", "copy|define|cell"] kind="other-cell"
+# %% name="grow_once of the lesson" origin="new" sentence="grow_once is defined in another cell: copy its definition into this cell." must_say=["grow_once", "copy|define|cell"] kind="other-cell"
 def grow(weak, strong):
     edges = strong
     for _ in range(weak.size):
@@ -231,7 +231,7 @@ def grow(weak, strong):
     keep = np.unique(labels[strong])
     return np.where(np.isin(labels, keep[keep > 0]), 255, 0).astype(np.uint8)
 
-# %% name="window cut one short" origin="new" sentence="The slice y - 1 : y + 1 ends before y + 1, so the row below and the column to the right are not looked at: write y + 2 and x + 2." must_say=["slice|ends? before|below|right|window", "\\+ ?2|below|right|row"] kind="value"
+# %% name="window cut one short" origin="new" sentence="The slice y - 1 : y + 1 ends before y + 1, so the row below and the column to the right are not looked at: write y + 2 and x + 2." must_say=["slice|ends? before|too small|y ?\\+ ?2|window", "y ?\\+ ?2|x ?\\+ ?2|below|row|three"] kind="value"
 def grow(weak, strong):
     edges = strong.copy()
     h, w = edges.shape
@@ -245,7 +245,7 @@ def grow(weak, strong):
                     changed = True
     return np.where(edges, 255, 0).astype(np.uint8)
 
-# %% name="recursion without a memory" origin="new" sentence="Your function calls itself for pixels that it has visited already, so it never ends: mark each pixel as an edge before you go on to its neighbours." must_say=["recurs|calls itself|visited", "mark|visited|already|stop|memory"] kind="error"
+# %% name="recursion without a memory" origin="new" sentence="Your function calls itself for pixels that it has visited already, so it never ends: mark each pixel as an edge before you go on to its neighbours." must_say=["recurs|calls itself|visited", "mark|visited|already|memory"] kind="error"
 def grow(weak, strong):
     h, w = weak.shape
     out = np.zeros((h, w), np.uint8)
@@ -263,7 +263,7 @@ def grow(weak, strong):
         visit(y, x)
     return out
 
-# %% name="return forgotten" origin="new" sentence="The edges are found and never given back: add return at the end." must_say=["return"] kind="no-return"
+# %% name="return forgotten" origin="new" sentence="The edges are found and never given back: add return at the end." must_say=["return|give .* back", "never|forg|nothing|None|no return|without (a )?return|missing|add (a )?return|end with|end the function|lost"] kind="no-return"
 def grow(weak, strong):
     edges = strong.copy()
     h, w = edges.shape

@@ -1,11 +1,11 @@
-# %% name="int64 with the right values" origin="walk" sentence="The values are right, but the dtype is int64: end with .astype(np.int32)." must_say=["dtype|int64", "int32"] must_not_say=["along a row", "order", "swap"] kind="dtype"
+# %% name="int64 with the right values" origin="walk" sentence="The values are right, but the dtype is int64: end with .astype(np.int32)." must_say=["int64|values are right", "int32"] must_not_say=["along a row", "order", "swap"] kind="dtype"
 def my_sobel(gray):
     p = np.pad(gray.astype(int), 1, mode="edge")
     col = (p[:-2, 2:] + 2 * p[1:-1, 2:] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[1:-1, :-2] + p[2:, :-2])
     row = (p[2:, :-2] + 2 * p[2:, 1:-1] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[:-2, 1:-1] + p[:-2, 2:])
     return row, col
 
-# %% name="interior only" origin="walk" sentence="The border stays 0, because your loop visits the inner pixels only: repeat the outermost rows and columns with np.pad(..., mode=\"edge\") and visit all." must_say=["border|outermost", "pad|repeat|replicat"] must_not_say=["swap", "along a row"] kind="value"
+# %% name="interior only" origin="walk" sentence="The border stays 0, because your loop visits the inner pixels only: repeat the outermost rows and columns with np.pad(..., mode=\"edge\") and visit all." must_say=["border|outermost", "stays? 0|left (at )?0|are 0|inner|interior|left out|visit|never computed|not computed", "pad|repeat|replicat"] must_not_say=["swap", "along a row"] kind="value"
 def my_sobel(gray):
     g = gray.astype(np.int32)
     row = np.zeros(gray.shape, np.int32)
@@ -16,7 +16,7 @@ def my_sobel(gray):
             row[y, x] = (g[y + 1, x - 1] + 2 * g[y + 1, x] + g[y + 1, x + 1]) - (g[y - 1, x - 1] + 2 * g[y - 1, x] + g[y - 1, x + 1])
     return row, col
 
-# %% name="absolute values" origin="walk" sentence="You take the absolute value, but a jump from bright to dark must be negative: leave np.abs out." must_say=["abs|negative|sign"] must_not_say=["turned around", "swap"] kind="value"
+# %% name="absolute values" origin="walk" sentence="You take the absolute value, but a jump from bright to dark must be negative: leave np.abs out." must_say=["absolute|\\babs\\b|without (its|their) sign|sign is lost", "negative|sign|leave"] must_not_say=["turned around", "swap"] kind="value"
 def my_sobel(gray):
     p = np.pad(gray.astype(np.int32), 1, mode="edge")
     col = (p[:-2, 2:] + 2 * p[1:-1, 2:] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[1:-1, :-2] + p[2:, :-2])
@@ -30,14 +30,14 @@ def my_sobel(gray):
     grad_row = gray * kernel.T
     return grad_row.astype(np.int32), grad_col.astype(np.int32)
 
-# %% name="results in the wrong order" origin="new" sentence="You return grad_col first, and the task wants grad_row, grad_col: exchange the two." must_say=["grad_row", "first|order|swap|exchang|wrong way"] must_not_say=["border", "dtype"] kind="value"
+# %% name="results in the wrong order" origin="new" sentence="You return grad_col first, and the task wants grad_row, grad_col: exchange the two." must_say=["grad_row", "grad_col", "first|order|swap|exchang|wrong way"] must_not_say=["border", "dtype"] kind="value"
 def my_sobel(gray):
     p = np.pad(gray.astype(np.int32), 1, mode="edge")
     col = (p[:-2, 2:] + 2 * p[1:-1, 2:] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[1:-1, :-2] + p[2:, :-2])
     row = (p[2:, :-2] + 2 * p[2:, 1:-1] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[:-2, 1:-1] + p[:-2, 2:])
     return col, row
 
-# %% name="sign turned around" origin="new" sentence="Both signs are turned around: take right minus left, and below minus above." must_say=["sign|right minus left|below minus above|minus"] must_not_say=["border", "dtype"] kind="value"
+# %% name="sign turned around" origin="new" sentence="Both signs are turned around: take right minus left, and below minus above." must_say=["sign|minus", "both|right minus left|turned|wrong", "right|both|grad_col|below"] must_not_say=["border", "dtype"] kind="value"
 def my_sobel(gray):
     p = np.pad(gray.astype(np.int32), 1, mode="edge")
     col = (p[:-2, :-2] + 2 * p[1:-1, :-2] + p[2:, :-2]) - (p[:-2, 2:] + 2 * p[1:-1, 2:] + p[2:, 2:])
@@ -51,68 +51,68 @@ def my_sobel(gray):
     row = (p[:-2, :-2] + 2 * p[:-2, 1:-1] + p[:-2, 2:]) - (p[2:, :-2] + 2 * p[2:, 1:-1] + p[2:, 2:])
     return row, col
 
-# %% name="subtracted in uint8" origin="new" sentence="The differences are computed in uint8 and wrap around below 0: widen with astype(np.int32) before you subtract." must_say=["uint8|wrap|below 0", "widen|astype|int32|before"] kind="value"
+# %% name="subtracted in uint8" origin="new" sentence="The differences are computed in uint8 and wrap around below 0: widen with astype(np.int32) before you subtract." must_say=["uint8", "wrap|below 0|before you subtract|negative", "widen|astype|int32"] kind="value"
 def my_sobel(gray):
     p = np.pad(gray, 1, mode="edge")
     col = (p[:-2, 2:] + 2 * p[1:-1, 2:] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[1:-1, :-2] + p[2:, :-2])
     row = (p[2:, :-2] + 2 * p[2:, 1:-1] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[:-2, 1:-1] + p[:-2, 2:])
     return row.astype(np.int32), col.astype(np.int32)
 
-# %% name="weights 1, 1, 1" origin="new" sentence="These are equal weights (Prewitt's); Sobel gives the middle row double weight: 1, 2, 1." must_say=["weight|1, 2, 1|double|twice|middle|prewitt"] must_not_say=["border", "sign", "order"] kind="value"
+# %% name="weights 1, 1, 1" origin="new" sentence="These are equal weights (Prewitt's); Sobel gives the middle row double weight: 1, 2, 1." must_say=["double|twice|equal weights|same weight|prewitt|1, 1, 1|1, 2, 1", "weight|middle"] must_not_say=["border", "sign", "order"] kind="value"
 def my_sobel(gray):
     p = np.pad(gray.astype(np.int32), 1, mode="edge")
     col = (p[:-2, 2:] + p[1:-1, 2:] + p[2:, 2:]) - (p[:-2, :-2] + p[1:-1, :-2] + p[2:, :-2])
     row = (p[2:, :-2] + p[2:, 1:-1] + p[2:, 2:]) - (p[:-2, :-2] + p[:-2, 1:-1] + p[:-2, 2:])
     return row, col
 
-# %% name="simple differences of one row" origin="new" sentence="You take the difference of one row only; Sobel adds three rows with the weights 1, 2, 1." must_say=["three|1, 2, 1|weights|one row|sobel"] must_not_say=["sign", "swap"] kind="value"
+# %% name="simple differences of one row" origin="new" sentence="You take the difference of one row only; Sobel adds three rows with the weights 1, 2, 1." must_say=["one row|three rows|single row|neighbours only|1, 2, 1", "three|1, 2, 1|weight"] must_not_say=["sign", "swap"] kind="value"
 def my_sobel(gray):
     p = np.pad(gray.astype(np.int32), 1, mode="edge")
     return p[2:, 1:-1] - p[:-2, 1:-1], p[1:-1, 2:] - p[1:-1, :-2]
 
-# %% name="zero padding" origin="new" sentence="np.pad without a mode puts zeros around the image and makes false edges at its border: use mode=\"edge\"." must_say=["zero|\\b0\\b", "mode|edge|repeat|replicat"] kind="value"
+# %% name="zero padding" origin="new" sentence="np.pad without a mode puts zeros around the image and makes false edges at its border: use mode=\"edge\"." must_say=["zeros|without a mode|constant|padd?(ed|ing)? with 0|zero padding", "mode|edge\"|repeat|replicat"] must_not_say=["swap"] kind="value"
 def my_sobel(gray):
     p = np.pad(gray.astype(np.int32), 1)
     col = (p[:-2, 2:] + 2 * p[1:-1, 2:] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[1:-1, :-2] + p[2:, :-2])
     row = (p[2:, :-2] + 2 * p[2:, 1:-1] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[:-2, 1:-1] + p[:-2, 2:])
     return row, col
 
-# %% name="reflect padding" origin="new" sentence="mode=\"reflect\" mirrors the image at the border, as OpenCV's plain Sobel does; this task repeats the outermost row and column: use mode=\"edge\"." must_say=["reflect|mirror", "edge|repeat|replicat"] kind="value"
+# %% name="reflect padding" origin="new" sentence="mode=\"reflect\" mirrors the image at the border, as OpenCV's plain Sobel does; this task repeats the outermost row and column: use mode=\"edge\"." must_say=["reflect|mirror", "edge|repeat|replicat"] must_not_say=["swap"] kind="value"
 def my_sobel(gray):
     p = np.pad(gray.astype(np.int32), 1, mode="reflect")
     col = (p[:-2, 2:] + 2 * p[1:-1, 2:] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[1:-1, :-2] + p[2:, :-2])
     row = (p[2:, :-2] + 2 * p[2:, 1:-1] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[:-2, 1:-1] + p[:-2, 2:])
     return row, col
 
-# %% name="result of uint8" origin="new" sentence="Filter responses run from -1020 to 1020 and do not fit into uint8: make the results int32." must_say=["uint8|fit|negative|-1020", "int32"] kind="dtype"
+# %% name="result of uint8" origin="new" sentence="Filter responses run from -1020 to 1020 and do not fit into uint8: make the results int32." must_say=["uint8", "int32", "fit|negative|-1020|results?|1020|cut"] kind="dtype"
 def my_sobel(gray):
     p = np.pad(gray.astype(np.int32), 1, mode="edge")
     col = (p[:-2, 2:] + 2 * p[1:-1, 2:] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[1:-1, :-2] + p[2:, :-2])
     row = (p[2:, :-2] + 2 * p[2:, 1:-1] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[:-2, 1:-1] + p[:-2, 2:])
     return row.astype(np.uint8), col.astype(np.uint8)
 
-# %% name="divided by 4" origin="new" sentence="You divide the filter response by 4; the task asks for the plain Sobel response, where a step of 150 gives 600." must_say=["divid|4|scal", "sobel|plain|600|response|leave|without|not"] kind="value"
+# %% name="divided by 4" origin="new" sentence="You divide the filter response by 4; the task asks for the plain Sobel response, where a step of 150 gives 600." must_say=["divid|\\b4\\b|scal", "sobel|plain|600|response|leave|without"] kind="value"
 def my_sobel(gray):
     p = np.pad(gray.astype(np.int32), 1, mode="edge")
     col = (p[:-2, 2:] + 2 * p[1:-1, 2:] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[1:-1, :-2] + p[2:, :-2])
     row = (p[2:, :-2] + 2 * p[2:, 1:-1] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[:-2, 1:-1] + p[:-2, 2:])
     return row // 4, col // 4
 
-# %% name="magnitude instead of the pair" origin="new" sentence="You return one array, the magnitude; the task asks for two arrays, grad_row and grad_col." must_say=["two|both|pair", "grad_row|array|tuple"] kind="type"
+# %% name="magnitude instead of the pair" origin="new" sentence="You return one array, the magnitude; the task asks for two arrays, grad_row and grad_col." must_say=["magnitude|one array|single array", "two|both|pair|tuple"] kind="type"
 def my_sobel(gray):
     p = np.pad(gray.astype(np.int32), 1, mode="edge")
     col = (p[:-2, 2:] + 2 * p[1:-1, 2:] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[1:-1, :-2] + p[2:, :-2])
     row = (p[2:, :-2] + 2 * p[2:, 1:-1] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[:-2, 1:-1] + p[:-2, 2:])
     return np.abs(row) + np.abs(col)
 
-# %% name="smaller by the border" origin="new" sentence="Your arrays have two rows and two columns less than the image: repeat the border with np.pad before you take the slices." must_say=["small|two (rows|columns|less)|less|shape", "pad|border|repeat"] kind="shape"
+# %% name="smaller by the border" origin="new" sentence="Your arrays have two rows and two columns less than the image: repeat the border with np.pad before you take the slices." must_say=["smaller|less than|fewer|too small|shape", "pad|border|repeat"] kind="shape"
 def my_sobel(gray):
     p = gray.astype(np.int32)
     col = (p[:-2, 2:] + 2 * p[1:-1, 2:] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[1:-1, :-2] + p[2:, :-2])
     row = (p[2:, :-2] + 2 * p[2:, 1:-1] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[:-2, 1:-1] + p[:-2, 2:])
     return row, col
 
-# %% name="same kernel for both" origin="new" sentence="You use the same kernel for both results: grad_row needs the transposed weights, kernel.T." must_say=["same|both|equal", "transpos|\\.T\\b|grad_row"] kind="value"
+# %% name="same kernel for both" origin="new" sentence="You use the same kernel for both results: grad_row needs the transposed weights, kernel.T." must_say=["same kernel|same weights|kernel|both", "transpos|\\.T\\b"] kind="value"
 def my_sobel(gray):
     kernel = np.array([[-1, 0, 1], [-2, 0, 2], [-1, 0, 1]])
     p = np.pad(gray.astype(np.int32), 1, mode="edge")
@@ -125,7 +125,7 @@ def my_sobel(gray):
             grad_row += kernel[y, x].astype(np.int32) * p[y : y + h, x : x + w]
     return grad_row, grad_col
 
-# %% name="true convolution turns the kernel" origin="new" sentence="A convolution turns the kernel around, so both signs come out wrong: use the kernel as it stands (a correlation), right minus left and below minus above." must_say=["convol|flip|turn|revers|sign", "sign|correl|as it stands|right minus left|minus"] kind="value"
+# %% name="true convolution turns the kernel" origin="new" sentence="A convolution turns the kernel around, so both signs come out wrong: use the kernel as it stands (a correlation), right minus left and below minus above." must_say=["convol|flip|kernel", "sign|correl|as it stands|right minus left|minus|turn"] kind="value"
 def my_sobel(gray):
     kernel = np.array([[-1, 0, 1], [-2, 0, 2], [-1, 0, 1]], dtype=np.int32)
     p = np.pad(gray.astype(np.int32), 1, mode="edge")
@@ -141,7 +141,7 @@ def my_sobel(gray):
 
     return convolve(kernel.T), convolve(kernel)
 
-# %% name="np.gradient" origin="new" sentence="np.gradient takes half the difference of two neighbours, not the Sobel weights over three rows: compute the weighted sum of the nine neighbours." must_say=["gradient", "sobel|weight|nine|three|1, 2, 1"] kind="dtype"
+# %% name="np.gradient" origin="new" sentence="np.gradient takes half the difference of two neighbours, not the Sobel weights over three rows: compute the weighted sum of the nine neighbours." must_say=["np\\.gradient|half the difference|half", "sobel|weight|nine|three|1, 2, 1"] kind="dtype"
 def my_sobel(gray):
     grad_row, grad_col = np.gradient(gray.astype(np.int32))
     return grad_row, grad_col
@@ -162,7 +162,7 @@ def my_sobel(gray):
     grad_col = cv2.Sobel(gray, cv2.CV_16S, 1, 0, borderType=cv2.BORDER_REPLICATE)
     return grad_row.astype(np.int32), grad_col.astype(np.int32)
 
-# %% name="the course's sobel" origin="new" sentence="sobel is the course's own function, from another cell: the task is to write it yourself." must_say=["sobel|course|another cell", "yourself|refus|own|write|import"] kind="other-cell"
+# %% name="the course's sobel" origin="new" sentence="sobel is the course's own function, from another cell: the task is to write it yourself." must_say=["\\bsobel\\b", "yourself|own|another cell|refus|import"] kind="other-cell"
 def my_sobel(gray):
     grad_row, grad_col = sobel(gray)
     return grad_row, grad_col
@@ -176,14 +176,14 @@ def my_sobel(gray):
     g = gray.astype(np.int32)
     return ndimage.correlate(g, kernel.T, mode="nearest"), ndimage.correlate(g, kernel, mode="nearest")
 
-# %% name="one array of both" origin="new" sentence="np.stack makes one array of three dimensions; return the two arrays with a comma between them." must_say=["stack|one array|three dimensions|two arrays|tuple|comma"] kind="type"
+# %% name="one array of both" origin="new" sentence="np.stack makes one array of three dimensions; return the two arrays with a comma between them." must_say=["stack|one array|three dimensions|single array", "two arrays|tuple|comma|both"] kind="type"
 def my_sobel(gray):
     p = np.pad(gray.astype(np.int32), 1, mode="edge")
     col = (p[:-2, 2:] + 2 * p[1:-1, 2:] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[1:-1, :-2] + p[2:, :-2])
     row = (p[2:, :-2] + 2 * p[2:, 1:-1] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[:-2, 1:-1] + p[:-2, 2:])
     return np.stack([row, col])
 
-# %% name="results of a loop as float" origin="new" sentence="np.zeros makes float64 arrays unless you say the dtype: np.zeros(gray.shape, dtype=np.int32)." must_say=["float|dtype", "int32"] kind="dtype"
+# %% name="results of a loop as float" origin="new" sentence="np.zeros makes float64 arrays unless you say the dtype: np.zeros(gray.shape, dtype=np.int32)." must_say=["float", "int32"] kind="dtype"
 def my_sobel(gray):
     p = np.pad(gray.astype(int), 1, mode="edge")
     grad_row = np.zeros(gray.shape)
@@ -196,7 +196,7 @@ def my_sobel(gray):
             grad_row[y, x] = (window * kernel.T).sum()
     return grad_row, grad_col
 
-# %% name="return forgotten" origin="new" sentence="The two arrays are computed, but the function has no return: add return grad_row, grad_col." must_say=["return"] kind="no-return"
+# %% name="return forgotten" origin="new" sentence="The two arrays are computed, but the function has no return: add return grad_row, grad_col." must_say=["return|give .* back", "never|forg|nothing|None|no return|without (a )?return|missing|add (a )?return|end with|end the function|lost"] kind="no-return"
 def my_sobel(gray):
     p = np.pad(gray.astype(np.int32), 1, mode="edge")
     grad_col = (p[:-2, 2:] + 2 * p[1:-1, 2:] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[1:-1, :-2] + p[2:, :-2])

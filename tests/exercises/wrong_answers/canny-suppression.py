@@ -1,4 +1,4 @@
-# %% name="greater or equal to both" origin="walk" sentence="With >= on both sides two equal neighbours both survive: the first neighbour must be really smaller, so write > there." must_say=[">=|equal", "first|\\b>(?!=)|greater|strict|smaller"] must_not_say=["sector"] kind="value"
+# %% name="greater or equal to both" origin="walk" sentence="With >= on both sides two equal neighbours both survive: the first neighbour must be really smaller, so write > there." must_say=[">=|equal", "both survive|first neighbour|first", "strict|smaller|greater|>(?!=)"] must_not_say=["vanish"] kind="value"
 def suppress(magnitude, sector):
     p = np.pad(magnitude, 1)
     out = np.zeros_like(magnitude)
@@ -11,7 +11,7 @@ def suppress(magnitude, sector):
                 out[y, x] = m
     return out
 
-# %% name="greater than both in all sectors" origin="new" sentence="In sectors 0 and 2 the second neighbour may be equal (>=); with > on both sides two equal neighbours both vanish." must_say=[">=|equal|at least", "second|both|sectors? 0|0 and 2|vanish"] kind="value"
+# %% name="greater than both in all sectors" origin="new" sentence="In sectors 0 and 2 the second neighbour may be equal (>=); with > on both sides two equal neighbours both vanish." must_say=[">=|at least|may be equal|equal", "vanish|sectors? 0|0 and 2|second"] must_not_say=["diagonal"] kind="value"
 def suppress(magnitude, sector):
     p = np.pad(magnitude, 1)
     out = np.zeros_like(magnitude)
@@ -24,7 +24,7 @@ def suppress(magnitude, sector):
                 out[y, x] = m
     return out
 
-# %% name=">= on the second neighbour in every sector" origin="new" sentence="On the diagonals, sectors 1 and 3, the pixel must be greater than both neighbours: >= holds for sectors 0 and 2 only." must_say=["diagonal|sectors? 1|1 and 3", "both|greater|>|only|strict"] kind="value"
+# %% name=">= on the second neighbour in every sector" origin="new" sentence="On the diagonals, sectors 1 and 3, the pixel must be greater than both neighbours: >= holds for sectors 0 and 2 only." must_say=["diagonal|sectors? 1|1 and 3", "both|only|strict"] kind="value"
 def suppress(magnitude, sector):
     p = np.pad(magnitude, 1)
     out = np.zeros_like(magnitude)
@@ -37,7 +37,7 @@ def suppress(magnitude, sector):
                 out[y, x] = m
     return out
 
-# %% name="first and second neighbour exchanged" origin="new" sentence="You have the two neighbours the wrong way round: > belongs to the left (or upper) neighbour, >= to the right (or lower) one." must_say=["swap|exchang|wrong way|other way|first|revers", "neighbo|left|>="] kind="value"
+# %% name="first and second neighbour exchanged" origin="new" sentence="You have the two neighbours the wrong way round: > belongs to the left (or upper) neighbour, >= to the right (or lower) one." must_say=["swap|exchang|wrong way|other way|revers|turned", "first|left|upper|second"] kind="value"
 def suppress(magnitude, sector):
     p = np.pad(magnitude, 1)
     out = np.zeros_like(magnitude)
@@ -56,7 +56,7 @@ def suppress(magnitude, sector):
                 out[y, x] = m
     return out
 
-# %% name="sectors 0 and 2 exchanged" origin="new" sentence="You have sectors 0 and 2 exchanged: in sector 0 the gradient points along the row, so compare with left and right; in sector 2 with above and below." must_say=["sector|direction", "left|above|along the row|row|across"] must_not_say=["diagonal"] kind="value"
+# %% name="sectors 0 and 2 exchanged" origin="new" sentence="You have sectors 0 and 2 exchanged: in sector 0 the gradient points along the row, so compare with left and right; in sector 2 with above and below." must_say=["sectors? 0|sector 2|0 and 2|direction", "left|above|row|across", "exchang|swap|along|wrong|turned|across"] must_not_say=["diagonal"] kind="value"
 def suppress(magnitude, sector):
     p = np.pad(magnitude, 1)
     out = np.zeros_like(magnitude)
@@ -75,7 +75,7 @@ def suppress(magnitude, sector):
                 out[y, x] = m
     return out
 
-# %% name="diagonals exchanged" origin="new" sentence="The two diagonals are exchanged: sector 1 compares with above left and below right, sector 3 with above right and below left." must_say=["diagonal|sectors? 1|sectors? 3", "above left|above right|exchang|swap|upper left|wrong"] kind="value"
+# %% name="diagonals exchanged" origin="new" sentence="The two diagonals are exchanged: sector 1 compares with above left and below right, sector 3 with above right and below left." must_say=["diagonal|sectors? 1|1 and 3", "above left|above right|upper left|exchang|swap", "exchang|swap|wrong|sector 1|turned"] kind="value"
 def suppress(magnitude, sector):
     p = np.pad(magnitude, 1)
     out = np.zeros_like(magnitude)
@@ -94,7 +94,7 @@ def suppress(magnitude, sector):
                 out[y, x] = m
     return out
 
-# %% name="border left at 0" origin="new" sentence="You leave the border pixels out, so they are always 0; beyond the border the magnitude counts as 0: np.pad(magnitude, 1) puts these zeros there, and every pixel can be compared." must_say=["border|outermost|edge of the image", "pad|zero|counts as 0|every pixel"] kind="value"
+# %% name="border left at 0" origin="new" sentence="You leave the border pixels out, so they are always 0; beyond the border the magnitude counts as 0: np.pad(magnitude, 1) puts these zeros there, and every pixel can be compared." must_say=["border|outermost", "leave|left out|always 0|stay|every pixel|not visited|inner", "pad|zeros?|counts as 0|every pixel"] kind="value"
 def suppress(magnitude, sector):
     out = np.zeros_like(magnitude)
     for y in range(1, magnitude.shape[0] - 1):
@@ -125,7 +125,7 @@ def suppress(magnitude, sector):
             (m > at(-1, 0)) & (m >= at(1, 0)), (m > at(-1, 1)) & (m > at(1, -1))]
     return np.where(np.choose(sector, keep), m, 0).astype(np.int32)
 
-# %% name="index wraps to the other side" origin="new" sentence="At the border x - 1 becomes -1, which Python takes as the last column, and x + 1 is outside: pad the magnitude with zeros first." must_say=["-1|last column|outside|out of bounds|other side|negative|wrap", "pad|zero|\\b0\\b|border"] kind="error"
+# %% name="index wraps to the other side" origin="new" sentence="At the border x - 1 becomes -1, which Python takes as the last column, and x + 1 is outside: pad the magnitude with zeros first." must_say=["-1|last column|outside|out of bounds|negative", "pad|zero|border|check"] kind="error"
 def suppress(magnitude, sector):
     out = np.zeros_like(magnitude)
     for y in range(magnitude.shape[0]):
@@ -143,7 +143,7 @@ def suppress(magnitude, sector):
                 out[y, x] = m
     return out
 
-# %% name="np.roll wraps around" origin="new" sentence="np.roll brings the pixels of the opposite side in at the border, where the magnitude counts as 0: pad with zeros and slice." must_say=["roll|opposite|other side|wrap", "\\b0\\b|zero|pad|border"] kind="value"
+# %% name="np.roll wraps around" origin="new" sentence="np.roll brings the pixels of the opposite side in at the border, where the magnitude counts as 0: pad with zeros and slice." must_say=["roll|opposite|other side", "\\b0\\b|zero|pad|border"] kind="value"
 def suppress(magnitude, sector):
     m = magnitude
 
@@ -154,20 +154,20 @@ def suppress(magnitude, sector):
             (m > at(-1, 0)) & (m >= at(1, 0)), (m > at(-1, 1)) & (m > at(1, -1))]
     return np.where(np.choose(sector, keep), m, 0).astype(np.int32)
 
-# %% name="larger than all eight neighbours" origin="new" sentence="You compare with all eight neighbours; only the two along the gradient count, and sector says which." must_say=["eight|\\b8\\b|all", "two|sector|along"] kind="value"
+# %% name="larger than all eight neighbours" origin="new" sentence="You compare with all eight neighbours; only the two along the gradient count, and sector says which." must_say=["eight|\\b8\\b|all (the )?neighbo", "two|sector|along"] kind="value"
 def suppress(magnitude, sector):
     p = np.pad(magnitude, 1)
     h, w = magnitude.shape
     near = [p[y : y + h, x : x + w] for y in range(3) for x in range(3) if (y, x) != (1, 1)]
     return np.where(magnitude > np.max(near, axis=0), magnitude, 0)
 
-# %% name="sector ignored" origin="new" sentence="You compare with left and right at every pixel; which two neighbours count depends on sector." must_say=["sector|gradient|direction", "left|row|every|depend|which|neighbo"] kind="value"
+# %% name="sector ignored" origin="new" sentence="You compare with left and right at every pixel; which two neighbours count depends on sector." must_say=["left and right at every|every pixel|ignor|never use|not use|same two|depends", "sector|direction"] kind="value"
 def suppress(magnitude, sector):
     p = np.pad(magnitude, 1)
     keep = (magnitude > p[1:-1, :-2]) & (magnitude >= p[1:-1, 2:])
     return np.where(keep, magnitude, 0)
 
-# %% name="survivors become 255" origin="new" sentence="A pixel that survives must keep its magnitude, and you write 255 (or True) instead." must_say=["255|True|mask|bool", "magnitude|keep"] kind="value"
+# %% name="survivors become 255" origin="new" sentence="A pixel that survives must keep its magnitude, and you write 255 (or True) instead." must_say=["255", "magnitude|value|keep"] kind="value"
 def suppress(magnitude, sector):
     p = np.pad(magnitude, 1)
     h, w = magnitude.shape
@@ -193,7 +193,7 @@ def suppress(magnitude, sector):
             (m > at(-1, 0)) & (m >= at(1, 0)), (m > at(-1, 1)) & (m > at(1, -1))]
     return np.choose(sector, keep)
 
-# %% name="changed in place" origin="new" sentence="You set pixels of magnitude to 0 while you still compare, so later pixels see changed neighbours, and the input is changed: write into a new array." must_say=["in place|changed?|input|overwrit|already", "new array|copy|another array|separate|result"] kind="input-changed"
+# %% name="changed in place" origin="new" sentence="You set pixels of magnitude to 0 while you still compare, so later pixels see changed neighbours, and the input is changed: write into a new array." must_say=["in place|while you|input|already|same array", "new array|copy|another array|separate"] kind="input-changed"
 def suppress(magnitude, sector):
     h, w = magnitude.shape
     offsets = {0: (0, 1), 1: (1, 1), 2: (1, 0), 3: (1, -1)}
@@ -210,7 +210,7 @@ def suppress(magnitude, sector):
                 magnitude[y, x] = 0
     return magnitude
 
-# %% name="uint8 result" origin="new" sentence="The result is uint8, but magnitudes run up to 1530: keep the dtype int32." must_say=["uint8|dtype|255", "int32"] kind="dtype"
+# %% name="uint8 result" origin="new" sentence="The result is uint8, but magnitudes run up to 1530: keep the dtype int32." must_say=["uint8", "int32"] kind="dtype"
 def suppress(magnitude, sector):
     p = np.pad(magnitude, 1)
     out = np.zeros(magnitude.shape, np.uint8)
@@ -224,7 +224,7 @@ def suppress(magnitude, sector):
                 out[y, x] = min(int(m), 255)
     return out
 
-# %% name="float result" origin="new" sentence="np.zeros without a dtype makes float64; write np.zeros(magnitude.shape, dtype=np.int32)." must_say=["float|dtype", "int32"] kind="dtype"
+# %% name="float result" origin="new" sentence="np.zeros without a dtype makes float64; write np.zeros(magnitude.shape, dtype=np.int32)." must_say=["float", "int32"] kind="dtype"
 def suppress(magnitude, sector):
     p = np.pad(magnitude, 1)
     out = np.zeros(magnitude.shape)
@@ -238,7 +238,7 @@ def suppress(magnitude, sector):
                 out[y, x] = m
     return out
 
-# %% name="offset of the padding forgotten" origin="new" sentence="The padded array is shifted by one row and one column: pixel (y, x) stands at p[y + 1, x + 1] there." must_say=["pad", "shift|\\+ ?1|one (row|pixel|column)|offset"] kind="value"
+# %% name="offset of the padding forgotten" origin="new" sentence="The padded array is shifted by one row and one column: pixel (y, x) stands at p[y + 1, x + 1] there." must_say=["pad", "shift|y ?\\+ ?1|one (row|pixel|column)|offset|moved"] kind="value"
 def suppress(magnitude, sector):
     p = np.pad(magnitude, 1)
     out = np.zeros_like(magnitude)
@@ -257,7 +257,7 @@ def suppress(magnitude, sector):
                 out[y, x] = m
     return out
 
-# %% name="or instead of and" origin="new" sentence="With or one smaller neighbour is enough; a pixel survives only if both comparisons hold: use and." must_say=["\\bor\\b", "\\band\\b|both"] kind="value"
+# %% name="or instead of and" origin="new" sentence="With or one smaller neighbour is enough; a pixel survives only if both comparisons hold: use and." must_say=["\\bor\\b", "\\band\\b", "both|one|enough"] kind="value"
 def suppress(magnitude, sector):
     p = np.pad(magnitude, 1)
     out = np.zeros_like(magnitude)
@@ -276,7 +276,7 @@ def suppress(magnitude, sector):
                 out[y, x] = m
     return out
 
-# %% name="and between arrays" origin="walk" sentence="and works on single values only; between two arrays write & and put each comparison in parentheses." must_say=["\\band\\b|single|array|ambiguous", "&|logical_and"] kind="error"
+# %% name="and between arrays" origin="walk" sentence="and works on single values only; between two arrays write & and put each comparison in parentheses." must_say=["\\band\\b|single|ambiguous", "&|logical_and"] kind="error"
 def suppress(magnitude, sector):
     p = np.pad(magnitude, 1)
     m = magnitude
@@ -285,7 +285,7 @@ def suppress(magnitude, sector):
     out[keep & (sector == 0)] = m[keep & (sector == 0)]
     return out
 
-# %% name="sector 3 forgotten" origin="new" sentence="Sector 3 has no branch, so its pixels are always dropped: add the comparison with above right and below left." must_say=["sector 3|fourth|above right|sectors?"] must_not_say=["exchang"] kind="value"
+# %% name="sector 3 forgotten" origin="new" sentence="Sector 3 has no branch, so its pixels are always dropped: add the comparison with above right and below left." must_say=["sector 3|fourth sector", "no branch|missing|forg|dropped|left out|add|above right"] must_not_say=["exchang"] kind="value"
 def suppress(magnitude, sector):
     p = np.pad(magnitude, 1)
     out = np.zeros_like(magnitude)
@@ -303,7 +303,7 @@ def suppress(magnitude, sector):
                 out[y, x] = m
     return out
 
-# %% name="nothing is suppressed" origin="new" sentence="You copy magnitude and never set a pixel to 0: a pixel that does not survive must become 0." must_say=["\\b0\\b|zero", "copy|copies|never|survive|all"] kind="value"
+# %% name="nothing is suppressed" origin="new" sentence="You copy magnitude and never set a pixel to 0: a pixel that does not survive must become 0." must_say=["copy|copies|every pixel keeps|never set|nothing", "\\b0\\b|zero"] kind="value"
 def suppress(magnitude, sector):
     p = np.pad(magnitude, 1)
     out = magnitude.copy()
@@ -313,7 +313,7 @@ def suppress(magnitude, sector):
                 out[y, x] = magnitude[y, x]
     return out
 
-# %% name="rows and columns swapped in the loop" origin="new" sentence="An array is indexed rows first, and you write magnitude[x, y]: write magnitude[y, x], and the same for sector." must_say=["row|\\[y, ?x\\]|\\[x, ?y\\]", "first|swap|order|index|write"] kind="error"
+# %% name="rows and columns swapped in the loop" origin="new" sentence="An array is indexed rows first, and you write magnitude[x, y]: write magnitude[y, x], and the same for sector." must_say=["\\[y, ?x\\]|\\[x, ?y\\]|rows first", "first|swap|order|index|write"] kind="error"
 def suppress(magnitude, sector):
     p = np.pad(magnitude, 1)
     out = np.zeros_like(magnitude)
@@ -323,7 +323,7 @@ def suppress(magnitude, sector):
                 out[x, y] = magnitude[x, y]
     return out
 
-# %% name="no return" origin="new" sentence="The result is filled and never given back: add return out at the end." must_say=["return"] kind="no-return"
+# %% name="no return" origin="new" sentence="The result is filled and never given back: add return out at the end." must_say=["return|give .* back", "never|forg|nothing|None|no return|without (a )?return|missing|add (a )?return|end with|end the function|lost"] kind="no-return"
 def suppress(magnitude, sector):
     p = np.pad(magnitude, 1)
     out = np.zeros_like(magnitude)

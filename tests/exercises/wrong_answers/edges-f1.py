@@ -16,7 +16,7 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return float(2 * precision * recall / (precision + recall))
 
-# %% name="tolerance hard-coded as 2" origin="walk" sentence="You always use 2 pixels: use the argument tolerance, other calls give another number." must_say=["tolerance", "\\b2\\b|fixed|hard|always|argument|typed"] kind="value"
+# %% name="tolerance hard-coded as 2" origin="walk" sentence="You always use 2 pixels: use the argument tolerance, other calls give another number." must_say=["tolerance", "always|\\b2 pixels|fixed|hard|typed|argument", "\\b2\\b|fixed|hard|argument"] kind="value"
 def f1_score(edges, outlines, tolerance):
     t = 2
 
@@ -52,7 +52,7 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return float(2 * precision * recall / (precision + recall))
 
-# %% name="percent" origin="walk" sentence="You return percent; F1 is a share between 0 and 1, so leave the factor 100 out." must_say=["percent|100|%", "share|between 0 and 1|0 to 1|leave|divide|without"] kind="value"
+# %% name="percent" origin="walk" sentence="You return percent; F1 is a share between 0 and 1, so leave the factor 100 out." must_say=["percent|100|%", "share|between 0 and 1|0 to 1|leave|divide|without"] must_not_say=["255"] kind="value"
 def f1_score(edges, outlines, tolerance):
     t = tolerance
 
@@ -70,7 +70,7 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return float(100 * 2 * precision * recall / (precision + recall))
 
-# %% name="no edges divides by zero" origin="walk" sentence="Without edges (or outlines) you divide by 0: return 0.0 in that case before you divide." must_say=["zero|\\b0\\b|nan", "divi", "no edges|without|empty|case|before|first"] must_not_say=["255"] kind="error"
+# %% name="no edges divides by zero" origin="walk" sentence="Without edges (or outlines) you divide by 0: return 0.0 in that case before you divide." must_say=["zero|\\b0\\b|\\bnan\\b|empty", "divi|return", "no edges|without edges|no outlines|empty|outlines"] must_not_say=["255"] kind="error"
 def f1_score(edges, outlines, tolerance):
     t = tolerance
 
@@ -84,7 +84,7 @@ def f1_score(edges, outlines, tolerance):
     recall = int((outlines & grow(found)).sum()) / int(outlines.sum())
     return 2 * precision * recall / (precision + recall)
 
-# %% name="tolerance ignored" origin="new" sentence="You compare pixel with pixel and never use tolerance: a pixel counts also when one of the other's pixels is up to tolerance rows and columns away." must_say=["tolerance"] must_not_say=["always 2"] kind="value"
+# %% name="tolerance ignored" origin="new" sentence="You compare pixel with pixel and never use tolerance: a pixel counts also when one of the other's pixels is up to tolerance rows and columns away." must_say=["tolerance", "never|ignor|not use|pixel with pixel|exact|also when|same place"] must_not_say=["always 2"] kind="value"
 def f1_score(edges, outlines, tolerance):
     found = edges > 0
     both = (found & outlines).sum()
@@ -94,7 +94,7 @@ def f1_score(edges, outlines, tolerance):
     recall = both / outlines.sum()
     return float(2 * precision * recall / (precision + recall))
 
-# %% name="mean instead of the harmonic mean" origin="new" sentence="(precision + recall) / 2 is the plain mean; F1 is the harmonic mean, 2 * precision * recall / (precision + recall)." must_say=["harmonic|plain mean|average|/ ?2|formula", "precision|2 \\*|product"] kind="value"
+# %% name="mean instead of the harmonic mean" origin="new" sentence="(precision + recall) / 2 is the plain mean; F1 is the harmonic mean, 2 * precision * recall / (precision + recall)." must_say=["harmonic|plain mean|average|/ ?2\\b|arithmetic", "precision|harmonic"] must_not_say=["tolerance"] kind="value"
 def f1_score(edges, outlines, tolerance):
     t = tolerance
 
@@ -110,7 +110,7 @@ def f1_score(edges, outlines, tolerance):
     recall = (outlines & grow(found)).sum() / outlines.sum()
     return float((precision + recall) / 2)
 
-# %% name="factor 2 forgotten" origin="new" sentence="The factor 2 of the formula is missing: F1 is 2 * precision * recall / (precision + recall)." must_say=["\\b2\\b|twice|half|factor", "formula|factor|missing|forg|precision"] kind="value"
+# %% name="factor 2 forgotten" origin="new" sentence="The factor 2 of the formula is missing: F1 is 2 * precision * recall / (precision + recall)." must_say=["factor|half|twice|missing|2 \\*", "\\b2\\b|twice|half", "factor|missing|forg|half"] must_not_say=["tolerance"] kind="value"
 def f1_score(edges, outlines, tolerance):
     t = tolerance
 
@@ -128,7 +128,7 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return float(precision * recall / (precision + recall))
 
-# %% name="precision for both" origin="new" sentence="You divide both times by the number of edge pixels; recall is a share of the outline pixels: divide by outlines.sum()." must_say=["recall", "outline"] must_not_say=["tolerance"] kind="value"
+# %% name="precision for both" origin="new" sentence="You divide both times by the number of edge pixels; recall is a share of the outline pixels: divide by outlines.sum()." must_say=["recall", "outline", "divid|share of the outline"] must_not_say=["tolerance"] kind="value"
 def f1_score(edges, outlines, tolerance):
     t = tolerance
 
@@ -146,7 +146,7 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return float(2 * precision * recall / (precision + recall))
 
-# %% name="the grown edges counted" origin="new" sentence="You count the grown mask, which holds more pixels than there are edges: take the edge pixels themselves that lie on grown outlines, found & near." must_say=["grown|grow|dilat|thick|near|more pixels", "themselves|original|found|edge pixels|&|not grown"] kind="value"
+# %% name="the grown edges counted" origin="new" sentence="You count the grown mask, which holds more pixels than there are edges: take the edge pixels themselves that lie on grown outlines, found & near." must_say=["grown|dilat|thick|more pixels", "themselves|original|found &|edge pixels|not grown|only"] kind="value"
 def f1_score(edges, outlines, tolerance):
     t = tolerance
 
@@ -165,7 +165,7 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return float(2 * precision * recall / (precision + recall))
 
-# %% name="the same hits for recall" origin="new" sentence="You use the edge pixels that lie on an outline for recall, too; recall needs the outline pixels that lie near an edge: grow the edges and count outlines & near." must_say=["recall", "outline|near|grow|edge"] kind="value"
+# %% name="the same hits for recall" origin="new" sentence="You use the edge pixels that lie on an outline for recall, too; recall needs the outline pixels that lie near an edge: grow the edges and count outlines & near." must_say=["recall", "outline pixels", "near|grow|too|also"] kind="value"
 def f1_score(edges, outlines, tolerance):
     t = tolerance
     h, w = outlines.shape
@@ -179,7 +179,7 @@ def f1_score(edges, outlines, tolerance):
     recall = min(1.0, hits / outlines.sum())
     return float(2 * precision * recall / (precision + recall))
 
-# %% name="window one short" origin="new" sentence="range(2 * tolerance) ends one too early, so the pixels tolerance rows below (or columns to the right) are left out: the window has 2 * tolerance + 1 rows." must_say=["range|one (too|short|less)|window|slice|\\+ ?1", "\\+ ?1|right|below|tolerance"] kind="value"
+# %% name="window one short" origin="new" sentence="range(2 * tolerance) ends one too early, so the pixels tolerance rows below (or columns to the right) are left out: the window has 2 * tolerance + 1 rows." must_say=["range|one (too|short|less)|ends", "\\+ ?1|below|right"] kind="value"
 def f1_score(edges, outlines, tolerance):
     t = tolerance
 
@@ -201,7 +201,7 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return float(2 * precision * recall / (precision + recall))
 
-# %% name="rows and columns only, a cross" origin="new" sentence="You look along the row and along the column only; a pixel may be away in both at once, so look at the whole square." must_say=["row", "column", "both|square|diagonal|corner|whole"] kind="value"
+# %% name="rows and columns only, a cross" origin="new" sentence="You look along the row and along the column only; a pixel may be away in both at once, so look at the whole square." must_say=["along the row|cross|row and .*column only|only .*row", "both|square|diagonal|corner|whole"] kind="value"
 def f1_score(edges, outlines, tolerance):
     t = tolerance
 
@@ -223,7 +223,7 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return float(2 * precision * recall / (precision + recall))
 
-# %% name="round distance" origin="new" sentence="You measure a round distance (or the sum of rows and columns); the task allows tolerance rows and tolerance columns, a square." must_say=["round|circle|distance|euclid|sum", "square|rows and|and at most|columns"] kind="value"
+# %% name="round distance" origin="new" sentence="You measure a round distance (or the sum of rows and columns); the task allows tolerance rows and tolerance columns, a square." must_say=["round|circle|distance|euclid", "square|rows and|columns"] kind="value"
 def f1_score(edges, outlines, tolerance):
     def near(points, others):
         hits = 0
@@ -240,7 +240,7 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return 2 * precision * recall / (precision + recall)
 
-# %% name="less than the tolerance" origin="new" sentence="You take pixels less than tolerance away; at most tolerance means <=." must_say=["<=|at most|less than|equal", "tolerance"] kind="value"
+# %% name="less than the tolerance" origin="new" sentence="You take pixels less than tolerance away; at most tolerance means <=." must_say=["<=|at most|less than", "tolerance", "<=|at most|equal"] kind="value"
 def f1_score(edges, outlines, tolerance):
     def near(points, others):
         hits = 0
@@ -256,7 +256,7 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return 2 * precision * recall / (precision + recall)
 
-# %% name="rows or columns" origin="new" sentence="You accept a pixel that is near in the rows or in the columns; it must be near in both: use and." must_say=["\\bor\\b", "\\band\\b|both"] kind="value"
+# %% name="rows or columns" origin="new" sentence="You accept a pixel that is near in the rows or in the columns; it must be near in both: use and." must_say=["\\bor\\b in the columns|rows or|\\bor\\b", "must|\\band\\b", "both", "\\band\\b"] kind="value"
 def f1_score(edges, outlines, tolerance):
     def near(points, others):
         hits = 0
@@ -273,7 +273,7 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return 2 * precision * recall / (precision + recall)
 
-# %% name="pairs counted instead of pixels" origin="new" sentence="You count every pair of an edge pixel and an outline pixel, so one pixel counts several times: stop after the first hit (break), or use any." must_say=["pair|several times|more than once|twice|double", "break|any|once|first"] kind="value"
+# %% name="pairs counted instead of pixels" origin="new" sentence="You count every pair of an edge pixel and an outline pixel, so one pixel counts several times: stop after the first hit (break), or use any." must_say=["pair|several times|more than once|counts? twice", "break|\\bany\\b|once|first"] kind="value"
 def f1_score(edges, outlines, tolerance):
     found, true = np.argwhere(edges > 0), np.argwhere(outlines)
     if len(found) == 0 or len(true) == 0:
@@ -300,7 +300,7 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return float((found & outlines).sum() / union)
 
-# %% name="nothing on the other divides by zero" origin="new" sentence="When nothing lies on the other, precision and recall are both 0 and you divide by 0: return 0.0 first." must_say=["zero|\\b0\\b|nan", "precision|recall|nothing|both", "return|divi|first|case"] kind="error" passes=true
+# %% name="nothing on the other divides by zero" origin="new" sentence="When nothing lies on the other, precision and recall are both 0 and you divide by 0: return 0.0 first." must_say=["zero|\\b0\\b|\\bnan\\b", "nothing|both 0|precision and recall|precision \\+ recall|sum", "divi|return"] kind="error" passes=true
 def f1_score(edges, outlines, tolerance):
     t = tolerance
 
@@ -316,7 +316,7 @@ def f1_score(edges, outlines, tolerance):
     recall = int((outlines & grow(found)).sum()) / int(outlines.sum())
     return 2 * precision * recall / (precision + recall)
 
-# %% name="bitwise and of 255 and True" origin="new" sentence="edges holds 255 and the mask True, and 255 & True is 1: make a mask of edges first, edges > 0, and count with it." must_say=["255|uint8", "> ?0|compare|== ?255|astype\\(bool|mask"] kind="value"
+# %% name="bitwise and of 255 and True" origin="new" sentence="edges holds 255 and the mask True, and 255 & True is 1: make a mask of edges first, edges > 0, and count with it." must_say=["255|uint8", "> ?0|compare|== ?255|mask"] kind="value"
 def f1_score(edges, outlines, tolerance):
     t = tolerance
 
@@ -333,7 +333,7 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return float(2 * precision * recall / (precision + recall))
 
-# %% name="edges are 1, not 255" origin="new" sentence="You look for edges == 1, but an edge pixel is 255: write edges > 0 or edges == 255." must_say=["255", "\\b1\\b|> ?0|== ?255"] kind="value"
+# %% name="edges are 1, not 255" origin="new" sentence="You look for edges == 1, but an edge pixel is 255: write edges > 0 or edges == 255." must_say=["255", "== ?1|\\b1\\b|> ?0|== ?255"] kind="value"
 def f1_score(edges, outlines, tolerance):
     t = tolerance
 
@@ -351,7 +351,7 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return float(2 * precision * recall / (precision + recall))
 
-# %% name="three numbers returned" origin="new" sentence="You return precision, recall and F1; the task asks for F1 alone, one float." must_say=["F1|one (float|number)|alone|single", "precision|three|tuple|alone"] kind="type"
+# %% name="three numbers returned" origin="new" sentence="You return precision, recall and F1; the task asks for F1 alone, one float." must_say=["alone|only|one (float|number)|single", "three|tuple|precision, recall"] kind="type"
 def f1_score(edges, outlines, tolerance):
     t = tolerance
 
@@ -369,7 +369,7 @@ def f1_score(edges, outlines, tolerance):
         return 0.0, 0.0, 0.0
     return precision, recall, float(2 * precision * recall / (precision + recall))
 
-# %% name="rounded as in the lesson" origin="new" sentence="You round to two digits as the lesson does when it prints: return the whole float." must_say=["round", "whole|leave|without|full|exact|digits|print"] kind="value"
+# %% name="rounded as in the lesson" origin="new" sentence="You round to two digits as the lesson does when it prints: return the whole float." must_say=["\\bround to|\\bround\\b|rounded", "leave|full|exact|digits|whole"] kind="value"
 def f1_score(edges, outlines, tolerance):
     t = tolerance
 
@@ -415,7 +415,7 @@ def f1_score(edges, outlines, tolerance):
     precision, recall = share_near(found, outlines), share_near(outlines, found)
     return 2 * precision * recall / max(precision + recall, 1e-9)
 
-# %% name="swapped precision and recall, sum of both" origin="new" sentence="You multiply nothing: F1 divides 2 * precision * recall by their sum, and you return the sum itself." must_say=["sum|add|\\+", "multipl|divid|formula|2 \\*|product"] kind="value"
+# %% name="swapped precision and recall, sum of both" origin="new" sentence="You multiply nothing: F1 divides 2 * precision * recall by their sum, and you return the sum itself." must_say=["the sum|add", "multipl|divid|formula", "sum itself|itself|sum|product"] kind="value"
 def f1_score(edges, outlines, tolerance):
     t = tolerance
 

@@ -1,11 +1,11 @@
-# %% name="mono16 read as bytes" origin="walk" sentence="A mono16 pixel takes two bytes, and you read every byte as a pixel: for mono16 read the data as uint16." must_say=["two bytes|2 bytes|16", "uint16|u2|mono16"] kind="dtype"
+# %% name="mono16 read as bytes" origin="walk" sentence="A mono16 pixel takes two bytes, and you read every byte as a pixel: for mono16 read the data as uint16." must_say=["two bytes|2 bytes|every byte|16 bit", "as uint16|u2|read .*uint16|uint16 .*read|dtype"] kind="dtype"
 def decode(message):
     rows = np.frombuffer(message.data, np.uint8).reshape(message.height, message.step)
     if message.encoding in ("rgb8", "bgr8"):
         return rows[:, : message.width * 3].reshape(message.height, message.width, 3)
     return rows[:, : message.width]
 
-# %% name="reshape by width, padding not removed" origin="walk" sentence="Rows may be padded, so the data does not fit height × width: cut it into rows of step bytes first, then crop each row to the width." must_say=["step|padd", "crop|cut|row"] kind="error"
+# %% name="reshape by width, padding not removed" origin="walk" sentence="Rows may be padded, so the data does not fit height × width: cut it into rows of step bytes first, then crop each row to the width." must_say=["step|padd", "crop|cut|padd"] kind="error"
 def decode(message):
     flat = np.frombuffer(message.data, dtype=np.uint8)
     if message.encoding == "mono8":
@@ -15,7 +15,7 @@ def decode(message):
         return np.frombuffer(message.data, dtype=order).reshape(message.height, message.width).astype(np.uint16)
     return flat.reshape(message.height, message.width, 3)
 
-# %% name="first bytes cut by width" origin="walk" sentence="You cut rows of width bytes, but a padded row is step bytes long, so the padding shows and the image is sheared: reshape by step, then crop." must_say=["step", "padd|shear|crop"] kind="value"
+# %% name="first bytes cut by width" origin="walk" sentence="You cut rows of width bytes, but a padded row is step bytes long, so the padding shows and the image is sheared: reshape by step, then crop." must_say=["step|padd", "padd|shear|crop|\\bcut\\b"] kind="value"
 def decode(message):
     h, w = message.height, message.width
     flat = np.frombuffer(message.data, dtype=np.uint8)
@@ -26,7 +26,7 @@ def decode(message):
         return np.frombuffer(message.data, dtype=order)[: h * w].reshape(h, w).astype(np.uint16)
     return flat[: h * w * 3].reshape(h, w, 3)
 
-# %% name="byte order ignored" origin="walk" sentence="You read mono16 always with the little end first; where is_bigendian is 1 the more significant byte comes first, so choose the dtype by that field." must_say=["endian|byte order|little|big", "is_bigendian|>u2|field|order"] must_not_say=["padd"] kind="value"
+# %% name="byte order ignored" origin="walk" sentence="You read mono16 always with the little end first; where is_bigendian is 1 the more significant byte comes first, so choose the dtype by that field." must_say=["endian|byte order|significant", "is_bigendian|>u2|field"] must_not_say=["padd"] kind="value"
 def decode(message):
     rows = np.frombuffer(message.data, np.uint8).reshape(message.height, message.step)
     if message.encoding == "mono16":
@@ -36,7 +36,7 @@ def decode(message):
         return rows[:, : message.width]
     return rows[:, : message.width * 3].reshape(message.height, message.width, 3)
 
-# %% name="byte orders swapped" origin="new" sentence="You have the two byte orders the wrong way round: > means the big end first, and belongs to is_bigendian = 1." must_say=["endian|byte order|big end", "swap|exchang|wrong way|other way|revers|>"] kind="value"
+# %% name="byte orders swapped" origin="new" sentence="You have the two byte orders the wrong way round: > means the big end first, and belongs to is_bigendian = 1." must_say=["endian|byte order|big end", "swap|exchang|wrong way|other way|revers|turned|>"] must_not_say=["padd"] kind="value"
 def decode(message):
     h, w, step = message.height, message.width, message.step
     rows = np.frombuffer(message.data, np.uint8).reshape(h, step)
@@ -47,7 +47,7 @@ def decode(message):
         return rows[:, :w]
     return rows[:, : 3 * w].reshape(h, w, 3)
 
-# %% name="rgb8 turned into bgr" origin="new" sentence="You turn the channels of rgb8 around, but the task wants them as they lie in data: leave out the [..., ::-1]." must_say=["channel|::-1|red|bgr", "as they (lie|are|stand)|order|leave|turn|revers|swap"] must_not_say=["endian"] kind="value"
+# %% name="rgb8 turned into bgr" origin="new" sentence="You turn the channels of rgb8 around, but the task wants them as they lie in data: leave out the [..., ::-1]." must_say=["channel|::-1|bgr", "as they (lie|are|stand|come)|leave out|\\bturn(ed|s)?\\b|revers|swap"] must_not_say=["endian"] kind="value"
 def decode(message):
     h, w, step = message.height, message.width, message.step
     rows = np.frombuffer(message.data, np.uint8).reshape(h, step)
@@ -61,7 +61,7 @@ def decode(message):
         image = image[..., ::-1]
     return image
 
-# %% name="width and height swapped" origin="new" sentence="The shape begins with the rows: reshape to (height, step), not (width, ...)." must_say=["height|row", "width|column|swap|first|shape"] kind="error"
+# %% name="width and height swapped" origin="new" sentence="The shape begins with the rows: reshape to (height, step), not (width, ...)." must_say=["height", "width", "first|swap|exchang|begin|wrong way|not \\(width"] kind="error"
 def decode(message):
     w, h = message.width, message.height
     flat = np.frombuffer(message.data, np.uint8)
@@ -72,7 +72,7 @@ def decode(message):
         return np.frombuffer(message.data, order).reshape(w, -1)[:, :h].astype(np.uint16)
     return flat.reshape(w, -1)[:, : h * 3].reshape(w, h, 3)
 
-# %% name="colour row cropped to width bytes" origin="new" sentence="A colour row has width × 3 bytes before the padding, and you keep only width of them: crop at width * 3 before you reshape." must_say=["\\b3\\b|three", "width|crop|byte"] kind="error"
+# %% name="colour row cropped to width bytes" origin="new" sentence="A colour row has width × 3 bytes before the padding, and you keep only width of them: crop at width * 3 before you reshape." must_say=["\\b3\\b|three", "crop|keep only|width bytes|too few|width ?(\\*|×) ?3"] kind="error"
 def decode(message):
     h, w = message.height, message.width
     rows = np.frombuffer(message.data, np.uint8).reshape(h, message.step)
@@ -84,7 +84,7 @@ def decode(message):
         return rows
     return rows.reshape(h, w, 3)
 
-# %% name="padding kept" origin="new" sentence="You cut the data into rows of step bytes, but the padding at the end of each row is still there: keep only the first width columns." must_say=["padd|end of (each|every|the) row|extra|too wide|too many columns", "width|crop|keep"] kind="shape"
+# %% name="padding kept" origin="new" sentence="You cut the data into rows of step bytes, but the padding at the end of each row is still there: keep only the first width columns." must_say=["padd|end of (each|every|the) row|too wide|too many columns", "keep only|crop|still|remove|cut off|columns"] kind="shape"
 def decode(message):
     h = message.height
     flat = np.frombuffer(message.data, np.uint8)
@@ -96,7 +96,7 @@ def decode(message):
     rows = flat.reshape(h, message.step)
     return rows[:, : message.step // 3 * 3].reshape(h, message.step // 3, 3)
 
-# %% name="mono16 as uint8 after reading" origin="new" sentence="You read the right numbers and then narrow them to uint8, so everything above 255 is lost: mono16 stays uint16." must_say=["uint8|255|narrow", "uint16"] kind="dtype"
+# %% name="mono16 as uint8 after reading" origin="new" sentence="You read the right numbers and then narrow them to uint8, so everything above 255 is lost: mono16 stays uint16." must_say=["uint8", "uint16", "lost|narrow|stays|keep|cut"] kind="dtype"
 def decode(message):
     h, w = message.height, message.width
     rows = np.frombuffer(message.data, np.uint8).reshape(h, message.step)
@@ -109,7 +109,7 @@ def decode(message):
         image = rows[:, : 3 * w].reshape(h, w, 3)
     return image.astype(np.uint8)
 
-# %% name="colour flattened to two dimensions" origin="new" sentence="For rgb8 and bgr8 you return (height, 3 × width), without the axis of the channels: reshape to (height, width, 3)." must_say=["channel|\\b3\\b|three|axis|dimension", "reshape|shape"] kind="shape"
+# %% name="colour flattened to two dimensions" origin="new" sentence="For rgb8 and bgr8 you return (height, 3 × width), without the axis of the channels: reshape to (height, width, 3)." must_say=["channel|axis|dimension", "height, width, 3|third|last axis|reshape"] kind="shape"
 def decode(message):
     h, w = message.height, message.width
     size = {"mono8": 1, "mono16": 2, "rgb8": 3, "bgr8": 3}[message.encoding]
@@ -119,7 +119,7 @@ def decode(message):
         return np.ascontiguousarray(rows).view(order).astype(np.uint16)
     return rows
 
-# %% name="channels first" origin="new" sentence="You put the channels first, (3, height, width), as if data held one whole plane per colour: the three bytes of a pixel stand side by side, so the shape is (height, width, 3)." must_say=["channel|plane|colou?r", "last|first|side by side|height, width, 3|together"] kind="shape"
+# %% name="channels first" origin="new" sentence="You put the channels first, (3, height, width), as if data held one whole plane per colour: the three bytes of a pixel stand side by side, so the shape is (height, width, 3)." must_say=["channel|plane|colou?r", "first|side by side|together|last"] kind="shape"
 def decode(message):
     h, w = message.height, message.width
     rows = np.frombuffer(message.data, np.uint8).reshape(h, message.step)
@@ -151,7 +151,7 @@ def decode(message):
         return np.ascontiguousarray(rows[:, : 2 * w]).view(order).astype(np.uint16)
     return cv2.resize(rows[:, : 3 * w].reshape(h, w, 3), (w, h))
 
-# %% name="array made of data without frombuffer" origin="new" sentence="np.array(message.data) makes one single object of the bytes, not their numbers: np.frombuffer(message.data, np.uint8) reads them." must_say=["frombuffer|list\\(", "np\\.array|bytes|object|number"] kind="error"
+# %% name="array made of data without frombuffer" origin="new" sentence="np.array(message.data) makes one single object of the bytes, not their numbers: np.frombuffer(message.data, np.uint8) reads them." must_say=["frombuffer|list\\(", "np\\.array|single|object|one value"] kind="error"
 def decode(message):
     rows = np.array(message.data).reshape(message.height, message.step)
     if message.encoding == "mono8":
@@ -160,7 +160,7 @@ def decode(message):
         return rows[:, : message.width * 2].view("<u2")
     return rows[:, : message.width * 3].reshape(message.height, message.width, 3)
 
-# %% name="lists of lists from a loop" origin="new" sentence="You return a list of lists, and an array was asked for: wrap it in np.array(..., dtype=np.uint8)." must_say=["list", "array"] kind="type"
+# %% name="lists of lists from a loop" origin="new" sentence="You return a list of lists, and an array was asked for: wrap it in np.array(..., dtype=np.uint8)." must_say=["\\blists?\\b", "array"] kind="type"
 def decode(message):
     h, w = message.height, message.width
     if message.encoding == "mono16":
@@ -184,7 +184,7 @@ def decode(message):
         result.append(row)
     return result
 
-# %% name="dtype int64 from the list" origin="new" sentence="The values are right, but np.array makes int64 of Python numbers: say the dtype, np.uint8 (np.uint16 for mono16)." must_say=["dtype|int64|type", "uint8|uint16"] kind="dtype"
+# %% name="dtype int64 from the list" origin="new" sentence="The values are right, but np.array makes int64 of Python numbers: say the dtype, np.uint8 (np.uint16 for mono16)." must_say=["int64|values are right", "uint8|uint16"] kind="dtype"
 def decode(message):
     h, w, step = message.height, message.width, message.step
     data = list(message.data)
@@ -195,7 +195,7 @@ def decode(message):
         return np.array([[data[y * step + 2 * x] * big + data[y * step + 2 * x + 1] * small for x in range(w)] for y in range(h)])
     return np.array([[data[y * step + 3 * x : y * step + 3 * x + 3] for x in range(w)] for y in range(h)])
 
-# %% name="bytes joined in uint8" origin="new" sentence="A uint8 value times 256 runs past 255 and wraps around: widen the bytes with astype(np.uint16) before you put the two together." must_say=["uint8|wrap|255|overflow", "widen|astype|uint16"] kind="value"
+# %% name="bytes joined in uint8" origin="new" sentence="A uint8 value times 256 runs past 255 and wraps around: widen the bytes with astype(np.uint16) before you put the two together." must_say=["wrap|past 255|overflow|does not fit|shift", "widen|astype|uint16"] kind="value"
 def decode(message):
     h, w = message.height, message.width
     rows = np.frombuffer(message.data, np.uint8).reshape(h, message.step)
@@ -208,7 +208,7 @@ def decode(message):
         return ((second << 8) + first).astype(np.uint16)
     return rows[:, : 3 * w].reshape(h, w, 3)
 
-# %% name="only mono8 is handled" origin="new" sentence="You decode every message as mono8, one byte a pixel: look at message.encoding, because rgb8 and bgr8 take three bytes and mono16 two." must_say=["encoding|rgb8|mono16", "byte|three|two|channel|case"] kind="shape"
+# %% name="only mono8 is handled" origin="new" sentence="You decode every message as mono8, one byte a pixel: look at message.encoding, because rgb8 and bgr8 take three bytes and mono16 two." must_say=["every message|one byte|message\\.encoding|look at .*encoding|always", "rgb8|mono16|three|colou?r|encoding"] kind="shape"
 def decode(message):
     rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
     return rows[:, : message.width]
@@ -224,7 +224,7 @@ def decode(message):
         return np.ascontiguousarray(rows[:, : 2 * w]).view(order).astype(np.uint16)
     return rows[:, :w]
 
-# %% name="crop before the pixels are formed" origin="new" sentence="You crop the mono16 row to width bytes, but each pixel takes two: crop at width * 2 bytes." must_say=["two|\\b2\\b", "width|crop|byte"] kind="shape"
+# %% name="crop before the pixels are formed" origin="new" sentence="You crop the mono16 row to width bytes, but each pixel takes two: crop at width * 2 bytes." must_say=["two|\\b2\\b", "crop|width ?(\\*|×) ?2|half|too few"] kind="shape"
 def decode(message):
     h, w = message.height, message.width
     rows = np.frombuffer(message.data, np.uint8).reshape(h, message.step)
@@ -241,7 +241,7 @@ def decode(message):
     rows = np.frombuffer(message["data"], np.uint8).reshape(message["height"], message["step"])
     return rows[:, : message["width"]]
 
-# %% name="result only in a name" origin="new" sentence="The array is stored in image, but the function ends without return: give image back." must_say=["return|give .* back"] kind="no-return"
+# %% name="result only in a name" origin="new" sentence="The array is stored in image, but the function ends without return: give image back." must_say=["return|give .* back", "never|forg|nothing|None|no return|without (a )?return|missing|add (a )?return|end with|end the function|lost"] kind="no-return"
 def decode(message):
     h, w = message.height, message.width
     rows = np.frombuffer(message.data, np.uint8).reshape(h, message.step)

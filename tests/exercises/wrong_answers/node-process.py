@@ -1,4 +1,4 @@
-# %% name="gray level spelled as in prose" origin="walk" sentence="The key must be exactly \"gray\"; you spelled it \"grey\"." must_say=["key", "gray|grey"] must_not_say=["dtype", "list"] kind="value"
+# %% name="gray level spelled as in prose" origin="walk" sentence="The key must be exactly \"gray\"; you spelled it \"grey\"." must_say=["grey", "gray"] must_not_say=["dtype", "list"] kind="value"
 def process(frame):
     return {"grey": cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)}
 
@@ -28,11 +28,11 @@ def process(frame):
     gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
     return {gray: gray}
 
-# %% name="RGB2GRAY for a frame with blue first" origin="new" sentence="The frame has blue first, and COLOR_RGB2GRAY takes the first channel for red: use COLOR_BGR2GRAY." must_say=["blue|bgr", "red|rgb|first|order|channel"] kind="value"
+# %% name="RGB2GRAY for a frame with blue first" origin="new" sentence="The frame has blue first, and COLOR_RGB2GRAY takes the first channel for red: use COLOR_BGR2GRAY." must_say=["blue|bgr", "\\bred\\b|RGB|first|order|swap", "RGB|BGR|first|order|swap"] kind="value"
 def process(frame):
     return {"gray": cv2.cvtColor(frame, cv2.COLOR_RGB2GRAY)}
 
-# %% name="frame returned in three channels" origin="new" sentence="Your value still has three channels: the gray image has one number per pixel and the shape (height, width)." must_say=["three|\\b3\\b|channel|shape", "one|height|gray"] kind="shape"
+# %% name="frame returned in three channels" origin="new" sentence="Your value still has three channels: the gray image has one number per pixel and the shape (height, width)." must_say=["three|\\b3\\b|channels", "one (number|value|channel)|height, width|shape|two dimensions"] kind="shape"
 def process(frame):
     gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
     return {"gray": cv2.cvtColor(gray, cv2.COLOR_GRAY2BGR)}
@@ -58,18 +58,18 @@ def process(frame):
 def process(frame):
     return {"gray": frame.mean(axis=2).astype(np.uint8)}
 
-# %% name="sum wraps in uint8" origin="new" sentence="The sum of three uint8 channels runs past 255 and wraps around, and a plain average is not luma: use cv2.cvtColor, or widen and use the weights." must_say=["wrap|255|overflow|uint8|average", "luma|weigh|cvtColor|widen"] kind="value"
+# %% name="sum wraps in uint8" origin="new" sentence="The sum of three uint8 channels runs past 255 and wraps around, and a plain average is not luma: use cv2.cvtColor, or widen and use the weights." must_say=["wrap|255|overflow|average", "luma|weigh|cvtColor|widen"] kind="value"
 def process(frame):
     gray = (frame[..., 0] + frame[..., 1] + frame[..., 2]) // 3
     return {"gray": gray}
 
-# %% name="luma truncated" origin="new" sentence="astype(np.uint8) cuts the fraction off instead of rounding: call np.round first, or better let cv2.cvtColor do it." must_say=["truncat|cuts?|round|fraction|drop", "round|cvtColor|half"] kind="value"
+# %% name="luma truncated" origin="new" sentence="astype(np.uint8) cuts the fraction off instead of rounding: call np.round first, or better let cv2.cvtColor do it." must_say=["truncat|cuts?|fraction|drop", "np\\.round|\\bround(ing|ed)?\\b|cvtColor|half"] kind="value"
 def process(frame):
     b, g, r = frame[..., 0], frame[..., 1], frame[..., 2]
     gray = 0.114 * b + 0.587 * g + 0.299 * r
     return {"gray": gray.astype(np.uint8)}
 
-# %% name="green channel" origin="new" sentence="You return the green channel alone; luma is a weighted sum of blue, green and red." must_say=["green|one channel|channel alone|single channel", "weigh|sum|luma|cvtColor"] kind="value"
+# %% name="green channel" origin="new" sentence="You return the green channel alone; luma is a weighted sum of blue, green and red." must_say=["\\bgreen\\b", "green channel|alone|one channel|single"] kind="value"
 def process(frame):
     return {"gray": frame[..., 1].copy()}
 
@@ -77,7 +77,7 @@ def process(frame):
 def process(frame):
     return {"gray": cv2.imread(frame, cv2.IMREAD_GRAYSCALE)}
 
-# %% name="conversion code forgotten" origin="new" sentence="cv2.cvtColor must also be told which conversion: give it cv2.COLOR_BGR2GRAY as the second argument." must_say=["COLOR_BGR2GRAY|second argument|conversion|code|missing argument"] kind="error"
+# %% name="conversion code forgotten" origin="new" sentence="cv2.cvtColor must also be told which conversion: give it cv2.COLOR_BGR2GRAY as the second argument." must_say=["second argument|which conversion|conversion code|missing|code"] kind="error"
 def process(frame):
     return {"gray": cv2.cvtColor(frame)}
 
@@ -85,11 +85,11 @@ def process(frame):
 def process(frame):
     return [{"gray": cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)}]
 
-# %% name="capital key" origin="new" sentence="The key \"Gray\" has a capital letter, and the task asks for \"gray\": keys are compared letter by letter." must_say=["key", "capital|upper|small|lower|letter|\"gray\""] kind="value"
+# %% name="capital key" origin="new" sentence="The key \"Gray\" has a capital letter, and the task asks for \"gray\": keys are compared letter by letter." must_say=["capital|upper|lower|small letter|letter by letter"] kind="value"
 def process(frame):
     return {"Gray": cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)}
 
-# %% name="gray image upside down" origin="new" sentence="You also turn the image upside down ([::-1] reverses the rows): that belongs to the practice below, here return the gray image as it is." must_say=["upside|revers|flip|::-1|turn"] kind="value"
+# %% name="gray image upside down" origin="new" sentence="You also turn the image upside down ([::-1] reverses the rows): that belongs to the practice below, here return the gray image as it is." must_say=["upside|revers|flip|::-1"] kind="value"
 def process(frame):
     gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
     return {"gray": gray[::-1]}
@@ -98,7 +98,7 @@ def process(frame):
 def process(frame):
     return {"gray": cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY).tolist()}
 
-# %% name="parenthesis not closed" origin="new" sentence="Python cannot read this line: a parenthesis is opened and never closed." must_say=["parenthes|bracket|syntax|closed"] kind="syntax"
+# %% name="parenthesis not closed" origin="new" sentence="Python cannot read this line: a parenthesis is opened and never closed." must_say=["parenthes|bracket|syntax", "closed|open|Python|missing|syntax|match"] kind="syntax"
 def process(frame):
     return {"gray": cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY}
 

@@ -6,28 +6,28 @@ def count_pixels(frame):
 def count_pixels(frame):
     return frame.size / 3
 
-# %% name="no parameter, global frame" origin="walk" sentence="Your function takes no argument, but it is called with a frame: write count_pixels(frame) and use that parameter, not the frame of another cell." must_say=["argument|parameter", "frame"] must_not_say=["define frame"] kind="error"
+# %% name="no parameter, global frame" origin="walk" sentence="Your function takes no argument, but it is called with a frame: write count_pixels(frame) and use that parameter, not the frame of another cell." must_say=["argument|parameter|takes no|takes 0", "count_pixels\\(frame\\)|no (argument|parameter)|takes (no|0)|without|parenthes|missing"] must_not_say=["define frame"] kind="error"
 def count_pixels():
     return frame.shape[0] * frame.shape[1]
 
-# %% name="function renamed" origin="walk" sentence="The exercise needs a function with the name count_pixels, and this cell defines countpixels: use the name of the task." must_say=["name|called|defin", "count_pixels"] kind="other-name"
+# %% name="function renamed" origin="walk" sentence="The exercise needs a function with the name count_pixels, and this cell defines countpixels: use the name of the task." must_say=["countpixels|\\bnames?\\b|renam|spell", "count_pixels"] kind="other-name"
 def countpixels(frame):
     return frame.shape[0] * frame.shape[1]
 
-# %% name="size counts every channel" origin="new" sentence="frame.size counts all numbers in the array, three for each pixel (one per channel): multiply rows by columns only." must_say=["three|\\b3\\b|channel", "row|column|pixel"] kind="value"
+# %% name="size counts every channel" origin="new" sentence="frame.size counts all numbers in the array, three for each pixel (one per channel): multiply rows by columns only." must_say=["three|\\b3\\b|channel", "size|multipl|times|for each pixel|per pixel"] kind="value"
 def count_pixels(frame):
     return frame.size
 
-# %% name="all three of shape multiplied" origin="new" sentence="You also multiply by the 3 channels: a pixel has three numbers, but it is one pixel, so leave the last number of the shape out." must_say=["three|\\b3\\b|channel", "pixel|row|column"] kind="value"
+# %% name="all three of shape multiplied" origin="new" sentence="You also multiply by the 3 channels: a pixel has three numbers, but it is one pixel, so leave the last number of the shape out." must_say=["three|\\b3\\b|channel", "size|multipl|times|one pixel|leave"] kind="value"
 def count_pixels(frame):
     height, width, channels = frame.shape
     return height * width * channels
 
-# %% name="hard-coded 720 x 1280" origin="new" sentence="921600 is right only for the frame of the lesson: other images have another size, so compute the number from frame.shape." must_say=["shape|other (image|frame|size)|another size|fixed|hard", "frame|image|size"] kind="value"
+# %% name="hard-coded 720 x 1280" origin="new" sentence="921600 is right only for the frame of the lesson: other images have another size, so compute the number from frame.shape." must_say=["921 ?,?600|720|1280|fixed|hard|constant|typed|other (image|frame|size)s?|another size|any (size|image)|every image|different size", "shape|comput|size|height|rows"] kind="value"
 def count_pixels(frame):
     return 720 * 1280
 
-# %% name="len counts only the rows" origin="new" sentence="len(frame) is the number of rows only: multiply it by the number of columns, frame.shape[1]." must_say=["row", "column|shape\\[1\\]|width"] kind="value"
+# %% name="len counts only the rows" origin="new" sentence="len(frame) is the number of rows only: multiply it by the number of columns, frame.shape[1]." must_say=["\\blen\\b|rows only|number of rows|only (counts )?(the )?rows", "column|shape\\[1\\]|width"] kind="value"
 def count_pixels(frame):
     return len(frame)
 
@@ -37,19 +37,19 @@ def count_pixels(frame):
     columns = frame.shape[1]
     return rows + columns
 
-# %% name="shape indexed from 1" origin="new" sentence="Python counts from 0: the rows are shape[0] and the columns shape[1], while shape[2] is the number of channels." must_say=["shape\\[0\\]|from 0|from zero|first", "channel|shape\\[2\\]|row|index"] kind="value"
+# %% name="shape indexed from 1" origin="new" sentence="Python counts from 0: the rows are shape[0] and the columns shape[1], while shape[2] is the number of channels." must_say=["from 0|from zero|shape\\[0\\]|starts? at 0", "channel|shape\\[2\\]|index"] kind="value"
 def count_pixels(frame):
     return frame.shape[1] * frame.shape[2]
 
-# %% name="rows and columns as a tuple" origin="new" sentence="You return two numbers, the rows and the columns, as a tuple: the task asks for one number, so multiply them." must_say=["tuple|two (numbers|values)|pair", "multipl|one (whole )?number|product|times"] kind="type"
+# %% name="rows and columns as a tuple" origin="new" sentence="You return two numbers, the rows and the columns, as a tuple: the task asks for one number, so multiply them." must_say=["tuple|pair|returns? (two|both)|two (numbers|values) came", "multipl|one (whole )?number|product"] kind="type"
 def count_pixels(frame):
     return frame.shape[0], frame.shape[1]
 
-# %% name="only the pixels that are not black" origin="new" sentence="np.count_nonzero counts the values that are not 0, so black pixels are lost and each channel counts: the values do not matter here, only the shape does." must_say=["zero|black|\\b0\\b", "shape|value|row|every pixel|all pixels"] kind="value"
+# %% name="only the pixels that are not black" origin="new" sentence="np.count_nonzero counts the values that are not 0, so black pixels are lost and each channel counts: the values do not matter here, only the shape does." must_say=["nonzero|black|not 0|not zero|(is|are|equal|value) 0", "shape|value|every pixel|all pixels|rows"] kind="value"
 def count_pixels(frame):
     return np.count_nonzero(frame)
 
-# %% name="return forgotten" origin="new" sentence="You compute the number but never give it back: end the function with return." must_say=["return"] must_not_say=["print"] kind="no-return"
+# %% name="return forgotten" origin="new" sentence="You compute the number but never give it back: end the function with return." must_say=["return|give .* back", "never|forg|nothing|None|no return|without (a )?return|missing|add (a )?return|end with|end the function|lost"] must_not_say=["print"] kind="no-return"
 def count_pixels(frame):
     rows = frame.shape[0]
     columns = frame.shape[1]
@@ -64,7 +64,7 @@ def count_pixels(frame):
     rows, columns = frame.shape
     return rows * columns
 
-# %% name="text instead of a number" origin="new" sentence="You return a text (str), but a number was asked for: return rows * columns without the f-string." must_say=["text|string|\\bstr\\b", "number|int"] kind="type"
+# %% name="text instead of a number" origin="new" sentence="You return a text (str), but a number was asked for: return rows * columns without the f-string." must_say=["text|string|\\bstr\\b", "number|\\bint\\b"] kind="type"
 def count_pixels(frame):
     return f"{frame.shape[0] * frame.shape[1]}"
 
@@ -93,7 +93,7 @@ def count_pixels(frame):
 def count_pixels(frame)
     return frame.shape[0] * frame.shape[1]
 
-# %% name="sum of the values" origin="new" sentence="sum adds up the values of the pixels instead of counting the pixels: use the shape of the array." must_say=["sum|add", "shape|count|row"] kind="value"
+# %% name="sum of the values" origin="new" sentence="sum adds up the values of the pixels instead of counting the pixels: use the shape of the array." must_say=["\\bsum\\b|adds? up the (values|numbers|pixels)", "shape|count|row|size"] kind="value"
 def count_pixels(frame):
     return frame.sum()
 
@@ -105,7 +105,7 @@ def count_pixels(frame):
 def count_pixels(frame):
     return math.prod(frame.shape[:2])
 
-# %% name="shape of another cell's frame" origin="new" sentence="You read the frame from recording, a name of another cell: use the frame that your function receives as its argument." must_say=["recording|another cell|other cell", "argument|parameter|receive|cell"] kind="other-cell"
+# %% name="shape of another cell's frame" origin="new" sentence="You read the frame from recording, a name of another cell: use the frame that your function receives as its argument." must_say=["recording", "argument|parameter|receive|cell|frame"] kind="other-cell"
 def count_pixels(frame):
     first = recording.frame(0)
     return first.shape[0] * first.shape[1]

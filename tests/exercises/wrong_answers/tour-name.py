@@ -1,4 +1,4 @@
-# %% name="names of the pages, not of the task" origin="walk" sentence="The name \"gray\" is not one of the four: return exactly \"grayscale\", \"binarization\", \"edges\" or \"noise removal\"." must_say=["\"?gr[ae]y\"?|name|word|spell", "grayscale|one of the four|four names"] kind="value"
+# %% name="names of the pages, not of the task" origin="walk" sentence="The name \"gray\" is not one of the four: return exactly \"grayscale\", \"binarization\", \"edges\" or \"noise removal\"." must_say=["\"?gr[ae]y\"?", "grayscale"] must_not_say=["capital"] kind="value"
 def name_operation(before, after):
     if after.ndim == 3:
         return "noise removal"
@@ -8,7 +8,7 @@ def name_operation(before, after):
         return "edges"
     return "binarization"
 
-# %% name="binary instead of binarization" origin="walk" sentence="You return \"binary\", but the task's name for this operation is \"binarization\"." must_say=["binary", "binarization"] must_not_say=["channel"] kind="value"
+# %% name="binary instead of binarization" origin="walk" sentence="You return \"binary\", but the task's name for this operation is \"binarization\"." must_say=["\\bbinary\\b", "binarization"] must_not_say=["channel"] kind="value"
 def name_operation(before, after):
     if len(after.shape) == 3:
         return "noise removal"
@@ -48,7 +48,7 @@ def name_operation(before, after):
         return "binarization"
     return "grayscale"
 
-# %% name="edges and binarization swapped" origin="new" sentence="You have the two names the wrong way round: edges are thin, so few pixels are white; a binary image has large white areas." must_say=["swap|exchang|wrong way|other way|turned round|mixed up|reverse", "edge|thin|white|few"] kind="value"
+# %% name="edges and binarization swapped" origin="new" sentence="You have the two names the wrong way round: edges are thin, so few pixels are white; a binary image has large white areas." must_say=["swap|exchang|wrong way|other way|turned (a)?round|mixed up|reverse|below|less", "edge|thin|white|few"] kind="value"
 def name_operation(before, after):
     if after.ndim == 3:
         return "noise removal"
@@ -58,7 +58,7 @@ def name_operation(before, after):
         return "edges"
     return "binarization"
 
-# %% name="two values is always binarization" origin="new" sentence="Edges have only 0 and 255 too, so two values are not enough to say binarization: also look at the share of white pixels." must_say=["edge", "white|share|mean|how many"] kind="value"
+# %% name="two values is always binarization" origin="new" sentence="Edges have only 0 and 255 too, so two values are not enough to say binarization: also look at the share of white pixels." must_say=["edge", "two values|\\b2\\b|also|too|not enough|0 and 255", "white|share|mean|how many"] kind="value"
 def name_operation(before, after):
     if after.ndim == 3:
         return "noise removal"
@@ -68,7 +68,7 @@ def name_operation(before, after):
         return "edges"
     return "grayscale"
 
-# %% name="noise removal asked by equality of values" origin="new" sentence="Noise removal changes pixels, so before and after are not equal; what stays is the shape with its three channels." must_say=["equal|same|chang|differ", "shape|channel|colou?r"] kind="value"
+# %% name="noise removal asked by equality of values" origin="new" sentence="Noise removal changes pixels, so before and after are not equal; what stays is the shape with its three channels." must_say=["equal|same|chang|array_equal", "three|channel|colou?r"] kind="value"
 def name_operation(before, after):
     if np.array_equal(before, after):
         return "noise removal"
@@ -88,7 +88,7 @@ def name_operation(before, after):
         return "Edges"
     return "Binarization"
 
-# %% name="share of white in percent" origin="new" sentence="The mean of a mask is a share between 0 and 1, and you compare it with 20: write 0.2, or multiply the share by 100." must_say=["percent|%|between 0 and 1|0\\.2|share", "0\\.2|100|20"] kind="value"
+# %% name="share of white in percent" origin="new" sentence="The mean of a mask is a share between 0 and 1, and you compare it with 20: write 0.2, or multiply the share by 100." must_say=["percent|%|between 0 and 1|\\b20\\b", "0\\.2|100|20"] kind="value"
 def name_operation(before, after):
     if after.ndim == 3:
         return "noise removal"
@@ -98,7 +98,7 @@ def name_operation(before, after):
         return "binarization"
     return "edges"
 
-# %% name="mean of the gray levels instead of the mask" origin="new" sentence="after.mean() is the mean gray level from 0 to 255, not the share of white pixels: take the mean of the mask after == 255." must_say=["mean|average", "== ?255|mask|share|white"] kind="value"
+# %% name="mean of the gray levels instead of the mask" origin="new" sentence="after.mean() is the mean gray level from 0 to 255, not the share of white pixels: take the mean of the mask after == 255." must_say=["mean gray|gray level|0 to 255|not the share", "== ?255|mask|share|white"] kind="value"
 def name_operation(before, after):
     if after.ndim == 3:
         return "noise removal"
@@ -108,7 +108,7 @@ def name_operation(before, after):
         return "edges"
     return "binarization"
 
-# %% name="white counted, not its share" origin="new" sentence="sum() gives the number of white pixels, not their share: divide by the number of pixels, or use mean()." must_say=["sum|count|number of", "share|mean|divide|part"] kind="value"
+# %% name="white counted, not its share" origin="new" sentence="sum() gives the number of white pixels, not their share: divide by the number of pixels, or use mean()." must_say=["\\bsum\\b|count|number of white", "share|mean|divide"] kind="value"
 def name_operation(before, after):
     if after.ndim == 3:
         return "noise removal"
@@ -130,7 +130,7 @@ def name_operation(before, after):
     else:
         print("binarization")
 
-# %% name="no answer for the last case" origin="new" sentence="For a binary image none of your ifs is true, so the function ends without return and gives None: add the last case." must_say=["None|no return|without return|nothing|last case|else|missing", "binar|case|if|return"] kind="no-return"
+# %% name="no answer for the last case" origin="new" sentence="For a binary image none of your ifs is true, so the function ends without return and gives None: add the last case." must_say=["None|no return|without (a )?return|nothing|last case|\\belse\\b|missing", "binar|last|case"] kind="no-return"
 def name_operation(before, after):
     if after.ndim == 3:
         return "noise removal"
@@ -139,7 +139,7 @@ def name_operation(before, after):
     if (after == 255).mean() < 0.2:
         return "edges"
 
-# %% name="looks at before" origin="new" sentence="You look at the image before the operation, and that is a colour image every time: look at after." must_say=["before", "after"] kind="value"
+# %% name="looks at before" origin="new" sentence="You look at the image before the operation, and that is a colour image every time: look at after." must_say=["\\bbefore\\b", "look at after|image after|use after|\\bafter\\b", "look|colou?r|every time|instead|use"] kind="value"
 def name_operation(before, after):
     if before.ndim == 3:
         return "noise removal"
@@ -149,7 +149,7 @@ def name_operation(before, after):
         return "edges"
     return "binarization"
 
-# %% name="shape compared with 3" origin="new" sentence="after.shape is a tuple such as (720, 1280, 3) and never equals the number 3: compare len(after.shape) or after.ndim with 3." must_say=["tuple|shape", "len|ndim|number of dimensions|last"] kind="value"
+# %% name="shape compared with 3" origin="new" sentence="after.shape is a tuple such as (720, 1280, 3) and never equals the number 3: compare len(after.shape) or after.ndim with 3." must_say=["tuple|never equal|number 3", "len|ndim|number of dimensions|last", "compar|equal|number 3|never"] kind="value"
 def name_operation(before, after):
     if after.shape == 3:
         return "noise removal"
@@ -160,13 +160,13 @@ def name_operation(before, after):
     else:
         return "binarization"
 
-# %% name="single = in the if" origin="new" sentence="Python cannot read this: = stores a value, and a comparison needs ==." must_say=["==|syntax"] kind="syntax"
+# %% name="single = in the if" origin="new" sentence="Python cannot read this: = stores a value, and a comparison needs ==." must_say=["==", "stores|assign|syntax|Python cannot|needs =="] kind="syntax"
 def name_operation(before, after):
     if after.ndim = 3:
         return "noise removal"
     return "grayscale"
 
-# %% name="the size of the lesson's frame" origin="new" sentence="You compare with the size (720, 1280, 3) of the lesson's frame, but other images have other sizes: ask only for the number of dimensions." must_say=["720|1280|size|hard|fixed", "dimension|ndim|len|channel|other"] kind="value"
+# %% name="the size of the lesson's frame" origin="new" sentence="You compare with the size (720, 1280, 3) of the lesson's frame, but other images have other sizes: ask only for the number of dimensions." must_say=["lesson|hard|fixed|other sizes|other images|any size", "dimension|ndim|len|channel"] kind="value"
 def name_operation(before, after):
     if after.shape == (720, 1280, 3):
         return "noise removal"
@@ -186,7 +186,7 @@ def name_operation(before, after):
         return "edges"
     return "binarization"
 
-# %% name="separate ifs, the later one wins" origin="new" sentence="Your ifs run one after the other, so a later one writes over the name of an earlier one: use elif, or return at once." must_say=["elif|return at once|return immediately|over|last if|later", "if|name|result"] kind="value"
+# %% name="separate ifs, the later one wins" origin="new" sentence="Your ifs run one after the other, so a later one writes over the name of an earlier one: use elif, or return at once." must_say=["elif|return at once|return immediately|one after the other|last if|later", "over|elif|name|result"] kind="value"
 def name_operation(before, after):
     name = "noise removal"
     if after.ndim == 2 and len(np.unique(after)) > 2:
@@ -197,7 +197,7 @@ def name_operation(before, after):
         name = "binarization"
     return name
 
-# %% name="gray image asked for three channels with len" origin="new" sentence="len(after) is the number of rows, not of channels: use after.ndim or len(after.shape)." must_say=["len|row", "ndim|len\\(after\\.shape\\)|shape"] kind="value"
+# %% name="gray image asked for three channels with len" origin="new" sentence="len(after) is the number of rows, not of channels: use after.ndim or len(after.shape)." must_say=["\\blen\\b|number of rows", "row", "ndim|len\\(after\\.shape\\)|shape"] kind="value"
 def name_operation(before, after):
     if len(after) == 3:
         return "noise removal"
@@ -207,7 +207,7 @@ def name_operation(before, after):
         return "edges"
     return "binarization"
 
-# %% name="the image comes back, not its name" origin="new" sentence="You return the image after itself; the task asks for the name of the operation, as text." must_say=["name|text|string|\\bstr\\b", "image|array|after"] kind="type"
+# %% name="the image comes back, not its name" origin="new" sentence="You return the image after itself; the task asks for the name of the operation, as text." must_say=["return|back|came", "image|array", "name|text|string|\\bstr\\b", "text|string|\\bstr\\b|itself"] kind="type"
 def name_operation(before, after):
     if after.ndim == 3:
         return after
