@@ -254,7 +254,7 @@ def key(lessons, seed, out, masters, replace, unsafe):
     LESSON is a number or a name: 02 or 02_images_as_messages. Without LESSON, the key has all lessons.
     """
     from imgproc_course.autograder.answer_key import KeyFolderError
-    from imgproc_course.autograder.make_answer_key import kept_seed, make_key
+    from imgproc_course.autograder.make_answer_key import make_key, read_or_make_seed
     from imgproc_course.autograder.sandbox.bubblewrap import SandboxError
     from imgproc_course.exercises.declaration import MasterError
 
@@ -262,7 +262,7 @@ def key(lessons, seed, out, masters, replace, unsafe):
     try:
         folder = _masters_folder(masters)
         is_seed_saved = seed is None
-        seed = kept_seed(seed_file) if is_seed_saved else seed
+        seed = read_or_make_seed(seed_file) if is_seed_saved else seed
         answer_key = make_key(folder, seed, out, lessons, unsafe=unsafe, replace=replace)
     except (MasterError, KeyFolderError, SandboxError) as error:
         raise click.ClickException(str(error)) from error
@@ -341,7 +341,7 @@ def grade(submissions, keys, out, workers, kernel, deadline, unsafe, fresh, plat
     from imgproc_course.autograder.sandbox.bubblewrap import SandboxError
     from imgproc_course.gradebook.collect import CollectError
     from imgproc_course.gradebook.grade import grade_submissions
-    from imgproc_course.gradebook.grades_json import GradesFolderError
+    from imgproc_course.gradebook.result_store import GradesFolderError
 
     try:
         report = grade_submissions(
@@ -349,7 +349,7 @@ def grade(submissions, keys, out, workers, kernel, deadline, unsafe, fresh, plat
             keys,
             out,
             deadline=deadline,
-            afresh=fresh,
+            fresh=fresh,
             scheduler=scheduler,
             platform_tables=platform_tables,
             kernel=kernel,

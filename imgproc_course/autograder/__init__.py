@@ -1,1 +1,1 @@
-"""Run answers in a sandbox, compare what they return with the answer key, give results."""
+"""Run answers in a sandbox, compare what they return with the answer key, and return the results."""

@@ -1,16 +1,17 @@
-"""The answer key: what grading compares with, made from a secret seed by the kernel that grades.
+"""The answer key: what answers are compared with. `make_answer_key` makes it from a secret seed.
 
-A key is a folder, not to be handed out:
+A key is a folder that learners must not get:
 
     key.json                            lessons with their versions, exercises, cases, known mistakes
-    <lesson>/<exercise>.ipynb           the exercise as nbval grades it: given cells, the answer (a place for
-                                        it), one check cell a case, with the solution's outputs and counts
-    <lesson>/<exercise>.inputs.json     the arguments of each case's calls (see `kernel.inside.values`)
-    <lesson>/<exercise>.mistakes.json   what each known mistake does on them
-    handed_out.json                     each lesson's cell ids, with the source of check and given cells
+    <lesson>/<exercise>.ipynb           the exercise as nbval grades it: given cells, a placeholder for the
+                                        answer, one check cell per case with the solution's outputs
+    <lesson>/<exercise>.inputs.json     the arguments of each case's calls (see `input_encoding`)
+    <lesson>/<exercise>.mistakes.json   what each known mistake does with them
+    handed_out.json                     the ids of each lesson's cells, and the source of check and given
+    cells
 
-The seed stands in none of them. Public cases get inputs of this seed too, so that nothing in the course's
-repository gives an answer away. There is no pickle in a key; an altered one can at most grade wrongly.
+The seed is in none of these files. Public cases get inputs from this seed too, so that nothing in the
+course's repository gives an answer away. A key contains no pickle; an altered key can at most grade wrongly.
 """
 
 import hashlib
@@ -19,22 +20,22 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
-from imgproc_course.autograder.reference import did_the_same
+from imgproc_course.autograder.answer_forms import read_calls
 from imgproc_course.autograder.sandbox.inside.check_cell import MIME
 from imgproc_course.autograder.sandbox.inside.input_encoding import decode
 from imgproc_course.exercises.canonical import canonical
 
-FORMAT = 1
+FORMAT = 2
 HANDED_OUT = "handed_out.json"
 
 
 class KeyFolderError(ValueError):
-    """A key that cannot be read or written; one line with the remedy."""
+    """A key cannot be read or written; the message is one line with the remedy."""
 
 
 @dataclass(frozen=True)
 class KeyCase:
-    """One case as the key knows it; `calls` is the number of calls that it makes."""
+    """One test case in the key; `calls` is the number of calls that it makes."""
 
     id: str
     title: str
@@ -47,17 +48,17 @@ class KeyCase:
 
 @dataclass(frozen=True)
 class KeyMistake:
-    """A known wrong answer: its name, and what is said to a learner who gives it."""
+    """A known wrong answer: its name, and the explanation for a learner who gives it."""
 
     name: str
-    says: str
+    explanation: str
 
 
 @dataclass(frozen=True)
 class KeyExercise:
-    """One exercise as the key knows it; a practice exercise has no cases and is not graded.
+    """One exercise in the key; a practice exercise has no cases and is not graded.
 
-    stub       the answer's cell as it was handed out
+    stub       the answer cell's source in the lesson
     arguments  names of the function's arguments
     """
 
@@ -86,12 +87,12 @@ class KeyLesson:
 
     @property
     def points(self):
-        return sum(each.points for each in self.exercises)
+        return sum(exercise.points for exercise in self.exercises)
 
 
 @dataclass(frozen=True)
 class Key:
-    """A key as `load_key` read it. `digest` tells one key from another; `lessons` maps name -> KeyLesson."""
+    """A key that `load_key` read. `digest` identifies it; `lessons` maps name -> KeyLesson."""
 
     path: Path
     digest: str
@@ -99,9 +100,8 @@ class Key:
 
     def exercise(self, id):
         """The KeyExercise of that id, or None."""
-        return next(
-            (each for lesson in self.lessons.values() for each in lesson.exercises if each.id == id), None
-        )
+        exercises = (exercise for lesson in self.lessons.values() for exercise in lesson.exercises)
+        return next((exercise for exercise in exercises if exercise.id == id), None)
 
     def lesson_of(self, exercise_id):
         """The name of the lesson that an exercise belongs to, or None."""
@@ -109,7 +109,7 @@ class Key:
             (
                 name
                 for name, lesson in self.lessons.items()
-                if any(e.id == exercise_id for e in lesson.exercises)
+                if any(exercise.id == exercise_id for exercise in lesson.exercises)
             ),
             None,
         )
@@ -121,12 +121,12 @@ class Key:
 
 @dataclass(frozen=True)
 class ExerciseContent:
-    """What stands in an exercise's three files.
+    """The contents of an exercise's three files.
 
     notebook  dict, of nbformat 4
     inputs    {case id: list of calls, each the encoded tuple of its arguments}
-    mistakes  {name: {case id: list of what each call did}}
-    expected  {case id: list of canonical forms, one a call}
+    mistakes  {name: {case id: list of CallResult}}
+    expected  {case id: list of canonical forms, one per call}
     """
 
     notebook: dict
@@ -134,9 +134,9 @@ class ExerciseContent:
     mistakes: dict
     expected: dict
 
-    def inputs_shown(self, case_id, call):
-        """The canonical forms of one call's arguments, for a report of a public case."""
-        return [canonical(value, limit=None) for value in decode(self.inputs[case_id][call])]
+    def canonical_arguments(self, case_id, number):
+        """The canonical forms of one call's arguments, to show a public case."""
+        return [canonical(value, limit=None) for value in decode(self.inputs[case_id][number])]
 
 
 @lru_cache(maxsize=64)
@@ -144,7 +144,12 @@ def _content(folder, id, _digest):
     try:
         notebook = json.loads((folder / f"{id}.ipynb").read_text(encoding="utf-8"))
         inputs = json.loads((folder / f"{id}.inputs.json").read_text(encoding="utf-8"))
-        mistakes = json.loads((folder / f"{id}.mistakes.json").read_text(encoding="utf-8"))
+        mistakes = {
+            name: {case_id: read_calls(calls) for case_id, calls in cases.items()}
+            for name, cases in json.loads(
+                (folder / f"{id}.mistakes.json").read_text(encoding="utf-8")
+            ).items()
+        }
         expected = {
             cell["id"]: [call["value"] for call in cell["outputs"][0]["data"][MIME]["calls"]]
             for cell in notebook["cells"]
@@ -171,17 +176,17 @@ def load_key(path):
 
     Raises
     ------
-    KeyFolderError : no key, one of another format, or one whose check cells were never run
+    KeyFolderError : there is no key, it has another format, or its check cells were never run
     """
     path = Path(path).resolve()
     try:
         text = (path / "key.json").read_text(encoding="utf-8")
-        written = json.loads(text)
-        if written["format"] != FORMAT:
+        content = json.loads(text)
+        if content["format"] != FORMAT:
             raise KeyFolderError(
-                f"{path}: a key of format {written['format']}, expected {FORMAT}; make it again"
+                f"{path}: a key of format {content['format']}, expected {FORMAT}; make it again"
             )
-        lessons = {lesson["name"]: _read_lesson(lesson) for lesson in written["lessons"]}
+        lessons = {entry["name"]: _read_lesson(entry) for entry in content["lessons"]}
     except FileNotFoundError as error:
         raise KeyFolderError(
             f"{path}: there is no key; make one: imgproc-course key --seed S --out {path.name}"
@@ -192,82 +197,86 @@ def load_key(path):
         raise KeyFolderError(f"{path}/key.json: cannot be read ({error}); make the key again") from error
     digest = hashlib.sha256(text.encode())
     for lesson in lessons.values():
-        for each in lesson.exercises:
-            if not each.practice:
-                _refuse_unrun(path / lesson.name / f"{each.id}.ipynb", digest)
+        for exercise in lesson.exercises:
+            if not exercise.practice:
+                digest.update(_read_checked(path / lesson.name / f"{exercise.id}.ipynb"))
     return Key(path, digest.hexdigest(), lessons)
 
 
-def _read_lesson(written):
-    exercises = tuple(_read_exercise(each) for each in written["exercises"])
-    return KeyLesson(**{**written, "exercises": exercises})
+def _read_lesson(entry):
+    exercises = tuple(_read_exercise(exercise) for exercise in entry["exercises"])
+    return KeyLesson(**entry | {"exercises": exercises})
 
 
-def _read_exercise(written):
-    return KeyExercise(
-        **{
-            **written,
-            "refused": tuple(written["refused"]),
-            "arguments": tuple(written["arguments"]),
-            "cases": tuple(KeyCase(**case) for case in written["cases"]),
-            "mistakes": tuple(KeyMistake(**mistake) for mistake in written["mistakes"]),
-        }
-    )
+def _read_exercise(entry):
+    fields = {
+        "refused": tuple(entry["refused"]),
+        "arguments": tuple(entry["arguments"]),
+        "cases": tuple(KeyCase(**case) for case in entry["cases"]),
+        "mistakes": tuple(KeyMistake(**mistake) for mistake in entry["mistakes"]),
+    }
+    return KeyExercise(**entry | fields)
 
 
-def _refuse_unrun(path, digest):
-    """nbval never compares a cell without an execution count: such a key would pass everybody."""
+def _read_checked(path):
+    """The bytes of an exercise's notebook; all its cells must have been run.
+
+    nbval never compares a cell without an execution count: such a key would let every answer pass.
+    """
     try:
-        text = path.read_text(encoding="utf-8")
-        cells = json.loads(text)["cells"]
+        data = path.read_bytes()
+        cells = json.loads(data)["cells"]
     except (OSError, ValueError, KeyError, TypeError) as error:
         raise KeyFolderError(f"{path}: cannot be read ({error}); make the key again") from error
-    digest.update(text.encode())
     for cell in cells:
-        checks = cell["id"].startswith(("case-", "check-", "hidden-"))
+        is_check = cell["id"].startswith(("case-", "check-", "hidden-"))
         if cell["cell_type"] == "code" and (
-            not isinstance(cell.get("execution_count"), int) or (checks and not cell["outputs"])
+            not isinstance(cell.get("execution_count"), int) or (is_check and not cell["outputs"])
         ):
             raise KeyFolderError(
-                f"{path}: cell {cell['id']} has no execution count, so nbval would pass whatever it shows;"
+                f"{path}: cell {cell['id']} has no execution count, so nbval would let every answer pass;"
                 " make the key again"
             )
+    return data
 
 
 # ---------------------------------------------------------------- known mistakes
 
 
-def known_mistake(exercise, content, done):
+def known_mistake(exercise, content, calls):
     """The declared mistake that did, on every public call, exactly what the answer did.
 
-    One that did the same on the hidden calls too goes before one that did not. The rule is `check`'s own, so
-    that a lesson and a report name the same mistake.
+    A mistake that agrees on the hidden calls too is preferred to one that does not. `check` has the same
+    rule, so a lesson and a report name the same mistake.
 
     Parameters
     ----------
     exercise : KeyExercise
     content : ExerciseContent
-    done : {case id: list of what each call did, or None}
+    calls : {case id: list of CallResult, or None}, of the answer
 
     Returns
     -------
     KeyMistake or None
     """
     public = [case for case in exercise.cases if not case.hidden]
-    fitting = [
-        mistake for mistake in exercise.mistakes if _fits(content.mistakes[mistake.name], done, public)
+    candidates = [
+        mistake for mistake in exercise.mistakes if _agrees(content.mistakes[mistake.name], calls, public)
     ]
-    wholly = [mistake for mistake in fitting if _fits(content.mistakes[mistake.name], done, exercise.cases)]
-    return next(iter([*wholly, *fitting]), None)
+    best = [
+        mistake for mistake in candidates if _agrees(content.mistakes[mistake.name], calls, exercise.cases)
+    ]
+    return next(iter([*best, *candidates]), None)
 
 
-def _fits(mistake, done, cases):
+def _agrees(mistake_calls, calls, cases):
     for case in cases:
-        calls, predicted = done.get(case.id), mistake[case.id]
-        if calls is None or len(calls) != len(predicted):
+        answer, mistake = calls.get(case.id), mistake_calls[case.id]
+        if answer is None or len(answer) != len(mistake):
             return False
         if not all(
-            did_the_same(call, other, case.tolerance) for call, other in zip(calls, predicted, strict=True)
+            call.like(mistake_call, case.tolerance)
+            for call, mistake_call in zip(answer, mistake, strict=True)
         ):
             return False
     return True

@@ -1,7 +1,7 @@
-"""The first thing that the judge's pytest loads: spares it what reading a notebook does not need.
+"""Block two slow imports that reading a notebook does not need; the nbval process loads this module first.
 
-jsonschema takes these where they are installed, to check addresses and durations: `rfc3987_syntax` builds a
-grammar when it is imported, which takes a second, and `isoduration` brings a calendar.
+jsonschema uses them, if they are installed, to check addresses and durations. `rfc3987_syntax` builds a
+grammar when it is imported, which takes a second, and `isoduration` imports a calendar.
 """
 
 import sys

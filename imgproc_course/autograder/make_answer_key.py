@@ -1,6 +1,6 @@
-"""Make an answer key: run each solution on inputs drawn from a secret seed, in the kernel that grades.
+"""Make an answer key: run each solution on inputs drawn from a secret seed, in the sandbox that grades.
 
-`answer_key` describes what a key holds, and reads it.
+`answer_key` describes what a key contains, and reads it.
 """
 
 import hashlib
@@ -16,6 +16,7 @@ from tqdm import tqdm
 
 from imgproc_course.authoring.atomic_write import write_folder
 from imgproc_course.authoring.masters import find_masters, read_master
+from imgproc_course.autograder.answer_forms import is_form, read_answer
 from imgproc_course.autograder.answer_key import (
     FORMAT,
     HANDED_OUT,
@@ -25,28 +26,28 @@ from imgproc_course.autograder.answer_key import (
     KeyMistake,
     load_key,
 )
-from imgproc_course.autograder.reference import failing_call, is_form, read_answer
 from imgproc_course.autograder.sandbox import bubblewrap
-from imgproc_course.autograder.sandbox.inside.check_cell import MIME, argument_names, told_of
+from imgproc_course.autograder.sandbox.inside.check_cell import MIME, argument_names, call_to_json
 from imgproc_course.autograder.sandbox.inside.input_encoding import decode, encode
-from imgproc_course.autograder.sandbox.kernels import Kernels
+from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
+from imgproc_course.autograder.verdict import verdict_on
 from imgproc_course.exercises import running
 from imgproc_course.exercises.declaration import MasterError
 
-EMIT = "from imgproc_course.autograder.sandbox.inside.check_cell import emit"
-PLACEHOLDER = "# the learner's answer stands here"
+_EMIT_IMPORT = "from imgproc_course.autograder.sandbox.inside.check_cell import emit"
+_PLACEHOLDER = "# the learner's answer"
 
 
-def kept_seed(path):
-    """The secret seed stored in a file; made and stored where there is no such file.
+def read_or_make_seed(path):
+    """The secret seed in a file; if there is no such file, make a seed and store it there.
 
     Parameters
     ----------
-    path : Path of a text file, readable by its owner alone
+    path : Path of a text file that only its owner can read
 
     Returns
     -------
-    str, 32 hexadecimal digits where it was made here
+    str; a new seed has 32 hexadecimal digits
 
     Raises
     ------
@@ -62,18 +63,18 @@ def kept_seed(path):
 
 
 def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False):
-    """Make a key: run each solution on inputs drawn from the seed, in the kernel that grades.
+    """Make a key: run each solution on inputs drawn from the seed, in the sandbox that grades.
 
-    The folder is written at the end, whole: an error or Ctrl-C leaves what was there.
+    The folder is written whole at the end: an error or Ctrl-C leaves the old one unchanged.
 
     Parameters
     ----------
     masters_dir : Path of the folder of masters
-    seed : int or str, the teacher's secret; it is stored nowhere
+    seed : int or str, the teacher's secret; the key does not contain it
     out : Path of the key's folder
-    names : lessons, as `find_masters` takes them; all where empty
-    unsafe : bool, do without a sandbox
-    replace : bool, take the place of a key that stands there
+    names : lessons, as `find_masters` takes them; all if empty
+    unsafe : bool, run without a sandbox
+    replace : bool, replace an existing key
 
     Returns
     -------
@@ -81,52 +82,54 @@ def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False):
 
     Raises
     ------
-    MasterError : a solution that fails, or inputs that cannot travel as data; names lesson and case
+    MasterError : a solution fails, or inputs cannot be sent to a kernel as data; names lesson and case
     KeyFolderError : there is a key already, or the folder cannot be written
     SandboxError : there is no sandbox here
     """
     out = Path(out)
     if out.exists() and not replace and (not out.is_dir() or any(out.iterdir())):
         raise KeyFolderError(
-            f"{out}: there is something already, and grades may depend on it: name another folder, or say"
-            " --replace"
+            f"{out}: it exists already, and grades may depend on it: choose another folder, or use --replace"
         )
     if not unsafe:
-        bubblewrap.demand()
+        bubblewrap.require_sandbox()
     masters = [read_master(path) for path in find_masters(masters_dir, names)]
-    parts = [(master, each) for master in masters for each in master.exercises]
-    written = {}
-    with Kernels("fast", unsafe=unsafe) as kernels:
-        for master, declared in tqdm(parts, desc="key", unit=" exercises", delay=2, leave=False):
-            maker = _Maker(master, declared, _number(seed), kernels)
-            written[declared.id] = maker.practice() if declared.practice else maker.graded()
-    files = {name: text for _, texts in written.values() for name, text in texts.items()}
-    lessons = [_lesson(master, written) for master in masters]
-    files[HANDED_OUT] = _handed_out(masters)
+    exercises = [(master, exercise) for master in masters for exercise in master.exercises]
+    entries, files = {}, {}
+    with KernelFactory("fast", unsafe=unsafe) as kernel_factory:
+        for master, exercise in tqdm(exercises, desc="key", unit=" exercises", delay=2, leave=False):
+            maker = _ExerciseKeyMaker(master, exercise, _numpy_seed(seed), kernel_factory)
+            entries[exercise.id] = maker.entry()
+            files |= {} if exercise.practice else maker.files()
+    lessons = [_lesson_entry(master, entries) for master in masters]
+    files[HANDED_OUT] = _handed_out_cells(masters)
     files["key.json"] = json.dumps({"format": FORMAT, "lessons": lessons}, indent=1, sort_keys=True) + "\n"
-    _write(out, files)
+    try:
+        write_folder(out, files, permissions=0o700)
+    except OSError as error:
+        raise KeyFolderError(f"{out}: cannot be written ({error})") from error
     return load_key(out)
 
 
-def _number(seed):
-    """A seed for NumPy: words are as good as numbers, and harder to guess."""
+def _numpy_seed(seed):
+    """A seed for NumPy: a phrase is as good as a number, and harder to guess."""
     return int.from_bytes(hashlib.sha256(f"imgproc-course {seed}".encode()).digest()[:16])
 
 
-def _lesson(master, written):
+def _lesson_entry(master, entries):
     return {
         "name": master.name,
         "title": master.title,
         "version": version("imgproc-course"),
         "digest": hashlib.sha256(master.path.read_bytes()).hexdigest(),
-        "exercises": [written[each.id][0] for each in master.exercises],
+        "exercises": [entries[exercise.id] for exercise in master.exercises],
     }
 
 
-def _handed_out(masters):
-    """What the cells of the lessons look like when they are handed out, as JSON.
+def _handed_out_cells(masters):
+    """The ids of the lessons' cells, and the source of check and given cells, as JSON.
 
-    With it, changed check cells are noticed, and a learner's own cells are distinguished from the lesson's.
+    They show which check cells a learner changed, and which cells are the learner's own.
     """
     lessons = {
         master.name: {
@@ -137,166 +140,179 @@ def _handed_out(masters):
     return json.dumps(lessons, indent=1, sort_keys=True) + "\n"
 
 
-def _write(out, files):
-    try:
-        write_folder(out, files, permissions=0o700)
-    except OSError as error:
-        raise KeyFolderError(f"{out}: cannot be written ({error})") from error
+class _ExerciseKeyMaker:
+    """Makes the key's part of one exercise."""
 
+    def __init__(self, master, exercise, seed, kernel_factory):
+        self._master, self._exercise = master, exercise
+        self._seed, self._kernel_factory = seed, kernel_factory
+        self._inputs = {}
+        if not exercise.practice:
+            if "numpy" in exercise.refused:
+                raise MasterError(
+                    f"{exercise.master.name}: {exercise.id} refuses numpy, which every answer needs"
+                )
+            self._inputs = {case.id: self._encoded_inputs(case) for case in exercise.cases}
 
-class _Maker:
-    """The key's part of one exercise."""
-
-    def __init__(self, master, declared, seed, kernels):
-        self._master, self._declared, self._seed, self._kernels = master, declared, seed, kernels
-
-    def practice(self):
-        """Known by name, never graded; its inputs may be anything."""
-        return self._entry((), ()), {}
-
-    def graded(self):
-        """The exercise's entry in key.json, and its files."""
-        declared = self._declared
-        if "numpy" in declared.refused:
-            raise MasterError(
-                f"{declared.master.name}: {declared.id} refuses numpy, which every answer finds"
-            )
-        inputs = {case.id: self._inputs(case) for case in declared.cases}
-        shown = {case.id: self._shown(case, inputs[case.id]) for case in declared.cases}
-        mistakes = {
-            mistake.name: {case.id: self._done_by(mistake, inputs[case.id]) for case in declared.cases}
-            for mistake in declared.mistakes
-        }
-        cases = tuple(
-            KeyCase(
-                case.id, case.title, case.hint, case.points, case.hidden, case.tolerance, len(inputs[case.id])
-            )
-            for case in declared.cases
-        )
-        known = tuple(KeyMistake(mistake.name, mistake.says) for mistake in declared.mistakes)
-        where = f"{self._master.name}/{declared.id}"
-        files = {
-            f"{where}.ipynb": nbformat.writes(self._notebook(shown)) + "\n",
-            f"{where}.inputs.json": json.dumps(inputs, sort_keys=True) + "\n",
-            f"{where}.mistakes.json": json.dumps(mistakes, sort_keys=True) + "\n",
-        }
-        return self._entry(cases, known), files
-
-    def _entry(self, cases, mistakes):
-        declared = self._declared
-        solution = declared.function_of(declared.solution, "solution")
-        entry = KeyExercise(
-            id=declared.id,
-            title=declared.title,
-            function=declared.function,
+    def entry(self):
+        """The exercise's entry in key.json; a practice exercise has no cases there."""
+        exercise = self._exercise
+        cases = () if exercise.practice else tuple(self._key_case(case) for case in exercise.cases)
+        mistakes = () if exercise.practice else exercise.mistakes
+        solution = exercise.function_of(exercise.solution, "solution")
+        key_exercise = KeyExercise(
+            id=exercise.id,
+            title=exercise.title,
+            function=exercise.function,
             points=sum(case.points for case in cases),
-            refused=declared.refused,
-            time_limit=declared.time_limit,
-            practice=declared.practice,
-            stub=declared.stub,
+            refused=exercise.refused,
+            time_limit=exercise.time_limit,
+            practice=exercise.practice,
+            stub=exercise.stub,
             arguments=tuple(argument_names(solution)),
             cases=cases,
-            mistakes=mistakes,
+            mistakes=tuple(KeyMistake(mistake.name, mistake.says) for mistake in mistakes),
         )
-        return asdict(entry)
+        return asdict(key_exercise)
 
-    def _inputs(self, case):
-        declared = self._declared
+    def files(self):
+        """{relative name: text} of a graded exercise's files."""
+        exercise = self._exercise
+        payloads = {case.id: self._solution_payload(case) for case in exercise.cases}
+        mistakes = {
+            mistake.name: {case.id: self._calls_of(mistake, case) for case in exercise.cases}
+            for mistake in exercise.mistakes
+        }
+        prefix = f"{self._master.name}/{exercise.id}"
+        return {
+            f"{prefix}.ipynb": nbformat.writes(self._notebook(payloads)) + "\n",
+            f"{prefix}.inputs.json": json.dumps(self._inputs, sort_keys=True) + "\n",
+            f"{prefix}.mistakes.json": json.dumps(mistakes, sort_keys=True) + "\n",
+        }
+
+    def _key_case(self, case):
+        return KeyCase(
+            case.id,
+            case.title,
+            case.hint,
+            case.points,
+            case.hidden,
+            case.tolerance,
+            len(self._inputs[case.id]),
+        )
+
+    def _encoded_inputs(self, case):
+        exercise = self._exercise
         try:
-            return [encode(arguments) for arguments in declared.arguments(case, self._seed)]
+            return [encode(arguments) for arguments in exercise.arguments(case, self._seed)]
         except TypeError as error:
             raise MasterError(
-                f"{declared.master.name}, line {case.line}: {case.id}: {error}; or make the exercise"
+                f"{exercise.master.name}, line {case.line}: {case.id}: {error}; or make the exercise"
                 " practice=True"
             ) from error
 
-    def _shown(self, case, inputs):
-        """What the solution's check cell shows, in a kernel as the graded ones."""
-        declared = self._declared
-        kernel = self._kernels.start(declared.refused, declared.time_limit * len(inputs))
+    def _solution_payload(self, case):
+        """What the solution's check cell shows, in a kernel like those that grade."""
+        subject = f"{self._exercise.master.name}, {case.id}: the solution"
+        runs = self._run_solution(case)
+        for run in runs:
+            if run.ended or run.error[0]:
+                raise MasterError(f"{subject} fails in grading: {run.ended} {': '.join(run.error)}".strip())
+        payloads = runs[-1].answers
+        answer = read_answer(payloads[0]) if len(payloads) == 1 else None
+        if answer is None or answer[1]:
+            raise MasterError(f"{subject} shows no values, or uses a module that the exercise refuses")
+        calls = answer[0]
+        for call in calls:
+            problem = _comparison_problem(call)
+            if problem:
+                raise MasterError(f"{subject} returns nothing that can be compared: {problem}")
+        if not verdict_on(payloads, [call.value for call in calls], case.tolerance).passed:
+            raise MasterError(f"{subject} does not equal itself")
+        return {"calls": [call_to_json(call) for call in calls], "refused": []}
+
+    def _run_solution(self, case):
+        exercise, inputs = self._exercise, self._inputs[case.id]
+        kernel = self._kernel_factory.start(exercise.refused, exercise.time_limit * len(inputs))
         try:
-            runs = [
-                *(kernel.run(source) for source in (*declared.given, declared.solution)),
-                kernel.deliver(inputs, declared.time_limit, declared.refused),
-                kernel.run(_check_source(declared.function)),
+            return [
+                *(kernel.run(source) for source in (*exercise.given, exercise.solution)),
+                kernel.deliver(inputs, exercise.time_limit, exercise.refused),
+                kernel.run(_check_source(exercise.function)),
             ]
         finally:
             kernel.stop()
-        where = f"{declared.master.name}, {case.id}: the solution"
-        for run in runs:
-            if run.ended or run.error[0]:
-                raise MasterError(f"{where} fails in grading: {run.ended} {': '.join(run.error)}".strip())
-        read = read_answer(runs[-1].answers[0]) if len(runs[-1].answers) == 1 else None
-        if read is None or read[1]:
-            raise MasterError(f"{where} shows no values, or uses what the exercise refuses")
-        for call in read[0]:
-            if "value" not in call or call["changed"] or not _is_comparable(call["value"]):
-                told = call.get("error") or "changes its input" if call.get("changed") else str(call)[:200]
-                raise MasterError(f"{where} gives nothing that can be compared: {told}")
-        expected = [call["value"] for call in read[0]]
-        if failing_call(expected, read[0], case.tolerance) is not None:
-            raise MasterError(f"{where} does not equal itself")
-        return {"calls": read[0], "refused": []}
 
-    def _done_by(self, mistake, inputs):
-        declared = self._declared
-        wrong = declared.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
-        done = []
-        for encoded in inputs:
+    def _calls_of(self, mistake, case):
+        exercise = self._exercise
+        function = exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
+        calls = []
+        for encoded in self._inputs[case.id]:
             arguments = decode(encoded)
-            outcome = running.call(wrong, arguments, argument_names(wrong, arguments), declared.time_limit)
-            done.append(told_of(outcome))
-        return done
+            names = argument_names(function, arguments)
+            calls.append(call_to_json(running.call(function, arguments, names, exercise.time_limit)))
+        return calls
 
-    def _notebook(self, shown):
-        declared = self._declared
-        cells = [new_markdown_cell(f"# {declared.title}", id=f"{declared.id}-title"[:64])]
-        for number, source in enumerate(declared.given, 1):
-            cells.append(_code_cell(f"given-{declared.id}-{number}", source, len(cells), free=True))
-        cells.append(_code_cell(f"answer-{declared.id}", PLACEHOLDER, len(cells), free=True))
-        for case in declared.cases:
-            cell = _code_cell(case.id, _check_source(declared.function), len(cells))
-            cell.outputs = [new_output("display_data", {MIME: shown[case.id]})]
+    def _notebook(self, payloads):
+        exercise = self._exercise
+        cells = [new_markdown_cell(f"# {exercise.title}", id=f"{exercise.id}-title"[:64])]
+        for number, source in enumerate(exercise.given, 1):
+            cells.append(_code_cell(f"given-{exercise.id}-{number}", source, len(cells), compared=False))
+        cells.append(_code_cell(f"answer-{exercise.id}", _PLACEHOLDER, len(cells), compared=False))
+        for case in exercise.cases:
+            cell = _code_cell(case.id, _check_source(exercise.function), len(cells))
+            cell.outputs = [new_output("display_data", {MIME: payloads[case.id]})]
             cells.append(cell)
         kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
-        about = {"exercise": declared.id, "version": version("imgproc-course")}
-        return new_notebook(cells=cells, metadata={"kernelspec": kernel, "imgproc_course": about})
+        origin = {"exercise": exercise.id, "version": version("imgproc-course")}
+        return new_notebook(cells=cells, metadata={"kernelspec": kernel, "imgproc_course": origin})
 
 
 def _check_source(function):
-    return f"{EMIT}\n\nemit({function})"
+    return f"{_EMIT_IMPORT}\n\nemit({function})"
 
 
-def _code_cell(id, source, count, *, free=False):
-    """A cell that has been run; a `free` one is run for what it defines, and never compared."""
-    tags = ["nbval-ignore-output", "nbval-raises-exception"] if free else []
+def _code_cell(id, source, count, *, compared=True):
+    """A cell that has been run; nbval never compares a cell that is run only for what it defines."""
+    tags = [] if compared else ["nbval-ignore-output", "nbval-raises-exception"]
     return new_code_cell(source, id=id, execution_count=count, metadata={"tags": tags} if tags else {})
 
 
+def _comparison_problem(call):
+    """Why a call of the solution gives nothing to compare with, "" if it does."""
+    if call.timed_out:
+        return "it does not finish in time"
+    if call.error:
+        return f"{call.error}: {call.message}" if call.message else call.error
+    if call.changed:
+        return f"it changes its input {', '.join(call.changed)}"
+    return "" if _is_comparable(call.value) else f"a value of type {call.value['type']}"
+
+
 def _is_comparable(form):
-    """False for a form that says only that there was something."""
+    """Whether the form holds the whole value, not only its type."""
     if not is_form(form) or form.get("opaque") or form.get("too_large"):
         return False
-    inner = [*form.get("items", ()), *form.get("fields", {}).values()]
-    parts = [each for item in inner for each in (item if isinstance(item, list) else [item])]
-    return all(_is_comparable(each) for each in parts)
+    entries = [*form.get("items", ()), *form.get("fields", {}).values()]
+    parts = [part for entry in entries for part in (entry if isinstance(entry, list) else [entry])]
+    return all(_is_comparable(part) for part in parts)
 
 
-def sample_answers(declared):
-    """Answers that a learner could hand in: the right one, the stub, and each known mistake.
+def sample_answers(exercise):
+    """Answers that a learner could submit: the right one, the stub, and each known mistake.
 
     Parameters
     ----------
-    declared : Exercise, of a master
+    exercise : Exercise, declared in a master
 
     Returns
     -------
-    {name: source}: "right", "untouched", and the mistakes by their names. A mistake that calls the right
-    answer, or what stands beside the declaration, is given both in its own cell.
+    {name: source}: "right", "untouched", and the mistakes by their names. A mistake may call the solution or
+    what the master defines beside the declaration; its source then contains both.
     """
     helpers = "from imgproc_course.exercises import exercise\n\n"
-    helpers += f"{declared.preparation}\n\n{declared.solution}\n\nsolution = {declared.function}\n\n"
-    answers = {"right": declared.solution, "untouched": declared.stub}
-    for mistake in declared.mistakes:
+    helpers += f"{exercise.preparation}\n\n{exercise.solution}\n\nsolution = {exercise.function}\n\n"
+    answers = {"right": exercise.solution, "untouched": exercise.stub}
+    for mistake in exercise.mistakes:
         answers[mistake.name] = f"{helpers}{mistake.source}"
     return answers

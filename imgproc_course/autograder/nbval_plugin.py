@@ -1,9 +1,13 @@
-"""nbval as the judge: the pytest plugin that feeds it one exercise after another.
+"""The pytest plugin of an nbval process: it makes nbval grade one exercise after another.
 
-Loaded by name into the pytest of `judge`. It changes nothing of nbval's: nbval collects each notebook, runs
-its cells and compares their outputs with the stored ones. Three of its surroundings are ours: the kernel
-behind `nbval.plugin.RunningKernel`, the stored outputs (`Reference`, which compares with a tolerance), and
-the loop, which takes submissions from a socket as long as there are any.
+What nbval does: it collects each exercise's notebook, sends the cells to what it takes for its kernel, reads
+the messages that come back, and lets a cell pass if there was no error, if there are as many outputs as
+stored, and if each output equals (`!=` is false) the stored one. A case gets its points only if nbval lets
+its cell pass. What ours does: `ExerciseKernel` takes the place of nbval's kernel and runs the cells in the
+sandbox; `verdict_on` makes the one comparison of what a check cell showed with the answer key, with the
+case's tolerance, as soon as the cell has run; and a `StoredVerdict` takes the place of the stored output, so
+nbval's `!=` reads that verdict and compares nothing a second time. The session loop takes submissions from a
+socket as long as there are any.
 """
 
 import json
@@ -15,62 +19,64 @@ from pathlib import Path
 import nbval.plugin
 import pytest
 
-from imgproc_course.autograder.answer_key import MIME, load_key
-from imgproc_course.autograder.reference import Reference, failing_call, read_answer
+from imgproc_course.autograder.answer_key import load_key
+from imgproc_course.autograder.nbval_process import SOCKET_VARIABLE
 from imgproc_course.autograder.results import (
-    CaseRun,
-    exercise_result,
-    is_stub,
-    refused_result,
-    submission_result,
+    GradedSubmission,
+    graded_exercise,
+    to_json,
+    ungraded_exercise,
 )
 from imgproc_course.autograder.sandbox.bubblewrap import Limits
-from imgproc_course.autograder.sandbox.kernels import Kernels
+from imgproc_course.autograder.sandbox.cell_run import MIME
+from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
+from imgproc_course.autograder.screening import reason_not_to_run
+from imgproc_course.autograder.verdict import CaseRun, verdict_on
 
-DESCRIPTOR = "IMGPROC_JUDGE_SOCKET"
-LONGEST = 200_000  # characters of one answer
-_ORDER = re.compile(r"^(\s*#+\s*)(NBVAL_\w+|PYTEST_VALIDATE_\w+)(\s*)$", re.M)
+_NBVAL_COMMENT = re.compile(r"^(\s*#+\s*)(NBVAL_\w+|PYTEST_VALIDATE_\w+)(\s*)$", re.M)
 
 
 class ExerciseKernel:
     """What nbval takes for its kernel, for one exercise.
 
-    Of what a check cell shows nbval gets the values alone: what the function printed or drew beside them
-    costs nothing, as in a lesson.
+    nbval gets only the values that a check cell shows. What the function printed or drew costs nothing, as in
+    a lesson.
     """
 
-    current = None  # the Session whose notebook nbval runs now
+    current = None  # the ExerciseRun whose notebook nbval runs now
 
     def __init__(self, kernel_name, cwd=None, startup_timeout=60):
-        self._work = ExerciseKernel.current
-        self._before, self._messages, self._count = [], [], 0
+        self._exercise_run = ExerciseKernel.current
+        self._sources_before, self._messages, self._cell_count = [], [], 0
         self.language = "python"
 
     def is_alive(self):
         return True
 
     def execute_cell_input(self, cell_input, allow_stdin=None):
-        self._count += 1
-        name = f"cell-{self._count}"
-        case = self._work.case_of(cell_input, self._count)
+        self._cell_count += 1
+        message_id = f"cell-{self._cell_count}"
+        case = self._exercise_run.case_of_cell(self._cell_count)
         if case is None:
-            self._before.append(cell_input)
+            self._sources_before.append(cell_input)
         else:
-            self._check(case, cell_input, name)
-        self._say(name, "status", execution_state="idle")
-        return name
+            self._run_case(case, cell_input, message_id)
+        self._add_message(message_id, "status", execution_state="idle")
+        return message_id
 
-    def _check(self, case, source, name):
-        run = self._work.run(case, [*self._before], source)
+    def _run_case(self, case, source, message_id):
+        run = self._exercise_run.run(case, [*self._sources_before], source)
         for answer in run.check.answers:
-            self._say(name, "display_data", data={MIME: answer}, metadata={})
+            self._add_message(message_id, "display_data", data={MIME: answer}, metadata={})
         if run.ended:
-            self._say(name, "error", ename=run.ended, evalue="", traceback=[])
+            self._add_message(message_id, "error", ename=run.ended, evalue="", traceback=[])
         elif run.check.error[0]:
-            self._say(name, "error", ename=run.check.error[0], evalue=run.check.error[1], traceback=[])
+            name, text = run.check.error
+            self._add_message(message_id, "error", ename=name, evalue=text, traceback=[])
 
-    def _say(self, name, kind, **content):
-        self._messages.append({"msg_type": kind, "content": content, "parent_header": {"msg_id": name}})
+    def _add_message(self, message_id, kind, **content):
+        parent = {"msg_id": message_id}
+        self._messages.append({"msg_type": kind, "content": content, "parent_header": parent})
 
     def await_reply(self, msg_id, timeout=None):
         pass
@@ -87,74 +93,84 @@ class ExerciseKernel:
     restart = stop = interrupt
 
 
-class Session:
-    """One exercise of one submission on its way through nbval.
+class ExerciseRun:
+    """One exercise of one submission.
 
-    Its checks run one after another in one kernel, as in JupyterLab, for as long as they pass. One that does
-    not is run in a new kernel, after the given cells and the answer, and what it does there counts: a patch,
-    a crash or a thread in one check costs no other.
+    Its checks run one after another in one kernel, as in JupyterLab, as long as they pass. A check that fails
+    is run again in a new kernel, after the given cells and the answer, and that run counts: a patch, a crash
+    or a thread in one check costs no other check anything.
+
+    runs     {case id: CaseRun}
+    passed   ids of the cases that nbval let pass
     """
 
-    def __init__(self, exercise, content, kernels, then):
-        self._exercise, self._content, self._kernels, self._then = exercise, content, kernels, then
-        self._cases = {}
-        self._kernel, self._answer = None, None
+    def __init__(self, exercise, content, kernel_factory, next_request):
+        self._exercise, self._content = exercise, content
+        self._kernel_factory, self._next_request = kernel_factory, next_request
+        self._kernel, self._kernel_seconds, self._answer_run = None, 0.0, None
         self.runs, self.passed = {}, set()
+        cases = {case.id: case for case in exercise.cases}
         code = [cell for cell in content.notebook["cells"] if cell["cell_type"] == "code"]
-        known = {case.id: case for case in exercise.cases}
-        for number, cell in enumerate(code, 1):
-            self._cases[number] = known.get(cell["id"])
+        self._cases = {number: cases.get(cell["id"]) for number, cell in enumerate(code, 1)}
 
-    def case_of(self, source, number):
-        """The case that the notebook's n-th code cell checks, or None."""
+    def case_of_cell(self, number):
+        """The KeyCase that the notebook's n-th code cell checks, or None; the first cell has number 1."""
         return self._cases[number]
 
-    def run(self, case, before, check):
-        """Run one case, its check cell after the cells before it; returns its CaseRun."""
-        run = self._in_the_same_kernel(case, check)
-        for _ in range(2):  # again where the process that forks kernels was ended
+    def run(self, case, sources_before, source):
+        """Run one case.
+
+        Parameters
+        ----------
+        case : KeyCase
+        sources_before : list of str, the given cells and the answer cell
+        source : str, its check cell
+
+        Returns
+        -------
+        CaseRun
+        """
+        run = self._run_in_same_kernel(case, source)
+        for _ in range(2):  # again if the fork server was ended
             if run is None or run.ended == "gone":
-                run = self._in_a_new_kernel(case, before, check)
+                run = self._run_in_new_kernel(case, sources_before, source)
         self.runs[case.id] = run
         return run
 
-    def _in_the_same_kernel(self, case, check):
-        """A CaseRun that passed, or None; of a kernel that lets a case use no more than its own would."""
-        if self._kernel is None or self._seconds > seconds_of(self._exercise, case):
+    def _run_in_same_kernel(self, case, source):
+        """A CaseRun that passed, or None. The kernel must not have more time than a new one would."""
+        if self._kernel is None or self._kernel_seconds > seconds_of(self._exercise, case):
             return None
-        run = CaseRun(answer=self._answer)
-        self._check(run, case, check)
-        return run if self._has_passed(run, case) else None
+        run = CaseRun(answer=self._answer_run)
+        self._run_check(run, case, source)
+        return run if run.passed else None
 
-    def _in_a_new_kernel(self, case, before, check):
+    def _run_in_new_kernel(self, case, sources_before, source):
         self.close()
-        self._seconds = seconds_of(self._exercise, case)
-        self._kernel = self._kernels.start(self._exercise.refused, self._seconds, self._then)
+        self._kernel_seconds = seconds_of(self._exercise, case)
+        self._kernel = self._kernel_factory.start(
+            self._exercise.refused, self._kernel_seconds, self._next_request
+        )
         run = CaseRun()
-        for source in before:
-            run.answer = self._kernel.run(source)
+        for source_before in sources_before:
+            run.answer = self._kernel.run(source_before)
             if run.ended:
                 break
         else:
-            self._check(run, case, check)
-        self._answer = run.answer
-        if not self._has_passed(run, case):
+            self._run_check(run, case, source)
+        self._answer_run = run.answer
+        if not run.passed:
             self.close()
         return run
 
-    def _check(self, run, case, check):
+    def _run_check(self, run, case, source):
         exercise = self._exercise
-        run.check = self._kernel.deliver(self._content.inputs[case.id], exercise.time_limit, exercise.refused)
+        inputs = self._content.inputs[case.id]
+        run.check = self._kernel.deliver(inputs, exercise.time_limit, exercise.refused)
         if not run.ended:
-            run.check = self._kernel.run(check)
-
-    def _has_passed(self, run, case):
-        if run.ended or run.check.error[0] or len(run.check.answers) != 1:
-            return False
-        read = read_answer(run.check.answers[0])
-        if read is None or read[1]:
-            return False
-        return failing_call(self._content.expected[case.id], read[0], case.tolerance) is None
+            run.check = self._kernel.run(source)
+        if not run.ended:
+            run.verdict = verdict_on(run.check.answers, self._content.expected[case.id], case.tolerance)
 
     def close(self):
         """End its kernel, if it has one."""
@@ -164,79 +180,100 @@ class Session:
 
 
 def seconds_of(exercise, case):
-    """Processor time of a case: the exercise's limit for each of its calls."""
+    """Processor time of a case: the exercise's time limit for each of its calls."""
     return exercise.time_limit * case.calls
 
 
-class Judge:
-    """The plugin's state: the key, where kernels come from, the way to `judge`."""
+class StoredVerdict:
+    """Takes the place of a check cell's stored output: nbval's `stored != shown` reads the case's verdict."""
+
+    def __init__(self, exercise_run, case_id):
+        self._exercise_run, self._case_id = exercise_run, case_id
+
+    def __ne__(self, shown):
+        run = self._exercise_run.runs.get(self._case_id)
+        return run is None or not run.passed
+
+    def __eq__(self, shown):
+        return not self != shown
+
+    __hash__ = None
+
+    def __repr__(self):
+        return "<the verdict>"  # nbval prints what differs
+
+
+class GradingPlugin:
+    """The plugin's state: the key, the kernels, and the socket to `NbvalProcess`."""
 
     def __init__(self, connection):
         self._lines = connection.makefile("r", encoding="utf-8")
         self._connection = connection
-        first = json.loads(self._lines.readline())
-        limits = Limits(**first["limits"]) if first["limits"] else None
-        self._kernels = Kernels(first["kernel"], unsafe=first["unsafe"], limits=limits)
-        self._key = load_key(first["key"])
-        self._folder = Path(first["folder"])
-        self._session = None
+        settings = json.loads(self._lines.readline())
+        limits = Limits(**settings["limits"]) if settings["limits"] else None
+        self._kernel_factory = KernelFactory(settings["kernel"], unsafe=settings["unsafe"], limits=limits)
+        self._key = load_key(settings["key"])
+        self._folder = Path(settings["folder"])
+        self._session, self._phases = None, []
 
     def serve(self, session):
-        """Judge submissions until there are no more, then end this process."""
+        """Grade submissions until the socket is closed, then end this process."""
         self._session = session
         self._send({"ready": True})
-        with self._kernels:
+        with self._kernel_factory:
             for line in self._lines:
-                job = json.loads(line)
-                self._send(self._judge(job))
-        os._exit(0)  # somebody waits, and nothing that pytest would still do is of use to anybody
+                self._send(to_json(self._grade(json.loads(line))))
+        os._exit(0)  # the other side waits, and nobody needs what pytest would still do
 
     def _send(self, message):
         self._connection.sendall((json.dumps(message) + "\n").encode("ascii"))
 
-    def _judge(self, job):
+    def _grade(self, job):
         lesson = self._key.lessons[job["lesson"]]
-        graded = [each for each in lesson.exercises if not each.practice]
-        plan = [(each, job["answers"].get(each.id)) for each in graded]
-        reasons = {each.id: reason_not_to_run(each, source) for each, source in plan}
-        running = [each for each in graded if not reasons[each.id]]
+        graded = [exercise for exercise in lesson.exercises if not exercise.practice]
+        sources = {exercise.id: job["answers"].get(exercise.id) for exercise in graded}
+        reasons = {exercise.id: reason_not_to_run(exercise, sources[exercise.id]) for exercise in graded}
+        to_run = [exercise for exercise in graded if reasons[exercise.id] is None]
         results = []
-        for each, source in plan:
-            if reasons[each.id]:
-                results.append(refused_result(each, *reasons[each.id]))
+        for exercise in graded:
+            if reasons[exercise.id] is not None:
+                results.append(ungraded_exercise(exercise, *reasons[exercise.id]))
                 continue
-            after = running[running.index(each) + 1 :] or running[:1]
-            then = (after[0].refused, seconds_of(after[0], after[0].cases[0]))
-            results.append(self._judge_exercise(each, source, then))
-        return submission_result(job, lesson, results)
+            following = (to_run[to_run.index(exercise) + 1 :] or to_run)[0]
+            next_request = (following.refused, seconds_of(following, following.cases[0]))
+            results.append(self._grade_exercise(exercise, sources[exercise.id], next_request))
+        return GradedSubmission(job["submission"], lesson.name, lesson.version, tuple(results))
 
-    def _judge_exercise(self, exercise, source, then):
+    def _grade_exercise(self, exercise, source, next_request):
         content = self._key.content(exercise.id)
-        work = ExerciseKernel.current = Session(exercise, content, self._kernels, then)
+        exercise_run = ExerciseRun(exercise, content, self._kernel_factory, next_request)
+        ExerciseKernel.current = exercise_run
         path = self._folder / "exercise.ipynb"
         path.write_text(json.dumps(_with_answer(content.notebook, exercise, source)), encoding="utf-8")
         try:
-            self._let_nbval_judge(path, work)
+            self._run_nbval(path, exercise, exercise_run)
         finally:
-            work.close()
-        return exercise_result(exercise, content, work)
+            exercise_run.close()
+        return graded_exercise(exercise, content, exercise_run.runs, exercise_run.passed)
 
-    def _let_nbval_judge(self, path, work):
+    def _run_nbval(self, path, exercise, exercise_run):
+        case_ids = {case.id for case in exercise.cases}
         (notebook,) = self._session.config.hook.pytest_collect_file(file_path=path, parent=self._session)
-        cells = list(notebook.collect())
-        for cell in cells:
-            _put_reference(cell, work)
-        for cell, following in zip(cells, [*cells[1:], None], strict=True):
-            self.cell, self.verdict = cell, []
-            cell.ihook.pytest_runtest_protocol(item=cell, nextitem=following)
-            if self.verdict == ["setup passed", "call passed", "teardown passed"]:
-                work.passed.add(cell.cell.id)
-            cell.cell = None
+        items = list(notebook.collect())
+        for item in items:
+            if item.cell.id in case_ids:
+                item.cell.outputs[0].data[MIME] = StoredVerdict(exercise_run, item.cell.id)
+        for item, next_item in zip(items, [*items[1:], None], strict=True):
+            self._phases = []
+            item.ihook.pytest_runtest_protocol(item=item, nextitem=next_item)
+            if self._phases == ["setup passed", "call passed", "teardown passed"]:
+                exercise_run.passed.add(item.cell.id)
+            item.cell = None
         notebook.nb = None
 
     @pytest.hookimpl
     def pytest_runtest_logreport(self, report):
-        self.verdict.append(f"{report.when} {report.outcome}")
+        self._phases.append(f"{report.when} {report.outcome}")
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtestloop(self, session):
@@ -254,32 +291,15 @@ class Judge:
 
 
 def _with_answer(notebook, exercise, source):
+    """The exercise's notebook with the learner's answer, without the comments that nbval obeys."""
     cells = [dict(cell) for cell in notebook["cells"]]
     for cell in cells:
         if cell["id"] == f"answer-{exercise.id}":
-            cell["source"] = _ORDER.sub(r"\1-\3", source)  # a comment by which nbval takes orders
+            cell["source"] = _NBVAL_COMMENT.sub(r"\1-\3", source)
     return notebook | {"cells": cells}
-
-
-def _put_reference(cell, work):
-    case = next((case for case in work._exercise.cases if case.id == cell.cell.id), None)
-    if case is not None:
-        expected = work._content.expected[case.id]
-        cell.cell.outputs[0].data[MIME] = Reference(expected, case.tolerance)
-
-
-def reason_not_to_run(exercise, source):
-    """Why an answer is not run, as (outcome, words); () where it is."""
-    if not isinstance(source, str):
-        return "missing", "its answer cell is missing"
-    if len(source) > LONGEST:
-        return "hostile", f"its answer is {len(source)} characters long; at most {LONGEST} are graded"
-    if is_stub(source, exercise.stub):
-        return "not attempted", ""
-    return ()
 
 
 def pytest_configure(config):
     nbval.plugin.RunningKernel = ExerciseKernel
-    connection = socket.socket(fileno=int(os.environ.pop(DESCRIPTOR)))
-    config.pluginmanager.register(Judge(connection), "imgproc_course_judge")
+    connection = socket.socket(fileno=int(os.environ.pop(SOCKET_VARIABLE)))
+    config.pluginmanager.register(GradingPlugin(connection), "imgproc_course_grading")

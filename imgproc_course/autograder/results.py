@@ -1,223 +1,311 @@
-"""From nbval's verdicts to what is told: results that JSON holds, the same each time.
+"""Results of grading: one GradedSubmission per submission, and its JSON form.
 
-No time, no path, no seed and no process number stands in them.
+A result depends on the answers and the key alone: not on the order of the submissions, the number of workers,
+the time of day or other submissions. It contains no time, no path, no seed and no process number.
+
+Texts are sanitized (no control characters) but not escaped for HTML: that is done where HTML is written.
 """
 
-import ast
 import builtins
 import re
-from dataclasses import dataclass, field
-from functools import lru_cache
+from dataclasses import asdict, dataclass
 
 from imgproc_course.autograder.answer_key import known_mistake
-from imgproc_course.autograder.reference import failing_call, read_answer
-from imgproc_course.autograder.sandbox.fork_server_client import CellRun
+from imgproc_course.autograder.outcomes import TEXTS, Outcome
+from imgproc_course.autograder.sanitize import sanitize_text
+from imgproc_course.autograder.verdict import CaseRun
 
-_ANSI = re.compile(r"\x1b\[[0-9;?]*[A-Za-z]")
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
-# What IPython and ipykernel name a cell, with a number that varies.
+# How IPython and ipykernel name a cell, with a number that differs from run to run.
 _CELL = re.compile(r"<ipython-input-[^>\s]*>|\S*/ipykernel_\d+/\d+\.py|\b\d{5,}\.py\b")
-_MEMORY = ("MemoryError", "_ArrayMemoryError")
-_LONGEST = 500
+_MEMORY_ERRORS = ("MemoryError", "_ArrayMemoryError")
 _EXCEPTIONS = frozenset(name for name, kind in vars(builtins).items() if isinstance(kind, type))
 
 
-@dataclass
-class CaseRun:
-    """One case in its kernel: how the answer's cell ended, and the check cell, if it came to that."""
+@dataclass(frozen=True)
+class FailedCall:
+    """The first call of a public case that failed.
 
-    answer: CellRun = field(default_factory=CellRun)
-    check: CellRun = field(default_factory=CellRun)
+    number     index of the call within the case
+    arguments  canonical forms of its arguments (their names: `KeyExercise.arguments`)
+    expected   canonical form of the expected value
+    actual     canonical form of the returned value, or None if nothing was returned
+    printed    what the function printed, shortened
+
+    `exercises.array_of`, `describe` and `compare` take canonical forms.
+    """
+
+    number: int
+    arguments: list
+    expected: dict
+    actual: dict | None
+    printed: str
+
+
+@dataclass(frozen=True)
+class GradedCase:
+    """The result of one test case.
+
+    points       what the learner got, of max_points
+    hint         the master's hint; "" if the case passed
+    message      what went wrong, shortened; for a hidden case it contains no text of the learner's
+    failed_call  only for a public case that was run and failed
+    """
+
+    id: str
+    title: str
+    hidden: bool
+    points: int
+    max_points: int
+    outcome: Outcome
+    hint: str = ""
+    message: str = ""
+    failed_call: FailedCall | None = None
 
     @property
-    def ended(self):
-        return self.answer.ended or self.check.ended
+    def passed(self):
+        return self.outcome == Outcome.PASSED
 
 
-def plain(text, longest=_LONGEST):
-    """Text of a learner's, shortened, without what a terminal or a reader's eye takes for orders.
+@dataclass(frozen=True)
+class GradedExercise:
+    """The result of one graded exercise.
 
-    Escape sequences and addresses go; control characters, surrogates and marks that turn the direction of
-    writing around become visible escapes. HTML is escaped where HTML is written.
+    mistake              name of the known mistake that this answer makes, or ""
+    mistake_explanation  what the learner is told about that mistake
+    message              about the answer cell itself: the exception that ended it (which costs nothing as
+                         long as the function is defined), or why it was not run; "" if there is nothing to
+    say cases                GradedCase of each test case, public ones first
     """
-    text = _CELL.sub("its cell", _ADDRESS.sub("0x…", _ANSI.sub("", text)))
-    text = text if len(text) <= longest else text[: longest - 1] + "…"
-    return "".join(each if each in "\n\t" or each.isprintable() else f"\\u{ord(each):04x}" for each in text)
+
+    id: str
+    title: str
+    max_points: int
+    cases: tuple
+    mistake: str = ""
+    mistake_explanation: str = ""
+    message: str = ""
+
+    @property
+    def points(self):
+        return sum(case.points for case in self.cases)
 
 
-def is_stub(source, stub):
-    """Whether an answer is the stub, comments and blank lines aside."""
-    if source.strip() == stub.strip():
-        return True
-    try:
-        return ast.dump(ast.parse(source)) == _without_comments(stub)
-    except (SyntaxError, ValueError, RecursionError, MemoryError):
-        return False
+@dataclass(frozen=True)
+class GradedSubmission:
+    """The result of one submission of one lesson.
+
+    name       the name that `autograde` was given for it
+    lesson     name of the lesson
+    version    the version of the course that the key was made from
+    exercises  GradedExercise of each graded exercise in the lesson's order; practice exercises are not graded
+    """
+
+    name: str
+    lesson: str
+    version: str
+    exercises: tuple
+
+    @property
+    def points(self):
+        return sum(exercise.points for exercise in self.exercises)
+
+    @property
+    def max_points(self):
+        return sum(exercise.max_points for exercise in self.exercises)
 
 
-@lru_cache(maxsize=64)
-def _without_comments(stub):
-    return ast.dump(ast.parse(stub))
+# ---------------------------------------------------------------- JSON
 
 
-def submission_result(job, lesson, results):
-    """One submission, whole."""
+def to_json(submission):
+    """A GradedSubmission as data for json.dumps."""
     return {
-        "submission": job["submission"],
-        "lesson": lesson.name,
-        "version": lesson.version,
-        "points": sum(each["points"] for each in results),
-        "got": sum(each["got"] for each in results),
-        "exercises": results,
+        "submission": submission.name,
+        "lesson": submission.lesson,
+        "version": submission.version,
+        "points": submission.points,
+        "max_points": submission.max_points,
+        "exercises": [asdict(exercise) | {"points": exercise.points} for exercise in submission.exercises],
     }
 
 
-def refused_result(exercise, outcome, said):
-    """An exercise that was not run."""
-    cases = [_case(case, outcome, 0) for case in exercise.cases]
-    return _exercise(exercise, cases, said)
+def from_json(data):
+    """The GradedSubmission that `to_json` wrote.
+
+    Raises
+    ------
+    KeyError, TypeError, ValueError : something else was written there
+    """
+    exercises = tuple(_exercise_from_json(entry) for entry in data["exercises"])
+    return GradedSubmission(data["submission"], data["lesson"], data["version"], exercises)
 
 
-def exercise_result(exercise, content, work):
-    """An exercise that was run, as nbval judged it."""
-    done = {case.id: _calls(work.runs.get(case.id)) for case in exercise.cases}
-    cases = [_judged(exercise, content, work, case, done[case.id]) for case in exercise.cases]
-    wrong = any(case["outcome"] != "passed" for case in cases)
-    mistake = known_mistake(exercise, content, done) if wrong else None
-    return _exercise(exercise, cases, _said_of_answer(work, exercise), mistake)
+def _exercise_from_json(entry):
+    fields = {name: value for name, value in entry.items() if name not in ("points", "cases")}
+    return GradedExercise(cases=tuple(_case_from_json(case) for case in entry["cases"]), **fields)
 
 
-def _exercise(exercise, cases, said, mistake=None):
-    return {
-        "id": exercise.id,
-        "title": exercise.title,
-        "points": exercise.points,
-        "got": sum(case["got"] for case in cases),
-        "mistake": mistake.name if mistake else "",
-        "mistake_says": mistake.says if mistake else "",
-        "said": said,
-        "cases": cases,
-    }
+def _case_from_json(entry):
+    failed_call = entry["failed_call"] and FailedCall(**entry["failed_call"])
+    return GradedCase(**entry | {"outcome": Outcome(entry["outcome"]), "failed_call": failed_call})
 
 
-def _case(case, outcome, got, said="", **more):
-    return {
-        "id": case.id,
-        "title": case.title,
-        "hidden": case.hidden,
-        "points": case.points,
-        "got": got,
-        "outcome": outcome,
-        "hint": case.hint if outcome != "passed" else "",
-        "said": said,
-    } | more
+# ---------------------------------------------------------------- from a run to its result
 
 
-def _calls(run):
-    """What the calls of a case did, or None where its cell did not show exactly one well-formed answer."""
-    if run is None or run.ended or len(run.check.answers) != 1:
-        return None
-    read = read_answer(run.check.answers[0])
-    return read and read[0]
+def ungraded_exercise(exercise, outcome, message):
+    """The GradedExercise of an exercise that was not run.
+
+    Parameters
+    ----------
+    exercise : KeyExercise
+    outcome : Outcome of all its cases
+    message : str, why it was not run
+    """
+    cases = tuple(_graded_case(case, outcome) for case in exercise.cases)
+    return GradedExercise(exercise.id, exercise.title, exercise.points, cases, message=message)
 
 
-def _judged(exercise, content, work, case, calls):
-    run = work.runs.get(case.id) or CaseRun()
-    passed = case.id in work.passed
-    failing = None if calls is None else failing_call(content.expected[case.id], calls, case.tolerance)
-    outcome, said = ("passed", "") if passed else _outcome(exercise, run, calls, failing)
+def graded_exercise(exercise, content, runs, passed):
+    """The GradedExercise of an exercise that was run.
+
+    Parameters
+    ----------
+    exercise : KeyExercise
+    content : ExerciseContent
+    runs : {case id: CaseRun}
+    passed : set of the ids of the cases that nbval let pass
+    """
+    cases = tuple(
+        _case_of_run(exercise, content, case, runs.get(case.id) or CaseRun(), case.id in passed)
+        for case in exercise.cases
+    )
+    mistake = None
+    if not all(case.passed for case in cases):
+        calls = {id: run.verdict.calls for id, run in runs.items()}
+        mistake = known_mistake(exercise, content, calls)
+    return GradedExercise(
+        exercise.id,
+        exercise.title,
+        exercise.points,
+        cases,
+        mistake.name if mistake else "",
+        mistake.explanation if mistake else "",
+        _message_about_cell(runs),
+    )
+
+
+def _graded_case(case, outcome, message="", failed_call=None):
+    passed = outcome == Outcome.PASSED
+    return GradedCase(
+        id=case.id,
+        title=case.title,
+        hidden=case.hidden,
+        points=case.points if passed else 0,
+        max_points=case.points,
+        outcome=outcome,
+        hint="" if passed else case.hint,
+        message=message,
+        failed_call=failed_call,
+    )
+
+
+def _case_of_run(exercise, content, case, run, passed):
+    if passed:
+        return _graded_case(case, Outcome.PASSED)
+    outcome, message = _outcome_of_run(exercise, run)
     if case.hidden:
-        said = _said_of_hidden(outcome, said)
-        return _case(case, outcome, case.points if passed else 0, said)
-    shown = {} if passed else _shown(content, case, calls, failing)
-    return _case(case, outcome, case.points if passed else 0, said, **shown)
+        return _graded_case(case, outcome, _message_of_hidden(outcome, message))
+    return _graded_case(case, outcome, message, _failed_call(content, case, run.verdict))
 
 
-def _outcome(exercise, run, calls, failing):
-    """The word for what went wrong, and what is said of it."""
+def _outcome_of_run(exercise, run):
+    """(Outcome, message) of a case that did not pass."""
     if run.ended:
-        word = "crashed" if run.ended == "gone" else run.ended
-        return word, _ENDINGS[word]
+        outcome = Outcome.CRASHED if run.ended == "gone" else Outcome(run.ended)
+        return outcome, TEXTS[outcome].message
     if run.check.error[0] == "NameError" and not run.check.answers:
-        return _no_function(exercise, run)
+        return _outcome_without_function(exercise, run)
     if not run.check.answers:
-        return "raised", _raised(*run.check.error)
-    if calls is None or run.check.error[0]:
-        return "hostile", "its check cell showed something else than what the function returned"
-    refused = read_answer(run.check.answers[0])[1]
-    if refused:
-        return "refused module", f"it uses {plain(', '.join(refused))}, which this exercise refuses"
-    return _outcome_of_calls(exercise, calls, failing)
+        return Outcome.RAISED, _exception_text(*run.check.error)
+    if run.verdict.calls is None or run.check.error[0]:
+        return Outcome.HOSTILE, "its check cell showed something else than what the function returned"
+    if run.verdict.refused:
+        modules = reproducible_text(", ".join(run.verdict.refused))
+        return Outcome.REFUSED_MODULE, f"it uses {modules}, which this exercise refuses"
+    return _outcome_of_verdict(exercise, run.verdict)
 
 
-def _outcome_of_calls(exercise, calls, failing):
-    if failing is None:
-        return "not judged", "its values are right, but nbval did not say so: look at it by hand"
-    if failing[0] >= len(calls):
-        return "hostile", "its check cell told of other calls than were made"
-    number, difference = failing
-    call = calls[number]
-    if call.get("timed_out"):
-        return "time", f"{exercise.function}() used more than {exercise.time_limit:g} s of processor time"
-    if call.get("error") == "NotImplementedError":
-        return "not attempted", ""
-    if call.get("error") == "RefusedModule":
-        return "refused module", plain(call["message"])
-    if call.get("error"):
-        word = "memory" if call["error"] in _MEMORY else "raised"
-        where = f" ({plain(call['line'])})" if call["line"] else ""
-        return word, _raised(call["error"], call["message"]) + where
-    if call["changed"]:
-        return "wrong", f"it changed its input {plain(', '.join(call['changed']), 100)}"
-    where = f"in answer{difference.path}: " if difference.path else ""
-    return "wrong", plain(f"{where}{difference.message}")
+def _outcome_of_verdict(exercise, verdict):
+    if verdict.failed_call is None:
+        return Outcome.NOT_GRADED, "its values are right, but nbval did not let it pass: look at it by hand"
+    if verdict.failed_call >= len(verdict.calls):
+        return Outcome.HOSTILE, "its check cell reported other calls than were made"
+    call = verdict.calls[verdict.failed_call]
+    if call.timed_out:
+        limit = f"{exercise.time_limit:g} s of processor time"
+        return Outcome.TIME, f"{exercise.function}() used more than {limit}"
+    if call.error:
+        return _outcome_of_exception(call)
+    if call.changed:
+        return Outcome.WRONG, f"it changed its input {reproducible_text(', '.join(call.changed), 100)}"
+    place = f"in answer{verdict.difference.path}: " if verdict.difference.path else ""
+    return Outcome.WRONG, reproducible_text(f"{place}{verdict.difference.message}")
 
 
-def _no_function(exercise, run):
+def _outcome_of_exception(call):
+    if call.error == "NotImplementedError":
+        return Outcome.NOT_ATTEMPTED, ""
+    if call.error == "RefusedModule":
+        return Outcome.REFUSED_MODULE, reproducible_text(call.message)
+    line = f" ({reproducible_text(call.line)})" if call.line else ""
+    outcome = Outcome.MEMORY if call.error in _MEMORY_ERRORS else Outcome.RAISED
+    return outcome, _exception_text(call.error, call.message) + line
+
+
+def _outcome_without_function(exercise, run):
     name, text = run.answer.error
     if name == "RefusedModule":
-        return "refused module", plain(text)
+        return Outcome.REFUSED_MODULE, reproducible_text(text)
     if name:
-        return "raised", f"its cell does not run: {_raised(name, text)}"
-    return "missing", f"its cell does not define {exercise.function}()"
+        return Outcome.RAISED, f"its cell does not run: {_exception_text(name, text)}"
+    return Outcome.MISSING, f"its cell does not define {exercise.function}()"
 
 
-def _raised(name, text):
-    return plain(f"{name}: {text}" if text else name)
+def _message_about_cell(runs):
+    """The exception that ended the answer cell: it costs nothing as long as the function is defined."""
+    run = next(iter(runs.values()), CaseRun())
+    return f"its cell ended with {_exception_text(*run.answer.error)}" if run.answer.error[0] else ""
 
 
-def _said_of_answer(work, exercise):
-    """What is to be said of the answer's cell itself: it costs nothing as long as the function is there."""
-    run = next(iter(work.runs.values()), CaseRun())
-    return f"its cell ended with {_raised(*run.answer.error)}" if run.answer.error[0] else ""
-
-
-def _said_of_hidden(outcome, said):
-    """Of a hidden case no text of the learner's: an exception could carry the input out."""
-    if outcome in ("raised", "memory") and said != _ENDINGS.get(outcome):
-        name = said.partition(":")[0]
+def _message_of_hidden(outcome, message):
+    """The message without any text of the learner's: an exception could carry the hidden input out."""
+    if outcome == Outcome.RAISED or (outcome == Outcome.MEMORY and message != TEXTS[outcome].message):
+        name = message.partition(":")[0]
         return name if name in _EXCEPTIONS else "an exception"
-    return said if outcome in _ENDINGS or outcome == "missing" else ""
+    return message if TEXTS[outcome].message or outcome == Outcome.MISSING else ""
 
 
-def _shown(content, case, calls, failing):
-    """For a report of a public case: what was given, what was expected, what came back."""
-    number = failing[0] if failing else 0
-    number = min(number, len(content.expected[case.id]) - 1)
-    call = calls[number] if calls and number < len(calls) else {}
-    return {
-        "call": number,
-        "given": content.inputs_shown(case.id, number),
-        "expected": content.expected[case.id][number],
-        "actual": call.get("value"),
-        "printed": plain(call.get("printed", ""), 2000),
-    }
+def _failed_call(content, case, verdict):
+    """The call to show for a public case: the one that failed, else the first one."""
+    expected = content.expected[case.id]
+    number = min(verdict.failed_call or 0, len(expected) - 1)
+    calls = verdict.calls or []
+    call = calls[number] if number < len(calls) else None
+    return FailedCall(
+        number,
+        content.canonical_arguments(case.id, number),
+        expected[number],
+        call.value if call else None,
+        reproducible_text(call.printed, 2000) if call else "",
+    )
 
 
-_ENDINGS = {
-    "time": "it did not come to its end in time",
-    "memory": "it used more memory than there is for an answer",
-    "output": "it gave out more than is read",
-    "crashed": "it ended its process",
-    "hostile": "what it sent is no message of a notebook's kernel",
-}
+def _exception_text(name, text):
+    return reproducible_text(f"{name}: {text}" if text else name)
+
+
+def reproducible_text(text, max_length=500):
+    """Sanitized text of a learner's without what differs from run to run: addresses and names of cells."""
+    return sanitize_text(_CELL.sub("its cell", _ADDRESS.sub("0x…", text)), max_length)

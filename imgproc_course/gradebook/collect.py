@@ -23,7 +23,7 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path, PurePosixPath
 
-from imgproc_course.gradebook.sanitize import visible_line
+from imgproc_course.autograder.sanitize import sanitize_line
 
 LARGEST = 50_000_000  # bytes of one notebook; a lesson full of images has a tenth of it
 LARGEST_ZIP = 4_000_000_000  # bytes of the zip file itself
@@ -191,7 +191,7 @@ class _Finder:
         try:
             self._add_members(path, parts, modified, collection)
         except (zipfile.BadZipFile, OSError, ValueError, NotImplementedError, RuntimeError) as error:
-            reason = f"the zip cannot be read ({visible_line(str(error), 100)})"
+            reason = f"the zip cannot be read ({sanitize_line(str(error), 100)})"
             collection.files.append(self._submitted_file(parts, modified, reason=reason))
 
     def _add_members(self, path, parts, modified, collection):
@@ -253,9 +253,9 @@ class _Finder:
         _, repetition = _repetition(PurePosixPath(parts[-1]).stem)
         moment = submitted_at.isoformat() if submitted_at else ""
         if not group and not owner["platform"] and len(parts) > 1:
-            group = visible_line(parts[0], 120)
+            group = sanitize_line(parts[0], 120)
         return SubmittedFile(
-            learner=visible_line(unicodedata.normalize("NFC", owner["name"]), 120),
+            learner=sanitize_line(unicodedata.normalize("NFC", owner["name"]), 120),
             platform=owner["platform"],
             platform_id=owner["id"],
             source=_display_path(source or parts),
@@ -325,7 +325,7 @@ def _repetition(stem):
 
 
 def _display_path(parts):
-    return visible_line("/".join(parts), 300)
+    return sanitize_line("/".join(parts), 300)
 
 
 # ---------------------------------------------------------------- which files are not read
@@ -426,7 +426,7 @@ class _Archives:
         except (zipfile.BadZipFile, zlib.error, OSError, ValueError, EOFError, RuntimeError) as error:
             if isinstance(error, CollectError):
                 raise
-            raise CollectError(f"it cannot be unpacked ({visible_line(str(error), 100)})") from error
+            raise CollectError(f"it cannot be unpacked ({sanitize_line(str(error), 100)})") from error
 
     def _archive_open(self, path, number):
         member = self.members(path)[number]

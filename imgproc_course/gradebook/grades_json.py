@@ -1,148 +1,31 @@
-"""From a folder of submissions to grades: judged once, kept, and written the same each time.
+"""What grades.json contains: everything that a run knows, as grades.schema.json describes it.
 
-grades/grades.json        everything, as grades.schema.json says; no time of day, no order, no chance in it
-grades/grades.csv         a row a learner and lesson, for a spreadsheet
-grades/summary.html       the teacher's page
-grades/learners/*.html    a page a learner, to be handed back
-grades/exports/*.csv      for Moodle, Canvas, and what reads nbgrader's table
-grades/judged/*.json      every result, by a digest of (key, answers): an interrupted run goes on from here
+There is no time of day, no order of files and no chance in it: the same submissions give the same bytes.
 """
 
 import json
 from importlib.metadata import version
 from pathlib import Path
 
-from tqdm import tqdm
-
-from imgproc_course.authoring.atomic_write import write_file
-from imgproc_course.autograder.pool import autograde
-from imgproc_course.gradebook.learners import digest_of_answers
+from imgproc_course.autograder.outcomes import Outcome
+from imgproc_course.autograder.results import to_json
 from imgproc_course.gradebook.submission import Finding
 
-FORMAT = 1
+FORMAT = 2
 SCHEMA = Path(__file__).with_name("grades.schema.json")
-_CASE = ("id", "title", "hidden", "points", "got", "outcome", "hint", "said")
-
-
-class GradesFolderError(ValueError):
-    """A folder that cannot be written; one line with the remedy."""
-
-
-def write_whole(path, data):
-    """Write a file at once: whoever reads it finds the old one or the new one.
-
-    Parameters
-    ----------
-    path : Path
-    data : str or bytes
-
-    Raises
-    ------
-    GradesFolderError : the disk is full or read-only
-    """
-    try:
-        write_file(path, data, permissions=0o600)
-    except OSError as error:
-        raise GradesFolderError(f"{path}: cannot be written ({error.strerror})") from error
-
-
-class Store:
-    """The folder of answers and results, by digest.
-
-    Parameters
-    ----------
-    folder : Path
-    how : dict, what a result depends on besides key and answers: the kernel, the sandbox
-    """
-
-    def __init__(self, folder, how):
-        self._folder, self._how = Path(folder), how | {"version": version("imgproc-course"), "format": FORMAT}
-
-    def keep_answers(self, key, lesson, answers):
-        """Keep answers until they are judged; gives their digest."""
-        digest = digest_of_answers(key, lesson, answers, self._how)
-        path = self._folder / f"{digest}.answers.json"
-        if not path.exists():
-            write_whole(path, json.dumps([key.digest, lesson, answers], sort_keys=True))
-        return digest
-
-    def answers(self, digest):
-        """(digest of the key, lesson, answers)."""
-        return json.loads((self._folder / f"{digest}.answers.json").read_text(encoding="utf-8"))
-
-    def keep_result(self, digest, result):
-        """Keep a result."""
-        write_whole(self._folder / f"{digest}.json", json.dumps(result, sort_keys=True))
-
-    def result(self, digest):
-        """The result, or None where there is none yet, or half a one."""
-        try:
-            result = json.loads((self._folder / f"{digest}.json").read_text(encoding="utf-8"))
-            return result if isinstance(result["got"], int) and result["exercises"] is not None else None
-        except (OSError, ValueError, KeyError, TypeError):
-            return None
-
-    def has_result(self, digest):
-        return self.result(digest) is not None
-
-
-def judge_all(learners, answer_keys, store, *, afresh=False, quiet=None, **options):
-    """Judge what is not judged yet; each result is kept at once. Equal answers are judged once.
-
-    Parameters
-    ----------
-    learners : list of Learner
-    answer_keys : AnswerKeys
-    store : Store
-    afresh : bool, judge again what was judged before
-    quiet : bool or None, as tqdm's `disable`
-    options : as `autograde` takes them
-
-    Returns
-    -------
-    int, how many were judged now
-
-    Raises
-    ------
-    SandboxError : there is no sandbox here
-    """
-    counting = [each for learner in learners for each in learner.submissions.values()]
-    wanted = sorted({each.answers_digest for each in counting if each.answers_digest})
-    missing = [digest for digest in wanted if afresh or not store.has_result(digest)]
-    with tqdm(
-        total=len(wanted),
-        initial=len(wanted) - len(missing),
-        desc="grading",
-        unit=" submissions",
-        disable=quiet,
-    ) as bar:
-        for key in answer_keys.keys:
-            handed = (
-                (digest, lesson, answers)
-                for digest, (of, lesson, answers) in ((each, store.answers(each)) for each in missing)
-                if of == key.digest
-            )
-            for result in autograde(handed, key, **options):
-                digest = result.pop("submission")
-                store.keep_result(digest, result)
-                bar.update()
-    return len(missing)
-
-
-# ---------------------------------------------------------------- what grades.json holds
 
 
 def grades_of(learners, answer_keys, store, *, sandbox, deadline=None, ignored=()):
-    """What grades.json holds.
+    """The content of grades.json.
 
     Parameters
     ----------
-    learners : list of Learner, all judged
+    learners : list of Learner, all graded
     answer_keys : AnswerKeys
-    store : Store
-    sandbox : bool, whether answers ran in one
+    store : ResultStore
+    sandbox : bool, whether answers ran in a sandbox
     deadline : datetime or None
-    ignored : list of str, files that are no notebooks
+    ignored : list of str, files that are not notebooks
 
     Returns
     -------
@@ -159,10 +42,25 @@ def grades_of(learners, answer_keys, store, *, sandbox, deadline=None, ignored=(
     }
 
 
+def grades_text(grades):
+    """The text of grades.json: the same for the same grades."""
+    return json.dumps(grades, indent=1, sort_keys=True, ensure_ascii=True) + "\n"
+
+
+def count_not_graded(grades):
+    """How many submissions could not be graded, or have a case that could not be graded."""
+    count = 0
+    for learner in grades["learners"]:
+        for lesson in learner["lessons"]:
+            outcomes = {case["outcome"] for exercise in lesson["exercises"] for case in exercise["cases"]}
+            count += lesson["status"] != "graded" or Outcome.NOT_GRADED in outcomes
+    return count
+
+
 def _key_entry(key):
     lessons = [
-        {"lesson": name, "title": each.title, "version": each.version, "points": each.points}
-        for name, each in sorted(key.lessons.items())
+        {"lesson": name, "title": lesson.title, "version": lesson.version, "max_points": lesson.points}
+        for name, lesson in sorted(key.lessons.items())
     ]
     return {"digest": key.digest, "lessons": lessons}
 
@@ -172,84 +70,64 @@ def _learner_entry(learner, answer_keys, store):
         _lesson_entry(learner.submissions[name], learner.earlier.get(name, ()), answer_keys, store)
         for name in sorted(learner.submissions)
     ]
-    lessons += [_lesson_entry(each, (), answer_keys, store) for each in learner.unidentified]
+    lessons += [_lesson_entry(submission, (), answer_keys, store) for submission in learner.unidentified]
     return {
         "name": learner.name,
         "page": f"learners/{learner.page}",
-        "got": sum(each["got"] for each in lessons),
-        "points": sum(each["points"] for each in lessons),
+        "points": sum(lesson["points"] for lesson in lessons),
+        "max_points": sum(lesson["max_points"] for lesson in lessons),
         "lessons": lessons,
     }
 
 
 def _lesson_entry(submission, earlier, answer_keys, store):
     content = submission.content
-    graded = bool(submission.answers_digest)
     lesson = (submission.key or answer_keys).lessons.get(submission.lesson)
-    result = store.result(submission.answers_digest) if graded else None
-    notices = [*content.findings, *(_claims(content, result) if result else ())]
+    result = store.result(submission.answers_digest) if submission.answers_digest else None
+    findings = [*content.findings, *(_contradicted_outputs(content, result) if result else ())]
     return {
         "lesson": submission.lesson,
         "title": lesson.title if lesson else "",
-        "status": "graded" if graded else "not graded",
+        "status": "graded" if submission.answers_digest else "not graded",
         "reason": content.reason,
-        "got": result["got"] if result else 0,
-        "points": lesson.points if lesson else 0,
+        "points": result.points if result else 0,
+        "max_points": lesson.points if lesson else 0,
         "version": content.version,
         "key": submission.key.digest if submission.key else None,
         **_file_entry(submission),
-        "notices": [{"kind": each.kind, "exercise": each.exercise, "text": each.text} for each in notices],
-        "exercises": [_exercise_entry(each) for each in result["exercises"]] if result else [],
-        "earlier": [_file_entry(each) | {"reason": each.content.reason} for each in earlier],
+        "findings": [
+            {"kind": finding.kind, "exercise": finding.exercise, "text": finding.text} for finding in findings
+        ],
+        "exercises": _exercise_entries(result) if result else [],
+        "earlier": [_file_entry(replaced) | {"reason": replaced.content.reason} for replaced in earlier],
     }
 
 
 def _file_entry(submission):
     file = submission.file
     return {
-        "source": file.source,
+        "file": file.source,
         "sha256": submission.file_digest or None,
-        "handed_in": file.submitted_at.isoformat() if file.submitted_at else None,
+        "submitted_at": file.submitted_at.isoformat() if file.submitted_at else None,
         "late": submission.late,
         "platform": file.platform,
         "platform_id": file.platform_id,
     }
 
 
-def _exercise_entry(exercise):
-    """The result without the values: those stand in the learner's page and in judged/."""
-    cases = [{name: case[name] for name in _CASE} for case in exercise["cases"]]
-    return {name: value for name, value in exercise.items() if name != "cases"} | {"cases": cases}
+def _exercise_entries(result):
+    """The exercises without the values: those are on the learner's page and in the store."""
+    exercises = to_json(result)["exercises"]
+    for exercise in exercises:
+        for case in exercise["cases"]:
+            del case["failed_call"]
+    return exercises
 
 
-def _claims(content, result):
-    """Stored outputs that say something else than grading found; often only an answer changed afterwards."""
-    for exercise in result["exercises"]:
-        public = [case for case in exercise["cases"] if not case["hidden"]]
-        if exercise["id"] in content.claims and any(case["outcome"] != "passed" for case in public):
-            text = "its stored output says that every check passes, and grading finds that not every one does"
-            yield Finding("odd", exercise["id"], text)
-
-
-def as_text(grades):
-    """grades.json's text: the same for the same grades."""
-    return json.dumps(grades, indent=1, sort_keys=True, ensure_ascii=True) + "\n"
-
-
-def needs_a_look(grades):
-    """How many hand-ins could not be graded, or were not judged."""
-    count = 0
-    for learner in grades["learners"]:
-        for lesson in learner["lessons"]:
-            outcomes = {case["outcome"] for each in lesson["exercises"] for case in each["cases"]}
-            count += lesson["status"] != "graded" or "not judged" in outcomes
-    return count
-
-
-def make_private(folder):
-    """Make a folder that only its owner can look into."""
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        folder.chmod(0o700)
-    except OSError as error:
-        raise GradesFolderError(f"{folder}: cannot be made ({error.strerror})") from error
+def _contradicted_outputs(content, result):
+    """Findings on stored outputs that contradict the grading; often the answer changed after the output."""
+    for exercise in result.exercises:
+        passed = all(case.passed for case in exercise.cases if not case.hidden)
+        if exercise.id in content.claims and not passed:
+            text = "its stored output says that every check passes, but in grading not every check passes"
+            yield Finding("odd", exercise.id, text)

@@ -25,21 +25,21 @@ No cell begins like a formula: an apostrophe stands before one that would.
 import csv
 import io
 
-from imgproc_course.gradebook.sanitize import for_spreadsheet
+from imgproc_course.autograder.sanitize import spreadsheet_text
 
 COLUMNS = (
     "learner",
     "lesson",
     "points",
-    "of",
+    "max_points",
     "percent",
     "late",
-    "handed in",
-    "times handed in",
+    "submitted_at",
+    "submissions",
     "status",
-    "to tell",
+    "findings",
     "file",
-    "platform id",
+    "platform_id",
 )
 
 
@@ -51,19 +51,19 @@ def grades_csv(grades):
 
 def _grades_row(learner, lesson):
     told = [lesson["reason"]] if lesson["reason"] else []
-    told += [_notice(notice) for notice in lesson["notices"]]
+    told += [_notice(notice) for notice in lesson["findings"]]
     return (
         learner["name"],
         lesson["lesson"] or "(unknown)",
-        lesson["got"],
         lesson["points"],
+        lesson["max_points"],
         _percent(lesson),
         "late" if lesson["late"] else "",
-        lesson["handed_in"] or "",
+        lesson["submitted_at"] or "",
         1 + len(lesson["earlier"]),
         lesson["status"],
         "; ".join(told),
-        lesson["source"],
+        lesson["file"],
         lesson["platform_id"],
     )
 
@@ -73,7 +73,7 @@ def _notice(notice):
 
 
 def _percent(lesson):
-    return round(100 * lesson["got"] / lesson["points"], 1) if lesson["points"] else 0
+    return round(100 * lesson["points"] / lesson["max_points"], 1) if lesson["max_points"] else 0
 
 
 def exports(grades):
@@ -103,7 +103,10 @@ def exports(grades):
 def lessons_of(grades):
     """{lesson: what the first key says of it}, of lessons with points."""
     return {
-        each["lesson"]: each for key in reversed(grades["keys"]) for each in key["lessons"] if each["points"]
+        each["lesson"]: each
+        for key in reversed(grades["keys"])
+        for each in key["lessons"]
+        if each["max_points"]
     }
 
 
@@ -115,9 +118,9 @@ def _moodle_rows(grades, name):
     for learner in grades["learners"]:
         for lesson in learner["lessons"]:
             if lesson["lesson"] == name and lesson["platform"] == "moodle":
-                told = f"{lesson['got']} of {lesson['points']} points"
+                told = f"{lesson['points']} of {lesson['max_points']} points"
                 told += f"; not graded: {lesson['reason']}" if lesson["reason"] else ""
-                yield f"Participant {lesson['platform_id']}", learner["name"], lesson["got"], "", told
+                yield f"Participant {lesson['platform_id']}", learner["name"], lesson["points"], "", told
 
 
 def _canvas(learners, lessons):
@@ -125,9 +128,9 @@ def _canvas(learners, lessons):
     handed_in = {each["lesson"] for learner in learners for each in learner["lessons"]}
     lessons = {name: about for name, about in lessons.items() if name in handed_in}
     columns = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section", *lessons)
-    rows = [("    Points Possible", "", "", "", "", *(each["points"] for each in lessons.values()))]
+    rows = [("    Points Possible", "", "", "", "", *(each["max_points"] for each in lessons.values()))]
     for learner in learners:
-        got = {each["lesson"]: each["got"] for each in learner["lessons"]}
+        got = {each["lesson"]: each["points"] for each in learner["lessons"]}
         number = int(_of_platform(learner, "canvas")["platform_id"])
         rows.append((learner["name"], number, "", "", "", *(got.get(name, "") for name in lessons)))
     return _text(columns, rows)
@@ -140,10 +143,10 @@ def _nbgrader(grades, lessons):
     for name, about in lessons.items():
         for learner in grades["learners"]:
             found = next((each for each in learner["lessons"] if each["lesson"] == name), None)
-            got = float(found["got"]) if found else 0.0
-            when = ((found["handed_in"] or "") if found else "").replace("T", " ")
+            got = float(found["points"]) if found else 0.0
+            when = ((found["submitted_at"] or "") if found else "").replace("T", " ")
             due = (grades["deadline"] or "").replace("T", " ")
-            row = (name, due, when, learner["name"], "", "", "", got, 0.0, got, float(about["points"]))
+            row = (name, due, when, learner["name"], "", "", "", got, 0.0, got, float(about["max_points"]))
             rows.append(row)
     return _text(columns, rows)
 
@@ -152,5 +155,5 @@ def _text(columns, rows):
     buffer = io.StringIO()
     writer = csv.writer(buffer, quoting=csv.QUOTE_NONNUMERIC, lineterminator="\r\n")
     writer.writerow(columns)
-    writer.writerows([for_spreadsheet(value) for value in row] for row in rows)
+    writer.writerows([spreadsheet_text(value) for value in row] for row in rows)
     return buffer.getvalue()

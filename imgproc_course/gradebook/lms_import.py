@@ -124,7 +124,7 @@ def fill(table, grades):
         for column, name in columns.items():
             graded = _graded(learner, name)
             if graded is not None and column < len(row):
-                row[column] = str(graded["got"])
+                row[column] = str(graded["points"])
                 filled += 1
     missing = _not_in_it(grades, matched, set(columns.values()))
     told = [f"{table.path.name}: {filled} points filled in."]
@@ -208,9 +208,9 @@ def _other_points(table, columns, grades):
     lessons = lessons_of(grades)
     for column, name in columns.items():
         most = _most_points(table, column)
-        if most is not None and most != lessons[name]["points"]:
+        if most is not None and most != lessons[name]["max_points"]:
             yield (
-                f"  {name} is worth {most:g} points there and {lessons[name]['points']} here; points are"
+                f"  {name} is worth {most:g} points there and {lessons[name]['max_points']} here; points are"
                 " filled in as they are here: change it there"
             )
 

@@ -2,8 +2,8 @@
 
 from dataclasses import dataclass
 
+from imgproc_course.autograder.sanitize import sanitize_line
 from imgproc_course.exercises.values import describe_value, table_rows
-from imgproc_course.gradebook.sanitize import visible_line
 
 _MOST_CHARACTERS = 400
 
@@ -32,4 +32,4 @@ def value_of(label, form, wrong=None):
     """
     if form is None:
         return Value(label, "nothing was returned")
-    return Value(label, visible_line(describe_value(form), _MOST_CHARACTERS), table_rows(form, wrong))
+    return Value(label, sanitize_line(describe_value(form), _MOST_CHARACTERS), table_rows(form, wrong))

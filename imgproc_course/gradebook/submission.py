@@ -16,7 +16,7 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from pathlib import Path
 
-from imgproc_course.gradebook.sanitize import visible_line
+from imgproc_course.autograder.sanitize import sanitize_line
 from imgproc_course.gradebook.submission_reader import MOST_CHARACTERS, function_names, syntax_digest
 
 SECONDS = 60  # for reading one notebook
@@ -176,7 +176,9 @@ def read_submission(data, catalog, reader, name=""):
     cells = [cell for cell in notebook["cells"] if cell is not None]
     content.lesson = _recognize(notebook, cells, catalog, name, content)
     if content.lesson is None:
-        claim = f"; it says that it is {visible_line(notebook['lesson'], 80)!r}" if notebook["lesson"] else ""
+        claim = (
+            f"; it says that it is {sanitize_line(notebook['lesson'], 80)!r}" if notebook["lesson"] else ""
+        )
         content.reason = f"it is not one of the lessons {', '.join(sorted(catalog.lessons))}{claim}"
         return content
     lesson = catalog.describe(content.lesson, content.version)
@@ -219,12 +221,12 @@ def _inspect_notebook(notebook, cells, lesson, content):
     if content.version != lesson.version:
         version = f"version {content.version[:40]!r}" if content.version else "an unknown version"
         content.add(
-            f"it was made from {visible_line(version)} of the lesson, not from version {lesson.version}"
+            f"it was made from {sanitize_line(version)} of the lesson, not from version {lesson.version}"
         )
     if len(cells) < len(notebook["cells"]):
         content.add(f"{len(notebook['cells']) - len(cells)} of its cells are not cells", kind="odd")
     if notebook["kernel"] not in (None, "python3"):
-        kernel = visible_line(notebook["kernel"], 60)
+        kernel = sanitize_line(notebook["kernel"], 60)
         content.add(f"it asks for the kernel {kernel!r}; grading uses its own", kind="odd")
 
 
@@ -246,7 +248,7 @@ def _inspect_answer(exercise, cells, lesson, content):
         text = f"its answer cell ({exercise.answer_id}) occurs {len(positions)} times"
         content.add(f"{text}; the first code cell of them is graded", exercise.id)
     if not code:
-        kind = visible_line(cells[positions[0]]["type"], 20) or "nameless"
+        kind = sanitize_line(cells[positions[0]]["type"], 20) or "nameless"
         content.add(f"its answer cell is a {kind} cell, not a code cell", exercise.id)
         return AnswerState.BROKEN
     cell = cells[code[0]]
@@ -276,8 +278,8 @@ def _inspect_source(exercise, cell, cells, lesson, content):
         return AnswerState.BROKEN
     if syntax["error"]:
         line, text, message = syntax["error"]
-        text = f"line {line} of its answer cell is not Python: {visible_line(text, 80)}"
-        text += f" ({visible_line(message, 100)})"
+        text = f"line {line} of its answer cell is not Python: {sanitize_line(text, 80)}"
+        text += f" ({sanitize_line(message, 100)})"
         content.add(text, exercise.id, "answer")
         return AnswerState.BROKEN
     if syntax["names"] is not None and exercise.function not in syntax["names"]:
@@ -310,7 +312,7 @@ def _inspect_next_cell(exercise, next_cells, lesson, content):
     """Report functions in a learner's cell directly below the answer: perhaps the answer needs them."""
     for cell in next_cells:
         if lesson.cells and cell["id"] not in lesson.cells and cell.get("functions"):
-            names = ", ".join(f"{visible_line(name, 60)}()" for name in cell["functions"][:3])
+            names = ", ".join(f"{sanitize_line(name, 60)}()" for name in cell["functions"][:3])
             text = f"a cell below its answer cell defines {names}; only the answer cell is graded"
             content.add(text, exercise.id)
 
@@ -320,7 +322,7 @@ def _place_of_definition(exercise, cells, lesson):
     for cell in cells:
         own = cell["id"].startswith("answer-") or _defines(lesson, cell["id"], exercise.function)
         if not own and exercise.function in cell.get("functions", ()):
-            return visible_line(cell["id"], 80) or "without an id"
+            return sanitize_line(cell["id"], 80) or "without an id"
     return ""
 
 

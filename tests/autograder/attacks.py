@@ -1,10 +1,10 @@
-"""Attacks on the grader: each the source of an answer's cell, wrong in truth, that tries to gain by a trick.
+"""Attacks on the autograder: each is the source of a wrong answer that tries to gain points by a trick.
 
-`number` is the attack's in the published list of 62; from 101 on they are our own. Attacks on the form of a
-submission (its cells, metadata, files, archives and names) are tried where submissions are taken in.
+`number` is the attack's number in the published list of 62; attacks from 101 on are our own. Attacks on the form
+of a submission (its cells, metadata, files, archives and names) are in tests/gradebook/form_attacks.py.
 """
 
-# ruff: noqa: E501 - the lines are the attackers' own
+# ruff: noqa: E501 - the long lines are the attackers'
 
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -13,12 +13,13 @@ from textwrap import dedent
 from tqdm import tqdm
 
 from imgproc_course.autograder.pool import Limits, autograde
+from imgproc_course.autograder.results import GradedSubmission
 
 MASTERS = Path(__file__).parent / "masters"
 LESSON = "10_attacked"
 SEED = 8_675_309
 PUBLISHED = range(1, 63)  # numbers of the published list
-# Short, so that what never ends is soon ended; long enough for two kernels on a busy machine.
+# Short, so that endless answers end soon; long enough for two kernels on a busy machine.
 SHORT = Limits(grace=0.5, wall_factor=4, wall_grace=2.0, memory=1 << 30, output=2 << 20)
 RIGHT = {
     "attacked-double": "def double(pixels):\n"
@@ -29,18 +30,23 @@ RIGHT = {
 
 @dataclass(frozen=True)
 class Attack:
-    """outcomes: what may be said of its cases; told: what its public case's words must hold, and not hold."""
+    """One attack.
+
+    outcomes    the outcomes that its cases may have
+    reported    text that the public case's message must contain
+    unreported  text that it must not contain, "" if there is none
+    """
 
     number: int
     name: str
     source: object
     outcomes: frozenset = field(default_factory=lambda: frozenset({"wrong"}))
-    told: str = ""
-    silent: str = ""
+    reported: str = ""
+    unreported: str = ""
 
     @property
     def title(self):
-        """What it is called; of its own among all."""
+        """Its name, unique among all attacks."""
         return f"{self.number}: {self.name}"
 
 
@@ -48,14 +54,14 @@ WRONG = "\ndef double(pixels):\n    return np.zeros(pixels.shape, np.uint8)\n"
 ATTACKS = []
 
 
-def attack(number, name, source, *outcomes, told="", silent="", wrong=True):
-    """Add an attack; `wrong` puts an honest wrong answer behind it."""
+def attack(number, name, source, *outcomes, reported="", unreported="", wrong=True):
+    """Add an attack; `wrong` appends an honest wrong answer."""
     if isinstance(source, str):
         source = dedent(source) + (WRONG if wrong else "")
-    ATTACKS.append(Attack(number, name, source, frozenset(outcomes or ("wrong",)), told, silent))
+    ATTACKS.append(Attack(number, name, source, frozenset(outcomes or ("wrong",)), reported, unreported))
 
 
-# ---------------------------------------------------------------- orders to nbval, and sources that are none
+# ---------------------------------------------------------------- comments for nbval, and malformed sources
 
 attack(8, "NBVAL_SKIP in the answer", "# NBVAL_SKIP\n")
 attack(9, "NBVAL_RAISES_EXCEPTION in the answer", "# NBVAL_RAISES_EXCEPTION\n# NBVAL_IGNORE_OUTPUT\n")
@@ -201,7 +207,7 @@ attack(
         raise RuntimeError(f"found {found}")
     """,
     "raised",
-    told="found []",
+    reported="found []",
     wrong=False,
 )
 attack(
@@ -217,7 +223,7 @@ attack(
     """,
     "raised",
     "time",
-    silent="key",
+    unreported="key",
     wrong=False,
 )
 attack(
@@ -257,7 +263,7 @@ attack(
     """,
     "raised",
     "time",
-    silent="cv2.abi3",
+    unreported="cv2.abi3",
     wrong=False,
 )
 attack(
@@ -272,7 +278,7 @@ attack(
     """,
     "raised",
     "time",
-    silent="colorsys",
+    unreported="colorsys",
     wrong=False,
 )
 attack(
@@ -500,7 +506,7 @@ attack(
             raise RuntimeError(f"stopped after {'little' if written < 64 << 20 else 'much'}")
     """,
     "raised",
-    told="little",
+    reported="little",
     wrong=False,
 )
 attack(
@@ -528,7 +534,7 @@ attack(
             raise RuntimeError(f"stopped at {'few' if number < 3000 else 'many'}")
     """,
     "raised",
-    told="few",
+    reported="few",
     wrong=False,
 )
 
@@ -548,7 +554,7 @@ attack(
         raise RuntimeError(f"found {found}")
     """,
     "raised",
-    told="found []",
+    reported="found []",
     wrong=False,
 )
 attack(
@@ -562,7 +568,7 @@ attack(
         raise RuntimeError(f"found {found}, {len(os.listdir('/proc/self/fd')) < 16}")
     """,
     "raised",
-    told="found [], True",
+    reported="found [], True",
     wrong=False,
 )
 attack(
@@ -572,7 +578,7 @@ attack(
     def double(pixels):
         import os
         done = []
-        for path in ("/course/rooms/x", "/course/site-packages/x.pth", "/usr/x", "/etc/x", "/python/x", "/x", "/proc/sys/kernel/hostname"):
+        for path in ("/course/packages/x", "/course/site-packages/x.pth", "/usr/x", "/etc/x", "/python/x", "/x", "/proc/sys/kernel/hostname"):
             try:
                 open(path, "w").write("x")
                 done.append(path)
@@ -581,7 +587,7 @@ attack(
         raise RuntimeError(f"done {done}")
     """,
     "raised",
-    told="done []",
+    reported="done []",
     wrong=False,
 )
 attack(
@@ -625,7 +631,7 @@ attack(
         raise RuntimeError(f"done {done}, {[n for _, n in socket.if_nameindex() if n != 'lo']}")
     """,
     "raised",
-    told="done [], []",
+    reported="done [], []",
     wrong=False,
 )
 attack(
@@ -637,7 +643,7 @@ attack(
         raise RuntimeError(" ".join(sorted(os.environ)) + open("/proc/self/environ").read() + open("/proc/1/cmdline").read()[:200])
     """,
     "raised",
-    silent="PYTEST",
+    unreported="PYTEST",
     wrong=False,
 )
 attack(
@@ -689,7 +695,7 @@ attack(
 )
 attack(
     52,
-    "orders to pytest",
+    "configuration for pytest",
     """
     import pathlib
     for folder in (".", "..", "/tmp"):
@@ -761,11 +767,11 @@ attack(
         raise RuntimeError(f"done {done}")
     """,
     "raised",
-    told="done []",
+    reported="done []",
     wrong=False,
 )
 for _when, _check in (("every", "True"), ("the last", "len(pixels) == 5")):
-    # Kernels are made ahead: in the same group one would wait for the next check, or the next submission.
+    # Kernels are started ahead: in the same group one would wait for the next check or submission.
     attack(
         56,
         f"killing its process group in {_when} check",
@@ -835,7 +841,7 @@ attack(
         raise RuntimeError(f"done {done}")
     """,
     "raised",
-    told="done [False, False, False]",
+    reported="done [False, False, False]",
     wrong=False,
 )
 attack(
@@ -855,7 +861,7 @@ attack(
         raise RuntimeError(f"done {done}")
     """,
     "raised",
-    told="done []",
+    reported="done []",
     wrong=False,
 )
 attack(
@@ -866,8 +872,8 @@ attack(
         raise ValueError("<script>alert(1)</script>\\x1b[31mred\\x1b[0m\\u202eevil\\x00\\u2028")
     """,
     "raised",
-    told="\\u202e",
-    silent="\x1b",
+    reported="\\u202e",
+    unreported="\x1b",
     wrong=False,
 )
 attack(
@@ -880,7 +886,7 @@ attack(
         raise error(f"seen {pixels.tolist()}")
     """,
     "raised",
-    told="seen",
+    reported="seen",
     wrong=False,
 )
 
@@ -1070,14 +1076,14 @@ attack(
         libc = ctypes.CDLL(None, use_errno=True)
         libc.unshare(0x10000000 | 0x20000)
         found = []
-        for path in (b"/course/site-packages/cv2", b"/course/rooms/imgproc_course/imaging", b"/tmp", b"/proc"):
+        for path in (b"/course/site-packages/cv2", b"/course/packages/imgproc_course/imaging", b"/tmp", b"/proc"):
             if libc.umount2(path, 2) == 0 or libc.umount2(path, 0) == 0:
                 found.append(path)
-        found += [name for name in ("/course/site-packages/cv2", "/course/rooms/imgproc_course/imaging") if os.listdir(name)]
+        found += [name for name in ("/course/site-packages/cv2", "/course/packages/imgproc_course/imaging") if os.listdir(name)]
         raise RuntimeError(f"found {found}")
     """,
     "raised",
-    told="found []",
+    reported="found []",
     wrong=False,
 )
 attack(
@@ -1098,7 +1104,7 @@ attack(
         raise RuntimeError(f"done {done} {int(held['CapEff:'], 16)} {int(held['CapBnd:'], 16)} {held['NoNewPrivs:']}")
     """,
     "raised",
-    told="done [] 0 0 1",
+    reported="done [] 0 0 1",
     wrong=False,
 )
 attack(
@@ -1117,7 +1123,7 @@ attack(
         raise RuntimeError(f"done {done}")
     """,
     "raised",
-    told="done []",
+    reported="done []",
     wrong=False,
 )
 attack(
@@ -1151,7 +1157,7 @@ attack(
         raise RuntimeError(f"left {left}")
     """,
     "raised",
-    told="left []",
+    reported="left []",
     wrong=False,
 )
 attack(
@@ -1189,64 +1195,65 @@ attack(
 )
 
 
-# ---------------------------------------------------------------- judging them all
+# ---------------------------------------------------------------- grading them all
 
 
 @dataclass(frozen=True)
-class Attacked:
-    """What an attack came to: results of `judge`, of itself and of the honest submission behind it."""
+class AttackResult:
+    """What an attack achieved.
+
+    result     GradedSubmission of the attack
+    neighbor   GradedSubmission of the honest submission after it
+    alone      GradedSubmission of an honest submission before all attacks
+    """
 
     attack: Attack
-    result: dict
-    neighbour: dict
-    alone: dict
+    result: GradedSubmission
+    neighbor: GradedSubmission
+    alone: GradedSubmission
 
     @property
     def exercise(self):
-        """The result of the exercise that was attacked."""
+        """The GradedExercise that was attacked."""
         return exercise_of(self.result, "attacked-double")
 
     @property
     def harmed(self):
-        """What it harmed, in words; empty where everything beside it is graded as if alone."""
+        """What it harmed, as texts; empty if everything beside it is graded as if alone."""
         harm = []
-        if of_submission(self.neighbour) != of_submission(self.alone):
+        if self.neighbor.exercises != self.alone.exercises:
             harm.append("the next submission")
-        if exercise_of(self.result, "attacked-mean")["got"] != 7:
+        if exercise_of(self.result, "attacked-mean").points != 7:
             harm.append("its own other exercise")
         return tuple(harm)
 
 
-def judge_attacks(key, *, quiet=True, **options):
-    """Judge all attacks, an honest submission behind each of them, and the honest one alone before.
+def grade_attacks(key, *, quiet=True, **options):
+    """Grade an honest submission, then each attack with an honest submission after it.
 
     Parameters
     ----------
     key : Key of MASTERS
     quiet : bool or None, as tqdm's `disable`
-    options : as `judge` takes them
+    options : as `autograde` takes them
 
     Returns
     -------
-    list of Attacked
+    list of AttackResult
     """
-    handed = [("alone", LESSON, RIGHT)]
-    for each in ATTACKS:
-        handed.append((each.title, LESSON, RIGHT | {"attacked-double": each.source}))
-        handed.append((f"after {each.title}", LESSON, RIGHT))
-    results = autograde(handed, key, **({"limits": SHORT} | options))
-    bar = tqdm(results, "attacks by source", len(handed), unit=" submissions", disable=quiet)
-    found = {result["submission"]: result for result in bar}
+    submissions = [("alone", LESSON, RIGHT)]
+    for attack in ATTACKS:
+        submissions.append((attack.title, LESSON, RIGHT | {"attacked-double": attack.source}))
+        submissions.append((f"after {attack.title}", LESSON, RIGHT))
+    graded = autograde(submissions, key, **({"limits": SHORT} | options))
+    bar = tqdm(graded, "attacks by source", len(submissions), unit=" submissions", disable=quiet)
+    results = {result.name: result for result in bar}
     return [
-        Attacked(each, found[each.title], found[f"after {each.title}"], found["alone"]) for each in ATTACKS
+        AttackResult(attack, results[attack.title], results[f"after {attack.title}"], results["alone"])
+        for attack in ATTACKS
     ]
 
 
 def exercise_of(result, id):
-    """One exercise's part of a result."""
-    return next(each for each in result["exercises"] if each["id"] == id)
-
-
-def of_submission(result):
-    """A result without its submission's name."""
-    return {name: value for name, value in result.items() if name != "submission"}
+    """One GradedExercise of a GradedSubmission."""
+    return next(exercise for exercise in result.exercises if exercise.id == id)

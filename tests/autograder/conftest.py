@@ -1,4 +1,4 @@
-"""A key of a small lesson that is there to be attacked, made once a session."""
+"""A key of a small lesson that the tests attack, made once per session."""
 
 import sys
 from pathlib import Path
@@ -30,12 +30,12 @@ def right():
 
 @pytest.fixture
 def grade(key, right):
-    """Grade one answer to `double` (the other exercise answered rightly); gives its exercise's result."""
+    """Grade one answer to `double` (the other answer is right); returns its GradedExercise."""
 
     def graded(source, *, exercise="attacked-double", **options):
         answers = right | {exercise: source}
         options = {"workers": 1, "limits": SHORT} | options
         (result,) = autograde([("one", LESSON, answers)], key, **options)
-        return next(each for each in result["exercises"] if each["id"] == exercise)
+        return next(graded for graded in result.exercises if graded.id == exercise)
 
     return graded

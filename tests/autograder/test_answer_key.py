@@ -1,4 +1,4 @@
-"""A key holds what the judge needs, and nothing that gives its seed away."""
+"""A key contains what the autograder needs, and nothing that reveals its seed."""
 
 import json
 import shutil
@@ -84,7 +84,7 @@ def test_the_same_seed_gives_the_same_key_and_another_another(key, tmp_path):
 
 
 def test_a_key_is_not_overwritten_unless_told(copy):
-    with pytest.raises(KeyFolderError, match="there is something already"):
+    with pytest.raises(KeyFolderError, match="it exists already"):
         make_key(MASTERS, 1, copy)
     before = load_key(copy).digest
     assert make_key(MASTERS, 1, copy, replace=True).digest != before
@@ -108,12 +108,14 @@ def test_a_failure_leaves_the_former_key(copy, tmp_path):
         (
             ', function="apply", practice=True',
             ', function="apply"',
-            "case-attacked-apply-1.*cannot travel.*practice=True",
+            "case-attacked-apply-1.*cannot be sent.*practice=True",
         ),
         ('refused=("cv2", ', 'refused=("numpy", ', "refuses numpy"),
         ("return float(np.mean(values))", "return object()", "nothing that can be compared"),
         ("return float(np.mean(values))", "return values.pop()", "changes its input"),
         ("return float(np.mean(values))", "import os; os._exit(1)", "crashed"),
+        ("return float(np.mean(values))", "return [].index(3)", "compared: ValueError: 3 is not in list$"),
+        ("return float(np.mean(values))", "while True: pass", "compared: it does not finish in time$"),
     ],
 )
 def test_a_master_that_cannot_be_graded_is_refused(tmp_path, old, new, message):
@@ -152,7 +154,7 @@ def test_what_is_no_key_is_named(tmp_path, copy):
     with pytest.raises(KeyFolderError, match="cannot be read"):
         load_key(copy)
     (copy / "key.json").write_text('{"format": 99}')
-    with pytest.raises(KeyFolderError, match="a key of format 99, expected 1"):
+    with pytest.raises(KeyFolderError, match="a key of format 99, expected 2"):
         load_key(copy)
 
 

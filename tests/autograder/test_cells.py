@@ -8,7 +8,7 @@ import pytest
 from imgproc_course.authoring.masters import find_masters
 from imgproc_course.autograder.make_answer_key import sample_answers
 from imgproc_course.autograder.sandbox.bubblewrap import Limits
-from imgproc_course.autograder.sandbox.kernels import Kernels
+from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.exercises import read_exercises
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("cells")]
@@ -17,10 +17,10 @@ MASTERS = Path(__file__).parents[2] / "notebooks" / "masters"
 
 @pytest.fixture(scope="module", params=["fast", "ipykernel"])
 def kernel(request):
-    with Kernels(request.param) as kernels:
-        started = kernels.start(("colorsys", "imgproc_course.imaging"), 60)
-        yield started
-        started.stop()
+    with KernelFactory(request.param) as kernel_factory:
+        kernel = kernel_factory.start(("colorsys", "imgproc_course.imaging"), 60)
+        yield kernel
+        kernel.stop()
 
 
 CELLS = [
@@ -36,7 +36,7 @@ CELLS = [
     ("import asyncio\nasync def g():\n    await asyncio.sleep(0.001)\n    return 5", "", ("", "")),
     ("print(await g())", "5\n", ("", "")),
     (
-        # Closed, or Python says some cells later that nobody awaited it.
+        # Closed, else Python warns some cells later that it was never awaited.
         "late = g()\ntry:\n    asyncio.run(late)\nfinally:\n    late.close()",
         "",
         ("RuntimeError", "asyncio.run() cannot be called from a running event loop"),
@@ -47,7 +47,7 @@ CELLS = [
     ("print(get_ipython().__class__.__mro__[1].__name__)", "InteractiveShell\n", ("", "")),
     ("print(__name__)", "__main__\n", ("", "")),
     ("import colorsys\nprint('imported')", "imported\n", ("", "")),
-    ("colorsys.rgb_to_hsv", "", ("RefusedModule", "this exercise is to be written without colorsys")),
+    ("colorsys.rgb_to_hsv", "", ("RefusedModule", "write this exercise without colorsys")),
     ("from imgproc_course.imaging import to_gray", "", ("RefusedModule", None)),
     ("from imgproc_course.exercises import check\ncheck('x', print)", "", ("", "")),
     ("from imgproc_course.autograder import pool", "", ("ImportError", None)),
@@ -65,7 +65,7 @@ def test_a_cell_does_what_it_does_in_jupyterlab(kernel, code, printed, error):
     assert printed is None or run.printed.replace("\r\n", "\n") == printed
 
 
-def test_input_is_refused_with_words(kernel):
+def test_input_is_refused_with_an_explanation(kernel):
     run = kernel.run("input('name?')")
     assert run.error[0] in ("RuntimeError", "StdinNotImplementedError")
     assert "input" in run.error[1]
@@ -74,20 +74,20 @@ def test_input_is_refused_with_words(kernel):
 def test_python_hashes_are_the_same_in_every_kernel():
     hashes = []
     for kind in ("fast", "ipykernel"):
-        with Kernels(kind) as kernels:
-            started = kernels.start((), 30)
-            hashes.append(started.run("print(hash('course'))").printed)
-            started.stop()
+        with KernelFactory(kind) as kernel_factory:
+            kernel = kernel_factory.start((), 30)
+            hashes.append(kernel.run("print(hash('course'))").printed)
+            kernel.stop()
     assert hashes[0] == hashes[1] != ""
 
 
-def test_a_kernel_takes_no_more_time_than_it_may():
-    with Kernels("fast", limits=Limits(grace=0.0, wall_factor=1, wall_grace=1)) as kernels:
-        started = kernels.start((), 1)
-        assert started.run("while True: pass").ended == "time"
-        assert started.run("1").ended != ""
-        started.stop()
-        after = kernels.start((), 1)
+def test_a_kernel_gets_no_more_time_than_its_limit():
+    with KernelFactory("fast", limits=Limits(grace=0.0, wall_factor=1, wall_grace=1)) as kernel_factory:
+        kernel = kernel_factory.start((), 1)
+        assert kernel.run("while True: pass").ended == "time"
+        assert kernel.run("1").ended != ""
+        kernel.stop()
+        after = kernel_factory.start((), 1)
         assert after.run("print(1)").printed == "1\n"
         after.stop()
 
@@ -129,12 +129,12 @@ TRICKY = [
 ]
 
 
-def test_cells_are_translated_as_ipython_translates_them():
+def test_cells_are_transformed_as_ipython_transforms_them():
     from IPython.core.inputtransformer2 import TransformerManager
 
-    from imgproc_course.autograder.sandbox.inside.shell import Translation
+    from imgproc_course.autograder.sandbox.inside.shell import FastTransformer
 
-    def translated(manager, cell):
+    def transformed(manager, cell):
         try:
             return manager.transform_cell(cell)
         except SyntaxError as error:
@@ -146,13 +146,13 @@ def test_cells_are_translated_as_ipython_translates_them():
             cells += [*exercise.given, *sample_answers(exercise).values()]
     assert len(cells) > 150
     for cell in cells:
-        assert translated(Translation(), cell) == translated(TransformerManager(), cell), cell
+        assert transformed(FastTransformer(), cell) == transformed(TransformerManager(), cell), cell
 
 
-def test_translating_warns_of_nothing_that_running_will_warn_of():
-    from imgproc_course.autograder.sandbox.inside.shell import Translation
+def test_transforming_shows_no_warning_that_running_shows():
+    from imgproc_course.autograder.sandbox.inside.shell import FastTransformer
 
-    with warnings.catch_warnings(record=True) as said:
+    with warnings.catch_warnings(record=True) as caught:
         warnings.simplefilter("always")
-        assert Translation().transform_cell("x = '\\d'\ny = x") == "x = '\\d'\ny = x\n"
-    assert said == []
+        assert FastTransformer().transform_cell("x = '\\d'\ny = x") == "x = '\\d'\ny = x\n"
+    assert caught == []

@@ -1,11 +1,11 @@
-"""Checks of one exercise, one after another: what one leaves behind costs no other, and lends it nothing."""
+"""The checks of one exercise, one after another: what one leaves behind neither costs nor helps another."""
 
 import pytest
 from attacks import LESSON, SHORT
 
-from imgproc_course.autograder.nbval_plugin import Session
+from imgproc_course.autograder.nbval_plugin import ExerciseRun
 from imgproc_course.autograder.pool import autograde
-from imgproc_course.autograder.sandbox.kernels import Kernels
+from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("isolation")]
 MEAN = "float(np.mean(values))"
@@ -37,29 +37,27 @@ OUTCOMES = {
 
 
 @pytest.mark.parametrize("kernel", ["fast", "ipykernel"])
-def test_what_one_check_leaves_behind_costs_no_other_and_lends_it_nothing(key, right, kernel):
-    handed = [(name, LESSON, right | {"attacked-mean": ANSWERS[name]}) for name in OUTCOMES]
-    found = {}
-    for result in autograde(handed, key, kernel=kernel, workers=2, limits=SHORT):
-        (mean,) = [each for each in result["exercises"] if each["id"] == "attacked-mean"]
-        found[result["submission"]] = [case["outcome"] for case in mean["cases"]]
-    assert found == OUTCOMES
+def test_what_one_check_leaves_behind_neither_costs_nor_helps_another(key, right, kernel):
+    submissions = [(name, LESSON, right | {"attacked-mean": ANSWERS[name]}) for name in OUTCOMES]
+    outcomes = {}
+    for result in autograde(submissions, key, kernel=kernel, workers=2, limits=SHORT):
+        (mean,) = [exercise for exercise in result.exercises if exercise.id == "attacked-mean"]
+        outcomes[result.name] = [case.outcome for case in mean.cases]
+    assert outcomes == OUTCOMES
 
 
 def kernels_for(key, source, names):
-    """How many kernels the cases of `mean` take, in that order; and which passed."""
-    (exercise,) = [each for each in key.lessons[LESSON].exercises if each.id == "attacked-mean"]
+    """How many kernels the cases of `mean` need, in that order, and which cases passed."""
+    (exercise,) = [exercise for exercise in key.lessons[LESSON].exercises if exercise.id == "attacked-mean"]
     content = key.content(exercise.id)
     cells = {cell["id"]: "".join(cell["source"]) for cell in content.notebook["cells"]}
     before = [*(text for name, text in cells.items() if name.startswith("given")), source]
     cases = {case.title: case for case in exercise.cases}
-    with Kernels("fast") as kernels:
-        session = Session(exercise, content, kernels, None)
-        runs = [session.run(cases[name], before, cells[cases[name].id]) for name in names]
-        session.close()
-        return kernels._zygote._count, [
-            session._has_passed(run, cases[name]) for run, name in zip(runs, names, strict=True)
-        ]
+    with KernelFactory("fast") as kernel_factory:
+        exercise_run = ExerciseRun(exercise, content, kernel_factory, None)
+        runs = [exercise_run.run(cases[name], before, cells[cases[name].id]) for name in names]
+        exercise_run.close()
+        return kernel_factory._fork_server._fork_count, [run.passed for run in runs]
 
 
 def test_checks_share_a_kernel_as_long_as_they_pass(key, right):

@@ -1,4 +1,4 @@
-"""The judge: the same answers get the same points, whatever else happens."""
+"""The same answers get the same results, whatever else happens."""
 
 import itertools
 import json
@@ -14,14 +14,16 @@ from contextlib import suppress
 import psutil
 import pytest
 
-from imgproc_course.autograder import pool
+from imgproc_course.autograder import nbval_process
+from imgproc_course.autograder.outcomes import TEXTS, Outcome
 from imgproc_course.autograder.pool import Limits, SandboxError, autograde, grade_one
+from imgproc_course.autograder.results import from_json, to_json
 from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.exercises import read_exercises
 from imgproc_course.exercises.checking import run_cases as check_answer
 from imgproc_course.exercises.declaration import MASTERS_VARIABLE
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("judge")]
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("pool")]
 LESSON = "10_attacked"
 DOUBLED = "np.minimum(pixels.astype(int) * 2, 255).astype(np.uint8)"
 DOUBLES = f"def double(pixels):\n    return {DOUBLED}\n"
@@ -77,115 +79,133 @@ OUTCOMES = {
 PATIENT = Limits(grace=4.0)
 
 
-def handed(right, names=SAMPLES):
+def submissions_of(right, names=SAMPLES):
     return [(name, LESSON, right | {"attacked-double": SAMPLES[name]}) for name in names]
 
 
 def by_name(results):
-    return {result["submission"]: result for result in results}
+    return {result.name: result for result in results}
 
 
 def doubles(result):
-    return next(each for each in result["exercises"] if each["id"] == "attacked-double")
+    return next(exercise for exercise in result.exercises if exercise.id == "attacked-double")
 
 
 @pytest.fixture(scope="module")
-def judged(key, right):
-    return by_name(autograde(handed(right), key, workers=2, limits=PATIENT))
+def results(key, right):
+    return by_name(autograde(submissions_of(right), key, workers=2, limits=PATIENT))
 
 
 @pytest.mark.parametrize("name", SAMPLES)
-def test_each_sample_gets_its_outcome(judged, name):
-    result = doubles(judged[name])
-    expected = OUTCOMES.get(name, ("wrong", "wrong"))
-    assert tuple(case["outcome"] for case in result["cases"]) == expected
-    assert result["got"] == sum(p for p, o in zip((1, 2), expected, strict=True) if o == "passed")
-    assert judged[name]["got"] == 7 + result["got"]
+def test_each_sample_gets_its_outcome(results, name):
+    exercise = doubles(results[name])
+    outcomes = OUTCOMES.get(name, ("wrong", "wrong"))
+    assert tuple(case.outcome for case in exercise.cases) == outcomes
+    points = sum(points for points, outcome in zip((1, 2), outcomes, strict=True) if outcome == "passed")
+    assert (exercise.points, exercise.max_points) == (points, 3)
+    assert (results[name].points, results[name].max_points) == (7 + points, 10)
 
 
-def test_results_are_json_and_hold_no_more_than_they_should(judged, key):
-    text = json.dumps(judged)
-    assert json.loads(text) == judged
+def test_a_result_is_read_back_from_its_json(results):
+    for result in results.values():
+        assert from_json(json.loads(json.dumps(to_json(result)))) == result
+
+
+def test_json_that_is_no_result_is_refused(results):
+    data = to_json(results["one off"])
+    for damaged in (
+        {name: value for name, value in data.items() if name != "version"},
+        data | {"exercises": [data["exercises"][0] | {"cases": [{"id": "x"}]}]},
+        data | {"exercises": [data["exercises"][0] | {"unknown": 1}]},
+        [],
+    ):
+        with pytest.raises((KeyError, TypeError, ValueError)):
+            from_json(damaged)
+
+
+def test_results_reveal_nothing_of_the_key_and_the_machine(results, key):
+    text = json.dumps([to_json(result) for result in results.values()])
     for trace in (str(key.path), "/tmp", "8675309", "expected_answer", "0x7f"):
         assert trace not in text
-    for result in judged.values():
-        for exercise in result["exercises"]:
-            assert all(
-                not {"given", "expected", "actual"} & case.keys()
-                for case in exercise["cases"]
-                if case["hidden"]
-            )
+    for result in results.values():
+        for exercise in result.exercises:
+            assert all(case.failed_call is None for case in exercise.cases if case.hidden)
 
 
-def test_a_public_case_is_told_with_everything(judged):
-    public = doubles(judged["one off"])["cases"][0]
-    assert public["given"][0]["shape"] == public["expected"]["shape"] == public["actual"]["shape"] == [3, 4]
+def test_every_outcome_has_its_texts():
+    assert set(TEXTS) == set(Outcome)
+    assert all(texts.label for texts in TEXTS.values())
+
+
+def test_a_failed_public_case_has_its_call(results):
+    public = doubles(results["one off"]).cases[0]
+    call = public.failed_call
+    assert call.arguments[0]["shape"] == call.expected["shape"] == call.actual["shape"] == [3, 4]
     assert (
-        public["said"].startswith("12 of 12 values differ")
-        or "values differ; the first at row" in public["said"]
+        public.message.startswith("12 of 12 values differ")
+        or "values differ; the first at row" in public.message
     )
-    assert public["hint"] == "Widen first."
-    assert doubles(judged["prints"])["cases"][0]["printed"] == "hello (3, 4)\n"
+    assert public.hint == "Widen first."
+    assert doubles(results["prints"]).cases[0].failed_call.printed == "hello (3, 4)\n"
 
 
-def test_known_mistakes_are_named(judged):
-    assert (doubles(judged["wraps"])["mistake"], doubles(judged["wraps"])["mistake_says"]) == (
-        "uint8 wraps",
-        "Widen first.",
-    )
-    assert doubles(judged["half"])["mistake"] == "half"
-    assert doubles(judged["one off"])["mistake"] == doubles(judged["right"])["mistake"] == ""
+def test_known_mistakes_are_named(results):
+    wraps = doubles(results["wraps"])
+    assert (wraps.mistake, wraps.mistake_explanation) == ("uint8 wraps", "Widen first.")
+    assert doubles(results["half"]).mistake == "half"
+    assert doubles(results["one off"]).mistake == doubles(results["right"]).mistake == ""
 
 
-def test_an_error_behind_the_function_is_told_and_costs_nothing(judged):
-    assert doubles(judged["right, and shows it"])["said"].startswith(
+def test_an_error_after_the_function_is_reported_and_costs_nothing(results):
+    assert doubles(results["right, and shows it"]).message.startswith(
         "its cell ended with NameError: name 'frame'"
     )
 
 
-def test_an_honest_wrong_answer_says_why(judged):
-    said = {name: doubles(judged[name])["cases"][0]["said"] for name in SAMPLES}
-    assert said["changes"] == "it changed its input pixels"
-    assert said["none"].startswith("expected an array of shape") and said["none"].endswith(", got None")
-    assert said["raises"].startswith(
+def test_an_honest_wrong_answer_says_why(results):
+    messages = {name: doubles(results[name]).cases[0].message for name in SAMPLES}
+    assert messages["changes"] == "it changed its input pixels"
+    assert messages["none"].startswith("expected an array of shape")
+    assert messages["none"].endswith(", got None")
+    assert messages["raises"].startswith(
         "AttributeError: 'numpy.ndarray' object has no attribute 'nothing' (line 2: "
     )
-    assert said["a syntax error"].startswith("its cell does not run: IndentationError")
-    assert said["no function"] == "its cell does not define double()"
+    assert messages["a syntax error"].startswith("its cell does not run: IndentationError")
+    assert messages["no function"] == "its cell does not define double()"
 
 
 ONLY_IN_JUPYTER = ("ends", "top-level await", "magics")
 
 
 @pytest.mark.parametrize("name", [name for name in SAMPLES if name not in ONLY_IN_JUPYTER])
-def test_check_in_the_lesson_agrees(judged, masters, name, monkeypatch):
+def test_check_in_the_lesson_agrees(results, masters, name, monkeypatch):
     monkeypatch.setenv(MASTERS_VARIABLE, str(masters))
     (declared, *_) = read_exercises(masters / "10_attacked.py")
     space = declared.namespace()
     with suppress(NameError, SyntaxError):
         exec(compile(SAMPLES[name], "answer", "exec"), space)
     checked = check_answer(declared, space["double"]) if "double" in space else None
-    passed = doubles(judged[name])["cases"][0]["outcome"] == "passed"
+    passed = doubles(results[name]).cases[0].passed
     assert (checked is not None and checked.passed) == passed
     if checked is not None and not passed:
-        known = checked.mistake.name if checked.mistake else ""
-        assert known == doubles(judged[name])["mistake"]
+        mistake = checked.mistake.name if checked.mistake else ""
+        assert mistake == doubles(results[name]).mistake
 
 
 @pytest.mark.parametrize("seed", [1, 2])
-def test_order_and_number_of_workers_change_nothing(judged, key, right, seed):
-    mixed = handed(right)
-    random.Random(seed).shuffle(mixed)
-    results = list(autograde(iter(mixed), key, workers=seed, limits=PATIENT))
-    assert [result["submission"] for result in results] == [name for name, _, _ in mixed]
-    assert json.dumps(by_name(results), sort_keys=True) == json.dumps(judged, sort_keys=True)
+def test_order_and_number_of_workers_change_nothing(results, key, right, seed):
+    shuffled = submissions_of(right)
+    random.Random(seed).shuffle(shuffled)
+    graded = list(autograde(iter(shuffled), key, workers=seed, limits=PATIENT))
+    assert [result.name for result in graded] == [name for name, _, _ in shuffled]
+    for result in graded:
+        assert json.dumps(to_json(result)) == json.dumps(to_json(results[result.name]))
 
 
-def test_both_kernels_give_the_same_results(judged, key, right):
-    names = [name for name in SAMPLES if name != "prints beside"]  # what C code prints is seen by one alone
-    alone = handed({}, names)
-    results = by_name(autograde(alone, key, kernel="ipykernel", workers=2, limits=PATIENT))
-    assert {name: doubles(results[name]) for name in names} == {name: doubles(judged[name]) for name in names}
+def test_both_kernels_give_the_same_results(results, key, right):
+    names = [name for name in SAMPLES if name != "prints beside"]  # only one of them sees what C code prints
+    graded = by_name(autograde(submissions_of({}, names), key, kernel="ipykernel", workers=2, limits=PATIENT))
+    assert {name: doubles(graded[name]) for name in names} == {name: doubles(results[name]) for name in names}
 
 
 @pytest.mark.parametrize(
@@ -193,98 +213,101 @@ def test_both_kernels_give_the_same_results(judged, key, right):
 )
 def test_a_submission_may_have_any_name(key, right, name):
     (result,) = autograde([(name, LESSON, right)], key, workers=1)
-    assert (result["submission"], result["got"]) == (name, 10)
+    assert (result.name, result.points) == (name, 10)
 
 
 def test_missing_and_unknown_answers(key, right):
     (result,) = autograde(
         [("a", LESSON, {"nonsense": "x", "attacked-mean": right["attacked-mean"]})], key, workers=1
     )
-    assert [case["outcome"] for case in doubles(result)["cases"]] == ["missing", "missing"]
-    assert doubles(result)["said"] == "its answer cell is missing"
-    assert result["got"] == 7
+    assert [case.outcome for case in doubles(result).cases] == ["missing", "missing"]
+    assert doubles(result).message == "its answer cell is missing"
+    assert result.points == 7
 
 
 def test_a_lesson_that_is_not_in_the_key_is_refused(key, right):
     with pytest.raises(ValueError, match="'99_x' is not in the key, which has 10_attacked"):
         list(autograde([("a", "99_x", right)], key))
-    with pytest.raises(ValueError, match="kernel 'slow': there are fast and ipykernel"):
+    with pytest.raises(ValueError, match="kernel 'slow': expected fast or ipykernel"):
         autograde([], key, kernel="slow")
 
 
-def test_submissions_are_taken_as_they_are_wanted(key, right):
-    taken = itertools.count()
-    endless = ((f"s{next(taken)}", LESSON, right) for _ in itertools.count())
-    results = autograde(endless, key, workers=1)
-    assert [result["submission"] for result in itertools.islice(results, 3)] == ["s0", "s1", "s2"]
-    results.close()
-    assert next(taken) < 20
+def test_submissions_are_read_as_results_are_taken(key, right):
+    counter = itertools.count()
+    endless = ((f"s{next(counter)}", LESSON, right) for _ in itertools.count())
+    graded = autograde(endless, key, workers=1)
+    assert [result.name for result in itertools.islice(graded, 3)] == ["s0", "s1", "s2"]
+    graded.close()
+    assert next(counter) < 20
     assert children("nbval_plugin") == []
 
 
 def test_another_key_in_the_same_place_is_noticed(key, right):
-    with pytest.raises(ValueError, match="another key stands there"):
+    with pytest.raises(ValueError, match="this is another key than the one"):
         grade_one(("a", LESSON, right), key, "0" * 64)
-    pool.stop_judges()
+    nbval_process.stop_nbval_processes()
 
 
-def test_grade_one_runs_over_any_executor(judged, key, right):
+def test_grade_one_runs_over_any_executor(results, key, right):
     names = ["right", "wraps", "ends", "untouched"]
-    with ProcessPoolExecutor(2, mp_context=__import__("multiprocessing").get_context("spawn")) as pool:
-        results = by_name(autograde(handed(right, names), key, workers=2, executor=pool, limits=PATIENT))
-    assert results == {name: judged[name] for name in names}
+    with ProcessPoolExecutor(2, mp_context=__import__("multiprocessing").get_context("spawn")) as executor:
+        graded = by_name(
+            autograde(submissions_of(right, names), key, workers=2, executor=executor, limits=PATIENT)
+        )
+    assert graded == {name: results[name] for name in names}
 
 
 def children(word):
-    found = []
+    """The processes below this one whose command contains a word."""
+    matching = []
     for process in psutil.Process().children(recursive=True):
         try:
             if word in " ".join(process.cmdline()):
-                found.append(process)
+                matching.append(process)
         except psutil.Error:
             continue
-    return found
+    return matching
 
 
 @pytest.mark.parametrize("word", ["nbval_plugin", "fork_server.main"])
-def test_a_crash_of_our_own_processes_loses_nothing(judged, key, right, word):
+def test_a_crash_of_our_own_processes_loses_nothing(results, key, right, word):
     names = [name for name in SAMPLES if OUTCOMES.get(name) == ("passed", "passed")] * 2
-    results, killed = [], 0
-    for number, result in enumerate(autograde(handed(right, names), key, workers=1, limits=PATIENT)):
-        results.append(result)
+    graded, kill_count = [], 0
+    for number, result in enumerate(autograde(submissions_of(right, names), key, workers=1, limits=PATIENT)):
+        graded.append(result)
         if number % 5 == 2:
             for process in children(word):
-                with suppress(psutil.Error, AttributeError):  # gone meanwhile, and so is its parent
+                with suppress(psutil.Error, AttributeError):  # it has ended, and so has its parent
                     if word == "nbval_plugin" or process.parent().name() == "bwrap" != process.name():
                         process.send_signal(signal.SIGKILL)
-                        killed += 1
-    assert killed >= 2
-    assert results == [judged[name] for name in names]
+                        kill_count += 1
+    assert kill_count >= 2
+    assert graded == [results[name] for name in names]
 
 
 def test_nothing_is_left_behind(key, right):
-    list(autograde(handed(right, ["right", "ends"]), key, workers=2))
-    until = time.monotonic() + 20
-    while (children("fork_server") or children("nbval_plugin")) and time.monotonic() < until:
+    list(autograde(submissions_of(right, ["right", "ends"]), key, workers=2))
+    deadline = time.monotonic() + 20
+    while (children("fork_server") or children("nbval_plugin")) and time.monotonic() < deadline:
         time.sleep(0.05)
     assert children("fork_server") == children("nbval_plugin") == []
-    assert not any(thread.name.startswith("ThreadPool") for thread in threading.enumerate())
+    assert not any(thread.name.startswith("autograde-") for thread in threading.enumerate())
 
 
 def test_without_a_sandbox_nothing_runs(key, right, monkeypatch):
-    monkeypatch.setattr(bubblewrap, "why_not", lambda: "bubblewrap is not installed: sudo ...")
+    monkeypatch.setattr(bubblewrap, "sandbox_problem", lambda: "bubblewrap is not installed: sudo ...")
     with pytest.raises(SandboxError, match=r"bubblewrap is not installed: sudo .*--unsafe"):
         autograde([("a", LESSON, right)], key)
 
 
-def test_unsafe_gives_the_same_results(judged, key, right):
+def test_unsafe_gives_the_same_results(results, key, right):
     names = ["right", "wraps", "uses cv2", "ends", "raises"]
-    assert by_name(autograde(handed(right, names), key, unsafe=True, workers=1)) == {
-        name: judged[name] for name in names
+    assert by_name(autograde(submissions_of(right, names), key, unsafe=True, workers=1)) == {
+        name: results[name] for name in names
     }
 
 
-def test_nothing_in_the_users_surroundings_configures_nbval(key, right, tmp_path, monkeypatch):
+def test_nothing_in_the_users_environment_configures_nbval(key, right, tmp_path, monkeypatch):
     (tmp_path / "conftest.py").write_text("raise SystemExit(3)")
     (tmp_path / "pytest.ini").write_text("[pytest]\naddopts = --deselect .")
     (tmp_path / "nbval.py").write_text("raise SystemExit(3)")
@@ -294,19 +317,19 @@ def test_nothing_in_the_users_surroundings_configures_nbval(key, right, tmp_path
     monkeypatch.setenv("PYTHONPATH", str(tmp_path))
     monkeypatch.setenv("PYTEST_PLUGINS", "conftest")
     (result,) = autograde([("a", LESSON, right)], key, workers=1)
-    assert result["got"] == 10
+    assert result.points == 10
 
 
-def test_the_judge_itself_says_why_it_does_not_start(key, right, monkeypatch, tmp_path):
+def test_an_nbval_process_that_does_not_start_reports_why(key, right, monkeypatch, tmp_path):
     broken = tmp_path / "python"
     broken.write_text("#!/bin/sh\necho 'no such plugin' >&2\nexit 3\n")
     broken.chmod(0o755)
-    monkeypatch.setattr(pool.sys, "executable", str(broken))
-    with pytest.raises(SandboxError, match="the judge did not start: no such plugin"):
+    monkeypatch.setattr(nbval_process.sys, "executable", str(broken))
+    with pytest.raises(SandboxError, match="the nbval process did not start: no such plugin"):
         grade_one(("a", LESSON, right), key, unsafe=True)
 
 
-def test_a_judge_loads_nothing_that_only_teachers_tools_need():
+def test_an_nbval_process_loads_nothing_that_only_teachers_tools_need():
     code = (
         "import sys; import imgproc_course.autograder.blocked_imports; "
         "import imgproc_course.autograder.nbval_plugin; "

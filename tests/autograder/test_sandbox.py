@@ -1,4 +1,4 @@
-"""The sandbox: what it hides, what it says where there is none, and what it leaves."""
+"""The sandbox: what it hides, the error if there is none, and what it leaves behind."""
 
 import os
 import platform
@@ -12,33 +12,34 @@ import psutil
 import pytest
 
 from imgproc_course.autograder.sandbox import bubblewrap, cgroups
-from imgproc_course.autograder.sandbox.bubblewrap import Limits, places_of
-from imgproc_course.autograder.sandbox.cgroups import Group
-from imgproc_course.autograder.sandbox.kernels import Kernels
+from imgproc_course.autograder.sandbox.bubblewrap import Limits
+from imgproc_course.autograder.sandbox.cgroups import ProcessGroup
+from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
+from imgproc_course.autograder.sandbox.refused_modules import paths_of_module
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("sandbox")]
 
 
 def test_a_distribution_is_hidden_whole():
-    places = places_of("cv2")
-    assert f"{bubblewrap.SITE}/cv2" in places
-    assert any(place.endswith(".libs") for place in places)
-    assert f"{bubblewrap.SITE}/skimage" in places_of("skimage")
+    paths = paths_of_module("cv2")
+    assert f"{bubblewrap.SITE}/cv2" in paths
+    assert any(path.endswith(".libs") for path in paths)
+    assert f"{bubblewrap.SITE}/skimage" in paths_of_module("skimage")
 
 
-def test_a_room_a_submodule_and_the_standard_library_are_found():
-    assert places_of("imgproc_course.imaging")[0] == f"{bubblewrap.OURS}/imgproc_course/imaging"
-    assert f"{bubblewrap.SITE}/scipy/ndimage" in places_of("scipy.ndimage")
-    assert any(place.endswith("/colorsys.py") for place in places_of("colorsys"))
-    assert not [place for place in places_of("no_such_module") if "no_such" not in place]
+def test_a_package_of_the_course_a_submodule_and_the_standard_library_are_found():
+    assert paths_of_module("imgproc_course.imaging")[0] == f"{bubblewrap.COURSE}/imgproc_course/imaging"
+    assert f"{bubblewrap.SITE}/scipy/ndimage" in paths_of_module("scipy.ndimage")
+    assert any(path.endswith("/colorsys.py") for path in paths_of_module("colorsys"))
+    assert not [path for path in paths_of_module("no_such_module") if "no_such" not in path]
 
 
-def test_what_is_refused_is_hidden_for_one_kernel_and_there_for_the_next():
-    folders = (f"{bubblewrap.SITE}/cv2", f"{bubblewrap.OURS}/imgproc_course/imaging")
+def test_a_refused_module_is_hidden_from_one_kernel_and_present_in_the_next():
+    folders = (f"{bubblewrap.SITE}/cv2", f"{bubblewrap.COURSE}/imgproc_course/imaging")
     look = f"import os\nprint([len(os.listdir(p)) > 0 for p in {folders}])"
-    with Kernels("fast") as kernels:
-        first = kernels.start(("cv2", "imgproc_course.imaging"), 30)
-        second = kernels.start((), 30)
+    with KernelFactory("fast") as kernel_factory:
+        first = kernel_factory.start(("cv2", "imgproc_course.imaging"), 30)
+        second = kernel_factory.start((), 30)
         assert first.run(look).printed == "[False, False]\n"
         assert second.run(look).printed == "[True, True]\n"
         assert second.run("import cv2\nprint(cv2.add(1, 2)[0])").printed == "[3.]\n"
@@ -46,75 +47,77 @@ def test_what_is_refused_is_hidden_for_one_kernel_and_there_for_the_next():
         second.stop()
 
 
-def test_the_forking_process_has_loaded_nothing_that_an_exercise_refuses():
-    with Kernels("fast") as kernels:
-        kernel = kernels.start((), 30)
+def test_the_fork_server_has_loaded_nothing_that_an_exercise_refuses():
+    with KernelFactory("fast") as kernel_factory:
+        kernel = kernel_factory.start((), 30)
         names = ("cv2", "scipy", "skimage", "imgproc_course.imaging", "nbval", "pytest")
         code = f"import sys\nprint([name for name in {names} if name in sys.modules])"
         assert kernel.run(code).printed == "[]\n"
         kernel.stop()
 
 
-def test_the_environment_and_the_paths_tell_nothing():
-    with Kernels("fast") as kernels:
-        kernel = kernels.start((), 30)
-        told = kernel.run("import os, sys\nprint(os.environ, sys.path, sys.prefix, os.uname())").printed
+def test_the_environment_and_the_paths_reveal_nothing():
+    with KernelFactory("fast") as kernel_factory:
+        kernel = kernel_factory.start((), 30)
+        printed = kernel.run("import os, sys\nprint(os.environ, sys.path, sys.prefix, os.uname())").printed
         kernel.stop()
     checkout = Path(bubblewrap.__file__).parents[3]
     for trace in (str(Path.home()), str(checkout), os.uname().nodename, "PYTEST", "VIRTUAL_ENV"):
-        assert trace not in told
+        assert trace not in printed
 
 
-def test_its_limits_are_the_systems():
-    assert Limits(grace=2).of_system(0.5)["cpu"] == 3
+def test_the_systems_limits_follow_from_the_case():
+    assert Limits(grace=2).for_system(0.5)["cpu"] == 3
     assert Limits(grace=1, wall_factor=2, wall_grace=3).deadline(4) == 13
 
 
-def refuses(monkeypatch, folder, script):
-    bubblewrap.why_not.cache_clear()
+def problem_with(monkeypatch, folder, script):
+    bubblewrap.sandbox_problem.cache_clear()
     program = folder / "bwrap"
     if script:
         program.write_text(f"#!/bin/sh\n{script}\n")
         program.chmod(0o755)
     monkeypatch.setenv("PATH", str(folder))
     try:
-        return bubblewrap.why_not()
+        return bubblewrap.sandbox_problem()
     finally:
-        bubblewrap.why_not.cache_clear()
+        bubblewrap.sandbox_problem.cache_clear()
 
 
-def test_where_bubblewrap_is_missing_it_says_what_to_install(monkeypatch, tmp_path):
-    assert "sudo apt-get install bubblewrap" in refuses(monkeypatch, tmp_path, "")
+def test_without_bubblewrap_the_error_says_what_to_install(monkeypatch, tmp_path):
+    assert "sudo apt-get install bubblewrap" in problem_with(monkeypatch, tmp_path, "")
 
 
-def test_where_namespaces_are_not_allowed_it_says_how_to_allow_them(monkeypatch, tmp_path):
-    said = refuses(monkeypatch, tmp_path, "echo 'bwrap: setting up uid map: Permission denied' >&2; exit 1")
-    assert "setting up uid map: Permission denied" in said
-    assert "sysctl -w kernel.unprivileged_userns_clone=1" in said
+def test_without_user_namespaces_the_error_says_how_to_allow_them(monkeypatch, tmp_path):
+    problem = problem_with(
+        monkeypatch, tmp_path, "echo 'bwrap: setting up uid map: Permission denied' >&2; exit 1"
+    )
+    assert "setting up uid map: Permission denied" in problem
+    assert "sysctl -w kernel.unprivileged_userns_clone=1" in problem
 
 
-def test_elsewhere_than_on_linux_it_says_where_to_grade(monkeypatch):
+def test_on_another_system_the_error_says_where_to_grade(monkeypatch):
     monkeypatch.setattr(bubblewrap.sys, "platform", "darwin")
-    bubblewrap.why_not.cache_clear()
-    assert bubblewrap.why_not().startswith(
+    bubblewrap.sandbox_problem.cache_clear()
+    assert bubblewrap.sandbox_problem().startswith(
         "grading needs Linux, this is darwin: grade in the course's container"
     )
-    bubblewrap.why_not.cache_clear()
+    bubblewrap.sandbox_problem.cache_clear()
 
 
 # ---------------------------------------------------------------- all processes together
 
 
-def test_a_group_that_cannot_be_made_looks_at_the_sizes(monkeypatch):
+def test_without_control_groups_the_sizes_are_added_up(monkeypatch):
     monkeypatch.setattr(cgroups, "_ROOT", Path("/nowhere"))
-    group = Group(1 << 40, 64)
-    assert group.folders == [] and not group.ran_out(os.getpid()) and not group.is_crowded()
+    group = ProcessGroup(1 << 40, 64)
+    assert group.folders == [] and not group.ran_out_of_memory(os.getpid()) and not group.is_crowded()
     group.remove()
-    nothing = Group(-cgroups._BESIDES, 64)
-    assert nothing.ran_out(os.getpid()) and nothing.is_crowded()
-    nothing.forget()
+    nothing = ProcessGroup(-cgroups._OWN_MEMORY, 64)
+    assert nothing.ran_out_of_memory(os.getpid()) and nothing.is_crowded()
+    nothing.reset()
     assert not nothing.is_crowded()
-    assert not nothing.ran_out(2**22 + 1)  # there is no such process
+    assert not nothing.ran_out_of_memory(2**22 + 1)  # there is no such process
 
 
 def test_pages_that_processes_share_are_counted_once():
@@ -141,36 +144,38 @@ time.sleep(600)
 
 @pytest.mark.parametrize("root", [cgroups._ROOT, "/nowhere"])
 def test_all_processes_of_a_kernel_together_keep_to_its_memory(root, monkeypatch):
-    monkeypatch.setattr(cgroups, "_ROOT", Path(root))  # where there are no control groups, or none for us
+    monkeypatch.setattr(
+        cgroups, "_ROOT", Path(root)
+    )  # without control groups, or without the right to make them
     most = 0
-    with Kernels("fast", limits=Limits(memory=1 << 30, wall_grace=15)) as kernels:
-        kernel = kernels.start((), 5)
+    with KernelFactory("fast", limits=Limits(memory=1 << 30, wall_grace=15)) as kernel_factory:
+        kernel = kernel_factory.start((), 5)
         with ThreadPoolExecutor(1) as beside:
             ended = beside.submit(kernel.run, BOMB)
             while not ended.done():
-                most = max(most, cgroups._memory_under(kernels._zygote._process.pid, 0))
+                most = max(most, cgroups._memory_under(kernel_factory._fork_server._process.pid, 0))
                 time.sleep(0.2)
         assert ended.result().ended == "memory"
-        assert most < 2 << 30  # of what it would take: 2.4 GB
+        assert most < 2 << 30  # it tries to use 2.4 GB
         kernel.stop()
-        after = kernels.start((), 5)
+        after = kernel_factory.start((), 5)
         ran = after.run("import time\nx = np.ones(120 << 20, np.uint8)\ntime.sleep(0.2)\nprint(x[-1])")
         assert (ran.printed, ran.ended) == ("1\n", "")
         after.stop()
 
 
-ORDINARY = f"""
+IPYKERNEL = f"""
 from imgproc_course.autograder.sandbox.bubblewrap import Limits
-from imgproc_course.autograder.sandbox.kernels import Kernels
-with Kernels("ipykernel", limits=Limits(memory=1 << 30, wall_grace=15)) as kernels:
-    kernel = kernels.start((), 5)
+from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
+with KernelFactory("ipykernel", limits=Limits(memory=1 << 30, wall_grace=15)) as kernel_factory:
+    kernel = kernel_factory.start((), 5)
     print(kernel.run({BOMB!r}).ended)
     kernel.stop()
 """
 
 
 def test_jupyters_own_kernel_keeps_to_its_memory_with_all_its_processes():
-    done = subprocess.run([sys.executable, "-c", ORDINARY], capture_output=True, text=True, timeout=200)
+    done = subprocess.run([sys.executable, "-c", IPYKERNEL], capture_output=True, text=True, timeout=200)
     assert done.stdout == "memory\n", done.stderr[-2000:]
 
 
@@ -191,29 +196,29 @@ print(subprocess.run(["echo", "a process"], capture_output=True, text=True).stdo
 
 @pytest.mark.skipif(platform.machine() != "x86_64", reason="two of the calls are made by their numbers")
 def test_memory_that_no_process_holds_is_refused_and_threads_and_processes_are_not():
-    with Kernels("fast") as kernels:
-        kernel = kernels.start((), 30)
+    with KernelFactory("fast") as kernel_factory:
+        kernel = kernel_factory.start((), 30)
         lines = kernel.run(UNCOUNTED).printed.splitlines()
         kernel.stop()
     assert lines == [*["True True"] * 3, "a thread", "a process"]
 
 
-# ---------------------------------------------------------------- another user
+# ---------------------------------------------------------------- a user who is not root
 
 MARKS = """
 import os
 written = set()
-for place in {line.split()[1] for line in open("/proc/mounts")}:
+for path in {line.split()[1] for line in open("/proc/mounts")}:
     try:
         os.mkdir(place + "/mark")
         written.add(place)
     except OSError:
         pass
 """
-NOBODYS = f"""
-from imgproc_course.autograder.sandbox.kernels import Kernels
-with Kernels("fast") as kernels:
-    kernel = kernels.start(("cv2",), 30)
+UNPRIVILEGED = f"""
+from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
+with KernelFactory("fast") as kernel_factory:
+    kernel = kernel_factory.start(("cv2",), 30)
     print(kernel.run("import os; print(os.getuid(), os.listdir('/course/site-packages/cv2'))").printed)
     print(kernel.run("print(open('/proc/self/status').read().count('0000000000000000'))").printed)
     kernel.run({MARKS!r})
@@ -223,7 +228,7 @@ with Kernels("fast") as kernels:
 
 
 def as_another_user():
-    """The words that run Python as a user who is not root, with Python's folder opened to everybody."""
+    """The command that runs Python as a user who is not root, with Python's folder readable for everybody."""
     if os.geteuid() != 0:
         return [sys.executable]
     base, home = Path(sys.base_prefix).resolve(), Path.home()
@@ -237,7 +242,7 @@ def as_another_user():
 
 def test_a_user_who_is_not_root_has_a_sandbox_too():
     done = subprocess.run(
-        [*as_another_user(), "-c", NOBODYS],
+        [*as_another_user(), "-c", UNPRIVILEGED],
         env={"PATH": os.environ["PATH"], "HOME": "/tmp"},
         cwd="/",
         capture_output=True,
@@ -246,5 +251,5 @@ def test_a_user_who_is_not_root_has_a_sandbox_too():
     )
     lines = done.stdout.split("\n")
     assert lines[0].endswith(" []"), done.stderr[-2000:]
-    assert lines[4] == "['/dev/shm', '/tmp']"  # its own; what it wrote elsewhere the next would find
+    assert lines[4] == "['/dev/shm', '/tmp']"  # its own; the next kernel would find what it wrote elsewhere
     assert int(lines[2]) >= 5  # inheritable, permitted, effective, bounding, ambient: all empty

@@ -1,4 +1,4 @@
-"""The same grading over a cluster of Dask's, one of whose workers is killed in mid-run."""
+"""The same grading on a Dask cluster; one of its workers is killed during the run."""
 
 import os
 import signal
@@ -9,11 +9,11 @@ import pytest
 
 from imgproc_course.autograder.pool import Limits, autograde, open_scheduler
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("judge")]
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("pool")]
 PATIENT = Limits(grace=4.0)
 
 
-def handed(right, count):
+def make_submissions(right, count):
     wrong = "def double(pixels):\n    return pixels * 2"
     return [
         (f"s{number}", "10_attacked", right | ({"attacked-double": wrong} if number % 3 == 0 else {}))
@@ -50,9 +50,9 @@ def cluster(tmp_path):
 
 
 @pytest.mark.filterwarnings("ignore::ResourceWarning", "ignore::DeprecationWarning")
-def test_a_worker_killed_in_mid_run_changes_no_grade(cluster, key, right):
+def test_a_worker_that_is_killed_changes_no_grade(cluster, key, right):
     address, workers = cluster
-    submissions = handed(right, 24)
+    submissions = make_submissions(right, 24)
     alone = list(autograde(submissions, key, workers=1, limits=PATIENT))
     results = []
     with open_scheduler(address) as executor:
@@ -63,20 +63,20 @@ def test_a_worker_killed_in_mid_run_changes_no_grade(cluster, key, right):
             if number == 3:
                 os.kill(workers[0], signal.SIGKILL)
     assert results == alone
-    assert {result["got"] for result in results} == {7, 10}
+    assert {result.points for result in results} == {7, 10}
 
 
-def test_no_scheduler_is_named():
+def test_an_address_without_a_scheduler_is_reported():
     pytest.importorskip("distributed", reason="Dask is an optional extra: imgproc-course[scheduler]")
-    nobody = "tcp://127.0.0.1:9"
+    unused = "tcp://127.0.0.1:9"
     with (
-        pytest.raises(ValueError, match=f"no Dask scheduler answers at {nobody}"),
-        open_scheduler(nobody, patience=1),
+        pytest.raises(ValueError, match=f"no Dask scheduler answers at {unused}"),
+        open_scheduler(unused, patience=1),
     ):
         pass
 
 
-def test_where_dask_is_missing_it_says_what_to_install(monkeypatch):
+def test_without_dask_the_error_says_what_to_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
     with pytest.raises(ValueError, match=r'pip install "imgproc-course\[scheduler\]"'):
         open_scheduler("tcp://127.0.0.1:8786")

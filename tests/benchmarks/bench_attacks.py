@@ -26,7 +26,7 @@ from submissions import MASTERS as OFFICE_MASTERS
 
 from imgproc_course.authoring.masters import read_master
 from imgproc_course.autograder.make_answer_key import make_key
-from imgproc_course.gradebook.sanitize import visible_line
+from imgproc_course.autograder.sanitize import sanitize_line
 
 
 def source_rows(folder, workers):
@@ -56,7 +56,7 @@ def main(workers):
     table = Table("no.", "attack", "gained", "harmed", "reported: public / hidden check, or why not graded")
     for number, name, gained, harmed, told in rows:
         where = str(number) if number in PUBLISHED else f"own {number}"
-        table.add_row(where, escape(name), str(gained), str(len(harmed)), escape(visible_line(told, 110)))
+        table.add_row(where, escape(name), str(gained), str(len(harmed)), escape(sanitize_line(told, 110)))
     Console(width=150).print(table)
     raise SystemExit(0 if holds(rows) else 1)
 

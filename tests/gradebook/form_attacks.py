@@ -14,8 +14,8 @@ from pathlib import Path
 
 from submissions import answers_of, cell_of, notebook, write
 
+from imgproc_course.autograder.sanitize import sanitize_line
 from imgproc_course.gradebook.grade import grade_submissions
-from imgproc_course.gradebook.sanitize import visible_line
 
 LESSON = "20_light"
 
@@ -40,7 +40,7 @@ class FormAttack:
     @property
     def learner(self):
         """The name that its grades are found by."""
-        return visible_line(self.handed_in_as, 120)
+        return sanitize_line(self.handed_in_as, 120)
 
     @property
     def handed_in_as(self):
@@ -427,20 +427,20 @@ def grade_attacks(light, key_path, folder, **options):
 def _attacked(attack, learners, alone, folder):
     lessons = learners[attack.learner]["lessons"]
     told = [lesson["reason"] for lesson in lessons if lesson["reason"]]
-    told += [notice["text"] for lesson in lessons for notice in lesson["notices"]]
+    told += [finding["text"] for lesson in lessons for finding in lesson["findings"]]
     outcomes = {
         case["outcome"] for lesson in lessons for each in lesson["exercises"] for case in each["cases"]
     }
     told = told or [", ".join(sorted(outcomes))]
     return Attacked(
-        attack, learners[attack.learner]["got"], "; ".join(told), _harm(attack, learners, alone, folder)
+        attack, learners[attack.learner]["points"], "; ".join(told), _harm(attack, learners, alone, folder)
     )
 
 
 def _harm(attack, learners, alone, folder):
     harm = []
     (neighbour,) = learners[attack.neighbour]["lessons"]
-    for part in ("got", "points", "exercises", "notices"):
+    for part in ("points", "max_points", "exercises", "findings"):
         if neighbour[part] != alone[part]:
             harm.append(f"its neighbour's {part}")
     if trap_of(folder / "submissions" / "any").exists():

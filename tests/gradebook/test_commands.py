@@ -135,7 +135,7 @@ def test_without_bubblewrap_it_refuses_unless_told(light, key_path, tmp_path):
     assert unsafe.returncode == 0, unsafe.stderr
     assert "without a sandbox" in unsafe.stdout
     grades = json.loads((tmp_path / "grades" / "grades.json").read_text())
-    assert grades["sandbox"] is False and grades["learners"][0]["got"] == 6
+    assert grades["sandbox"] is False and grades["learners"][0]["points"] == 6
 
 
 def test_ctrl_c_says_that_it_goes_on(run, light, key_path, tmp_path, monkeypatch):
@@ -144,7 +144,7 @@ def test_ctrl_c_says_that_it_goes_on(run, light, key_path, tmp_path, monkeypatch
     def interrupted(*_words, **_options):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(grade, "judge_all", interrupted)
+    monkeypatch.setattr(grade, "grade_missing", interrupted)
     ended = run("grade", "in", "--key", key_path)
     assert ended.exit_code == 130 and "run the same command again to continue" in ended.output
 

@@ -19,9 +19,9 @@ from imgproc_course.autograder.answer_key import load_key
 from imgproc_course.autograder.make_answer_key import make_key
 from imgproc_course.autograder.pool import SandboxError
 from imgproc_course.autograder.sandbox import bubblewrap
-from imgproc_course.gradebook import grades_json as grades_module
 from imgproc_course.gradebook.grade import grade_submissions
-from imgproc_course.gradebook.grades_json import SCHEMA, Store
+from imgproc_course.gradebook.grades_json import SCHEMA
+from imgproc_course.gradebook.result_store import GradesFolderError, ResultStore
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("office")]
 
@@ -32,7 +32,7 @@ def lesson_of(grades, learner, lesson="20_light"):
 
 
 def told(lesson):
-    return [notice["text"] for notice in lesson["notices"]]
+    return [finding["text"] for finding in lesson["findings"]]
 
 
 @pytest.fixture(scope="module")
@@ -53,13 +53,13 @@ def test_thirty_submissions_get_what_they_deserve(graded, classroom):
     points = {"20_light": 6, "21_sound": 4}
     for learner, lesson, kind in classroom[1]:
         got = lesson_of(grades, learner, lesson)
-        assert got["points"] == points[lesson], learner
+        assert got["max_points"] == points[lesson], learner
         if kind == "right":
-            assert got["got"] == points[lesson]
+            assert got["points"] == points[lesson]
         elif kind == "broken":
-            assert (got["got"], got["status"]) == (0, "not graded") and got["reason"]
+            assert (got["points"], got["status"]) == (0, "not graded") and got["reason"]
         else:
-            assert got["got"] == 0, (learner, kind)
+            assert got["points"] == 0, (learner, kind)
         mistakes = [each["mistake"] for each in got["exercises"]]
         assert all(mistakes) == (kind in (0, 1)) or not mistakes
         outcomes = {case["outcome"] for each in got["exercises"] for case in each["cases"]}
@@ -92,7 +92,7 @@ def test_another_order_and_more_workers_give_the_same_bytes(graded, classroom, k
     out = tmp_path / "grades"
     grade_submissions(mixed, [key_path], out, workers=3, quiet=True)
     for path in sorted(graded[0].rglob("*")):
-        if path.is_file() and path.parent.name != "judged":
+        if path.is_file() and path.parent.name != "results":
             assert (out / path.relative_to(graded[0])).read_bytes() == path.read_bytes(), path.name
 
 
@@ -118,7 +118,7 @@ def test_an_interrupted_run_goes_on_where_it_stopped(light, key_path, submission
         answers = answers_of(light, "right")
         answers["light-double"] += f"\n# {number}"
         write(submissions / f"{number}.ipynb", notebook(light, answers))
-    judged, keep = [], Store.keep_result
+    judged, keep = [], ResultStore.keep_result
 
     def keep_three(store, digest, result):
         if len(judged) == 3:
@@ -126,28 +126,28 @@ def test_an_interrupted_run_goes_on_where_it_stopped(light, key_path, submission
         judged.append(digest)
         keep(store, digest, result)
 
-    monkeypatch.setattr(Store, "keep_result", keep_three)
+    monkeypatch.setattr(ResultStore, "keep_result", keep_three)
     out = tmp_path / "grades"
     with pytest.raises(KeyboardInterrupt):
         grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
     assert not (out / "grades.json").exists()
-    monkeypatch.setattr(Store, "keep_result", keep)
+    monkeypatch.setattr(ResultStore, "keep_result", keep)
     assert (
         "6 lessons graded (3 now)"
         in grade_submissions(submissions, [key_path], out, workers=1, quiet=True).text
     )
     assert "(0 now)" in grade_submissions(submissions, [key_path], out, workers=1, quiet=True).text
-    again = grade_submissions(submissions, [key_path], out, workers=1, quiet=True, afresh=True)
+    again = grade_submissions(submissions, [key_path], out, workers=1, quiet=True, fresh=True)
     assert "(6 now)" in again.text
 
 
 def test_half_a_result_is_judged_again(light, key_path, submissions, grade, tmp_path):
     write(submissions / "ada.ipynb", notebook(light, answers_of(light, "right")))
     first = grade(submissions)
-    (path,) = [each for each in (tmp_path / "grades" / "judged").iterdir() if "answers" not in each.name]
+    (path,) = [each for each in (tmp_path / "grades" / "results").iterdir() if "answers" not in each.name]
     path.write_text(path.read_text()[:40])
     assert grade(submissions) == first
-    assert json.loads(path.read_text())["got"] == 6
+    assert json.loads(path.read_text())["points"] == 6
 
 
 def test_equal_answers_are_judged_once(light, key_path, submissions, tmp_path):
@@ -177,7 +177,7 @@ def test_grading_without_a_sandbox_is_refused_before_anything_is_read(
     light, key_path, submissions, tmp_path, monkeypatch
 ):
     write(submissions / "ada.ipynb", notebook(light))
-    monkeypatch.setattr(bubblewrap, "why_not", lambda: "bubblewrap is not installed")
+    monkeypatch.setattr(bubblewrap, "sandbox_problem", lambda: "bubblewrap is not installed")
     with pytest.raises(SandboxError, match="--unsafe"):
         grade_submissions(submissions, [key_path], tmp_path / "grades", quiet=True)
     assert not (tmp_path / "grades").exists()
@@ -186,7 +186,7 @@ def test_grading_without_a_sandbox_is_refused_before_anything_is_read(
 def test_a_disk_that_is_full_is_said(light, key_path, submissions, tmp_path):
     write(submissions / "ada.ipynb", notebook(light))
     (tmp_path / "file").write_text("")
-    with pytest.raises(grades_module.GradesFolderError, match="cannot be"):
+    with pytest.raises(GradesFolderError, match="cannot be"):
         grade_submissions(submissions, [key_path], tmp_path / "file" / "grades", quiet=True)
 
 
@@ -200,8 +200,8 @@ def test_the_latest_counts_and_all_are_listed(light, submissions, grade):
     write(submissions / "ada" / "d.ipynb", b"{", datetime(2026, 12, 3))
     grades = grade(submissions, deadline=datetime(2026, 12, 1, 23, 59))
     lesson = lesson_of(grades, "ada")
-    assert (lesson["got"], lesson["source"], lesson["late"]) == (0, "ada/b.ipynb", True)
-    assert [(each["source"], each["late"]) for each in lesson["earlier"]] == [
+    assert (lesson["points"], lesson["file"], lesson["late"]) == (0, "ada/b.ipynb", True)
+    assert [(each["file"], each["late"]) for each in lesson["earlier"]] == [
         ("ada/c.ipynb", False),
         ("ada/a.ipynb", False),
     ]
@@ -217,8 +217,8 @@ def test_a_broken_hand_in_does_not_take_the_place_of_a_good_one(light, submissio
     )
     write(submissions / "ada" / "20_light-1.ipynb", b"{", datetime(2026, 12, 2))
     lesson = lesson_of(grade(submissions), "ada")
-    assert (lesson["got"], lesson["status"]) == (6, "graded")
-    assert lesson["earlier"][0]["source"] == "ada/20_light-1.ipynb"
+    assert (lesson["points"], lesson["status"]) == (6, "graded")
+    assert lesson["earlier"][0]["file"] == "ada/20_light-1.ipynb"
 
 
 def test_canvas_hand_ins_are_ordered_by_their_number_and_late_as_canvas_says(light, submissions, grade):
@@ -226,7 +226,7 @@ def test_canvas_hand_ins_are_ordered_by_their_number_and_late_as_canvas_says(lig
     write(submissions / "lovelaceada_77_100_20_light.ipynb", wrong, datetime(2026, 11, 5))
     write(submissions / "lovelaceada_LATE_77_200_20_light-1.ipynb", right, datetime(2026, 11, 1))
     lesson = lesson_of(grade(submissions), "lovelaceada")
-    assert (lesson["got"], lesson["late"], lesson["platform_id"]) == (6, True, "77")
+    assert (lesson["points"], lesson["late"], lesson["platform_id"]) == (6, True, "77")
 
 
 def test_namesakes_are_two_people(light, submissions, grade):
@@ -234,7 +234,7 @@ def test_namesakes_are_two_people(light, submissions, grade):
     write(submissions / "Anna_1_assignsubmission_file_" / "x.ipynb", right)
     write(submissions / "Anna_2_assignsubmission_file_" / "x.ipynb", wrong)
     grades = grade(submissions)
-    assert {each["name"]: each["got"] for each in grades["learners"]} == {"Anna (1)": 6, "Anna (2)": 0}
+    assert {each["name"]: each["points"] for each in grades["learners"]} == {"Anna (1)": 6, "Anna (2)": 0}
 
 
 def test_an_older_version_is_graded_with_its_own_key_or_said(light, key_path, submissions, tmp_path, grade):
@@ -245,13 +245,13 @@ def test_an_older_version_is_graded_with_its_own_key_or_said(light, key_path, su
     write(submissions / "ada.ipynb", notebook(light, answers_of(light, "right"), version="0.0.9"))
     write(submissions / "bob.ipynb", notebook(light, answers_of(light, "right")))
     lesson = lesson_of(grade(submissions), "ada")
-    assert lesson["got"] == 6
+    assert lesson["points"] == 6
     assert "it was made from version '0.0.9' of the lesson, not from version 0.1.0" in told(lesson)
     grade_submissions(submissions, [key_path, old], tmp_path / "both", workers=1, quiet=True)
     both = json.loads((tmp_path / "both" / "grades.json").read_text())
     for learner, path in (("ada", old), ("bob", key_path)):
         lesson = lesson_of(both, learner)
-        assert (lesson["key"], lesson["got"], lesson["notices"]) == (load_key(path).digest, 6, [])
+        assert (lesson["key"], lesson["points"], lesson["findings"]) == (load_key(path).digest, 6, [])
 
 
 # ---------------------------------------------------------------- attacks of form
@@ -289,7 +289,7 @@ def test_modules_and_settings_beside_a_notebook_change_nothing(light, submission
         write(submissions / "eve" / name, trap)
     write(submissions / "eve" / "pytest.ini", "[pytest]\naddopts = --nbval-lax")
     grades = grade(submissions)
-    assert lesson_of(grades, "eve")["got"] == 0
+    assert lesson_of(grades, "eve")["points"] == 0
     assert len(grades["ignored"]) == 6
     assert not (tmp_path / "trapped").exists()
 
@@ -301,9 +301,9 @@ def test_two_hundred_megabytes_and_links_get_a_reason_and_end_nothing(light, sub
     write(submissions / "zoe.ipynb", notebook(light, answers_of(light, "right")))
     grades = grade(submissions)
     assert "200 MB" in lesson_of(grades, "big")["reason"]
-    assert (lesson_of(grades, "big")["got"], lesson_of(grades, "big")["points"]) == (0, 6)
+    assert (lesson_of(grades, "big")["points"], lesson_of(grades, "big")["max_points"]) == (0, 6)
     assert "links are not followed" in lesson_of(grades, "link", None)["reason"]
-    assert lesson_of(grades, "zoe")["got"] == 6
+    assert lesson_of(grades, "zoe")["points"] == 6
 
 
 def test_a_key_without_what_was_handed_out_still_grades(light, key_path, submissions, tmp_path):
@@ -315,7 +315,7 @@ def test_a_key_without_what_was_handed_out_still_grades(light, key_path, submiss
     write(submissions / "ada.ipynb", made)
     grade_submissions(submissions, [bare], tmp_path / "grades", workers=1, quiet=True)
     lesson = lesson_of(json.loads((tmp_path / "grades" / "grades.json").read_text()), "ada")
-    assert (lesson["got"], lesson["notices"]) == (6, [])
+    assert (lesson["points"], lesson["findings"]) == (6, [])
 
 
 def test_a_key_made_twice_from_one_seed_is_the_same(key_path, tmp_path):

@@ -38,14 +38,14 @@ def learners(tmp_path_factory):
 @pytest.mark.parametrize("name", NAMES)
 def test_the_lesson_as_handed_out_gets_nothing(learners, name):
     lesson = learners["pristine"][name]
-    assert (lesson["got"], lesson["notices"], lesson["status"]) == (0, [], "graded")
+    assert (lesson["points"], lesson["findings"], lesson["status"]) == (0, [], "graded")
 
 
 @pytest.mark.parametrize("name", NAMES)
 def test_the_solved_lesson_gets_everything(learners, name):
     lesson = learners["solved"][name]
-    assert lesson["got"] == lesson["points"]
-    assert (lesson["points"] > 0) == bool(lesson["exercises"])
+    assert lesson["points"] == lesson["max_points"]
+    assert (lesson["max_points"] > 0) == bool(lesson["exercises"])
 
 
 def test_nothing_else_was_found(learners):

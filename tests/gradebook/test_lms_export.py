@@ -34,9 +34,9 @@ def test_the_table_for_a_spreadsheet(tables):
     found = {row["learner"]: row for row in rows(tables["grades.csv"], "utf-8-sig")}
     assert set(found) == {"Ada, Lovelace", "Bob", "eveadam", "'=cmd|\" ,x\\n;y"}
     ada = found["Ada, Lovelace"]
-    assert (ada["points"], ada["of"], ada["percent"], ada["late"]) == ("6", "6", "100.0", "")
+    assert (ada["points"], ada["max_points"], ada["percent"], ada["late"]) == ("6", "6", "100.0", "")
     assert found["eveadam"]["late"] == "late"
-    assert found["Bob"]["status"] == "not graded" and "not a notebook" in found["Bob"]["to tell"]
+    assert found["Bob"]["status"] == "not graded" and "not a notebook" in found["Bob"]["findings"]
     assert found["'=cmd|\" ,x\\n;y"]["points"] == "6"
 
 

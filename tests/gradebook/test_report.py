@@ -5,19 +5,21 @@ import io
 import json
 import re
 import shutil
+from dataclasses import replace
 
 import numpy as np
 import pytest
 from PIL import Image
 from submissions import SEED, answers_of, notebook, write
 
+from imgproc_course.autograder.results import from_json
+from imgproc_course.autograder.sanitize import sanitize_line, sanitize_text, spreadsheet_text
 from imgproc_course.exercises.answer_images import answer_images
 from imgproc_course.exercises.canonical import canonical
 from imgproc_course.exercises.values import differing_elements
 from imgproc_course.gradebook.grade import grade_submissions
 from imgproc_course.gradebook.report import learner_page
 from imgproc_course.gradebook.report_values import value_of
-from imgproc_course.gradebook.sanitize import for_spreadsheet, visible, visible_line
 
 pytestmark = pytest.mark.sandbox
 EVIL = "<script>alert(1)</script>"
@@ -101,17 +103,18 @@ def test_of_a_hidden_check_nothing_is_shown_whatever_the_result_holds(
 ):
     write(submissions / "ada.ipynb", notebook(light, answers_of(light, 0)))
     (entry,) = grade(submissions)["learners"]
-    kept = (tmp_path / "grades" / "judged").glob("*.json")
-    (result,) = [json.loads(path.read_text()) for path in kept if "answers" not in path.name]
-    for exercise in result["exercises"]:
-        public, hidden = exercise["cases"]
-        hidden |= {name: public[name] for name in ("call", "expected", "actual")}
-        hidden |= {
-            "given": [canonical("a secret input")],
-            "printed": "a secret word",
-            "said": "a secret value",
-        }
-        exercise["said"] = "its \u202e eye"
+    files = (tmp_path / "grades" / "results").glob("*.json")
+    (stored,) = [json.loads(path.read_text()) for path in files if "answers" not in path.name]
+    result = from_json(stored)
+    exercises = []
+    for exercise in result.exercises:
+        public, hidden = exercise.cases
+        secret_call = replace(
+            public.failed_call, arguments=[canonical("a secret input")], printed="a secret word"
+        )
+        hidden = replace(hidden, message="a secret value", failed_call=secret_call)
+        exercises.append(replace(exercise, cases=(public, hidden), message="its \u202e eye"))
+    result = replace(result, exercises=tuple(exercises))
     text = learner_page(entry, {"20_light": result}, answer_keys)
     assert "returned" in text and "a secret" not in text
     assert "Its \\u202e eye." in text and "\u202e" not in text
@@ -139,7 +142,7 @@ def test_the_teachers_page_tells_what_there_is_to_tell(pages):
     text = pages["summary"].read_text(encoding="utf-8")
     for expected in (
         "<b>3</b>learners",
-        "<b>3</b>of 4 hand-ins graded",
+        "<b>3</b>of 4 submissions graded",
         "Could not be graded",
         "uint8 wraps",
     ):
@@ -330,18 +333,20 @@ def test_hostile_forms_are_words():
 
 
 def test_what_the_eye_would_not_see_is_made_visible():
-    assert visible("a\u202eb\x1b[0m\n\ud800é") == "a\\u202eb\\x1b[0m\n\\ud800é".replace("\\x1b", "\\u001b")
-    assert visible_line("a\nb\tc") == "a\\nb\\tc"
-    assert visible("x" * 400, 10) == "x" * 9 + "…"
+    assert sanitize_text("a\u202eb\x1b[0m\n\ud800é") == "a\\u202eb\\x1b[0m\n\\ud800é".replace(
+        "\\x1b", "\\u001b"
+    )
+    assert sanitize_line("a\nb\tc") == "a\\nb\\tc"
+    assert sanitize_text("x" * 400, 10) == "x" * 9 + "…"
 
 
 @pytest.mark.parametrize(
     "text", ["=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "\r=1", " =1", "＝1", '"=1', "'=1", "\n-1"]
 )
 def test_no_cell_begins_like_a_formula(text):
-    assert for_spreadsheet(text).startswith("'")
+    assert spreadsheet_text(text).startswith("'")
 
 
 def test_other_cells_stay_as_they_are():
-    assert for_spreadsheet("Ada = Lovelace") == "Ada = Lovelace"
-    assert for_spreadsheet(-3.5) == -3.5 and for_spreadsheet("") == ""
+    assert spreadsheet_text("Ada = Lovelace") == "Ada = Lovelace"
+    assert spreadsheet_text(-3.5) == -3.5 and spreadsheet_text("") == ""

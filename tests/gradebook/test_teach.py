@@ -69,13 +69,15 @@ def test_a_term_in_ten_commands(tmp_path):
             assert of["lesson"] == lesson
             assert of["status"] == ("not graded" if kind == "broken" else "graded")
             if kind == "right":
-                assert of["got"] == of["points"] > 0, learner
+                assert of["points"] == of["max_points"] > 0, learner
             elif kind in ("untouched", "raising", "broken"):
-                assert of["got"] == 0, learner
+                assert of["points"] == 0, learner
             else:
-                assert of["got"] < of["points"] and all(each["mistake"] for each in of["exercises"]), learner
+                assert of["points"] < of["max_points"] and all(each["mistake"] for each in of["exercises"]), (
+                    learner
+                )
     assert graded == 2
-    assert grades_in(tmp_path)["own"]["got"] == 3
+    assert grades_in(tmp_path)["own"]["points"] == 3
     pages = list((tmp_path / "grades" / "learners").iterdir())
     assert len(pages) == 31 and (tmp_path / "feedback.zip").stat().st_size > 10_000
     assert (tmp_path / "handout" / "03_grayscale.ipynb").is_file()

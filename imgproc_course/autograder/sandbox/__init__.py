@@ -1,5 +1,5 @@
-"""The learner's kernel: where it runs (`sandbox`), how nbval talks to it (`running`), and what is inside.
+"""Run learners' code: the sandbox, the kernels in it, and what they contain (`inside`).
 
-`inside/` is mounted into the sandbox and is all of the grader that stands there. It holds no answer, compares
-nothing, and is not trusted by anything outside.
+`inside/` is mounted into the sandbox and is all of the autograder that exists there. It knows no answer,
+compares nothing, and nothing outside trusts it.
 """

@@ -1,8 +1,8 @@
-"""What all processes of a sandbox may use together: control groups, or a look at their sizes now and then.
+"""Limit what all processes of a sandbox use together: by control groups, or by looking at their sizes.
 
-The limits of `inside/confine.py` hold for each process; sixty processes of two gigabytes each are a hundred
-and twenty. Versions 1 and 2 of control groups are known. Where neither lets us make one, as is usual for a
-user who is not root, whoever waits for the processes asks for the sum of their sizes.
+The limits of `inside/confine.py` hold for each process: sixty processes of two gigabytes each may use a
+hundred and twenty. Versions 1 and 2 of control groups are supported. A user who is not root usually can make
+neither; then the code that waits for the processes asks for the sum of their sizes.
 """
 
 import os
@@ -14,30 +14,33 @@ import psutil
 
 _ROOT = Path("/sys/fs/cgroup")
 _PREFIX = "imgproc-course-"
-_BESIDES = 256 << 20  # the forking process, and a kernel that waits
+_OWN_MEMORY = 256 << 20  # of the fork server and of a waiting kernel
 
 
-class Group:
-    """A sandbox's processes; `folders` of control groups, empty where none could be made or are wanted."""
+class ProcessGroup:
+    """The processes of one sandbox.
 
-    def __init__(self, memory, processes, *, control=True):
+    folders   Paths of its control groups; empty if none could be made or none are used
+    """
+
+    def __init__(self, memory, processes, *, use_cgroups=True):
         self.folders = []
-        self._most = memory + _BESIDES
+        self._max_memory = memory + _OWN_MEMORY
         limits = {
-            "memory": {"memory.limit_in_bytes": self._most, "memory.max": self._most},
+            "memory": {"memory.limit_in_bytes": self._max_memory, "memory.max": self._max_memory},
             "pids": {"pids.max": 2 * processes + 8},
         }
-        for controller, values in limits.items() if control else ():
-            self._limit(controller, values)
-        self._without_swap()
-        self._counts = self._file_that_counts()
-        self._killed, self._used = self._kills(), 0
+        for controller, values in limits.items() if use_cgroups else ():
+            self._make_cgroup(controller, values)
+        self._limit_swap()
+        self._kill_counter = self._find_kill_counter()
+        self._kills, self._used_memory = self._count_kills(), 0
 
-    def _limit(self, controller, values):
-        for parent in _parents(controller):
+    def _make_cgroup(self, controller, values):
+        for parent in _parent_folders(controller):
             folder = parent / f"{_PREFIX}{os.getpid()}"
             try:
-                _sweep(parent)
+                _remove_abandoned(parent)
                 folder.mkdir(exist_ok=True)
                 files = [name for name in values if (folder / name).exists()]
                 for name in files:
@@ -50,52 +53,52 @@ class Group:
             with suppress(OSError):
                 folder.rmdir()
 
-    def _without_swap(self):
-        """Memory that is swapped out is memory too, and slow; some systems do not count it."""
+    def _limit_swap(self):
+        """Count swapped memory too, because some systems do not, and it is slow."""
         for folder in self.folders:
-            for name, most in (("memory.memsw.limit_in_bytes", self._most), ("memory.swap.max", 0)):
+            for name, limit in (("memory.memsw.limit_in_bytes", self._max_memory), ("memory.swap.max", 0)):
                 if (folder / name).exists():
                     with suppress(OSError):
-                        (folder / name).write_text(str(most), encoding="ascii")
+                        (folder / name).write_text(str(limit), encoding="ascii")
 
     def enter(self):
-        """Put this process into it, before it becomes the sandbox."""
+        """Put this process into the group, before it becomes the sandbox."""
         for folder in self.folders:
             with suppress(OSError):
                 (folder / "cgroup.procs").write_text(str(os.getpid()), encoding="ascii")
 
-    def forget(self):
-        """Let what was ended before now count no more: it is not the next kernel's doing."""
-        self._killed, self._used = self._kills() or 0, 0
+    def reset(self):
+        """Ignore kills that happened until now: the next kernel did not cause them."""
+        self._kills, self._used_memory = self._count_kills() or 0, 0
 
-    def ran_out(self, root):
-        """Whether the processes use more than they may.
+    def ran_out_of_memory(self, root):
+        """Whether the processes use more memory than they may.
 
         Parameters
         ----------
-        root : int, the process that they are all under
+        root : int, id of the process that all of them descend from
 
         Returns
         -------
-        bool; with a control group, whether the system ended one of them for it since this was last asked
+        bool; with a control group, whether the system killed one of them since the last question
         """
-        kills = self._kills()
+        kills = self._count_kills()
         if kills is None:
-            self._used = _memory_under(root, self._most)
-            return self._used > self._most
-        before, self._killed = self._killed, kills
-        return self._killed > (before or 0)
+            self._used_memory = _memory_under(root, self._max_memory)
+            return self._used_memory > self._max_memory
+        kills_before, self._kills = self._kills, kills
+        return self._kills > (kills_before or 0)
 
     def is_crowded(self):
-        """Whether half of the memory is in use, or was at the last look where there is no control group."""
+        """Whether half of the memory is in use; without a control group, whether it was at the last look."""
         for folder in self.folders:
             for name in ("memory.current", "memory.usage_in_bytes"):
                 with suppress(OSError, ValueError):
-                    return int((folder / name).read_text(encoding="ascii")) > self._most // 2
-        return self._used > self._most // 2
+                    return int((folder / name).read_text(encoding="ascii")) > self._max_memory // 2
+        return self._used_memory > self._max_memory // 2
 
-    def _file_that_counts(self):
-        """The file with the number of processes that the system has ended for want of memory, or None."""
+    def _find_kill_counter(self):
+        """The file in which the system counts the processes that it killed for want of memory, or None."""
         names = [folder / name for folder in self.folders for name in ("memory.events", "memory.oom_control")]
         for path in names:
             with suppress(OSError):
@@ -103,52 +106,56 @@ class Group:
                     return path
         return None
 
-    def _kills(self):
-        """How many processes the system has ended for want of memory; None where it does not count that."""
-        if self._counts is None:
+    def _count_kills(self):
+        """How many processes the system killed for want of memory; None if it does not count them."""
+        if self._kill_counter is None:
             return None
         with suppress(OSError, ValueError):
-            words = self._counts.read_text(encoding="ascii").split()
-            return int(words[words.index("oom_kill") + 1])
+            fields = self._kill_counter.read_text(encoding="ascii").split()
+            return int(fields[fields.index("oom_kill") + 1])
         return None
 
     def remove(self):
-        """Remove it, as soon as its last process is gone."""
+        """Remove the control groups as soon as their last process has ended."""
         for _ in range(40):
-            self.folders = [folder for folder in self.folders if not _removed(folder)]
+            self.folders = [folder for folder in self.folders if not _remove_folder(folder)]
             if not self.folders:
                 return
             time.sleep(0.025)
 
 
-def _memory_under(root, enough):
-    """Bytes that a process and all under it use; beyond `enough`, with the pages that they share once."""
+def _memory_under(root, exact_above):
+    """Bytes that a process and its descendants use.
+
+    Above `exact_above` bytes, pages that they share are counted once, which takes longer.
+    """
     try:
-        top = psutil.Process(root)
-        processes = [top, *top.children(recursive=True)]
+        process = psutil.Process(root)
+        processes = [process, *process.children(recursive=True)]
     except psutil.Error:
         return 0
-    used = sum(_resident(process) for process in processes)
-    return used if used <= enough else sum(_proportional(process) for process in processes)
+    used = sum(_resident_memory(process) for process in processes)
+    return used if used <= exact_above else sum(_proportional_memory(process) for process in processes)
 
 
-def _resident(process):
+def _resident_memory(process):
     with suppress(psutil.Error):
         return process.memory_info().rss
-    return 0  # it has ended meanwhile
+    return 0  # it has ended in the meantime
 
 
-def _proportional(process):
+def _proportional_memory(process):
     try:
-        found = process.memory_full_info()
+        memory = process.memory_full_info()
     except psutil.AccessDenied:
-        return _resident(process)
+        return _resident_memory(process)
     except psutil.Error:
         return 0
-    return found.pss + found.swap
+    return memory.pss + memory.swap
 
 
-def _removed(folder):
+def _remove_folder(folder):
+    """Remove a folder; returns whether it is gone."""
     try:
         folder.rmdir()
     except FileNotFoundError:
@@ -158,24 +165,24 @@ def _removed(folder):
     return True
 
 
-def _parents(controller):
-    """Where a group of ours could stand, for a controller of version 1, then of version 2."""
+def _parent_folders(controller):
+    """Where a group can be made, for a controller of version 1, then of version 2."""
     lines = []
     with suppress(OSError):
         lines = Path("/proc/self/cgroup").read_text(encoding="ascii").splitlines()
     for line in lines:
-        _, names, place = line.split(":", 2)
+        _, names, path = line.split(":", 2)
         if controller in names.split(","):
-            yield _ROOT / controller / place.lstrip("/")
+            yield _ROOT / controller / path.lstrip("/")
     for line in lines:
         if line.startswith("0::"):
-            # Version 2 has no processes beside groups: ours stands beside our own.
-            own = _ROOT / line[3:].lstrip("/")
-            yield own.parent if own != _ROOT else own
+            # In version 2 a group has either processes or groups in it: ours is made beside our own.
+            own_group = _ROOT / line[3:].lstrip("/")
+            yield own_group.parent if own_group != _ROOT else own_group
 
 
-def _sweep(parent):
-    """Remove groups whose grader has been killed."""
+def _remove_abandoned(parent):
+    """Remove groups whose autograder was killed."""
     for folder in parent.glob(f"{_PREFIX}*"):
         if not Path("/proc", folder.name.removeprefix(_PREFIX)).exists():
             with suppress(OSError):

@@ -1,21 +1,22 @@
-"""The forked kernel seen from outside: cells go in, what they did comes out, whatever runs in it.
+"""The fork server and its kernels, seen from outside: cells go in, messages come out.
 
-What comes out is read with a limit on its size, and with a deadline that no message moves; all of it may be
-forged, and is taken for no more than what a learner's process has said.
+Nothing that comes out is trusted: it is read with a limit on its size and with a deadline that no message
+extends, and all of it may be forged.
 """
 
 import json
 import os
 import select
 import socket
+import subprocess
 import time
 from contextlib import suppress
-from dataclasses import dataclass, field
 
 from imgproc_course.autograder.sandbox import bubblewrap
+from imgproc_course.autograder.sandbox.cell_run import LOOK_SECONDS, CellRun
+from imgproc_course.autograder.sandbox.refused_modules import paths_of_module
 
-MIME = "application/vnd.imgproc-course.answer+json"
-_KINDS = {
+_CONTENT_TYPES = {
     "stream": {"name": str, "text": str},
     "display_data": {"data": dict, "metadata": dict},
     "execute_result": {"data": dict, "metadata": dict, "execution_count": int},
@@ -24,192 +25,158 @@ _KINDS = {
     "error": {"ename": str, "evalue": str, "traceback": list},
     "idle": {"ename": str, "evalue": str},
 }
-LOOK = 0.05  # seconds between looks at the memory of all processes together
-_SAID = 2_000  # characters of an error's text, and of what a cell printed, that are kept
 
 
-@dataclass
-class CellRun:
-    """What running one cell did.
-
-    ended     "" where the cell came to its end; else "time", "memory", "output", "crashed" or "hostile", or
-              "gone" where the process that forks kernels was ended by somebody
-    answers   what check cells showed: the contents of their vendor MIME type
-    error     type and text of the exception that ended the cell; ("", "") for none
-    printed   the first part of what it printed
-    """
-
-    ended: str = ""
-    answers: list = field(default_factory=list)
-    error: tuple = ("", "")
-    printed: str = ""
-
-
-class Ended(Exception):
-    """Not an error: a kernel is gone; its word is one of CellRun.ended."""
+class KernelEnded(Exception):
+    """The kernel has ended; its text is a value of CellRun.ended. It never leaves this module."""
 
 
 class ForkedKernel:
-    """A kernel forked from a `Zygote`."""
+    """A kernel that was forked from a `ForkServer`."""
 
-    def __init__(self, zygote, refused, seconds, limits):
-        self._zygote, self._limits = zygote, limits
+    def __init__(self, fork_server, refused, seconds, limits):
+        self._fork_server, self._limits = fork_server, limits
         self._seconds, self._deadline = seconds, None
-        self._next_look, self._looked = 0.0, False
-        self._cpu = limits.of_system(seconds)["cpu"]
-        self._kept = b""
-        ours, theirs = socket.socketpair()
-        self._socket = ours
-        with theirs:
-            self._id = zygote.fork(theirs.fileno(), refused, limits.of_system(seconds))
+        self._next_look, self._has_looked = 0.0, False
+        self._cpu_limit = limits.for_system(seconds)["cpu"]
+        self._buffer = b""
+        our_end, kernel_end = socket.socketpair()
+        self._socket = our_end
+        with kernel_end:
+            self._id = fork_server.fork(kernel_end.fileno(), refused, limits.for_system(seconds))
 
     def run(self, code):
-        """The messages of one cell, as `CellRun` tells them."""
-        return self._asked({"code": code})
+        """Run one cell; returns its CellRun."""
+        return self._request({"code": code})
 
     def deliver(self, inputs, seconds, refused):
-        """Hand over the inputs of the next check (see `check_cell.deliver`); a CellRun, as of a cell."""
-        return self._asked({"case": {"calls": inputs, "seconds": seconds, "refused": list(refused)}})
+        """Send the inputs of the next check (see `check_cell.deliver`); returns a CellRun, as for a cell."""
+        return self._request({"case": {"calls": inputs, "seconds": seconds, "refused": list(refused)}})
 
-    def _asked(self, request):
+    def _request(self, request):
         run = CellRun()
-        if self._deadline is None:  # the clock starts with the first cell: a kernel may have waited for it
+        if self._deadline is None:  # the clock starts with the first cell: the kernel may have waited for it
             self._deadline = time.monotonic() + self._limits.deadline(self._seconds)
-            self._next_look = time.monotonic() + LOOK
-            self._zygote.group.forget()
+            self._next_look = time.monotonic() + LOOK_SECONDS
+            self._fork_server.group.reset()
         try:
             self._send((json.dumps({"n": 1} | request) + "\n").encode("ascii"))
-            left = self._limits.output
+            bytes_left = self._limits.output
             while True:
-                line = self._line(left)
-                left -= len(line)
-                if take(run, *_read_line(line)):
+                line = self._read_line(bytes_left)
+                bytes_left -= len(line)
+                if run.add(*_parse_message(line)):
                     return run
-        except Ended as ended:
-            run.ended = str(ended)
+        except KernelEnded as error:
+            run.ended = str(error)
             return run
 
-    def answers(self):
-        """Whether it runs cells; one that waited may have been ended for want of memory."""
+    def is_alive(self):
+        """Whether it runs cells; a waiting kernel may have been ended because memory ran out."""
         return not self.run("").ended
 
-    def _send(self, raw):
-        raw = memoryview(raw)
+    def _send(self, data):
+        data = memoryview(data)
         self._socket.setblocking(False)
-        while raw:
+        while data:
             if not self._wait(select.POLLOUT):
-                raise Ended("time")
+                raise KernelEnded("time")
             try:
-                raw = raw[self._socket.send(raw) :]
+                data = data[self._socket.send(data) :]
             except BlockingIOError:
                 continue
             except OSError as error:
-                raise Ended(self._why()) from error
+                raise KernelEnded(self._how_it_ended()) from error
 
     def _wait(self, event):
         poll = select.poll()
         poll.register(self._socket, event)
         while True:
-            left = self._deadline - time.monotonic()
-            ready = poll.poll(max(0.0, min(left, LOOK)) * 1000)
-            self._look()
-            if ready or left <= 0:
+            seconds_left = self._deadline - time.monotonic()
+            ready = poll.poll(max(0.0, min(seconds_left, LOOK_SECONDS)) * 1000)
+            self._check_memory()
+            if ready or seconds_left <= 0:
                 return ready
 
-    def _look(self):
-        """End it where it and all that it started use too much memory together."""
+    def _check_memory(self):
+        """End the kernel if it and all that it started use too much memory together."""
         if time.monotonic() < self._next_look:
             return
-        self._looked = True
-        if self._zygote.ran_out():
-            raise Ended("memory")
-        self._next_look = time.monotonic() + LOOK
+        self._has_looked = True
+        if self._fork_server.ran_out_of_memory():
+            raise KernelEnded("memory")
+        self._next_look = time.monotonic() + LOOK_SECONDS
 
-    def _line(self, most):
-        while b"\n" not in self._kept:
-            if len(self._kept) > most:
-                raise Ended("output")
+    def _read_line(self, max_bytes):
+        while b"\n" not in self._buffer:
+            if len(self._buffer) > max_bytes:
+                raise KernelEnded("output")
             if not self._wait(select.POLLIN):
-                raise Ended("time")
+                raise KernelEnded("time")
             try:
-                more = self._socket.recv(1 << 18)
+                data = self._socket.recv(1 << 18)
             except BlockingIOError:
                 continue
             except OSError:
-                more = b""
-            if not more:
-                raise Ended(self._why())
-            self._kept += more
-        line, _, self._kept = self._kept.partition(b"\n")
-        if len(line) > most:
-            raise Ended("output")
+                data = b""
+            if not data:
+                raise KernelEnded(self._how_it_ended())
+            self._buffer += data
+        line, _, self._buffer = self._buffer.partition(b"\n")
+        if len(line) > max_bytes:
+            raise KernelEnded("output")
         return line
 
-    def _why(self):
-        """How a kernel ended that ended by itself."""
-        end = self._end()
-        if end is None:
+    def _how_it_ended(self):
+        """The value of CellRun.ended for a kernel that ended by itself."""
+        status = self._exit_status()
+        if status is None:
             return "gone"
-        if end["code"] == 70:
-            raise bubblewrap.SandboxError("a kernel could not be shut in; see imgproc-course doctor")
-        if end["signal"] in (9, 24) and end["cpu"] > self._cpu - 0.9:
+        if status["code"] == 70:
+            raise bubblewrap.SandboxError("a kernel could not be confined; see imgproc-course doctor")
+        if status["signal"] in (9, 24) and status["cpu"] > self._cpu_limit - 0.9:
             return "time"
-        return "memory" if self._zygote.ran_out() else "crashed"
+        return "memory" if self._fork_server.ran_out_of_memory() else "crashed"
 
-    def _end(self):
+    def _exit_status(self):
         if self._id is None:
             return {"signal": 0, "code": 0, "cpu": 0.0}
-        name, self._id = self._id, None
-        # A moment for its end to be known: a process that ends closes its socket before it is gone.
-        return self._zygote.end(name, patience=1.0)
+        kernel_id, self._id = self._id, None
+        # A process closes its sockets a moment before its end is known: wait for that.
+        return self._fork_server.end(kernel_id, patience=1.0)
 
     def stop(self):
         """End the kernel and all that it started."""
         with suppress(OSError):
             self._socket.close()
         if self._id is not None:
-            name, self._id = self._id, None
-            if self._looked and self._zygote.group.is_crowded():  # the next one needs that memory
-                self._zygote.end(name, patience=0)
+            kernel_id, self._id = self._id, None
+            if self._has_looked and self._fork_server.group.is_crowded():  # the next one needs that memory
+                self._fork_server.end(kernel_id, patience=0)
             else:
-                self._zygote.drop(name)
+                self._fork_server.drop(kernel_id)
 
 
-def _read_line(line):
-    """The kind and content of a message; the learner's process may have written anything at all."""
+def _parse_message(line):
+    """Type and content of a message; the learner's process may have written anything."""
     try:
         message = json.loads(line)
         kind, content = message["type"], message["content"]
-        wanted = _KINDS[kind]
+        field_types = _CONTENT_TYPES[kind]
     except (ValueError, KeyError, TypeError, RecursionError) as error:
-        raise Ended("hostile") from error
+        raise KernelEnded("hostile") from error
     if not isinstance(content, dict):
-        raise Ended("hostile")
-    for name, type_ in wanted.items():
-        if not isinstance(content.get(name), type_):
-            raise Ended("hostile")
+        raise KernelEnded("hostile")
+    for name, field_type in field_types.items():
+        if not isinstance(content.get(name), field_type):
+            raise KernelEnded("hostile")
     return kind, content
 
 
-def take(run, kind, content):
-    """Add a message to what a cell did; True at its end."""
-    if kind == "idle":
-        if not run.error[0]:  # a cell may fail without an error's being shown: a magic that is none
-            run.error = (content["ename"][:100], content["evalue"][:_SAID])
-        return True
-    if kind == "stream" and len(run.printed) < _SAID:
-        run.printed = (run.printed + content["text"])[:_SAID]
-    elif kind == "error":
-        run.error = (content["ename"][:100], content["evalue"][:_SAID])
-    elif kind in ("display_data", "execute_result") and MIME in content["data"]:
-        run.answers.append(content["data"][MIME])
-    return False
+class ForkServer:
+    """The process that forks kernels, seen from outside; it is started again if it has ended.
 
-
-class Zygote:
-    """The process that forks kernels, seen from outside; started again when it is gone.
-
-    group     Group of all of them
+    group   ProcessGroup of all its processes
     """
 
     def __init__(self, group, *, confined):
@@ -217,62 +184,83 @@ class Zygote:
         self.group = group
         self._process = None
         self._control = None
-        self._ready = False
-        self._count = 0
+        self._is_ready = False
+        self._fork_count = 0
 
-    def begin(self):
-        """Start it, without waiting until it is ready."""
-        ours, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
-        with theirs:
-            self._process = bubblewrap.start_zygote(theirs, self.group, confined=self._confined)
-        self._control, self._ready = ours, False
+    def start(self):
+        """Start the process, without waiting until it is ready."""
+        our_end, server_end = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        with server_end:
+            self._process = _start_process(server_end, self.group, confined=self._confined)
+        self._control, self._is_ready = our_end, False
 
-    def _await(self):
+    def _await_ready(self):
         self._control.settimeout(60)
         try:
-            ready = self._control.recv(1 << 20)
+            message = self._control.recv(1 << 20)
         except TimeoutError:
-            ready = b""
-        if not ready:
-            said = self._last_words()
+            message = b""
+        if not message:
+            reason = self._last_errors()
             self.stop()
-            raise bubblewrap.SandboxError(f"the kernels' process did not start: {said}")
-        self._ready = True
+            raise bubblewrap.SandboxError(f"the fork server did not start: {reason}")
+        self._is_ready = True
 
-    def _last_words(self):
+    def _last_errors(self):
         with suppress(ProcessLookupError):
             os.killpg(self._process.pid, 9)
-        said = self._process.stderr.read().decode(errors="replace")
-        return " ".join(said.split())[-400:] or f"exit code {self._process.returncode}"
+        errors = self._process.stderr.read().decode(errors="replace")
+        return " ".join(errors.split())[-400:] or f"exit code {self._process.returncode}"
 
     def fork(self, descriptor, refused, limits):
-        """Fork a kernel; returns its number."""
+        """Fork a kernel.
+
+        Parameters
+        ----------
+        descriptor : int, of the kernel's socket
+        refused : sequence of str, modules that it must not have
+        limits : dict, from `Limits.for_system`
+
+        Returns
+        -------
+        int, the kernel's id
+        """
         if self._process is None or self._process.poll() is not None:
-            self.begin()
-        self._count += 1
-        hidden = [place for module in refused for place in bubblewrap.places_of(module)]  # while it loads
-        if not self._ready:
-            self._await()
+            self.start()
+        self._fork_count += 1
+        hidden = [path for module in refused for path in paths_of_module(module)]  # while the server loads
+        if not self._is_ready:
+            self._await_ready()
         order = {
             "op": "fork",
-            "id": self._count,
+            "id": self._fork_count,
             "hidden": hidden,
             "refused": list(refused),
             "limits": limits,
         }
-        raw = [json.dumps(order).encode()]
+        data = [json.dumps(order).encode()]
         try:
-            socket.send_fds(self._control, raw, [descriptor])
+            socket.send_fds(self._control, data, [descriptor])
         except OSError:
             self.stop()
-            self.begin()
-            self._await()
-            socket.send_fds(self._control, raw, [descriptor])
-        return self._count
+            self.start()
+            self._await_ready()
+            socket.send_fds(self._control, data, [descriptor])
+        return self._fork_count
 
-    def end(self, name, patience):
-        """End a kernel: how it had ended, or None where this process has ended itself."""
-        order = {"op": "end", "id": name, "patience": patience}
+    def end(self, kernel_id, patience):
+        """End a kernel.
+
+        Parameters
+        ----------
+        kernel_id : int
+        patience : float, seconds in which it may end by itself
+
+        Returns
+        -------
+        dict with "signal", "code", "cpu" (how it ended), or None if the fork server itself has ended
+        """
+        order = {"op": "end", "id": kernel_id, "patience": patience}
         if self._control is None:
             return None
         try:
@@ -282,21 +270,21 @@ class Zygote:
             self.stop()
             return None
 
-    def drop(self, name):
-        """End a kernel of which nothing more is to be known."""
+    def drop(self, kernel_id):
+        """End a kernel without asking how it ended."""
         if self._control is None:
             return
         try:
-            self._control.send(json.dumps({"op": "drop", "id": name, "patience": 0}).encode())
+            self._control.send(json.dumps({"op": "drop", "id": kernel_id, "patience": 0}).encode())
         except OSError:
             self.stop()
 
-    def ran_out(self):
-        """Whether all its kernels' processes together use more memory than they may."""
-        return self._process is not None and self.group.ran_out(self._process.pid)
+    def ran_out_of_memory(self):
+        """Whether the processes of all its kernels together use more memory than they may."""
+        return self._process is not None and self.group.ran_out_of_memory(self._process.pid)
 
     def stop(self):
-        """End it and every kernel; the next fork starts another."""
+        """End the process and every kernel; the next fork starts another process."""
         if self._control is not None:
             self._control.close()
             self._control = None
@@ -306,3 +294,23 @@ class Zygote:
             self._process.wait()
             if self._process.stderr:
                 self._process.stderr.close()
+
+
+def _start_process(control, group, *, confined):
+    settings = {
+        "confined": confined,
+        "user": bubblewrap.kernel_user() if confined else None,
+        "control": control.fileno(),
+    }
+    code = f"import sys; sys.path += {bubblewrap.search_path(confined)!r}; "
+    code += "from imgproc_course.autograder.sandbox.inside import fork_server; fork_server.main()"
+    return subprocess.Popen(
+        [*bubblewrap.sandbox_command(confined), "-c", code, json.dumps(settings)],
+        env={} if confined else bubblewrap.environment(),
+        stdin=subprocess.DEVNULL,
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.PIPE,
+        pass_fds=[control.fileno()],
+        preexec_fn=group.enter,
+        start_new_session=True,
+    )

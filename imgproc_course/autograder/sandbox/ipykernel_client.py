@@ -1,6 +1,6 @@
-"""Jupyter's own kernel, ipykernel, in the same sandbox: slower, and what the forked kernel is held against.
+"""Jupyter's own kernel, ipykernel, in the same sandbox: slower; the forked kernel is tested against it.
 
-ZMQ goes over ipc, through one folder that both sides see, so that the sandbox needs no network.
+ZMQ uses ipc, through one folder that both sides see, so the sandbox needs no network.
 """
 
 import json
@@ -15,41 +15,46 @@ from jupyter_client.kernelspec import KernelSpec, KernelSpecManager
 from jupyter_client.manager import KernelManager
 
 from imgproc_course.autograder.sandbox import bubblewrap
-from imgproc_course.autograder.sandbox.fork_server_client import LOOK, CellRun, take
+from imgproc_course.autograder.sandbox.cell_run import LOOK_SECONDS, CellRun
+from imgproc_course.autograder.sandbox.refused_modules import paths_of_module
 
-_SOCKETS = "/course/kernel"  # the folder as the sandbox sees it
+_SOCKETS = "/course/kernel"  # the shared folder as the sandbox sees it
 
 
-class _OneSpec(KernelSpecManager):
-    words = ()
+class _SingleSpecManager(KernelSpecManager):
+    command = ()
 
     def get_kernel_spec(self, kernel_name):
-        return KernelSpec(argv=list(self.words), display_name="answers", language="python")
+        return KernelSpec(argv=list(self.command), display_name="answers", language="python")
 
 
-class OrdinaryKernel:
-    """An ipykernel for the checks of an exercise; `run`, `deliver` and `stop` as `ForkedKernel` has them."""
+class IPykernelClient:
+    """An ipykernel for the checks of an exercise; `run`, `deliver` and `stop` are those of `ForkedKernel`."""
 
     def __init__(self, refused, seconds, limits, group, *, confined):
         self._limits, self._seconds, self._group = limits, seconds, group
         self._deadline, self._next_look = None, 0.0
-        self._cpu = limits.of_system(seconds)["cpu"] + 2  # its start costs more than a fork
+        self._cpu_limit = limits.for_system(seconds)["cpu"] + 2  # its start costs more than a fork
         self._folder = Path(tempfile.mkdtemp(prefix="kernel-"))
         shared = self._folder / "shared"
         shared.mkdir()
         shared.chmod(0o777)
-        connection = shared / "kernel.json"
-        words = self._words(confined, shared, refused, limits.of_system(seconds) | {"cpu": self._cpu})
+        system_limits = limits.for_system(seconds) | {"cpu": self._cpu_limit}
+        self._start(shared, self._command(confined, shared, refused, system_limits))
+        self._deadline = None
+
+    def _start(self, shared, command):
+        connection_file = shared / "kernel.json"
         self._manager = KernelManager(
             kernel_name="answers",
-            kernel_spec_manager=_OneSpec(),
+            kernel_spec_manager=_SingleSpecManager(),
             transport="ipc",
-            connection_file=str(connection),
+            connection_file=str(connection_file),
             ip=str(shared / "ipc"),
         )
-        self._manager.kernel_spec_manager.words = words
+        self._manager.kernel_spec_manager.command = command
         with Path(os.devnull).open("w", encoding="utf-8") as null:
-            self._group.forget()
+            self._group.reset()
             self._manager.start_kernel(
                 env=bubblewrap.environment(),
                 cwd=str(shared),
@@ -60,93 +65,93 @@ class OrdinaryKernel:
         self._client = self._manager.client()
         self._client.start_channels()
         try:
-            connection.chmod(0o644)
+            connection_file.chmod(0o644)
             self._client.wait_for_ready(timeout=60)
             self.run("import numpy as np\n__import__('random').seed(0)\nnp.random.seed(0)")
         except RuntimeError as error:
             self.stop()
             raise bubblewrap.SandboxError(f"ipykernel did not start in the sandbox: {error}") from error
-        self._deadline = None
 
-    def _words(self, confined, shared, refused, limits):
-        inside = _SOCKETS if confined else str(shared)
+    def _command(self, confined, shared, refused, system_limits):
+        shared_inside = _SOCKETS if confined else str(shared)
         settings = {
             "confined": confined,
-            "user": bubblewrap.user() if confined else None,
+            "user": bubblewrap.kernel_user() if confined else None,
             "refused": list(refused),
-            "hidden": [place for module in refused for place in bubblewrap.places_of(module)],
-            "limits": limits,
-            "connection": f"{inside}/kernel.json",
-            "ip": f"{inside}/ipc",
+            "hidden": [path for module in refused for path in paths_of_module(module)],
+            "limits": system_limits,
+            "connection": f"{shared_inside}/kernel.json",
+            "ip": f"{shared_inside}/ipc",
         }
-        words = bubblewrap.command(settings, shared={str(shared): _SOCKETS})
-        start = f"import sys; sys.path += {bubblewrap.search_path(confined)!r};"
-        start += " from imgproc_course.autograder.sandbox.inside import ipykernel_main; ipykernel_main.main()"
-        return [*words, "-c", start, json.dumps(settings)]
+        code = f"import sys; sys.path += {bubblewrap.search_path(confined)!r};"
+        code += " from imgproc_course.autograder.sandbox.inside import ipykernel_main; ipykernel_main.main()"
+        command = bubblewrap.sandbox_command(confined, shared={str(shared): _SOCKETS})
+        return [*command, "-c", code, json.dumps(settings)]
 
     def run(self, code):
-        """The messages of one cell, as `CellRun` tells them."""
+        """Run one cell; returns its CellRun."""
         run = CellRun()
         if self._deadline is None:
             self._deadline = time.monotonic() + self._limits.deadline(self._seconds)
-        name = self._client.execute(code, store_history=False, allow_stdin=False, stop_on_error=False)
-        left = self._limits.output
+        message_id = self._client.execute(code, store_history=False, allow_stdin=False, stop_on_error=False)
+        bytes_left = self._limits.output
         while not run.ended:
-            self._look(run)
+            self._check_limits(run)
             try:
-                message = self._client.get_iopub_msg(timeout=0.0 if run.ended else LOOK)
+                message = self._client.get_iopub_msg(timeout=0.0 if run.ended else LOOK_SECONDS)
             except Empty:
-                self._see_whether_it_is_there(run)
+                self._check_process(run)
                 continue
             except (ValueError, KeyError, TypeError):  # a forged message
                 run.ended = "hostile"
                 continue
-            if message.get("parent_header", {}).get("msg_id") != name:
+            if message.get("parent_header", {}).get("msg_id") != message_id:
                 continue
             kind, content = message["msg_type"], message["content"]
-            left -= len(json.dumps(content, default=str))
-            if left < 0:
+            bytes_left -= len(json.dumps(content, default=str))
+            if bytes_left < 0:
                 run.ended = "output"
             elif kind == "status" and content.get("execution_state") == "idle":
-                self._read_reply(run, name)
+                self._read_reply(run, message_id)
                 break
             elif kind in ("stream", "display_data", "execute_result", "error"):
-                take(run, kind, content)
+                run.add(kind, content)
         return run
 
     def deliver(self, inputs, seconds, refused):
-        """Hand over the inputs of the next check, by a cell."""
+        """Send the inputs of the next check, by a cell."""
         text = json.dumps({"calls": inputs, "seconds": seconds, "refused": list(refused)})
         return self.run(
             "from imgproc_course.autograder.sandbox.inside import check_cell as _check_cell\n"
             f"_check_cell.deliver({text!r})\ndel _check_cell"
         )
 
-    def _read_reply(self, run, name):
-        """A cell may fail without an error's being shown: a magic that is none."""
+    def _read_reply(self, run, message_id):
+        """Read the error from the reply: a cell can fail without showing it (an unknown magic)."""
         reply = {}
-        while reply.get("parent_header", {}).get("msg_id") != name:
+        while reply.get("parent_header", {}).get("msg_id") != message_id:
             try:
                 reply = self._client.get_shell_msg(timeout=1)
             except Empty:
                 return
         if reply["content"].get("status") == "error" and not run.error[0]:
-            take(run, "idle", {"ename": "", "evalue": ""} | reply["content"])
+            run.add("idle", {"ename": "", "evalue": ""} | reply["content"])
 
-    def _look(self, run):
-        """End the cell whose time or memory is used up, whatever it says meanwhile."""
+    def _check_limits(self, run):
+        """End the cell if its time or memory is used up, whatever it sends."""
         if time.monotonic() < self._next_look:
             return
-        self._next_look = time.monotonic() + LOOK
+        self._next_look = time.monotonic() + LOOK_SECONDS
         if time.monotonic() > self._deadline:
             run.ended = "time"
-        elif self._group.ran_out(self._manager.provisioner.pid):
+        elif self._group.ran_out_of_memory(self._manager.provisioner.pid):
             run.ended = "memory"
 
-    def _see_whether_it_is_there(self, run):
+    def _check_process(self, run):
+        """End the cell if the kernel's process has ended."""
         if not run.ended and not self._manager.is_alive():
-            used = time.monotonic() - self._deadline + self._limits.deadline(self._seconds)
-            run.ended = "time" if used > self._cpu - 1 else "crashed"
+            seconds_used = time.monotonic() - self._deadline + self._limits.deadline(self._seconds)
+            run.ended = "time" if seconds_used > self._cpu_limit - 1 else "crashed"
 
     def stop(self):
         """End the kernel and all that it started."""

@@ -1,1 +1,1 @@
-"""What the sandbox holds of the grader; nothing here knows an answer, and nothing outside trusts it."""
+"""What the autograder runs inside the sandbox. It knows no answer, and nothing outside trusts it."""

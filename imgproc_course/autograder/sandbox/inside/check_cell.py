@@ -1,7 +1,7 @@
-"""What a check cell calls: it gives the learner's function its inputs, and shows what came back.
+"""What a check cell calls: it gives the learner's function its inputs and shows what the function returned.
 
-Values, never verdicts. The inputs of one case are delivered just before its cell runs; the expected values
-are elsewhere.
+It shows values, never verdicts. The inputs of one case are delivered just before its cell runs. The expected
+values are outside the sandbox.
 """
 
 import base64
@@ -19,7 +19,7 @@ from imgproc_course.exercises import running
 from imgproc_course.exercises.dependencies import find_dependencies
 
 MIME = "application/vnd.imgproc-course.answer+json"
-LARGEST = 1_000_000  # bytes of one array; a larger one is shown by its digest
+MAX_DATA = 1_000_000  # bytes of one array; a larger one is replaced by its digest
 _case = {}  # "calls", "seconds", "refused"
 
 
@@ -32,47 +32,46 @@ def deliver(case):
 
     Parameters
     ----------
-    case : dict, or its JSON: "calls", one list of `values.encode`d arguments each; "seconds" that a call may
-        take; "refused", modules
+    case : dict, or its JSON: "calls", a list of arguments for each call, written by `input_encoding.encode`;
+        "seconds" that a call may take; "refused", modules
     """
     global _case
     _case = json.loads(case) if isinstance(case, str) else case
 
 
 def emit(function):
-    """Call a function with the inputs of this case, and show what came back, as data."""
+    """Call a function with the inputs of this case, and show what it returned, as data."""
     from IPython.display import display
 
     refused = tuple(_case["refused"])
-    told = []
-    for arguments in _case["calls"]:
-        arguments = decode(arguments)
-        outcome = _called(function, arguments, _case["seconds"])
-        told.append(told_of(outcome))
-        if outcome.timed_out:
+    calls = []
+    for encoded in _case["calls"]:
+        result = _call(function, decode(encoded), _case["seconds"])
+        calls.append(call_to_json(result))
+        if result.timed_out:
             break
     dependencies = find_dependencies(function, refused, set())
-    display({MIME: {"calls": told, "refused": list(dependencies.refused)}}, raw=True)
+    display({MIME: {"calls": calls, "refused": list(dependencies.refused)}}, raw=True)
 
 
-def _called(function, arguments, seconds):
-    """As `check` calls it, but on the processor's clock: a busy machine takes no time from anybody."""
+def _call(function, arguments, seconds):
+    """Call it as `check` does, but measure processor time: a busy machine costs nobody any time."""
 
-    def ring(_signal, _frame):
+    def raise_time_up(_signal, _frame):
         raise running.TimeUp
 
-    signal.signal(signal.SIGPROF, ring)
+    signal.signal(signal.SIGPROF, raise_time_up)
     signal.setitimer(signal.ITIMER_PROF, seconds, 0.1)
     try:
         return running.call(function, arguments, argument_names(function, arguments), 1e6)
-    except running.TimeUp:  # it rang between the call's end and here
+    except running.TimeUp:  # raised between the call's end and here
         return running.CallResult(timed_out=True)
     finally:
         signal.setitimer(signal.ITIMER_PROF, 0)
 
 
 def argument_names(function, arguments=()):
-    """The names of a function's arguments; those that it has no name for are numbered."""
+    """The names of a function's arguments; arguments without a name are numbered."""
     try:
         names = list(inspect.signature(function).parameters)
     except (TypeError, ValueError):
@@ -82,53 +81,53 @@ def argument_names(function, arguments=()):
     return [*names[: len(arguments)], *(f"argument {k + 1}" for k in range(len(names), len(arguments)))]
 
 
-def told_of(outcome):
-    """An CallResult as JSON."""
-    if outcome.timed_out:
+def call_to_json(result):
+    """A CallResult as data for json.dumps; `answer_forms.read_answer` reads it."""
+    if result.timed_out:
         return {"timed_out": True}
-    told = {"changed": list(outcome.changed), "printed": outcome.printed}
-    if outcome.error:
-        return told | {"error": outcome.error, "message": outcome.message, "line": outcome.line}
-    return told | {"value": shortened(outcome.value)}
+    data = {"changed": list(result.changed), "printed": result.printed}
+    if result.error:
+        return data | {"error": result.error, "message": result.message, "line": result.line}
+    return data | {"value": shorten_form(result.value)}
 
 
-def shortened(form):
-    """A canonical form with its large arrays and bytes given by digest."""
+def shorten_form(form):
+    """A canonical form in which digests replace large arrays and bytes."""
     if isinstance(form, list):
-        return [shortened(item) for item in form]
+        return [shorten_form(item) for item in form]
     if not isinstance(form, dict):
         return form
-    if len(form.get("data", "")) > LARGEST * 4 // 3:
-        raw = base64.b64decode(form["data"])
-        kept = {name: value for name, value in form.items() if name != "data"}
-        return kept | {"digest": hashlib.sha256(raw).hexdigest()}
-    return {name: shortened(value) for name, value in form.items()}
+    if len(form.get("data", "")) > MAX_DATA * 4 // 3:
+        data = base64.b64decode(form["data"])
+        others = {name: value for name, value in form.items() if name != "data"}
+        return others | {"digest": hashlib.sha256(data).hexdigest()}
+    return {name: shorten_form(value) for name, value in form.items()}
 
 
-# ---------------------------------------------------------------- the lesson's surroundings
+# ---------------------------------------------------------------- the process around an answer
 
 
-def surround(refused):
-    """Make this process what an answer expects around it.
+def prepare_process(refused):
+    """Prepare this process for an answer: refused modules are empty, and input() raises.
 
     Parameters
     ----------
-    refused : sequence of str, modules; importing one gives an empty module that says so when it is used, so
-        that an import which nothing needs costs nothing
+    refused : sequence of str, modules. Importing one gives an empty module that raises RefusedModule when it
+        is used, so an unused import costs nothing
     """
-    # Looked up, not gone through: reading every name would copy the pages that this fork shares.
+    # Look names up first: going through sys.modules would copy the memory pages that this fork shares.
     if any(name in sys.modules for name in refused):
         for name in [name for name in sys.modules if _is_refused(name, refused)]:
             del sys.modules[name]
-    sys.meta_path.insert(0, _Refusing(tuple(refused)))
-    builtins.input = _no_input
+    sys.meta_path.insert(0, _RefusingFinder(tuple(refused)))
+    builtins.input = _input
 
 
 def _is_refused(name, refused):
-    return any(name == each or name.startswith(each + ".") for each in refused)
+    return any(name == module or name.startswith(module + ".") for module in refused)
 
 
-class _Refusing:
+class _RefusingFinder:
     def __init__(self, refused):
         self._refused = refused
 
@@ -138,18 +137,18 @@ class _Refusing:
         return importlib.machinery.ModuleSpec(name, self, is_package=True)
 
     def create_module(self, spec):
-        return _RefusedName(spec.name)
+        return _EmptyModule(spec.name)
 
     def exec_module(self, module):
         pass
 
 
-class _RefusedName(types.ModuleType):
+class _EmptyModule(types.ModuleType):
     def __getattr__(self, name):
         if name.startswith("__"):
             raise AttributeError(name)
-        raise RefusedModule(f"this exercise is to be written without {self.__name__}")
+        raise RefusedModule(f"write this exercise without {self.__name__}")
 
 
-def _no_input(prompt=""):
-    raise RuntimeError("input() waits for a person; grading has none. Give the value as an argument")
+def _input(prompt=""):
+    raise RuntimeError("input() waits for a person, and there is none here. Pass the value as an argument")

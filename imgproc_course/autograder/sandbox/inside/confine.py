@@ -1,8 +1,8 @@
-"""Shut this process in: namespaces, mounts, limits, identity. Linux; the standard library only.
+"""Confine this process: namespaces, mounts, limits, identity. Linux; the standard library only.
 
-Called in each fork before anything of a learner's is there. What bubblewrap did around the forking process is
-done again here, so that nothing passes from one fork to the next. By the plainest calls (`os`, no `pathlib`):
-each page of memory that a fork touches has to be copied.
+Each fork calls it before any code of a learner's runs there. It repeats what bubblewrap did around the fork
+server, so that nothing passes from one fork to the next. It uses `os`, not `pathlib`: each page of memory
+that a fork touches has to be copied.
 """
 
 import ctypes
@@ -17,48 +17,49 @@ NEWNS, NEWUTS, NEWIPC, NEWPID = 0x20000, 0x4000000, 0x8000000, 0x20000000
 _RDONLY, _NOSUID, _NODEV, _NOEXEC, _REC, _PRIVATE, _BIND = 1, 2, 4, 8, 0x4000, 0x40000, 0x1000
 _PR_CAPBSET_DROP, _PR_SET_NO_NEW_PRIVS, _PR_SET_DUMPABLE = 24, 38, 4
 _LAST_CAPABILITY = 63
-NOTHING = "/course/nothing"  # an empty folder, read-only
+EMPTY_FOLDER = "/course/nothing"  # read-only
 _libc = ctypes.CDLL(None, use_errno=True)
 
 
-def _checked(result, what):
+def _check(result, operation):
     if result != 0:
         number = ctypes.get_errno()
-        raise OSError(number, f"{what}: {os.strerror(number)}")
+        raise OSError(number, f"{operation}: {os.strerror(number)}")
 
 
 def unshare(flags):
-    """Move this process (for NEWPID: its next children) into namespaces of its own."""
-    _checked(_libc.unshare(ctypes.c_int(flags)), "unshare")
+    """Move this process (with NEWPID: its next children) into new namespaces."""
+    _check(_libc.unshare(ctypes.c_int(flags)), "unshare")
 
 
-def own_pid_namespace():
-    """A descriptor of this process's own PID namespace, for `back_to`."""
+def open_pid_namespace():
+    """A descriptor of this process's own PID namespace, for `return_to_pid_namespace`."""
     return os.open("/proc/self/ns/pid", os.O_RDONLY | os.O_CLOEXEC)
 
 
-def back_to(descriptor):
-    """Let the next children be born in the namespace of `own_pid_namespace` again."""
-    _checked(_libc.setns(descriptor, ctypes.c_int(NEWPID)), "setns")
+def return_to_pid_namespace(descriptor):
+    """Start the next children in the namespace of `open_pid_namespace` again."""
+    _check(_libc.setns(descriptor, ctypes.c_int(NEWPID)), "setns")
 
 
 def _mount(source, target, kind, flags, data=""):
     texts = [text.encode() if text else None for text in (source, target, kind)]
-    _checked(_libc.mount(*texts, ctypes.c_ulong(flags), data.encode() or None), f"mount {target}")
+    _check(_libc.mount(*texts, ctypes.c_ulong(flags), data.encode() or None), f"mount {target}")
 
 
 def confine(hidden, limits, user):
-    """Shut this process in, for good.
+    """Confine this process for good.
 
     Parameters
     ----------
-    hidden : list of str, paths that are to be empty here: what the exercise refuses
-    limits : dict, see `set_limits`; also "scratch", bytes that may be written to /tmp
-    user : int or None, the user and group to become; None inside a user namespace, where root is nobody
+    hidden : list of str, paths that become empty here: the modules that the exercise refuses
+    limits : dict, see `set_limits`; also "scratch", bytes that can be written to /tmp
+    user : int or None, the user and group to become; None inside a user namespace, whose root has no rights
+        outside
 
     Raises
     ------
-    OSError : the system refuses a step; nothing of a learner's may run then
+    OSError : the system refuses a step; no code of a learner's may run then
     """
     unshare(NEWNS | NEWIPC | NEWUTS)  # bubblewrap's network namespace is empty, and nothing stays in it
     _mount("", "/", "", _REC | _PRIVATE)
@@ -75,24 +76,24 @@ def confine(hidden, limits, user):
             os.chown(folder, user, user)
     os.chdir("/tmp/submission")
     set_limits(limits)
-    _become_nobody(user)
+    _drop_privileges(user)
 
 
 def _hide(path):
     if os.path.isdir(path):
-        _mount(NOTHING, path, "", _BIND)
+        _mount(EMPTY_FOLDER, path, "", _BIND)
     elif os.path.exists(path):
         _mount("/dev/null", path, "", _BIND)
 
 
 def set_limits(limits):
-    """The limits that the kernel of the system holds, for this process and all that it starts.
+    """Set the limits that the operating system enforces on this process and all that it starts.
 
     Parameters
     ----------
     limits : dict of "cpu" seconds, "memory" bytes, "processes", "file" bytes
     """
-    for kind, most in (
+    for kind, limit in (
         (resource.RLIMIT_CPU, limits["cpu"]),
         (resource.RLIMIT_AS, limits["memory"]),
         (resource.RLIMIT_NPROC, limits["processes"]),
@@ -101,12 +102,12 @@ def set_limits(limits):
         (resource.RLIMIT_CORE, 0),
     ):
         _, hard = resource.getrlimit(kind)
-        most = most if hard == resource.RLIM_INFINITY else min(most, hard)
-        resource.setrlimit(kind, (most, most))
+        limit = limit if hard == resource.RLIM_INFINITY else min(limit, hard)
+        resource.setrlimit(kind, (limit, limit))
 
 
-def _become_nobody(user):
-    _checked(_libc.prctl(_PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0), "no_new_privs")
+def _drop_privileges(user):
+    _check(_libc.prctl(_PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0), "no_new_privs")
     for capability in range(_LAST_CAPABILITY + 1):
         if _libc.prctl(_PR_CAPBSET_DROP, capability, 0, 0, 0) != 0:
             break  # the last one that this system knows
@@ -115,19 +116,19 @@ def _become_nobody(user):
         os.setresgid(user, user, user)
         os.setresuid(user, user, user)
     _drop_capabilities()
-    _checked(_libc.prctl(_PR_SET_DUMPABLE, 1, 0, 0, 0), "dumpable")
+    _check(_libc.prctl(_PR_SET_DUMPABLE, 1, 0, 0, 0), "dumpable")
     refuse_system_calls()
 
 
 def _drop_capabilities():
     """Empty the effective, permitted and inheritable sets (capset, version 3)."""
     header = (ctypes.c_uint32 * 2)(0x20080522, 0)
-    none = (ctypes.c_uint32 * 6)(0, 0, 0, 0, 0, 0)
-    _checked(_libc.capset(header, none), "capset")
+    no_capabilities = (ctypes.c_uint32 * 6)(0, 0, 0, 0, 0, 0)
+    _check(_libc.capset(header, no_capabilities), "capset")
 
 
 def die_first():
-    """Where memory runs out, let this process and what it starts be ended before any other; for good."""
+    """Let the system end this process and its children first if memory runs out; for good."""
     with suppress(OSError):
         descriptor = os.open("/proc/self/oom_score_adj", os.O_WRONLY)
         os.write(descriptor, b"1000")
@@ -135,6 +136,6 @@ def die_first():
 
 
 def die_with_parent():
-    """End this process when the one that started it ends."""
+    """End this process when its parent ends."""
     with suppress(OSError):
-        _checked(_libc.prctl(1, signal.SIGKILL, 0, 0, 0), "pdeathsig")
+        _check(_libc.prctl(1, signal.SIGKILL, 0, 0, 0), "pdeathsig")

@@ -1,7 +1,7 @@
-"""Arguments as JSON, exactly: byte order, memory layout and the order of a dict's keys survive.
+"""Write arguments as JSON and read them back exactly: byte order, memory layout and order of keys survive.
 
-No pickle: what is read cannot run anything. `canonical` forms are for answers, and forget what does not
-count; a function under test must get what the lesson would give it.
+There is no pickle, so reading cannot run anything. `canonical` forms are for answers and leave out what does
+not count; a function under test must get exactly what the lesson would pass to it.
 """
 
 import base64
@@ -23,7 +23,7 @@ def encode(value):
 
     Returns
     -------
-    what json.dumps takes
+    data for json.dumps
 
     Raises
     ------
@@ -51,7 +51,7 @@ def encode(value):
     if kind is types.SimpleNamespace:
         return {"namespace": [[name, encode(item)] for name, item in vars(value).items()]}
     raise TypeError(
-        f"a value of type {kind.__module__}.{kind.__qualname__} cannot travel to a kernel as data; use"
+        f"a value of type {kind.__module__}.{kind.__qualname__} cannot be sent to a kernel as data; use"
         " numbers, text, bytes, arrays of numbers, tuple, list, dict or types.SimpleNamespace"
     )
 

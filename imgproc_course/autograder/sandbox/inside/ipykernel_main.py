@@ -1,4 +1,4 @@
-"""Start Jupyter's own kernel, shut in like the forked ones."""
+"""Start Jupyter's own kernel, confined like the forked ones."""
 
 import json
 import sys
@@ -9,16 +9,16 @@ from imgproc_course.autograder.sandbox.inside import check_cell, confine
 
 def main():
     settings = json.loads(sys.argv[1])
-    connection = Path(settings["connection"])
+    connection_file = Path(settings["connection"])
     if settings["confined"]:
-        told = json.loads(connection.read_text(encoding="utf-8"))
+        connection = json.loads(connection_file.read_text(encoding="utf-8"))
         confine.confine(settings["hidden"], settings["limits"], settings["user"])
-        connection = Path("/tmp/kernel.json")
-        connection.write_text(json.dumps(told | {"ip": settings["ip"]}), encoding="utf-8")
+        connection_file = Path("/tmp/kernel.json")
+        connection_file.write_text(json.dumps(connection | {"ip": settings["ip"]}), encoding="utf-8")
     else:
         confine.die_with_parent()
         confine.set_limits(settings["limits"] | {"processes": 4096})
-    check_cell.surround(settings["refused"])
+    check_cell.prepare_process(settings["refused"])
     from ipykernel.kernelapp import IPKernelApp
 
-    IPKernelApp.launch_instance(["-f", str(connection), "--HistoryManager.enabled=False"])
+    IPKernelApp.launch_instance(["-f", str(connection_file), "--HistoryManager.enabled=False"])

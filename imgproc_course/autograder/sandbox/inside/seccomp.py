@@ -1,7 +1,7 @@
-"""System calls that a kernel is refused: those that would give it what no limit counts. Linux.
+"""Refuse the system calls that would give a kernel resources that no limit counts. Linux.
 
-Memory in a nameless file, in System V segments or in a file system of its own belongs to no process's size,
-and a user namespace of its own makes it root in there. Answers need none of them.
+Memory in an anonymous file, in System V segments or in a new file system does not count as memory of a
+process, and a new user namespace makes its owner root there. Answers need none of these.
 """
 
 import ctypes
@@ -23,63 +23,63 @@ _CALLS = {
 }
 _EVERYWHERE = {"io_uring_setup": 425, "fsopen": 430, "clone3": 435, "memfd_secret": 447}
 _NEW_USER = 0x10000000
-_X32 = 0x40000000  # calls of another kind, by other numbers
+_X32 = 0x40000000  # calls of the x32 interface, with other numbers
 _LOAD, _EQUAL, _AT_LEAST, _ANY_BIT, _RETURN = 0x20, 0x15, 0x35, 0x45, 0x06
-_NUMBER, _MACHINE, _FIRST_ARGUMENT = 0, 4, 16  # where they stand in struct seccomp_data
+_NUMBER, _MACHINE, _FIRST_ARGUMENT = 0, 4, 16  # offsets in struct seccomp_data
 _ALLOW, _ERROR = 0x7FFF0000, 0x00050000
 _PR_SET_SECCOMP, _FILTER = 22, 2
 
 
 def refuse_system_calls():
-    """Refuse them to this process and all that it starts, for good; it must have no new privileges to gain.
+    """Refuse them to this process and all that it starts, for good; no_new_privs must be set.
 
-    On a machine whose numbers are not known here nothing is refused.
+    On a machine whose call numbers are not in the table, nothing is refused.
 
     Raises
     ------
-    OSError : this system has no filters
+    OSError : this system has no seccomp filters
     """
     if not _PROGRAM:
         return
-    held = ctypes.create_string_buffer(_PROGRAM, len(_PROGRAM))
-    described = struct.pack("HxxxxxxP", len(_PROGRAM) // 8, ctypes.addressof(held))
+    instructions = ctypes.create_string_buffer(_PROGRAM, len(_PROGRAM))
+    program = struct.pack("HxxxxxxP", len(_PROGRAM) // 8, ctypes.addressof(instructions))
     libc = ctypes.CDLL(None, use_errno=True)
-    if libc.prctl(_PR_SET_SECCOMP, _FILTER, described, 0, 0) != 0:
+    if libc.prctl(_PR_SET_SECCOMP, _FILTER, program, 0, 0) != 0:
         number = ctypes.get_errno()
         raise OSError(number, f"seccomp: {os.strerror(number)}")
 
 
 def _filter(machine, numbers):
-    """The instructions of the filter; struct sock_filter each."""
-    yield _step(_LOAD, _MACHINE)
-    yield _step(_EQUAL, machine, 1, 0)
+    """The instructions of the filter, each a struct sock_filter."""
+    yield _instruction(_LOAD, _MACHINE)
+    yield _instruction(_EQUAL, machine, 1, 0)
     yield _fail(errno.EPERM)
-    yield _step(_LOAD, _NUMBER)
+    yield _instruction(_LOAD, _NUMBER)
     yield from _if(_AT_LEAST, _X32, errno.EPERM)
     for name, number in (numbers | _EVERYWHERE).items():
         if name not in ("clone", "clone3"):
             yield from _if(_EQUAL, number, errno.EPERM)
-    # Its flags stand in memory, where no filter sees them; the C library then calls clone.
+    # clone3 has its flags in memory, where no filter sees them; after ENOSYS the C library calls clone.
     yield from _if(_EQUAL, _EVERYWHERE["clone3"], errno.ENOSYS)
-    yield _step(_EQUAL, numbers["clone"], 1, 0)
-    yield _step(_RETURN, _ALLOW)
-    yield _step(_LOAD, _FIRST_ARGUMENT)
+    yield _instruction(_EQUAL, numbers["clone"], 1, 0)
+    yield _instruction(_RETURN, _ALLOW)
+    yield _instruction(_LOAD, _FIRST_ARGUMENT)
     yield from _if(_ANY_BIT, _NEW_USER, errno.EPERM)
-    yield _step(_RETURN, _ALLOW)
+    yield _instruction(_RETURN, _ALLOW)
 
 
 def _if(test, value, number):
-    yield _step(test, value, 0, 1)
+    yield _instruction(test, value, 0, 1)
     yield _fail(number)
 
 
 def _fail(number):
-    return _step(_RETURN, _ERROR | number)
+    return _instruction(_RETURN, _ERROR | number)
 
 
-def _step(code, value, if_so=0, if_not=0):
-    return struct.pack("HBBI", code, if_so, if_not, value)
+def _instruction(code, value, jump_if_true=0, jump_if_false=0):
+    return struct.pack("HBBI", code, jump_if_true, jump_if_false, value)
 
 
-# Made when this is loaded: each kernel is forked after that.
+# Built when this module is loaded, before the first kernel is forked.
 _PROGRAM = b"".join(_filter(*_CALLS[platform.machine()])) if platform.machine() in _CALLS else b""

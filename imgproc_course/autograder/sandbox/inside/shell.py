@@ -1,8 +1,8 @@
-"""An IPython shell without ZMQ: cells come in over a socket, messages go out, as lines of JSON.
+"""An IPython shell without ZMQ: it reads cells from a socket and writes messages, as lines of JSON.
 
-In:  {"n": 3, "code": "..."}, or {"n": 3, "case": {...}}: the inputs of the next check
+In:  {"n": 3, "code": "..."}, or {"n": 3, "case": {...}}, the inputs of the next check
 Out: {"n": 3, "type": "stream" | "display_data" | "execute_result" | "update_display_data" | "clear_output" |
-      "error" | "idle", "content": {...}}, the content as Jupyter's messaging has it.
+      "error" | "idle", "content": {...}}, with the content of Jupyter's messages
 """
 
 import ast
@@ -20,11 +20,11 @@ from IPython.core.inputtransformer2 import TransformerManager
 from IPython.core.interactiveshell import InteractiveShell
 from traitlets import Instance, Type
 
-_TEXT_KEPT = 8_192  # characters of a stream that are gathered before they are sent
+_BUFFER_SIZE = 8_192  # characters of a stream that are collected before they are sent
 
 
-class Line:
-    """The way out: one message, one line."""
+class MessageWriter:
+    """Writes each message as one line to the kernel's socket."""
 
     def __init__(self):
         self.descriptor = -1
@@ -33,30 +33,30 @@ class Line:
 
     def send(self, kind, **content):
         text = json.dumps({"n": self.cell, "type": kind, "content": content}, default=str) + "\n"
-        raw = memoryview(text.encode("ascii"))
+        data = memoryview(text.encode("ascii"))
         with self._lock:
-            while raw:
-                raw = raw[os.write(self.descriptor, raw) :]
+            while data:
+                data = data[os.write(self.descriptor, data) :]
 
 
-LINE = Line()
+WRITER = MessageWriter()
 
 
-class Stream:
+class OutputStream:
     """sys.stdout and sys.stderr of a cell."""
 
     encoding, errors, newlines, closed = "utf-8", "replace", None, False
 
     def __init__(self, name):
         self.name = name
-        self._kept, self._length = [], 0
+        self._texts, self._length = [], 0
 
     def write(self, text):
         if not isinstance(text, str):
             raise TypeError(f"write() argument must be str, not {type(text).__name__}")
-        self._kept.append(text)
+        self._texts.append(text)
         self._length += len(text)
-        if self._length > _TEXT_KEPT:
+        if self._length > _BUFFER_SIZE:
             self.flush()
         return len(text)
 
@@ -65,9 +65,9 @@ class Stream:
             self.write(line)
 
     def flush(self):
-        kept, self._kept, self._length = "".join(self._kept), [], 0
-        if kept:
-            LINE.send("stream", name=self.name, text=kept)
+        text, self._texts, self._length = "".join(self._texts), [], 0
+        if text:
+            WRITER.send("stream", name=self.name, text=text)
 
     def isatty(self):
         return False
@@ -89,28 +89,28 @@ def _flush():
     sys.stderr.flush()
 
 
-class Publisher(DisplayPublisher):
-    """Rich display, as messages."""
+class MessagePublisher(DisplayPublisher):
+    """Sends rich display as messages."""
 
     def publish(self, data, metadata=None, *, transient=None, update=False, **_ignored):
         _flush()
         kind = "update_display_data" if update else "display_data"
-        LINE.send(kind, data=data, metadata=metadata or {}, transient=transient or {})
+        WRITER.send(kind, data=data, metadata=metadata or {}, transient=transient or {})
 
     def clear_output(self, wait=False):
         _flush()
-        LINE.send("clear_output", wait=bool(wait))
+        WRITER.send("clear_output", wait=bool(wait))
 
 
-class Hook(DisplayHook):
-    """The value of a cell's last expression, as a message."""
+class MessageDisplayHook(DisplayHook):
+    """Sends the value of a cell's last expression as a message."""
 
     def write_output_prompt(self):
         pass
 
     def write_format_data(self, format_dict, md_dict=None):
         _flush()
-        LINE.send(
+        WRITER.send(
             "execute_result", data=format_dict, metadata=md_dict or {}, execution_count=self.prompt_count
         )
 
@@ -118,10 +118,10 @@ class Hook(DisplayHook):
         self._is_active = False
 
 
-class Translation(TransformerManager):
-    """IPython's, and quicker: it looks for magics and commands only where the cell is not Python as it is.
+class FastTransformer(TransformerManager):
+    """IPython's transformer, but faster: it searches for magics only in cells that are not plain Python.
 
-    Neither is ever Python, and IPython takes a cell apart token by token to see that there is none.
+    Magics and shell commands are never valid Python, and IPython splits every cell into tokens to find them.
     """
 
     def do_token_transforms(self, lines):
@@ -130,7 +130,7 @@ class Translation(TransformerManager):
 
 def _is_python(source):
     with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # the cell's own run tells them
+        warnings.simplefilter("ignore")  # running the cell shows them
         try:
             ast.parse(source)
         except (SyntaxError, ValueError, RecursionError, MemoryError):
@@ -138,12 +138,12 @@ def _is_python(source):
     return True
 
 
-class Shell(InteractiveShell):
-    """The shell that runs cells: what ipykernel's does, without its sockets."""
+class CellShell(InteractiveShell):
+    """The shell that runs cells: it does what ipykernel's shell does, without sockets."""
 
-    displayhook_class = Type(Hook)
-    display_pub_class = Type(Publisher)
-    input_transformer_manager = Instance(Translation, ())
+    displayhook_class = Type(MessageDisplayHook)
+    display_pub_class = Type(MessagePublisher)
+    input_transformer_manager = Instance(FastTransformer, ())
     system = InteractiveShell.system_piped
     readline_use = False
 
@@ -151,11 +151,9 @@ class Shell(InteractiveShell):
         super().init_history()
         self.history_manager.enabled = False
 
-    def should_run_async(self, raw_cell, **translated):
-        # IPython compiles the cell to see it; most can be seen not to wait for anything.
-        return ("await" in raw_cell or "async" in raw_cell) and super().should_run_async(
-            raw_cell, **translated
-        )
+    def should_run_async(self, raw_cell, **options):
+        # IPython compiles the cell to find out; for most cells a look at the text is enough.
+        return ("await" in raw_cell or "async" in raw_cell) and super().should_run_async(raw_cell, **options)
 
     def enable_gui(self, gui=None):
         pass
@@ -168,11 +166,11 @@ class Shell(InteractiveShell):
 
     def _showtraceback(self, etype, evalue, stb):
         _flush()
-        LINE.send("error", ename=etype.__name__, evalue=_text_of(evalue), traceback=list(stb))
+        WRITER.send("error", ename=etype.__name__, evalue=_text_of(evalue), traceback=list(stb))
 
 
 def _text_of(error):
-    """An exception in words; a class of the learner's may have a __str__ that fails."""
+    """The exception's text; a learner's exception class may have a __str__ that fails."""
     try:
         return str(error)
     except (ArithmeticError, AttributeError, LookupError, RuntimeError, TypeError, ValueError):
@@ -180,8 +178,8 @@ def _text_of(error):
 
 
 def make_shell():
-    """The one shell of the forking process; each fork goes on with its copy."""
-    shell = Shell.instance()
+    """The one shell of the fork server; each fork continues with its copy."""
+    shell = CellShell.instance()
     shell.colors = "nocolor"
     shell.user_ns["__name__"] = "__main__"
     return shell
@@ -192,29 +190,29 @@ def serve(shell, descriptor, deliver):
 
     Parameters
     ----------
-    shell : Shell
+    shell : CellShell
     descriptor : int, a connected stream socket
     deliver : function that takes the inputs of the next check
     """
-    LINE.descriptor = descriptor
-    sys.stdout, sys.stderr = Stream("stdout"), Stream("stderr")
-    runner = _Runner(shell)
+    WRITER.descriptor = descriptor
+    sys.stdout, sys.stderr = OutputStream("stdout"), OutputStream("stderr")
+    runner = _CellRunner(shell)
     for request in _requests(descriptor):
-        LINE.cell = request["n"]
+        WRITER.cell = request["n"]
         if "case" in request:
             deliver(request["case"])
-        if not request.get("code"):  # a delivery, or asked whether it is there
-            LINE.send("idle", ename="", evalue="")
+        if not request.get("code"):  # a delivery, or a question whether the kernel is alive
+            WRITER.send("idle", ename="", evalue="")
             continue
         result = runner.run(request["code"])
         _flush()
         error = result.error_before_exec or result.error_in_exec
         name = "" if error is None else type(error).__name__
-        LINE.send("idle", ename=name, evalue="" if error is None else _text_of(error))
+        WRITER.send("idle", ename=name, evalue="" if error is None else _text_of(error))
 
 
-class _Runner:
-    """Runs cells; once one of them speaks of asyncio, inside a running event loop as in JupyterLab."""
+class _CellRunner:
+    """Runs cells. After the first cell that uses asyncio, an event loop is running, as in JupyterLab."""
 
     def __init__(self, shell):
         self._shell, self._loop = shell, None
@@ -228,23 +226,23 @@ class _Runner:
             self._shell.loop_runner = self._loop.run_until_complete
         if re.search(r"\b(await|async)\b", code):
             return self._shell.run_cell(code, store_history=False)
-        return self._loop.run_until_complete(self._inside(code))
+        return self._loop.run_until_complete(self._run_in_loop(code))
 
-    async def _inside(self, code):
+    async def _run_in_loop(self, code):
         return self._shell.run_cell(code, store_history=False)
 
 
 def _requests(descriptor):
-    kept = b""
+    buffer = b""
     while True:
-        *lines, kept = kept.split(b"\n")
+        *lines, buffer = buffer.split(b"\n")
         yield from (json.loads(line) for line in lines)
-        more = os.read(descriptor, 1 << 16)
-        if not more:
+        data = os.read(descriptor, 1 << 16)
+        if not data:
             return
-        kept += more
-        while b"\n" not in more:
-            more = os.read(descriptor, 1 << 20)
-            if not more:
+        buffer += data
+        while b"\n" not in data:
+            data = os.read(descriptor, 1 << 20)
+            if not data:
                 return
-            kept += more
+            buffer += data

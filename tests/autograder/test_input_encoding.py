@@ -1,4 +1,4 @@
-"""Arguments travel to the kernel exactly."""
+"""Arguments reach the kernel exactly."""
 
 import json
 import types
@@ -47,7 +47,7 @@ def same(one, other):
 
 
 @given(VALUES)
-def test_a_value_comes_back_as_it_was(value):
+def test_a_value_is_decoded_unchanged(value):
     assert same(decode(json.loads(json.dumps(encode(value)))), value)
 
 
@@ -62,6 +62,6 @@ def test_layout_and_byte_order_survive():
 
 
 @pytest.mark.parametrize("value", [print, object(), np.array([object()]), {1, 2}, np.ma.masked_array([1])])
-def test_what_is_no_data_is_named(value):
-    with pytest.raises(TypeError, match="cannot travel to a kernel as data; use numbers"):
+def test_a_value_that_is_not_data_is_named(value):
+    with pytest.raises(TypeError, match="cannot be sent to a kernel as data; use numbers"):
         encode([value])

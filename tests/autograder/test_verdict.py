@@ -1,4 +1,4 @@
-"""What nbval compares with: tolerant where the master says so, and safe from whatever a kernel sends."""
+"""The one comparison: as tolerant as the master says, and safe from anything that a kernel sends."""
 
 import json
 
@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from imgproc_course.autograder.reference import Reference, is_form
+from imgproc_course.autograder.answer_forms import is_form
+from imgproc_course.autograder.verdict import CaseRun, verdict_on
 from imgproc_course.exercises.canonical import canonical
 from imgproc_course.exercises.comparison import compare
 
@@ -19,7 +20,7 @@ JSON = st.recursive(
     ),
     max_leaves=10,
 )
-# Forms that are nearly right: the keys and words that `compare` looks at, with anything behind them.
+# Forms that are nearly right: the keys and words that `compare` reads, with any values.
 KEYS = st.sampled_from(
     ["type", "value", "items", "fields", "shape", "dtype", "data", "digest", "length", "opaque"]
 )
@@ -46,9 +47,13 @@ NEARLY = st.recursive(
 )
 
 
-def shown(*values, refused=(), **more):
+def payload_of(*values, refused=(), **more):
     calls = [{"value": canonical(value), "changed": [], "printed": ""} | more for value in values]
     return {"calls": calls, "refused": list(refused)}
+
+
+def passes(payload, expected, tolerance):
+    return verdict_on([payload], [canonical(expected)], tolerance).passed
 
 
 @pytest.mark.parametrize(
@@ -60,49 +65,47 @@ def shown(*values, refused=(), **more):
     ],
     ids=lambda value: type(value).__name__,
 )
-def test_every_canonical_form_is_one(value):
+def test_every_canonical_form_is_accepted(value):
     assert is_form(json.loads(json.dumps(canonical(value))))
 
 
-def test_a_tolerance_is_kept_and_no_more():
-    reference = Reference([canonical(RIGHT)], 0.1)
-    assert (reference != shown(RIGHT + 0.09)) is False
-    assert reference != shown(RIGHT + 0.11)
-    assert Reference([canonical(RIGHT)], 0.0) != shown(RIGHT + 1e-6)
+def test_the_tolerance_is_the_limit():
+    assert passes(payload_of(RIGHT + 0.09), RIGHT, 0.1)
+    assert not passes(payload_of(RIGHT + 0.11), RIGHT, 0.1)
+    assert not passes(payload_of(RIGHT + 1e-6), RIGHT, 0.0)
 
 
 @pytest.mark.parametrize(
     "payload",
     [
-        shown(RIGHT, RIGHT),
-        shown(),
-        shown(RIGHT, refused=["cv2"]),
-        shown(RIGHT, changed=["pixels"]),
-        shown(RIGHT.astype(np.float32)),
-        shown(RIGHT.tolist()),
+        payload_of(RIGHT, RIGHT),
+        payload_of(),
+        payload_of(RIGHT, refused=["cv2"]),
+        payload_of(RIGHT, changed=["pixels"]),
+        payload_of(RIGHT.astype(np.float32)),
+        payload_of(RIGHT.tolist()),
         {"calls": [{"timed_out": True}], "refused": []},
         {"calls": [{"error": "E", "message": "", "line": "", "changed": [], "printed": ""}], "refused": []},
         "passed",
         None,
     ],
 )
-def test_anything_else_differs(payload):
-    assert Reference([canonical(RIGHT)], 0.5) != payload
+def test_every_other_payload_fails(payload):
+    assert not passes(payload, RIGHT, 0.5)
 
 
 @given(st.one_of(JSON, NEARLY))
-def test_nothing_that_json_holds_passes_or_raises(payload):
-    reference = Reference([canonical(RIGHT)], 1e9)
-    assert reference != payload
-    assert reference != {"calls": [{"value": payload, "changed": [], "printed": ""}], "refused": []}
+def test_no_other_json_passes_or_raises(payload):
+    assert not passes(payload, RIGHT, 1e9)
+    inner = {"calls": [{"value": payload, "changed": [], "printed": ""}], "refused": []}
+    assert not passes(inner, RIGHT, 1e9)
 
 
 @given(NEARLY)
-def test_whatever_is_taken_for_a_form_can_be_compared(form):
+def test_every_accepted_form_can_be_compared(form):
     payload = {"calls": [{"value": form, "changed": [], "printed": ""}], "refused": []}
     for value in (RIGHT, 1, 0.5, "a", (1, RIGHT), {"a": 1}, b"b", None):
-        differs = Reference([canonical(value)], 0.0) != payload
-        assert differs is True or compare(canonical(value), form) is None
+        assert not passes(payload, value, 0.0) or compare(canonical(value), form) is None
 
 
 @pytest.mark.parametrize(
@@ -120,9 +123,30 @@ def test_whatever_is_taken_for_a_form_can_be_compared(form):
         {"type": "dict", "items": [[{"type": "None"}]]},
     ],
 )
-def test_what_only_looks_like_a_form_is_none(form):
+def test_a_malformed_form_is_rejected(form):
     assert not is_form(form)
 
 
-def test_a_reference_says_nothing_of_itself():
-    assert repr(Reference([canonical("secret")], 0)) == "<the expected answer>"
+def test_a_verdict_names_the_first_call_that_failed():
+    expected = [canonical(1), canonical(2), canonical(3)]
+    verdict = verdict_on([payload_of(1, 5, 4)], expected, 0.0)
+    assert (verdict.failed_call, verdict.difference.actual, verdict.passed) == (1, 5, False)
+    assert [call.value["value"] for call in verdict.calls] == [1, 5, 4]
+    assert verdict_on([payload_of(1, 2)], expected, 0.0).failed_call == 2
+    assert verdict_on([payload_of(1, 2, 3, 4)], expected, 0.0).failed_call == 3
+
+
+def test_exactly_one_answer_counts():
+    payload = payload_of(1)
+    assert verdict_on([payload], [canonical(1)], 0.0).passed
+    assert verdict_on([payload, payload], [canonical(1)], 0.0).calls is None
+    assert verdict_on([], [canonical(1)], 0.0).calls is None
+
+
+def test_a_right_answer_of_a_cell_that_failed_does_not_pass():
+    run = CaseRun(verdict=verdict_on([payload_of(1)], [canonical(1)], 0.0))
+    assert run.passed
+    run.check.error = ("ValueError", "")
+    assert not run.passed
+    run.check.error, run.check.ended = ("", ""), "time"
+    assert not run.passed

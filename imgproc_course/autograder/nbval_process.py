@@ -1,0 +1,233 @@
+"""The nbval processes: each thread that grades keeps one, and sends it one submission after another.
+
+An nbval process is a pytest with nbval and `nbval_plugin`. It is started so that nothing on this machine and
+nothing in a submission can configure it. It never runs learners' code: kernels do (`sandbox`).
+"""
+
+import atexit
+import contextlib
+import json
+import os
+import select
+import socket
+import subprocess
+import sys
+import tempfile
+import threading
+import time
+from dataclasses import asdict
+from pathlib import Path
+
+from imgproc_course.autograder.answer_key import load_key
+from imgproc_course.autograder.results import from_json
+from imgproc_course.autograder.sandbox import bubblewrap
+from imgproc_course.autograder.sandbox.bubblewrap import Limits, SandboxError
+
+SOCKET_VARIABLE = "IMGPROC_NBVAL_SOCKET"  # environment variable with the descriptor of the socket
+_START_SECONDS = 120
+_SEND_SECONDS = 60
+_BLOCKED_PLUGINS = ("cacheprovider", "logging", "warnings", "doctest", "junitxml", "faulthandler")
+_PLUGINS = (
+    "imgproc_course.autograder.blocked_imports",  # first, so that nbval does not import what it blocks
+    "nbval.plugin",
+    "imgproc_course.autograder.nbval_plugin",
+)
+
+_of_thread = threading.local()
+_running = {}
+_lock = threading.Lock()
+
+
+class NbvalProcessEnded(Exception):
+    """The process ended or does not answer; start another one."""
+
+
+def nbval_process_of_thread(key_path, digest, kernel, unsafe, limits):
+    """This thread's NbvalProcess for that key and those options; one for others is stopped.
+
+    Parameters
+    ----------
+    key_path : Path of the key's folder
+    digest : str, the digest that the key must have, or None for any
+    kernel, unsafe, limits : as `autograde` takes them
+
+    Raises
+    ------
+    SandboxError, KeyFolderError, ValueError : see `NbvalProcess`
+    """
+    options = (str(key_path), digest, kernel, unsafe, limits)
+    process = getattr(_of_thread, "process", None)
+    if process is None or process.options != options or not process.is_alive:
+        if process is not None:
+            process.stop()
+        process = _of_thread.process = NbvalProcess(*options)
+    return process
+
+
+def stop_nbval_processes(thread_prefix=""):
+    """Stop this Python process's nbval processes, or those of threads whose names begin with the prefix.
+
+    The next submission starts others.
+    """
+    with _lock:
+        processes = [process for process in _running.values() if process.thread.startswith(thread_prefix)]
+    for process in processes:
+        process.close_connection()
+    for process in processes:
+        process.stop()
+
+
+atexit.register(stop_nbval_processes)
+
+
+class NbvalProcess:
+    """One nbval process, and the socket to it.
+
+    Raises
+    ------
+    SandboxError : there is no sandbox, or the process does not start
+    KeyFolderError : there is no key
+    ValueError : the key is not the one that is expected
+    """
+
+    def __init__(self, key_path, digest, kernel, unsafe, limits):
+        self.options = (key_path, digest, kernel, unsafe, limits)
+        self.thread = threading.current_thread().name
+        self._key = load_key(key_path)
+        if digest is not None and self._key.digest != digest:
+            raise ValueError(f"{key_path}: this is another key than the one that grading began with")
+        if not unsafe:
+            bubblewrap.require_sandbox()
+        self._limits = limits or Limits()
+        self._folder = tempfile.TemporaryDirectory(prefix="nbval-")
+        folder = Path(self._folder.name)
+        (folder / "pytest.ini").write_text("[pytest]\n", encoding="utf-8")
+        (folder / "work").mkdir()
+        self._errors, self._last_errors = (folder / "errors").open("w+b"), ""
+        our_end, process_end = socket.socketpair()
+        self._socket, self._buffer = our_end, b""
+        with process_end:
+            self._process = self._start(folder, process_end)
+        self.is_alive = True
+        with _lock:
+            _running[id(self)] = self
+        settings = {
+            "key": key_path,
+            "kernel": kernel,
+            "unsafe": unsafe,
+            "limits": asdict(limits) if limits else None,
+            "folder": str(folder / "work"),
+        }
+        try:
+            self._send(settings)
+            self._receive(_START_SECONDS)
+        except NbvalProcessEnded as error:
+            raise SandboxError(f"the nbval process did not start: {self._last_errors}") from error
+
+    def _start(self, folder, connection):
+        command = [sys.executable, "-I", "-m", "pytest", "-c", str(folder / "pytest.ini")]
+        command += ["--rootdir", str(folder), "--noconftest", "--color=no", "-q", "-s"]
+        for name in _BLOCKED_PLUGINS:
+            command += ["-p", f"no:{name}"]
+        for name in _PLUGINS:
+            command += ["-p", name]
+        command += ["--nbval", str(folder / "work")]
+        inherited = ("PATH", "LANG", "TMPDIR", "HOME")
+        environment = {name: os.environ[name] for name in inherited if name in os.environ}
+        environment |= {
+            "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
+            "OPENBLAS_NUM_THREADS": "1",
+            SOCKET_VARIABLE: str(connection.fileno()),
+        }
+        return subprocess.Popen(
+            command,
+            cwd=folder,
+            env=environment,
+            stdin=subprocess.DEVNULL,
+            stdout=subprocess.DEVNULL,
+            stderr=self._errors,
+            pass_fds=[connection.fileno()],
+            start_new_session=True,
+        )
+
+    def grade(self, name, lesson, answers):
+        """Grade one submission.
+
+        Parameters
+        ----------
+        name, lesson, answers : as `autograde` takes them
+
+        Returns
+        -------
+        GradedSubmission
+
+        Raises
+        ------
+        NbvalProcessEnded : it ended, or it is stuck
+        """
+        self._send({"submission": name, "lesson": lesson, "answers": answers})
+        return from_json(self._receive(self._patience(lesson)))
+
+    def _patience(self, lesson):
+        """Seconds after which the process itself must be stuck: twice what all its kernels may take."""
+        deadlines = [
+            self._limits.deadline(exercise.time_limit * case.calls) + 10
+            for exercise in self._key.lessons[lesson].exercises
+            for case in exercise.cases
+        ]
+        return 60 + 2 * sum(deadlines)
+
+    def _send(self, message):
+        try:
+            self._socket.settimeout(_SEND_SECONDS)
+            self._socket.sendall((json.dumps(message) + "\n").encode("ascii"))
+        except OSError as error:
+            self.stop()
+            raise NbvalProcessEnded from error
+
+    def _receive(self, patience):
+        deadline = time.monotonic() + patience
+        poll = select.poll()
+        poll.register(self._socket, select.POLLIN)
+        while b"\n" not in self._buffer:
+            data = b""
+            if poll.poll(max(0.0, deadline - time.monotonic()) * 1000):
+                with contextlib.suppress(OSError):
+                    data = self._socket.recv(1 << 20)
+            if not data:
+                self.stop(wait=False)
+                raise NbvalProcessEnded
+            self._buffer += data
+        line, _, self._buffer = self._buffer.partition(b"\n")
+        return json.loads(line)
+
+    def close_connection(self):
+        """Tell the process that no more submissions come, without waiting for its end."""
+        with contextlib.suppress(OSError):
+            self._socket.shutdown(socket.SHUT_RDWR)
+
+    def stop(self, *, wait=True):
+        """End the process, and with it its fork server.
+
+        Parameters
+        ----------
+        wait : bool, give it five seconds to end by itself
+        """
+        if not self.is_alive:
+            return
+        self.is_alive = False
+        with _lock:
+            _running.pop(id(self), None)
+        self._socket.close()
+        if wait:
+            with contextlib.suppress(subprocess.TimeoutExpired):
+                self._process.wait(5)
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(self._process.pid, 9)
+        self._process.wait()
+        self._errors.seek(0)
+        errors = self._errors.read().decode(errors="replace").strip().splitlines()
+        self._last_errors = " | ".join(errors[-3:])[:500]
+        self._errors.close()
+        with contextlib.suppress(OSError):
+            self._folder.cleanup()

@@ -1,0 +1,105 @@
+"""How a test case can end, and the texts that belong to each outcome: the only such table."""
+
+from dataclasses import dataclass
+from enum import StrEnum
+
+
+class Outcome(StrEnum):
+    """How one test case of a submission ended. The values are what grades.json holds.
+
+    PASSED           the function returned what the key expects
+    WRONG            it returned something else, or it changed its input
+    RAISED           an exception, of the function or of the cell that should define it
+    NOT_ATTEMPTED    the answer is still the stub, or it raises NotImplementedError
+    MISSING          there is no answer cell, or it does not define the function
+    REFUSED_MODULE   the answer uses a module that the exercise refuses
+    TIME, MEMORY, OUTPUT   it used more than an answer may use
+    CRASHED          the kernel's process ended
+    HOSTILE          the kernel sent something that our check cells cannot have shown
+    NOT_GRADED       the autograder itself failed: a teacher must look
+    """
+
+    PASSED = "passed"
+    WRONG = "wrong"
+    RAISED = "raised"
+    NOT_ATTEMPTED = "not attempted"
+    MISSING = "missing"
+    REFUSED_MODULE = "refused module"
+    TIME = "time"
+    MEMORY = "memory"
+    OUTPUT = "output"
+    CRASHED = "crashed"
+    HOSTILE = "hostile"
+    NOT_GRADED = "not graded"
+
+
+@dataclass(frozen=True)
+class OutcomeTexts:
+    """The texts of one outcome.
+
+    label            a few words beside the case's title on a page
+    message          the case's message if the kernel was ended like this; "" if the message depends on the
+                     answer
+    advice           for the learner, if every case of an exercise ended like this: no input is the cause
+                     then, and no case's hint helps; "" if there is no such advice
+    shows_values     whether a page shows the failed call's values
+    needs_attention  whether the teacher's page lists it
+    """
+
+    label: str
+    message: str = ""
+    advice: str = ""
+    shows_values: bool = True
+    needs_attention: bool = False
+
+
+TEXTS = {
+    Outcome.PASSED: OutcomeTexts("passed"),
+    Outcome.WRONG: OutcomeTexts("returns another value"),
+    Outcome.RAISED: OutcomeTexts("raised an exception"),
+    Outcome.NOT_ATTEMPTED: OutcomeTexts("not attempted", shows_values=False),
+    Outcome.MISSING: OutcomeTexts(
+        "the function is missing",
+        advice="The autograder reads the lesson's own answer cell only. Take a fresh copy of the lesson,"
+        " write your function there, and run `imgproc-course check` on it before you submit it.",
+        shows_values=False,
+    ),
+    Outcome.REFUSED_MODULE: OutcomeTexts(
+        "uses a module that this exercise refuses",
+        advice="The task is to write it by hand, without the modules that the exercise refuses.",
+        shows_values=False,
+        needs_attention=True,
+    ),
+    Outcome.TIME: OutcomeTexts(
+        "did not finish in time",
+        message="it did not finish in time",
+        advice="It does not finish in time, whatever its input is. Is there a loop whose condition stays"
+        " true, or a loop that visits every pixel again for each pixel?",
+    ),
+    Outcome.MEMORY: OutcomeTexts(
+        "needed too much memory",
+        message="it used more memory than an answer may use",
+        advice="It needs too much memory, whatever its input is. What grows with every turn of a loop?",
+        needs_attention=True,
+    ),
+    Outcome.OUTPUT: OutcomeTexts(
+        "printed too much",
+        message="it printed more than the autograder reads",
+        advice="Remove the print calls from your function.",
+        needs_attention=True,
+    ),
+    Outcome.CRASHED: OutcomeTexts(
+        "ended the Python process",
+        message="it ended its process",
+        advice="Nothing in your function may end Python: no exit(), no quit(), no os._exit().",
+        needs_attention=True,
+    ),
+    Outcome.HOSTILE: OutcomeTexts(
+        "sent something that no answer sends",
+        message="it sent something that is not a message of a notebook's kernel",
+        needs_attention=True,
+    ),
+    Outcome.NOT_GRADED: OutcomeTexts(
+        "could not be graded; your teacher will look at it", needs_attention=True
+    ),
+}

@@ -1,0 +1,9 @@
+"""Replaces `imgproc_course.exercises` inside the sandbox, because an answer cell may import from it."""
+
+
+def check(exercise_id, function):
+    """Do nothing: the autograder has check cells of its own."""
+
+
+def exercise(*_arguments, **_keywords):
+    """Do nothing: the declaration was read from the master."""

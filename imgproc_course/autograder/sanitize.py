@@ -1,0 +1,57 @@
+"""Make text that a learner wrote safe to read in a terminal, on a page and in a table.
+
+One rule holds everywhere: a character that a reader would not see is escaped. It is never dropped, because a
+hidden character may be the very thing that the reader must know. HTML is escaped where HTML is written.
+"""
+
+_FORMULA_STARTS = ("=", "+", "-", "@", "\uff1d", "\uff0b", "\uff0d", "\uff20")
+
+
+def sanitize_text(text, max_length=300):
+    """Shorten a text and make its invisible characters visible.
+
+    Control characters (the start of a terminal's escape sequence too), lone surrogates and marks that change
+    the direction of writing become `\\u202e` and the like. Line ends and tabs stay.
+
+    Parameters
+    ----------
+    text : str
+    max_length : int, number of characters that are kept before escaping
+
+    Returns
+    -------
+    str, printable, can be encoded as UTF-8
+    """
+    text = text if len(text) <= max_length else text[: max_length - 1] + "…"
+    return "".join(
+        character if character in "\n\t" or character.isprintable() else _escape(character)
+        for character in text
+    )
+
+
+def sanitize_line(text, max_length=300):
+    """Do the same as `sanitize_text`, and escape line ends and tabs too: the result is one line."""
+    return sanitize_text(text, max_length).replace("\n", "\\n").replace("\t", "\\t")
+
+
+def spreadsheet_text(value):
+    """One line that no spreadsheet takes for a formula: an apostrophe precedes a line that looks like one.
+
+    Parameters
+    ----------
+    value : str, or a number, which is returned unchanged
+
+    Returns
+    -------
+    str or the number
+    """
+    if isinstance(value, (int, float)):
+        return value
+    line = sanitize_line(value, 2000)
+    looks_like_formula = line.lstrip(" '\"").startswith(_FORMULA_STARTS)
+    return f"'{line}" if looks_like_formula or value.startswith(("\t", "\r", "\n")) else line
+
+
+def _escape(character):
+    code = ord(character)
+    return f"\\u{code:04x}" if code < 0x10000 else f"\\U{code:08x}"
