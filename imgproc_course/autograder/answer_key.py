@@ -275,7 +275,7 @@ def _agrees(mistake_calls, calls, cases):
         if answer is None or len(answer) != len(mistake):
             return False
         if not all(
-            call.like(mistake_call, case.tolerance)
+            call.matches(mistake_call, case.tolerance)
             for call, mistake_call in zip(answer, mistake, strict=True)
         ):
             return False
