@@ -42,7 +42,7 @@ def test_a_key_without_a_seed_keeps_one_and_makes_the_same_key_again(run, tmp_pa
     assert len(seed) == 32 and (tmp_path / "k.seed").stat().st_mode & 0o777 == 0o600
     first = load_key(tmp_path / "k").digest
     refused = run("key", "21", "--masters", MASTERS, "--out", "k")
-    assert refused.exit_code == 1 and "there is something already" in refused.output
+    assert refused.exit_code == 1 and "it exists already" in refused.output
     assert load_key(tmp_path / "k").digest == first
     assert run("key", "21", "--masters", MASTERS, "--out", "k", "--force").exit_code == 0
     assert load_key(tmp_path / "k").digest == first
@@ -69,7 +69,7 @@ def test_masters_of_ones_own_are_found_by_the_variable(run, tmp_path, monkeypatc
     assert "Key of 1 lessons" in run("key", "21", "--out", "k", "--seed", "x").output
     monkeypatch.setenv("IMGPROC_COURSE_MASTERS", str(tmp_path / "nowhere"))
     wrong = run("key", "--out", "k2", "--seed", "x")
-    assert wrong.exit_code == 1 and "which is no folder" in wrong.output
+    assert wrong.exit_code == 1 and "which is not a folder" in wrong.output
     assert "no masters in" in run("key", "--masters", tmp_path, "--out", "k2", "--seed", "x").output
 
 
