@@ -6,7 +6,7 @@ import pytest
 from form_attacks import MALFORMED
 from submissions import answers_of, cell_of, notebook
 
-from imgproc_course.autograder.nbval_plugin import LONGEST
+from imgproc_course.autograder.screening import MAX_ANSWER
 from imgproc_course.gradebook.submission import AnswerState, NotebookReader, read_submission
 from imgproc_course.gradebook.submission_reader import MOST_CHARACTERS, UnreadableError, read_notebook
 
@@ -267,7 +267,7 @@ def test_lone_surrogates_pass_through_as_data(read, made):
 
 def test_a_huge_source_is_cut_and_still_too_long_for_grading(read, made):
     cell_of(made, DOUBLE)["source"] = "#" * 3_000_000
-    assert len(read(made).answers["light-double"]) == MOST_CHARACTERS + 1 == LONGEST + 1
+    assert len(read(made).answers["light-double"]) == MOST_CHARACTERS + 1 == MAX_ANSWER + 1
 
 
 def test_a_byte_order_mark_is_no_mistake(read, made, light):
