@@ -21,7 +21,7 @@ from imgproc_course.display.screen import Screen, describe_error
 MAX_RATE = 30  # frames per second: enough for a camera on a screen, and the browser must keep up
 PING_INTERVAL = 0.5  # seconds between two pings to the browser
 LATE = 0.3  # seconds; a later reply means that a queue has formed
-GONE = 10  # seconds without a reply after which no browser seems to be there
+NO_BROWSER_AFTER = 10  # seconds without a reply
 WITHOUT_REPLY, WITHOUT_BROWSER = (
     0.2,
     1.0,
@@ -330,7 +330,7 @@ class _Pacer:
         if not self._reply_time:
             return WITHOUT_BROWSER
         silence = time.monotonic() - self._ping_time if self._is_waiting() else 0
-        if silence > GONE:
+        if silence > NO_BROWSER_AFTER:
             return WITHOUT_BROWSER
         return max(self._interval, WITHOUT_REPLY) if silence > 1 else self._interval
 

@@ -15,7 +15,7 @@ from imgproc_course.display.figures import check_image, to_rgb
 GAP = 6
 WIDTH, WIDTH_OF_SEVERAL, HIGHEST = 640, 960, 480
 QUALITY = 80
-HERE = Path(__file__).parent
+DISPLAY_FOLDER = Path(__file__).parent
 
 
 class NamedImage(widgets.Image):
@@ -179,7 +179,11 @@ def describe_error(error, function):
 
 def _is_learners(filename):
     path = Path(filename)
-    return path.parent != HERE and "site-packages" not in path.parts and not filename.startswith("<frozen")
+    return (
+        path.parent != DISPLAY_FOLDER
+        and "site-packages" not in path.parts
+        and not filename.startswith("<frozen")
+    )
 
 
 def _name(function):

@@ -8,7 +8,7 @@
 # %% [markdown]
 # # 00 · Start here
 #
-# A small robot drives through a living room. Its camera is 20 cm above the floor and takes ten images per second. One image of such a stream is called a *frame*. The robot publishes every frame on a ROS 2 *topic*: a named channel to which any program can subscribe. Its name is `/kachaka/front_camera/image_raw`.
+# A small robot drives through a living room. Its camera is 20 cm above the floor and takes ten images per second. One image of such a stream is called a *frame*. The robot publishes every frame on a ROS 2 *topic*: a named stream of messages to which any program can subscribe. The name of this topic is `/kachaka/front_camera/image_raw`.
 #
 # In a quarter of an hour these frames arrive in this notebook, and your own function processes each of them. You need no robot: the drive is a recording (rendered for this course), and everything else is real ROS 2.
 #
@@ -105,7 +105,7 @@ print("shape:", received.shape, "  dtype:", received.dtype)
 assert received.shape == frame.shape and received.dtype == frame.dtype
 
 # %% [markdown]
-# This frame went through every step: it was read from the recording, converted to a *message* (the data that a topic carries), sent through the same middleware as on a robot, received, and converted back to an array. The *middleware* is the software that carries messages from one program to another.
+# This frame went through every step: it was read from the recording, converted to a *message* (one unit of data on a topic), sent through the same middleware as on a robot, received, and converted back to an array. The *middleware* is the software that carries messages from one program to another.
 #
 # **Look.** Here are the frames live. Move the slider while the view runs: the view calls the function below for every frame, with the slider's value.
 

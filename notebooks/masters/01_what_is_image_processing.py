@@ -8,7 +8,7 @@
 # %% [markdown]
 # # 01 · What is image processing?
 #
-# A camera gives a robot 2.8 million numbers, ten times per second. None of them says "floor", "person" or "stop". Image processing improves these images, and extracts information from them that the robot can use.
+# A camera gives a robot 2.8 million numbers, ten times per second. None of them says "floor", "person" or "stop". Image processing improves such images, or extracts information from them that the robot can use.
 #
 # **You will be able to**
 # - say what a home robot uses images for, with an example of each use,
@@ -163,7 +163,7 @@ print(f"white {white:.2%}, black {black:.2%}, together {white + black:.2%}")
 assert white + black < 0.01
 
 # %% [markdown]
-# Fewer than one pixel in a hundred is fully white or black: a gray image has up to 256 intensities (gray levels). **Repair it**: to get two values from 256, choose a *threshold*, and compare every pixel with it. That is the next operation.
+# Less than 1 % of the pixels are fully white or black: a gray image has up to 256 intensities (gray levels). **Repair it**: to get two values from 256, choose a *threshold*, and compare every pixel with it. That is the next operation.
 #
 # ### 7 · Binarization: above or below a threshold (3 minutes)
 
