@@ -37,12 +37,12 @@ class AnswerImage:
         return f"data:image/png;base64,{base64.b64encode(self.png).decode('ascii')}"
 
 
-def answer_images(given, name, expected, actual, wrong):
+def answer_images(argument, name, expected, actual, wrong):
     """The input, the returned and the expected values, and their difference, as images.
 
     Parameters
     ----------
-    given : canonical form of the input, or None to leave it out
+    argument : canonical form of the call's first argument, or None to leave it out
     name : str, the part of the answer: "[1]", or "" for the whole answer
     expected, actual : canonical forms, or None
     wrong : bool array, from `differing_elements`, or None
@@ -51,8 +51,8 @@ def answer_images(given, name, expected, actual, wrong):
     -------
     list of AnswerImage, empty if none of the values is an image
     """
-    given, actual, expected = array_of(given), array_of(actual), array_of(expected)
-    images = [_draw_values("given", given, _limits(given))] if is_image(given) else []
+    argument, actual, expected = array_of(argument), array_of(actual), array_of(expected)
+    images = [_draw_values("given", argument, _limits(argument))] if is_image(argument) else []
     answers = [values for values in (actual, expected) if is_image(values)]
     limits = _limits(*answers) if answers else None
     for label, values in (("returned", actual), ("expected", expected)):

@@ -7,7 +7,6 @@ for byte.
 import html
 import re
 
-from imgproc_course.exercises.answer_images import answer_images, is_image
 from imgproc_course.exercises.canonical import array_of, canonical
 from imgproc_course.exercises.values import answer_parts, describe_value, differing_elements, table_rows
 
@@ -82,8 +81,8 @@ class _LabelledValue:
 def _values(result, call):
     names = [*result.names, *("" for _ in call.arguments)]
     for name, argument in zip(names, call.arguments, strict=False):
-        given = canonical(argument, limit=None)
-        for part_name, form, _ in answer_parts(given, given):
+        argument_form = canonical(argument, limit=None)
+        for part_name, form, _ in answer_parts(argument_form, argument_form):
             yield _LabelledValue(f"given {name}{part_name}", form)
     if call.result.finished and call.difference is not None:
         for part_name, expected, actual in _answer_parts(call):
@@ -267,13 +266,16 @@ def _table(rows):
 
 def _figures(call):
     """The images of the first part of the answer that is a wrong image; "" if there is none."""
+    # Here, because it imports Pillow: the processes that grade import this package, and draw nothing.
+    from imgproc_course.exercises.answer_images import answer_images, is_image
+
     if not call.result.finished:
         return ""
     for part_name, expected, actual in _answer_parts(call):
         wrong = differing_elements(expected, actual, call.case.tolerance)
         if wrong is not None and wrong.any() and is_image(array_of(actual)):
-            given = canonical(call.arguments[0], limit=None) if call.arguments else None
-            images = answer_images(given, part_name, expected, actual, wrong)
+            argument_form = canonical(call.arguments[0], limit=None) if call.arguments else None
+            images = answer_images(argument_form, part_name, expected, actual, wrong)
             figures = "".join(map(_figure, images))
             return f'<div style="display: flex; flex-wrap: wrap; gap: 10px; margin: 4px 0">{figures}</div>'
     return ""

@@ -265,14 +265,14 @@ def test_html_is_escaped_and_marks_what_differs(write_master):
 
 
 def test_feedback_is_the_same_each_time():
-    one, other = check("test-double", wraps), check("test-double", wraps)
-    assert repr(one) == repr(other)
-    assert one._repr_html_() == other._repr_html_()
+    first, second = check("test-double", wraps), check("test-double", wraps)
+    assert repr(first) == repr(second)
+    assert first._repr_html_() == second._repr_html_()
 
 
 def test_large_arrays_are_drawn_with_the_first_differing_pixel_named():
-    declared = find_exercise("test-double")
-    result = run_cases(declared, wraps, cases=declared.hidden)
+    exercise = find_exercise("test-double")
+    result = run_cases(exercise, wraps, cases=exercise.hidden)
     html = result._repr_html_()
     assert 'src="data:image/png;base64,' in html
     *_, alt = re.findall(r'alt="([^"]*)"', html)
@@ -283,9 +283,9 @@ def test_large_arrays_are_drawn_with_the_first_differing_pixel_named():
 
 
 def test_hidden_cases_draw_from_another_seed():
-    declared = find_exercise("test-double")
-    public = run_cases(declared, wraps, cases=declared.hidden).results[0].failed_call.arguments[0]
-    secret = run_cases(declared, wraps, cases=declared.hidden, seed=99).results[0].failed_call.arguments[0]
+    exercise = find_exercise("test-double")
+    public = run_cases(exercise, wraps, cases=exercise.hidden).results[0].failed_call.arguments[0]
+    secret = run_cases(exercise, wraps, cases=exercise.hidden, seed=99).results[0].failed_call.arguments[0]
     assert not np.array_equal(public, secret)
 
 
