@@ -8,13 +8,13 @@
 # %% [markdown]
 # # 09 · ROS 2 packages
 #
-# A node in a notebook ends with the notebook. On a robot, nodes live in *packages*: folders of a fixed form that can be built, installed and started by name. Here you build the lesson's two, `image_gray_processor` and `image_edge_detection`, and run them beside this notebook.
+# A node in a notebook ends with the notebook. On a robot, nodes belong to *packages*: folders with a fixed structure that can be built, installed and started by name. Here you build two packages, `image_gray_processor` and `image_edge_detection`, and run their nodes beside this notebook.
 #
 # **You will be able to**
-# - say what each file of an `ament_python` package is for,
-# - build a workspace with colcon, source it, and start a node by its package's name,
-# - recognise two classic failures: a workspace that is not sourced, and a rosdep key that is none,
-# - say what changes on the real robot.
+# - explain each file of an `ament_python` package,
+# - build a workspace with colcon, source it, and start a node by the name of its package,
+# - recognise two common failures: a workspace that is not sourced, and a name that rosdep does not know,
+# - explain what changes on the real robot.
 #
 # **Time** about 50 minutes. **You need** lessons 04 and 08. Building works wherever this notebook runs; running the nodes needs ROS 2.
 
@@ -38,13 +38,13 @@ from imgproc_course.ros import ImageSubscriber, open_camera, ros_available
 # %% [markdown]
 # ## 1 · What is in a package (8 minutes)
 #
-# With a full ROS 2 installation one command lays out a new package:
+# With a full ROS 2 installation, one command creates the files of a new package:
 #
 # ```sh
 # ros2 pkg create --build-type ament_python --node-name image_gray_processor image_gray_processor
 # ```
 #
-# The course brings both packages laid out and filled in. Copy them into a workspace of your own, beside this notebook, and look:
+# The course contains both packages, with all files written. A *workspace* is a folder that contains packages. Copy the two into your own workspace, beside this notebook, and list the files:
 
 # %% tags=["nbval-ignore-output"]
 workspace = Path("ros2_ws").absolute()
@@ -59,13 +59,13 @@ assert {"package.xml", "setup.py", "setup.cfg", "resource/image_gray_processor"}
 # %% [markdown]
 # | file | what it is for |
 # |---|---|
-# | `package.xml` | name, version, licence, and what the package needs: as *rosdep keys*, not as names of pip |
+# | `package.xml` | name, version, licence, and the dependencies, as *rosdep keys* and not as pip names |
 # | `setup.py` | which modules are installed, and which *executable* calls which function (`console_scripts`) |
-# | `setup.cfg` | puts the executables where `ros2 run` looks: `lib/<package>` |
-# | `resource/image_gray_processor` | an empty file: the *marker* by which ROS finds the package |
+# | `setup.cfg` | installs the executables into `lib/<package>`, where `ros2 run` looks for them |
+# | `resource/image_gray_processor` | an empty file, the *marker* by which ROS finds the package |
 # | `image_gray_processor/image_gray_processor.py` | the node |
-# | `launch/…launch.py` | starts the node with a topic and parameters of your choice |
-# | `test/` | the node's function, tested without ROS |
+# | `launch/…launch.py` | the *launch file*: it starts the node with the topic and the parameters that you choose |
+# | `test/` | a test of the node's function, without ROS |
 
 # %%
 code = (package / "image_gray_processor" / "image_gray_processor.py").read_text(encoding="utf-8")
@@ -74,18 +74,18 @@ print(code)
 assert "cv2.cvtColor" in code and "ImageProcessor" in code
 
 # %% [markdown]
-# Only this: a function, and `ImageProcessor` around it, as in lesson 04. A robot has no time to lose, so the function calls OpenCV. That its gray is the one that you computed by hand in lesson 03 is checked in section 5.
+# The whole node is a function with an `ImageProcessor` around it, as in lesson 04. On a robot, speed matters, so the function calls OpenCV. Section 5 checks that its result is the same gray image that you computed by hand in lesson 03.
 #
-# ## 2 · Planned failure: a key that is none (5 minutes)
+# ## 2 · Planned failure: a name that rosdep does not know (5 minutes)
 #
-# On a robot, `rosdep install` reads `package.xml` and installs what is needed, on every Linux in its own way. It knows things by *keys*. Many a tutorial writes `<exec_depend>opencv-python</exec_depend>`, the name that pip uses. **Predict** what rosdep answers.
+# On a robot, `rosdep install` reads `package.xml` and installs the dependencies, with the package manager of that Linux. It identifies each dependency by a *key*. Many tutorials write `<exec_depend>opencv-python</exec_depend>`, which is the name for pip. **Predict** what rosdep reports.
 #
 # ```
 # ERROR: the following packages/stacks could not have their rosdep keys resolved
 # to system dependencies: image_gray_processor: Cannot locate rosdep definition for [opencv-python]
 # ```
 #
-# **Repair it**: OpenCV's key is `python3-opencv`. Read what our package says:
+# **Repair it**: the key of OpenCV is `python3-opencv`. Read the keys of our package:
 
 # %%
 import xml.etree.ElementTree as ET
@@ -97,59 +97,61 @@ print(keys)
 assert "python3-opencv" in keys and "opencv-python" not in keys
 
 # %% [markdown]
-# `imgproc_course`, the course's own package, has no rosdep key. It is in the Python that builds and runs the nodes: here, the one of this notebook.
+# `imgproc_course`, the course's own package, has no rosdep key. It must be installed in the Python that builds and runs the nodes. Here this is the Python of this notebook.
 #
 # ## 3 · Build (6 minutes)
 #
-# `colcon` finds the packages under `src` and installs them into `install`. In a terminal (**File → New → Terminal**) you would write `cd ros2_ws` and `python -m colcon build`. A cell can do the same. It takes some seconds.
+# `colcon` finds the packages in `src`, builds them, and installs them into `install`. In a terminal (**File → New → Terminal**) you would type `cd ros2_ws` and `python -m colcon build`. A cell can do the same. It takes some seconds.
 
 # %% tags=["nbval-ignore-output"]
 colcon = [sys.executable, "-m", "colcon", "build"]  # the nodes will run in the Python that builds them
-built = subprocess.run(colcon, cwd=workspace, capture_output=True, text=True)
-finished = [line for line in built.stdout.splitlines() if line.startswith("Finished")]
-print("\n".join(finished) or built.stderr)
-assert built.returncode == 0 and len(finished) == 2
+build = subprocess.run(colcon, cwd=workspace, capture_output=True, text=True)
+finished = [line for line in build.stdout.splitlines() if line.startswith("Finished")]
+print("\n".join(finished) or build.stderr)
+assert build.returncode == 0 and len(finished) == 2
 
 # %% [markdown]
 # ## 4 · Planned failure: not sourced (6 minutes)
 #
-# The packages are built. **Predict**: does ROS find them now?
+# The packages are built. **Predict**: can ROS find them now?
 
 # %%
-ask = "from ament_index_python import get_package_prefix as prefix; print(prefix('image_gray_processor'))"
+find_prefix = "from ament_index_python import get_package_prefix as find; print(find('image_gray_processor'))"
 
 
-def ask_ros(environment):
-    answer = subprocess.run([sys.executable, "-c", ask], env=environment, capture_output=True, text=True)
-    return answer.stdout.strip() or answer.stderr.strip().splitlines()[-1]
+def package_prefix(environment):
+    search = subprocess.run([sys.executable, "-c", find_prefix], env=environment, capture_output=True, text=True)
+    return search.stdout.strip() or search.stderr.strip().splitlines()[-1]
 
 
 if ros_available():
-    answer = ask_ros({**os.environ, "AMENT_PREFIX_PATH": "/nowhere"})  # as in a terminal that sourced nothing
-    print(answer)
-    assert "PackageNotFoundError" in answer
+    message = package_prefix({**os.environ, "AMENT_PREFIX_PATH": "/nowhere"})  # a terminal without sourcing
+    print(message)
+    assert "PackageNotFoundError" in message
 
 # %% [markdown]
-# With `ros2 run` the same failure reads *Package 'image_gray_processor' not found*. ROS looks in the folders that the environment variable `AMENT_PREFIX_PATH` names, and nobody has named ours. **Repair it**: `source install/setup.bash`. It must be done in *every* terminal that is to know the packages. A cell cannot source for itself, so it asks bash for the environment as it is afterwards:
+# With `ros2 run`, the message for the same failure is *Package 'image_gray_processor' not found*. ROS searches the folders in the environment variable `AMENT_PREFIX_PATH`, and our folder is not among them.
+#
+# **Repair it**: type `source install/setup.bash`. This adds your workspace to the variable. Your workspace is then an *overlay* on the ROS installation, the *underlay*: ROS searches the overlay first. You must source it in *every* terminal that uses the packages. A cell cannot source a file, so it starts bash, which sources the file and prints its environment:
 
 # %% tags=["nbval-ignore-output"]
-sourced = subprocess.run(
+bash = subprocess.run(
     ["bash", "-c", "source install/setup.bash && env -0"], cwd=workspace, capture_output=True, check=True
 )
-entries = sourced.stdout.decode().split("\0")
+entries = bash.stdout.decode().split("\0")
 environment = dict(entry.split("=", 1) for entry in entries if "=" in entry)
 assert str(workspace / "install" / "image_gray_processor") in environment["AMENT_PREFIX_PATH"]
 
 # %%
 if ros_available():
-    prefix = Path(ask_ros(environment))
+    prefix = Path(package_prefix(environment))
     print("found:", prefix.relative_to(workspace))
     assert prefix == workspace / "install" / "image_gray_processor"
 
 # %% [markdown]
 # ## 5 · Run (8 minutes)
 #
-# What `ros2 run PACKAGE EXECUTABLE` does is not much: it looks the prefix up, as you just did, and starts the file `lib/PACKAGE/EXECUTABLE` in it. So can we:
+# `ros2 run PACKAGE EXECUTABLE` does two things: it finds the folder of the package, as you just did, and starts the file `lib/PACKAGE/EXECUTABLE` in it. We can do the same:
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
@@ -157,63 +159,69 @@ if ros_available():
     executable = prefix / "lib" / "image_gray_processor" / "image_gray_processor"
     node = subprocess.Popen([executable], env=environment, text=True,
                             stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
-    gray_pictures = ImageSubscriber("/image_gray_processor/gray", encoding="mono8")
-    gray = gray_pictures.wait(timeout=30)
+    gray_images = ImageSubscriber("/image_gray_processor/gray", encoding="mono8")
+    gray = gray_images.wait(timeout=30)
     print("from another process:", gray.shape, gray.dtype)
     assert gray.shape == (720, 1280) and gray.dtype == np.uint8
 
 # %% [markdown]
-# The picture came from another program, through ROS. **Look** at it live:
+# The image came from another process, through ROS. **Look** at it live:
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
-    view = live_view(gray_pictures, encoding="mono8", caption="Gray, computed in another process.",
+    view = live_view(gray_images, encoding="mono8", caption="Gray, computed in another process.",
                      alt="The living room in gray, live, while the robot drives.")
     assert node.poll() is None  # the node is still running
 
 # %% [markdown]
-# And **check**: is OpenCV's gray, computed over there, the same as the one by hand, on every pixel? The node copies the header, so its picture and the camera's carry the same time: we can find the two that belong together.
+# And **check**: is OpenCV's gray, computed in the other process, the same as the gray computed by hand, on every pixel? The node copies the header, so its image has the same stamp as the camera's image. By the stamp we find the two images that belong together.
 
 # %% tags=["nbval-ignore-output", "long"]
 import time
 
 
-def keep_in(kept):
-    return lambda frame, msg: kept.update({(msg.header.stamp.sec, msg.header.stamp.nanosec): frame})
+def store_in(frames):
+    return lambda frame, msg: frames.update({(msg.header.stamp.sec, msg.header.stamp.nanosec): frame})
 
 
 if ros_available():
-    colours, grays = {}, {}
-    listeners = [
-        ImageSubscriber(camera.topic, keep_in(colours)),
-        ImageSubscriber("/image_gray_processor/gray", keep_in(grays), encoding="mono8"),
+    color_frames, gray_frames = {}, {}
+    subscribers = [
+        ImageSubscriber(camera.topic, store_in(color_frames)),
+        ImageSubscriber("/image_gray_processor/gray", store_in(gray_frames), encoding="mono8"),
     ]
-    started = time.monotonic()
-    while len(colours.keys() & grays.keys()) < 3 and time.monotonic() < started + 20:
+    end = time.monotonic() + 20
+    while len(color_frames.keys() & gray_frames.keys()) < 3 and time.monotonic() < end:
         time.sleep(0.1)
-    for listener in listeners:
-        listener.stop()
-    both = colours.keys() & grays.keys()
-    different = sum(int((to_gray(colours[stamp]) != grays[stamp]).sum()) for stamp in both)
-    print(len(both), "pictures compared; pixels that differ:", different)
+    for subscriber in subscribers:
+        subscriber.stop()
+    stamps = color_frames.keys() & gray_frames.keys()
+    different = sum(int((to_gray(color_frames[stamp]) != gray_frames[stamp]).sum()) for stamp in stamps)
+    print(len(stamps), "images compared; pixels that differ:", different)
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
     import signal
 
-    assert len(both) >= 3 and different == 0
+    assert len(stamps) >= 3 and different == 0
     view.stop()
     node.send_signal(signal.SIGINT)  # Ctrl-C
-    said, _ = node.communicate(timeout=20)
-    print(said.strip().splitlines()[-1])
+    log, _ = node.communicate(timeout=20)
+    print(log.strip().splitlines()[-1])
     assert node.returncode == 0
 
 # %% [markdown]
-# The node left cleanly and counted what it did. (*Unheard* are pictures that came while nobody listened to the node: it does not process them.)
+# The node ended cleanly and printed its statistics. (*Ignored* images came while the node had no subscriber. The node does not process them.)
 #
 # ## 6 · Practice: where is the executable? (5 minutes)
 #
-# Write `executable_of(install, package)`: the folder `install` of a workspace and a package's name in, both as text; out, as text, the path of the executable of the same name. It is what `ros2 run` looks for, with `/` between the parts.
+# Write `executable_of(install, package)`. It returns the path that `ros2 run` looks for, when the executable has the same name as its package.
+#
+# | | |
+# |---|---|
+# | Input | `install`: the `install` folder of a workspace, a string; `package`: the name of a package, a string |
+# | Output | the path of the executable, a string with `/` between the parts |
+# | Example call | `executable_of("ros2_ws/install", "image_gray_processor")` |
 
 # %% role="exercise"
 exercise(
@@ -222,7 +230,7 @@ exercise(
     function="executable_of",
     practice=True,
     time_limit=5,
-    hint="install, package, lib, package, executable: and the executable has the package's name.",
+    hint="The parts are: install, package, lib, package, executable. The executable has the name of the package.",
 )
 
 # %% role="answer"
@@ -244,17 +252,17 @@ def inputs(rng):
     return ("/home/robot/ros2_ws/install", "image_edge_detection")
 
 
-# %% role="hidden" title="another package" hint="Is every part taken from the arguments?"
+# %% role="hidden" title="another package" hint="Do you use both arguments for every part of the path?"
 def inputs(rng):
     return ("/opt/ws/install", "front_camera")
 
 
-# %% role="mistake" name="bin instead of lib" says="ROS keeps a package's executables in lib/<package>, not in bin: setup.cfg says so."
+# %% role="mistake" name="bin instead of lib" says="ROS keeps the executables of a package in lib/<package>, not in bin. See setup.cfg."
 def executable_of(install, package):
     return str(Path(install) / package / "bin" / package)
 
 
-# %% role="mistake" name="one folder missing" says="The package's name stands three times: its folder under install, the folder in lib, and the executable."
+# %% role="mistake" name="one folder missing" says="The name of the package occurs three times: the folder in install, the folder in lib, and the executable."
 def executable_of(install, package):
     return str(Path(install) / package / "lib" / package)
 
@@ -262,7 +270,7 @@ def executable_of(install, package):
 # %% [markdown]
 # ## 7 · Practice: run the other one (5 minutes)
 #
-# Now the edge node. Start it with other thresholds by adding parameters to the command: `--ros-args -p low:=30 -p high:=90`. Change the numbers, run the cell again, observe.
+# Now run the edge node. You can set its thresholds with parameters in the command, for example `--ros-args -p low:=30 -p high:=90`. Change the numbers in the cell, run it again, and observe the edges.
 
 # %%
 def stop_all(processes):
@@ -272,33 +280,33 @@ def stop_all(processes):
         process.wait(timeout=20)
 
 
-started_here = []
+running_nodes = []
 
 # %% tags=["nbval-ignore-output", "long"]
 import atexit
 
 if ros_available():
-    stop_all(started_here)  # the node of an earlier run of this cell: two would publish on one topic
+    stop_all(running_nodes)  # the node of the previous run of this cell: two nodes would publish on one topic
     executable = workspace / "install/image_edge_detection/lib/image_edge_detection/image_edge_detection"
     parameters = ["--ros-args", "-p", "low:=50", "-p", "high:=150"]
     edge_node = subprocess.Popen([executable, *parameters], env=environment, stderr=subprocess.DEVNULL)
-    started_here.append(edge_node)
+    running_nodes.append(edge_node)
     atexit.register(edge_node.terminate)
-    edge_pictures = ImageSubscriber("/image_edge_detection/edges", encoding="mono8")
-    edges = edge_pictures.wait(timeout=30)
-    edge_view = live_view(edge_pictures, encoding="mono8", caption="Edges, found in another process.",
+    edge_images = ImageSubscriber("/image_edge_detection/edges", encoding="mono8")
+    edges = edge_images.wait(timeout=30)
+    edge_view = live_view(edge_images, encoding="mono8", caption="Edges, detected in another process.",
                           alt="The living room as white lines on black, live, while the robot drives.")
     assert set(np.unique(edges)) <= {0, 255}
 
 # %% [markdown]
-# When you have seen enough, run the next cell with `enough = True`. Until then the node runs on; it leaves with this notebook's kernel at the latest.
+# To stop the node, run the next cell with `stop_now = True`. Otherwise the node runs until the kernel of this notebook stops.
 
 # %%
-enough = False
-if ros_available() and enough:
+stop_now = False
+if ros_available() and stop_now:
     edge_view.stop()
-    stop_all(started_here)
-    print("the node has left with code", edge_node.returncode)
+    stop_all(running_nodes)
+    print("the node has ended with exit code", edge_node.returncode)
 
 # %% [markdown]
 # ## 8 · On the robot (7 minutes)
@@ -311,18 +319,18 @@ if ros_available() and enough:
 # | `ImageSubscriber(topic).measured_rate` | `ros2 topic hz TOPIC` |
 # | `doctor()` | `ros2 doctor`, `ros2 topic info -v TOPIC` |
 #
-# What changes with a real Kachaka:
+# These things change with a real Kachaka:
 #
-# - **Names.** The camera is `/kachaka/front_camera/image_raw`; a robot started under another name has another prefix. Never write the name into the code: remap it (`-r /kachaka/front_camera/image_raw:=/my_robot/front_camera/image_raw`).
-# - **It is lazy.** Its bridge publishes only while somebody subscribes, and `camera_info` only together with a picture: the topic is listed, and silent.
-# - **Wi-Fi.** 221 Mbit/s of raw pictures do not fit: remap to the topic that ends in `/compressed`; the nodes take it as it is.
-# - **Versions.** The robot's bridge comes for ROS 2 Humble; this course runs Jazzy. Do not mix the two in one graph: run the bridge built for Jazzy.
-# - **Neighbours.** All robots and all laptops of a classroom share domain 0 unless told otherwise. Give each pair its own: `export ROS_DOMAIN_ID=7`.
-# - **The charger.** Its depth camera sends pictures of 0 × 0 pixels there. A node must survive them; yours does.
+# - **Topic names.** The camera's topic is `/kachaka/front_camera/image_raw`. A robot with another name has another prefix. Do not change the name in the code; use *remapping* instead (`-r /kachaka/front_camera/image_raw:=/my_robot/front_camera/image_raw`).
+# - **Silent topics.** The robot's bridge publishes images only while they have a subscriber, and it publishes `camera_info` only together with an image. Without a subscriber, the topic exists, but no messages come.
+# - **Wi-Fi.** 221 Mbit/s of raw images are too much for Wi-Fi. Remap to the topic that ends in `/compressed`. The nodes can read it without a change.
+# - **Versions.** The robot's bridge is made for ROS 2 Humble, and this course uses Jazzy. Do not mix the two in one graph: run a bridge that is built for Jazzy.
+# - **Other robots.** By default, all robots and all laptops of a classroom share domain 0. Give each robot and its laptop their own domain: `export ROS_DOMAIN_ID=7`.
+# - **The charger.** On its charger, the robot's depth camera sends images of 0 × 0 pixels. A node must survive them. Yours does.
 #
 # ## Recap
 #
-# A package is a folder of a fixed form. Build it, source it, run it by name; write rosdep keys and not pip's names; and never write a topic's name into the code.
+# A package is a folder with a fixed structure. Build it, source the workspace, and run the node by name. Write rosdep keys, not pip names. To use another topic, remap it.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
@@ -331,4 +339,4 @@ if ros_available() and enough:
 # | `/image_edge_detection/edges`, `mono8` | (720, 1280) | uint8 | 0 and 255 | no and yes |
 
 # %%
-assert round(720 * 1280 * 3 * 8 * 10 / 1e6) == 221  # Mbit/s, ten raw pictures a second
+assert round(720 * 1280 * 3 * 8 * 10 / 1e6) == 221  # Mbit/s, ten raw images per second
