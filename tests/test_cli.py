@@ -165,7 +165,7 @@ def test_a_camera_that_stopped_on_an_error_fails_the_command(call, monkeypatch):
         ),
         (
             ["--camera-topic", "/back"],
-            "Error: drive holds no pictures on /back, but on: /kachaka/front_camera/",
+            "Error: drive holds no images on /back, but on: /kachaka/front_camera/",
         ),
         (["--speed", "-1"], "Error: speed must be a positive number, got -1.0"),
         (["--topic", "no topic"], "Error: 'no topic' is not a topic name"),

@@ -195,7 +195,7 @@ def _mislabelled(array, stored, info):
 
 
 def _names_of(stored):
-    names = [name for name, known in ENCODINGS.items() if known[1:3] == stored[1:3] and known.color]
+    names = [name for name, info in ENCODINGS.items() if info[1:3] == stored[1:3] and info.color]
     return " or ".join(repr(name) for name in [*names[:2], stored.name])
 
 

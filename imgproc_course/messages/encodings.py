@@ -156,9 +156,9 @@ _OTHER_WORDS = re.compile("gr[ae]y(scale)?|luma|^[yl](?=8|16)")
 
 
 def _nearest(name):
-    folded = {known.casefold(): known for known in ENCODINGS}
+    names = {name.casefold(): name for name in ENCODINGS}
     normalized = _OTHER_WORDS.sub("mono", name[:40].casefold().strip().removesuffix("c"))
-    matches = difflib.get_close_matches(normalized, folded, n=3, cutoff=0.6)
+    matches = difflib.get_close_matches(normalized, names, n=3, cutoff=0.6)
     if matches:
-        return f"did you mean {' or '.join(repr(folded[match]) for match in matches)}?"
+        return f"did you mean {' or '.join(repr(names[match]) for match in matches)}?"
     return "expected a name such as 'bgr8', 'rgb8', 'mono8', '16UC1' or '32FC1' (names are case-sensitive)"

@@ -39,13 +39,13 @@ def decode_image_file(data, described_as):
     ------
     ConversionError : another kind of file, a damaged one, or a header that claims too many pixels
     """
-    known = file_format(data)
-    if known is None:
+    file_kind = file_format(data)
+    if file_kind is None:
         raise ConversionError(_not_an_image(data, described_as))
-    checked = known.check(data)
+    checked = file_kind.check(data)
     pixels = np.frombuffer(data if checked is None else checked, np.uint8)
     try:
-        if known.name == "Sun raster" and is_gray_sun_raster(data):
+        if file_kind.name == "Sun raster" and is_gray_sun_raster(data):
             frame = cv2.imdecode(pixels, cv2.IMREAD_COLOR)  # the one mode in which OpenCV decodes it right
             frame = None if frame is None else frame[..., 0].copy()
         else:

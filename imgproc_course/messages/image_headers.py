@@ -33,9 +33,9 @@ class FileFormat(NamedTuple):
 def file_format(data):
     """FileFormat of a contiguous memoryview of bytes; None if its first bytes belong to none."""
     start = bytes(data[:16])
-    for signatures, known in _FORMATS.items():
-        if start.startswith(signatures) and (known.name != "WebP" or start[8:12] == b"WEBP"):
-            return known
+    for signatures, candidate in _FORMATS.items():
+        if start.startswith(signatures) and (candidate.name != "WebP" or start[8:12] == b"WEBP"):
+            return candidate
     return None
 
 

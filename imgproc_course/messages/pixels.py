@@ -195,9 +195,7 @@ def _why_not(source, desired):
 def _meaning_missing(source):
     problem = f"{source.name!r} says how values are stored, not what they mean; "
     candidates = [
-        name
-        for name, known in ENCODINGS.items()
-        if known.color in _CHANNEL_ORDERS and known[1:3] == source[1:3]
+        name for name, info in ENCODINGS.items() if info.color in _CHANNEL_ORDERS and info[1:3] == source[1:3]
     ]
     relabel = ""
     if candidates:
