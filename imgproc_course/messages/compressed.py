@@ -34,7 +34,8 @@ def compressed_to_array(msg, desired_encoding="passthrough"):
     Parameters
     ----------
     msg : sensor_msgs/CompressedImage, or any object with its fields `format` and `data`. `data` must hold a
-        JPEG, PNG, BMP, TIFF, WebP, PNM, PFM, Sun raster or JPEG 2000 file, or compressedDepth (PNG or RVL)
+        JPEG, PNG, or another image file that `CvBridge.cv2_to_compressed_imgmsg` writes, or compressedDepth
+        (PNG or RVL)
     desired_encoding : "passthrough" (also "") keeps the image as it is decoded: mono8, bgr8, bgra8, mono16,
         bgr16 or bgra16; a Bayer mosaic if `format` says so; 16UC1 or 32FC1 of compressedDepth; 32FC1 and the
         like of TIFF and PFM. Any other encoding converts this image, as `image_to_array` does

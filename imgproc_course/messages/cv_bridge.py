@@ -95,8 +95,8 @@ class CvBridge:
         """A CompressedImage message of an array: gray, bgr or bgra, of a dtype that the file format holds.
 
         dst_format is a file extension that OpenCV writes: jpg, jpeg, jpe, png, bmp, dib, sr, ras, tif, tiff,
-        pbm, pgm, ppm, pnm, pfm, webp or jp2; in upper or lower case, with or without a leading dot. The
-        message's `format` is dst_format, unchanged.
+        pbm, pgm, ppm, pnm, pam, pfm, hdr, pic, gif, webp or jp2; in upper or lower case, with or without a
+        leading dot. The message's `format` is dst_format, unchanged.
         """
         if not isinstance(dst_format, str):
             raise ConversionError(

@@ -9,8 +9,8 @@ from .image_headers import file_format, is_gray_sun_raster, refused_format
 MAX_VALUES = 2**30  # what OpenCV's encoders take
 _INTEGERS = ("uint8", "uint16")
 _ANY = ("uint8", "int8", "uint16", "int16", "int32", "float32", "float64")
-# Extension -> (dtypes, channels) that OpenCV writes. JPEG and Sun raster drop an alpha channel, WebP makes
-# three channels of one, and PBM keeps only whether a value is 0.
+# Extension -> (dtypes, channels) that OpenCV writes. JPEG and Sun raster drop an alpha channel, WebP and HDR
+# return three channels for one, PBM stores only whether a value is 0, and GIF has 256 colors.
 FILE_EXTENSIONS = {
     **dict.fromkeys(("jpg", "jpeg", "jpe", "sr", "ras", "bmp", "dib", "webp"), (("uint8",), (1, 3, 4))),
     **dict.fromkeys(("png", "jp2"), (_INTEGERS, (1, 3, 4))),
@@ -20,6 +20,9 @@ FILE_EXTENSIONS = {
     "ppm": (_INTEGERS, (3,)),
     "pnm": (_INTEGERS, (1, 3)),
     "pfm": (("float32",), (1, 3)),
+    "pam": (("uint8",), (1, 3)),
+    **dict.fromkeys(("hdr", "pic"), (("float32",), (1, 3))),
+    "gif": (("uint8",), (3, 4)),
 }
 
 
@@ -123,9 +126,8 @@ def _not_an_image(data, described_as):
     if len(data) == 0:
         return f"field 'data' is empty, although 'format' is {quoted(described_as)}; the camera sent no image"
     name = refused_format(data)
-    start = f"a {name}" if name else quoted(bytes(data[:8]))
+    content = f"holds {name}" if name else f"begins with {quoted(bytes(data[:8]))}"
     return (
-        f"expected a JPEG, PNG, BMP, TIFF, WebP, PNM, PFM, Sun raster or JPEG 2000, and 'data' ({len(data)} "
-        f"bytes) begins with {start}; set the publisher's parameter 'format' to 'jpeg' or 'png', or "
+        f"expected a JPEG, PNG or other image file, and 'data' ({len(data)} bytes) {content}; set the publisher's parameter 'format' to 'jpeg' or 'png', or "
         "subscribe to the raw topic"
     )

@@ -1,7 +1,7 @@
-"""What the header of an image file claims, read and checked before a decoder may take memory for it.
+"""The size in the header of an image file, read and checked before a decoder allocates memory for it.
 
-A header of a few bytes can claim an image of gigabytes. Each function here compares the claim with what so
-many bytes can hold at all. One table says which file formats are accepted.
+A header of a few bytes can claim an image of gigabytes. Each check compares the size that the header claims
+with the size that so many bytes can hold. The table _FORMATS holds the accepted file formats.
 """
 
 import re
@@ -118,12 +118,12 @@ def _unpacked(name, layout, data):
 
 _GAP = rb"(?:\s|#[^\n]*\n)+"  # between the numbers: whitespace and comments
 _PNM_HEADER = re.compile(rb"P([1-6])" + _GAP + rb"(\d{1,9})" + _GAP + rb"(\d{1,9})\s")
-_PNM_HEADER_BYTES = 4096
+_TEXT_HEADER_BYTES = 4096
 
 
 def _check_pnm(data):
     """PBM (P1, P4), PGM (P2, P5) and PPM (P3, P6), as text or binary."""
-    header = _PNM_HEADER.match(bytes(data[:_PNM_HEADER_BYTES]))
+    header = _PNM_HEADER.match(bytes(data[:_TEXT_HEADER_BYTES]))
     if not header:
         raise ConversionError(f"PNM of {len(data)} bytes without a readable header; {DAMAGED}")
     kind, width, height = map(int, header.groups())
@@ -143,6 +143,42 @@ def _check_pfm(data):
     width, height = int(header[2]), int(header[3])
     row_bytes = width * (12 if header[1] == b"F" else 4)
     check_claim("PFM", height, width, header.end() + height * row_bytes <= len(data), len(data))
+
+
+_PAM_HEADER = re.compile(
+    rb"P7\nWIDTH (\d{1,9})\nHEIGHT (\d{1,9})\nDEPTH ([1-4])\nMAXVAL (\d{1,5})\n"
+    rb"(?:TUPLTYPE [A-Z_]+\n)?ENDHDR\n"
+)
+
+
+def _check_pam(data):
+    header = _PAM_HEADER.match(bytes(data[:256]))
+    if not header:
+        raise ConversionError(f"PAM of {len(data)} bytes without a readable header; {DAMAGED}")
+    width, height, channels, maximum = map(int, header.groups())
+    row_bytes = width * channels * (2 if maximum > 255 else 1)
+    check_claim("PAM", height, width, header.end() + height * row_bytes <= len(data), len(data))
+
+
+_HDR_HEADER = re.compile(rb"#\?(?:RADIANCE|RGBE)\n(?:[^\n]+\n)*\n-Y (\d{1,9}) \+X (\d{1,9})\n")
+_HDR_PIXELS_PER_BYTE = 16  # 4 runs of 127 values in 2 bytes each
+
+
+def _check_hdr(data):
+    header = _HDR_HEADER.match(bytes(data[:_TEXT_HEADER_BYTES]))
+    if not header:
+        raise ConversionError(f"Radiance HDR of {len(data)} bytes without a readable header; {DAMAGED}")
+    height, width = map(int, header.groups())
+    is_possible = height * width <= _HDR_PIXELS_PER_BYTE * len(data)
+    check_claim("Radiance HDR", height, width, is_possible, len(data))
+
+
+_GIF_PIXELS_PER_BYTE = 4096  # a code of LZW
+
+
+def _check_gif(data):
+    width, height = _unpacked("GIF", "<6xHH", data)
+    check_claim("GIF", height, width, height * width <= _GIF_PIXELS_PER_BYTE * len(data), len(data))
 
 
 _WEBP_ANIMATION = 2
@@ -173,14 +209,14 @@ _FORMATS = {
     TIFF_SIGNATURES: FileFormat("TIFF", check_tiff),
     tuple(b"P%d" % kind for kind in range(1, 7)): FileFormat("PNM", _check_pnm),
     (b"PF", b"Pf"): FileFormat("PFM", _check_pfm),
+    (b"P7\n",): FileFormat("PAM", _check_pam),
+    (b"#?RADIANCE\n", b"#?RGBE\n"): FileFormat("Radiance HDR", _check_hdr),
+    (b"GIF87a", b"GIF89a"): FileFormat("GIF", _check_gif),
     (b"RIFF",): FileFormat("WebP", _check_webp),
     (JPEG2000_SIGNATURE,): FileFormat("JPEG 2000", check_jpeg2000),
 }
 _REFUSED = {
-    b"GIF8": "GIF",
     b"\x76\x2f\x31\x01": "OpenEXR",
-    b"#?RADIANCE": "Radiance HDR",
-    b"P7": "PAM",
     b"II+\0": "BigTIFF",
     b"MM\0+": "BigTIFF",
     b"\xff\x4f\xff\x51": "JPEG 2000 without a file header",

@@ -33,6 +33,7 @@ LOSSLESS = {
     "pnm": (GRAY, BGR, GRAY16, BGR16),
     "pfm": (METERS, METERS[..., None].repeat(3, axis=2)),
     "webp": (BGR,),
+    "pam": (GRAY, BGR),
 }
 
 
@@ -79,6 +80,20 @@ def test_jpeg_2000_comes_back_nearly_equal():
         BRIDGE.cv2_to_compressed_imgmsg(BGR[:16], "jp2")
 
 
+def test_radiance_hdr_comes_back_nearly_equal():
+    bgr = METERS[..., None] * np.float32([0.5, 1.0, 2.0])
+    for extension in ("hdr", "pic"):
+        result = BRIDGE.compressed_imgmsg_to_cv2(BRIDGE.cv2_to_compressed_imgmsg(bgr, extension))
+        assert result.dtype == np.float32 and np.abs(result - bgr).max() <= 0.01
+
+
+def test_gif_keeps_a_few_colors_nearly():
+    bgr = np.zeros((70, 90, 3), np.uint8)
+    bgr[:30], bgr[30:, :40] = (255, 0, 0), (0, 255, 255)
+    result = BRIDGE.compressed_imgmsg_to_cv2(BRIDGE.cv2_to_compressed_imgmsg(bgr, "gif"))
+    assert result.shape[:2] == (70, 90) and np.abs(result[..., :3].astype(int) - bgr).max() <= 80
+
+
 def test_alpha_and_gray_in_formats_that_do_not_hold_them():
     for extension in ("jpg", "sr"):
         result = BRIDGE.compressed_imgmsg_to_cv2(BRIDGE.cv2_to_compressed_imgmsg(BGRA, extension))
@@ -94,7 +109,7 @@ def test_alpha_and_gray_in_formats_that_do_not_hold_them():
         (METERS, "png", "'tiff' holds every dtype"),
         (BGR, "pgm", "pgm holds 1 channels"),
         (BGR[..., :2], "bmp", "convert it to 1, 3 or 4 channels"),
-        (BGR, "gif", "got 'gif'"),
+        (BGR, "avif", "got 'avif'"),
         (BGR, "exr", "got 'exr'"),
         (BGR, "", "expected one of the formats jpg, jpeg, jpe"),
         (BGR[:0], "png", "expected 1 to"),
@@ -155,26 +170,34 @@ LIES = {
     "tiff, JPEG inside": (tiff_with(259, 7), "compression 7"),
     "tiff without width": (file_of("tif", BGR).replace(b"\0\1\3\0\1", b"\1\1\3\0\1"), "not in order"),
     "tiff cut": (file_of("tif", BGR)[:60], "ends within its header"),
-    "big tiff": (b"II+\0" + bytes(60), "begins with a BigTIFF"),
+    "big tiff": (b"II+\0" + bytes(60), "holds BigTIFF"),
     "ppm": (b"P6\n999999999 999999999\n255\n" + bytes(60), "so few bytes can hold"),
     "ppm, comments": (b"P6 # x\n# y\n9999 # z\n9999\n255\n" + bytes(60), "so few bytes can hold"),
     "pbm": (b"P4\n80 80\n" + bytes(799), "so few bytes can hold"),
     "pgm without numbers": (b"P5 many rows", "without a readable header"),
     "pfm": (b"PF\n99999 99999\n-1.0\n" + bytes(60), "so few bytes can hold"),
     "pfm without numbers": (b"Pf\n\n\n", "without a readable header"),
-    "webp": (patched("webp", BGR, 21, "<I", 0x0FFFFFFF), "so few bytes can hold"),
+    "webp": (patched("webp", BGR, 21, "<I", 0x0FFFFFFF), "accepted from so few bytes"),
     "webp of another kind": (b"RIFF\0\0\0\0WEBPVP9 " + bytes(60), "without a readable header"),
+    "pam": (
+        b"P7\nWIDTH 9999\nHEIGHT 9999\nDEPTH 3\nMAXVAL 255\nENDHDR\n" + bytes(60),
+        "so few bytes can hold",
+    ),
+    "pam without numbers": (b"P7\nWIDTH 2\n", "without a readable header"),
+    "hdr": (b"#?RGBE\nFORMAT=32-bit_rle_rgbe\n\n-Y 9999 +X 9999\n" + bytes(60), "so few bytes can hold"),
+    "hdr without numbers": (b"#?RADIANCE\n\n\n", "without a readable header"),
+    "gif": (b"GIF89a" + bytes([255]) * 60, "so few bytes can hold"),
+    "gif cut": (b"GIF89a", "ends within its header"),
     "webp, animated": (b"RIFF\0\0\0\0WEBPVP8X\x0a\0\0\0\x02" + bytes(60), "animated"),
     "jp2 of many pixels": (
         jp2_with(b"\xff\x51", 6, ">8I", HUGE, HUGE, 0, 0, HUGE, HUGE, 0, 0),
-        "so few bytes can hold",
+        "accepted from so few bytes",
     ),
     "jp2 of many tiles": (jp2_with(b"\xff\x51", 22, ">II", 1, 1), "one tile"),
     "jp2 with precincts": (jp2_with(b"\xff\x52", 4, ">B", 1), "one tile"),
     "jp2 of many layers": (jp2_with(b"\xff\x52", 6, ">H", 65535), "one tile"),
     "jp2 cut": (file_of("jp2", BGR)[:90], "ends within its header"),
-    "gif": (b"GIF89a" + bytes(60), "begins with a GIF"),
-    "avif": (b"\0\0\0\x20ftypavif" + bytes(60), "begins with a AVIF"),
+    "avif": (b"\0\0\0\x20ftypavif" + bytes(60), "holds AVIF"),
 }
 
 
