@@ -128,6 +128,6 @@ def _not_an_image(data, described_as):
     name = refused_format(data)
     content = f"holds {name}" if name else f"begins with {quoted(bytes(data[:8]))}"
     return (
-        f"expected a JPEG, PNG or other image file, and 'data' ({len(data)} bytes) {content}; set the publisher's parameter 'format' to 'jpeg' or 'png', or "
-        "subscribe to the raw topic"
+        f"expected a JPEG, PNG or other image file, and 'data' ({len(data)} bytes) {content}; set the "
+        "publisher's parameter 'format' to 'jpeg' or 'png', or subscribe to the raw topic"
     )

@@ -22,8 +22,8 @@ class FileFormat(NamedTuple):
     Attributes
     ----------
     name : such as "JPEG"
-    check : function of the bytes of a file (a contiguous memoryview). It returns the bytes to decode, or None
-        where these are the same, and raises ConversionError
+    check : function of the bytes of a file (a contiguous memoryview); it returns the bytes to decode, or None
+        if these are the same, and raises ConversionError if it refuses the file
     """
 
     name: str
@@ -31,7 +31,7 @@ class FileFormat(NamedTuple):
 
 
 def file_format(data):
-    """FileFormat of a contiguous memoryview of bytes; None if its first bytes belong to none."""
+    """FileFormat of a contiguous memoryview of bytes; None if no accepted format begins with its first bytes."""
     start = bytes(data[:16])
     for signatures, candidate in _FORMATS.items():
         if start.startswith(signatures) and (candidate.name != "WebP" or start[8:12] == b"WEBP"):
@@ -42,10 +42,9 @@ def file_format(data):
 def refused_format(data):
     """Name of a file format that is known but not accepted; None if it is unknown."""
     start = bytes(data[:16])
-    for signature, name in _REFUSED.items():
-        if start.startswith(signature) or (name == "AVIF" and start[4:12] in (b"ftypavif", b"ftypavis")):
-            return name
-    return None
+    if start[4:12] in (b"ftypavif", b"ftypavis"):  # after the size of the first box
+        return "AVIF"
+    return next((name for signature, name in _REFUSED.items() if start.startswith(signature)), None)
 
 
 def _check_jpeg(data):
@@ -220,6 +219,5 @@ _REFUSED = {
     b"II+\0": "BigTIFF",
     b"MM\0+": "BigTIFF",
     b"\xff\x4f\xff\x51": "JPEG 2000 without a file header",
-    b"ftyp": "AVIF",
     b"\0\0\0\1": "H.264 video",
 }

@@ -1,4 +1,4 @@
-"""Message conversion against the least that could be done: np.frombuffer, cv2.cvtColor, memcpy.
+"""Message conversion compared with the plain operations: np.frombuffer, cv2.cvtColor, memcpy.
 
 Budgets: passthrough 1280×720 at most 2 µs and no copy; to another encoding at most 1.2 × the bare
 cv2.cvtColor; array_to_image at most 1.3 × a copy of the pixels into fresh memory, with and without
@@ -44,7 +44,7 @@ def frame_of(channels, rows=HEIGHT):
 
 
 def passthrough():
-    """Prints µs of a view; it must lie in the message's own memory."""
+    """Prints the µs of a view, which must share the memory of the message."""
     msg = array_to_image(frame_of(3), "bgr8")
     view = image_to_array(msg)
     is_copy = not np.shares_memory(view, np.frombuffer(msg.data, np.uint8))
@@ -54,19 +54,19 @@ def passthrough():
         ),
         "image_to_array": lambda: image_to_array(msg),
     }
-    # One call is too short for the clock, and an absolute budget is on the code, not on what else runs on the
-    # machine: the fastest of many short batches.
+    # One call is too short for the clock. The budget is absolute, so other programs on the machine must not
+    # count: take the fastest of many short batches.
     seconds = {name: [] for name in ways}
     for _ in range(400):
         for name, way in ways.items():
             seconds[name].append(timeit.timeit(way, number=100) / 100)
-    fastest = {name: min(taken) for name, taken in seconds.items()}
+    fastest = {name: min(times) for name, times in seconds.items()}
     over = print_ratios("passthrough, 1280×720 bgr8", fastest, "bare np.frombuffer(...).reshape")
-    taken = fastest["image_to_array"] * 1e6
-    is_over = taken > PASSTHROUGH_MICROSECONDS
-    copied = "a COPY" if is_copy else "no copy"
+    microseconds = fastest["image_to_array"] * 1e6
+    is_over = microseconds > PASSTHROUGH_MICROSECONDS
+    copy_text = "a COPY" if is_copy else "no copy"
     console.print(
-        f"{taken:.2f} µs, budget {PASSTHROUGH_MICROSECONDS} µs {'OVER' if is_over else 'kept'}; {copied}"
+        f"{microseconds:.2f} µs, budget {PASSTHROUGH_MICROSECONDS} µs {'OVER' if is_over else 'kept'}; {copy_text}"
     )
     return over + ["passthrough"] * (is_over or is_copy)
 
@@ -104,7 +104,7 @@ def padded():
 
 
 def to_messages():
-    """The copy that a message must have anyway, into memory as fresh as the message's own."""
+    """Compares with the copy that every message needs: into newly allocated memory."""
     over = []
     checks = os.environ.get("ROS_PYTHON_CHECK_FIELDS", "0")
     for channels, encoding, budget in ((3, "bgr8", 1.3), (1, "mono8", None)):
@@ -120,7 +120,7 @@ def to_messages():
 
 
 def compressed():
-    """No budget: what checking an image before decoding it costs."""
+    """Without a budget: the cost of the checks before decoding."""
     frame = cv2.GaussianBlur(frame_of(3), (0, 0), 5)
     depth = cv2.GaussianBlur(np.random.default_rng(0).integers(0, 8000, (360, 640)).astype("f4"), (0, 0), 9)
     depth = depth.astype(np.uint16)
