@@ -31,7 +31,7 @@ class FileFormat(NamedTuple):
 
 
 def file_format(data):
-    """FileFormat of a contiguous memoryview of bytes; None if no accepted format begins with its first bytes."""
+    """FileFormat of a contiguous memoryview of bytes, by its first bytes; None if it is not accepted."""
     start = bytes(data[:16])
     for signatures, candidate in _FORMATS.items():
         if start.startswith(signatures) and (candidate.name != "WebP" or start[8:12] == b"WEBP"):

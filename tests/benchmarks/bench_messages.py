@@ -64,10 +64,9 @@ def passthrough():
     over = print_ratios("passthrough, 1280×720 bgr8", fastest, "bare np.frombuffer(...).reshape")
     microseconds = fastest["image_to_array"] * 1e6
     is_over = microseconds > PASSTHROUGH_MICROSECONDS
-    copy_text = "a COPY" if is_copy else "no copy"
-    console.print(
-        f"{microseconds:.2f} µs, budget {PASSTHROUGH_MICROSECONDS} µs {'OVER' if is_over else 'kept'}; {copy_text}"
-    )
+    verdict = "OVER" if is_over else "kept"
+    memory = "a COPY" if is_copy else "no copy"
+    console.print(f"{microseconds:.2f} µs, budget {PASSTHROUGH_MICROSECONDS} µs {verdict}; {memory}")
     return over + ["passthrough"] * (is_over or is_copy)
 
 
