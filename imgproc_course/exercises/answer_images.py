@@ -107,7 +107,7 @@ def _draw_difference(wrong):
     ImageDraw.Draw(image).circle(center, _RING_RADIUS + scale, outline=_RING, width=2)
     count = int(differs.sum())
     return _encode(
-        f"red: differs ({count} of {differs.size})",
+        f"red: differs ({count} of {differs.size}); the ring marks the first",
         f"{count} of {differs.size} pixels differ, the first at row {row}, col {col}",
         image,
     )

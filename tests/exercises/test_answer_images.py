@@ -24,7 +24,7 @@ def test_a_ring_marks_the_first_pixel_that_differs():
         "given (black 0, white 1)",
         "returned [0] (black 0, white 1)",
         "expected [0] (black 0, white 1)",
-        "red: differs (1 of 230400)",
+        "red: differs (1 of 230400); the ring marks the first",
     ]
     difference = answer_images(None, "", form, form, wrong)[-1]
     assert (difference.width, difference.height) == (448, 252)
