@@ -12,7 +12,7 @@ import nbformat
 from jupyter_core.paths import jupyter_runtime_dir
 from jupyter_server.serverapp import ServerApp, list_running_servers
 from nbformat.sign import NotebookNotary
-from traitlets import TraitError, validate
+from traitlets import TraitError, default, validate
 
 from imgproc_course.working_copies import CHECKOUT, update_lessons
 
@@ -46,6 +46,11 @@ class CourseServer(ServerApp):
         if not 0 <= port <= 65535:
             raise TraitError(f"--port {port} is not a port; give a number from 1024 to 65535: --port 8888")
         return port
+
+    @default("port_retries")
+    def _port_retries_default(self):
+        # Below 1024 most users may not listen, and each of 50 more tries would log a warning.
+        return 0 if 0 < self.port < 1024 else super()._port_retries_default()
 
     def init_httpserver(self):
         configured_port = self.port

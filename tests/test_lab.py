@@ -122,6 +122,12 @@ def test_a_number_that_is_not_a_port_is_refused_in_one_line(configured, capsys, 
     assert error in line
 
 
+def test_a_port_that_most_users_may_not_use_is_tried_once(configured, monkeypatch):
+    monkeypatch.delenv("JUPYTER_PORT_RETRIES", raising=False)
+    assert configured("--port=80")[0].port_retries == 0
+    assert configured("--port=1024")[0].port_retries == configured()[0].port_retries == 50
+
+
 @pytest.mark.parametrize("user", [0, 1000])
 def test_root_is_allowed_only_if_root_starts_it(configured, monkeypatch, user):
     monkeypatch.setattr(os, "geteuid", lambda: user, raising=False)
