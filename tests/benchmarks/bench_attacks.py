@@ -1,9 +1,8 @@
-"""Every attack on the grader in one table: points gained, neighbours harmed, what was reported.
+"""Every attack on the autograder in one table: points gained, neighbors harmed, what was reported.
 
-These are the very attacks of tests/autograder/attacks.py (an answer's source) and
-tests/gradebook/form_attacks.py (cells, files, archives, names), each with an honest submission
-behind it. Ends with exit code 1 where one gained a point or harmed a neighbour, or where one of the published
-list of 62 is not tried.
+These are the attacks of tests/autograder/attacks.py (an answer's source) and tests/gradebook/form_attacks.py
+(cells, files, archives, names), each followed by an honest submission. The exit code is 1 if an attack gained
+a point or harmed a neighbor, or if an attack of the published list of 62 is not tried.
 
     .venv/bin/python tests/benchmarks/bench_attacks.py [--workers 2]
 """
@@ -20,9 +19,11 @@ from rich.table import Table
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "autograder"))
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "gradebook"))
 
-from attacks import MASTERS, PUBLISHED, SEED, judge_attacks
-from form_attacks import LESSON, grade_attacks
-from submissions import MASTERS as OFFICE_MASTERS
+from attacks import MASTERS, PUBLISHED, SEED
+from attacks import grade_attacks as grade_source_attacks
+from form_attacks import LESSON
+from form_attacks import grade_attacks as grade_form_attacks
+from submissions import MASTERS as FORM_MASTERS
 
 from imgproc_course.authoring.masters import read_master
 from imgproc_course.autograder.make_answer_key import make_key
@@ -30,21 +31,22 @@ from imgproc_course.autograder.sanitize import sanitize_line
 
 
 def source_rows(folder, workers):
-    """(number, attack, points gained, what it harmed, what was reported) of attacks by an answer's source."""
+    """(number, name, points gained, what it harmed, what was reported) of attacks by an answer's source."""
     key = make_key(MASTERS, SEED, folder / "key")
-    for found in judge_attacks(key, quiet=None, workers=workers):
-        public, hidden = found.exercise["cases"]
-        told = f"{public['outcome']} / {hidden['outcome']}"
-        told += f": {public['said']}" if public["said"] else ""
-        yield found.attack.number, found.attack.name, found.exercise["got"], found.harmed, told
+    for result in grade_source_attacks(key, quiet=None, workers=workers):
+        public, hidden = result.exercise.cases
+        report = f"{public.outcome} / {hidden.outcome}"
+        report += f": {public.message}" if public.message else ""
+        yield result.attack.number, result.attack.name, result.exercise.points, result.harmed, report
 
 
 def form_rows(folder, workers):
     """The same of attacks by a submission's form."""
-    make_key(OFFICE_MASTERS, SEED, folder / "form-key")
-    light = read_master(OFFICE_MASTERS / f"{LESSON}.py")
-    for found in grade_attacks(light, folder / "form-key", folder / "form", quiet=None, workers=workers):
-        yield found.attack.number, found.attack.name, found.gained, found.harmed, found.reported
+    make_key(FORM_MASTERS, SEED, folder / "form-key")
+    light = read_master(FORM_MASTERS / f"{LESSON}.py")
+    results = grade_form_attacks(light, folder / "form-key", folder / "form", quiet=None, workers=workers)
+    for result in results:
+        yield result.attack.number, result.attack.name, result.gained, result.harmed, result.reported
 
 
 @click.command()
@@ -54,15 +56,15 @@ def main(workers):
         rows = [*source_rows(Path(folder), workers), *form_rows(Path(folder), workers)]
     rows.sort(key=lambda row: row[0])
     table = Table("no.", "attack", "gained", "harmed", "reported: public / hidden check, or why not graded")
-    for number, name, gained, harmed, told in rows:
-        where = str(number) if number in PUBLISHED else f"own {number}"
-        table.add_row(where, escape(name), str(gained), str(len(harmed)), escape(sanitize_line(told, 110)))
+    for number, name, gained, harmed, report in rows:
+        label = str(number) if number in PUBLISHED else f"own {number}"
+        table.add_row(label, escape(name), str(gained), str(len(harmed)), escape(sanitize_line(report, 110)))
     Console(width=150).print(table)
-    raise SystemExit(0 if holds(rows) else 1)
+    raise SystemExit(0 if report_totals(rows) else 1)
 
 
-def holds(rows):
-    """Print what is broken, then the sums; True where nothing was gained, nobody harmed, nothing left out."""
+def report_totals(rows):
+    """Print failures and totals; True if no attack gained or harmed anything and none was left out."""
     published = {row[0] for row in rows} & set(PUBLISHED)
     missing = sorted(set(PUBLISHED) - published)
     own = sum(row[0] not in PUBLISHED for row in rows)
@@ -74,7 +76,7 @@ def holds(rows):
         print(f"BROKEN: no attack of the published numbers {missing}")
     print(
         f"{len(rows)} attacks, {own} of our own; {len(published)} of the {len(PUBLISHED)} published numbers"
-        f" tried; points gained {gained}, neighbours harmed {harmed}"
+        f" tried; points gained {gained}, neighbors harmed {harmed}"
     )
     return not (gained or harmed or missing)
 

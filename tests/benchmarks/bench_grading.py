@@ -1,8 +1,8 @@
-"""Grading side by side with nbgrader's autograde: the same answers to the same checks, in one session.
+"""Grade the same answers to the same checks with our autograder and with nbgrader's, in one run.
 
-Twenty generated submissions, right and wrong ones mixed. nbgrader lives in an environment of its own
-(environment/requirements-nbgrader.txt, made at the first run in ~/.cache or $NBGRADER_VENV). Then the growth:
-`--growth 1000` grades so many submissions and prints time and memory on the way.
+There are twenty generated submissions, right and wrong ones. nbgrader has an environment of its own
+(environment/requirements-nbgrader.txt; the first run makes it in ~/.cache or $NBGRADER_VENV). With
+`--growth 1000` the benchmark then grades so many submissions and prints time and memory on the way.
 
     .venv/bin/python tests/benchmarks/bench_grading.py [--lesson 07] [--submissions 20] [--growth 1000]
 """
@@ -29,11 +29,11 @@ from imgproc_course.exercises import array_of, read_exercises
 
 ROOT = Path(__file__).parents[2]
 MASTERS = ROOT / "notebooks" / "masters"
-BUDGET = 10.0  # times faster than nbgrader, for each submission
+BUDGET = 10.0  # times faster than nbgrader, per submission
 
 
 def nbgrader_venv():
-    """nbgrader's environment, made where it is not there."""
+    """The folder of nbgrader's environment; it is made if it is missing."""
     folder = Path(os.environ.get("NBGRADER_VENV") or user_cache_path("imgproc-course") / "nbgrader")
     if not (folder / "bin" / "nbgrader").exists():
         print(f"Making nbgrader's environment in {folder} ...")
@@ -46,8 +46,8 @@ def nbgrader_venv():
 
 def answers_of(lesson, count):
     """Generated submissions: the k-th one answers each exercise with the k-th of its sample answers."""
-    exercises = [each for each in read_exercises(MASTERS / f"{lesson}.py") if not each.practice]
-    samples = {each.id: list(sample_answers(each).values()) for each in exercises}
+    exercises = [exercise for exercise in read_exercises(MASTERS / f"{lesson}.py") if not exercise.practice]
+    samples = {exercise.id: list(sample_answers(exercise).values()) for exercise in exercises}
     for k in range(count):
         answers = {
             id: sources[0 if k % 2 else (k // 2 + shift) % len(sources)]
@@ -56,17 +56,17 @@ def answers_of(lesson, count):
         yield f"student{k:04d}", lesson, answers
 
 
-# ---------------------------------------------------------------- the same work, as nbgrader wants it
+# ---------------------------------------------------------------- the same work for nbgrader
 
 
-def _cell(source, name, **more):
-    about = {"schema_version": 3, "grade_id": name, "grade": False, "solution": False, "locked": False}
-    about |= {"task": False} | more
-    return nbformat.v4.new_code_cell(source, metadata={"nbgrader": about})
+def _cell(source, name, **options):
+    metadata = {"schema_version": 3, "grade_id": name, "grade": False, "solution": False, "locked": False}
+    metadata |= {"task": False} | options
+    return nbformat.v4.new_code_cell(source, metadata={"nbgrader": metadata})
 
 
 def nbgrader_notebook(key, lesson, answers=None):
-    """The lesson's exercises as an nbgrader assignment; the checks hold inputs and expected values."""
+    """The lesson's exercises as an nbgrader assignment; the checks contain inputs and expected values."""
     cells = [nbformat.v4.new_code_cell("import numpy as np\nfrom types import SimpleNamespace")]
     for exercise in key.lessons[lesson].exercises:
         if exercise.practice:
@@ -78,7 +78,7 @@ def nbgrader_notebook(key, lesson, answers=None):
             if cell["id"].startswith("given-")
         ]
         source = answers[exercise.id] if answers else exercise.stub
-        # What stands beside a declaration runs here too, where nothing of the course is installed.
+        # nbgrader also runs what is beside a declaration, but its environment has no course installed.
         source = source.replace(
             "from imgproc_course.exercises import exercise", "exercise = lambda *a, **k: 0"
         )
@@ -138,7 +138,7 @@ def _namespace(value):
 
 
 def prepare_nbgrader(venv, folder, key, lesson, submissions):
-    """A course with the assignment released and the submissions handed in."""
+    """Make a course with the released assignment and the submissions."""
     source = folder / "source" / "ps1"
     source.mkdir(parents=True)
     nbformat.write(nbgrader_notebook(key, lesson), source / "lesson.ipynb")
@@ -149,28 +149,32 @@ def prepare_nbgrader(venv, folder, key, lesson, submissions):
     run_nbgrader(venv, folder, "generate_assignment", "ps1")
     released = nbformat.read(folder / "release" / "ps1" / "lesson.ipynb", as_version=4)
     for name, _, answers in submissions:
-        handed = nbgrader_notebook(key, lesson, answers)
-        for cell, given in zip(handed.cells, released.cells, strict=True):
+        notebook = nbgrader_notebook(key, lesson, answers)
+        for cell, released_cell in zip(notebook.cells, released.cells, strict=True):
             if not cell.metadata.get("nbgrader", {}).get("solution"):
-                cell.source = given.source
-            cell.metadata, cell.id = given.metadata, given.id
-        place = folder / "submitted" / name / "ps1"
-        place.mkdir(parents=True)
-        nbformat.write(handed, place / "lesson.ipynb")
+                cell.source = released_cell.source
+            cell.metadata, cell.id = released_cell.metadata, released_cell.id
+        submission = folder / "submitted" / name / "ps1"
+        submission.mkdir(parents=True)
+        nbformat.write(notebook, submission / "lesson.ipynb")
 
 
-def run_nbgrader(venv, folder, *words):
-    """One nbgrader command; nbgrader calls alembic by its bare name, hence the PATH."""
+def run_nbgrader(venv, folder, *arguments):
+    """Run one nbgrader command; nbgrader calls alembic by its bare name, so it needs the PATH."""
     environment = os.environ | {"PATH": f"{venv / 'bin'}{os.pathsep}{os.environ['PATH']}", "PYTHONPATH": ""}
-    done = subprocess.run(
-        [str(venv / "bin" / "nbgrader"), *words], cwd=folder, env=environment, capture_output=True, text=True
+    completed = subprocess.run(
+        [str(venv / "bin" / "nbgrader"), *arguments],
+        cwd=folder,
+        env=environment,
+        capture_output=True,
+        text=True,
     )
-    if done.returncode:
-        raise SystemExit(f"nbgrader {' '.join(words)} failed:\n{done.stderr[-3000:]}")
+    if completed.returncode:
+        raise SystemExit(f"nbgrader {' '.join(arguments)} failed:\n{completed.stderr[-3000:]}")
 
 
 def nbgrader_points(venv, folder):
-    """Points of each student, from nbgrader's gradebook."""
+    """{student: points}, from nbgrader's gradebook."""
     run_nbgrader(venv, folder, "export")
     lines = [line.split(",") for line in (folder / "grades.csv").read_text().splitlines()]
     student, score = lines[0].index("student_id"), lines[0].index("raw_score")
@@ -181,33 +185,33 @@ def nbgrader_points(venv, folder):
 
 
 def side_by_side(venv, folder, key, lesson, count):
-    """Seconds of both for the same submissions, and their points."""
+    """(our seconds, nbgrader's seconds, our points, nbgrader's points) for the same submissions."""
     submissions = list(answers_of(lesson, count))
     prepare_nbgrader(venv, folder, key, lesson, submissions)
-    begun = time.perf_counter()
-    ours = {result["submission"]: result["got"] for result in autograde(submissions, key)}
-    between = time.perf_counter()
+    start = time.perf_counter()
+    points = {result.name: result.points for result in autograde(submissions, key)}
+    middle = time.perf_counter()
     run_nbgrader(venv, folder, "autograde", "ps1")
-    theirs_took = time.perf_counter() - between
-    return between - begun, theirs_took, ours, nbgrader_points(venv, folder)
+    end = time.perf_counter()
+    return middle - start, end - middle, points, nbgrader_points(venv, folder)
 
 
 def growth(key, lesson, count):
-    """Time and memory while many submissions are graded."""
+    """Print time and memory while many submissions are graded."""
     table = Table("submissions", "s", "ms each", "MB, all processes", title="growth", title_justify="left")
     marks = sorted({count // 10, count // 4, count // 2, count})
-    begun = time.perf_counter()
+    start = time.perf_counter()
     for number, _ in enumerate(autograde(answers_of(lesson, count), key), 1):
         if number in marks:
-            taken = time.perf_counter() - begun
-            table.add_row(str(number), f"{taken:.1f}", f"{taken / number * 1000:.0f}", f"{_memory():.0f}")
+            seconds = time.perf_counter() - start
+            table.add_row(str(number), f"{seconds:.1f}", f"{seconds / number * 1000:.0f}", f"{_memory():.0f}")
     Console(width=110).print(table)
 
 
 def _memory():
-    here = psutil.Process()
+    this_process = psutil.Process()
     total = 0
-    for process in [here, *here.children(recursive=True)]:
+    for process in [this_process, *this_process.children(recursive=True)]:
         try:
             total += process.memory_full_info().pss
         except psutil.Error:
@@ -218,30 +222,34 @@ def _memory():
 @click.command()
 @click.option("--lesson", default="07", help="Which lesson's exercises.")
 @click.option("--submissions", default=20, help="How many are compared; 0: none.")
-@click.option("--growth", "many", default=0, help="Grade so many afterwards, and show time and memory.")
+@click.option("--growth", "many", default=0, help="Then grade so many, and show time and memory.")
 def main(lesson, submissions, many):
     with tempfile.TemporaryDirectory(prefix="bench-") as folder:
         folder = Path(folder)
         key = make_key(MASTERS, "benchmark", folder / "key", [lesson])
         (name,) = key.lessons
-        kept = not submissions or compared(folder / "nbgrader", key, name, submissions)
+        budget_met = not submissions or compare_speed(folder / "nbgrader", key, name, submissions)
         if many:
             growth(key, name, many)
-    raise SystemExit(0 if kept else 1)
+    raise SystemExit(0 if budget_met else 1)
 
 
-def compared(folder, key, name, count):
-    """Print both ways side by side; True where the budget is kept."""
-    ours, theirs, our_points, their_points = side_by_side(nbgrader_venv(), folder, key, name, count)
-    odd = sorted(each for each in our_points if our_points[each] != their_points.get(each))
-    ratio = theirs / ours
-    table = Table("way", "s", "ms a submission", "×", title=f"{name}, {count} submissions")
-    table.add_row("nbgrader autograde", f"{theirs:.1f}", f"{theirs / count * 1000:.0f}", "1")
-    ours = (f"{ours:.1f}", f"{ours / count * 1000:.0f}", f"{ratio:.1f}")
-    table.add_row("imgproc-course, sandboxed", *ours)
+def compare_speed(folder, key, name, count):
+    """Print both autograders side by side; returns whether the budget is met."""
+    seconds, nbgrader_seconds, points, points_in_nbgrader = side_by_side(
+        nbgrader_venv(), folder, key, name, count
+    )
+    differing = sorted(student for student in points if points[student] != points_in_nbgrader.get(student))
+    ratio = nbgrader_seconds / seconds
+    table = Table("autograder", "s", "ms per submission", "×", title=f"{name}, {count} submissions")
+    table.add_row(
+        "nbgrader autograde", f"{nbgrader_seconds:.1f}", f"{nbgrader_seconds / count * 1000:.0f}", "1"
+    )
+    our_row = (f"{seconds:.1f}", f"{seconds / count * 1000:.0f}", f"{ratio:.1f}")
+    table.add_row("imgproc-course, sandboxed", *our_row)
     Console(width=110).print(table)
-    print(f"points agree for {count - len(odd)} of {count}; differ: {odd}")
-    print(f"{ratio:.1f} times faster; budget {BUDGET:g}: {'kept' if ratio >= BUDGET else 'BROKEN'}")
+    print(f"points agree for {count - len(differing)} of {count}; differ: {differing}")
+    print(f"{ratio:.1f} times faster; budget {BUDGET:g}: {'met' if ratio >= BUDGET else 'MISSED'}")
     return ratio >= BUDGET
 
 

@@ -99,8 +99,8 @@ def shorten_form(form):
         return form
     if len(form.get("data", "")) > MAX_DATA * 4 // 3:
         data = base64.b64decode(form["data"])
-        others = {name: value for name, value in form.items() if name != "data"}
-        return others | {"digest": hashlib.sha256(data).hexdigest()}
+        description = {name: value for name, value in form.items() if name != "data"}
+        return description | {"digest": hashlib.sha256(data).hexdigest()}
     return {name: shorten_form(value) for name, value in form.items()}
 
 
