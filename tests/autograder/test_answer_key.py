@@ -26,7 +26,7 @@ def copy(key, tmp_path):
     return Path(shutil.copytree(key.path, tmp_path / "copy"))
 
 
-def test_it_holds_exercises_cases_and_mistakes(key):
+def test_it_contains_exercises_cases_and_mistakes(key):
     lesson = key.lessons["10_attacked"]
     assert (lesson.title, lesson.points, len(lesson.digest)) == ("Attacked", 10, 64)
     double, mean, apply = lesson.exercises
@@ -59,7 +59,7 @@ def test_its_inputs_are_not_those_of_the_public_lesson(key):
     assert public[0].tolist() != secret[0].tolist()
 
 
-def test_the_seed_stands_nowhere(key):
+def test_the_seed_is_in_no_file(key):
     assert not [name for name, text in files(key.path).items() if str(SEED) in text or "seed" in text]
 
 
@@ -68,7 +68,7 @@ def test_everything_in_it_is_json(key):
         assert json.loads(text), name
 
 
-def test_its_notebooks_hold_no_inputs_and_no_hints(key):
+def test_its_notebooks_contain_no_inputs_and_no_hints(key):
     notebook = json.loads((key.path / "10_attacked" / "attacked-double.ipynb").read_text())
     code = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
     assert [cell["execution_count"] for cell in code] == [1, 2, 3, 4]
@@ -83,7 +83,7 @@ def test_the_same_seed_gives_the_same_key_and_another_another(key, tmp_path):
     assert again.digest == key.digest != other.digest
 
 
-def test_a_key_is_not_overwritten_unless_told(copy):
+def test_a_key_is_overwritten_only_with_replace(copy):
     with pytest.raises(KeyFolderError, match="it exists already"):
         make_key(MASTERS, 1, copy)
     before = load_key(copy).digest
@@ -91,7 +91,7 @@ def test_a_key_is_not_overwritten_unless_told(copy):
     assert [path.name for path in copy.parent.iterdir()] == ["copy"]
 
 
-def test_a_failure_leaves_the_former_key(copy, tmp_path):
+def test_a_failure_leaves_the_old_key(copy, tmp_path):
     masters = tmp_path / "masters"
     masters.mkdir()
     text = (MASTERS / "10_attacked.py").read_text()
@@ -126,14 +126,14 @@ def test_a_master_that_cannot_be_graded_is_refused(tmp_path, old, new, message):
         make_key(tmp_path, 1, tmp_path / "key")
 
 
-def change(path, how):
+def change(path, edit):
     notebook = json.loads(path.read_text())
-    how(notebook["cells"])
+    edit(notebook["cells"])
     path.write_text(json.dumps(notebook))
 
 
 @pytest.mark.parametrize(
-    "how",
+    "edit",
     [
         lambda cells: cells[-1].update(execution_count=None),
         lambda cells: cells[-1].update(execution_count=None, outputs=[]),
@@ -141,13 +141,13 @@ def change(path, how):
         lambda cells: cells[1].update(execution_count=None),
     ],
 )
-def test_a_key_whose_cells_were_not_run_is_refused(copy, how):
-    change(copy / "10_attacked" / "attacked-mean.ipynb", how)
+def test_a_key_whose_cells_were_not_run_is_refused(copy, edit):
+    change(copy / "10_attacked" / "attacked-mean.ipynb", edit)
     with pytest.raises(KeyFolderError, match=r"has no execution count.*make the key again"):
         load_key(copy)
 
 
-def test_what_is_no_key_is_named(tmp_path, copy):
+def test_a_folder_without_a_readable_key_is_reported(tmp_path, copy):
     with pytest.raises(KeyFolderError, match="there is no key; make one: imgproc-course key"):
         load_key(tmp_path / "nowhere")
     (copy / "10_attacked" / "attacked-mean.ipynb").write_text("{")
@@ -164,7 +164,7 @@ def test_an_altered_key_is_another_key(copy):
     assert load_key(copy).digest != before
 
 
-def test_sample_answers_stand_by_themselves():
+def test_sample_answers_contain_what_they_need():
     (double, *_) = read_exercises(MASTERS / "10_attacked.py")
     samples = sample_answers(double)
     assert list(samples) == ["right", "untouched", "uint8 wraps", "half"]

@@ -1,11 +1,15 @@
 """The checks of one exercise, one after another: what one leaves behind neither costs nor helps another."""
 
+import contextlib
+
 import pytest
 from attacks import LESSON, SHORT
 
-from imgproc_course.autograder.nbval_plugin import ExerciseRun
+from imgproc_course.autograder import verdict
+from imgproc_course.autograder.nbval_plugin import ExerciseRun, StoredVerdict
 from imgproc_course.autograder.pool import autograde
 from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
+from imgproc_course.exercises.comparison import compare
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("isolation")]
 MEAN = "float(np.mean(values))"
@@ -46,18 +50,28 @@ def test_what_one_check_leaves_behind_neither_costs_nor_helps_another(key, right
     assert outcomes == OUTCOMES
 
 
-def kernels_for(key, source, names):
-    """How many kernels the cases of `mean` need, in that order, and which cases passed."""
+@contextlib.contextmanager
+def exercise_run_of(key):
+    """(ExerciseRun of `mean`, sources of its given cells, list of its (KeyCase, source of the check cell))."""
     (exercise,) = [exercise for exercise in key.lessons[LESSON].exercises if exercise.id == "attacked-mean"]
     content = key.content(exercise.id)
     cells = {cell["id"]: "".join(cell["source"]) for cell in content.notebook["cells"]}
-    before = [*(text for name, text in cells.items() if name.startswith("given")), source]
-    cases = {case.title: case for case in exercise.cases}
+    given = [text for name, text in cells.items() if name.startswith("given")]
     with KernelFactory("fast") as kernel_factory:
         exercise_run = ExerciseRun(exercise, content, kernel_factory, None)
-        runs = [exercise_run.run(cases[name], before, cells[cases[name].id]) for name in names]
+        yield exercise_run, given, [(case, cells[case.id]) for case in exercise.cases]
         exercise_run.close()
-        return kernel_factory._fork_server._fork_count, [run.passed for run in runs]
+
+
+def kernels_for(key, source, titles):
+    """How many kernels the cases of `mean` need, in that order, and which cases passed."""
+    with exercise_run_of(key) as (exercise_run, given, checks):
+        checks_by_title = {case.title: (case, check) for case, check in checks}
+        runs = []
+        for title in titles:
+            case, check = checks_by_title[title]
+            runs.append(exercise_run.run(case, [*given, source], check))
+        return exercise_run._kernel_factory._fork_server._fork_count, [run.passed for run in runs]
 
 
 def test_checks_share_a_kernel_as_long_as_they_pass(key, right):
@@ -67,3 +81,25 @@ def test_checks_share_a_kernel_as_long_as_they_pass(key, right):
     assert kernels_for(key, ANSWERS["works once"], names) == (3, [True] * 3)
     late = f"def mean(values):\n    return {MEAN} if len(values) > 5 else 0.0"
     assert kernels_for(key, late, names) == (3, [False, True, False])
+
+
+def test_a_case_is_compared_once_and_nbval_reads_that_verdict(key, right, monkeypatch):
+    comparisons = []
+
+    def counted(*arguments):
+        comparisons.append(arguments)
+        return compare(*arguments)
+
+    monkeypatch.setattr(verdict, "compare", counted)
+    runs = {}
+    for name, source in (("right", right["attacked-mean"]), ("wrong", "def mean(values):\n    return 0.0")):
+        with exercise_run_of(key) as (exercise_run, before, checks):
+            before = [*before, source]
+            for case, check in checks:
+                runs[name, case.hidden] = exercise_run.run(case, before, check)
+            stored = [StoredVerdict(exercise_run, case.id) for case, _ in checks]
+            differs = [output != "anything that nbval read" for output in stored]
+            assert differs == [name == "wrong"] * 2
+            assert StoredVerdict(exercise_run, "a case that did not run") != {}
+    assert [run.passed for run in runs.values()] == [True, True, False, False]
+    assert len(comparisons) == 4
