@@ -52,7 +52,7 @@ def test_what_one_check_leaves_behind_neither_costs_nor_helps_another(key, right
 
 @contextlib.contextmanager
 def exercise_run_of(key):
-    """(ExerciseRun of `mean`, sources of its given cells, list of its (KeyCase, source of the check cell))."""
+    """(ExerciseRun of `mean`, sources of its given cells, list of (KeyCase, source of its check cell))."""
     (exercise,) = [exercise for exercise in key.lessons[LESSON].exercises if exercise.id == "attacked-mean"]
     content = key.content(exercise.id)
     cells = {cell["id"]: "".join(cell["source"]) for cell in content.notebook["cells"]}
