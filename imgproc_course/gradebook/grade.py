@@ -21,7 +21,7 @@ from imgproc_course.gradebook.collect import collect
 from imgproc_course.gradebook.grades_json import count_not_graded, grades_of, grades_text
 from imgproc_course.gradebook.learners import read_all
 from imgproc_course.gradebook.lms_export import exports, grades_csv
-from imgproc_course.gradebook.lms_import import TableError, fill, read_tables
+from imgproc_course.gradebook.lms_import import TableError, fill_table, read_tables
 from imgproc_course.gradebook.report import learner_page, summary_page
 from imgproc_course.gradebook.result_store import (
     GradesFolderError,
@@ -111,7 +111,7 @@ def _fill_tables(platform_tables, grades, out):
     lines = []
     for table in platform_tables:
         try:
-            text, table_lines = fill(table, grades)
+            text, table_lines = fill_table(table, grades)
         except TableError as error:  # the other tables have the points all the same
             lines.append(f"Not filled: {error}")
             continue

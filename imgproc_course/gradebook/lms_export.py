@@ -1,25 +1,25 @@
-"""Tables of points: for a spreadsheet, and as Moodle, Canvas and nbgrader's readers take them.
+"""Tables of points: for a spreadsheet, and in the formats of Moodle, Canvas and nbgrader.
 
 grades.csv
-    a row a learner and lesson; UTF-8 with the mark that spreadsheets know it by
-exports/moodle-<lesson>.csv, of what came from Moodle
+    one row per learner and lesson; UTF-8 with a byte order mark, by which spreadsheets recognize it
+exports/moodle-<lesson>.csv, for submissions from Moodle
     the offline grading worksheet of one assignment, for "Upload grading worksheet": Identifier
     ("Participant 123"), Full name, Grade, Last modified (grade), Feedback comments. Moodle finds the columns
-    by their English names and a learner by the Identifier; it passes over a grade above the assignment's
-    maximum, and, as no date stands here, one that takes the place of another, unless "Allow updating records
-    that have been modified more recently" is ticked
-exports/canvas.csv, of what came from Canvas
-    the gradebook: Student, ID, SIS User ID, SIS Login ID, Section, a column a lesson that was handed in; the
-    row Points Possible. Canvas finds a learner by the ID, and an assignment by the column's name: one that is
-    called otherwise there is offered as a new one. The row of points changes the assignment's own, and an
-    empty cell takes a grade away
+    by their English names and a learner by the Identifier. It ignores a grade above the assignment's maximum.
+    It also ignores a grade that replaces another one, because this table has no dates, unless "Allow updating
+    records that have been modified more recently" is ticked
+exports/canvas.csv, for submissions from Canvas
+    the gradebook: Student, ID, SIS User ID, SIS Login ID, Section, one column per submitted lesson; the row
+    Points Possible. Canvas finds a learner by the ID, and an assignment by the name of its column: a column
+    with an unknown name is offered as a new assignment. The row of points changes the assignment's own
+    points, and an empty cell removes a grade
 exports/nbgrader.csv
     the columns of `nbgrader export`: assignment, duedate, timestamp, student_id, last_name, first_name,
     email, raw_score, late_submission_penalty, score, max_score
 
-Where that does not fit, the platform's own table is filled instead (`table`).
+If none of these fits, fill the table that the platform exports (`grade --platform-table`).
 
-No cell begins like a formula: an apostrophe stands before one that would.
+No cell begins like a formula: an apostrophe is put before one that would.
 """
 
 import csv
@@ -44,14 +44,23 @@ COLUMNS = (
 
 
 def grades_csv(grades):
-    """grades.csv's text, from what grades.json holds."""
+    """The text of grades.csv.
+
+    Parameters
+    ----------
+    grades : dict, the content of grades.json
+
+    Returns
+    -------
+    str
+    """
     rows = [_grades_row(learner, lesson) for learner in grades["learners"] for lesson in learner["lessons"]]
     return "\ufeff" + _text(COLUMNS, rows)
 
 
 def _grades_row(learner, lesson):
-    told = [lesson["reason"]] if lesson["reason"] else []
-    told += [_notice(notice) for notice in lesson["findings"]]
+    texts = [lesson["reason"]] if lesson["reason"] else []
+    texts += [_finding_text(finding) for finding in lesson["findings"]]
     return (
         learner["name"],
         lesson["lesson"] or "(unknown)",
@@ -62,14 +71,14 @@ def _grades_row(learner, lesson):
         lesson["submitted_at"] or "",
         1 + len(lesson["earlier"]),
         lesson["status"],
-        "; ".join(told),
+        "; ".join(texts),
         lesson["file"],
         lesson["platform_id"],
     )
 
 
-def _notice(notice):
-    return f"{notice['exercise']}: {notice['text']}" if notice["exercise"] else notice["text"]
+def _finding_text(finding):
+    return f"{finding['exercise']}: {finding['text']}" if finding["exercise"] else finding["text"]
 
 
 def _percent(lesson):
@@ -81,7 +90,7 @@ def exports(grades):
 
     Parameters
     ----------
-    grades : dict, what grades.json holds
+    grades : dict, the content of grades.json
 
     Returns
     -------
@@ -94,60 +103,71 @@ def exports(grades):
         if rows:
             columns = ("Identifier", "Full name", "Grade", "Last modified (grade)", "Feedback comments")
             files[f"moodle-{name}.csv"] = _text(columns, rows)
-    canvas = [learner for learner in grades["learners"] if _of_platform(learner, "canvas")]
-    if canvas:
-        files["canvas.csv"] = _canvas(canvas, lessons)
+    learners = [learner for learner in grades["learners"] if _lesson_from(learner, "canvas")]
+    if learners:
+        files["canvas.csv"] = _canvas(learners, lessons)
     return files
 
 
 def lessons_of(grades):
-    """{lesson: what the first key says of it}, of lessons with points."""
+    """The lessons that have points, as the first key that has them describes them.
+
+    Parameters
+    ----------
+    grades : dict, the content of grades.json
+
+    Returns
+    -------
+    {name: dict, the lesson's entry in `keys`}
+    """
     return {
-        each["lesson"]: each
+        lesson["lesson"]: lesson
         for key in reversed(grades["keys"])
-        for each in key["lessons"]
-        if each["max_points"]
+        for lesson in key["lessons"]
+        if lesson["max_points"]
     }
 
 
-def _of_platform(learner, platform):
-    return next((each for each in learner["lessons"] if each["platform"] == platform), None)
+def _lesson_from(learner, platform):
+    return next((lesson for lesson in learner["lessons"] if lesson["platform"] == platform), None)
 
 
 def _moodle_rows(grades, name):
     for learner in grades["learners"]:
         for lesson in learner["lessons"]:
             if lesson["lesson"] == name and lesson["platform"] == "moodle":
-                told = f"{lesson['points']} of {lesson['max_points']} points"
-                told += f"; not graded: {lesson['reason']}" if lesson["reason"] else ""
-                yield f"Participant {lesson['platform_id']}", learner["name"], lesson["points"], "", told
+                comment = f"{lesson['points']} of {lesson['max_points']} points"
+                comment += f"; not graded: {lesson['reason']}" if lesson["reason"] else ""
+                number = f"Participant {lesson['platform_id']}"
+                yield number, learner["name"], lesson["points"], "", comment
 
 
 def _canvas(learners, lessons):
-    # A column of nothing would make a new assignment, or take away the grades of an old one.
-    handed_in = {each["lesson"] for learner in learners for each in learner["lessons"]}
-    lessons = {name: about for name, about in lessons.items() if name in handed_in}
+    # An empty column would create a new assignment, or remove the grades of an old one.
+    submitted = {lesson["lesson"] for learner in learners for lesson in learner["lessons"]}
+    lessons = {name: lesson for name, lesson in lessons.items() if name in submitted}
     columns = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section", *lessons)
-    rows = [("    Points Possible", "", "", "", "", *(each["max_points"] for each in lessons.values()))]
+    maxima = (lesson["max_points"] for lesson in lessons.values())
+    rows = [("    Points Possible", "", "", "", "", *maxima)]
     for learner in learners:
-        got = {each["lesson"]: each["points"] for each in learner["lessons"]}
-        number = int(_of_platform(learner, "canvas")["platform_id"])
-        rows.append((learner["name"], number, "", "", "", *(got.get(name, "") for name in lessons)))
+        points = {lesson["lesson"]: lesson["points"] for lesson in learner["lessons"]}
+        number = int(_lesson_from(learner, "canvas")["platform_id"])
+        rows.append((learner["name"], number, "", "", "", *(points.get(name, "") for name in lessons)))
     return _text(columns, rows)
 
 
 def _nbgrader(grades, lessons):
     columns = ["assignment", "duedate", "timestamp", "student_id", "last_name", "first_name", "email"]
     columns += ["raw_score", "late_submission_penalty", "score", "max_score"]
+    due = (grades["deadline"] or "").replace("T", " ")
     rows = []
-    for name, about in lessons.items():
+    for name, lesson in lessons.items():
+        maximum = float(lesson["max_points"])
         for learner in grades["learners"]:
-            found = next((each for each in learner["lessons"] if each["lesson"] == name), None)
-            got = float(found["points"]) if found else 0.0
-            when = ((found["submitted_at"] or "") if found else "").replace("T", " ")
-            due = (grades["deadline"] or "").replace("T", " ")
-            row = (name, due, when, learner["name"], "", "", "", got, 0.0, got, float(about["max_points"]))
-            rows.append(row)
+            submission = next((entry for entry in learner["lessons"] if entry["lesson"] == name), None)
+            score = float(submission["points"]) if submission else 0.0
+            timestamp = ((submission["submitted_at"] or "") if submission else "").replace("T", " ")
+            rows.append((name, due, timestamp, learner["name"], "", "", "", score, 0.0, score, maximum))
     return _text(columns, rows)
 
 

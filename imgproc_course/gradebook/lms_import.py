@@ -1,11 +1,11 @@
-"""Fill a table that a learning platform exported with our points, so that it can be imported back as it is.
+"""Fill a table that a learning platform exported with our points, so that it can be imported back unchanged.
 
-    Canvas    Grades > Export: "Student", "ID", ..., "Section", a column "03_grayscale (1234)" an assignment
+    Canvas    Grades > Export: "Student", "ID", ..., "Section", "03_grayscale (1234)" per assignment
     Moodle    View all submissions > Download grading worksheet: "Identifier", ..., "Grade", one assignment
 
-Every cell stays as it stands, save the points of what was graded. A row is a learner's by the platform's
-number, which stands in the names of the files that it hands out; else by a login, an e-mail address or a
-number that is the learner's name here.
+Only the points of graded lessons are written; every other cell stays as it is. A row is matched to a learner
+by the platform's number, which is part of the names of the files that the platform hands out. Otherwise it is
+matched by a login, an e-mail address or a number that is the learner's name here.
 """
 
 import csv
@@ -18,7 +18,7 @@ from imgproc_course.gradebook.lms_export import lessons_of
 
 _IDENTITIES = {"SIS Login ID", "SIS User ID", "Integration ID", "Email address", "ID number", "Username"}
 _WITH_NUMBER = re.compile(r"(.+?) \(\d+\)", re.S)
-_LARGEST = 50_000_000
+_LARGEST = 50_000_000  # bytes
 
 
 class TableError(ValueError):
@@ -27,23 +27,30 @@ class TableError(ValueError):
 
 @dataclass(frozen=True)
 class PlatformTable:
-    """A platform's table: `platform` "canvas" or "moodle", `columns`, `rows`, and how it was written."""
+    """A table that a platform exported.
+
+    platform          "canvas" or "moodle"
+    columns           tuple of str, without spaces around them
+    rows              tuple of lists of str
+    delimiter         the character between two cells
+    byte_order_mark   "\\ufeff" if the file begins with it, else ""
+    """
 
     path: Path
     platform: str
     columns: tuple
     rows: tuple
     delimiter: str
-    mark: str
+    byte_order_mark: str
 
     @property
     def number_column(self):
-        """Where the platform's number of a learner stands."""
+        """The index of the column that holds the platform's number of a learner."""
         return self.columns.index("ID" if self.platform == "canvas" else "Identifier")
 
 
 def read_tables(paths):
-    """Read platforms' tables.
+    """Read tables that platforms exported.
 
     Parameters
     ----------
@@ -55,13 +62,13 @@ def read_tables(paths):
 
     Raises
     ------
-    TableError : one cannot be read, or is no table of Canvas's or Moodle's; or two have the same name
+    TableError : a file cannot be read, or it is not a table of Canvas or Moodle; or two have the same name
     """
     paths = [Path(path) for path in paths]
     names = [path.name for path in paths]
     for path in paths:
         if names.count(path.name) > 1:
-            raise TableError(f"{path}: two tables are called {path.name}; give one of them another name")
+            raise TableError(f"{path}: two tables have the name {path.name}; rename one of them")
     return [_read(path) for path in paths]
 
 
@@ -71,18 +78,20 @@ def _read(path):
             raise TableError(f"{path}: larger than {_LARGEST // 1_000_000} MB; give the table as exported")
         text = path.read_bytes().decode("utf-8")
     except UnicodeDecodeError as error:
-        raise TableError(f"{path}: it is not UTF-8; export it again and do not save it in between") from error
+        message = f"{path}: it is not UTF-8; export it again and do not save it with another program"
+        raise TableError(message) from error
     except OSError as error:
         raise TableError(f"{path}: it cannot be read ({error.strerror})") from error
-    mark = "\ufeff" if text.startswith("\ufeff") else ""
-    first = text.removeprefix(mark).partition("\n")[0]
-    delimiter = max(",;\t", key=first.count)
+    byte_order_mark = "\ufeff" if text.startswith("\ufeff") else ""
+    text = text.removeprefix(byte_order_mark)
+    first_line = text.partition("\n")[0]
+    delimiter = max(",;\t", key=first_line.count)
     try:
-        rows = list(csv.reader(io.StringIO(text.removeprefix(mark), newline=""), delimiter=delimiter))
+        rows = list(csv.reader(io.StringIO(text, newline=""), delimiter=delimiter))
     except csv.Error as error:
-        raise TableError(f"{path}: it is no CSV table ({error}); export it again") from error
-    columns = tuple(each.strip() for each in rows[0]) if rows else ()
-    return PlatformTable(path, _platform(path, columns), columns, tuple(rows[1:]), delimiter, mark)
+        raise TableError(f"{path}: it is not a CSV table ({error}); export it again") from error
+    columns = tuple(column.strip() for column in rows[0]) if rows else ()
+    return PlatformTable(path, _platform(path, columns), columns, tuple(rows[1:]), delimiter, byte_order_mark)
 
 
 def _platform(path, columns):
@@ -91,28 +100,31 @@ def _platform(path, columns):
             return "canvas"
     elif {"Identifier", "Grade"} <= set(columns):
         return "moodle"
-    found = ", ".join(columns[:8]) or "nothing"
+    listed = ", ".join(columns[:8]) or "nothing"
     raise TableError(
-        f"{path}: its columns are {found[:200]}; expected Canvas's gradebook export (Student, ID,"
+        f"{path}: its columns are {listed[:200]}; expected Canvas's gradebook export (Student, ID,"
         " ..., Section) or Moodle's grading worksheet in English (Identifier, ..., Grade)"
     )
 
 
-def fill(table, grades):
-    """The table with our points in it.
+# ---------------------------------------------------------------- filling
+
+
+def fill_table(table, grades):
+    """Write our points into a table.
 
     Parameters
     ----------
     table : PlatformTable
-    grades : dict, what grades.json holds
+    grades : dict, the content of grades.json
 
     Returns
     -------
-    (text, list of str): the table, and what is to be said of it
+    (str, list of str): the table's text, and lines that report what was filled in
 
     Raises
     ------
-    TableError : no column of it is a lesson's
+    TableError : no column belongs to a lesson
     """
     columns = _lesson_columns(table, grades)
     rows, filled, matched = [list(row) for row in table.rows], 0, set()
@@ -121,57 +133,55 @@ def fill(table, grades):
         if learner is None:
             continue
         matched.add(learner["name"])
-        for column, name in columns.items():
-            graded = _graded(learner, name)
+        for column, lesson in columns.items():
+            graded = _graded_lesson(learner, lesson)
             if graded is not None and column < len(row):
                 row[column] = str(graded["points"])
                 filled += 1
-    missing = _not_in_it(grades, matched, set(columns.values()))
-    told = [f"{table.path.name}: {filled} points filled in."]
+    lines = [f"{table.path.name}: {filled} points filled in."]
+    missing = _learners_without_row(grades, matched, set(columns.values()))
     if missing:
         names = ", ".join(missing[:5]) + (f" and {len(missing) - 5} more" if len(missing) > 5 else "")
-        told.append(f"  graded, and in no row of it: {names}")
-    told += _other_points(table, columns, grades)
-    return table.mark + _text(table, rows), told
+        lines.append(f"  graded, but in no row of the table: {names}")
+    lines += _different_points(table, columns, grades)
+    return table.byte_order_mark + _text(table, rows), lines
 
 
 def _lesson_columns(table, grades):
-    """{column: lesson}; of Moodle's worksheet its one column of points."""
+    """{index of a column: lesson}; Moodle's worksheet has one column of points."""
     lessons = lessons_of(grades)
     if table.platform == "moodle":
         return {table.columns.index("Grade"): _lesson_of_worksheet(table, grades, lessons)}
-    known = {name.casefold(): name for name in lessons}
-    known |= {about["title"].casefold(): name for name, about in lessons.items()}
-    found = {}
+    lesson_names = {name.casefold(): name for name in lessons}
+    lesson_names |= {lesson["title"].casefold(): name for name, lesson in lessons.items()}
+    columns = {}
     for number, column in enumerate(table.columns):
         match = _WITH_NUMBER.fullmatch(column)
         title = (match[1] if match else column).strip().casefold()
-        if number > table.columns.index("Section") and title in known:
-            found[number] = known[title]
-    if not found:
+        if number > table.columns.index("Section") and title in lesson_names:
+            columns[number] = lesson_names[title]
+    if not columns:
         raise TableError(
-            f"{table.path}: none of its assignments is called like a lesson ({', '.join(lessons)}) or like"
-            " its title: give the assignment in Canvas the lesson's name, and export again"
+            f"{table.path}: no assignment in it has the name of a lesson ({', '.join(lessons)}) or its"
+            " title: rename the assignment in Canvas to the lesson's name, and export again"
         )
-    return found
+    return columns
 
 
 def _lesson_of_worksheet(table, grades, lessons):
-    named = [name for name in lessons if name in table.path.stem]
-    handed_in = {each["lesson"] for learner in grades["learners"] for each in learner["lessons"]} & set(
-        lessons
-    )
-    candidates = named or sorted(handed_in)
+    in_file_name = [name for name in lessons if name in table.path.stem]
+    submitted = {lesson["lesson"] for learner in grades["learners"] for lesson in learner["lessons"]}
+    candidates = in_file_name or sorted(submitted & set(lessons))
     if len(candidates) == 1:
         return candidates[0]
     raise TableError(
-        f"{table.path}: a worksheet is of one lesson, and it may be of {', '.join(candidates) or 'none'}:"
-        " put the lesson's name into the file's name"
+        f"{table.path}: a worksheet belongs to one lesson, but this one can belong to"
+        f" {', '.join(candidates) or 'none'}: put the lesson's name into the file's name"
     )
 
 
 def _learner(table, row, learners):
-    """Whose row it is, or None."""
+    """The learner whose row it is, or None."""
     cell = row[table.number_column] if table.number_column < len(row) else ""
     number = re.search(r"\d+$", cell.strip())
     if number:
@@ -179,48 +189,48 @@ def _learner(table, row, learners):
             for lesson in learner["lessons"]:
                 if (lesson["platform"], lesson["platform_id"]) == (table.platform, number[0]):
                     return learner
-    names = {
+    identities = {
         value.strip().casefold()
         for column, value in zip(table.columns, row, strict=False)
         if column in _IDENTITIES and value.strip()
     }
-    found = [each for each in learners if each["name"].casefold() in names]
-    return found[0] if len(found) == 1 else None
+    candidates = [learner for learner in learners if learner["name"].casefold() in identities]
+    return candidates[0] if len(candidates) == 1 else None
 
 
-def _graded(learner, name):
+def _graded_lesson(learner, name):
     for lesson in learner["lessons"]:
         if lesson["lesson"] == name and lesson["status"] == "graded":
             return lesson
     return None
 
 
-def _not_in_it(grades, matched, lessons):
+def _learners_without_row(grades, matched, lessons):
     return [
         learner["name"]
         for learner in grades["learners"]
-        if learner["name"] not in matched and any(_graded(learner, name) for name in lessons)
+        if learner["name"] not in matched and any(_graded_lesson(learner, name) for name in lessons)
     ]
 
 
-def _other_points(table, columns, grades):
-    """What to say where the platform has other points for a lesson: nothing is scaled."""
+def _different_points(table, columns, grades):
+    """A line for each lesson that has other maximum points on the platform: nothing is scaled."""
     lessons = lessons_of(grades)
     for column, name in columns.items():
-        most = _most_points(table, column)
-        if most is not None and most != lessons[name]["max_points"]:
+        maximum = _maximum_points(table, column)
+        if maximum is not None and maximum != lessons[name]["max_points"]:
             yield (
-                f"  {name} is worth {most:g} points there and {lessons[name]['max_points']} here; points are"
-                " filled in as they are here: change it there"
+                f"  {name} is worth {maximum:g} points on the platform and {lessons[name]['max_points']}"
+                " here; our points are filled in without scaling: change the maximum on the platform"
             )
 
 
-def _most_points(table, column):
+def _maximum_points(table, column):
     if table.platform == "canvas":
         cells = [row[column] for row in table.rows if "Points Possible" in row[0] and column < len(row)]
     elif "Maximum grade" in table.columns:
-        at = table.columns.index("Maximum grade")
-        cells = [row[at] for row in table.rows if at < len(row)]
+        position = table.columns.index("Maximum grade")
+        cells = [row[position] for row in table.rows if position < len(row)]
     else:
         cells = []
     try:

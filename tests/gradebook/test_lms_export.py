@@ -1,4 +1,4 @@
-"""Tables: what stands in them, as their readers read them, and no formula among it."""
+"""The tables of points, as other programs read them; no cell is a formula."""
 
 import csv
 import io
@@ -31,13 +31,13 @@ def rows(data, encoding="utf-8"):
 
 def test_the_table_for_a_spreadsheet(tables):
     assert tables["grades.csv"].startswith(b"\xef\xbb\xbf")
-    found = {row["learner"]: row for row in rows(tables["grades.csv"], "utf-8-sig")}
-    assert set(found) == {"Ada, Lovelace", "Bob", "eveadam", "'=cmd|\" ,x\\n;y"}
-    ada = found["Ada, Lovelace"]
+    by_learner = {row["learner"]: row for row in rows(tables["grades.csv"], "utf-8-sig")}
+    assert set(by_learner) == {"Ada, Lovelace", "Bob", "eveadam", "'=cmd|\" ,x\\n;y"}
+    ada = by_learner["Ada, Lovelace"]
     assert (ada["points"], ada["max_points"], ada["percent"], ada["late"]) == ("6", "6", "100.0", "")
-    assert found["eveadam"]["late"] == "late"
-    assert found["Bob"]["status"] == "not graded" and "not a notebook" in found["Bob"]["findings"]
-    assert found["'=cmd|\" ,x\\n;y"]["points"] == "6"
+    assert by_learner["eveadam"]["late"] == "late"
+    assert by_learner["Bob"]["status"] == "not graded" and "not a notebook" in by_learner["Bob"]["findings"]
+    assert by_learner["'=cmd|\" ,x\\n;y"]["points"] == "6"
 
 
 def test_no_cell_of_any_table_is_a_formula(tables):
@@ -47,15 +47,15 @@ def test_no_cell_of_any_table_is_a_formula(tables):
 
 
 def test_moodles_worksheet(tables):
-    found = rows(tables["moodle-20_light.csv"])
-    assert list(found[0]) == [
+    table = rows(tables["moodle-20_light.csv"])
+    assert list(table[0]) == [
         "Identifier",
         "Full name",
         "Grade",
         "Last modified (grade)",
         "Feedback comments",
     ]
-    assert [(row["Identifier"], row["Grade"]) for row in found] == [
+    assert [(row["Identifier"], row["Grade"]) for row in table] == [
         ("Participant 12345", "6"),
         ("Participant 678", "0"),
     ]
@@ -67,16 +67,16 @@ def test_canvas_gradebook(tables):
     assert list(points)[:5] == ["Student", "ID", "SIS User ID", "SIS Login ID", "Section"]
     assert (points["Student"].strip(), points["20_light"]) == ("Points Possible", "6")
     assert (eve["Student"], eve["ID"], eve["20_light"]) == ("eveadam", "42", "0")
-    assert "21_sound" not in eve  # nobody handed it in: its column would take grades away
+    assert "21_sound" not in eve  # nobody submitted it: its column would remove grades
 
 
 def test_nbgraders_columns(tables):
-    found = rows(tables["nbgrader.csv"])
-    first = ["assignment", "duedate", "timestamp", "student_id", "last_name", "first_name", "email"]
-    assert list(found[0]) == [*first, "raw_score", "late_submission_penalty", "score", "max_score"]
+    table = rows(tables["nbgrader.csv"])
+    columns = ["assignment", "duedate", "timestamp", "student_id", "last_name", "first_name", "email"]
+    assert list(table[0]) == [*columns, "raw_score", "late_submission_penalty", "score", "max_score"]
     ada = next(
-        row for row in found if row["student_id"] == "Ada, Lovelace" and row["assignment"] == "20_light"
+        row for row in table if row["student_id"] == "Ada, Lovelace" and row["assignment"] == "20_light"
     )
     assert (float(ada["score"]), float(ada["max_score"])) == (6.0, 6.0)
     assert ada["timestamp"] == "2026-11-30 12:00:00"
-    assert len(found) == 2 * 4
+    assert len(table) == 2 * 4

@@ -1,4 +1,4 @@
-"""Tables that platforms exported, filled with points: every other cell as it was."""
+"""Tables that platforms exported are filled with points; every other cell stays as it was."""
 
 import csv
 import io
@@ -7,7 +7,7 @@ import pytest
 from submissions import answers_of, notebook, write
 
 from imgproc_course.gradebook.grade import grade_submissions
-from imgproc_course.gradebook.lms_import import TableError, fill, read_tables
+from imgproc_course.gradebook.lms_import import TableError, fill_table, read_tables
 
 pytestmark = pytest.mark.sandbox
 
@@ -32,7 +32,7 @@ MOODLE = (
 
 
 @pytest.fixture
-def handed_in(light, submissions):
+def submitted(light, submissions):
     right, wrong = notebook(light, answers_of(light, "right")), notebook(light, answers_of(light, 0))
     write(submissions / "eveadam_42_900_20_light.ipynb", right)
     write(submissions / "ada@school.example" / "x.ipynb", wrong)
@@ -44,14 +44,14 @@ def handed_in(light, submissions):
 
 @pytest.fixture
 def table(tmp_path):
-    """Write a table as exported; gives its path."""
+    """Writes a table as exported, and returns its path."""
 
-    def written(name, text):
+    def write_table(name, text):
         path = tmp_path / name
         path.write_bytes(text.encode("utf-8"))
         return path
 
-    return written
+    return write_table
 
 
 def cells(text, delimiter=","):
@@ -60,32 +60,32 @@ def cells(text, delimiter=","):
 
 def filled(path, grades):
     (table,) = read_tables([path])
-    return fill(table, grades)
+    return fill_table(table, grades)
 
 
-def test_canvas_gradebook_is_filled_and_nothing_else_of_it_changes(handed_in, grade, table):
-    text, told = filled(table("gradebook.csv", CANVAS), grade(handed_in))
+def test_canvas_gradebook_is_filled_and_nothing_else_changes(submitted, grade, table):
+    text, lines = filled(table("gradebook.csv", CANVAS), grade(submitted))
     expected = cells(CANVAS)
     expected[3][5], expected[4][5] = "6", "0"  # by the number; by the login that is the folder's name
     assert cells(text) == expected
-    assert told == [
+    assert lines == [
         "gradebook.csv: 2 points filled in.",
-        "  graded, and in no row of it: Ada, Lovelace, nobody",
+        "  graded, but in no row of the table: Ada, Lovelace, nobody",
     ]
 
 
-def test_moodles_worksheet_is_filled_and_what_could_not_be_graded_stays(handed_in, grade, table):
-    text, told = filled(table("Grades-20_light.csv", MOODLE), grade(handed_in))
+def test_moodles_worksheet_is_filled_and_other_grades_stay(submitted, grade, table):
+    text, lines = filled(table("Grades-20_light.csv", MOODLE), grade(submitted))
     expected = cells(MOODLE)
     expected[1][4] = "6"
     assert cells(text) == expected and text.startswith("\ufeffIdentifier")
-    assert "20_light is worth 100 points there and 6 here" in told[-1]
+    assert "20_light is worth 100 points on the platform and 6 here" in lines[-1]
 
 
-def test_a_table_with_semicolons_and_other_languages_numbers(handed_in, grade, table):
+def test_a_table_with_semicolons_and_other_languages_numbers(submitted, grade, table):
     other = MOODLE.replace("Participant ", "Teilnehmer/in").replace('"Ada, Lovelace"', "Ada")
     other = other.replace('"Monday, 30 November 2026, 12:00 PM"', "30.11.2026").replace(",", ";")
-    text, _ = filled(table("20_light.csv", other), grade(handed_in))
+    text, _ = filled(table("20_light.csv", other), grade(submitted))
     assert cells(text, ";")[1][:5] == [
         "Teilnehmer/in12345",
         "Ada",
@@ -95,9 +95,9 @@ def test_a_table_with_semicolons_and_other_languages_numbers(handed_in, grade, t
     ]
 
 
-def test_a_lesson_may_be_named_by_its_title(handed_in, grade, table, light):
+def test_a_column_can_have_the_title_of_the_lesson(submitted, grade, table, light):
     text, _ = filled(
-        table("g.csv", CANVAS.replace("20_light (901)", f"{light.title} (901)")), grade(handed_in)
+        table("g.csv", CANVAS.replace("20_light (901)", f"{light.title} (901)")), grade(submitted)
     )
     assert cells(text)[3][5] == "6"
 
@@ -111,35 +111,38 @@ def test_a_lesson_may_be_named_by_its_title(handed_in, grade, table, light):
     ],
 )
 def test_another_table_is_refused_before_anything_is_graded(
-    text, reason, handed_in, key_path, table, tmp_path
+    text, reason, submitted, key_path, table, tmp_path
 ):
     path = table("any.csv", text)
     with pytest.raises(TableError, match=reason):
-        grade_submissions(handed_in, [key_path], tmp_path / "grades", quiet=True, platform_tables=[path])
+        grade_submissions(submitted, [key_path], tmp_path / "grades", quiet=True, platform_tables=[path])
     assert not (tmp_path / "grades").exists()
 
 
-def test_what_cannot_be_read_says_why(table, tmp_path):
+def test_a_table_that_cannot_be_read(table, tmp_path):
     latin = tmp_path / "latin.csv"
     latin.write_bytes(b"Student,ID,Section\r\n\xe4,1,\r\n")
     with pytest.raises(TableError, match="it is not UTF-8"):
         read_tables([latin])
     with pytest.raises(TableError, match="it cannot be read"):
         read_tables([tmp_path / "none.csv"])
-    with pytest.raises(TableError, match=r"two tables are called a\.csv"):
+    with pytest.raises(TableError, match=r"two tables have the name a\.csv"):
         read_tables([tmp_path / "a.csv", tmp_path / "b" / "a.csv"])
 
 
-def test_a_worksheet_of_which_nobody_knows_the_lesson_is_told_and_the_rest_is_there(
-    handed_in, masters, key_path, table, tmp_path
+def test_a_worksheet_of_an_unknown_lesson_is_reported_and_the_others_are_filled(
+    submitted, masters, key_path, table, tmp_path
 ):
-    write(handed_in / "carol" / "y.ipynb", notebook(masters["21_sound"]))
+    write(submitted / "carol" / "y.ipynb", notebook(masters["21_sound"]))
     out = tmp_path / "grades"
     tables = [table("worksheet.csv", MOODLE), table("canvas.csv", CANVAS.replace("20_light", "First"))]
     tables += [table("20_light.csv", MOODLE)]
-    told = grade_submissions(handed_in, [key_path], out, workers=1, quiet=True, platform_tables=tables).text
-    assert "worksheet.csv: a worksheet is of one lesson, and it may be of 20_light, 21_sound" in told
-    assert "canvas.csv: none of its assignments is called like a lesson (20_light, 21_sound)" in told
+    lines = grade_submissions(submitted, [key_path], out, workers=1, quiet=True, platform_tables=tables).text
+    assert (
+        "worksheet.csv: a worksheet belongs to one lesson, but this one can belong to 20_light, 21_sound"
+        in lines
+    )
+    assert "canvas.csv: no assignment in it has the name of a lesson (20_light, 21_sound)" in lines
     assert sorted(path.name for path in (out / "exports").iterdir() if "filled" in path.name) == [
         "filled-20_light.csv"
     ]
