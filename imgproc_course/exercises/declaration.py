@@ -170,7 +170,7 @@ class Exercise:
         Parameters
         ----------
         case : Case
-        seed : int; the same seed gives the same arguments, whatever else the master holds
+        seed : int; the arguments depend only on the seed and the case
 
         Returns
         -------
