@@ -210,8 +210,8 @@ import os
 written = set()
 for path in {line.split()[1] for line in open("/proc/mounts")}:
     try:
-        os.mkdir(place + "/mark")
-        written.add(place)
+        os.mkdir(path + "/mark")
+        written.add(path)
     except OSError:
         pass
 """
