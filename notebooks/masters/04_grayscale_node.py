@@ -200,11 +200,9 @@ if ros_available():
 #
 # Write `process(frame)`, the function of a grayscale node. You may use `cv2`. Do not change the frame: other code may use it too.
 #
-# | | |
-# |---|---|
-# | Input | `frame`: (height, width, 3) uint8, channels blue, green, red |
-# | Output | a dictionary with one key, `"gray"`; its value is the luma, (height, width) uint8 |
-# | Example call | `process(frame)["gray"].shape` is `(720, 1280)` |
+# | Input | Output | Example call |
+# |---|---|---|
+# | `frame`: (height, width, 3) uint8, channels blue, green, red | a dictionary with one key, `"gray"`; its value is the luma, (height, width) uint8 | `process(frame)["gray"].shape` is `(720, 1280)` |
 
 # %% role="exercise"
 exercise(

@@ -199,7 +199,7 @@ print(f"outline pixels {true_outlines.sum():,}, edge pixels {(outputs['edges'] >
 # %% [markdown]
 # An edge pixel on an outline is a *true positive*. An edge pixel elsewhere is a *false positive*: the node reports an outline that does not exist. An outline pixel without an edge is a *false negative*: the node has missed it. Two numbers follow:
 #
-# - **precision**: the share of the edge pixels that are on an outline. If it is low, the node sees ghosts.
+# - **precision**: the share of the edge pixels that are true positives. If it is low, the node sees ghosts.
 # - **recall**: the share of the outline pixels that were detected. If it is low, the node is blind.
 #
 # "On" needs a tolerance: an edge may be up to 2 pixels away from the outline. **F1** combines both numbers. It is their harmonic mean, which is high only if both are high.
@@ -220,11 +220,9 @@ assert round(f1, 2) == 0.67
 #
 # Write `f1_score(edges, outlines, tolerance)`. An edge pixel is *on* an outline if an outline pixel is at most `tolerance` rows *and* at most `tolerance` columns away. An outline pixel is detected if an edge pixel is as near.
 #
-# | | |
-# |---|---|
-# | Input | `edges`: (height, width) uint8, 0 or 255; `outlines`: (height, width) bool; `tolerance`: int, in pixels |
-# | Output | F1, a float from 0 to 1; 0.0 if there are no edges, no outlines, or no true positives |
-# | Example call | `f1_score(edges, outlines, 2)` |
+# | Input | Output | Example call |
+# |---|---|---|
+# | `edges`: (height, width) uint8, 0 or 255; `outlines`: (height, width) bool; `tolerance`: int, in pixels | F1, a float from 0 to 1; 0.0 if there are no edges, no outlines, or no true positives | `f1_score(edges, outlines, 2)` |
 
 # %% role="exercise"
 exercise(

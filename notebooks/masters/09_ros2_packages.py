@@ -217,11 +217,9 @@ if ros_available():
 #
 # Write `executable_of(install, package)`. It returns the path that `ros2 run` looks for, when the executable has the same name as its package.
 #
-# | | |
-# |---|---|
-# | Input | `install`: the `install` folder of a workspace, a string; `package`: the name of a package, a string |
-# | Output | the path of the executable, a string with `/` between the parts |
-# | Example call | `executable_of("ros2_ws/install", "image_gray_processor")` |
+# | Input | Output | Example call |
+# |---|---|---|
+# | `install`: the `install` folder of a workspace, a string; `package`: the name of a package, a string | the path of the executable, a string with `/` between the parts | `executable_of("ros2_ws/install", "image_gray_processor")` |
 
 # %% role="exercise"
 exercise(

@@ -152,15 +152,16 @@ def report(results):
     Console(width=110).print(table)
     behind = []
     for kind in ("gray", "edges"):
-        ours, theirs = (
+        course_node, lesson_node = (
             next(name for name in shares if name.startswith(kind) and part in name)
             for part in ("image_", "lesson")
         )
         # On a busy machine even the lesson's node falls behind, so only the ratio counts.
-        ratio = shares[ours] / shares[theirs]
+        ratio = shares[course_node] / shares[lesson_node]
         verdict = "kept" if ratio >= 0.98 else "OVER"
         print(
-            f"{kind}: {shares[ours]:.1%} processed, the lesson's {shares[theirs]:.1%}: {verdict} (0.98 of it)"
+            f"{kind}: {shares[course_node]:.1%} processed, the lesson's {shares[lesson_node]:.1%}: "
+            f"{verdict} (0.98 of it)"
         )
         if ratio < 0.98:
             behind.append(kind)

@@ -112,9 +112,9 @@ def test_another_of_the_recordings_cameras_can_be_played(open_camera):
     from imgproc_course.ros import ImageSubscriber
 
     with open_recording("drive", camera_topic="/truth/labels") as labels:
-        known = {labels.frame(k).tobytes() for k in range(len(labels))}
+        recorded_frames = {labels.frame(k).tobytes() for k in range(len(labels))}
     with open_camera(camera_topic="/truth/labels") as camera, ImageSubscriber(camera.topic) as subscriber:
-        assert subscriber.wait(20).tobytes() in known
+        assert subscriber.wait(20).tobytes() in recorded_frames
     with pytest.raises(NotRecordedError, match="holds no images on /back, but on: "):
         open_camera(camera_topic="/back")
 
@@ -141,9 +141,9 @@ def test_all_four_topics_carry_the_robots_encoding_and_one_header(open_camera, c
     assert len(set.intersection(*stamps)) >= 5
     assert {msg.header.frame_id for msg in (*compressed, *infos[0], *infos[1])} == {"camera_front"}
     with open_recording("drive") as drive:
-        known = {bytes(drive.message(k).data) for k in range(len(drive))}
+        recorded_bytes = {bytes(drive.message(k).data) for k in range(len(drive))}
         recorded = drive.camera_info
-    assert {bytes(msg.data) for msg in compressed} <= known
+    assert {bytes(msg.data) for msg in compressed} <= recorded_bytes
     for msg in (infos[0][-1], infos[1][-1]):
         assert (list(msg.k), list(msg.d)) == (list(recorded.k), list(recorded.d))
         assert (msg.width, msg.height, msg.distortion_model) == (1280, 720, "plumb_bob")
@@ -330,11 +330,11 @@ def test_another_publisher_of_the_topic_is_logged_once(
     from imgproc_course.ros import camera as module
 
     monkeypatch.setattr(module, "CHECK_PERIOD", 0.05)
-    other = start_python(
+    other_process = start_python(
         "import time\nfrom imgproc_course.ros import open_camera\ncamera = open_camera()\n"
         "print(camera._node.get_name())\ntime.sleep(60)"
     )
-    name = other.stdout.readline().strip()
+    name = other_process.stdout.readline().strip()
     camera = open_camera(recording="fake", speed=10)
     wait_until(lambda: caplog.records)
     played = camera.played

@@ -39,13 +39,13 @@ def test_a_child_process_knows_that_the_course_chose(clean_environment):
 
 @pytest.mark.parametrize("name", profile.PROFILE_VARIABLES)
 def test_a_users_profile_is_left_alone(clean_environment, tmp_path, name):
-    mine = tmp_path / "mine.xml"
-    mine.write_text("<dds/>")
-    clean_environment.setenv(name, str(mine))
+    user_file = tmp_path / "mine.xml"
+    user_file.write_text("<dds/>")
+    clean_environment.setenv(name, str(user_file))
     dds_profile = profile.choose_profile()
-    assert (dds_profile.chosen_by, dds_profile.path) == ("user", str(mine))
-    other = next(variable for variable in profile.PROFILE_VARIABLES if variable != name)
-    assert os.environ[other] == ""
+    assert (dds_profile.chosen_by, dds_profile.path) == ("user", str(user_file))
+    other_variable = next(variable for variable in profile.PROFILE_VARIABLES if variable != name)
+    assert os.environ[other_variable] == ""
 
 
 def test_a_users_profile_that_does_not_exist_is_noted(clean_environment):

@@ -113,23 +113,23 @@ def test_a_topic_ending_in_compressed_is_read_as_compressed(session, subscribe, 
 
 
 def test_on_image_gets_frame_and_message_in_order(send, subscribe, wait_until):
-    seen = []
-    subscribe(TOPIC, lambda frame, msg: seen.append((int(frame[0, 0, 0]), msg.encoding)))
+    values = []
+    subscribe(TOPIC, lambda frame, msg: values.append((int(frame[0, 0, 0]), msg.encoding)))
     for value in (1, 2, 3):
         send(np.full((2, 2), value, np.uint8), "mono8")
-        wait_until(lambda value=value: len(seen) == value)
-    assert seen == [(1, "mono8"), (2, "mono8"), (3, "mono8")]
+        wait_until(lambda value=value: len(values) == value)
+    assert values == [(1, "mono8"), (2, "mono8"), (3, "mono8")]
 
 
 def test_a_message_that_cannot_be_converted_is_logged_counted_and_skipped(
     send, subscribe, wait_until, caplog
 ):
-    seen = []
-    subscriber = subscribe(TOPIC, lambda frame, msg: seen.append(frame))
+    frames = []
+    subscriber = subscribe(TOPIC, lambda frame, msg: frames.append(frame))
     send(broken_image())
     send(colours())
-    wait_until(lambda: seen)
-    assert (subscriber.received, subscriber.failed, len(seen)) == (2, 1, 1)
+    wait_until(lambda: frames)
+    assert (subscriber.received, subscriber.failed, len(frames)) == (2, 1, 1)
     assert np.array_equal(subscriber.latest(), colours()[:, :, ::-1])
     assert subscriber.last_error.startswith(f"a message of {TOPIC} cannot be converted: ")
     assert [record.message for record in caplog.records] == [
@@ -146,18 +146,18 @@ def test_the_same_fault_over_and_over_is_logged_now_and_then(send, subscribe, wa
 
 
 def test_an_exception_in_on_image_is_logged_counted_and_kills_nothing(send, subscribe, wait_until, caplog):
-    seen = []
+    frames = []
 
     def on_image(frame, msg):
-        seen.append(frame)
-        if len(seen) == 1:
+        frames.append(frame)
+        if len(frames) == 1:
             frame.no_such_thing  # noqa: B018
 
     subscriber = subscribe(TOPIC, on_image)
     send(colours())
     wait_until(lambda: subscriber.failed == 1)
     send(colours())
-    wait_until(lambda: len(seen) == 2)
+    wait_until(lambda: len(frames) == 2)
     assert (subscriber.received, subscriber.failed) == (2, 1)
     assert "(frame.no_such_thing" in subscriber.last_error
     ending = "AttributeError: 'numpy.ndarray' object has no attribute 'no_such_thing'"
@@ -324,26 +324,26 @@ def test_waiting_in_a_callback_is_refused(subscribe, session):
 
 
 def test_stopping_within_on_image(send, subscribe, wait_until):
-    seen = []
+    frames = []
 
     def on_image(frame, msg):
-        seen.append(frame)
+        frames.append(frame)
         subscriber.stop()
 
     subscriber = subscribe(TOPIC, on_image)
     send(colours())
     wait_until(lambda: send.publisher.get_subscription_count() == 0)
-    assert (len(seen), subscriber.stopped) == (1, True)
+    assert (len(frames), subscriber.stopped) == (1, True)
 
 
 def test_iteration_yields_the_newest_and_ends_with_stop(send, subscribe, wait_until):
     subscriber = subscribe(TOPIC)
-    seen = []
+    values = []
 
     def read():
         for frame in subscriber:
-            seen.append(int(frame[0, 0]))
-            if seen == [1]:  # three more arrive meanwhile, and only the last is read
+            values.append(int(frame[0, 0]))
+            if values == [1]:  # three more arrive meanwhile, and only the last is read
                 for value in (2, 3, 4):
                     send(np.full((2, 2), value, np.uint8), "mono8")
                     wait_until(lambda value=value: subscriber.received == value)
@@ -352,7 +352,7 @@ def test_iteration_yields_the_newest_and_ends_with_stop(send, subscribe, wait_un
     reader = threading.Thread(target=read)
     reader.start()
     send(np.full((2, 2), 1, np.uint8), "mono8")
-    wait_until(lambda: seen == [1, 4])
+    wait_until(lambda: values == [1, 4])
     assert (subscriber.skipped, subscriber.dropped) == (2, 0)
     subscriber.stop()
     reader.join(20)
@@ -457,15 +457,15 @@ def test_running_the_cell_again_replaces_the_subscriber(run_python):
 
 
 def test_a_modules_function_may_be_called_by_two_subscribers(send, subscribe, wait_until):
-    seen = []
+    calls = []
 
     def on_image(frame, msg):
-        seen.append(1)
+        calls.append(1)
 
     subscribe(TOPIC, on_image)
     subscribe(TOPIC, on_image)
     send(colours(), subscribers=2)
-    wait_until(lambda: len(seen) == 2)
+    wait_until(lambda: len(calls) == 2)
 
 
 @pytest.mark.parametrize(
