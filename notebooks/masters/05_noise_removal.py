@@ -2,22 +2,22 @@
 # jupyter:
 #   imgproc_course:
 #     title: Noise removal
-#     minutes: 60
+#     minutes: 70
 # ---
 
 # %% [markdown]
 # # 05 · Noise removal
 #
-# Every sensor adds *noise*: small or large errors in the gray levels. To remove them, we compare each pixel with its neighbours. A *filter* computes each new pixel from a neighbourhood of the old one. Which filter helps depends on the noise.
+# Every sensor adds *noise*: small or large errors in the gray levels. A *filter* removes noise. It computes each pixel of a new image from the pixel at the same place in the old image and its neighbours. Which filter helps depends on the kind of noise.
 #
 # **You will be able to**
-# - distinguish Gaussian noise and impulse noise by their numbers,
+# - distinguish Gaussian noise from impulse noise by the errors of the pixels,
 # - explain kernel, correlation, convolution and border handling,
 # - explain why a mean blurs edges and why a median does not,
 # - compute a 3 × 3 median by hand,
-# - measure with PSNR which of two filters removes more noise, and choose a filter by it.
+# - measure with PSNR which filter removes more noise, and choose a filter with this number.
 #
-# **Time** about 60 minutes. **You need** lesson 03.
+# **Time** about 70 minutes. **You need** lesson 03.
 
 # %% role="given" exercise=["noise-median", "noise-psnr", "noise-choose"]
 import numpy as np
@@ -45,7 +45,7 @@ print("gray", gray.shape, gray.dtype, "range", gray.min(), "to", gray.max())
 # %% [markdown]
 # ## 1 · Noise is in every image (5 minutes)
 #
-# **Ask.** A wall has one colour. Does the camera see one gray level? Here are 8 × 8 pixels of the wall. **Predict**: are they all equal, or how much do they differ?
+# **Ask.** A wall has one colour. Does the camera see one gray level? Here are 8 × 8 pixels of the wall. **Predict**: are they all equal? If not, how much do they differ? (The *standard deviation* in the output is the typical distance of a value from the mean.)
 
 # %%
 wall = gray[120:128, 880:888]
@@ -57,9 +57,9 @@ print("smallest", wall.min(), "  largest", wall.max(), "  standard deviation", r
 assert 0 < wall.std() < 5
 
 # %% [markdown]
-# ## 2 · One row, one step (10 minutes)
+# ## 2 · A row with an intensity step (10 minutes)
 #
-# An image consists of many rows, and one row is easier to read. Here is a row with a dark part, a bright part and an *intensity step* between them (intensity is another word for gray level). We add an error of a few gray levels to each value.
+# An image consists of many rows, and one row is easier to read. Here is a row with a dark part, a bright part and an *intensity step* between them: the place where the gray level (the intensity) jumps. We add an error of a few gray levels to each value.
 
 # %%
 clean_row = np.array([50] * 6 + [200] * 6)
@@ -73,8 +73,8 @@ print("noisy", noisy_row)
 
 # %%
 def mean_of_three(row):
-    padded = np.pad(row, 1, mode="edge")
-    return (padded[:-2] + padded[1:-1] + padded[2:]) // 3
+    padded = np.pad(row, 1, mode="edge")  # repeats the first and the last value
+    return (padded[:-2] + padded[1:-1] + padded[2:]) // 3  # left neighbour, value, right neighbour; // drops the fraction
 
 
 averaged = mean_of_three(noisy_row)
@@ -85,11 +85,11 @@ assert np.abs(averaged[:5] - 50).max() < np.abs(noisy_row[:5] - 50).max()
 assert averaged[5] == 101 and averaged[6] == 146
 
 # %% [markdown]
-# The flat parts are smoother, but we lost our edge. Between 50 and 200 there are now 101 and 146, values that no pixel of the scene has.
+# The flat parts are smoother, but we lost the sharp edge. Between 50 and 200 there are now 101 and 146. No pixel of the clean row has such a value.
 #
-# This mean is a **correlation** with a **kernel**: the list of weights 1/3, 1/3, 1/3. (This *filter kernel* is unrelated to the notebook's kernel, which runs your cells.) The kernel moves along the row. At each pixel its weights are multiplied with the values under them, and the products are added. The sum is the **filter response** at this pixel.
+# This mean is a **correlation** with a **kernel**: the list of weights 1/3, 1/3, 1/3. (This *filter kernel* is unrelated to the notebook's kernel, which runs your cells.) The kernel moves along the row. At each pixel, every weight is multiplied by the value under it, and the products are added. The sum is the **filter response** at this pixel.
 #
-# A **convolution** does the same, but flips the kernel first. With a symmetric kernel both give the same response; with any other kernel they differ. A row with a single 1, an *impulse*, shows the difference: the convolution gives the kernel as it is, the correlation gives it flipped.
+# A **convolution** does the same, but flips the kernel first (left becomes right). With a symmetric kernel both give the same response; with any other kernel they differ. A row of zeros with a single 1, an *impulse*, shows the difference: the convolution returns the kernel as it is, and the correlation returns the flipped kernel.
 
 # %%
 impulse = np.array([0, 0, 0, 1, 0, 0, 0])
@@ -102,11 +102,11 @@ assert np.correlate(impulse, kernel, mode="same").tolist() == [0, 0, 3, 2, 1, 0,
 assert (np.correlate(impulse, kernel[::-1], mode="same") == np.convolve(impulse, kernel, mode="same")).all()
 
 # %% [markdown]
-# OpenCV's filters correlate. Most textbooks write convolution. For the symmetric kernels of this lesson the two are the same; in lesson 07 the difference will be a sign.
+# OpenCV's filters compute the correlation. Most textbooks use the convolution. For the symmetric kernels of this lesson the results are equal; for the kernel of lesson 07 they have opposite signs.
 #
-# ## 3 · Planned failure: a mean against salt and pepper (6 minutes)
+# ## 3 · Planned failure: a mean filter against impulse noise (6 minutes)
 #
-# A broken pixel is not wrong by a few gray levels: it is black or white. This is **impulse noise**, also called *salt-and-pepper* noise. **Predict** the mean of three around a single white pixel; all other pixels are 50.
+# Some sensor errors are not small: a broken pixel is black or white. This is **impulse noise**, also called *salt-and-pepper* noise. **Predict** what the mean of three does to a single white pixel (255) in a row of 50.
 
 # %%
 salted_row = np.array([50, 50, 50, 50, 255, 50, 50, 50, 50])
@@ -116,12 +116,12 @@ print("mean  ", mean_of_three(salted_row))
 assert mean_of_three(salted_row).tolist() == [50, 50, 50, 118, 118, 118, 50, 50, 50]
 
 # %% [markdown]
-# One wrong pixel became three wrong pixels. **Repair it**: do not average. Sort the three values and take the middle one: the **median**. A single outlier is never in the middle.
+# One wrong pixel became three wrong pixels. **Repair it**: do not average. Sort the three values and take the middle one: the **median**. A single *outlier* (a value far from all others) is the smallest or the largest of the three, so it is never in the middle.
 
 # %%
 def median_of_three(row):
     padded = np.pad(row, 1, mode="edge")
-    return np.sort([padded[:-2], padded[1:-1], padded[2:]], axis=0)[1]
+    return np.sort([padded[:-2], padded[1:-1], padded[2:]], axis=0)[1]  # sorts the three values of each pixel; [1] is the middle
 
 
 print("salted", salted_row)
@@ -132,9 +132,9 @@ assert (median_of_three(salted_row) == 50).all()
 assert (median_of_three(clean_row) == clean_row).all()  # the step is still a step
 
 # %% [markdown]
-# ## 4 · Five by five (8 minutes)
+# ## 4 · From a row to an image (10 minutes)
 #
-# In an image a pixel has neighbours on all sides: a neighbourhood of 3 × 3 = 9 values. Their median is the fifth value when they are sorted. **Predict** the median around the white pixel in the middle.
+# In an image a pixel has neighbours on all sides: a neighbourhood of 3 × 3 = 9 values. If you sort them, the median is the fifth value. **Predict** the median of the nine values around the 255 in the middle of this image.
 
 # %%
 tiny = np.array([[50, 52, 51, 200, 201],
@@ -142,7 +142,7 @@ tiny = np.array([[50, 52, 51, 200, 201],
                  [51, 50, 255, 202, 200],
                  [50, 52, 50, 199, 201],
                  [48, 50, 51, 200, 202]], dtype=np.uint8)
-neighbours = np.sort(tiny[1:4, 1:4], axis=None)
+neighbours = np.sort(tiny[1:4, 1:4], axis=None)  # axis=None: sort all nine values as one list
 print("the nine, sorted:", neighbours, "  the fifth:", neighbours[4])
 
 assert neighbours[4] == 53
@@ -150,17 +150,17 @@ assert neighbours[4] == 53
 # %%
 cleaned = median_blur(tiny, 3)
 show([tiny, box_blur(tiny, 3), cleaned], ["with salt and pepper", "3 × 3 mean", "3 × 3 median"], encoding="mono8",
-     caption="The mean spreads both wrong pixels over their neighbours; the median removes them and keeps the edge.",
-     alt="Three grids of numbers: a white and a black pixel stand out in the first, and are gone in the third.")
+     caption="The mean spreads the two wrong pixels over their neighbours; the median removes them and keeps the edge.",
+     alt="Three grids of numbers: the first has one white and one black pixel that do not fit; in the third they are gone.")
 
 assert cleaned[2, 2] == 53 and cleaned[1, 4] == 200
 
 # %% [markdown]
-# A pixel at the border has no neighbours outside the image. So a filter needs a rule for them: its **border handling**. Three rules are common:
+# A pixel at the border has fewer neighbours, because there are no pixels outside the image. So a filter needs a rule for the missing neighbours: its **border handling**. Three rules are common (`np.pad` calls them `edge`, `reflect` and `constant`):
 #
-# - *replicate* repeats the outermost pixel; OpenCV's median uses it,
-# - *reflect-101* mirrors the image about its outermost pixel; OpenCV's box and Gaussian filters use it,
-# - *zero padding* adds zeros; it makes the border darker.
+# - *replicate* repeats the outermost pixel; OpenCV's median filter uses it,
+# - *reflect-101* mirrors the image at its outermost pixel, without repeating this pixel; OpenCV's box and Gaussian filters use it,
+# - *zero padding* adds zeros; a mean filter then makes the border darker.
 
 # %%
 border_row = np.array([10, 20, 30])
@@ -172,9 +172,9 @@ assert np.pad(border_row, 2, mode="reflect").tolist() == [30, 20, 10, 20, 30, 20
 assert np.pad(border_row, 2, mode="constant").tolist() == [0, 0, 10, 20, 30, 0, 0]
 
 # %% [markdown]
-# The 3 × 3 mean is the **box filter** (mean filter): all nine weights are 1/9. The **Gaussian filter** gives near neighbours more weight. Its 3 × 3 kernel is 1, 2, 1 down the column times 1, 2, 1 along the row, divided by 16. So it is a **separable** filter: a pass along the rows and then a pass down the columns give the same result as the whole kernel, with 3 + 3 products per pixel instead of 9. The median has no kernel: it sorts, and no weighted sum can do that.
+# The 3 × 3 mean is the **box filter** (or mean filter): all nine weights are 1/9. The **Gaussian filter** gives near neighbours more weight. Its 3 × 3 kernel is 1, 2, 1 down the column times 1, 2, 1 along the row, divided by 16. So it is a **separable** filter: you can filter first along the rows and then down the columns, and get the same result as with the whole kernel. This needs 3 + 3 products per pixel instead of 9. The median filter has no kernel: it sorts, and a weighted sum cannot sort.
 #
-# **Predict** the response to a single pixel of 160: it shows the kernel, ten times.
+# **Predict** the response to a single pixel of 160 in a black image. (160 / 16 is 10.)
 
 # %%
 bump = np.zeros((5, 5), np.uint8)
@@ -184,73 +184,75 @@ show([bump, response], ["one pixel of 160", "3 × 3 Gaussian filter"], encoding=
      caption="The response to one bright pixel is the kernel itself: here 1, 2, 4 times 10.",
      alt="Two grids: a single 160 in the middle; around it 10, 20, 10, then 20, 40, 20, then 10, 20, 10.")
 
+assert 160 / 16 == 10
 assert (response[1:4, 1:4] == 10 * np.outer([1, 2, 1], [1, 2, 1])).all()
 assert response.sum() == 160  # the weights add up to 1, so the sum stays
 
 # %% [markdown]
 # ## 5 · Four filters, two kinds of noise (8 minutes)
 #
-# Now a camera frame, with random noise that has a fixed seed, so everybody gets the same noise. **Gaussian noise** changes every pixel by a normally distributed error. Besides box, Gaussian and median we try the **bilateral filter**. It is a weighted mean like the Gaussian filter, but neighbours with a very different gray level get almost no weight. So it keeps steps sharp.
+# Now we add random noise to a camera frame. The *seed* of the random numbers is fixed, so everybody gets the same noise. **Gaussian noise** adds a random error to every pixel. The errors have a normal distribution: small errors are common, large ones are rare. We try the box, the Gaussian and the median filter, and also the **bilateral filter**. It is a weighted mean like the Gaussian filter, but neighbours with a very different gray level get almost no weight. So it keeps steps sharp.
 
 # %%
-salted = add_salt_and_pepper(gray, 0.05, seed=1)
-grainy = add_gaussian_noise(gray, 20, seed=1)
+salted = add_salt_and_pepper(gray, 0.05, seed=1)  # 5 % of the pixels become black or white
+grainy = add_gaussian_noise(gray, 20, seed=1)  # standard deviation 20 gray levels
 changed = (salted != gray).mean()
-print(f"salt and pepper: {changed:.1%} of the pixels changed;  Gaussian: {(grainy != gray).mean():.1%}")
+print(f"changed pixels: salt and pepper {changed:.1%}, Gaussian {(grainy != gray).mean():.1%}")
 
 assert 0.04 < changed < 0.06 and (grainy != gray).mean() > 0.95
 
 # %%
-part = dict(rows=(310, 440), cols=(430, 740))
-show([salted, grainy], ["salt and pepper", "Gaussian, 20 gray levels"], encoding="mono8", **part,
-     caption="Left, few pixels are wrong, but completely; right, nearly every pixel is a little wrong.",
-     alt="The ball and the marker twice: left with single white and black pixels, right with an even grain.")
+part = dict(rows=(310, 440), cols=(430, 740))  # **part below passes both to show, which draws only this part
+show([salted, grainy], ["impulse noise (salt and pepper)", "Gaussian noise, 20 gray levels"], encoding="mono8", **part,
+     caption="Left, a few pixels are completely wrong; right, nearly every pixel is a little wrong.",
+     alt="The ball and the marker twice: left with single white and black pixels, right with fine noise all over.")
 
 # %% [markdown]
-# **Predict** which filter removes the left noise best, and which one the right noise.
+# **Predict** which of four filters is best against impulse noise, and which is best against Gaussian noise.
 
 # %%
-filters = {
-    "box 3": lambda image: box_blur(image, 3),
-    "Gaussian 1.5": lambda image: gaussian_blur(image, 1.5),
-    "median 3": lambda image: median_blur(image, 3),
-    "bilateral": lambda image: bilateral_filter(image, 50, 2),
+filters = {  # name: function; "lambda image: ..." is a short way to write a function
+    "box 3": lambda image: box_blur(image, 3),  # 3 × 3 pixels
+    "Gaussian 1.5": lambda image: gaussian_blur(image, 1.5),  # the kernel's standard deviation is 1.5 pixels
+    "median 3": lambda image: median_blur(image, 3),  # 3 × 3 pixels
+    "bilateral": lambda image: bilateral_filter(image, 50, 2),  # 50 gray levels, 2 pixels
 }
 show([apply(salted) for apply in filters.values()], list(filters), encoding="mono8", **part, columns=2,
      caption="Impulse noise after four filters: only the median removes it.",
-     alt="Ball and marker four times; the wrong pixels are blurred in the first two, still there in the fourth, and gone in the third.")
+     alt="Ball and marker four times: the wrong pixels are blurred in the first two, gone in the third, and still there in the fourth.")
 
 # %%
 show([apply(grainy) for apply in filters.values()], list(filters), encoding="mono8", **part, columns=2,
-     caption="Gaussian noise after four filters: all reduce it, and the bilateral filter keeps the marker sharp.",
-     alt="Ball and marker four times, with less grain than before; the edges of the fourth are the sharpest.")
+     caption="Gaussian noise after four filters: all four reduce it, and the bilateral filter keeps the marker sharp.",
+     alt="Ball and marker four times, with less noise than before; the edges of the fourth are the sharpest.")
 
 # %% [markdown]
 # ## 6 · How much noise is left? (8 minutes)
 #
-# "Looks better" is not a measurement. A **signal-to-noise ratio** is one: how large is the image signal compared with its errors? The **PSNR** (peak signal-to-noise ratio) takes the largest possible gray level, 255, as the signal. The error is the *mean squared error* (MSE): the difference of each pixel to the clean image, squared, and averaged over all pixels.
+# "It looks better" is not a measurement. A **signal-to-noise ratio** is a measurement: it compares the size of the signal with the size of the errors. The **PSNR** (peak signal-to-noise ratio) takes the largest possible gray level, 255, as the signal. It measures the errors with the *mean squared error* (MSE): take the difference between each pixel and the same pixel of the clean image, square it, and average over all pixels.
 #
-# $$\text{PSNR} = 10 \log_{10} \frac{255^2}{\text{MSE}} \quad\text{in decibel (dB); a higher value means less noise}$$
+# $$\text{PSNR} = 10 \log_{10} \frac{255^2}{\text{MSE}} \quad\text{in decibel (dB)}$$
 #
-# By hand on four pixels:
+# A higher PSNR means less noise: if the MSE becomes ten times smaller, the PSNR rises by 10 dB. By hand on four pixels:
 
 # %%
 four_clean = np.array([[100, 100], [100, 100]], dtype=np.uint8)
 four_noisy = np.array([[100, 110], [90, 100]], dtype=np.uint8)
 squared = (four_clean.astype(float) - four_noisy) ** 2
 mse = squared.mean()
-print("squared differences:", squared.ravel(), "  their mean:", mse)
+print("squared differences:", squared.ravel(), "  MSE, their mean:", mse)
 print("PSNR:", round(10 * np.log10(255**2 / mse), 1), "dB")
 
 assert mse == 50 and round(10 * np.log10(255**2 / mse), 1) == 31.1
 assert psnr(four_clean, four_noisy) == 10 * np.log10(255**2 / mse)
+assert round(10 * np.log10(255**2 / (mse / 10)) - psnr(four_clean, four_noisy), 9) == 10
 
 # %% [markdown]
-# **Check** your predictions of section 5 with numbers. The table also shows **SSIM** (structural similarity). It compares local mean, contrast and pattern of two images; 1 means equal.
+# **Check** your predictions of section 5 with numbers. The table also shows the **SSIM** (structural similarity). It compares the local mean, contrast and structure of two images; for equal images it is 1.
 
 # %%
 print(f"{'':14}{'salt and pepper':>22}{'Gaussian':>20}")
-print(f"{'untouched':14}{psnr(gray, salted):>16.1f} dB {psnr(gray, grainy):>16.1f} dB")
+print(f"{'no filter':14}{psnr(gray, salted):>16.1f} dB {psnr(gray, grainy):>16.1f} dB")
 score = {}
 for name, apply in filters.items():
     score[name] = psnr(gray, apply(salted)), psnr(gray, apply(grainy))
@@ -261,14 +263,14 @@ assert max(score, key=lambda name: score[name][0]) == "median 3"
 assert max(score, key=lambda name: score[name][1]) == "Gaussian 1.5"
 
 # %% [markdown]
-# There is no best filter for every noise. Against impulse noise the median is better than the others by more than ten decibels. Against Gaussian noise the Gaussian filter is the best of the four. First look at the noise, then choose.
+# No filter is the best for every kind of noise. Against impulse noise the median is better than the others by more than ten decibels. Against Gaussian noise the Gaussian filter is the best of the four. First look at the noise, then choose.
 
 # %%
 second_best = max(score[name][0] for name in score if name != "median 3")
 assert score["median 3"][0] - second_best > 10
 
 # %% [markdown]
-# Once more on a photograph: an astronaut, a public-domain photograph by NASA from the example images of scikit-image.
+# The same on a photograph of an astronaut. NASA took it, it is in the public domain, and scikit-image contains it.
 
 # %%
 from skimage import data
@@ -282,9 +284,9 @@ show([salted_portrait, median_blur(salted_portrait, 3)], ["salt and pepper", "3 
 assert psnr(portrait, median_blur(salted_portrait, 3)) > psnr(portrait, salted_portrait) + 10
 
 # %% [markdown]
-# ## 7 · Your turn: the median by hand (8 minutes)
+# ## 7 · Your turn: the median by hand (10 minutes)
 #
-# Write `median3(gray)`: each pixel becomes the median of its 3 × 3 neighbourhood. At the border use *replicate*: repeat the outermost rows and columns.
+# Write `median3(gray)`: each pixel becomes the median of its 3 × 3 neighbourhood. At the border use *replicate*: repeat the outermost rows and columns. Use only NumPy.
 #
 # | Input | Output | Example call |
 # |---|---|---|
@@ -317,7 +319,7 @@ def median3(gray):
 check("noise-median", median3)
 
 
-# %% role="case" title="one wrong pixel" points=1 hint="The wrong pixel must disappear, and the other pixels may change only a little."
+# %% role="case" title="one wrong pixel" points=1 hint="The wrong pixel must disappear, and the other pixels must change only a little."
 def inputs(rng):
     image = rng.integers(90, 110, size=(5, 6), dtype=np.uint8)
     image[rng.integers(1, 4), rng.integers(1, 5)] = 255
@@ -350,7 +352,7 @@ def median3(gray):
     return np.mean(shifted, axis=0).astype(np.uint8)
 
 
-# %% role="mistake" name="a border of zeros" says="The image was padded with zeros, and they change the medians at the border. Repeat the outermost rows and columns: np.pad(gray, 1, mode='edge')."
+# %% role="mistake" name="zero padding at the border" says="The image was padded with zeros, and these zeros change the medians at the border. Repeat the outermost rows and columns: np.pad(gray, 1, mode='edge')."
 def median3(gray):
     height, width = gray.shape
     padded = np.pad(gray, 1)
@@ -358,14 +360,14 @@ def median3(gray):
     return np.median(shifted, axis=0).astype(np.uint8)
 
 
-# %% role="mistake" name="rows alone" says="Only neighbours in the same row were used. A neighbourhood is three rows by three columns."
+# %% role="mistake" name="only neighbours in the row" says="Only neighbours in the same row were used. A neighbourhood is three rows by three columns."
 def median3(gray):
     width = gray.shape[1]
     padded = np.pad(gray, ((0, 0), (1, 1)), mode="edge")
     return np.median([padded[:, col : col + width] for col in range(3)], axis=0).astype(np.uint8)
 
 
-# %% role="mistake" name="the border is left out" says="The result is smaller than the image: the outermost pixels are missing. Pad before you take the neighbours."
+# %% role="mistake" name="no border handling" says="The result is smaller than the image: the outermost pixels are missing. Pad before you take the neighbours."
 def median3(gray):
     height, width = gray.shape
     shifted = [gray[row : row + height - 2, col : col + width - 2] for row in range(3) for col in range(3)]
@@ -373,13 +375,13 @@ def median3(gray):
 
 
 # %% [markdown]
-# ## 8 · Your turn: PSNR (5 minutes)
+# ## 8 · Your turn: PSNR (8 minutes)
 #
-# Write `my_psnr(clean, other)` with the formula of section 6. Remember what `uint8` does to a difference. For equal images the result is infinity, `float("inf")`.
+# Write `my_psnr(clean, other)` with the formula of section 6. Remember what `uint8` does to a difference. For equal images the result is infinity, `float("inf")`. Use only NumPy.
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `clean`, `other`: two (height, width) uint8 images of the same shape | one float, in decibel | `my_psnr(four_clean, four_noisy)` |
+# | `clean`, `other`: two (height, width) uint8 images of the same shape | one float: the PSNR in decibel | `my_psnr(four_clean, four_noisy)` |
 
 # %% role="exercise"
 exercise(
@@ -388,7 +390,7 @@ exercise(
     function="my_psnr",
     time_limit=5,
     refused=("cv2", "skimage", "imgproc_course.imaging"),
-    hint="Widen both images to float before you subtract.",
+    hint="Convert both images to float before you subtract.",
 )
 
 # %% role="answer"
@@ -424,7 +426,7 @@ def inputs(rng):
     return clean, clean.copy()
 
 
-# %% role="mistake" name="uint8 wraps" says="This is what uint8 wrap-around looks like: 100 - 110 gave 246. Widen to float before you subtract."
+# %% role="mistake" name="uint8 wraps" says="This is uint8 wrap-around: 100 - 110 gave 246. Convert both images to float before you subtract."
 def my_psnr(clean, other):
     mse = np.mean(((clean - other).astype(float)) ** 2)
     return float("inf") if mse == 0 else float(10 * np.log10(255**2 / mse))
@@ -445,7 +447,7 @@ def my_psnr(clean, other):
 # %% [markdown]
 # ## 9 · Practice: choose a filter (5 minutes)
 #
-# Write `best_filter(clean, noisy, filters)`: which filter gives the highest PSNR against `clean`? This exercise gives no points. But with every new camera you will have to choose a filter like this.
+# Write `best_filter(clean, noisy, filters)`. It applies every filter to `noisy`, and returns the name of the filter whose result has the highest PSNR compared with `clean`. This exercise gives no points. But for every new camera you will have to choose a filter in this way.
 #
 # | Input | Output | Example call |
 # |---|---|---|
@@ -458,7 +460,7 @@ exercise(
     function="best_filter",
     practice=True,
     time_limit=10,
-    hint="Compute the PSNR of the result of each filter, and keep the name with the largest PSNR.",
+    hint="Apply each filter, compute the PSNR of the result, and keep the name with the highest PSNR.",
 )
 
 # %% role="answer"
@@ -492,7 +494,7 @@ def inputs(rng):
     return clean, noisy, {"darker by ten": darker_by_ten, "darker by twenty": darker_by_twenty}
 
 
-# %% role="hidden" title="a darkened image" hint="The filter with the largest PSNR may be anywhere in the dictionary."
+# %% role="hidden" title="a darkened image" hint="The best filter may be the first or the last in the dictionary."
 def inputs(rng):
     clean = rng.integers(100, 200, size=(8, 8), dtype=np.uint8)
     noisy = clean - np.uint8(30)
