@@ -253,3 +253,28 @@ def otsu(gray):
         if variance > best:
             best, best_t = variance, t
     return best_t
+
+# %% name="absolute difference instead of its square" origin="new" sentence="abs() is not the square: the formula needs (mean0 - mean1) ** 2, which gives a large difference more weight." must_say=["squar|\\*\\* ?2", "\\babs|absolute|formula"] kind="value" passes=true
+def otsu(gray):
+    best, best_t = -1.0, 0
+    for t in range(256):
+        low, high = gray[gray <= t], gray[gray > t]
+        if low.size == 0 or high.size == 0:
+            continue
+        variance = low.size * high.size * abs(low.mean() - high.mean())
+        if variance > best:
+            best, best_t = variance, t
+    return best_t
+
+# %% name="means in whole numbers" origin="new" sentence="// cuts the fraction of the means off, and then two thresholds look equal that are not: divide with /." must_say=["//|fraction|integer division|whole|cut", "/|mean|float"] kind="value" passes=true
+def otsu(gray):
+    best, best_t = -1, 0
+    for t in range(256):
+        low, high = gray[gray <= t], gray[gray > t]
+        if low.size == 0 or high.size == 0:
+            continue
+        mean_low, mean_high = int(low.sum()) // low.size, int(high.sum()) // high.size
+        variance = low.size * high.size * (mean_low - mean_high) ** 2
+        if variance > best:
+            best, best_t = variance, t
+    return best_t

@@ -275,3 +275,13 @@ def grow(weak, strong):
             break
         edges = new
     result = np.where(edges, 255, 0).astype(np.uint8)
+
+# %% name="a hundred steps are enough" origin="new" sentence="100 steps are enough for the lesson's frame only; a longer chain needs more steps, so repeat until nothing changes." must_say=["\\b100\\b|fixed|number of steps|enough", "until|while|no more|nothing changes|long|chain"] must_not_say=["corner"] kind="value" passes=true
+def grow(weak, strong):
+    edges = strong.copy()
+    h, w = edges.shape
+    for _ in range(100):
+        p = np.pad(edges, 1)
+        near = np.any([p[y : y + h, x : x + w] for y in range(3) for x in range(3)], axis=0)
+        edges = edges | (weak & near)
+    return np.where(edges, 255, 0).astype(np.uint8)

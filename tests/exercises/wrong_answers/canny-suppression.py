@@ -335,3 +335,32 @@ def suppress(magnitude, sector):
             m, first, second = magnitude[y, x], p[y + 1 - dy, x + 1 - dx], p[y + 1 + dy, x + 1 + dx]
             if m > first and (m > second or (s in (0, 2) and m == second)):
                 out[y, x] = m
+
+# %% name="magnitude narrowed to uint8" origin="new" sentence="You compare the magnitudes as uint8, and those above 255 wrap around: compare them as int32." must_say=["uint8|255|wrap", "int32|narrow|as they are|without|leave"] kind="value"
+def suppress(magnitude, sector):
+    p = np.pad(magnitude, 1).astype(np.uint8)
+    out = np.zeros_like(magnitude)
+    offsets = {0: (0, 1), 1: (1, 1), 2: (1, 0), 3: (1, -1)}
+    for y in range(magnitude.shape[0]):
+        for x in range(magnitude.shape[1]):
+            s = int(sector[y, x])
+            dy, dx = offsets[s]
+            m, a, b = p[y + 1, x + 1], p[y + 1 - dy, x + 1 - dx], p[y + 1 + dy, x + 1 + dx]
+            if m > a and (m > b or (s in (0, 2) and m == b)):
+                out[y, x] = magnitude[y, x]
+    return out
+
+# %% name="number of rows used for the columns" origin="new" sentence="Both loops end at the number of rows, but an image need not be square: the columns end at magnitude.shape[1]." must_say=["shape\\[1\\]|width|columns", "row|square|height|shape\\[0\\]"] kind="value"
+def suppress(magnitude, sector):
+    p = np.pad(magnitude, 1)
+    out = np.zeros_like(magnitude)
+    offsets = {0: (0, 1), 1: (1, 1), 2: (1, 0), 3: (1, -1)}
+    n = min(magnitude.shape)
+    for y in range(n):
+        for x in range(n):
+            s = int(sector[y, x])
+            dy, dx = offsets[s]
+            m, a, b = magnitude[y, x], p[y + 1 - dy, x + 1 - dx], p[y + 1 + dy, x + 1 + dx]
+            if m > a and (m > b or (s in (0, 2) and m == b)):
+                out[y, x] = m
+    return out

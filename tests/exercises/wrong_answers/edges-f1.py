@@ -466,3 +466,41 @@ def f1_score(edges, outlines, tolerance):
         precision = (found & grow(outlines)).sum() / found.sum()
         recall = (outlines & grow(found)).sum() / outlines.sum()
         print(2 * precision * recall / max(precision + recall, 1e-9))
+
+# %% name="no outlines divides by zero" origin="new" sentence="You return 0.0 where there are no edges, but without outlines recall still divides by 0: return 0.0 then, too." must_say=["outlines", "zero|\\b0\\b|\\bnan\\b|empty", "divi|return|without|no outlines"] kind="error" passes=true
+def f1_score(edges, outlines, tolerance):
+    t = tolerance
+
+    def grow(mask):
+        h, w = mask.shape
+        p = np.pad(mask, t)
+        return np.any([p[y : y + h, x : x + w] for y in range(2 * t + 1) for x in range(2 * t + 1)], axis=0)
+
+    found = edges > 0
+    if not found.any():
+        return 0.0
+    precision = int((found & grow(outlines)).sum()) / int(found.sum())
+    recall = int((outlines & grow(found)).sum()) / int(outlines.sum())
+    if precision + recall == 0:
+        return 0.0
+    return 2 * precision * recall / (precision + recall)
+
+# %% name="tolerance 0 cuts everything away" origin="new" sentence="With tolerance 0 the slice [t:-t] becomes [0:0] and is empty: cut with t : t + height instead." must_say=["tolerance|\\[?t ?: ?-t|\\b0\\b", "empty|slice|\\b0:0|shape|height"] kind="error"
+def f1_score(edges, outlines, tolerance):
+    t = tolerance
+    found = edges > 0
+
+    def grow(mask):
+        p = np.pad(mask, t)
+        near = np.zeros_like(p)
+        for y, x in np.argwhere(p):
+            near[y - t : y + t + 1, x - t : x + t + 1] = True
+        return near[t:-t, t:-t]
+
+    if not found.any() or not outlines.any():
+        return 0.0
+    precision = (found & grow(outlines)).sum() / found.sum()
+    recall = (outlines & grow(found)).sum() / outlines.sum()
+    if precision + recall == 0:
+        return 0.0
+    return float(2 * precision * recall / (precision + recall))

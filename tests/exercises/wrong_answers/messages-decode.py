@@ -257,3 +257,14 @@ def decode(message):
 def decode(message):
     flat = np.frombuffer(tiny_message.data, dtype=np.uint8)
     return flat.reshape(tiny_message.height, tiny_message.step)
+
+# %% name="bgr8 forgotten" origin="new" sentence="bgr8 has three channels like rgb8, and your function treats it like mono8: add bgr8 to the colour case." must_say=["bgr8", "three|rgb8|colou?r|channel"] kind="shape"
+def decode(message):
+    h, w = message.height, message.width
+    rows = np.frombuffer(message.data, np.uint8).reshape(h, message.step)
+    if message.encoding == "rgb8":
+        return rows[:, : 3 * w].reshape(h, w, 3)
+    if message.encoding == "mono16":
+        order = ">u2" if message.is_bigendian else "<u2"
+        return np.ascontiguousarray(rows[:, : 2 * w]).view(order).astype(np.uint16)
+    return rows[:, :w]

@@ -163,3 +163,18 @@ def best_filter(clean, noisy, filters):
     for filters in filters:
         scores[filters] = psnr(clean, filters[filters](noisy))
     return max(scores, key=scores.get)
+
+# %% name="mean absolute error" origin="new" sentence="You choose by the mean absolute error, which can prefer another filter; the task asks for the highest PSNR, so square the differences." must_say=["absolute|\\babs", "PSNR|squar"] kind="value" passes=true
+def best_filter(clean, noisy, filters):
+    return min(filters, key=lambda name: np.abs(clean.astype(int) - filters[name](noisy)).mean())
+
+# %% name="the last filter above 30 dB" origin="new" sentence="You take the last filter that is better than 30 dB, a fixed number: keep the one with the highest PSNR of all." must_say=["30|fixed|last", "highest|best|max|larg"] kind="value" passes=true
+from imgproc_course.imaging import psnr
+
+
+def best_filter(clean, noisy, filters):
+    best = None
+    for name, f in filters.items():
+        if psnr(clean, f(noisy)) > 30:
+            best = name
+    return best

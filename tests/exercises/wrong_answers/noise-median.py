@@ -213,3 +213,13 @@ import cv2
 
 def median3(gray):
     return cv2.medianBlur(gray, 3)
+
+# %% name="number of rows used for the columns" origin="new" sentence="Both loops end at gray.shape[0], the number of rows, but an image need not be square: the columns end at gray.shape[1]." must_say=["shape\\[1\\]|width|columns", "row|square|height|shape\\[0\\]"] must_not_say=["border"] kind="value"
+def median3(gray):
+    padded = np.pad(gray, 1, mode="edge")
+    result = np.zeros_like(gray)
+    n = gray.shape[0]
+    for y in range(n):
+        for x in range(min(n, gray.shape[1])):
+            result[y, x] = np.median(padded[y : y + 3, x : x + 3])
+    return result

@@ -184,3 +184,24 @@ def my_psnr(clean, other):
         return float("inf")
     mse = np.mean((clean.astype(float) - other) ** 2)
     return float(10 * np.log10(255**2 / mse))
+
+# %% name="equal sums taken for equal images" origin="new" sentence="Two different images can have the same sum, and you return infinity for them: ask whether the MSE is 0." must_say=["\\bsum", "MSE|each pixel|every pixel|array_equal|all\\(|differ"] must_not_say=["wrap"] kind="value" passes=true
+def my_psnr(clean, other):
+    if clean.sum() == other.sum():
+        return float("inf")
+    mse = np.mean((clean.astype(float) - other) ** 2)
+    return float(10 * np.log10(255**2 / mse))
+
+# %% name="small errors taken for none" origin="new" sentence="mse < 1 is true for images that differ a little, and only equal images have an infinite PSNR: compare with 0." must_say=["< ?1|small|little|below 1", "\\b0\\b|equal|zero"] kind="value" passes=true
+def my_psnr(clean, other):
+    mse = np.mean((clean.astype(float) - other) ** 2)
+    if mse < 1:
+        return float("inf")
+    return float(10 * np.log10(255**2 / mse))
+
+# %% name="size of the lesson's frame" origin="new" sentence="You divide by 720 * 1280, the size of the lesson's frame: divide by the size of this image, or use mean." must_say=["720|1280|lesson|fixed|hard", "mean|size|number of pixels|shape"] kind="value"
+def my_psnr(clean, other):
+    mse = ((clean.astype(float) - other) ** 2).sum() / (720 * 1280)
+    if mse == 0:
+        return float("inf")
+    return float(10 * np.log10(255**2 / mse))
