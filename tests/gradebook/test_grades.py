@@ -1,4 +1,4 @@
-"""Thirty submissions from end to end; attacks of form gain nothing; the same grades each time."""
+"""Thirty submissions from end to end; attacks of form gain nothing; every run gives the same grades."""
 
 import json
 import random
@@ -31,7 +31,7 @@ def lesson_of(grades, learner, lesson="20_light"):
     return next(each for each in of["lessons"] if each["lesson"] == lesson)
 
 
-def told(lesson):
+def findings_of(lesson):
     return [finding["text"] for finding in lesson["findings"]]
 
 
@@ -44,11 +44,11 @@ def classroom(tmp_path_factory, masters):
 @pytest.fixture(scope="module")
 def graded(classroom, key_path, tmp_path_factory):
     out = tmp_path_factory.mktemp("graded") / "grades"
-    said = grade_submissions(classroom[0], [key_path], out, workers=1, quiet=True)
-    return out, said
+    summary = grade_submissions(classroom[0], [key_path], out, workers=1, quiet=True)
+    return out, summary
 
 
-def test_thirty_submissions_get_what_they_deserve(graded, classroom):
+def test_thirty_submissions_get_their_points(graded, classroom):
     grades = json.loads((graded[0] / "grades.json").read_text())
     points = {"20_light": 6, "21_sound": 4}
     for learner, lesson, kind in classroom[1]:
@@ -73,7 +73,7 @@ def test_thirty_submissions_get_what_they_deserve(graded, classroom):
     assert "30 learners, 26 lessons graded" in graded[1].text
 
 
-def test_grades_are_as_their_schema_says(graded):
+def test_grades_follow_their_schema(graded):
     grades = json.loads((graded[0] / "grades.json").read_text())
     schema = json.loads(SCHEMA.read_text())
     jsonschema.Draft202012Validator.check_schema(schema)
@@ -96,7 +96,7 @@ def test_another_order_and_more_workers_give_the_same_bytes(graded, classroom, k
             assert (out / path.relative_to(graded[0])).read_bytes() == path.read_bytes(), path.name
 
 
-def test_the_ordinary_kernel_gives_the_same_grades(masters, key_path, submissions, tmp_path):
+def test_ipykernel_gives_the_same_grades(masters, key_path, submissions, tmp_path):
     for learner, kind in (("ada", "right"), ("bob", 0), ("eve", "raising")):
         write(
             submissions / learner / "x.ipynb",
@@ -113,17 +113,17 @@ def test_the_ordinary_kernel_gives_the_same_grades(masters, key_path, submission
 # ---------------------------------------------------------------- going on, and what is kept
 
 
-def test_an_interrupted_run_goes_on_where_it_stopped(light, key_path, submissions, tmp_path, monkeypatch):
+def test_an_interrupted_run_continues_where_it_stopped(light, key_path, submissions, tmp_path, monkeypatch):
     for number in range(6):
         answers = answers_of(light, "right")
         answers["light-double"] += f"\n# {number}"
         write(submissions / f"{number}.ipynb", notebook(light, answers))
-    judged, keep = [], ResultStore.keep_result
+    graded, keep = [], ResultStore.keep_result
 
     def keep_three(store, digest, result):
-        if len(judged) == 3:
+        if len(graded) == 3:
             raise KeyboardInterrupt
-        judged.append(digest)
+        graded.append(digest)
         keep(store, digest, result)
 
     monkeypatch.setattr(ResultStore, "keep_result", keep_three)
@@ -141,7 +141,7 @@ def test_an_interrupted_run_goes_on_where_it_stopped(light, key_path, submission
     assert "(6 now)" in again.text
 
 
-def test_half_a_result_is_judged_again(light, key_path, submissions, grade, tmp_path):
+def test_a_damaged_result_is_graded_again(light, key_path, submissions, grade, tmp_path):
     write(submissions / "ada.ipynb", notebook(light, answers_of(light, "right")))
     first = grade(submissions)
     (path,) = [each for each in (tmp_path / "grades" / "results").iterdir() if "answers" not in each.name]
@@ -150,14 +150,14 @@ def test_half_a_result_is_judged_again(light, key_path, submissions, grade, tmp_
     assert json.loads(path.read_text())["points"] == 6
 
 
-def test_equal_answers_are_judged_once(light, key_path, submissions, tmp_path):
+def test_equal_answers_are_graded_once(light, key_path, submissions, tmp_path):
     for name in ("ada", "bob", "eve"):
         write(submissions / f"{name}.ipynb", notebook(light, answers_of(light, "right")))
-    said = grade_submissions(submissions, [key_path], tmp_path / "grades", workers=1, quiet=True)
-    assert "3 lessons graded (1 now)" in said.text
+    summary = grade_submissions(submissions, [key_path], tmp_path / "grades", workers=1, quiet=True)
+    assert "3 lessons graded (1 now)" in summary.text
 
 
-def test_grades_of_learners_who_are_gone_are_not_handed_back(light, submissions, grade, tmp_path):
+def test_pages_of_learners_who_are_gone_are_removed(light, submissions, grade, tmp_path):
     write(submissions / "ada.ipynb", notebook(light))
     write(submissions / "bob.ipynb", notebook(light))
     grade(submissions)
@@ -183,7 +183,7 @@ def test_grading_without_a_sandbox_is_refused_before_anything_is_read(
     assert not (tmp_path / "grades").exists()
 
 
-def test_a_disk_that_is_full_is_said(light, key_path, submissions, tmp_path):
+def test_a_folder_that_cannot_be_written_is_reported(light, key_path, submissions, tmp_path):
     write(submissions / "ada.ipynb", notebook(light))
     (tmp_path / "file").write_text("")
     with pytest.raises(GradesFolderError, match="cannot be"):
@@ -193,7 +193,7 @@ def test_a_disk_that_is_full_is_said(light, key_path, submissions, tmp_path):
 # ---------------------------------------------------------------- late, again, other versions
 
 
-def test_the_latest_counts_and_all_are_listed(light, submissions, grade):
+def test_the_latest_submission_counts_and_all_are_listed(light, submissions, grade):
     write(submissions / "ada" / "a.ipynb", notebook(light, answers_of(light, "right")), datetime(2026, 11, 1))
     write(submissions / "ada" / "b.ipynb", notebook(light, answers_of(light, 0)), datetime(2026, 12, 2))
     write(submissions / "ada" / "c.ipynb", notebook(light), datetime(2026, 10, 1))
@@ -205,11 +205,11 @@ def test_the_latest_counts_and_all_are_listed(light, submissions, grade):
         ("ada/c.ipynb", False),
         ("ada/a.ipynb", False),
     ]
-    assert "submitted 3 times; this one counts: ada/b.ipynb" in told(lesson)
+    assert "submitted 3 times; this one counts: ada/b.ipynb" in findings_of(lesson)
     assert lesson_of(grades, "ada", None)["reason"].startswith("it is not a notebook")
 
 
-def test_a_broken_hand_in_does_not_take_the_place_of_a_good_one(light, submissions, grade):
+def test_a_broken_submission_does_not_replace_a_good_one(light, submissions, grade):
     write(
         submissions / "ada" / "20_light.ipynb",
         notebook(light, answers_of(light, "right")),
@@ -221,7 +221,7 @@ def test_a_broken_hand_in_does_not_take_the_place_of_a_good_one(light, submissio
     assert lesson["earlier"][0]["file"] == "ada/20_light-1.ipynb"
 
 
-def test_canvas_hand_ins_are_ordered_by_their_number_and_late_as_canvas_says(light, submissions, grade):
+def test_canvas_submissions_are_ordered_by_number_and_late_as_canvas_says(light, submissions, grade):
     right, wrong = notebook(light, answers_of(light, "right")), notebook(light, answers_of(light, 0))
     write(submissions / "lovelaceada_77_100_20_light.ipynb", wrong, datetime(2026, 11, 5))
     write(submissions / "lovelaceada_LATE_77_200_20_light-1.ipynb", right, datetime(2026, 11, 1))
@@ -237,7 +237,9 @@ def test_namesakes_are_two_people(light, submissions, grade):
     assert {each["name"]: each["points"] for each in grades["learners"]} == {"Anna (1)": 6, "Anna (2)": 0}
 
 
-def test_an_older_version_is_graded_with_its_own_key_or_said(light, key_path, submissions, tmp_path, grade):
+def test_an_older_version_is_graded_with_its_own_key_or_reported(
+    light, key_path, submissions, tmp_path, grade
+):
     old = tmp_path / "old-key"
     shutil.copytree(key_path, old)
     text = (old / "key.json").read_text().replace('"version": "0.1.0"', '"version": "0.0.9"')
@@ -246,7 +248,7 @@ def test_an_older_version_is_graded_with_its_own_key_or_said(light, key_path, su
     write(submissions / "bob.ipynb", notebook(light, answers_of(light, "right")))
     lesson = lesson_of(grade(submissions), "ada")
     assert lesson["points"] == 6
-    assert "it was made from version '0.0.9' of the lesson, not from version 0.1.0" in told(lesson)
+    assert "it was made from version '0.0.9' of the lesson, not from version 0.1.0" in findings_of(lesson)
     grade_submissions(submissions, [key_path, old], tmp_path / "both", workers=1, quiet=True)
     both = json.loads((tmp_path / "both" / "grades.json").read_text())
     for learner, path in (("ada", old), ("bob", key_path)):
@@ -260,15 +262,15 @@ def test_an_older_version_is_graded_with_its_own_key_or_said(light, key_path, su
 @pytest.fixture(scope="module")
 def attacked(light, key_path, tmp_path_factory):
     """What each attack came to."""
-    found = grade_attacks(light, key_path, tmp_path_factory.mktemp("attacked"))
-    return {each.attack.name: each for each in found}
+    results = grade_attacks(light, key_path, tmp_path_factory.mktemp("attacked"))
+    return {result.attack.name: result for result in results}
 
 
 @pytest.mark.parametrize("name", [each.name for each in FORM_ATTACKS])
-def test_an_attack_of_form_gains_nothing_harms_nobody_and_is_told(attacked, name):
-    found = attacked[name]
-    assert (found.gained, found.harmed) == (0, ())
-    assert found.attack.told in found.reported
+def test_an_attack_of_form_gains_nothing_harms_nobody_and_is_reported(attacked, name):
+    result = attacked[name]
+    assert (result.gained, result.harmed) == (0, ())
+    assert result.attack.told in result.reported
 
 
 def test_attacks_of_form_have_names_of_their_own():
@@ -279,7 +281,7 @@ def test_attacks_of_form_have_names_of_their_own():
 def test_every_number_of_the_published_list_is_tried():
     tried = {each.number for each in [*ATTACKS, *FORM_ATTACKS]}
     assert sorted(set(PUBLISHED) - tried) == []
-    assert min(tried - set(PUBLISHED)) > 100  # our own are told apart
+    assert min(tried - set(PUBLISHED)) > 100  # our own have other numbers
 
 
 def test_modules_and_settings_beside_a_notebook_change_nothing(light, submissions, grade, tmp_path):
@@ -306,7 +308,7 @@ def test_two_hundred_megabytes_and_links_get_a_reason_and_end_nothing(light, sub
     assert lesson_of(grades, "zoe")["points"] == 6
 
 
-def test_a_key_without_what_was_handed_out_still_grades(light, key_path, submissions, tmp_path):
+def test_a_key_without_the_handed_out_cells_still_grades(light, key_path, submissions, tmp_path):
     bare = tmp_path / "bare"
     shutil.copytree(key_path, bare)
     (bare / "handed_out.json").unlink()

@@ -1,4 +1,4 @@
-"""The pages: everything escaped, nothing loaded, nobody else's in it; and looked at in a browser."""
+"""The pages: all text is escaped, nothing is loaded, and no page shows another learner; also in a browser."""
 
 import html.parser
 import io
@@ -33,7 +33,7 @@ NAME = "<img src=x onerror=alert(1)>\u202e {{ 7*7 }}"
 
 @pytest.fixture(scope="module")
 def pages(masters, key_path, tmp_path_factory):
-    """{learner's first word: page}, and the teacher's as "summary"."""
+    """{first word of the learner's name: path of the page}, and "summary": the teacher's page."""
     folder = tmp_path_factory.mktemp("pages")
     submissions, light, sound = folder / "submissions", masters["20_light"], masters["21_sound"]
     write(submissions / "ada" / "a.ipynb", notebook(light, answers_of(light, 0)))
@@ -61,7 +61,7 @@ class Tags(html.parser.HTMLParser):
         self.attributes += attrs
 
 
-def test_no_page_holds_anything_that_runs_or_loads(pages):
+def test_no_page_contains_anything_that_runs_or_loads(pages):
     for path in pages.values():
         text = path.read_text(encoding="utf-8")
         tags = Tags(text)
@@ -91,14 +91,14 @@ def test_a_learners_page_names_the_mistake_and_shows_the_public_check(pages):
     assert "4 <small>of 10 points" in text
 
 
-def test_of_a_hidden_check_there_is_its_title_and_hint_alone(pages):
+def test_a_hidden_check_shows_only_its_title_and_hint(pages):
     text = pages["img"].read_text(encoding="utf-8")
     after = text.partition("Four rows more")[2].partition("</li>")[0]
     assert "Both halves are wanted." in after and "ValueError" in after
     assert "script" not in after and "[[" not in after and "given" not in after
 
 
-def test_of_a_hidden_check_nothing_is_shown_whatever_the_result_holds(
+def test_a_hidden_check_shows_no_values_even_if_the_result_has_some(
     light, answer_keys, submissions, grade, tmp_path
 ):
     write(submissions / "ada.ipynb", notebook(light, answers_of(light, 0)))
@@ -120,7 +120,7 @@ def test_of_a_hidden_check_nothing_is_shown_whatever_the_result_holds(
     assert "Its \\u202e eye." in text and "\u202e" not in text
 
 
-def test_a_page_holds_nothing_of_anybody_else_nor_of_the_key(pages, key_path, answer_keys):
+def test_a_page_contains_nothing_of_other_learners_or_the_key(pages, key_path, answer_keys):
     text = pages["ada"].read_text(encoding="utf-8")
     for secret in (
         SEED,
@@ -138,7 +138,7 @@ def test_a_page_holds_nothing_of_anybody_else_nor_of_the_key(pages, key_path, an
             assert data not in text
 
 
-def test_the_teachers_page_tells_what_there_is_to_tell(pages):
+def test_the_teachers_page_has_the_totals_and_the_mistakes(pages):
     text = pages["summary"].read_text(encoding="utf-8")
     for expected in (
         "<b>3</b>learners",
@@ -153,7 +153,7 @@ def test_the_teachers_page_tells_what_there_is_to_tell(pages):
     assert "100 %" in row and "1 of 1" in row
 
 
-def test_of_a_file_that_could_not_be_read_there_are_no_points_to_tell(pages):
+def test_a_file_that_could_not_be_read_has_no_points_on_the_page(pages):
     text = pages["zoe"].read_text(encoding="utf-8")
     assert "<title>zoe</title>" in text and "0 of 0" not in text and "fresh Python" not in text
     assert text.count("notes.ipynb") == 1 and "its JSON is broken" in text
@@ -177,7 +177,7 @@ ALIKE = {
 
 @pytest.fixture(scope="module")
 def alike(light, key_path, tmp_path_factory):
-    """{learner: what their page tells of light-double}, and the teacher's page as "summary"."""
+    """{learner: the part of their page about light-double}, and "summary": the teacher's page."""
     folder = tmp_path_factory.mktemp("alike")
     for name, source in ALIKE.items():
         made = notebook(light, {"light-double": source, "light-halves": answers_of(light, 0)["light-halves"]})
@@ -207,7 +207,7 @@ def alike(light, key_path, tmp_path_factory):
         ("deleted", "Its answer cell (answer-light-double) is missing.", "<code>imgproc-course check</code>"),
     ],
 )
-def test_one_cause_for_every_check_is_told_once_in_place_of_their_hints(alike, name, cause, advice):
+def test_one_cause_of_every_failure_replaces_the_hints(alike, name, cause, advice):
     text = alike[name]
     assert text.count(cause) == 1 or not cause
     assert text.count(advice) == 1 and "Hint:" not in text
@@ -215,16 +215,16 @@ def test_one_cause_for_every_check_is_told_once_in_place_of_their_hints(alike, n
     assert "Double()" not in text and "answer cell is missing" not in text
 
 
-def test_a_name_that_is_nowhere_brings_what_grading_runs_and_the_hints(alike):
+def test_an_undefined_name_shows_what_grading_runs_and_the_hints(alike):
     assert alike["nameless"].count("nothing else of the notebook") == 1
     assert alike["nameless"].count("Hint:") == 2
 
 
-def test_checks_that_end_differently_keep_their_hints(alike):
+def test_checks_with_different_outcomes_keep_their_hints(alike):
     assert alike["at-times"].count("Hint:") == 2 and "AssertionError" in alike["at-times"]
 
 
-def test_an_answer_in_another_cell_is_among_what_the_teacher_looks_at(alike):
+def test_an_answer_in_another_cell_is_listed_for_the_teacher(alike):
     _, _, looked_at = alike["summary"].partition("<h2>To look at</h2>")
     rows = looked_at.partition("</section>")[0].split("<tr>")
     (row,) = [row for row in rows if "<bdi>behind</bdi>" in row]
@@ -277,7 +277,7 @@ def pixels_of(image):
     return np.asarray(Image.open(io.BytesIO(image.png)))
 
 
-def test_a_small_array_is_a_table_with_what_differs_marked():
+def test_a_small_array_is_a_table_with_marked_differences():
     case = case_of(0, np.array([[1, 2]]), np.array([[1, 3]]))
     wrong = differing_elements(case["expected"], case["actual"], 0)
     value = value_of("returned", case["actual"], wrong)
@@ -322,7 +322,7 @@ def test_a_value_that_is_no_image_is_not_drawn(value):
     assert value_of("returned", form).description
 
 
-def test_hostile_forms_are_words():
+def test_hostile_forms_are_shown_as_text():
     nested = canonical([[[[["<b>\u202e"]]]]])
     assert "\u202e" not in value_of("x", nested).description
     assert value_of("x", canonical({"a": {"b": "\ud800"}})).description.encode("utf-8")
@@ -332,7 +332,7 @@ def test_hostile_forms_are_words():
 # ---------------------------------------------------------------- text
 
 
-def test_what_the_eye_would_not_see_is_made_visible():
+def test_invisible_characters_are_escaped():
     assert sanitize_text("a\u202eb\x1b[0m\n\ud800é") == "a\\u202eb\\x1b[0m\n\\ud800é".replace(
         "\\x1b", "\\u001b"
     )
@@ -343,10 +343,10 @@ def test_what_the_eye_would_not_see_is_made_visible():
 @pytest.mark.parametrize(
     "text", ["=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "\r=1", " =1", "＝1", '"=1', "'=1", "\n-1"]
 )
-def test_no_cell_begins_like_a_formula(text):
+def test_no_table_cell_looks_like_a_formula(text):
     assert spreadsheet_text(text).startswith("'")
 
 
-def test_other_cells_stay_as_they_are():
+def test_other_table_cells_are_unchanged():
     assert spreadsheet_text("Ada = Lovelace") == "Ada = Lovelace"
     assert spreadsheet_text(-3.5) == -3.5 and spreadsheet_text("") == ""
