@@ -18,7 +18,7 @@ def reason_not_to_run(exercise, source):
 
     Returns
     -------
-    (Outcome, message), or None if the answer is to be run
+    (Outcome, message), or None if the answer has to run
     """
     if not isinstance(source, str):
         return Outcome.MISSING, "its answer cell is missing"
