@@ -46,7 +46,7 @@ def form_rows(folder, workers):
     light = read_master(FORM_MASTERS / f"{LESSON}.py")
     results = grade_form_attacks(light, folder / "form-key", folder / "form", quiet=None, workers=workers)
     for result in results:
-        yield result.attack.number, result.attack.name, result.gained, result.harmed, result.reported
+        yield result.attack.number, result.attack.name, result.gained, result.harmed, result.report
 
 
 @click.command()

@@ -1,4 +1,4 @@
-"""A key of two small lessons, made once a session, and what grades with it."""
+"""A key of two small lessons, made once per session, and fixtures that grade with it."""
 
 import json
 import sys
@@ -31,7 +31,7 @@ def light(masters):
 
 @pytest.fixture(scope="session")
 def key_path(tmp_path_factory):
-    path = tmp_path_factory.mktemp("office") / "key"
+    path = tmp_path_factory.mktemp("answer_key") / "key"
     make_key(MASTERS, SEED, path)
     return path
 
@@ -43,7 +43,7 @@ def answer_keys(key_path):
 
 @pytest.fixture
 def grade(key_path, tmp_path):
-    """Grade a folder; gives what grades.json holds."""
+    """Grades a folder, and returns the content of grades.json."""
 
     def graded(submissions, out=None, **options):
         out = out or tmp_path / "grades"

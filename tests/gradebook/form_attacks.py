@@ -1,8 +1,8 @@
 """Attacks on the form of a submission: its cells, metadata, files, archives and names.
 
-Each stands for a wrong answer in truth, tries to gain by a trick, and is put into a folder of submissions
-between honest ones. `number` is the attack's in the published list of 62. Attacks by an answer's source stand
-with the grading engine.
+Each attack has wrong answers, tries to gain points by a trick, and is put into a folder of submissions
+between honest ones. `number` is the attack's number in the published list of 62. The attacks by the source
+of an answer are in tests/autograder/attacks.py.
 """
 
 import io
@@ -22,65 +22,65 @@ LESSON = "20_light"
 
 @dataclass(frozen=True)
 class FormAttack:
-    """An attack; it hands in as a learner of its own.
+    """An attack; it is submitted by a learner of its own.
 
-    put     function of the learner's folder, which is not made yet, and the master
-    told    words that the teacher must find in what is reported; "" where there is nothing to tell
-    folder  the learner's folder, where its very name is the attack
-    never   (pattern, text) pairs: no file of the grades of that name may hold that text
+    put       function of the learner's folder, which does not exist yet, and the master
+    reported  text that the instructor must find in the report; "" if there is nothing to report
+    folder    name of the learner's folder, if this name is the attack
+    never     (pattern, text) pairs: no file of the grades whose name fits the pattern may contain the text
     """
 
     number: int
     name: str
     put: object
-    told: str = ""
+    reported: str = ""
     folder: str = ""
     never: tuple = ()
 
     @property
     def learner(self):
-        """The name that its grades are found by."""
-        return sanitize_line(self.handed_in_as, 120)
+        """The learner's name in the grades."""
+        return sanitize_line(self.folder_name, 120)
 
     @property
-    def handed_in_as(self):
+    def folder_name(self):
         return self.folder or f"{self.number:02d} {self.name}"
 
     @property
     def neighbour(self):
-        """The honest learner whose submission stands behind it."""
+        """The honest learner whose submission is graded after it."""
         return f"{self.number:02d} {self.name}, neighbour"
 
 
 FORM_ATTACKS = []
 
 
-def attack(number, name, told="", **more):
-    """Make an attack of a function of (folder, master)."""
+def attack(number, name, reported="", **more):
+    """Decorator: makes an attack of a function of (folder, master)."""
 
-    def added(put):
-        FORM_ATTACKS.append(FormAttack(number, name, put, told, **more))
+    def add(put):
+        FORM_ATTACKS.append(FormAttack(number, name, put, reported, **more))
         return put
 
-    return added
+    return add
 
 
-def of_cells(number, name, told="", **more):
-    """Make an attack of a function that changes a wrong notebook in place."""
+def of_cells(number, name, reported="", **more):
+    """Decorator: makes an attack of a function that changes a notebook with wrong answers in place."""
 
-    def added(change):
+    def add(change):
         def put(folder, light):
-            made = wrong_made(light)
-            change(made)
-            write(folder / f"{LESSON}.ipynb", made)
+            lesson = wrong_notebook(light)
+            change(lesson)
+            write(folder / f"{LESSON}.ipynb", lesson)
 
-        FORM_ATTACKS.append(FormAttack(number, name, put, told, **more))
+        FORM_ATTACKS.append(FormAttack(number, name, put, reported, **more))
         return change
 
-    return added
+    return add
 
 
-def wrong_made(light):
+def wrong_notebook(light):
     """The lesson with wrong answers; a dict."""
     return notebook(
         light,
@@ -88,9 +88,9 @@ def wrong_made(light):
     )
 
 
-def claim(made, id="light-double"):
+def claim(lesson, id="light-double"):
     """Store an output that says that a check passes."""
-    cell = cell_of(made, f"check-{id}-1")
+    cell = cell_of(lesson, f"check-{id}-1")
     cell["outputs"] = [{"output_type": "stream", "name": "stdout", "text": f"{id}: the check passes.\n"}]
     cell["execution_count"] = 3
 
@@ -99,110 +99,113 @@ def claim(made, id="light-double"):
 
 
 @of_cells(1, "deleted checks", "is missing; grading uses its own")
-def _deleted_checks(made):
-    made["cells"] = [cell for cell in made["cells"] if not cell["id"].startswith("check-")]
+def _deleted_checks(lesson):
+    lesson["cells"] = [cell for cell in lesson["cells"] if not cell["id"].startswith("check-")]
 
 
 @of_cells(2, "edited checks", "was changed")
-def edit_checks(made):
-    cell_of(made, "check-light-double-1")["source"] = "print('light-double: the check passes.')"
+def edit_checks(lesson):
+    cell_of(lesson, "check-light-double-1")["source"] = "print('light-double: the check passes.')"
 
 
 @of_cells(3, "checks made raw cells", "not a code cell any more")
-def _retyped_checks(made):
-    cell_of(made, "check-light-double-1")["cell_type"] = "raw"
+def _retyped_checks(lesson):
+    cell_of(lesson, "check-light-double-1")["cell_type"] = "raw"
 
 
 @of_cells(4, "points in the metadata", "direct a grader")
-def _points(made):
-    for cell in made["cells"]:
+def _points(lesson):
+    for cell in lesson["cells"]:
         cell["metadata"] = {"nbgrader": {"points": 1000, "grade": True, "locked": False}, "points": 1000}
-    made["metadata"]["imgproc_course"]["points"] = 1000
+    lesson["metadata"]["imgproc_course"]["points"] = 1000
 
 
 @of_cells(4, "cells with the ids of hidden checks")
-def _hidden_case_ids(made):
+def _hidden_case_ids(lesson):
     for id in ("hidden-light-double-1", "case-light-double-1", "solution-light-double"):
-        made["cells"].append({"id": id, "cell_type": "code", "metadata": {}, "source": "1", "outputs": []})
+        lesson["cells"].append({"id": id, "cell_type": "code", "metadata": {}, "source": "1", "outputs": []})
 
 
 @of_cells(5, "every cell twice", "occurs 2 times")
-def _duplicates(made):
-    made["cells"] += [dict(cell) for cell in made["cells"]]
+def _duplicates(lesson):
+    lesson["cells"] += [dict(cell) for cell in lesson["cells"]]
 
 
 @of_cells(6, "cells in another order")
-def _reordered(made):
-    made["cells"].reverse()
+def _reordered(lesson):
+    lesson["cells"].reverse()
 
 
 @of_cells(7, "the answer in another cell", "is defined in another cell (mine), which is not graded")
-def _moved(made):
-    cell_of(made, "answer-light-double")["id"] = "mine"
+def _moved(lesson):
+    cell_of(lesson, "answer-light-double")["id"] = "mine"
 
 
 @of_cells(8, "tags that skip", "direct a grader")
-def _skipping_tags(made):
-    cell_of(made, "answer-light-double")["metadata"]["tags"] = ["nbval-skip", "nbval-ignore-output"]
+def _skipping_tags(lesson):
+    cell_of(lesson, "answer-light-double")["metadata"]["tags"] = ["nbval-skip", "nbval-ignore-output"]
 
 
 @of_cells(9, "tags that allow an exception", "direct a grader")
-def _raising_tags(made):
-    cell_of(made, "answer-light-double")["metadata"]["tags"] = ["nbval-raises-exception", "raises-exception"]
+def _raising_tags(lesson):
+    cell_of(lesson, "answer-light-double")["metadata"]["tags"] = [
+        "nbval-raises-exception",
+        "raises-exception",
+    ]
 
 
 @of_cells(9, "tags that are no list")
-def _tags_of_another_type(made):
-    cell_of(made, "answer-light-double")["metadata"] = {"tags": {"nbval-skip": 1}}
+def _tags_of_another_type(lesson):
+    cell_of(lesson, "answer-light-double")["metadata"] = {"tags": {"nbval-skip": 1}}
 
 
 @of_cells(10, "forged outputs", "stored output says that every check passes")
-def _forged_outputs(made):
-    claim(made)
+def _forged_outputs(lesson):
+    claim(lesson)
 
 
 @of_cells(11, "no execution counts", "stored output says that every check passes")
-def _no_execution_counts(made):
-    claim(made)
-    cell_of(made, "check-light-double-1")["execution_count"] = None
+def _no_execution_counts(lesson):
+    claim(lesson)
+    cell_of(lesson, "check-light-double-1")["execution_count"] = None
 
 
 @of_cells(12, "another kernel", "asks for the kernel 'bash'")
-def _kernelspec(made):
-    made["metadata"]["kernelspec"] = {"name": "bash", "language": "bash", "argv": ["/bin/sh"]}
+def _kernelspec(lesson):
+    lesson["metadata"]["kernelspec"] = {"name": "bash", "language": "bash", "argv": ["/bin/sh"]}
 
 
 @of_cells(13, "notebook format 4.99")
-def _minor_99(made):
-    made["nbformat_minor"] = 99
+def _minor_99(lesson):
+    lesson["nbformat_minor"] = 99
 
 
 @of_cells(15, "an id of a hundred thousand letters")
-def _huge_id(made):
-    made["cells"].append({"id": "answer-" + "x" * 100_000, "cell_type": "code", "source": "1"})
+def _huge_id(lesson):
+    lesson["cells"].append({"id": "answer-" + "x" * 100_000, "cell_type": "code", "source": "1"})
 
 
 @of_cells(58, "a lesson's name that is a path")
-def _other_lesson(made):
-    made["metadata"]["imgproc_course"]["lesson"] = "../../../etc/passwd"
+def _other_lesson(lesson):
+    lesson["metadata"]["imgproc_course"]["lesson"] = "../../../etc/passwd"
 
 
 @of_cells(61, "widget state with a script", never=(("**/*.html", "<script"),))
-def _widget_state(made):
-    made["metadata"]["widgets"] = {"application/vnd.jupyter.widget-state+json": {"state": "<script>"}}
+def _widget_state(lesson):
+    lesson["metadata"]["widgets"] = {"application/vnd.jupyter.widget-state+json": {"state": "<script>"}}
 
 
 @of_cells(61, "outputs with a script", never=(("**/*.html", "<script"), ("**/*.html", "onload=")))
-def _script_in_outputs(made):
+def _script_in_outputs(lesson):
     html = {"text/html": "<script>alert(1)</script>", "image/svg+xml": "<svg onload=alert(1)>"}
     shown = {"output_type": "display_data", "data": html, "metadata": {}}
-    cell_of(made, "check-light-double-1")["outputs"] = [shown]
+    cell_of(lesson, "check-light-double-1")["outputs"] = [shown]
 
 
-# ---------------------------------------------------------------- notebooks that are none
+# ---------------------------------------------------------------- notebooks that cannot be read
 
 DEEP = 100_000
-MALFORMED = {  # name: (number of the attack, the file's bytes, the reason that is given)
+MALFORMED = {  # name: (number of the attack, the file's bytes, the reason in the report)
     "empty": (14, b"", "the file is empty"),
     "blank": (14, b" \n", "the file is empty"),
     "cut off": (14, b'{"nbformat": 4, "cells": [', "its JSON is broken (line 1)"),
@@ -245,13 +248,13 @@ def _huge(folder, light):
 
 
 def trap_of(folder):
-    """The file that code writes which must never run."""
+    """The file that the code of an attack writes; this code must never run."""
     return folder.parents[1] / "trapped"
 
 
 @attack(51, "modules beside the notebook")
 def _modules_beside(folder, light):
-    write(folder / f"{LESSON}.ipynb", wrong_made(light))
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
     for name in ("numpy", "sitecustomize", "usercustomize", "coverage", "imgproc_course", "json"):
         write(folder / f"{name}.py", f"open({str(trap_of(folder))!r}, 'w').close()")
     write(folder / "x.pth", f"import os; open({str(trap_of(folder))!r}, 'w').close()")
@@ -259,7 +262,7 @@ def _modules_beside(folder, light):
 
 @attack(52, "conftest.py and pytest.ini beside the notebook")
 def _settings_beside(folder, light):
-    write(folder / f"{LESSON}.ipynb", wrong_made(light))
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
     write(folder / "conftest.py", f"open({str(trap_of(folder))!r}, 'w').close()")
     write(folder / "pytest.ini", "[pytest]\naddopts = --nbval-lax")
     for name in ("pyproject.toml", "tox.ini"):
@@ -282,11 +285,11 @@ def _hard_link(folder, light):
 
 @attack(57, "a folder that is a link")
 def _link_to_folder(folder, light):
-    write(folder / f"{LESSON}.ipynb", wrong_made(light))
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
     (folder / "more").symlink_to("/etc")
 
 
-@attack(57, "a pipe that nobody writes into", "not a regular file")
+@attack(57, "a pipe without a writer", "not a regular file")
 def _pipe(folder, light):
     folder.mkdir(parents=True)
     os.mkfifo(folder / f"{LESSON}.ipynb")
@@ -301,22 +304,22 @@ def _link_in_zip(folder, light):
 
 @attack(58, "a name in a zip that leads out of it", "leads out of the zip")
 def _out_of_zip(folder, light):
-    _zip(folder, [(f"../../{LESSON}.ipynb", json.dumps(wrong_made(light)))])
+    _zip(folder, [(f"../../{LESSON}.ipynb", json.dumps(wrong_notebook(light)))])
 
 
 @attack(58, "an absolute name in a zip", "leads out of the zip")
 def _absolute_in_zip(folder, light):
-    _zip(folder, [(f"/etc/{LESSON}.ipynb", json.dumps(wrong_made(light)))])
+    _zip(folder, [(f"/etc/{LESSON}.ipynb", json.dumps(wrong_notebook(light)))])
 
 
 @attack(58, "a name that is options and markup", folder="-p x::[1] <b>\u202egpj.\nx")
 def _odd_name(folder, light):
-    write(folder / f"{LESSON}.ipynb", wrong_made(light))
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
 
 
 @attack(58, "a name that is no text", folder=os.fsdecode(b"\xff\xfe"))
 def _name_of_bytes(folder, light):
-    write(folder / f"{LESSON}.ipynb", wrong_made(light))
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
 
 
 @attack(59, "a zip bomb", "200 times its size")
@@ -328,7 +331,7 @@ def _bomb(folder, light):
 def _nested(folder, light):
     inner = io.BytesIO()
     with zipfile.ZipFile(inner, "w") as archive:
-        archive.writestr(f"{LESSON}.ipynb", json.dumps(wrong_made(light)))
+        archive.writestr(f"{LESSON}.ipynb", json.dumps(wrong_notebook(light)))
     _zip(folder, [("inner.zip", inner.getvalue())])
 
 
@@ -342,7 +345,7 @@ def _lying(folder, light):
     path.write_bytes(data)
 
 
-@attack(59, "a zip that is none", "zip cannot be read")
+@attack(59, "a file that is not a zip", "zip cannot be read")
 def _no_zip(folder, light):
     write(folder / "work.zip", b"PK\x03\x04 no zip")
 
@@ -354,14 +357,14 @@ def _no_zip(folder, light):
     never=(("**/*.csv", '"=cmd'), ("**/*.csv", "\t")),
 )
 def _formula(folder, light):
-    write(folder / f"{LESSON}.ipynb", wrong_made(light))
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
 
 
 @attack(
     61, "a name that is a script", folder="<img src=x onerror=alert(1)>", never=(("**/*.html", "<img src=x"),)
 )
 def _script(folder, light):
-    write(folder / f"{LESSON}.ipynb", wrong_made(light))
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
 
 
 def _zip(folder, members):
@@ -369,7 +372,7 @@ def _zip(folder, members):
     path = folder / "work.zip"
     with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, data in members:
-            if isinstance(name, str):  # as it stands: writestr() would take a leading slash away
+            if isinstance(name, str):  # unchanged: writestr() would remove a leading slash
                 info = zipfile.ZipInfo("x")
                 info.filename, info.compress_type = name, zipfile.ZIP_DEFLATED
             else:
@@ -383,20 +386,21 @@ def _zip(folder, members):
 
 @dataclass(frozen=True)
 class Attacked:
-    """What an attack came to.
+    """The result of an attack.
 
-    gained    its points;  reported: what the teacher is told of it, one line
-    harmed    what it harmed, in words; empty where every neighbour is graded as if alone
+    gained    its points
+    report    what the instructor reads about it, one line
+    harmed    what it harmed, as texts; empty if its neighbour is graded as if alone
     """
 
     attack: FormAttack
     gained: int
-    reported: str
+    report: str
     harmed: tuple
 
 
 def grade_attacks(light, key_path, folder, **options):
-    """Grade all attacks at once, an honest submission behind each of them, and one honest one alone.
+    """Grade all attacks at once, an honest submission after each, and one honest submission alone.
 
     Parameters
     ----------
@@ -411,29 +415,32 @@ def grade_attacks(light, key_path, folder, **options):
     """
     honest = notebook(light, answers_of(light, "right"))
     write(folder / "alone" / "alone.ipynb", honest)
-    for each in FORM_ATTACKS:
-        each.put(folder / "submissions" / each.handed_in_as, light)
-        write(folder / "submissions" / each.neighbour / f"{LESSON}.ipynb", honest)
-    found = []
+    for attack in FORM_ATTACKS:
+        attack.put(folder / "submissions" / attack.folder_name, light)
+        write(folder / "submissions" / attack.neighbour / f"{LESSON}.ipynb", honest)
+    learners = []
     for name in ("alone", "submissions"):
         out = folder / f"{name}-grades"
         grade_submissions(folder / name, [key_path], out, **({"workers": 1, "quiet": True} | options))
         grades = json.loads((out / "grades.json").read_text(encoding="utf-8"))
-        found.append({learner["name"]: learner for learner in grades["learners"]})
-    (alone,) = found[0]["alone"]["lessons"]
-    return [_attacked(each, found[1], alone, folder) for each in FORM_ATTACKS]
+        learners.append({learner["name"]: learner for learner in grades["learners"]})
+    (alone,) = learners[0]["alone"]["lessons"]
+    return [_attacked(attack, learners[1], alone, folder) for attack in FORM_ATTACKS]
 
 
 def _attacked(attack, learners, alone, folder):
     lessons = learners[attack.learner]["lessons"]
-    told = [lesson["reason"] for lesson in lessons if lesson["reason"]]
-    told += [finding["text"] for lesson in lessons for finding in lesson["findings"]]
+    texts = [lesson["reason"] for lesson in lessons if lesson["reason"]]
+    texts += [finding["text"] for lesson in lessons for finding in lesson["findings"]]
     outcomes = {
-        case["outcome"] for lesson in lessons for each in lesson["exercises"] for case in each["cases"]
+        case["outcome"]
+        for lesson in lessons
+        for exercise in lesson["exercises"]
+        for case in exercise["cases"]
     }
-    told = told or [", ".join(sorted(outcomes))]
+    texts = texts or [", ".join(sorted(outcomes))]
     return Attacked(
-        attack, learners[attack.learner]["points"], "; ".join(told), _harm(attack, learners, alone, folder)
+        attack, learners[attack.learner]["points"], "; ".join(texts), _harm(attack, learners, alone, folder)
     )
 
 
@@ -448,5 +455,5 @@ def _harm(attack, learners, alone, folder):
     for pattern, text in attack.never:
         for path in sorted(Path(folder, "submissions-grades").glob(pattern)):
             if text in path.read_text(encoding="utf-8", errors="replace"):
-                harm.append(f"{text!r} stands in {path.name}")
+                harm.append(f"{text!r} is in {path.name}")
     return tuple(harm)

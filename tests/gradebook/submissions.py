@@ -1,4 +1,4 @@
-"""Submissions made from masters: notebooks as JupyterLab saves them, with answers of one's choice."""
+"""Submissions made from masters: notebooks as JupyterLab saves them, with chosen answers."""
 
 import json
 import os
@@ -9,7 +9,7 @@ from pathlib import Path
 from imgproc_course.autograder.make_answer_key import sample_answers
 
 MASTERS = Path(__file__).parent / "masters"
-SEED = "a-secret-that-nobody-is-told"
+SEED = "a-secret-of-the-tests"
 VERSION = "0.1.0"
 
 
@@ -48,7 +48,7 @@ def cell_of(made, id):
 
 
 def write(path, made, when=None):
-    """Write a notebook (a dict, a text or bytes), and say when it was handed in."""
+    """Write a notebook (a dict, a text or bytes), and set the time of its submission."""
     path.parent.mkdir(parents=True, exist_ok=True)
     data = json.dumps(made).encode() if isinstance(made, dict) else made
     path.write_bytes(data.encode("utf-8") if isinstance(data, str) else data)

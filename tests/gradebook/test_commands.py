@@ -1,4 +1,4 @@
-"""The teacher's commands: what they say, what they refuse, and how they end."""
+"""The instructor's commands: what they print, what they refuse, and their exit codes."""
 
 import json
 import os
@@ -17,7 +17,7 @@ from imgproc_course.cli import main
 from imgproc_course.exercises.declaration import MasterError
 from imgproc_course.gradebook import grade
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("office")]
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]
 
 
 @pytest.fixture
@@ -54,7 +54,7 @@ def test_a_key_without_a_seed_keeps_one_and_makes_the_same_key_again(run, tmp_pa
     assert handed_out["21_sound"]["answer-sound-mean"] is None
 
 
-def test_a_key_in_a_checkout_that_does_not_ignore_it_is_warned_of(run, tmp_path):
+def test_a_key_in_a_checkout_that_does_not_ignore_it_is_a_warning(run, tmp_path):
     subprocess.run(["git", "init", "-q", "."], cwd=tmp_path, check=True)
     words = ("key", "21", "--masters", MASTERS, "--out", "k", "--force")
     warned = run(*words).output
@@ -64,7 +64,7 @@ def test_a_key_in_a_checkout_that_does_not_ignore_it_is_warned_of(run, tmp_path)
     assert "Warning" not in run(*words).output
 
 
-def test_masters_of_ones_own_are_found_by_the_variable(run, tmp_path, monkeypatch):
+def test_other_masters_are_found_by_the_variable(run, tmp_path, monkeypatch):
     monkeypatch.setenv("IMGPROC_COURSE_MASTERS", str(MASTERS))
     assert "Key of 1 lessons" in run("key", "21", "--out", "k", "--seed", "x").output
     monkeypatch.setenv("IMGPROC_COURSE_MASTERS", str(tmp_path / "nowhere"))
@@ -90,7 +90,7 @@ def test_exit_codes(run, light, key_path, tmp_path):
 
 
 @pytest.mark.parametrize(
-    ("words", "code", "told"),
+    ("words", "code", "message"),
     [
         (("grade", "nowhere", "--key", "KEY"), 1, "nowhere: does not exist"),
         (("grade", "in", "--key", "nokey"), 1, "there is no key; make one: imgproc-course key"),
@@ -100,14 +100,14 @@ def test_exit_codes(run, light, key_path, tmp_path):
         (("grade", "in", "--key", "KEY", "--kernel", "bash"), 2, "'fast', 'ipykernel'"),
     ],
 )
-def test_what_cannot_be_is_said_in_one_line(run, light, key_path, tmp_path, words, code, told):
+def test_an_error_is_one_line(run, light, key_path, tmp_path, words, code, message):
     write(tmp_path / "in" / "ada.ipynb", notebook(light))
     ended = run(*(key_path if word == "KEY" else word for word in words))
-    assert ended.exit_code == code and told in ended.output
+    assert ended.exit_code == code and message in ended.output
     assert code == 2 or len(ended.output.strip().splitlines()) == 1
 
 
-def test_a_platforms_table_is_filled(run, light, key_path, tmp_path):
+def test_the_table_of_a_platform_is_filled(run, light, key_path, tmp_path):
     write(tmp_path / "submissions" / "ada_7_100_20_light.ipynb", notebook(light, answers_of(light, "right")))
     table = tmp_path / "gradebook.csv"
     table.write_text("Student,ID,Section,20_light (1)\nAda,7,A,\n", encoding="utf-8")
@@ -119,7 +119,7 @@ def test_a_platforms_table_is_filled(run, light, key_path, tmp_path):
     assert missing.exit_code == 1 and "Error: none.csv: it cannot be read" in missing.output
 
 
-def test_without_bubblewrap_it_refuses_unless_told(light, key_path, tmp_path):
+def test_without_bubblewrap_grading_needs_unsafe(light, key_path, tmp_path):
     write(tmp_path / "in" / "ada.ipynb", notebook(light, answers_of(light, "right")))
     environment = os.environ | {"PATH": str(tmp_path)}
     words = [sys.executable, "-c", "from imgproc_course.cli import main; main()"]
@@ -138,7 +138,7 @@ def test_without_bubblewrap_it_refuses_unless_told(light, key_path, tmp_path):
     assert grades["sandbox"] is False and grades["learners"][0]["points"] == 6
 
 
-def test_ctrl_c_says_that_it_goes_on(run, light, key_path, tmp_path, monkeypatch):
+def test_ctrl_c_says_how_to_continue(run, light, key_path, tmp_path, monkeypatch):
     write(tmp_path / "in" / "ada.ipynb", notebook(light))
 
     def interrupted(*_words, **_options):
@@ -149,7 +149,7 @@ def test_ctrl_c_says_that_it_goes_on(run, light, key_path, tmp_path, monkeypatch
     assert ended.exit_code == 130 and "run the same command again to continue" in ended.output
 
 
-def test_a_scheduler_is_asked_for_by_its_address(run, light, key_path, tmp_path, monkeypatch):
+def test_a_scheduler_is_found_by_its_address(run, light, key_path, tmp_path, monkeypatch):
     write(tmp_path / "in" / "ada.ipynb", notebook(light))
     asked = []
 
@@ -169,7 +169,7 @@ def test_a_deadline_with_a_zone_is_in_local_time():
     assert moment.astimezone().utctimetuple()[:5] == (2026, 12, 1, 23, 59)
 
 
-# ---------------------------------------------------------------- a lesson of one's own
+# ---------------------------------------------------------------- a new lesson
 
 
 def test_a_new_lesson_is_a_master_that_reads(tmp_path):

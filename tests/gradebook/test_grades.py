@@ -1,4 +1,4 @@
-"""Thirty submissions from end to end; attacks of form gain nothing; every run gives the same grades."""
+"""Thirty submissions from end to end; attacks of form gain nothing; grades are the same every time."""
 
 import json
 import random
@@ -12,7 +12,7 @@ import pytest
 
 sys.path.append(str(Path(__file__).parents[1] / "autograder"))
 from attacks import ATTACKS, PUBLISHED
-from form_attacks import FORM_ATTACKS, edit_checks, grade_attacks, wrong_made
+from form_attacks import FORM_ATTACKS, edit_checks, grade_attacks, wrong_notebook
 from submissions import MASTERS, SEED, answers_of, notebook, thirty, write
 
 from imgproc_course.autograder.answer_key import load_key
@@ -23,7 +23,7 @@ from imgproc_course.gradebook.grade import grade_submissions
 from imgproc_course.gradebook.grades_json import SCHEMA
 from imgproc_course.gradebook.result_store import GradesFolderError, ResultStore
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("office")]
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]
 
 
 def lesson_of(grades, learner, lesson="20_light"):
@@ -48,7 +48,7 @@ def graded(classroom, key_path, tmp_path_factory):
     return out, summary
 
 
-def test_thirty_submissions_get_their_points(graded, classroom):
+def test_thirty_submissions_get_the_right_points(graded, classroom):
     grades = json.loads((graded[0] / "grades.json").read_text())
     points = {"20_light": 6, "21_sound": 4}
     for learner, lesson, kind in classroom[1]:
@@ -118,12 +118,12 @@ def test_an_interrupted_run_continues_where_it_stopped(light, key_path, submissi
         answers = answers_of(light, "right")
         answers["light-double"] += f"\n# {number}"
         write(submissions / f"{number}.ipynb", notebook(light, answers))
-    graded, keep = [], ResultStore.keep_result
+    stored, keep = [], ResultStore.keep_result
 
     def keep_three(store, digest, result):
-        if len(graded) == 3:
+        if len(stored) == 3:
             raise KeyboardInterrupt
-        graded.append(digest)
+        stored.append(digest)
         keep(store, digest, result)
 
     monkeypatch.setattr(ResultStore, "keep_result", keep_three)
@@ -141,7 +141,7 @@ def test_an_interrupted_run_continues_where_it_stopped(light, key_path, submissi
     assert "(6 now)" in again.text
 
 
-def test_a_damaged_result_is_graded_again(light, key_path, submissions, grade, tmp_path):
+def test_an_incomplete_result_is_graded_again(light, key_path, submissions, grade, tmp_path):
     write(submissions / "ada.ipynb", notebook(light, answers_of(light, "right")))
     first = grade(submissions)
     (path,) = [each for each in (tmp_path / "grades" / "results").iterdir() if "answers" not in each.name]
@@ -183,7 +183,7 @@ def test_grading_without_a_sandbox_is_refused_before_anything_is_read(
     assert not (tmp_path / "grades").exists()
 
 
-def test_a_folder_that_cannot_be_written_is_reported(light, key_path, submissions, tmp_path):
+def test_a_folder_that_cannot_be_written(light, key_path, submissions, tmp_path):
     write(submissions / "ada.ipynb", notebook(light))
     (tmp_path / "file").write_text("")
     with pytest.raises(GradesFolderError, match="cannot be"):
@@ -229,12 +229,21 @@ def test_canvas_submissions_are_ordered_by_number_and_late_as_canvas_says(light,
     assert (lesson["points"], lesson["late"], lesson["platform_id"]) == (6, True, "77")
 
 
-def test_namesakes_are_two_people(light, submissions, grade):
+def test_two_learners_of_one_name(light, submissions, grade):
     right, wrong = notebook(light, answers_of(light, "right")), notebook(light, answers_of(light, 0))
     write(submissions / "Anna_1_assignsubmission_file_" / "x.ipynb", right)
     write(submissions / "Anna_2_assignsubmission_file_" / "x.ipynb", wrong)
     grades = grade(submissions)
     assert {each["name"]: each["points"] for each in grades["learners"]} == {"Anna (1)": 6, "Anna (2)": 0}
+
+
+def test_a_submission_without_answers_does_not_replace_one_with_answers(light, submissions, grade):
+    right = notebook(light, answers_of(light, "right"))
+    write(submissions / "ada" / "20_light.ipynb", right, datetime(2026, 11, 1))
+    empty = right | {"metadata": {}, "cells": right["cells"][:1]}  # recognized by its file name alone
+    write(submissions / "ada" / "20_light-1.ipynb", empty, datetime(2026, 12, 2))
+    lesson = lesson_of(grade(submissions), "ada")
+    assert (lesson["points"], lesson["file"]) == (6, "ada/20_light.ipynb")
 
 
 def test_an_older_version_is_graded_with_its_own_key_or_reported(
@@ -261,31 +270,31 @@ def test_an_older_version_is_graded_with_its_own_key_or_reported(
 
 @pytest.fixture(scope="module")
 def attacked(light, key_path, tmp_path_factory):
-    """What each attack came to."""
+    """{name of an attack: its result}"""
     results = grade_attacks(light, key_path, tmp_path_factory.mktemp("attacked"))
     return {result.attack.name: result for result in results}
 
 
-@pytest.mark.parametrize("name", [each.name for each in FORM_ATTACKS])
+@pytest.mark.parametrize("name", [attack.name for attack in FORM_ATTACKS])
 def test_an_attack_of_form_gains_nothing_harms_nobody_and_is_reported(attacked, name):
     result = attacked[name]
     assert (result.gained, result.harmed) == (0, ())
-    assert result.attack.told in result.reported
+    assert result.attack.reported in result.report
 
 
 def test_attacks_of_form_have_names_of_their_own():
-    names = [each.name for each in FORM_ATTACKS]
+    names = [attack.name for attack in FORM_ATTACKS]
     assert len(names) == len(set(names)) >= 55
 
 
 def test_every_number_of_the_published_list_is_tried():
-    tried = {each.number for each in [*ATTACKS, *FORM_ATTACKS]}
+    tried = {attack.number for attack in [*ATTACKS, *FORM_ATTACKS]}
     assert sorted(set(PUBLISHED) - tried) == []
-    assert min(tried - set(PUBLISHED)) > 100  # our own have other numbers
+    assert min(tried - set(PUBLISHED)) > 100  # the numbers of our own attacks
 
 
 def test_modules_and_settings_beside_a_notebook_change_nothing(light, submissions, grade, tmp_path):
-    write(submissions / "eve" / "20_light.ipynb", wrong_made(light))
+    write(submissions / "eve" / "20_light.ipynb", wrong_notebook(light))
     trap = f"open({str(tmp_path / 'trapped')!r}, 'w').close()"
     for name in ("conftest.py", "numpy.py", "sitecustomize.py", "coverage.py", "imgproc_course.py"):
         write(submissions / "eve" / name, trap)
@@ -308,7 +317,7 @@ def test_two_hundred_megabytes_and_links_get_a_reason_and_end_nothing(light, sub
     assert lesson_of(grades, "zoe")["points"] == 6
 
 
-def test_a_key_without_the_handed_out_cells_still_grades(light, key_path, submissions, tmp_path):
+def test_a_key_without_the_cells_of_the_lessons_still_grades(light, key_path, submissions, tmp_path):
     bare = tmp_path / "bare"
     shutil.copytree(key_path, bare)
     (bare / "handed_out.json").unlink()

@@ -1,4 +1,4 @@
-"""Every lesson of the course as it is handed out gets no point, and with its solutions every point."""
+"""Every lesson gets no points as it is handed out, and every point with its solutions."""
 
 import json
 from pathlib import Path
@@ -10,7 +10,7 @@ from imgproc_course.authoring.masters import find_masters, read_master
 from imgproc_course.autograder.make_answer_key import make_key
 from imgproc_course.gradebook.grade import grade_submissions
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("office")]
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]
 NOTEBOOKS = Path(__file__).resolve().parents[2] / "notebooks"
 NAMES = [path.stem for path in find_masters(NOTEBOOKS / "masters")]
 
@@ -36,13 +36,13 @@ def learners(tmp_path_factory):
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_the_lesson_as_handed_out_gets_nothing(learners, name):
+def test_the_lesson_as_handed_out_gets_no_points(learners, name):
     lesson = learners["pristine"][name]
     assert (lesson["points"], lesson["findings"], lesson["status"]) == (0, [], "graded")
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_the_solved_lesson_gets_everything(learners, name):
+def test_the_solved_lesson_gets_every_point(learners, name):
     lesson = learners["solved"][name]
     assert lesson["points"] == lesson["max_points"]
     assert (lesson["max_points"] > 0) == bool(lesson["exercises"])

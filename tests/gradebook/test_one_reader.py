@@ -11,7 +11,7 @@ from imgproc_course.gradebook.check import LessonFileError, check_lesson
 from imgproc_course.gradebook.collect import collect
 from imgproc_course.gradebook.learners import read_all
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("office")]  # the key is made in a sandbox
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]  # the key is made in a sandbox
 
 
 class AnswersStore:

@@ -147,7 +147,7 @@ def test_the_teachers_page_has_the_totals_and_the_mistakes(pages):
         "uint8 wraps",
     ):
         assert expected in text
-    row = text.partition("A picture")[2].partition("</tr>")[0]
+    row = text.partition("An image")[2].partition("</tr>")[0]
     assert "0 %" in row and "2 of 2" in row
     row = text.partition("Fifty numbers")[2].partition("</tr>")[0]
     assert "100 %" in row and "1 of 1" in row

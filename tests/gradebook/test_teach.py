@@ -13,7 +13,7 @@ from submissions import answers_of, notebook, thirty, write
 
 from imgproc_course.authoring.masters import find_masters, read_master
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("office")]
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]
 CHECKOUT = Path(__file__).resolve().parents[2]
 
 
@@ -49,10 +49,10 @@ def test_a_term_in_ten_commands(tmp_path):
     (tmp_path / "notebooks").symlink_to(CHECKOUT / "notebooks")
     masters = [read_master(path) for path in find_masters(CHECKOUT / "notebooks" / "masters")]
     masters = [each for each in masters if any(not exercise.practice for exercise in each.exercises)]
-    handed_in, graded = [], 0
+    submitted, graded = [], 0
     for line in lines:
         if "imgproc-course grade" in line and graded == 0:
-            handed_in = thirty(tmp_path / "submissions", masters)
+            submitted = thirty(tmp_path / "submissions", masters)
         elif "imgproc-course grade" in line:
             own = read_master(next((tmp_path / "my_masters").glob("*.py")))
             made = notebook(own, answers_of(own, "right"))
@@ -64,7 +64,7 @@ def test_a_term_in_ten_commands(tmp_path):
         assert ended.returncode == 3, ended.stderr  # some of the thirty are broken
         graded += 1
         learners = grades_in(tmp_path)
-        for learner, lesson, kind in handed_in:
+        for learner, lesson, kind in submitted:
             (of,) = learners[learner]["lessons"]
             assert of["lesson"] == lesson
             assert of["status"] == ("not graded" if kind == "broken" else "graded")

@@ -7,7 +7,7 @@
 
 # %% [markdown]
 # # Light
-# A lesson for the tests: a function that gives a picture, and one that gives two.
+# A lesson for the tests: a function that returns an image, and one that returns two.
 
 # %% role="given" exercise=["light-double", "light-halves"]
 import numpy as np
@@ -31,11 +31,11 @@ def double(pixels):
 # %% role="check"
 check("light-double", double)
 
-# %% role="case" title="A picture" points=1 hint="Widen before you multiply."
+# %% role="case" title="An image" points=1 hint="Widen before you multiply."
 def inputs(rng):
     return (rng.integers(0, 256, (18, 24), dtype=np.uint8),)
 
-# %% role="hidden" title="Any picture" points=2 hint="What does 200 become?"
+# %% role="hidden" title="Any image" points=2 hint="What does 200 become?"
 def inputs(rng):
     return [(rng.integers(0, 256, (5, 5), dtype=np.uint8),) for _ in range(2)]
 
@@ -61,7 +61,7 @@ check("light-halves", halves)
 def inputs(rng):
     return (rng.integers(0, 256, (4, 3), dtype=np.uint8),)
 
-# %% role="hidden" title="Four rows more" points=1 hint="Both halves are wanted."
+# %% role="hidden" title="Four rows more" points=1 hint="Return both halves."
 def inputs(rng):
     return (rng.integers(0, 256, (4, 6), dtype=np.uint8),)
 

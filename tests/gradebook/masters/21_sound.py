@@ -7,7 +7,7 @@
 
 # %% [markdown]
 # # Sound
-# A lesson for the tests that knows nothing of pictures.
+# A lesson for the tests without images.
 
 # %%
 from imgproc_course.exercises import check
