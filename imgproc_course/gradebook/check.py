@@ -23,7 +23,7 @@ from imgproc_course.gradebook.submission import (
 
 _ADVICE = {
     AnswerState.MISSING: "Open the lesson afresh and copy your function into this cell.",
-    AnswerState.BROKEN: "Grading would give no points for it, or might grade another answer than you mean.",
+    AnswerState.BROKEN: "Grading would give no points for it, or might grade the wrong cell.",
 }
 
 

@@ -249,7 +249,7 @@ def _inspect_answer(exercise, cells, lesson, content):
         content.add(f"{text}; the first code cell of them is graded", exercise.id)
     if not code:
         kind = sanitize_line(cells[positions[0]]["type"], 20) or "nameless"
-        content.add(f"its answer cell is a {kind} cell, not a code cell", exercise.id)
+        content.add(f"its answer cell is a {kind} cell; make it a code cell (key Y)", exercise.id)
         return AnswerState.BROKEN
     cell = cells[code[0]]
     if cell["source"] is None:

@@ -113,8 +113,8 @@ MISSING = "its answer cell (answer-template-double) is missing"
         (edit(ANSWER, source="# later"), "broken", "its answer cell is empty"),
         (edit(ANSWER, source="#" * 200_100), "broken", "its answer is longer than 200000 characters"),
         (edit(ANSWER, source=7), "broken", "the source of its answer cell is not text"),
-        (edit(ANSWER, cell_type="markdown"), "broken", "is a markdown cell, not a code cell"),
-        (edit(ANSWER, cell_type="raw"), "broken", "is a raw cell, not a code cell"),
+        (edit(ANSWER, cell_type="markdown"), "broken", "is a markdown cell; make it a code cell"),
+        (edit(ANSWER, cell_type="raw"), "broken", "is a raw cell; make it a code cell"),
         (
             edit(ANSWER, source=["def double(pixels)\n", "    return 3"]),
             "broken",

@@ -94,7 +94,7 @@ def test_a_learners_page_names_the_mistake_and_shows_the_public_check(pages):
 def test_a_hidden_check_shows_only_its_title_and_hint(pages):
     text = pages["img"].read_text(encoding="utf-8")
     after = text.partition("Four rows more")[2].partition("</li>")[0]
-    assert "Both halves are wanted." in after and "ValueError" in after
+    assert "Return both halves." in after and "ValueError" in after
     assert "script" not in after and "[[" not in after and "given" not in after
 
 

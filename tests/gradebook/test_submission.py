@@ -111,7 +111,7 @@ def test_a_retyped_answer_cell(read, made, kind):
     content = read(made)
     assert list(content.answers) == ["light-halves"]
     assert content.states["light-double"] is AnswerState.BROKEN
-    assert texts(content, "message") == [f"its answer cell is a {kind} cell, not a code cell"]
+    assert texts(content, "message") == [f"its answer cell is a {kind} cell; make it a code cell (key Y)"]
 
 
 @pytest.mark.parametrize(
