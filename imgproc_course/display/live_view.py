@@ -22,10 +22,8 @@ MAX_RATE = 30  # frames per second: enough for a camera on a screen, and the bro
 PING_INTERVAL = 0.5  # seconds between two pings to the browser
 LATE = 0.3  # seconds; a later reply means that a queue has formed
 NO_BROWSER_AFTER = 10  # seconds without a reply
-WITHOUT_REPLY, WITHOUT_BROWSER = (
-    0.2,
-    1.0,
-)  # seconds between frames while no reply comes, and without a browser
+WITHOUT_REPLY = 0.2  # seconds between frames while no reply comes
+WITHOUT_BROWSER = 1.0  # seconds between frames without a browser
 
 
 def live_view(
