@@ -2,21 +2,21 @@
 # jupyter:
 #   imgproc_course:
 #     title: The stages of Canny
-#     minutes: 90
+#     minutes: 110
 # ---
 
 # %% [markdown]
 # # 07 · The stages of Canny
 #
-# `cv2.Canny(gray, 50, 150)` is one line, and for most people it is magic. Inside are five plain steps. You will write four of them. Together the steps give OpenCV's edges on every pixel.
+# `cv2.Canny(gray, 50, 150)` finds edges with one line. This line runs five simple stages, one after another. You will write four of them yourself. Together, the stages give the same edges as OpenCV, pixel by pixel.
 #
 # **You will be able to**
-# - name the input and the output of each stage, with units,
-# - write Sobel's filter, non-maximum suppression, the double threshold and hysteresis by hand,
+# - name the input and the output of each stage, with their units,
+# - write the Sobel filter, non-maximum suppression, the double threshold and hysteresis by hand,
 # - explain what 50 and 150 mean, and when to change them,
 # - explain why a noisy image must be smoothed before edge detection.
 #
-# **Time** about 90 minutes; you can take a break after section 5. **You need** lessons 03 and 05.
+# **Time** about 110 minutes; take a break after section 5. **You need** lessons 03 and 05.
 
 # %% role="given" exercise=["canny-sobel", "canny-suppression", "canny-thresholds", "canny-hysteresis"]
 import numpy as np
@@ -46,25 +46,26 @@ print("gray", gray.shape, gray.dtype, "range", gray.min(), "to", gray.max())
 # %% [markdown]
 # ## 1 · An edge is an intensity step (8 minutes)
 #
-# **Ask.** Where in this row is the edge? You see it at once: between the 50 and the 200, where the gray level (the *intensity*) makes a step. A program must compute it.
+# **Ask.** Where in the row below is the edge? You see it at once: between 50 and 200, where the gray level (the *intensity*) jumps. A program has to compute it.
 #
 # **Predict.** For each pixel subtract its left neighbour from its right neighbour. Where is the result not zero?
 
 # %%
 row = np.array([50, 50, 50, 50, 200, 200, 200, 200])
-padded = np.pad(row, 1, mode="edge")
-difference = padded[2:] - padded[:-2]
+padded = np.pad(row, 1, mode="edge")  # replicate
+difference = padded[2:] - padded[:-2]  # right neighbour minus left neighbour
 print("row       ", row)
 print("difference", difference)
 
 assert difference.tolist() == [0, 0, 0, 150, 150, 0, 0, 0]
 
 # %% [markdown]
-# This is a **correlation** with the kernel `[-1, 0, 1]`, as in lesson 05: the kernel moves along the row, and at each pixel its weights are multiplied with the gray levels under them, and the products are added. The result is the *filter response*. Here the response is 0 where nothing changes. At a step it is the height of the step. A step from bright to dark gives a negative response.
+# This is a **correlation** with the kernel `[-1, 0, 1]`. As in lesson 05, the kernel moves along the row. At each pixel, every weight is multiplied by the gray level under it, and the products are added. The result is the *filter response*. Here the response is 0 where the gray level does not change. At the step it is the height of the step. A step from bright to dark gives a negative response.
 #
-# A **convolution** first flips the kernel, here to `[1, 0, -1]`. So the response changes its sign. OpenCV's filters correlate; `np.convolve` and many textbooks convolve.
+# A **convolution** first flips the kernel, here to `[1, 0, -1]`. So every response changes its sign. OpenCV's filters compute the correlation; `np.convolve` and many textbooks compute the convolution.
 
 # %%
+# mode="valid": only where the whole kernel lies inside the padded row
 correlated = np.correlate(padded, [-1, 0, 1], mode="valid")
 convolved = np.convolve(padded, [-1, 0, 1], mode="valid")
 print("correlation", correlated)
@@ -74,16 +75,16 @@ assert (correlated == difference).all()
 assert (convolved == -correlated).all()
 
 # %% [markdown]
-# A single row is easily disturbed by noise. **Sobel**'s kernel combines three rows and gives the middle one double weight:
+# Noise easily disturbs the differences in a single row. The **Sobel kernel** combines three rows, and gives the middle row double weight:
 #
 # $$\begin{bmatrix}-1&0&1\\-2&0&2\\-1&0&1\end{bmatrix}$$
 #
-# This kernel is separable: it smooths with 1, 2, 1 down the column and takes the difference −1, 0, 1 along the row. So it responds to a *vertical edge*, where the gray level changes along the row. The transposed kernel takes the difference down the column. It responds to a *horizontal edge*, where the gray level changes down the column.
+# This kernel is separable: it smooths with 1, 2, 1 down the column, and takes the difference with −1, 0, 1 along the row. So it responds to a *vertical edge*, where the gray level changes along the row. The *transposed* kernel (its rows become columns) takes the difference down the column. It responds to a *horizontal edge*, where the gray level changes down the column.
 #
-# **Predict** the response at a straight step of height 150: the weights 1, 2, 1 add up to 4.
+# **Predict** the response at a vertical edge with a step of 150. Remember that the weights 1, 2, 1 add up to 4.
 
 # %%
-step = np.tile(np.array([50, 50, 200, 200, 200], dtype=np.uint8), (5, 1))
+step = np.tile(np.array([50, 50, 200, 200, 200], dtype=np.uint8), (5, 1))  # five equal rows
 grad_row, grad_col = sobel(step)
 show([step, grad_col, grad_row], ["gray", "grad_col (along a row)", "grad_row (down a column)"],
      caption="Along the rows the gray level rises by 150: the response is 4 × 150 = 600. Down the columns nothing changes.",
@@ -92,30 +93,30 @@ show([step, grad_col, grad_row], ["gray", "grad_col (along a row)", "grad_row (d
 assert grad_col.max() == 600 == 4 * 150 and not grad_row.any()
 
 # %% [markdown]
-# The two responses together are the **gradient**. Remember the **4**: all thresholds below are in the unit of Sobel's response, not in gray levels. So a threshold of 50 for Canny means a straight step of 12.5 gray levels, and 150 means one of 37.5.
+# The two responses together are the **gradient**. The factor **4** is important: all thresholds below are compared with the Sobel response, not with gray levels. At a vertical or horizontal edge, a threshold of 50 means a step of 12.5 gray levels, and a threshold of 150 means a step of 37.5.
 
 # %%
 assert 50 / 4 == 12.5 and 150 / 4 == 37.5
 
 # %% [markdown]
-# ## 2 · Your turn: Sobel (12 minutes)
+# ## 2 · Your turn: the Sobel filter (15 minutes)
 #
-# Write `my_sobel(gray)`, which computes both gradients.
+# Write `my_sobel(gray)`. It computes both parts of the gradient.
 #
 # | Input | Output | Example call |
 # |---|---|---|
 # | `gray`: (height, width) uint8 | `grad_row, grad_col`, in this order: two (height, width) int32 arrays | `grad_row, grad_col = my_sobel(step)` |
 #
-# `grad_col` uses the kernel above: right minus left. `grad_row` uses the transposed kernel: the row below minus the row above. At the border use *replicate*: repeat the outermost row and column.
+# `grad_col` uses the kernel above: right minus left. `grad_row` uses the transposed kernel: the row below minus the row above. The responses can be negative or larger than 255, so they need int32. At the border use *replicate*: repeat the outermost rows and columns. Use only NumPy.
 
 # %% role="exercise"
 exercise(
     "canny-sobel",
-    title="Sobel",
+    title="The Sobel filter",
     function="my_sobel",
     time_limit=5,
     refused=("cv2", "scipy", "skimage", "imgproc_course.imaging"),
-    hint="Widen to int32, pad by one with mode='edge', then add six shifted arrays with their weights.",
+    hint="Widen to int32, pad by one with mode='edge', then add six shifted arrays, each multiplied by its weight.",
 )
 
 # %% role="answer"
@@ -162,7 +163,7 @@ def inputs(rng):
     return (rng.integers(0, 256, size=(7, 9), dtype=np.uint8),)
 
 
-# %% role="mistake" name="uint8 wraps" says="This is what uint8 wrap-around looks like: dark minus bright went below 0 and continued at 255. Widen to int32 before you subtract."
+# %% role="mistake" name="uint8 wraps" says="This is uint8 wrap-around: dark minus bright went below 0 and continued at 255. Widen to int32 before you subtract."
 def my_sobel(gray):
     p = np.pad(gray, 1, mode="edge")
     along = p[:-2] + 2 * p[1:-1] + p[2:]
@@ -182,7 +183,7 @@ def my_sobel(gray):
     return -grad_row, -grad_col
 
 
-# %% role="mistake" name="a border of zeros" says="The image was padded with zeros, so its border became an edge. Repeat the outermost rows and columns: np.pad(..., mode='edge')."
+# %% role="mistake" name="zero padding at the border" says="The image was padded with zeros, so its border became an edge. Repeat the outermost rows and columns: np.pad(..., mode='edge')."
 def my_sobel(gray):
     p = np.pad(gray.astype(np.int32), 1)
     along = p[:-2] + 2 * p[1:-1] + p[2:]
@@ -190,7 +191,7 @@ def my_sobel(gray):
     return across[2:] - across[:-2], along[:, 2:] - along[:, :-2]
 
 
-# %% role="mistake" name="the middle not doubled" says="All three rows have the same weight here: this is Prewitt's kernel. Sobel's kernel gives the middle row double weight."
+# %% role="mistake" name="the Prewitt kernel" says="All three rows have the same weight: this is the Prewitt kernel. The Sobel kernel gives the middle row double weight."
 def my_sobel(gray):
     p = np.pad(gray.astype(np.int32), 1, mode="edge")
     along = p[:-2] + p[1:-1] + p[2:]
@@ -201,10 +202,10 @@ def my_sobel(gray):
 # %% [markdown]
 # ## 3 · Gradient magnitude and direction (8 minutes)
 #
-# The two gradients of a pixel form an arrow: `grad_col` to the right, `grad_row` down. The arrow points from dark to bright, at a right angle to the edge: this is the **gradient direction** (or orientation). Its length is the **gradient magnitude**. A length can be measured by two *norms*:
+# The gradient of a pixel is an arrow: `grad_col` to the right, `grad_row` down. The arrow points from dark to bright, at a right angle to the edge: this is the **gradient direction** (or orientation). The length of the arrow is the **gradient magnitude**. A *norm* is a way to measure a length. Canny uses one of two norms:
 #
-# - the **L2 norm** √(grad_row² + grad_col²) is the length of the arrow as a ruler measures it,
-# - the **L1 norm** |grad_row| + |grad_col| is faster, and OpenCV's default.
+# - the **L2 norm** √(grad_row² + grad_col²) is the length that you measure with a ruler,
+# - the **L1 norm** |grad_row| + |grad_col| is faster to compute; `cv2.Canny` uses it by default.
 
 # %%
 slanted = np.array([[40, 40, 40, 60, 160],
@@ -229,29 +230,29 @@ assert l2[2, 2] == (int(down[2, 2]) ** 2 + int(right[2, 2]) ** 2) ** 0.5
 assert (l1 >= l2).all()  # the L1 norm is never smaller
 
 # %% [markdown]
-# The next figure shows the gradient magnitude of a camera frame. The figure after it shows the direction as a colour (*hue*) and the magnitude as brightness.
+# The next figure shows the gradient magnitude of a camera frame. The figure after it shows the direction as the *hue* of a colour, and the magnitude as its brightness. (Hue is the place of a colour on the colour wheel: red, yellow, green, blue and back to red. It is an angle.)
 
 # %%
 stages = canny_stages(gray, 50, 150)
 print("magnitude", stages.magnitude.shape, stages.magnitude.dtype, "range", stages.magnitude.min(), "to", stages.magnitude.max())
 show(np.minimum(stages.magnitude, 500), "magnitude (L1), up to 500",
-     caption="The larger the step, the brighter the pixel. The outlines are broad and of different strength.",
+     caption="The larger the step, the brighter the pixel. The outlines are several pixels wide, and not equally bright.",
      alt="The living room as bright outlines on black: books, door, chair, rug and ball.")
 
 # %%
 angle = gradient_angle(stages.grad_row, stages.grad_col) % 360  # degrees
-hsv = np.zeros((*gray.shape, 3), np.uint8)
+hsv = np.zeros((*gray.shape, 3), np.uint8)  # channels: hue, saturation, value (brightness)
 hsv[..., 0] = angle / 2  # OpenCV counts hue in steps of two degrees
 hsv[..., 1] = 255
 hsv[..., 2] = np.minimum(stages.magnitude // 2, 255)
 show(cv2.cvtColor(hsv, cv2.COLOR_HSV2BGR), "direction as hue", rows=(310, 440), cols=(430, 740),
-     caption="Around the ball the gradient takes every direction, so the rim of the ball shows every hue.",
+     caption="Around the ball the gradient points in every direction, so the rim of the ball shows every hue.",
      alt="The rim of the ball as a ring in all colours of the rainbow, beside the coloured outlines of the marker.")
 
 # %% [markdown]
-# ## 4 · Non-maximum suppression: only the ridge counts (10 minutes)
+# ## 4 · Non-maximum suppression: keep only the top of the ridge (12 minutes)
 #
-# An edge should be one pixel thin. But if a step is spread over a few pixels, the response is spread over a few pixels too: the magnitudes form a *ridge*. **Predict** from these gray levels which pixel should be the edge.
+# An edge should be one pixel wide. But if the intensity changes over a few pixels, the response is also a few pixels wide: the magnitudes form a *ridge*. **Predict** from the gray levels in the next cell which pixel should be the edge.
 
 # %%
 soft = np.array([50, 50, 60, 90, 150, 190, 200, 200], dtype=np.uint8)
@@ -263,7 +264,7 @@ print("magnitude", profile)
 assert profile.tolist() == [0, 40, 160, 360, 400, 200, 40, 0]
 
 # %% [markdown]
-# The pixel with the largest magnitude, 400: it is the top of the ridge. So each pixel is compared with its two neighbours *along its gradient*, and is kept only if it is a maximum. This is **non-maximum suppression**. In an image the gradient can point anywhere, but a pixel has only eight neighbours. So the direction is rounded to one of four *sectors*:
+# The edge is the pixel with the largest magnitude, 400: the top of the ridge. So Canny compares each pixel with its two neighbours *along its gradient*, and keeps the pixel only if its magnitude is a maximum. This is **non-maximum suppression**. The gradient can point in any direction, but a pixel has only eight neighbours. So the direction is rounded to one of four *sectors*:
 #
 # | sector | the gradient points | first neighbour | second neighbour |
 # |---|---|---|---|
@@ -272,16 +273,16 @@ assert profile.tolist() == [0, 40, 160, 360, 400, 200, 40, 0]
 # | 2 | down the column | above | below |
 # | 3 | down-left or up-right | above right | below left |
 #
-# If two neighbours have equal magnitudes, one of them should be kept. OpenCV's rule: in sectors 0 and 2 a pixel is kept if its magnitude is *greater than* that of the first neighbour and *greater than or equal to* that of the second. In sectors 1 and 3 it must be greater than both. Outside the image the magnitude is 0 (zero padding).
+# If two neighbours on the ridge have equal magnitudes, one of them should be kept. OpenCV's rule is: in sectors 0 and 2 a pixel is kept if its magnitude is *greater than* that of the first neighbour and *greater than or equal to* that of the second. In sectors 1 and 3 its magnitude must be greater than both. Outside the image the magnitude is 0 (zero padding).
 
 # %%
 sector = direction(stages.grad_row, stages.grad_col)
-print("pixels in sector 0, 1, 2, 3:", np.bincount(sector.ravel()))
+print("pixels in sector 0, 1, 2, 3:", np.bincount(sector.ravel()))  # bincount: how often each number occurs
 
 assert (sector == stages.direction).all()
 
 # %% [markdown]
-# Where is the border between two sectors? Halfway between 0° and 45°, at 22.5°. OpenCV decides it without computing an angle: is |grad_row| smaller than |grad_col| times 13573 / 2¹⁵? This fraction is the tangent of 22.5°, written with integers.
+# Where is the border between two sectors? Halfway between 0° and 45°, at 22.5°. OpenCV does not compute the angle. It compares: if |grad_row| is smaller than |grad_col| times 13573 / 2¹⁵, the pixel is in sector 0. This fraction is the tangent of 22.5°, written with integers.
 
 # %%
 print("13573 / 2**15 =", round(13573 / 2**15, 4), "  tangent of 22.5 degrees =", round(float(np.tan(np.pi / 8)), 4))
@@ -292,13 +293,13 @@ assert round(13573 / 2**15, 4) == round(float(np.tan(np.pi / 8)), 4) == 0.4142
 zoom = dict(rows=(376, 400), cols=(440, 464))
 before_and_after = [np.minimum(stages.magnitude, 500), np.minimum(stages.thinned, 500)]
 show(before_and_after, ["magnitude", "after suppression"], **zoom, numbers=False,
-     caption="The rim of the ball, enlarged: a broad ridge before the suppression, one pixel after it.",
-     alt="Two enlarged patches: left a broad bright band, right a thin line of single pixels.")
+     caption="The rim of the ball, enlarged: before the suppression the ridge is several pixels wide, after it one pixel.",
+     alt="Two enlarged parts of the image: left a broad bright band, right a thin line of single pixels.")
 
 # %% [markdown]
-# ## 5 · Your turn: suppression (15 minutes)
+# ## 5 · Your turn: non-maximum suppression (20 minutes)
 #
-# Write `suppress(magnitude, sector)`. Use the rule and the table of section 4.
+# Write `suppress(magnitude, sector)`. Use the rule and the table of section 4, and only NumPy.
 #
 # | Input | Output | Example call |
 # |---|---|---|
@@ -311,7 +312,7 @@ exercise(
     function="suppress",
     time_limit=10,
     refused=("cv2", "scipy", "skimage", "imgproc_course.imaging"),
-    hint="Pad the magnitude with zeros. Two plain loops over rows and columns are fine; look up the two neighbours by sector.",
+    hint="Pad the magnitude with zeros. Two simple loops over rows and columns are fast enough. For each pixel, the sector says which two neighbours to compare with.",
 )
 
 
@@ -348,7 +349,7 @@ def inputs(rng):
     return magnitude, np.zeros((5, 7), dtype=np.uint8)
 
 
-# %% role="case" title="equal neighbours" points=1 hint="Greater than the first, greater than or equal to the second: then one of two equal neighbours is kept."
+# %% role="case" title="equal neighbours" points=1 hint="A pixel must be greater than the first neighbour, and greater than or equal to the second. Then one of two equal neighbours is kept."
 def inputs(rng):
     magnitude = np.zeros((6, 5), dtype=np.int32)
     row = rng.integers(1, 4)
@@ -395,7 +396,7 @@ def suppress(magnitude, sector):
     return solution(magnitude, ((sector + 2) % 4).astype(np.uint8))
 
 
-# %% role="mistake" name="all eight neighbours" says="Each pixel was compared with all eight neighbours. Compare it only with the two along its gradient; otherwise edges break where their magnitude changes."
+# %% role="mistake" name="all eight neighbours" says="Each pixel was compared with all eight neighbours. Compare it only with the two neighbours along its gradient; otherwise an edge breaks where its magnitude changes."
 def suppress(magnitude, sector):
     padded = np.pad(magnitude, 1)
     thinned = np.zeros_like(magnitude)
@@ -415,14 +416,14 @@ def suppress(magnitude, sector):
 # %% [markdown]
 # ## 6 · The double threshold (5 minutes)
 #
-# Which ridges are edges? A single threshold is not enough: if it is low, the grain of the floor becomes edges; if it is high, outlines break. Canny uses a **double threshold**. A pixel above `high` is a **strong** edge pixel: it is certainly an edge. A pixel above `low`, but not above `high`, is a **weak** edge pixel: it may be an edge. All other pixels are background.
+# Which ridges are edges? A single threshold is not enough. If it is low, the wood pattern of the floor becomes edges. If it is high, outlines get gaps. Canny uses a **double threshold**. A pixel above `high` is a **strong** edge pixel: it is always an edge. A pixel above `low`, but not above `high`, is a **weak** edge pixel: it may be an edge. All other pixels are background.
 
 # %%
 strong = stages.thinned > 150
-weak = (stages.thinned > 50) & (stages.thinned <= 150)
+weak = (stages.thinned > 50) & (stages.thinned <= 150)  # & means "and" for each pixel; | means "or"
 print(f"weak {weak.sum():,}   strong {strong.sum():,}")
 show([weak | strong, strong], ["weak or strong: above 50", "strong: above 150"],
-     caption="The low threshold also brings in the boards of the floor; the high one keeps only the strongest pieces.",
+     caption="With the low threshold, the floor boards also appear. With the high threshold, only the strongest pieces remain.",
      alt="Left, many thin lines all over the room; right, fewer and broken lines.")
 
 assert (stages.strong == strong).all() and (stages.weak == weak).all()
@@ -435,7 +436,7 @@ assert not (weak & strong).any()  # no pixel is both
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `thinned`: int32 array; `low`, `high`: two numbers, low < high | `weak, strong`, in this order: two bool arrays of the same shape | `weak, strong = double_threshold(stages.thinned, 50, 150)` |
+# | `thinned`: (height, width) int32; `low`, `high`: two numbers, low < high | `weak, strong`, in this order: two bool arrays of the same shape | `weak, strong = double_threshold(stages.thinned, 50, 150)` |
 
 # %% role="exercise"
 exercise(
@@ -444,7 +445,7 @@ exercise(
     function="double_threshold",
     time_limit=5,
     refused=("cv2", "skimage", "imgproc_course.imaging"),
-    hint="A comparison of an array with a number gives a bool array. Two bool arrays are combined with &.",
+    hint="A comparison of an array with a number gives a bool array. Combine two bool arrays with & (and).",
 )
 
 
@@ -486,7 +487,7 @@ def double_threshold(thinned, low, high):
     return thinned > high, (thinned > low) & (thinned <= high)
 
 
-# %% role="mistake" name="weak contains the strong pixels too" says="Your weak pixels contain the strong ones too. A weak pixel lies between the thresholds: above low, but not above high."
+# %% role="mistake" name="weak contains the strong pixels too" says="Your weak pixels contain the strong ones too. A weak pixel is above low, but not above high."
 def double_threshold(thinned, low, high):
     return thinned > low, thinned > high
 
@@ -499,11 +500,11 @@ def double_threshold(thinned, low, high):
 # %% [markdown]
 # ## 8 · Edge tracking by hysteresis (8 minutes)
 #
-# A weak pixel becomes an edge if it touches an edge pixel at one of its eight neighbours, corners included. This is *8-connectivity*. (With *4-connectivity* only the four sides count.) So edges grow from the strong pixels, step by step along the weak pixels, until nothing changes. This is **edge tracking by hysteresis**.
+# All strong pixels are edges. A weak pixel becomes an edge if at least one of its eight neighbours is an edge. The neighbours at the corners count too: this is *8-connectivity*. (With *4-connectivity* only the four neighbours at the sides count.) So edges grow from the strong pixels, step by step along the weak pixels, until nothing changes. This is **edge tracking by hysteresis**. (*Hysteresis* means here: an edge needs the high threshold to start, but only the low threshold to continue.)
 #
-# In other words: weak and strong pixels that touch each other form a **connected component**. A component is an edge if at least one of its pixels is strong.
+# In other words: weak and strong pixels that touch each other form a **connected component**. If at least one pixel of a component is strong, the whole component is an edge.
 #
-# **Predict** which of the letters become edges. (S is strong, w is weak.)
+# **Predict** which of the pixels become edges. (S is a strong pixel, w is a weak pixel, a dot is background.)
 #
 # ```
 # S w w . . w
@@ -516,7 +517,7 @@ def grow_once(edges, weak):
     padded = np.pad(edges, 1)
     height, width = edges.shape
     shifted = [padded[row : row + height, col : col + width] for row in range(3) for col in range(3)]
-    return edges | (weak & np.any(shifted, axis=0))
+    return edges | (weak & np.any(shifted, axis=0))  # an edge already, or weak with an edge in its 3 × 3 neighbourhood
 
 
 # %%
@@ -534,7 +535,7 @@ print(np.where(chain, "E", letters))
 assert chain.astype(int).tolist() == [[1, 1, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 0, 0]]
 
 # %% [markdown]
-# Now on the camera frame. Move the slider, which sets the number of steps, and watch the lines grow from the strong pixels.
+# Now the same on the camera frame. The slider sets the number of steps. Move it, and watch the lines grow from the strong pixels.
 
 # %% tags=["nbval-ignore-output"]
 def growth(frame, steps=0):
@@ -549,15 +550,15 @@ growing = tune(growth, gray, steps=(0, 60), caption="The edges after this number
 early, late = grow_steps(stages.weak, stages.strong, 3), grow_steps(stages.weak, stages.strong, 400)
 print(f"strong pixels {stages.strong.sum():,}   after 3 steps {early.sum():,}   after 400 {late.sum():,}")
 show([stages.strong, late], ["strong pixels", "after growth"],
-     caption="Broken pieces are joined to outlines; most of the grain of the floor touches no strong pixel and is gone.",
+     caption="The broken pieces are joined to outlines. Most of the wood pattern of the floor is gone, because it touches no strong pixel.",
      alt="Left, broken lines; right, the same lines joined to closed outlines.")
 
 assert ((stages.edges == 255) == late).all()
 
 # %% [markdown]
-# ## 9 · Your turn: hysteresis (10 minutes)
+# ## 9 · Your turn: hysteresis (12 minutes)
 #
-# Write `grow(weak, strong)`. Every strong pixel is an edge. A weak pixel is an edge if a chain of weak pixels leads from it to a strong pixel; neighbours in the chain touch at sides or corners.
+# Write `grow(weak, strong)`. Every strong pixel is an edge. A weak pixel is an edge if a chain of weak pixels leads from it to a strong pixel. Each pixel of the chain touches the next one at a side or a corner. Use only NumPy.
 #
 # | Input | Output | Example call |
 # |---|---|---|
@@ -570,7 +571,7 @@ exercise(
     function="grow",
     time_limit=10,
     refused=("cv2", "scipy", "skimage", "imgproc_course.imaging"),
-    hint="Start with the strong pixels. Grow by one step until the number of edge pixels stops changing.",
+    hint="Start with the strong pixels. Grow by one step, again and again, until the number of edge pixels stops changing.",
 )
 
 
@@ -617,7 +618,7 @@ def inputs(rng):
     return weak & ~strong, strong
 
 
-# %% role="case" title="a component at each border" points=1 hint="The left border of the image does not touch the right one, and the top does not touch the bottom."
+# %% role="case" title="a component at each border" points=1 hint="The left border of the image does not touch the right border, and the top does not touch the bottom."
 def inputs(rng):
     weak = np.zeros((7, 9), dtype=bool)
     weak[3, : rng.integers(3, 5)] = True
@@ -637,7 +638,7 @@ def inputs(rng):
     return weak & ~strong, strong
 
 
-# %% role="mistake" name="four neighbours only" says="Only the four sides were compared, not the corners, so slanted lines break. Use 8-connectivity: each pixel has eight neighbours."
+# %% role="mistake" name="four neighbours only" says="Your function uses only the four neighbours at the sides, not the corners, so slanted lines break. Use 8-connectivity: each pixel has eight neighbours."
 def grow(weak, strong):
     edges = strong
     while True:
@@ -648,7 +649,7 @@ def grow(weak, strong):
         edges = larger
 
 
-# %% role="mistake" name="np.roll across the border" says="Edges jumped across the border of the image. np.roll moves the last row or column to the other end, so the left border touches the right one. Pad with False and take shifted parts instead."
+# %% role="mistake" name="np.roll across the border" says="Edges jumped across the border of the image. np.roll moves the last row or column to the other end, so the left border touches the right one. Pad with False and take shifted arrays instead."
 def grow(weak, strong):
     edges = strong
     while True:
@@ -691,7 +692,7 @@ def grow(weak, strong):
 # %% [markdown]
 # ## 10 · Does OpenCV agree? (4 minutes)
 #
-# `canny_stages` runs all stages one after another. The package's `canny` computes the same edges, but faster. **Check** it against OpenCV on ten frames of the drive, pixel by pixel.
+# `canny_stages` runs all stages one after another. The course's `canny` computes the same edges, but faster. **Check** that it agrees with OpenCV on ten frames of the drive, pixel by pixel.
 
 # %%
 different = 0
@@ -706,26 +707,26 @@ assert (canny(gray, 50, 150) == stages.edges).all()
 # %% [markdown]
 # ## 11 · Planned failure: Canny on a noisy frame (6 minutes)
 #
-# In textbooks Canny starts with a Gaussian blur. `cv2.Canny` does **not** blur: you must do it yourself. **Predict** what a little Gaussian noise, with a standard deviation of 15 gray levels, does to the edges.
+# In textbooks, the first stage of Canny is a Gaussian blur. `cv2.Canny` does **not** blur: you have to blur the image yourself. **Predict** what Gaussian noise with a standard deviation of 15 gray levels does to the edges.
 
 # %%
 noisy = add_gaussian_noise(gray, 15, seed=1)
 unblurred = canny(noisy, 50, 150)
 show([canny(gray, 50, 150), unblurred], ["edges of the frame", "edges with noise of 15 gray levels"],
-     caption="You hardly see the noise in the frame, but it hides the edges: every noisy pixel makes a step.",
-     alt="Left, clear outlines of the room; right, white speckle nearly all over.")
+     caption="The noise hides the edges, because noisy pixels make intensity steps nearly everywhere.",
+     alt="Left, clear outlines of the room; right, short white lines nearly everywhere.")
 print(f"edge pixels: {(canny(gray, 50, 150) > 0).mean():.1%} before, {(unblurred > 0).mean():.1%} with noise")
 
 assert (unblurred > 0).sum() > 3 * (canny(gray, 50, 150) > 0).sum()
 
 # %% [markdown]
-# **Repair it**: blur first. `sigma` is the standard deviation of the Gaussian kernel in pixels. The steps of the outlines remain; the steps between single noisy pixels become small.
+# **Repair it**: blur first. `sigma` is the standard deviation of the Gaussian kernel in pixels. The blur keeps most of the step at an outline, but the steps between single noisy pixels become small.
 
 # %%
 repaired = canny(noisy, 50, 150, sigma=2)
 show([unblurred, repaired], ["without blur", "sigma = 2 pixels"], encoding="mono8",
      caption="After a Gaussian blur with sigma = 2 pixels the outlines are back.",
-     alt="Left, speckle; right, clean outlines of the room.")
+     alt="Left, short white lines nearly everywhere; right, clear outlines of the room.")
 
 assert (repaired > 0).sum() < (unblurred > 0).sum() / 3
 assert (repaired == canny(gaussian_blur(noisy, 2), 50, 150)).all()
@@ -733,14 +734,14 @@ assert (repaired == canny(gaussian_blur(noisy, 2), 50, 150)).all()
 # %% [markdown]
 # ## 12 · Tune the three numbers (8 minutes)
 #
-# Three numbers decide: `low`, `high` and `sigma`. Move the sliders. Look for values that keep the outlines of the ball, the chair and the marker, and remove the grain of the floor. Below the sliders is a line of code that you can copy.
+# Three numbers decide which edges you get: `low`, `high` and `sigma`. Move the sliders. Find values that keep the outlines of the ball, the chair and the marker, but remove the wood pattern of the floor. Below the sliders is a line of code with your values that you can copy.
 
 # %% tags=["nbval-ignore-output"]
 tuner = tune(canny, gray, thresholds=(0, 1020), sigma=(0, 5.0), caption="Edges of the camera frame.",
              alt="White lines on black; they change with the sliders.")
 
 # %% [markdown]
-# Once more on a photograph: a cat, from the example images of scikit-image (CC0).
+# The same on a photograph: a cat, one of scikit-image's example images (CC0, free to use).
 
 # %%
 from skimage import data
@@ -755,14 +756,14 @@ assert (canny(cat, 50, 150) == cv2.Canny(cat, 50, 150)).all()
 # %% [markdown]
 # ## Recap
 #
-# Canny computes the gradient magnitude and direction, thins the ridges by non-maximum suppression, splits them into weak and strong pixels, and keeps the weak ones that are connected to strong ones. `cv2.Canny` does not blur: do it first.
+# Canny computes the gradient, its magnitude and its direction. It thins the ridges by non-maximum suppression and splits them into weak and strong pixels. It keeps the strong pixels, and the weak pixels that are connected to them. `cv2.Canny` does not blur: blur a noisy image first.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
 # | *gray* | (720, 1280) | uint8 | 0 to 255 | gray level |
-# | grad_row, grad_col | (720, 1280) | int32 | −1020 to 1020 | response of Sobel's kernel (a straight step of h gives 4 h) |
-# | magnitude (L1) | (720, 1280) | int32 | 0 to 1530 | response of Sobel's kernel |
-# | thinned | (720, 1280) | int32 | 0 to 1530 | response of Sobel's kernel |
+# | grad_row, grad_col | (720, 1280) | int32 | −1020 to 1020 | Sobel response (a vertical or horizontal edge with a step of h gives 4 h) |
+# | magnitude (L1) | (720, 1280) | int32 | 0 to 1530 | Sobel response |
+# | thinned | (720, 1280) | int32 | 0 to 1530 | Sobel response |
 # | weak, strong | (720, 1280) | bool | False, True | yes or no |
 # | edges | (720, 1280) | uint8 | 0 and 255 | no and yes |
 
