@@ -2,21 +2,21 @@
 # jupyter:
 #   imgproc_course:
 #     title: Grayscale
-#     minutes: 50
+#     minutes: 60
 # ---
 
 # %% [markdown]
 # # 03 · Grayscale
 #
-# A colour image has three numbers per pixel. A gray image has one: the *intensity* of the pixel, or *gray level*. This sounds like the average of the three numbers. It is not. And on the way to the right answer, you first meet a mistake that nearly everybody makes who calculates with pixels.
+# A colour image has three numbers per pixel. A gray image has one: the *intensity* of the pixel, or *gray level*. You may think that it is the average of the three numbers, but it is not. In this lesson you learn the right formula. You also meet a mistake that nearly everybody makes at first when they calculate with pixels.
 #
 # **You will be able to**
-# - say why green counts more than blue, and compute *luma* by hand,
+# - explain why green has a larger weight than blue, and compute *luma* (the gray level that OpenCV uses) by hand,
 # - calculate with `uint8` pixels without overflow,
-# - compute luma with integers only, and agree with OpenCV on every pixel,
-# - say which information a gray image loses.
+# - compute luma with integers (whole numbers) only, and get the same result as OpenCV for every pixel,
+# - explain which information a gray image loses.
 #
-# **Time** about 50 minutes. **You need** lesson 02: a frame is an array (rows, columns, channels), blue first.
+# **Time** about 60 minutes. **You need** lesson 02: the shape of a frame is (rows, columns, channels), and its channels are in the order blue, green, red.
 
 # %% role="given" exercise=["grayscale-luma"]
 import numpy as np
@@ -49,51 +49,51 @@ assert average == 103
 # %% [markdown]
 # ## 2 · Planned failure: overflow (7 minutes)
 #
-# Now the same pixel as it is stored in a frame: three numbers of dtype `uint8`. **Predict** the result.
+# Now we take the same pixel as it is stored in a frame: three numbers of dtype `uint8`. **Predict** the result of the same calculation.
 
 # %%
 pixel = np.array([30, 60, 220], dtype=np.uint8)
-wrapped = (pixel[:1] + pixel[1:2] + pixel[2:3]) // 3
+wrapped = (pixel[:1] + pixel[1:2] + pixel[2:3]) // 3  # pixel[1:2] is an array with one value, the green one
 print("sum:", (pixel[:1] + pixel[1:2] + pixel[2:3])[0], "  a third of it:", wrapped[0])
 
 assert wrapped[0] == 18
 
 # %% [markdown]
-# The result is 18 instead of 103, and NumPy does not warn you. A `uint8` holds at most 255. A larger result begins again at 0; this is called *overflow*, or *wrap-around*: 30 + 60 + 220 = 310 becomes 310 − 256 = 54, and a third of 54 is 18.
+# The result is 18 instead of 103, and NumPy does not warn you. A `uint8` holds at most 255. After 255 the values start again at 0. This is called *overflow*, or *wrap-around*. Here 30 + 60 + 220 = 310 becomes 310 − 256 = 54, and a third of 54 is 18.
 #
-# See the effect on a whole frame:
+# Look at the effect on a whole frame:
 
 # %%
-wrong = (frame[..., 0] + frame[..., 1] + frame[..., 2]) // 3
-right = (frame.astype(np.uint16).sum(axis=-1) // 3).astype(np.uint8)
+wrong = (frame[..., 0] + frame[..., 1] + frame[..., 2]) // 3  # frame[..., 0] is the blue channel of every pixel
+right = (frame.astype(np.uint16).sum(axis=-1) // 3).astype(np.uint8)  # axis=-1: over the channels
 show([wrong, right], ["added as uint8", "widened first"], encoding="mono8",
-     caption="On the left, no pixel is above 85 and bright walls are dark: this is the effect of uint8 overflow.",
-     alt="Two gray images of the living room: the left one is dark with bands like contour lines, the right one looks natural.")
+     caption="On the left, no pixel is above 85, and bright walls look dark: this is the effect of uint8 overflow.",
+     alt="Two gray images of the living room: the left one is dark and has stripes where the intensity changes slowly, the right one looks natural.")
 
 assert wrong.max() == 85
 assert round((wrong != right).mean() * 100) == 92  # percent of the pixels
 
 # %% [markdown]
-# **Repair it**, always in this order: *widen, compute, round, narrow*. `astype(np.uint16)` widens the values to a type that holds up to 65535. The last step converts back to `uint8`, when the values fit again.
+# **Repair it** in four steps, always in this order: *widen, compute, round, narrow*. To *widen* is to convert to a larger type: `astype(np.uint16)` gives a type that holds numbers up to 65,535. To *narrow* is to convert back to `uint8`, after the values are small enough again. (Here `//` rounds down.)
 
 # %%
 wide = pixel.astype(np.uint16)
 repaired = np.uint8(wide.sum() // 3)
 print("widened:", wide.sum(), "  a third of it:", repaired, repaired.dtype)
 
-assert repaired == average
+assert repaired == average and np.iinfo(np.uint16).max == 65_535
 
 # %% [markdown]
-# ## 3 · Eyes do not compute the average (7 minutes)
+# ## 3 · Your eyes do not compute the average (7 minutes)
 #
-# Is the average right? Here are pure blue, green and red, each at full intensity, beside the results of three methods. **Predict** which colour looks brightest to *you*.
+# Is the average the right gray level? The next cell draws pure blue, green and red at full intensity, and the results of three methods: the *average*; the *lightness* (the mean of the largest and the smallest channel); and *luma*, which is explained below. **Predict** which colour looks brightest to *you*.
 
 # %%
 patches = np.zeros((2, 6, 3), dtype=np.uint8)
-patches[:, 0:2, 0] = patches[:, 2:4, 1] = patches[:, 4:6, 2] = 255
+patches[:, 0:2, 0] = patches[:, 2:4, 1] = patches[:, 4:6, 2] = 255  # two columns for each colour
 strips = [patches, average_gray(patches), lightness_gray(patches), to_gray(patches)]
 show(strips, ["colour", "average", "lightness", "luma"], numbers=False,
-     caption="Average and lightness make the three equally bright. Luma makes green bright and blue dark, as eyes see them.",
+     caption="Average and lightness give all three the same gray level. Luma makes green bright and blue dark, as your eyes see them.",
      alt="Four strips: blue, green and red; two strips of one gray; and a strip with a dark, a bright and a middle gray.")
 
 print("average  ", average_gray(patches)[0, ::2])
@@ -102,7 +102,7 @@ print("luma     ", to_gray(patches)[0, ::2])
 assert to_gray(patches)[0, ::2].tolist() == [29, 150, 76]
 
 # %% [markdown]
-# To the eye, green contributes most to brightness, and blue contributes little. Television engineers measured this and standardized the weights (ITU-R BT.601). The weighted sum is called **luma**:
+# For human eyes, green contributes most to the brightness, and blue contributes little. People measured this, and a television standard (ITU-R BT.601) defines three weights. The sum of the weighted channels is called **luma**:
 #
 # $$Y = 0.299\,R + 0.587\,G + 0.114\,B$$
 #
@@ -117,30 +117,30 @@ assert round(weighted) == 104
 # %% [markdown]
 # ## 4 · With integers (8 minutes)
 #
-# On a small processor, integers are fast, and their sums have no rounding errors. So we multiply the weights by 2¹⁵ = 32768, round them, and divide at the end. To divide by 2¹⁵, shift by 15 bits: `>> 15`.
+# On a small processor, calculations with integers are fast, and their sums have no rounding errors. So we multiply the weights by 2¹⁵ = 32768, round them, and divide the sum by 2¹⁵ at the end. `>> 15` (a shift by 15 bits) is a fast way to write `// 2**15`.
 
 # %%
 weights = np.array([0.114, 0.587, 0.299])  # blue, green, red
-integer_weights = np.rint(weights * 2**15).astype(int)
+integer_weights = np.rint(weights * 2**15).astype(int)  # rint rounds to the nearest integer
 print("weights:", integer_weights, "  their sum:", integer_weights.sum(), "  2**15:", 2**15)
 
 assert integer_weights.tolist() == [3736, 19235, 9798] and integer_weights.sum() == 2**15 + 1
 
 # %% [markdown]
-# The sum of the rounded weights is 32769, one more than 2¹⁵. But the weights of a mean must add up to exactly 1, here 2¹⁵. OpenCV subtracts this 1 from the weight of blue, which is the smallest: 3735, 19235, 9798.
+# The sum of the rounded weights is 32769, one more than 2¹⁵. But the weights of a weighted mean must add up to exactly 1; here, multiplied by 2¹⁵, they must add up to 32768. Otherwise the result is a little too large. OpenCV subtracts 1 from the smallest weight, the one of blue. So its weights are 3735, 19235 and 9798.
 #
-# One step is missing. `>> 15` drops the fraction: 104.76 becomes 104. To *round*, add half of 32768 first.
+# One step is missing. `>> 15` *truncates*: it drops the fraction, so 104.76 becomes 104. To *round* to the nearest integer, add half of 32768 (2¹⁴ = 16384) first.
 
 # %%
-total = 33 * 3735 + 60 * 19235 + 220 * 9798  # a pixel like ours, a little more blue
+total = 33 * 3735 + 60 * 19235 + 220 * 9798  # a pixel like ours, with a little more blue: 33
 print("exact:", round(total / 2**15, 2))
 print("truncated:", total >> 15, "  rounded:", (total + 2**14) >> 15)
 
-assert 3735 + 19235 + 9798 == 2**15 == 32768
+assert 3735 + 19235 + 9798 == 2**15 == 32768 and 2**14 == 16384
 assert round(total / 2**15, 2) == 104.76 and total >> 15 == 104 and (total + 2**14) >> 15 == 105
 
 # %% [markdown]
-# Is rounding important? **Predict** for how many pixels of the frame truncating and rounding differ: 1 %, 10 %, 50 %?
+# Is it important to round? **Predict** for how many pixels of the frame the truncated and the rounded value differ: 1 %, 10 % or 50 %?
 
 # %%
 wide = frame.astype(np.uint32)
@@ -148,17 +148,17 @@ sums = wide[..., 0] * 3735 + wide[..., 1] * 19235 + wide[..., 2] * 9798
 truncated, rounded = sums >> 15, (sums + 2**14) >> 15
 print(f"truncating differs from rounding on {(truncated != rounded).mean():.0%} of the pixels")
 
-assert round((truncated != rounded).mean() * 100) == 53
+assert round((truncated != rounded).mean() * 100) == 53 and (rounded - truncated).max() == 1
 
 # %% [markdown]
-# More than half of the pixels differ, by one gray level. You cannot see this. But for a pixel close to a threshold, one gray level decides whether it becomes an edge.
+# More than half of the pixels differ, each by one gray level. You cannot see this. But later lessons compare pixels with a threshold (a fixed number). For a pixel close to the threshold, one gray level decides the result.
 #
 # ## 5 · An image small enough to read (4 minutes)
 
 # %%
 tiny = frame[386:391, 449:454]
 show([tiny, to_gray(tiny)], ["blue, green, red", "luma"], encoding=["bgr8", "mono8"],
-     caption="Five by five pixels of the ball's red stripe: check one of them by hand.",
+     caption="Five by five pixels of the ball's red stripe. Below the figure, the middle pixel is computed by hand.",
      alt="A grid of coloured squares with three numbers each, and the same grid in gray with one number each.")
 
 b, g, r = (int(value) for value in tiny[2, 2])
@@ -169,7 +169,7 @@ assert to_gray(tiny)[2, 2] == by_hand
 # %% [markdown]
 # ## 6 · Does OpenCV agree? (4 minutes)
 #
-# We compare three ways: our sum above, the course's `to_gray`, and OpenCV's `cvtColor`. **Check** every pixel of the frame.
+# We compare three results: our rounded sum above, the course's `to_gray`, and OpenCV's `cvtColor`. **Check** every pixel of the frame.
 
 # %%
 gray = to_gray(frame)
@@ -181,11 +181,11 @@ assert (gray == opencv).all() and (rounded == opencv).all()
 
 # %%
 show([frame, gray], ["frame", "gray (luma)"], encoding=["bgr8", "mono8"],
-     caption="One number per pixel instead of three: shapes and shadows remain visible.",
+     caption="The gray image has one number per pixel instead of three, but shapes and shadows are still visible.",
      alt="The living room with the walking person, in colour and in shades of gray.")
 
 # %% [markdown]
-# Now a photograph: a cup of coffee. scikit-image contains this image, and it is in the public domain (CC0). In scikit-image the first channel is red, so we reverse the order of the channels (`[..., ::-1]`) before we call `to_gray`.
+# Now we take a photograph: a cup of coffee. The library scikit-image contains this photograph, which is in the public domain (CC0). In scikit-image the first channel is red, so we reverse the order of the channels (`[..., ::-1]`) before we call `to_gray`.
 
 # %%
 from skimage import data
@@ -201,7 +201,7 @@ assert (coffee_gray == cv2.cvtColor(np.ascontiguousarray(coffee), cv2.COLOR_BGR2
 # %% [markdown]
 # ## 7 · Swapped channels (3 minutes)
 #
-# If an image is `rgb8` and you read it as `bgr8`, blue gets the weight of red. The result still looks like a correct gray image. **Predict** how large the error is, in gray levels.
+# If an image is `rgb8` and you read it as `bgr8`, blue gets the weight of red. The result still looks like a correct gray image. **Predict** the mean error, in gray levels.
 
 # %%
 swapped = to_gray(frame[..., ::-1])
@@ -211,11 +211,11 @@ print("mean difference:", round(float(difference.mean()), 1), "  largest:", diff
 assert round(float(difference.mean()), 1) == 8.6 and difference.max() == 38
 
 # %% [markdown]
-# The error is too small to see, but large enough to move edges. You cannot see the mistake in the image. Only the message's `encoding` shows it.
+# The mean error is 8.6 gray levels. This is hard to see in the image, but it can change the result of an edge detector. Only the message's `encoding` tells you the right order.
 #
 # ## 8 · What a gray image loses (3 minutes)
 #
-# Two colours can have the same luma. In gray they look the same, and no method can find an edge between them.
+# Two different colours can have the same luma. In the gray image they look the same, and no method can find an edge between them.
 
 # %%
 pair = np.zeros((4, 8, 3), dtype=np.uint8)
@@ -231,41 +231,42 @@ assert to_gray(pair)[0, 0] == to_gray(pair)[0, -1]
 # %% [markdown]
 # ## 9 · A pixel value is not an amount of light (5 minutes)
 #
-# Does a pixel of 200 stand for twice as much light as a pixel of 100? **Predict**, then run the cell. A camera does not store the amount of light. It stores a *gamma-encoded* number. This encoding uses more levels for dark tones, because eyes see small differences there. The sRGB standard defines how to calculate the light from the number.
+# Does a pixel of 200 mean twice as much light as a pixel of 100? **Predict**, then run the cell. A camera does not store the amount of light. It stores a *gamma-encoded* number: this encoding uses more gray levels for dark tones, because our eyes see small differences there. The sRGB standard defines the formula that calculates the amount of light from the number; `linear_light` uses it.
 
 # %%
 light = linear_light(np.array([50, 100, 200, 255], dtype=np.uint8))
 print("fraction of full light at gray levels 50, 100, 200, 255:", light.round(3))
-print("light at 200 over light at 100:", round(float(light[2] / light[1]), 1))
+print("light at 200, divided by light at 100:", round(float(light[2] / light[1]), 1))
 
 assert light.round(3).tolist() == [0.032, 0.127, 0.578, 1.0]
 assert round(float(light[2] / light[1]), 1) == 4.5
 
 # %% [markdown]
-# Twice the number means 4.5 times the light. Luma is a weighted mean of the *numbers*. The true brightness, *luminance*, is a weighted mean of the *light*. For gray and pale colours the two agree. For saturated (strong) colours they differ:
+# Here twice the number means 4.5 times the light. Luma is a weighted mean of the *numbers*. The *luminance* is a weighted mean of the *light*. To compare the two, we encode the luminance as a gray level again. For grays both give the same gray level, for pale colours nearly the same. For saturated (strong) colours they differ:
 
 # %%
 by_light = linear_light_gray(patches)
 print("luma             ", to_gray(patches)[0, ::2], " (blue, green, red)")
 print("luminance encoded", by_light[0, ::2])
 show([patches, to_gray(patches), by_light], ["colour", "luma", "luminance"], numbers=False,
-     caption="A weighted mean of light instead of numbers makes pure colours brighter. White walls do not change.",
+     caption="Luminance, the weighted mean of the light, makes pure colours brighter than luma does.",
      alt="Three strips: blue, green and red; their luma; their luminance, which is brighter.")
 
 white_wall = np.full((1, 1, 3), 200, np.uint8)
 assert (by_light >= to_gray(patches)).all() and linear_light_gray(white_wall) == to_gray(white_wall) == 200
 
 # %% [markdown]
-# Robots still use luma: it needs only three multiplications per pixel, and OpenCV computes it. But if you average pixels to measure light, undo the gamma encoding first.
+# Robots still use luma: it needs only three multiplications per pixel, and OpenCV computes it. But if you want to measure light, first undo the gamma encoding, and then take the mean of the pixels.
 #
-# ## 10 · Your turn: luma with integers (8 minutes)
+# ## 10 · Your turn: luma with integers (14 minutes)
 #
-# Write `luma(bgr)`.
+# Write `luma(bgr)`. Use the integer weights of section 4, and round.
 #
-# - Input: a frame, shape (height, width, 3), dtype uint8, channels in the order blue, green, red
-# - Output: its luma, shape (height, width), dtype uint8, rounded, with the integer weights of section 4
+# | Input | Output | Example call |
+# |---|---|---|
+# | `bgr`: a frame, (height, width, 3) uint8, channels blue, green, red | its luma, (height, width) uint8 | `luma(frame)` equals `gray` |
 #
-# `cv2` and the course's own functions are refused.
+# The check refuses an answer that uses `cv2` or the course's own functions.
 
 # %% role="exercise"
 exercise(
@@ -353,13 +354,13 @@ def luma(bgr):
 # %% [markdown]
 # ## Recap
 #
-# In luma, green has the largest weight and blue the smallest. Widen, compute, round, narrow, in this order. Then the result equals OpenCV's in every bit.
+# In luma, green has the largest weight and blue the smallest. Widen, compute, round, narrow, in this order. Then your result equals OpenCV's result for every pixel.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
 # | *frame* | (720, 1280, 3) | uint8 | 0 to 255 | gray level of blue, green, red |
 # | widened | (720, 1280, 3) | uint32 | 0 to 255 | gray level |
-# | weighted sum | (720, 1280) | uint32 | 0 to 8,355,840 | 1/32768 gray level |
+# | weighted sum, before `>> 15` | (720, 1280) | uint32 | 0 to 8,355,840 | 1/32768 of a gray level |
 # | *gray* | (720, 1280) | uint8 | 0 to 255 | gray level (luma) |
 
 # %%
