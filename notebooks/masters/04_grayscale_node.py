@@ -8,14 +8,14 @@
 # %% [markdown]
 # # 04 · The grayscale node
 #
-# A function converts one frame to gray. A *node* does it for every image that the camera sends, as long as the robot runs, and publishes the results for other nodes. The step from the function to the node needs few lines, but it has some traps.
+# A function converts one frame to gray. A *node* is a program that takes part in ROS. A grayscale node converts every image that the camera sends, and publishes the results for other nodes. To make a node from the function, you need only a few lines, but some mistakes are easy to make.
 #
 # **You will be able to**
 # - write a ROS 2 node that subscribes, processes and publishes, and explain each of its lines,
-# - explain why `rclpy.spin` never returns in a notebook, and what to do instead,
-# - choose QoS policies, copy a header, and keep a node running when an image is broken.
+# - explain why a notebook cell with `rclpy.spin` never ends, and what to do instead (`rclpy` is the Python library of ROS 2),
+# - choose QoS policies, copy a header, and keep a node running when an image cannot be converted.
 #
-# **Time** about 50 minutes. **You need** lessons 02 and 03. This lesson needs a running ROS 2. Without it (macOS, Windows without WSL), read the lesson and do the exercise in section 5.
+# **Time** about 50 minutes. **You need** lessons 02 and 03. This lesson needs a running ROS 2. Without ROS 2 (macOS, Windows without WSL), read the lesson and do the exercise in section 5.
 
 # %% role="given" exercise=["node-process"]
 import cv2
@@ -34,9 +34,9 @@ if ros_available():
     print("the camera publishes", camera.topic)
 
 # %% [markdown]
-# ## 1 · A callback is a function that ROS calls (6 minutes)
+# ## 1 · A callback is a function that ROS calls (7 minutes)
 #
-# **Ask.** Until now you asked for an image and waited for it. A node does not wait. It subscribes to a topic with a function, its *callback*, and ROS calls this function for every message that arrives. **Predict** how often ROS calls the function below in two seconds. The camera sends ten images per second.
+# **Ask.** Until now you called `wait` and waited for an image. A node does not wait. It subscribes to a topic and passes a function, its *callback*. ROS calls this function for every message that arrives. The camera sends ten images per second. **Predict** how often ROS calls the function below in two seconds.
 
 # %%
 stamps = []
@@ -60,13 +60,13 @@ if ros_available():
     assert 10 <= len(stamps) <= 25 * cameras
 
 # %% [markdown]
-# About twenty times, although this cell only slept. If another lesson is still open, you see forty: it plays the drive too, so there are two cameras.
+# ROS called it about twenty times, although this cell only slept. If another lesson is still open, it publishes the drive too. Then there are two cameras, and you see about forty calls.
 #
-# The callback ran in a background thread. In this thread an *executor* works: it waits for messages and calls the callbacks, again and again. To run an executor like this is to *spin*.
+# The callback ran in a background *thread*: a part of the program that runs at the same time as your cells. In this thread runs an *executor*. It waits for messages and calls the callbacks, again and again. This is called *spinning*.
 #
-# ## 2 · The node, line by line (10 minutes)
+# ## 2 · The node, line by line (14 minutes)
 #
-# Here is the whole node, as it would run on a robot. The numbers at the ends of the lines belong to the explanations below.
+# Here is the whole node, as it would run on a robot. In Python, a node is a *class*: a description of objects that have data and functions. `GrayNode(Node)` means that `GrayNode` has everything that ROS's class `Node` has. `__init__` runs when a node is created, `self` is the node itself, and `super().__init__` runs the `__init__` of `Node`. `**options` passes all further named arguments to `Node`. The numbers at the ends of the lines refer to the explanations below.
 
 # %% tags=["long"]
 if ros_available():
@@ -92,36 +92,36 @@ if ros_available():
             self.gray.publish(array_to_image(gray, "mono8", msg.header))                            # 7
 
 # %% [markdown]
-# 1. This is the node's name. Other programs see it in the ROS graph, the network of all running nodes and topics.
-# 2. A *publisher* for images on `~/gray`. The `~` stands for the node's own name: `/gray_by_hand/gray`. So a node with another name uses another topic.
-# 3. A *subscription* to the camera's topic. `qos_profile_sensor_data` is a set of *QoS policies*, the ones that cameras offer:
-#    - **reliability: best effort.** A lost image is not sent again, because a late image is worth nothing.
-#    - **history: keep last, depth: 5.** At most five images wait. If a sixth one arrives, the oldest is dropped.
-#    - **durability: volatile.** Images from before the subscription are not delivered.
-# 4. The message becomes a frame with blue first, for every encoding that the robot may send.
-# 5. If an image cannot be converted, the node *logs* the error, at most every five seconds, and skips the image. One broken image must not end the node.
-# 6. The only line that computes. It knows nothing about ROS.
-# 7. The result becomes a message. The node **copies the header**, so that the receiver knows when the image was taken.
+# 1. `"gray_by_hand"` is the node's name. Other programs see it in the *ROS graph*, the network of all running nodes and topics.
+# 2. The node creates a *publisher* for images on `~/gray`. ROS replaces `~` by the node's name: `/gray_by_hand/gray`. So a node with another name publishes on another topic.
+# 3. The node creates a *subscription* to the camera's topic, with the callback `on_image`. `qos_profile_sensor_data` is the set of *QoS policies* that cameras offer:
+#    - **reliability: best effort.** A lost image is not sent again, because a late image is useless.
+#    - **history: keep last, depth: 5.** At most five images wait in the queue. If a sixth image arrives, the oldest one is dropped.
+#    - **durability: volatile.** Images that were published before the subscription existed are not delivered.
+# 4. `image_to_array` converts the message to an array with the channels blue, green, red, whatever its encoding is.
+# 5. If an image cannot be converted, the node *logs* the error, at most every five seconds, and skips the image. One wrong message must not end the node.
+# 6. This is the only line that processes the image. It does not use ROS.
+# 7. The node converts the result to a message and publishes it. It **copies the header**, so that the receiver knows when the image was taken.
 #
 # ## 3 · Planned failure: the cell that never returns (7 minutes)
 #
-# Every ROS tutorial ends with `rclpy.spin(node)`. In a script this is right: it runs until Ctrl-C. **Predict** what it does in a notebook cell.
+# Most ROS tutorials end with `rclpy.spin(node)`. In a script this is right: the script runs until you press Ctrl-C. **Predict** what it does in a notebook cell.
 #
-# The cell shows `[*]` and never ends, and all other cells have to wait. (**Kernel → Interrupt Kernel** ends it.) To let this lesson continue, the second of the next two cells spins for three seconds only. Try to run another cell meanwhile.
+# A cell with `rclpy.spin(node)` shows `[*]` and never ends, and all other cells have to wait. (**Kernel → Interrupt Kernel** stops it.) The second of the next two cells spins for only three seconds, so that this lesson can continue. During these seconds, try to run another cell.
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
     from rclpy.executors import SingleThreadedExecutor
 
     session = RosSession.current()
-    node = GrayNode(context=session.context)
+    node = GrayNode(context=session.context)  # a context holds the state of ROS in this program
     executor = SingleThreadedExecutor(context=session.context)  # rclpy.spin uses this executor too
     executor.add_node(node)
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
     started = time.monotonic()
-    while time.monotonic() < started + 3:  # rclpy.spin(node) never stops
+    while time.monotonic() < started + 3:  # rclpy.spin(node) has no such limit
         executor.spin_once(timeout_sec=0.1)
     blocked = time.monotonic() - started
     executor.remove_node(node)
@@ -129,7 +129,7 @@ if ros_available():
     assert blocked >= 3
 
 # %% [markdown]
-# **Repair it**: use a background thread. `RosSession` has one: its executor spins all nodes of this notebook. You can start it twice without harm, and it stops with the kernel.
+# **Repair it**: spin in a background thread. The course's `RosSession` has such a thread, and its executor spins all nodes of this notebook. The thread stops when the kernel stops.
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
@@ -140,7 +140,7 @@ if ros_available():
     assert gray.shape == (720, 1280) and gray.dtype == np.uint8
 
 # %% [markdown]
-# **Look** at it live. Each image goes from the camera to a topic, to your node, to a second topic, and to this page. (Without ROS it goes from the recording to `to_gray` and to this page.)
+# **Look** at the result live. The camera publishes each image on a topic. Your node subscribes to this topic and publishes the gray image on a second topic. This page shows the images of the second topic. (Without ROS, the page shows the frames of the recording, converted by `to_gray`.)
 
 # %% tags=["nbval-ignore-output"]
 caption = "The drive in gray, live, with ten images per second."
@@ -154,7 +154,7 @@ assert view.running
 # %% [markdown]
 # ## 4 · The same node for every function (6 minutes)
 #
-# Six of the seven lines would be the same in an edge node. So the course has one class for them, `ImageProcessor`. You give it a name, a function and the names of the function's results. The function, `process`, gets a frame and returns a dictionary. Each key of the dictionary becomes a topic.
+# An edge-detection node needs the same lines; only the names and line 6 are different. So the course has one class for all such nodes: `ImageProcessor`. You give it the node's name, a function, and the names of the function's results. The function gets a frame and returns a dictionary. The node publishes each value of the dictionary on the topic that its key names: `"gray"` goes to `~/gray`.
 
 # %%
 def make_gray(frame):
@@ -167,9 +167,9 @@ print({key: (array.shape, str(array.dtype)) for key, array in result.items()})
 assert (result["gray"] == cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)).all()
 
 # %% [markdown]
-# On a robot, speed matters, so a real node calls OpenCV's `cvtColor` here. The assert checks that both give the same gray level on every pixel.
+# On a robot, speed is important, so a real node calls OpenCV's `cvtColor` here. The assert checks that both functions give the same gray level for every pixel.
 #
-# `ImageProcessor` counts broken images and failing functions, and the node continues. The next function fails on every second image, on purpose. The lines on a red background are the node's *log*. In a terminal they would appear there; in a notebook they appear under the running cell. `INFO` lines inform, `WARN` lines warn.
+# If a message cannot be converted, or if your function raises an error, `ImageProcessor` counts the failure and the node continues. The next function fails for every second image, on purpose. The lines on a red background are the node's *log*. A script writes its log to the terminal; a notebook shows it under the running cell. `INFO` lines are information, `WARN` lines are warnings.
 
 # %% tags=["nbval-ignore-output"]
 calls = []
@@ -198,7 +198,7 @@ if ros_available():
 # %% [markdown]
 # ## 5 · Your turn: the node's function (8 minutes)
 #
-# Write `process(frame)`, the function of a grayscale node. You may use `cv2`. Do not change the frame: other code may use it too.
+# Write `process(frame)`, the function of a grayscale node. You may use `cv2`. Do not change the frame, because other code may use it too.
 #
 # | Input | Output | Example call |
 # |---|---|---|
@@ -261,7 +261,7 @@ def process(frame):
 # %% [markdown]
 # ## 6 · Practice: your node, live (8 minutes)
 #
-# Run your own `process` in a node and watch it. In the second of the next two cells, replace `make_gray` by `process` and run the cell. Then change `process`: turn the image upside down, draw a border around it, or keep only the red channel. After each change run the second cell again. It removes the old node before it starts the new one.
+# Run your own `process` in a node and watch its images. In the second of the next two cells, replace `make_gray` by `process` and run the cell. Then change `process` in your answer cell: turn the image upside down, draw a border around it, or keep only the red channel. After each change, run the answer cell and then the second cell again. The second cell removes the old node before it starts the new one.
 
 # %%
 my_node = None
@@ -272,14 +272,14 @@ if ros_available():
     my_node = session.add_node(ImageProcessor("my_node", make_gray, ["gray"], context=session.context))
     my_images = ImageSubscriber("/my_node/gray", encoding="mono8")
     my_image = my_images.wait(timeout=10)
-    my_view = live_view(my_images, encoding="mono8", caption="What my node publishes.",
+    my_view = live_view(my_images, encoding="mono8", caption="The images that my node publishes.",
                         alt="The images of my own node, live.")
     assert my_image.shape == (720, 1280)
 
 # %% [markdown]
 # ## Recap
 #
-# A node subscribes to a topic with a callback. The callback converts the message, processes the frame, publishes the result with the copied header, and logs failures. In a notebook, a background thread must spin the node.
+# A node subscribes to a topic with a callback. The callback converts the message, processes the frame, publishes the result with the copied header, and logs failures. In a notebook, spin the node in a background thread.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
