@@ -4,15 +4,16 @@ A lesson is executed as nbval will execute it, so that nbval finds the stored ou
 """
 
 import base64
+import io
 import os
 import re
-import struct
 import subprocess
 import tempfile
 from pathlib import Path
 
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
+from PIL import Image
 
 from imgproc_course.authoring.rules import RAISING_TAGS
 from imgproc_course.exercises.declaration import MASTERS_VARIABLE, MasterError
@@ -22,8 +23,6 @@ _ANSI = re.compile(r"\x1b\[[0-9;]*m")
 _ADDRESS = re.compile(r"\b0x[0-9a-f]{8,}\b")
 _DATA_URI = re.compile(r"base64,[A-Za-z0-9+/=\s]+")
 _WIDGET = "application/vnd.jupyter.widget-view+json"
-_PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
-_PNG_METADATA = (b"tEXt", b"zTXt", b"iTXt", b"tIME", b"eXIf")
 
 
 def kernel_environment(masters_dir):
@@ -166,16 +165,12 @@ def _merge_streams(outputs):
 
 
 def _remove_png_metadata(encoded):
-    """A PNG (base64) without the chunks that name the program or the date."""
-    raw = base64.b64decode(encoded)
-    pieces, position = [_PNG_SIGNATURE], len(_PNG_SIGNATURE)
-    while position + 12 <= len(raw):
-        (length,) = struct.unpack(">I", raw[position : position + 4])
-        chunk = raw[position : position + 12 + length]
-        if chunk[4:8] not in _PNG_METADATA:
-            pieces.append(chunk)
-        position += 12 + length
-    return base64.b64encode(b"".join(pieces)).decode("ascii")
+    """A PNG (base64) with the same pixels, without what names the program or the date."""
+    file = io.BytesIO()
+    with Image.open(io.BytesIO(base64.b64decode(encoded))) as image:
+        image.info.clear()
+        image.save(file, format="PNG")
+    return base64.b64encode(file.getvalue()).decode("ascii")
 
 
 def refuse_traces(notebook, master):

@@ -8,9 +8,7 @@ import os
 import platform
 from pathlib import Path
 
-from traitlets.config import Config
-
-c = globals().get("c", Config())  # Jupyter runs this file with a `c` of its own; an import has none
+c = get_config()  # noqa: F821 - Jupyter, which runs this file, defines it
 
 c.Application.log_level = "WARN"  # Jupyter prints its address at every level
 if "IMGPROC_COURSE_LESSONS" in os.environ:
