@@ -8,15 +8,15 @@
 # %% [markdown]
 # # 09 · ROS 2 packages
 #
-# A node in a notebook ends with the notebook. On a robot, nodes belong to *packages*: folders with a fixed structure that can be built, installed and started by name. Here you build two packages, `image_gray_processor` and `image_edge_detection`, and run their nodes beside this notebook.
+# A node in a notebook stops when the notebook stops. On a robot, nodes belong to *packages*. A package is a folder with a fixed structure; you can build it, install it and start its nodes by name. Here you build two packages, `image_gray_processor` and `image_edge_detection`, and run their nodes outside this notebook.
 #
 # **You will be able to**
-# - explain each file of an `ament_python` package,
-# - build a workspace with colcon, source it, and start a node by the name of its package,
-# - recognise two common failures: a workspace that is not sourced, and a name that rosdep does not know,
+# - explain each file of an `ament_python` package (a ROS 2 package in Python; *ament* is the build system of ROS 2),
+# - build a workspace with `colcon`, source it, and start a node by the name of its package,
+# - recognise two common mistakes: a workspace that is not sourced, and a dependency that `rosdep` does not know,
 # - explain what changes on the real robot.
 #
-# **Time** about 50 minutes. **You need** lessons 04 and 08. Building works wherever this notebook runs; running the nodes needs ROS 2.
+# **Time** about 50 minutes. **You need** lessons 04 and 08. You can build the packages on every machine that runs this notebook. To run the nodes you need ROS 2.
 
 # %% role="given" exercise=["packages-executable"]
 from pathlib import Path
@@ -38,13 +38,13 @@ from imgproc_course.ros import ImageSubscriber, open_camera, ros_available
 # %% [markdown]
 # ## 1 · What is in a package (8 minutes)
 #
-# With a full ROS 2 installation, one command creates the files of a new package:
+# If ROS 2 is fully installed, one command creates the files of a new package:
 #
 # ```sh
 # ros2 pkg create --build-type ament_python --node-name image_gray_processor image_gray_processor
 # ```
 #
-# The course contains both packages, with all files written. A *workspace* is a folder that contains packages. Copy the two into your own workspace, beside this notebook, and list the files:
+# The course contains both packages with all their files. A *workspace* is a folder with packages in its folder `src`. The next cell makes a workspace beside this notebook, copies the two packages into it, and lists the files of the first one:
 
 # %% tags=["nbval-ignore-output"]
 workspace = Path("ros2_ws").absolute()
@@ -54,17 +54,17 @@ shutil.copytree(sources, workspace / "src", dirs_exist_ok=True, ignore=shutil.ig
 package = workspace / "src" / "image_gray_processor"
 files = sorted(path.relative_to(package).as_posix() for path in package.rglob("*") if path.is_file())
 print("\n".join(files))
-assert {"package.xml", "setup.py", "setup.cfg", "resource/image_gray_processor"} <= set(files)
+assert {"package.xml", "setup.py", "setup.cfg", "resource/image_gray_processor"} <= set(files)  # <= : is a subset of
 
 # %% [markdown]
 # | file | what it is for |
 # |---|---|
-# | `package.xml` | name, version, licence, and the dependencies, as *rosdep keys* and not as pip names |
-# | `setup.py` | which modules are installed, and which *executable* calls which function (`console_scripts`) |
-# | `setup.cfg` | installs the executables into `lib/<package>`, where `ros2 run` looks for them |
+# | `package.xml` | name, version, licence, and the dependencies: the other packages that this package needs (section 2) |
+# | `setup.py` | says which Python modules are installed, and which function each *executable* (a program that you can start) calls (`console_scripts`) |
+# | `setup.cfg` | says that the executables are installed into `lib/<package>`, where `ros2 run` looks for them |
 # | `resource/image_gray_processor` | an empty file, the *marker* by which ROS finds the package |
 # | `image_gray_processor/image_gray_processor.py` | the node |
-# | `launch/…launch.py` | the *launch file*: it starts the node with the topic and the parameters that you choose |
+# | `launch/…launch.py` | the *launch file*: a program for `ros2 launch`, which starts the node with the topic and the parameters that you choose |
 # | `test/` | a test of the node's function, without ROS |
 
 # %%
@@ -74,18 +74,18 @@ print(code)
 assert "cv2.cvtColor" in code and "ImageProcessor" in code
 
 # %% [markdown]
-# The whole node is a function with an `ImageProcessor` around it, as in lesson 04. On a robot, speed matters, so the function calls OpenCV. Section 5 checks that its result is the same gray image that you computed by hand in lesson 03.
+# The node consists of a function and an `ImageProcessor`, as in lesson 04. On a robot, speed is important, so the function calls OpenCV. Section 5 checks that its result is the same gray image that you computed by hand in lesson 03.
 #
 # ## 2 · Planned failure: a name that rosdep does not know (5 minutes)
 #
-# On a robot, `rosdep install` reads `package.xml` and installs the dependencies, with the package manager of that Linux. It identifies each dependency by a *key*. Many tutorials write `<exec_depend>opencv-python</exec_depend>`, which is the name for pip. **Predict** what rosdep reports.
+# On a robot, the command `rosdep install` reads `package.xml` and installs the dependencies with the package manager of the robot's Linux. It identifies each dependency by a name, the *rosdep key*. Many tutorials write `<exec_depend>opencv-python</exec_depend>`. But this is the name that pip uses, not a rosdep key. So rosdep reports:
 #
 # ```
 # ERROR: the following packages/stacks could not have their rosdep keys resolved
 # to system dependencies: image_gray_processor: Cannot locate rosdep definition for [opencv-python]
 # ```
 #
-# **Repair it**: the key of OpenCV is `python3-opencv`. Read the keys of our package:
+# **Repair it**: the rosdep key of OpenCV for Python is `python3-opencv`. Here are the keys in our package:
 
 # %%
 import xml.etree.ElementTree as ET
@@ -97,11 +97,11 @@ print(keys)
 assert "python3-opencv" in keys and "opencv-python" not in keys
 
 # %% [markdown]
-# `imgproc_course`, the course's own package, has no rosdep key. It must be installed in the Python that builds and runs the nodes. Here this is the Python of this notebook.
+# `imgproc_course`, the Python package of this course, has no rosdep key. It must be installed in the Python that builds and runs the nodes. Here this is the Python of this notebook.
 #
 # ## 3 · Build (6 minutes)
 #
-# `colcon` finds the packages in `src`, builds them, and installs them into `install`. In a terminal (**File → New → Terminal**) you would type `cd ros2_ws` and `python -m colcon build`. A cell can do the same. It takes some seconds.
+# `colcon` is the build tool of ROS 2. It finds the packages in `src`, builds them, and installs them into the folder `install`. In a terminal (**File → New → Terminal**) you would type `cd ros2_ws` and `python -m colcon build`. The next cell does the same; `subprocess.run` runs another program and waits for it. This takes some seconds.
 
 # %% tags=["nbval-ignore-output"]
 colcon = [sys.executable, "-m", "colcon", "build"]  # the nodes will run in the Python that builds them
@@ -113,7 +113,7 @@ assert build.returncode == 0 and len(finished) == 2
 # %% [markdown]
 # ## 4 · Planned failure: not sourced (6 minutes)
 #
-# The packages are built. **Predict**: can ROS find them now?
+# The packages are built. The next cell looks for one of them as a new terminal would. **Predict**: can ROS find the package?
 
 # %%
 find_prefix = "from ament_index_python import get_package_prefix as find; print(find('image_gray_processor'))"
@@ -130,9 +130,9 @@ if ros_available():
     assert "PackageNotFoundError" in message
 
 # %% [markdown]
-# With `ros2 run`, the message for the same failure is *Package 'image_gray_processor' not found*. ROS searches the folders in the environment variable `AMENT_PREFIX_PATH`, and our folder is not among them.
+# `ros2 run` reports the same mistake as *Package 'image_gray_processor' not found*. An *environment variable* is a named text that a program receives when it starts. ROS searches the folders in the environment variable `AMENT_PREFIX_PATH`, and our folder is not in it.
 #
-# **Repair it**: type `source install/setup.bash`. This adds your workspace to the variable. Your workspace is then an *overlay* on the ROS installation, the *underlay*: ROS searches the overlay first. You must source it in *every* terminal that uses the packages. A cell cannot source a file, so it starts bash, which sources the file and prints its environment:
+# **Repair it**: in a terminal, type `source install/setup.bash`. To *source* a file is to run its commands in the present terminal. These commands add your workspace to the variable. Your workspace is now an *overlay*, and the ROS installation is the *underlay*: ROS searches the overlay first. You must source the workspace in *every* terminal that uses its packages. A Python cell cannot source a file. So the next cell starts bash (the program that runs in a terminal), which sources the file and prints its environment variables:
 
 # %% tags=["nbval-ignore-output"]
 bash = subprocess.run(
@@ -151,7 +151,7 @@ if ros_available():
 # %% [markdown]
 # ## 5 · Run (8 minutes)
 #
-# `ros2 run PACKAGE EXECUTABLE` does two things: it finds the folder of the package, as you just did, and starts the file `lib/PACKAGE/EXECUTABLE` in it. We can do the same:
+# `ros2 run PACKAGE EXECUTABLE` does two things: it finds the folder of the package, as you just did, and starts the file `lib/PACKAGE/EXECUTABLE` in this folder. We can do the same. `subprocess.Popen` starts a program and does not wait until it ends:
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
@@ -165,16 +165,16 @@ if ros_available():
     assert gray.shape == (720, 1280) and gray.dtype == np.uint8
 
 # %% [markdown]
-# The image came from another process, through ROS. **Look** at it live:
+# This image comes from another *process* (a running program): ROS carried it from there to this notebook. **Look** at the images live:
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
-    view = live_view(gray_images, encoding="mono8", caption="Gray, computed in another process.",
+    view = live_view(gray_images, encoding="mono8", caption="The gray images that the node publishes from another process.",
                      alt="The living room in gray, live, while the robot drives.")
     assert node.poll() is None  # the node is still running
 
 # %% [markdown]
-# And **check**: is OpenCV's gray, computed in the other process, the same as the gray computed by hand, on every pixel? The node copies the header, so its image has the same stamp as the camera's image. By the stamp we find the two images that belong together.
+# **Check**: is the gray image from the other process (computed by OpenCV) equal to the gray image computed by `to_gray`, for every pixel? The node copies the header, so its image has the same stamp as the camera's image. We use the stamp to find the two images that belong together.
 
 # %% tags=["nbval-ignore-output", "long"]
 import time
@@ -191,7 +191,7 @@ if ros_available():
         ImageSubscriber("/image_gray_processor/gray", store_in(gray_frames), encoding="mono8"),
     ]
     end = time.monotonic() + 20
-    while len(color_frames.keys() & gray_frames.keys()) < 3 and time.monotonic() < end:
+    while len(color_frames.keys() & gray_frames.keys()) < 3 and time.monotonic() < end:  # &: stamps in both
         time.sleep(0.1)
     for subscriber in subscribers:
         subscriber.stop()
@@ -211,11 +211,11 @@ if ros_available():
     assert node.returncode == 0
 
 # %% [markdown]
-# The node ended cleanly and printed its statistics. (*Ignored* images came while the node had no subscriber. The node does not process them.)
+# The node stopped without an error and printed its statistics. (*Ignored* images are images that came while the node had no subscriber. The node does not process them.)
 #
 # ## 6 · Practice: where is the executable? (5 minutes)
 #
-# Write `executable_of(install, package)`. It returns the path that `ros2 run` looks for, when the executable has the same name as its package.
+# Write `executable_of(install, package)`. It returns the path of the file that `ros2 run` starts. Here the executable has the same name as its package.
 #
 # | Input | Output | Example call |
 # |---|---|---|
@@ -266,9 +266,9 @@ def executable_of(install, package):
 
 
 # %% [markdown]
-# ## 7 · Practice: run the other one (5 minutes)
+# ## 7 · Practice: run the edge node (5 minutes)
 #
-# Now run the edge node. You can set its thresholds with parameters in the command, for example `--ros-args -p low:=30 -p high:=90`. Change the numbers in the cell, run it again, and observe the edges.
+# Now run the edge-detection node. Its thresholds are parameters, and you can set them in the command, for example with `--ros-args -p low:=30 -p high:=90`. Change the numbers in the second cell, run it again, and observe the edges.
 
 # %%
 def stop_all(processes):
@@ -289,27 +289,27 @@ if ros_available():
     parameters = ["--ros-args", "-p", "low:=50", "-p", "high:=150"]
     edge_node = subprocess.Popen([executable, *parameters], env=environment, stderr=subprocess.DEVNULL)
     running_nodes.append(edge_node)
-    atexit.register(edge_node.terminate)
+    atexit.register(edge_node.terminate)  # stops the node when the kernel stops
     edge_images = ImageSubscriber("/image_edge_detection/edges", encoding="mono8")
     edges = edge_images.wait(timeout=30)
-    edge_view = live_view(edge_images, encoding="mono8", caption="Edges, detected in another process.",
+    edge_view = live_view(edge_images, encoding="mono8", caption="The edges that the node publishes from another process.",
                           alt="The living room as white lines on black, live, while the robot drives.")
     assert set(np.unique(edges)) <= {0, 255}
 
 # %% [markdown]
-# To stop the node, run the next cell with `stop_now = True`. Otherwise the node runs until the kernel of this notebook stops.
+# To stop the node, set `stop_now = True` in the next cell and run the cell. Otherwise the node runs until the kernel of this notebook stops.
 
 # %%
 stop_now = False
 if ros_available() and stop_now:
     edge_view.stop()
     stop_all(running_nodes)
-    print("the node has ended with exit code", edge_node.returncode)
+    print("the node stopped with exit code", edge_node.returncode)
 
 # %% [markdown]
 # ## 8 · On the robot (7 minutes)
 #
-# | here, with pip | with a full ROS 2 |
+# | in this course | with a full ROS 2 installation |
 # |---|---|
 # | `imgproc-course play` | the robot's own camera |
 # | `colcon build` | `rosdep install --from-paths src -i`, then `colcon build` |
@@ -317,18 +317,18 @@ if ros_available() and stop_now:
 # | `ImageSubscriber(topic).measured_rate` | `ros2 topic hz TOPIC` |
 # | `doctor()` | `ros2 doctor`, `ros2 topic info -v TOPIC` |
 #
-# These things change with a real Kachaka:
+# The table compares the commands. With a real Kachaka robot, these things change too:
 #
-# - **Topic names.** The camera's topic is `/kachaka/front_camera/image_raw`. A robot with another name has another prefix. Do not change the name in the code; use *remapping* instead (`-r /kachaka/front_camera/image_raw:=/my_robot/front_camera/image_raw`).
-# - **Silent topics.** The robot's bridge publishes images only while they have a subscriber, and it publishes `camera_info` only together with an image. Without a subscriber, the topic exists, but no messages come.
-# - **Wi-Fi.** 221 Mbit/s of raw images are too much for Wi-Fi. Remap to the topic that ends in `/compressed`. The nodes can read it without a change.
-# - **Versions.** The robot's bridge is made for ROS 2 Humble, and this course uses Jazzy. Do not mix the two in one graph: run a bridge that is built for Jazzy.
-# - **Other robots.** By default, all robots and all laptops of a classroom share domain 0. Give each robot and its laptop their own domain: `export ROS_DOMAIN_ID=7`.
-# - **The charger.** On its charger, the robot's depth camera sends images of 0 × 0 pixels. A node must survive them. Yours does.
+# - **Topic names.** The camera's topic is `/kachaka/front_camera/image_raw`. A robot with another name uses another first part (*namespace*). Do not change the name in the code. Use *remapping* instead: start the node with `--ros-args -r /kachaka/front_camera/image_raw:=/my_robot/front_camera/image_raw`.
+# - **Topics without messages.** The robot's *bridge* is the program that publishes the robot's data in ROS. It publishes images only while the topic has a subscriber, and it publishes `camera_info` only together with an image.
+# - **Wi-Fi.** 221 Mbit/s of raw images are too much for Wi-Fi. Remap to the topic that ends in `/compressed`. The nodes can read compressed images too; you do not have to change them.
+# - **Versions.** The robot's bridge is made for the ROS 2 release *Humble*, and this course uses the release *Jazzy*. Do not mix two releases in one ROS graph: use a bridge that is built for Jazzy.
+# - **Other robots.** A node only finds nodes with the same *domain*, a number. By default, all robots and all laptops in a classroom use domain 0. Give each robot and its laptop a domain of their own: `export ROS_DOMAIN_ID=7`.
+# - **The charger.** While the robot is on its charger, its depth camera sends images of 0 × 0 pixels. A node must not stop because of them. Your nodes do not stop: `ImageProcessor` counts such an image as a failure and continues.
 #
 # ## Recap
 #
-# A package is a folder with a fixed structure. Build it, source the workspace, and run the node by name. Write rosdep keys, not pip names. To use another topic, remap it.
+# A package is a folder with a fixed structure. Build it, source the workspace, and start the node by name. In `package.xml`, write rosdep keys, not pip names. To use another topic, remap the topic in the command.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
