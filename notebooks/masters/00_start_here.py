@@ -8,7 +8,7 @@
 # %% [markdown]
 # # 00 · Start here
 #
-# A small robot drives through a living room. Its camera is 20 cm above the floor and takes ten images per second. One image of such a stream is called a *frame*. The robot publishes every frame on a ROS 2 *topic*: a named stream of messages to which any program can subscribe. The name of this topic is `/kachaka/front_camera/image_raw`.
+# A small robot drives through a living room. Its camera is 20 cm above the floor and takes ten images per second. One image of such a stream is called a *frame*. The robot *publishes* (sends) every frame on a ROS 2 *topic*: a named stream of messages. Any program can *subscribe* to a topic, and then receives its messages. Here each message contains one frame. The name of this topic is `/kachaka/front_camera/image_raw`.
 #
 # In about 15 minutes, these frames will arrive in this notebook, and your own function will process each of them. You need no robot. The drive is a recording that a computer rendered for this course; everything else is real ROS 2. (ROS 2, the Robot Operating System, is a collection of libraries and tools for robot programs.)
 #

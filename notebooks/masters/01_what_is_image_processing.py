@@ -2,7 +2,7 @@
 # jupyter:
 #   imgproc_course:
 #     title: What is image processing?
-#     minutes: 40
+#     minutes: 45
 # ---
 
 # %% [markdown]
@@ -11,11 +11,11 @@
 # A camera gives a robot 2.8 million numbers, ten times per second. None of them says "floor", "person" or "stop". Image processing improves such images, or extracts information from them that the robot can use.
 #
 # **You will be able to**
-# - say what a home robot uses images for, with an example of each use,
+# - name four uses of images on a home robot, with an example of each,
 # - recognise four basic operations (grayscale, edge detection, noise removal, binarization) by what they do to the numbers,
 # - explain why a grayscale image is not a binary image.
 #
-# **Time** about 40 minutes. **You need** lesson 00.
+# **Time** about 45 minutes. **You need** lesson 00.
 #
 # If the next cell says *No module named 'imgproc_course'*, open the lessons with `environment/lab`, as lesson 00 explains.
 
@@ -36,17 +36,17 @@ assert frame.size == 2_764_800
 
 # %%
 show(frame, "frame 30 of the drive",
-     caption="Three seconds into the drive: a person walks past, a ball lies ahead, a marker stands by the wall.",
-     alt="A living room from close to the floor: a person walking, a ball on a striped rug, a square marker.")
+     caption="Three seconds after the start: a person walks past, a ball lies ahead, and a marker hangs on the wall.",
+     alt="A living room seen from close to the floor: a person walking, a ball on a striped rug, a square marker.")
 
 # %% [markdown]
 # ## Part one: what a robot needs to know
 #
-# The recording has more than the frames. For each frame it also has two images with the right answers, the *ground truth*:
-# - a *label image*: each pixel holds a number that says what the pixel shows (1 is floor, for example),
-# - a *depth image*: each pixel holds the distance to what it shows.
+# The recording contains more than the frames. For each frame it also has two images with the right answers, the *ground truth*:
+# - a *label image*: the number in each pixel says what this pixel shows (1 is floor, for example),
+# - a *depth image*: the number in each pixel is the distance from the camera to what this pixel shows.
 #
-# A robot does not get these answers; it has to work them out. Here we use them to see what the robot looks for.
+# A robot does not have the ground truth. It has to find the answers itself. Here we use the ground truth to see what the robot looks for.
 #
 # ### 1 · Environment recognition: where can I drive? (4 minutes)
 #
@@ -55,28 +55,28 @@ show(frame, "frame 30 of the drive",
 # %%
 labels = recording.labels(30)
 number_of = {name: number for number, name in recording.label_names.items()}
-floor = labels == number_of["floor"]
+floor = labels == number_of["floor"]  # compares every pixel with this number
 print(f"floor: {floor.mean():.1%} of the image")
 
 assert number_of["floor"] == 1 and round(floor.mean() * 100) == 36
 
 # %% [markdown]
-# `floor` is a *mask*: an array with True or False for each pixel. The mean of a mask is the share of its True pixels. A mask also selects pixels, here those to paint green.
+# `floor` is a *mask*: an array with True or False for each pixel. True counts as 1 and False as 0, so the mean of a mask is the share of its True pixels. A mask also selects pixels: `painted[floor]` are the pixels of the floor. Here we paint them green.
 
 # %%
 painted = frame.copy()
-painted[floor] = painted[floor] // 2 + np.array([0, 127, 0], np.uint8)
+painted[floor] = painted[floor] // 2 + np.array([0, 127, 0], np.uint8)  # half of the old colour, plus green
 show(painted, "floor, painted green",
-     caption="A little more than a third of the image is floor. And the rug: is it safe to drive on?",
+     caption="A little more than a third of the image is floor. The rug is not painted: is it safe to drive on it?",
      alt="The same room with the wooden floor tinted green around the rug.")
 
 # %% [markdown]
 # ### 2 · Object detection: who is there? (4 minutes)
 #
-# A detector returns a *bounding box*: the smallest rectangle around an object, given by its first and last row and its first and last column. Here we compute the person's bounding box from the label image; a real detector has to find it in the frame.
+# A detector returns a *bounding box*: the smallest rectangle around an object, given by its first and last row and its first and last column. Here we compute the person's bounding box from the label image. A real detector has to find the person in the frame.
 
 # %%
-rows, columns = np.nonzero(labels == number_of["person"])
+rows, columns = np.nonzero(labels == number_of["person"])  # the positions of all pixels that show the person
 top, bottom = rows.min(), rows.max()
 left, right = columns.min(), columns.max()
 print(f"person: rows {top} to {bottom}, columns {left} to {right}")
@@ -87,17 +87,17 @@ assert (top, bottom, left, right) == (102, 394, 584, 690)
 boxed = frame.copy()
 cv2.rectangle(boxed, (int(left), int(top)), (int(right), int(bottom)), (0, 255, 255), thickness=4)  # (column, row)
 show(boxed, "one person, one bounding box",
-     caption="The frame has millions of numbers, the bounding box has four. A robot that follows a person needs no more.",
+     caption="The frame has millions of numbers, the bounding box has only four. They are enough for a robot that follows a person.",
      alt="The room with a yellow box around the walking person.")
 
 # %% [markdown]
 # ### 3 · Position estimation: where am I? (5 minutes)
 #
-# The black and white square is a *marker*. We know its size: each side is 25 cm. We find its four corners in the image. To compute from them where the marker is, we need two facts about the camera:
-# - its *intrinsics*: the focal length and the image centre, both in pixels (`info.k`),
-# - its *distortion*: how much the lens bends straight lines (`info.d`).
+# The black and white square is a *marker*. We know its size: each side is 25 cm. OpenCV finds its four corners in the image. To compute the position of the marker from the corners, we need two facts about the camera:
+# - its *intrinsics* (`info.k`), in pixels: the *focal length*, which says how strongly the lens enlarges, and the *principal point*, the image point straight ahead of the camera,
+# - its *distortion* (`info.d`): how much the lens bends straight lines in the image.
 #
-# `cv2.solvePnP` then computes the *pose* of the marker relative to the camera. A pose is a position and an orientation; here we use only the position. Compare the distance with the ground truth in the recording.
+# `cv2.solvePnP` then computes the *pose* of the marker relative to the camera. A pose is a position and an orientation. Here we use only the position. We compare its distance from the camera with the ground truth in the recording.
 
 # %%
 dictionary = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50)
@@ -106,7 +106,7 @@ half = 0.25 / 2  # metres
 square = np.array([[-half, half, 0], [half, half, 0], [half, -half, 0], [-half, -half, 0]])
 info = recording.camera_info
 success, _, position = cv2.solvePnP(square, corners[0][0], np.array(info.k).reshape(3, 3), np.array(info.d))
-measured = np.linalg.norm(position)
+measured = np.linalg.norm(position)  # the length of the vector: the distance
 true = np.linalg.norm(recording.pose("marker", 30)[:3] - recording.pose("camera", 30)[:3])
 print(f"marker {ids[0][0]}: measured {measured:.1f} m, true {true:.1f} m")
 
@@ -114,15 +114,15 @@ assert ids[0][0] == 7
 assert abs(measured - true) / true < 0.05  # within five percent
 
 # %% [markdown]
-# One image gives the distance within five percent. If a robot knows where the marker hangs, it can now compute its own position.
+# From one image we get the distance with an error of less than five percent. If a robot knows where in the room the marker hangs, it can compute its own position from the pose of the marker.
 #
 # ### 4 · Obstacle avoidance: what is in my way? (4 minutes)
 #
-# The depth image holds distances in millimetres, for every second row and every second column. **Predict**: what is the nearest object ahead of the robot, and how many metres away is it?
+# The depth image contains distances in millimetres, for every second row and every second column. **Predict**: how many metres away is the ball ahead of the robot?
 
 # %%
 depth = recording.depth(30)
-ball = labels[::2, ::2] == number_of["ball"]  # depth has half as many rows and columns
+ball = labels[::2, ::2] == number_of["ball"]  # [::2, ::2]: every second row and column, as in the depth image
 ball_distance = np.median(depth[ball]) / 1000
 print("depth", depth.shape, depth.dtype, f" ball: {ball_distance:.2f} m")
 
@@ -130,6 +130,7 @@ assert depth.shape == (360, 640) and depth.dtype == np.uint16
 assert round(ball_distance, 2) == 1.75
 
 # %%
+# encoding="16UC1": one channel, 16 bits (numbers from 0 to 65535)
 show(depth, "depth in millimetres: dark is near", encoding="16UC1", limits=(500, 5000),
      caption="Distances from 0.5 m (black) to 5 m (white): the ball stands out against the wall behind it.",
      alt="A gray image of the room in which near objects are dark; the ball is a dark disc ahead.")
@@ -137,15 +138,16 @@ show(depth, "depth in millimetres: dark is near", encoding="16UC1", limits=(500,
 # %% [markdown]
 # ## Part two: four operations
 #
-# All four uses above are built from simple operations. Four operations are very common, and each has its own lesson. Look at what each does to the *numbers*: to the shape, and to the count of different values.
+# Programs for all four uses are built from simple operations. Four operations are very common, and each has its own lesson. Look at what each operation does to the *numbers*: to the shape of the array, and to how many different values it has.
 #
 # ### 5 · Grayscale: three numbers become one (3 minutes)
 
 # %%
 gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
 print("before", frame.shape, "  after", gray.shape, gray.dtype, "  different values:", np.unique(gray).size)
+# bgr8: channels blue, green, red, 8 bits each; mono8: one channel of 8 bits
 show([frame, gray], ["colour", "gray"], encoding=["bgr8", "mono8"],
-     caption="One intensity for each pixel: a third of the numbers, but we still recognise nearly every shape.",
+     caption="One intensity for each pixel: only a third of the numbers, but we still recognise nearly every shape.",
      alt="The room in colour, and the same room in shades of gray.")
 
 assert gray.shape == (720, 1280) and np.unique(gray).size == 246
@@ -153,7 +155,7 @@ assert gray.shape == (720, 1280) and np.unique(gray).size == 246
 # %% [markdown]
 # ### 6 · Planned failure: grayscale is not binary (3 minutes)
 #
-# Many people call a gray image a "black and white photograph". If that were right, every pixel would be black or white. Count them:
+# Many people call a gray image a "black and white photograph". Are all its pixels black or white? Count them. (In a *planned failure*, something goes wrong on purpose. **Repair it** then says what to do.)
 
 # %%
 white = (gray == 255).mean()
@@ -165,13 +167,13 @@ assert white + black < 0.01
 # %% [markdown]
 # Less than 1 % of the pixels are fully white or black: a gray image has up to 256 intensities (gray levels). **Repair it**: to get two values from 256, choose a *threshold*, and compare every pixel with it. That is the next operation.
 #
-# ### 7 · Binarization: above or below a threshold (3 minutes)
+# ### 7 · Binarization: above the threshold or not (3 minutes)
 
 # %%
 binary = np.where(gray > 128, 255, 0).astype(np.uint8)
 print("different values:", np.unique(binary), f"  white: {(binary == 255).mean():.1%}")
 show([gray, binary], ["gray: 246 values", "binary: two"], encoding="mono8",
-     caption="Pixels above the threshold 128 become white, all others black. The result is areas, not objects.",
+     caption="Pixels above the threshold 128 become white, all others black. The result shows areas, not objects.",
      alt="The gray room, and the same room in pure black and white areas.")
 
 assert np.unique(binary).tolist() == [0, 255]
@@ -179,31 +181,31 @@ assert np.unique(binary).tolist() == [0, 255]
 # %% [markdown]
 # ### 8 · Edge detection: where the intensity jumps (3 minutes)
 #
-# An *edge* is a place where the intensity changes strongly from one pixel to the next. An edge image also has two values. **Predict.** How is it different from a binary image?
+# An *edge* is a place where the intensity changes strongly from one pixel to the next. We detect edges with the method of John Canny; lesson 07 explains it and the two numbers in the next cell. An edge image also has only two values. **Predict.** How is it different from the binary image above?
 
 # %%
 edges = cv2.Canny(gray, 50, 150)
 print("different values:", np.unique(edges), f"  white: {(edges == 255).mean():.1%}")
 show([binary, edges], ["binary: areas", "edges: lines"], encoding="mono8",
-     caption="Both have two values. Binarization fills areas; edges are lines one pixel thin.",
+     caption="Both have two values. Binarization gives areas; edge detection gives thin lines, one pixel wide.",
      alt="Left, black and white areas; right, thin white outlines of the same room on black.")
 
 assert np.unique(edges).tolist() == [0, 255]
 assert round((edges == 255).mean() * 100) == 4 and (binary == 255).mean() > 0.3
 
 # %% [markdown]
-# ### 9 · Noise removal: the same image with fewer errors (3 minutes)
+# ### 9 · Noise removal: the same image with fewer errors (4 minutes)
 #
-# Sensors make errors, called *noise*. Here we set one pixel in twenty to black or white (*impulse noise*, also called salt-and-pepper noise). A *median filter* replaces each pixel by the median of its 3 × 3 neighbourhood, which removes such outliers. The image keeps its shape and its colours.
+# Sensors make errors, called *noise*. Here we set 5 % of the pixels to black or white. This is *impulse noise*, also called salt-and-pepper noise. A *median filter* replaces each pixel by the median of the 3 × 3 pixels around it. (The median is the value in the middle when you sort them.) So single wrong values disappear. The image keeps its shape and its colours.
 
 # %%
-rng = np.random.default_rng(seed=1)
+rng = np.random.default_rng(seed=1)  # with the same seed, you always get the same random numbers
 random_values = rng.random(frame.shape[:2])
 noisy = frame.copy()
 noisy[random_values < 0.025] = 0
 noisy[random_values > 0.975] = 255
 cleaned = cv2.medianBlur(noisy, 3)
-noise_share = (noisy != frame).any(axis=-1).mean()
+noise_share = (noisy != frame).any(axis=-1).mean()  # pixels with any changed channel
 print(f"noise: {noise_share:.1%} of the pixels   shape before {noisy.shape}, after {cleaned.shape}")
 
 assert round(noise_share * 100) == 5 and cleaned.shape == noisy.shape
@@ -211,8 +213,8 @@ assert round(noise_share * 100) == 5 and cleaned.shape == noisy.shape
 # %%
 window = (slice(300, 460), slice(440, 730))
 show([noisy[window], cleaned[window]], ["with noise", "after a 3 × 3 median"],
-     caption="The noise is gone. Look closely: the finest details are gone, too.",
-     alt="A crop around ball and marker with black and white noise pixels, and the same crop without them.")
+     caption="The noise is gone. Look closely: the finest details are gone too.",
+     alt="A part of the image around ball and marker with black and white noise pixels, and the same part without them.")
 
 error_before = np.abs(noisy.astype(int) - frame).mean()
 error_after = np.abs(cleaned.astype(int) - frame).mean()
@@ -222,7 +224,7 @@ assert error_after < error_before / 2
 # %% [markdown]
 # ## 10 · Live, on the robot's topic (4 minutes)
 #
-# The same edge detector (Canny) on the live frames. Move the sliders: `low` and `high` are the two thresholds that lesson 07 explains.
+# Here is the same edge detection on the live frames. Move the sliders `low` and `high`: they set the two numbers, the thresholds that lesson 07 explains.
 
 # %% tags=["nbval-ignore-output"]
 def with_edges(frame, low=50, high=150):
@@ -239,11 +241,11 @@ view = live_view(source, with_edges, low=(0, 500), high=(0, 500))
 assert (with_edges(frame)["edges"] == edges).all()
 
 # %% [markdown]
-# ## 11 · Your turn: name the operation (6 minutes)
+# ## 11 · Your turn: name the operation (8 minutes)
 #
 # Write `name_operation(before, after)`. It gets a colour image and the result of one operation, and returns one of four names: `"grayscale"`, `"binarization"`, `"edges"`, `"noise removal"`.
 #
-# Everything you need is shown above: use the shape of `after`, its values, and the share of its white pixels. In every binary image here, at least a quarter of the pixels are white; in every edge image, less than a fifth.
+# Everything you need is shown above: use the shape of `after`, its values, and the share of its white pixels. In this exercise, at least a quarter of the pixels of every binary image are white, and less than a fifth of the pixels of every edge image.
 
 # %% role="exercise"
 import cv2
@@ -254,7 +256,7 @@ exercise(
     function="name_operation",
     time_limit=5,
     refused=(),
-    hint="Test in this order: does it still have three channels? Does it have more than two values? Are few of its pixels white?",
+    hint="Ask in this order: does after have three channels? Does it have more than two different values? Is the share of white pixels small?",
 )
 
 
@@ -300,7 +302,7 @@ def inputs(rng):
     return before, np.where(gray > np.median(gray) - 1, 255, 0).astype(np.uint8)
 
 
-# %% role="hidden" exercise="tour-name" title="an image of lines" points=1 hint="Two values, but few white pixels: which of the four operations gives lines?"
+# %% role="hidden" exercise="tour-name" title="an image of lines" points=1 hint="The image has two values, but few white pixels. Which of the four operations gives lines?"
 def inputs(rng):
     before = room_image(rng)
     return before, cv2.Canny(cv2.cvtColor(before, cv2.COLOR_BGR2GRAY), 50, 150)
@@ -327,7 +329,7 @@ def name_operation(before, after):
 # %% [markdown]
 # ## Recap
 #
-# A robot uses its camera for four questions: what is around me, who is there, where am I, what is in my way? The answers are built from simple operations on numbers. You recognise each operation by the shape and the values of its result.
+# A robot uses its camera to answer four questions: Where can I drive? Who is there? Where am I? What is in my way? Programs that answer them are built from simple operations on numbers. You recognise each operation by the shape and the values of its result.
 #
 # | operation | shape | dtype | different values | unit |
 # |---|---|---|---|---|
