@@ -36,7 +36,7 @@ assert frame.size == 2_764_800
 
 # %%
 show(frame, "frame 30 of the drive",
-     caption="Three seconds after the start: a person walks past, a ball lies ahead, and a marker hangs on the wall.",
+     caption="Three seconds after the start: a person walks past, a ball lies ahead, and a marker stands in front of the wall.",
      alt="A living room seen from close to the floor: a person walking, a ball on a striped rug, a square marker.")
 
 # %% [markdown]
@@ -44,7 +44,7 @@ show(frame, "frame 30 of the drive",
 #
 # The recording contains more than the frames. For each frame it also has two images with the right answers, the *ground truth*:
 # - a *label image*: the number in each pixel says what this pixel shows (1 is floor, for example),
-# - a *depth image*: the number in each pixel is the distance from the camera to what this pixel shows.
+# - a *depth image*: the number in each pixel says how far away the thing is that this pixel shows, measured straight ahead of the camera.
 #
 # A robot does not have the ground truth. It has to find the answers itself. Here we use the ground truth to see what the robot looks for.
 #
@@ -114,7 +114,7 @@ assert ids[0][0] == 7
 assert abs(measured - true) / true < 0.05  # within five percent
 
 # %% [markdown]
-# From one image we get the distance with an error of less than five percent. If a robot knows where in the room the marker hangs, it can compute its own position from the pose of the marker.
+# From one image we get the distance with an error of less than five percent. If a robot knows where in the room the marker stands, it can compute its own position from the pose of the marker.
 #
 # ### 4 · Obstacle avoidance: what is in my way? (4 minutes)
 #

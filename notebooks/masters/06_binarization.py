@@ -55,7 +55,7 @@ assert (threshold(tiny, 100) == binary).all()
 # %% [markdown]
 # ## 2 · The histogram (7 minutes)
 #
-# The marker on the back wall is black print on white paper. The print is the foreground, the paper is the background. A **histogram** counts how many pixels have each gray level. **Predict** its shape: does it have one *peak* (a hill) or two?
+# The marker in front of the back wall is black print on white paper. The print is the foreground, the paper is the background. A **histogram** counts how many pixels have each gray level. **Predict** its shape: does it have one *peak* (a hill) or two?
 
 # %%
 marker = gray[319:395, 656:724]
