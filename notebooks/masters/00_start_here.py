@@ -25,7 +25,7 @@
 #
 # A lesson is a list of cells. Text cells like this one are for reading. Code cells contain Python: click into a code cell and press **Shift + Enter** to run it. Its output appears below it. Run the cells from top to bottom, because a cell uses results of the cells above it.
 #
-# A line that begins with `assert` checks a condition. If the condition is false, the cell stops with an error. At **Predict**, decide on your own answer before you run the next cell.
+# A line that begins with `assert` checks a condition. If the condition is false, the cell stops with an error. The words in bold guide you. **Ask** begins with a question. At **Predict**, decide on your own answer before you run the next cell. At **Try**, **Look** and **Check**, run the cell and compare the result with your answer.
 #
 # The *kernel* is the Python process that runs the cells of a notebook. If something goes wrong, choose **Kernel → Restart Kernel and Run All Cells…** in the menu. Then the lesson starts again from the first cell, and your own code stays. This file is your own copy: an update of the course never overwrites it.
 

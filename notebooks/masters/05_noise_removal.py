@@ -74,7 +74,8 @@ print("noisy", noisy_row)
 # %%
 def mean_of_three(row):
     padded = np.pad(row, 1, mode="edge")  # repeats the first and the last value
-    return (padded[:-2] + padded[1:-1] + padded[2:]) // 3  # left neighbour, value, right neighbour; // drops the fraction
+    # left neighbour + value + right neighbour; // divides and drops the fraction
+    return (padded[:-2] + padded[1:-1] + padded[2:]) // 3
 
 
 averaged = mean_of_three(noisy_row)
@@ -121,7 +122,8 @@ assert mean_of_three(salted_row).tolist() == [50, 50, 50, 118, 118, 118, 50, 50,
 # %%
 def median_of_three(row):
     padded = np.pad(row, 1, mode="edge")
-    return np.sort([padded[:-2], padded[1:-1], padded[2:]], axis=0)[1]  # sorts the three values of each pixel; [1] is the middle
+    # axis=0 sorts the three values of each pixel; [1] is the middle one
+    return np.sort([padded[:-2], padded[1:-1], padded[2:]], axis=0)[1]
 
 
 print("salted", salted_row)

@@ -176,7 +176,8 @@ show([rug, global_result], ["rug, partly in the sun", f"above {otsu_threshold(ru
 
 # %%
 sunny, shady = rug[50:90, 150:250], rug[50:90, 430:500]
-dark_in_sun, bright_in_shade = np.percentile(sunny, 10), np.percentile(shady, 90)  # 10 % of the sunny pixels are darker
+# np.percentile(sunny, 10): 10 % of the sunny pixels are darker than this value
+dark_in_sun, bright_in_shade = np.percentile(sunny, 10), np.percentile(shady, 90)
 print(f"dark stripes in the sun: {dark_in_sun:.0f}   bright stripes in the shade: {bright_in_shade:.0f}")
 
 assert round(dark_in_sun) == 188 and round(bright_in_shade) == 185

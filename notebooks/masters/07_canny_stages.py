@@ -517,7 +517,8 @@ def grow_once(edges, weak):
     padded = np.pad(edges, 1)
     height, width = edges.shape
     shifted = [padded[row : row + height, col : col + width] for row in range(3) for col in range(3)]
-    return edges | (weak & np.any(shifted, axis=0))  # an edge already, or weak with an edge in its 3 × 3 neighbourhood
+    # already an edge, or a weak pixel with an edge in its 3 × 3 neighbourhood
+    return edges | (weak & np.any(shifted, axis=0))
 
 
 # %%
