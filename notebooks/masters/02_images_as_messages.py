@@ -233,7 +233,7 @@ assert image_to_array(depth)[0, 0] == 258
 # %% [markdown]
 # ## 6 · Use the library (5 minutes)
 #
-# ROS 2 has its own converter, `cv_bridge`, but pip cannot install it. The course's `CvBridge` has the same functions, with the same names and the same results. So your code runs on a robot after you change one line: the import.
+# ROS 2 has its own converter, `cv_bridge`, but pip cannot install it. The course's `CvBridge` has methods with the same names, and for correct messages the same results. So your code runs on a robot after you change one line: the import.
 #
 # **Check** that three ways give the same array: by hand, with the course's function, and with `CvBridge`.
 

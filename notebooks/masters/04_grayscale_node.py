@@ -62,7 +62,7 @@ if ros_available():
 # %% [markdown]
 # ROS called it about twenty times, although this cell only slept. If another lesson is still open, it publishes the drive too. Then there are two cameras, and you see about forty calls.
 #
-# The callback ran in a background *thread*: a part of the program that runs at the same time as your cells. In this thread runs an *executor*. It waits for messages and calls the callbacks, again and again. This is called *spinning*.
+# The callback ran in a background *thread*: a part of the program that runs at the same time as your cells. An *executor* runs in this thread. It waits for messages and calls the callbacks, again and again. This is called *spinning*.
 #
 # ## 2 · The node, line by line (14 minutes)
 #

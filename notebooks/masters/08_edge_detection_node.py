@@ -218,7 +218,7 @@ assert round(f1, 2) == 0.67
 # %% [markdown]
 # ## 5 · Your turn: F1 (22 minutes)
 #
-# Write `f1_score(edges, outlines, tolerance)`. An edge pixel is *on* an outline if an outline pixel is at most `tolerance` rows *and* at most `tolerance` columns away. In the same way, an outline pixel is *detected* if an edge pixel is at most `tolerance` rows and columns away. The check refuses an answer that uses `cv2`, SciPy, scikit-image or scikit-learn.
+# Write `f1_score(edges, outlines, tolerance)`. An edge pixel is *on* an outline if an outline pixel is at most `tolerance` rows *and* at most `tolerance` columns away. In the same way, an outline pixel is *detected* if an edge pixel is at most `tolerance` rows and columns away. In lesson 07, `grow_once` (section 8) looks at the 3 × 3 neighbourhood of every pixel: this is a tolerance of 1. The check refuses an answer that uses `cv2`, SciPy, scikit-image or scikit-learn.
 #
 # | Input | Output | Example call |
 # |---|---|---|
@@ -322,7 +322,7 @@ def f1_score(edges, outlines, tolerance):
 # %% [markdown]
 # ## 6 · Dim light (10 minutes)
 #
-# In dim light, the images of a camera have more noise. Here we add Gaussian noise with a standard deviation of 20 gray levels. In bright light, the thresholds 50, 150 have an F1 of 0.46. **Predict** their F1 in dim light.
+# In dim light, the images of a camera have more noise. Here we add Gaussian noise with a standard deviation of 20 gray levels. In bright light, the thresholds 50, 150 have a mean F1 of 0.46 on two frames. **Predict** their F1 in dim light.
 #
 # `score` computes F1 with a tolerance of 2 pixels, like your function. It uses OpenCV's `dilate`, which makes a mask larger by some pixels in every direction. This is fast enough for hundreds of images.
 
@@ -408,7 +408,7 @@ assert f1_map.max() == f1_map[1].max() and f1_map.max() < bright
 #
 # ## 7 · Evaluate on frames that you did not tune on (5 minutes)
 #
-# If you report the F1 of the two frames that you tuned on, the number is too good: the values may fit only these two frames. So evaluate the values on other frames. **Predict**: will the best values also be the best on two other frames? **Check**:
+# If you report the F1 of the two frames that you tuned on, the number is usually too good: the values may fit only these two frames. So evaluate the values on other frames. **Predict**: will the best values also be the best on two other frames? **Check**:
 
 # %%
 new_frames = load_frames(recording, (25, 65), noise=20)

@@ -132,7 +132,7 @@ if ros_available():
 # %% [markdown]
 # `ros2 run` reports the same mistake as *Package 'image_gray_processor' not found*. An *environment variable* is a named text that a program receives when it starts. ROS searches the folders in the environment variable `AMENT_PREFIX_PATH`, and our folder is not in it.
 #
-# **Repair it**: in a terminal, type `source install/setup.bash`. To *source* a file is to run its commands in the present terminal. These commands add your workspace to the variable. Your workspace is now an *overlay*, and the ROS installation is the *underlay*: ROS searches the overlay first. You must source the workspace in *every* terminal that uses its packages. A Python cell cannot source a file. So the next cell starts bash (the program that runs in a terminal), which sources the file and prints its environment variables:
+# **Repair it**: in a terminal, type `source install/setup.bash`. To *source* a file is to run its commands in the current terminal. These commands add your workspace to the variable. Your workspace is now an *overlay*, and the ROS installation is the *underlay*: ROS searches the overlay first. You must source the workspace in *every* terminal that uses its packages. A Python cell cannot source a file. So the next cell starts bash (the program that runs in a terminal), which sources the file and prints its environment variables:
 
 # %% tags=["nbval-ignore-output"]
 bash = subprocess.run(
@@ -319,9 +319,9 @@ if ros_available() and stop_now:
 #
 # The table compares the commands. With a real Kachaka robot, these things change too:
 #
-# - **Topic names.** The camera's topic is `/kachaka/front_camera/image_raw`. A robot with another name uses another first part (*namespace*). Do not change the name in the code. Use *remapping* instead: start the node with `--ros-args -r /kachaka/front_camera/image_raw:=/my_robot/front_camera/image_raw`.
+# - **Topic names.** The camera's topic is `/kachaka/front_camera/image_raw`. A robot with another name has another *namespace*: the first part of the topic name (here `/kachaka`). Do not change the name in the code. Use *remapping* instead: start the node with `--ros-args -r /kachaka/front_camera/image_raw:=/my_robot/front_camera/image_raw`.
 # - **Topics without messages.** The robot's *bridge* is the program that publishes the robot's data in ROS. It publishes images only while the topic has a subscriber, and it publishes `camera_info` only together with an image.
-# - **Wi-Fi.** 221 Mbit/s of raw images are too much for Wi-Fi. Remap to the topic that ends in `/compressed`. The nodes can read compressed images too; you do not have to change them.
+# - **Wi-Fi.** The raw images need 221 Mbit/s, which is too much for many Wi-Fi networks. Remap to the topic that ends in `/compressed`. The nodes can read compressed images too; you do not have to change them.
 # - **Versions.** The robot's bridge is made for the ROS 2 release *Humble*, and this course uses the release *Jazzy*. Do not mix two releases in one ROS graph: use a bridge that is built for Jazzy.
 # - **Other robots.** A node only finds nodes with the same *domain*, a number. By default, all robots and all laptops in a classroom use domain 0. Give each robot and its laptop a domain of their own: `export ROS_DOMAIN_ID=7`.
 # - **The charger.** While the robot is on its charger, its depth camera sends images of 0 × 0 pixels. A node must not stop because of them. Your nodes do not stop: `ImageProcessor` counts such an image as a failure and continues.
