@@ -22,7 +22,21 @@ MASTERS_VARIABLE = "IMGPROC_COURSE_MASTERS"
 _ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)+")
 
 
-def exercise(id, *, function, title="", time_limit=5.0, refused=(), tolerance=0.0, practice=False, hint=""):
+def exercise(
+    id,
+    *,
+    function,
+    title="",
+    time_limit=5.0,
+    refused=(),
+    tolerance=0.0,
+    practice=False,
+    hint="",
+    border_hint="",
+    hints=(),
+    explanation="",
+    another_way="",
+):
     """Declare an exercise, in a master's `role="exercise"` cell.
 
     The arguments are literals: they are read without running anything. The rest of that cell (imports,
@@ -39,6 +53,10 @@ def exercise(id, *, function, title="", time_limit=5.0, refused=(), tolerance=0.
     tolerance : float >= 0, absolute, in the unit of the answer, for every case that declares none
     practice : bool, checked but not graded
     hint : str, shown if a case that fails has no hint of its own
+    border_hint : str, shown instead if only values on the border of an image are wrong
+    hints : tuple of str, the steps of `hint(id)`, from a question to nearly the code
+    explanation : str, what `solution(id)` says below the code: why it is written in this way
+    another_way : str, one sentence: how a right answer could be written differently
 
     Returns
     -------
@@ -60,6 +78,8 @@ def exercise(id, *, function, title="", time_limit=5.0, refused=(), tolerance=0.
         )
     if isinstance(refused, str):
         raise MasterError(f"exercise {id}: refused={refused!r}, expected a tuple: ({refused!r},)")
+    if isinstance(hints, str):
+        raise MasterError(f"exercise {id}: hints={hints!r}, expected a tuple of texts, one for each step")
     return {
         "id": id,
         "function": function,
@@ -69,6 +89,10 @@ def exercise(id, *, function, title="", time_limit=5.0, refused=(), tolerance=0.
         "tolerance": float(tolerance),
         "practice": bool(practice),
         "hint": hint,
+        "border_hint": border_hint,
+        "hints": tuple(hints),
+        "explanation": explanation,
+        "another_way": another_way,
     }
 
 
@@ -108,6 +132,10 @@ class Exercise:
     tolerance: float
     practice: bool
     hint: str
+    border_hint: str
+    hints: tuple
+    explanation: str
+    another_way: str
     master: Path
     given: tuple = ()
     preparation: str = ""
