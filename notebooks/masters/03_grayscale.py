@@ -266,7 +266,7 @@ assert (by_light >= to_gray(patches)).all() and linear_light_gray(white_wall) ==
 # |---|---|---|
 # | `bgr`: a frame, (height, width, 3) uint8, channels blue, green, red | its luma, (height, width) uint8 | `luma(frame)` equals `gray` |
 #
-# The check refuses an answer that uses `cv2` or the course's own functions.
+# `np` is imported already. The dtype counts: the result must be uint8. The check refuses an answer that uses `cv2` or the course's own functions.
 
 # %% role="exercise"
 exercise(
@@ -276,7 +276,33 @@ exercise(
     time_limit=5,
     refused=("cv2", "imgproc_course.imaging"),
     hint="Widen, compute, round, narrow, in this order.",
+    hints=(
+        "Which channel is `bgr[..., 0]`, and which weight belongs to it? And which dtype can hold 255 * 19235?",
+        "Four steps. Widen the frame with `astype(np.uint32)`. Multiply each channel by its weight (blue 3735,"
+        " green 19235, red 9798) and add the three products. Round: add 2**14, then shift with `>> 15`."
+        " Narrow with `astype(np.uint8)`.",
+        "wide = bgr.astype(np.uint32)\n"
+        "total = wide[..., 0] * 3735 + wide[..., 1] * ... + wide[..., 2] * ...\n"
+        "return ((total + ...) >> 15).astype(...)",
+    ),
+    explanation="`astype(np.uint32)` comes first, because a product such as 255 * 19235 does not fit into uint8"
+    " or uint16. `wide[..., 0]` is the blue channel of all pixels, so one line computes the sum for the whole"
+    " frame. `+ 2**14` makes `>> 15` round to the nearest integer instead of rounding down. The parentheses are"
+    " needed, because Python computes `+` before `>>`, and the result must be narrowed last.",
+    another_way="You can also write the sum as `(wide * [3735, 19235, 9798]).sum(axis=-1)`, or compute it pixel by"
+    " pixel in two loops over the rows and columns.",
 )
+
+
+def luma_of(bgr, weights=(3735, 19235, 9798), half=2**14, dtype=np.uint32):
+    wide = bgr.astype(dtype)
+    b, g, r = (wide[..., channel] * dtype(weight) for channel, weight in enumerate(weights))
+    return ((b + g + r + dtype(half)) >> dtype(15)).astype(np.uint8)
+
+
+def weighted(bgr, blue, green, red):
+    return blue * bgr[..., 0] + green * bgr[..., 1] + red * bgr[..., 2]
+
 
 # %% role="answer"
 def luma(bgr):
@@ -299,7 +325,7 @@ def inputs(rng):
     return (rng.integers(0, 60, size=(4, 5, 3), dtype=np.uint8),)
 
 
-# %% role="case" title="bright colours" points=1 hint="uint8 holds at most 255: widen before you add or multiply."
+# %% role="case" title="bright colours" points=1 hint="Do all products and sums fit into their dtype? uint32 is large enough."
 def inputs(rng):
     return (rng.integers(150, 256, size=(4, 5, 3), dtype=np.uint8),)
 
@@ -320,35 +346,202 @@ def inputs(rng):
     return (rng.permutation(corners).reshape(2, 4, 3),)
 
 
-# %% role="mistake" name="uint8 wraps" says="uint8 overflow: the sum went above 255 and began again at 0. Widen with astype before you add."
+# %% role="mistake" name="the plain average, added as uint8" says="This is the plain average, and the sum was computed in uint8: above 255 it starts again at 0 (overflow). Luma is a weighted sum: widen first, then use the weights of section 4."
 def luma(bgr):
     b, g, r = bgr[..., 0], bgr[..., 1], bgr[..., 2]
     return (b + g + r) // np.uint8(3)
 
 
-# %% role="mistake" name="the weights are swapped" says="Blue got the weight of red. The channels are in the order blue, green, red, so the weights are 3735, 19235, 9798 in this order."
-def luma(bgr):
-    wide = bgr.astype(np.uint32)
-    total = wide[..., 2] * 3735 + wide[..., 1] * 19235 + wide[..., 0] * 9798
-    return ((total + 2**14) >> 15).astype(np.uint8)
-
-
-# %% role="mistake" name="truncated instead of rounded" says="The values are truncated, not rounded. Add one half before you narrow (with integers: add 2**14 before >> 15)."
-def luma(bgr):
-    wide = bgr.astype(np.uint32)
-    total = wide[..., 0] * 3735 + wide[..., 1] * 19235 + wide[..., 2] * 9798
-    return (total >> 15).astype(np.uint8)
-
-
-# %% role="mistake" name="the plain average" says="This is the average of the three channels. Luma is a weighted sum: green counts most, blue least."
+# %% role="mistake" name="the plain average" says="This is the plain average of the three channels. Luma is a weighted sum: green counts most, blue least."
 def luma(bgr):
     return (bgr.astype(np.uint32).sum(axis=-1) // 3).astype(np.uint8)
 
 
-# %% role="mistake" name="not narrowed" says="The values are right, but the dtype is not uint8. Narrow at the end with astype(np.uint8)."
+# %% role="mistake" name="the plain average, rounded" says="This is the plain average of the three channels. Luma is a weighted sum: green counts most, blue least."
 def luma(bgr):
-    wide = bgr.astype(np.uint32)
-    return (wide[..., 0] * 3735 + wide[..., 1] * 19235 + wide[..., 2] * 9798 + 2**14) >> 15
+    return np.round(bgr.mean(axis=-1)).astype(np.uint8)
+
+
+# %% role="mistake" name="the plain average, as float" says="This is the plain average of the three channels. Luma is a weighted sum: green counts most, blue least. At the end, round and narrow to uint8."
+def luma(bgr):
+    return bgr.mean(axis=-1)
+
+
+# %% role="mistake" name="uint16 overflows" says="uint16 ends at 65535, and a product such as 255 * 19235 is larger: it overflows. Widen with astype(np.uint32) instead."
+def luma(bgr):
+    return luma_of(bgr, dtype=np.uint16)
+
+
+# %% role="mistake" name="uint16 overflows, and no rounding" says="uint16 ends at 65535, and a product such as 255 * 19235 is larger: it overflows. Widen with astype(np.uint32) instead."
+def luma(bgr):
+    return luma_of(bgr, half=0, dtype=np.uint16)
+
+
+# %% role="mistake" name="uint16 overflows in the products" says="uint16 ends at 65535, and a product such as 255 * 19235 is larger: it overflows. Widen with astype(np.uint32) instead."
+def luma(bgr):
+    total = (bgr * np.array([3735, 19235, 9798], np.uint16)).sum(axis=-1)
+    return ((total + np.uint64(2**14)) >> np.uint64(15)).astype(np.uint8)
+
+
+# %% role="mistake" name="int16 overflows" says="int16 ends at 32767, and a product such as 255 * 19235 is larger: it overflows. Widen with astype(np.uint32) instead."
+def luma(bgr):
+    return luma_of(bgr, dtype=np.int16)
+
+
+# %% role="mistake" name="the first rows instead of the channels" says="bgr[0] is the first row of the image, not the blue channel. The channels are on the last axis: write bgr[..., 0]."
+def luma(bgr):
+    return luma_of(np.stack([bgr[0], bgr[1], bgr[2]], axis=-1))
+
+
+# %% role="mistake" name="the first rows instead of the channels, truncated" says="bgr[0] is the first row of the image, not the blue channel. The channels are on the last axis: write bgr[..., 0]."
+def luma(bgr):
+    return luma_of(np.stack([bgr[0], bgr[1], bgr[2]], axis=-1), half=0)
+
+
+# %% role="mistake" name="the average of the first rows, as uint8" says="bgr[0] is the first row of the image, not the blue channel. The channels are on the last axis: write bgr[..., 0]."
+def luma(bgr):
+    return (bgr[0] + bgr[1] + bgr[2]) // np.uint8(3)
+
+
+# %% role="mistake" name="the first columns instead of the channels" says="bgr[:, 0] is the first column of the image, not the blue channel. The channels are on the last axis: write bgr[..., 0]."
+def luma(bgr):
+    return luma_of(np.stack([bgr[:, 0], bgr[:, 1], bgr[:, 2]], axis=-1))
+
+
+# %% role="mistake" name="decimal weights, rounded" says="Nearly all values are right; a few differ by one gray level. This is the effect of decimal weights (0.114, 0.587, 0.299): use the integer weights 3735, 19235 and 9798 of section 4."
+def luma(bgr):
+    return np.round(weighted(bgr, 0.114, 0.587, 0.299)).astype(np.uint8)
+
+
+# %% role="mistake" name="decimal weights, one half added" says="Nearly all values are right; a few differ by one gray level. This is the effect of decimal weights (0.114, 0.587, 0.299): use the integer weights 3735, 19235 and 9798 of section 4."
+def luma(bgr):
+    return (weighted(bgr, 0.114, 0.587, 0.299) + 0.5).astype(np.uint8)
+
+
+# %% role="mistake" name="decimal weights, truncated" says="The values are truncated, not rounded: the fraction is dropped. Add one half before you narrow (with integers: add 2**14 before >> 15)."
+def luma(bgr):
+    return weighted(bgr, 0.114, 0.587, 0.299).astype(np.uint8)
+
+
+# %% role="mistake" name="decimal weights, as float" says="The values still have fractions, and the dtype is float. Use the integer weights of section 4, round with + 2**14, shift, and narrow with astype(np.uint8)."
+def luma(bgr):
+    return weighted(bgr, 0.114, 0.587, 0.299)
+
+
+# %% role="mistake" name="the sum divided, as float" says="The values still have fractions, and the dtype is float. Use the integer weights of section 4, round with + 2**14, shift, and narrow with astype(np.uint8)."
+def luma(bgr):
+    return weighted(bgr.astype(np.uint32), 3735, 19235, 9798) / 2**15
+
+
+# %% role="mistake" name="truncated instead of rounded" says="The values are truncated, not rounded: the fraction is dropped. Add one half before you narrow (with integers: add 2**14 before >> 15)."
+def luma(bgr):
+    return luma_of(bgr, half=0)
+
+
+# %% role="mistake" name="one added instead of one half" says="You add 2**15 before >> 15, which makes every truncated value larger by 1. Half of 32768 is 2**14."
+def luma(bgr):
+    return luma_of(bgr, half=2**15)
+
+
+# %% role="mistake" name="weights that add up to 32769" says="The weights 3736, 19235 and 9798 add up to 32769, one too many. The weight of blue is 3735."
+def luma(bgr):
+    return luma_of(bgr, (3736, 19235, 9798))
+
+
+# %% role="mistake" name="the weights of red and blue are swapped" says="Blue got the weight of red, as if the channels were red, green, blue. In a frame they are blue, green, red: the weights are 3735, 19235, 9798 in this order."
+def luma(bgr):
+    return luma_of(bgr, (9798, 19235, 3735))
+
+
+# %% role="mistake" name="swapped and truncated" says="Blue got the weight of red, as if the channels were red, green, blue. In a frame they are blue, green, red: the weights are 3735, 19235, 9798 in this order. Also round: add 2**14 before >> 15."
+def luma(bgr):
+    return luma_of(bgr, (9798, 19235, 3735), half=0)
+
+
+# %% role="mistake" name="swapped decimal weights, rounded" says="Blue got the weight of red, as if the channels were red, green, blue. In a frame they are blue, green, red: the weights are 3735, 19235, 9798 in this order."
+def luma(bgr):
+    return np.round(weighted(bgr, 0.299, 0.587, 0.114)).astype(np.uint8)
+
+
+# %% role="mistake" name="swapped decimal weights, truncated" says="Blue got the weight of red, as if the channels were red, green, blue. In a frame they are blue, green, red: the weights are 3735, 19235, 9798 in this order. Also round: add 2**14 before >> 15."
+def luma(bgr):
+    return weighted(bgr, 0.299, 0.587, 0.114).astype(np.uint8)
+
+
+# %% role="mistake" name="swapped, in 16 bits, as Pillow computes" says="Blue got the weight of red, as if the channels were red, green, blue. In a frame they are blue, green, red: the weights are 3735, 19235, 9798 in this order."
+def luma(bgr):
+    return ((weighted(bgr.astype(np.uint32), 19595, 38470, 7471) + 2**15) >> 16).astype(np.uint8)
+
+
+# %% role="mistake" name="the weights of green and red are swapped" says="Green and red got each other's weight. The channels are blue, green, red: the weights are 3735, 19235, 9798 in this order."
+def luma(bgr):
+    return luma_of(bgr, (3735, 9798, 19235))
+
+
+# %% role="mistake" name="divided by 2**16" says="The values are half as large as they should be: divide by 2**15 (shift by 15), not by 2**16."
+def luma(bgr):
+    return ((weighted(bgr.astype(np.uint32), 3735, 19235, 9798) + 2**14) >> 16).astype(np.uint8)
+
+
+# %% role="mistake" name="every value is 0" says="Every value is 0. If you narrow to uint8 before the shift, shift first and narrow last. If you write >> 15 + 2**14, put the sum in parentheses: + is computed before >>, so the shift is too far."
+def luma(bgr):
+    return np.zeros(bgr.shape[:2], np.uint8)
+
+
+# %% role="mistake" name="three channels kept" says="Your result still has three channels. Luma has one value per pixel: add the three weighted channels, then round and narrow."
+def luma(bgr):
+    return ((bgr * np.array([3735, 19235, 9798]) + 2**14) >> 15).astype(np.uint8)
+
+
+# %% role="mistake" name="summed over the rows" says="Your sum goes over axis 0, along the rows of the image. The three channels are on the last axis: use axis=-1 in sum."
+def luma(bgr):
+    return ((bgr * np.array([3735, 19235, 9798])).sum(axis=0) + 2**14 >> 15).astype(np.uint8)
+
+
+# %% role="mistake" name="summed over the columns" says="Your sum goes over axis 1, along the columns of the image. The three channels are on the last axis: use axis=-1 in sum."
+def luma(bgr):
+    return ((bgr * np.array([3735, 19235, 9798])).sum(axis=1) + 2**14 >> 15).astype(np.uint8)
+
+
+# %% role="mistake" name="the pixel of section 1" says="You return one number, 104, for every image: the luma of the single pixel of section 1. Use the channels of the argument bgr: bgr[..., 0], bgr[..., 1] and bgr[..., 2]."
+def luma(bgr):
+    return 104
+
+
+# %% role="mistake" name="the largest channel" says="This is the largest channel of each pixel, not luma. Luma is a weighted sum of the three channels."
+def luma(bgr):
+    return bgr.max(axis=-1)
+
+
+# %% role="mistake" name="lightness" says="This is the lightness: the mean of the largest and the smallest channel. Luma is a weighted sum of the three channels."
+def luma(bgr):
+    wide = bgr.astype(np.uint16)
+    return ((wide.max(axis=-1) + wide.min(axis=-1)) // 2).astype(np.uint8)
+
+
+# %% role="mistake" name="weights of BT.709, rounded" says="These are the weights of another standard, BT.709 (0.2126, 0.7152, 0.0722). This lesson uses BT.601: the integer weights 3735, 19235 and 9798."
+def luma(bgr):
+    return np.round(weighted(bgr, 0.0722, 0.7152, 0.2126)).astype(np.uint8)
+
+
+# %% role="mistake" name="weights of BT.709, truncated" says="These are the weights of another standard, BT.709 (0.2126, 0.7152, 0.0722). This lesson uses BT.601: the integer weights 3735, 19235 and 9798. Also round, do not truncate."
+def luma(bgr):
+    return weighted(bgr, 0.0722, 0.7152, 0.2126).astype(np.uint8)
+
+
+# %% role="mistake" name="the blue channel" says="You return the blue channel alone. Luma is a weighted sum of blue, green and red."
+def luma(bgr):
+    return bgr[..., 0].copy()
+
+
+# %% role="mistake" name="the green channel" says="You return the green channel alone. Luma is a weighted sum of blue, green and red."
+def luma(bgr):
+    return bgr[..., 1].copy()
+
+
+# %% role="mistake" name="the red channel" says="You return the red channel alone. Luma is a weighted sum of blue, green and red."
+def luma(bgr):
+    return bgr[..., 2].copy()
 
 
 # %% [markdown]
