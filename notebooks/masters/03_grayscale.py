@@ -320,7 +320,7 @@ def luma(bgr):
 check("grayscale-luma", luma)
 
 
-# %% role="case" title="dark colours" points=1 hint="Which channel is first, and which weight belongs to it?"
+# %% role="case" title="dark colours" points=1 hint="Compute one pixel by hand: (blue * 3735 + green * 19235 + red * 9798 + 2**14) >> 15. Where does your function do something else?"
 def inputs(rng):
     return (rng.integers(0, 60, size=(4, 5, 3), dtype=np.uint8),)
 
@@ -330,7 +330,7 @@ def inputs(rng):
     return (rng.integers(150, 256, size=(4, 5, 3), dtype=np.uint8),)
 
 
-# %% role="case" title="many colours" points=1 hint="Which weights does OpenCV use? The three must add up to 32768."
+# %% role="case" title="many colours" points=1 hint="Which weights does OpenCV use? The three integers must add up to 32768."
 def inputs(rng):
     return (rng.integers(0, 256, size=(48, 64, 3), dtype=np.uint8),)
 
@@ -421,6 +421,12 @@ def luma(bgr):
 # %% role="mistake" name="decimal weights, truncated" says="The values are truncated, not rounded: the fraction is dropped. Add one half before you narrow (with integers: add 2**14 before >> 15)."
 def luma(bgr):
     return weighted(bgr, 0.114, 0.587, 0.299).astype(np.uint8)
+
+
+# %% role="mistake" name="each product narrowed" says="The three products are narrowed to uint8 one by one, and each loses its fraction. Add them first; then round, and narrow last."
+def luma(bgr):
+    b, g, r = bgr[..., 0], bgr[..., 1], bgr[..., 2]
+    return (0.114 * b).astype(np.uint8) + (0.587 * g).astype(np.uint8) + (0.299 * r).astype(np.uint8)
 
 
 # %% role="mistake" name="decimal weights, as float" says="The values still have fractions, and the dtype is float. Use the integer weights of section 4, round with + 2**14, shift, and narrow with astype(np.uint8)."
