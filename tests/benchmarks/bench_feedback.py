@@ -49,7 +49,7 @@ _NO_SENTENCE = re.compile(
 
 @cache
 def lesson_statements(master, exercise_id):
-    """The top-level statements of the lesson's plain cells before the answer, with the names that they bind."""
+    """The top-level statements of the plain cells before the answer, with the names that they bind."""
     statements = []
     for cell in read_script(master).cells:
         if cell.role == "answer" and exercise_id in cell.options.get("exercise", exercise_id):
