@@ -22,8 +22,8 @@ from pathlib import Path
 
 from imgproc_course.autograder.answer_forms import read_calls
 from imgproc_course.autograder.sandbox.inside.check_cell import MIME
-from imgproc_course.autograder.sandbox.inside.input_encoding import decode
 from imgproc_course.exercises.canonical import canonical
+from imgproc_course.exercises.input_encoding import decode
 
 FORMAT = 2
 HANDED_OUT = "handed_out.json"

@@ -28,11 +28,11 @@ from imgproc_course.autograder.answer_key import (
 )
 from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.autograder.sandbox.inside.check_cell import MIME, argument_names, call_to_json
-from imgproc_course.autograder.sandbox.inside.input_encoding import decode, encode
 from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.autograder.verdict import verdict_on
 from imgproc_course.exercises import running
 from imgproc_course.exercises.declaration import MasterError
+from imgproc_course.exercises.input_encoding import decode, encode
 
 _EMIT_IMPORT = "from imgproc_course.autograder.sandbox.inside.check_cell import emit"
 _PLACEHOLDER = "# the learner's answer"

@@ -9,8 +9,8 @@ import pytest
 
 from imgproc_course.autograder.answer_key import KeyFolderError, load_key
 from imgproc_course.autograder.make_answer_key import make_key, sample_answers
-from imgproc_course.autograder.sandbox.inside.input_encoding import decode
 from imgproc_course.exercises import MasterError, read_exercises
+from imgproc_course.exercises.input_encoding import decode
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("key")]
 MASTERS = Path(__file__).parent / "masters"

@@ -24,8 +24,8 @@ from rich.table import Table
 
 from imgproc_course.autograder.make_answer_key import make_key, sample_answers
 from imgproc_course.autograder.pool import autograde
-from imgproc_course.autograder.sandbox.inside.input_encoding import decode
 from imgproc_course.exercises import array_of, read_exercises
+from imgproc_course.exercises.input_encoding import decode
 
 ROOT = Path(__file__).parents[2]
 MASTERS = ROOT / "notebooks" / "masters"

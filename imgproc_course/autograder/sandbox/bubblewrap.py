@@ -18,7 +18,7 @@ SOURCE = Path(__file__).resolve().parents[2]  # the folder imgproc_course
 INSIDE = Path(__file__).resolve().parent / "inside"
 COURSE_PACKAGES = ("messages", "imaging", "recording", "display", "ros")  # what lessons teach with
 # Modules of `exercises` that check cells need; none of them knows an answer.
-EXERCISES_MODULES = ("canonical", "comparison", "dependencies", "running")
+EXERCISES_MODULES = ("canonical", "comparison", "dependencies", "input_encoding", "running")
 SITE, COURSE, PYTHON = "/course/site-packages", "/course/packages", "/python"  # paths inside the sandbox
 AUTOGRADER = f"{COURSE}/imgproc_course/autograder"
 _PYTHON_OPTIONS = ("-s", "-P", "-B")  # not -I: it ignores PYTHONHASHSEED

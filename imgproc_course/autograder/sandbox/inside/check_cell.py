@@ -14,9 +14,9 @@ import signal
 import sys
 import types
 
-from imgproc_course.autograder.sandbox.inside.input_encoding import decode
 from imgproc_course.exercises import running
 from imgproc_course.exercises.dependencies import find_dependencies
+from imgproc_course.exercises.input_encoding import decode
 
 MIME = "application/vnd.imgproc-course.answer+json"
 MAX_DATA = 1_000_000  # bytes of one array; a larger one is replaced by its digest

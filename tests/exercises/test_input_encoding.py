@@ -9,7 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as npst
 
-from imgproc_course.autograder.sandbox.inside.input_encoding import decode, encode
+from imgproc_course.exercises.input_encoding import decode, encode
 
 NUMBERS = st.one_of(
     npst.integer_dtypes(endianness="?"), npst.floating_dtypes(endianness="?"), npst.boolean_dtypes()
