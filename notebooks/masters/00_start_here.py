@@ -134,7 +134,13 @@ assert frame.max() == 255 and half.max() == 127
 # %% [markdown]
 # ## 5 · Your turn: the first exercise (3 minutes)
 #
-# How many pixels does an image have? Write the function `count_pixels(frame)`. It gets an image, an array like `frame` above, and returns one whole number: rows × columns. Delete the line with `raise`, and write your own code there. Then run this cell and the cell below it, which checks your answer.
+# How many pixels does an image have? Write the function `count_pixels(frame)`:
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `frame`: a colour image, an array like `frame` above, of any size | the number of its pixels: one whole number, rows × columns | for an image of 2 rows and 3 columns, `count_pixels(image)` gives `6` |
+#
+# Delete the line with `raise`, and write your own code there. Then run this cell and the cell below it, which checks your answer.
 #
 # This exercise is for practice: it gives no points, but it shows how every exercise works.
 
@@ -146,6 +152,13 @@ exercise(
     practice=True,
     time_limit=5,
     hint="frame.shape has three numbers. The first two are the number of rows and the number of columns.",
+    hints=(
+        "frame.shape of the robot's frame is (720, 1280, 3). Which of these three numbers do you need to count the pixels?",
+        "The first number of frame.shape is the number of rows, the second is the number of columns. Take both from frame.shape, multiply them, and return the product.",
+        "Python counts from 0: rows = frame.shape[0] and columns = frame.shape[1]. The last line is return rows * columns.",
+    ),
+    explanation="frame.shape[0] is the number of rows and frame.shape[1] the number of columns. Each row has the same number of pixels, so the product is the number of all pixels. The third number, the channels, is not needed: the three numbers of a pixel belong to one pixel. Because the size comes from frame.shape, the function works for an image of any size.",
+    another_way="You can also write rows, columns, channels = frame.shape and return rows * columns.",
 )
 
 # %% role="answer" exercise="start-count"
@@ -170,20 +183,86 @@ def inputs(rng):
     return (rng.integers(0, 256, size=(rows, columns + 9, 3), dtype=np.uint8),)
 
 
+# %% role="case" exercise="start-count" title="a dark image with black pixels" points=0
+def inputs(rng):
+    rows, columns = rng.integers(3, 6, size=2)
+    return (rng.integers(0, 3, size=(rows + 6, columns, 3), dtype=np.uint8),)
+
+
 # %% role="hidden" exercise="start-count" title="another image" hint="Does your function read both numbers from frame.shape?"
 def inputs(rng):
     rows, columns = rng.integers(10, 30, size=2)
     return (rng.integers(0, 256, size=(rows, columns + 30, 3), dtype=np.uint8),)
 
 
-# %% role="mistake" exercise="start-count" name="numbers counted instead of pixels" says="Your function counts all numbers, and each pixel has three. frame.size is the number of numbers. The number of pixels is rows × columns."
+# %% role="mistake" exercise="start-count" name="numbers counted instead of pixels" says="Your function counts all numbers of the array (as frame.size does), and each pixel has three. Multiply only the number of rows by the number of columns."
 def count_pixels(frame):
     return int(frame.size)
 
 
-# %% role="mistake" exercise="start-count" name="rows counted instead of pixels" says="That is only the number of rows. Multiply it by the number of columns."
+# %% role="mistake" exercise="start-count" name="rows counted instead of pixels" says="That is only the number of rows, len(frame). Multiply it by the number of columns, frame.shape[1]."
 def count_pixels(frame):
     return len(frame)
+
+
+# %% role="mistake" exercise="start-count" name="columns counted instead of pixels" says="That is only the number of columns: the pixels of one row. Count the pixels of all rows. If you use a loop, return must stand below the loop; a return inside it ends the function in the first row."
+def count_pixels(frame):
+    return frame.shape[1]
+
+
+# %% role="mistake" exercise="start-count" name="rows plus columns" says="That is the sum of rows and columns. Each row has as many pixels as there are columns, so multiply the two numbers."
+def count_pixels(frame):
+    return frame.shape[0] + frame.shape[1]
+
+
+# %% role="mistake" exercise="start-count" name="columns times channels" says="That is columns × channels. Python counts from 0: the rows are frame.shape[0], the columns are frame.shape[1], and frame.shape[2] is the number of channels."
+def count_pixels(frame):
+    return frame.shape[1] * frame.shape[2]
+
+
+# %% role="mistake" exercise="start-count" name="rows times channels" says="That is rows × channels. Python counts from 0: the rows are frame.shape[0], the columns are frame.shape[1], and frame.shape[2] is the number of channels."
+def count_pixels(frame):
+    return frame.shape[0] * frame.shape[2]
+
+
+# %% role="mistake" exercise="start-count" name="the size of the lesson's frame" says="921600 = 720 × 1280 is right only for the robot's frame. Another image has another size: take the rows and the columns from frame.shape."
+def count_pixels(frame):
+    return 720 * 1280
+
+
+# %% role="mistake" exercise="start-count" name="the last row and column not counted" says="One row and one column are missing in the result. If you use loops: range(n) already stops before n, so write range(rows) and range(columns), without - 1."
+def count_pixels(frame):
+    return (frame.shape[0] - 1) * (frame.shape[1] - 1)
+
+
+# %% role="mistake" exercise="start-count" name="shape returned instead of a product" says="Your function returns two numbers, the rows and the columns, as a tuple. Multiply them, and return one number."
+def count_pixels(frame):
+    return frame.shape[0], frame.shape[1]
+
+
+# %% role="mistake" exercise="start-count" name="whole shape returned" says="Your function returns the whole shape, a tuple of three numbers. Multiply its first two numbers, rows and columns, and return one number."
+def count_pixels(frame):
+    return frame.shape
+
+
+# %% role="mistake" exercise="start-count" name="black not counted" says="Your function counts the numbers that are not 0. The values do not matter here, only the number of pixels: multiply the rows by the columns of frame.shape."
+def count_pixels(frame):
+    return np.count_nonzero(frame)
+
+
+# %% role="mistake" exercise="start-count" name="values added up" says="That is the sum of all values in the image. The values do not matter here: count the pixels, rows × columns, with frame.shape."
+def count_pixels(frame):
+    return int(frame.sum())
+
+
+# %% role="mistake" exercise="start-count" name="different values counted" says="That is the number of different values in the image (as np.unique finds them). Count the pixels instead: multiply the rows by the columns of frame.shape."
+def count_pixels(frame):
+    return np.unique(frame).size
+
+
+# %% role="mistake" exercise="start-count" name="text returned" says="Your function returns the right number as text (a string). Return the number itself: rows * columns, without quotation marks, str() or an f-string."
+def count_pixels(frame):
+    return str(frame.shape[0] * frame.shape[1])
 
 
 # %% [markdown]

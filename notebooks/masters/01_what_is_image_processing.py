@@ -243,9 +243,16 @@ assert (with_edges(frame)["edges"] == edges).all()
 # %% [markdown]
 # ## 11 · Your turn: name the operation (8 minutes)
 #
-# Write `name_operation(before, after)`. It gets a colour image and the result of one operation, and returns one of four names: `"grayscale"`, `"binarization"`, `"edges"`, `"noise removal"`.
+# Write `name_operation(before, after)`. It gets an image before and after one operation, and returns the name of this operation.
 #
-# Everything you need is shown above: use the shape of `after`, its values, and the share of its white pixels. In this exercise, at least a quarter of the pixels of every binary image are white, and less than a fifth of the pixels of every edge image.
+# | Input | Output | Example call |
+# |---|---|---|
+# | `before`: a colour image of any size | one of the four texts `"grayscale"`, `"binarization"`, `"edges"`, `"noise removal"`, exactly as they are written here | `name_operation(frame, gray)` gives `"grayscale"` |
+# | `after`: the result of one operation on `before` | | `name_operation(noisy, cleaned)` gives `"noise removal"` |
+#
+# Everything you need is shown above: use the number of dimensions of `after` (`after.ndim` is 2 for a gray image and 3 for a colour image), the number of its different values, and the share of its white pixels. In this exercise, at least a quarter of the pixels of every binary image are white, and less than a fifth of the pixels of every edge image.
+#
+# `np` is ready to use in every exercise. Import everything else that you use in the cell itself.
 
 # %% role="exercise"
 import cv2
@@ -256,7 +263,14 @@ exercise(
     function="name_operation",
     time_limit=5,
     refused=(),
-    hint="Ask in this order: does after have three channels? Does it have more than two different values? Is the share of white pixels small?",
+    hint="Ask in this order: does after have three dimensions? Does it have more than two different values? Is the share of white pixels small?",
+    hints=(
+        "Which of the four results still has colours? And which of the other three has more than two different values?",
+        "Three questions are enough. First: does after have three dimensions? Then it is noise removal. Second: does it have more than two different values? Then it is grayscale. Third: is the share of white pixels less than a fifth? Then it is edges; otherwise it is binarization.",
+        'The three conditions are: after.ndim == 3, then np.unique(after).size > 2, then (after == 255).mean() < 0.2. Write an if with a return for each of them. The last line is return "binarization".',
+    ),
+    explanation="Each question separates one operation from the rest, so the order matters. Only noise removal keeps the three channels, and so the third dimension. Only a gray image has more than two different values. Binary images and edge images both have only 0 and 255; they differ in the share of white pixels: edges are thin lines, so few pixels are white.",
+    another_way="You can also write len(after.shape) == 3 for the first question, and compare the share of white pixels with 0.25 instead of 0.2.",
 )
 
 
@@ -267,6 +281,10 @@ def room_image(rng):
         row, column = rng.integers(0, 70), rng.integers(0, 90)
         image[row : row + rng.integers(15, 40), column : column + rng.integers(20, 60)] = rng.integers(0, 256, size=3)
     return np.clip(image + rng.normal(0, 3, size=image.shape), 0, 255).astype(np.uint8)
+
+
+def to_gray(before):
+    return cv2.cvtColor(before, cv2.COLOR_BGR2GRAY)
 
 
 # %% role="answer" exercise="tour-name"
@@ -292,20 +310,72 @@ check("tour-name", name_operation)
 # %% role="case" exercise="tour-name" title="a gray image" points=1
 def inputs(rng):
     before = room_image(rng)
-    return before, cv2.cvtColor(before, cv2.COLOR_BGR2GRAY)
+    return before, to_gray(before)
 
 
 # %% role="case" exercise="tour-name" title="an image of areas" points=1
 def inputs(rng):
     before = room_image(rng)
-    gray = cv2.cvtColor(before, cv2.COLOR_BGR2GRAY)
+    gray = to_gray(before)
     return before, np.where(gray > np.median(gray) - 1, 255, 0).astype(np.uint8)
+
+
+# %% role="case" exercise="tour-name" title="an image of lines" points=0
+def inputs(rng):
+    before = room_image(rng)
+    return before, cv2.Canny(to_gray(before), 50, 150)
+
+
+# %% role="case" exercise="tour-name" title="an image with less noise" points=0
+def inputs(rng):
+    before = room_image(rng)
+    return before, cv2.medianBlur(before, 3)
+
+
+# %% role="case" exercise="tour-name" title="noise removal in an image without noise: nothing changes" points=0
+def inputs(rng):
+    before = np.full((7, 9, 3), rng.integers(40, 200, size=3), dtype=np.uint8)
+    return before, cv2.medianBlur(before, 3)
+
+
+# %% role="case" exercise="tour-name" title="a gray image with some white pixels" points=0
+def inputs(rng):
+    before = rng.integers(20, 200, size=(8, 10, 3), dtype=np.uint8)
+    before[3, 2:5] = 255
+    return before, to_gray(before)
+
+
+# %% role="case" exercise="tour-name" title="a gray image of only three rows" points=0
+def inputs(rng):
+    before = rng.integers(20, 200, size=(3, 11, 3), dtype=np.uint8)
+    return before, to_gray(before)
+
+
+# %% role="case" exercise="tour-name" title="a gray image whose first row is all the same" points=0
+def inputs(rng):
+    before = rng.integers(20, 200, size=(8, 10, 3), dtype=np.uint8)
+    before[0] = 120
+    return before, to_gray(before)
+
+
+# %% role="case" exercise="tour-name" title="an image of areas, mostly black" points=0
+def inputs(rng):
+    before = room_image(rng)
+    gray = to_gray(before)
+    return before, np.where(gray > np.quantile(gray, 0.6), 255, 0).astype(np.uint8)
+
+
+# %% role="case" exercise="tour-name" title="an image of many lines" points=0
+def inputs(rng):
+    stripes = np.tile(np.repeat([30, 220], 7), 6)[rng.integers(0, 7) :][:72].astype(np.uint8)
+    before = np.dstack([np.tile(stripes, (40, 1))] * 3)
+    return before, cv2.Canny(to_gray(before), 50, 150)
 
 
 # %% role="hidden" exercise="tour-name" title="an image of lines" points=1 hint="The image has two values, but few white pixels. Which of the four operations gives lines?"
 def inputs(rng):
     before = room_image(rng)
-    return before, cv2.Canny(cv2.cvtColor(before, cv2.COLOR_BGR2GRAY), 50, 150)
+    return before, cv2.Canny(to_gray(before), 50, 150)
 
 
 # %% role="hidden" exercise="tour-name" title="an image with less noise" points=1 hint="Only one of the four operations keeps the colours."
@@ -320,10 +390,117 @@ def name_operation(before, after):
     return "binarization" if operation == "grayscale" else operation
 
 
-# %% role="mistake" exercise="tour-name" name="areas taken for lines" says="Not every image of two values is an edge image: binarization gives areas, edges are thin lines. Look at the share of white pixels."
+# %% role="mistake" exercise="tour-name" name="areas taken for lines" says="Not every image of two values is an edge image: binarization gives areas. Look at the share of white pixels, (after == 255).mean(). It is a number between 0 and 1: compare it with 0.2, not with 20."
 def name_operation(before, after):
     operation = solution(before, after)
     return "edges" if operation == "binarization" else operation
+
+
+# %% role="mistake" exercise="tour-name" name="lines taken for areas" says="Not every image of two values is a binary image: edges have only 0 and 255, too. Edges are lines, so the share of white pixels is small. The share is the mean of the mask, (after == 255).mean(). The number of white pixels (sum) is not the share, and after.mean() is the mean gray level, from 0 to 255."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "binarization" if operation == "edges" else operation
+
+
+# %% role="mistake" exercise="tour-name" name="lines and areas swapped" says="The two names are swapped. In an edge image the lines are thin, so less than a fifth of the pixels are white. A binary image has larger white areas."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return {"edges": "binarization", "binarization": "edges"}.get(operation, operation)
+
+
+# %% role="mistake" exercise="tour-name" name="other name: gray" says="Your function returns \"gray\". The name in this exercise is \"grayscale\": use the four texts exactly as the task gives them."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "gray" if operation == "grayscale" else operation
+
+
+# %% role="mistake" exercise="tour-name" name="other name: binary" says="Your function returns \"binary\". The name in this exercise is \"binarization\": use the four texts exactly as the task gives them."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "binary" if operation == "binarization" else operation
+
+
+# %% role="mistake" exercise="tour-name" name="capital letters" says="The names begin with a capital letter. Python distinguishes capital and small letters: write all four names in small letters."
+def name_operation(before, after):
+    return solution(before, after).capitalize()
+
+
+# %% role="mistake" exercise="tour-name" name="no name for areas" says="For an image of areas your function returns None: no return was reached. Add the last case, return \"binarization\"."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return None if operation == "binarization" else operation
+
+
+# %% role="mistake" exercise="tour-name" name="three channels not recognised" says="The colour image was not recognised by its three dimensions. after.shape is a tuple such as (90, 120, 3): it never equals the number 3, and other images have another size than the lesson's frame. Compare after.ndim, the number of dimensions, with 3."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "grayscale" if operation == "noise removal" else operation
+
+
+# %% role="mistake" exercise="tour-name" name="three rows taken for three channels" says="len(after) and after.shape[0] are the number of rows, not the number of dimensions. Compare after.ndim or len(after.shape) with 3."
+def name_operation(before, after):
+    if len(after) == 3:
+        return "noise removal"
+    operation = solution(before, after)
+    return "grayscale" if operation == "noise removal" else operation
+
+
+# %% role="mistake" exercise="tour-name" name="before and after expected to be equal" says="Noise removal was recognised only where before and after are equal. But noise removal changes pixels. What stays is the shape, with three channels: look at after.ndim."
+def name_operation(before, after):
+    if np.array_equal(before, after):
+        return "noise removal"
+    operation = solution(before, after)
+    return "grayscale" if operation == "noise removal" else operation
+
+
+# %% role="mistake" exercise="tour-name" name="the same name for every image" says="An image without colours was named \"noise removal\". Do you look at before? It is a colour image every time. Look at after: its dimensions, its values and its share of white pixels."
+def name_operation(before, after):
+    return "noise removal"
+
+
+# %% role="mistake" exercise="tour-name" name="two values taken for gray" says="An image with only two different values was named \"grayscale\". Count the different values: np.unique(after).size."
+def name_operation(before, after):
+    return "noise removal" if after.ndim == 3 else "grayscale"
+
+
+# %% role="mistake" exercise="tour-name" name="image returned" says="For a colour image your function returns the image itself. Return the name of the operation as text, \"noise removal\"."
+def name_operation(before, after):
+    return after if after.ndim == 3 else "grayscale"
+
+
+# %% role="mistake" exercise="tour-name" name="number of gray levels fixed" says="A gray image was named \"edges\". How many gray levels an image has differs from image to image (one frame of the lesson has 246). More than two different values means grayscale."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "edges" if operation == "grayscale" else operation
+
+
+# %% role="mistake" exercise="tour-name" name="white pixels in a gray image" says="A gray image with white pixels (255) was not recognised. A gray image can have every value from 0 to 255: count the different values of after. More than two means grayscale."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "edges" if operation == "grayscale" and after.max() == 255 else operation
+
+
+# %% role="mistake" exercise="tour-name" name="only the first row counted" says="A gray image whose first row has only one value was not recognised. after[0] is only the first row: count the different values of the whole array, np.unique(after)."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "edges" if operation == "grayscale" and np.unique(after[0]).size <= 2 else operation
+
+
+# %% role="mistake" exercise="tour-name" name="a later name replaces an earlier one" says="All images with few white pixels are named \"edges\", the gray and the colour image, too. If your ifs stand one after the other, a later one replaces the name of an earlier one: use elif, or return the name at once."
+def name_operation(before, after):
+    return "edges" if (after == 255).mean() < 0.2 else solution(before, after)
+
+
+# %% role="mistake" exercise="tour-name" name="limit for lines too low" says="An edge image with many lines was named \"binarization\". In an edge image, up to a fifth of the pixels may be white: compare the share with 0.2."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "binarization" if operation == "edges" and (after == 255).mean() > 0.1 else operation
+
+
+# %% role="mistake" exercise="tour-name" name="limit for areas too high" says="A binary image with more black than white was named \"edges\". In a binary image of this exercise only a quarter of the pixels may be white: compare the share with 0.2."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "edges" if operation == "binarization" and (after == 255).mean() < 0.45 else operation
 
 
 # %% [markdown]

@@ -213,7 +213,7 @@ def name_operation(before, after):
         return after
     return "grayscale"
 
-# %% name="edges below a tenth" origin="new" sentence="An edge image may have white on up to a fifth of its pixels, and you stop at a tenth: compare with 0.2." must_say=["0\\.2|fifth|20 ?%|quarter", "edge|white|share"] kind="value" passes=true
+# %% name="edges below a tenth" origin="new" sentence="An edge image may have white on up to a fifth of its pixels, and you stop at a tenth: compare with 0.2." must_say=["0\\.2|fifth|20 ?%|quarter", "edge|white|share"] kind="value"
 def name_operation(before, after):
     if after.ndim == 3:
         return "noise removal"
@@ -223,7 +223,7 @@ def name_operation(before, after):
         return "edges"
     return "binarization"
 
-# %% name="binary only above a half" origin="new" sentence="A binary image may have white on only a quarter of its pixels, and you ask for a half: compare with 0.25 or 0.2." must_say=["0\\.2|quarter|25 ?%|fifth", "binar|white|share"] kind="value" passes=true
+# %% name="binary only above a half" origin="new" sentence="A binary image may have white on only a quarter of its pixels, and you ask for a half: compare with 0.25 or 0.2." must_say=["0\\.2|quarter|25 ?%|fifth", "binar|white|share"] kind="value"
 def name_operation(before, after):
     if after.ndim == 3:
         return "noise removal"
@@ -233,7 +233,7 @@ def name_operation(before, after):
         return "binarization"
     return "edges"
 
-# %% name="gray recognized by a missing 255" origin="new" sentence="A gray image can have white pixels (255), too: count its different values instead, more than two means gray." must_say=["255|white", "different|two|unique|values"] kind="value" passes=true
+# %% name="gray recognized by a missing 255" origin="new" sentence="A gray image can have white pixels (255), too: count its different values instead, more than two means gray." must_say=["255|white", "different|two|unique|values"] kind="value"
 def name_operation(before, after):
     if after.ndim == 3:
         return "noise removal"
@@ -243,7 +243,7 @@ def name_operation(before, after):
         return "edges"
     return "binarization"
 
-# %% name="only the first row looked at" origin="new" sentence="after[0] is the first row only, and a gray image can have one or two values there: look at the whole array." must_say=["first row|after\\[0\\]|one row", "whole|all|entire|every"] kind="value" passes=true
+# %% name="only the first row looked at" origin="new" sentence="after[0] is the first row only, and a gray image can have one or two values there: look at the whole array." must_say=["first row|after\\[0\\]|one row", "whole|all|entire|every"] kind="value"
 def name_operation(before, after):
     if after.ndim == 3:
         return "noise removal"
