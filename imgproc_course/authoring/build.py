@@ -195,9 +195,11 @@ def lesson_notebook(master, *, solved=False):
 def _cell_metadata(cell):
     tags = sorted({*cell.tags, *RAISING_TAGS}) if set(cell.tags) & set(RAISING_TAGS) else list(cell.tags)
     metadata = {"tags": tags} if tags else {}
+    if cell.folded:
+        metadata["jupyter"] = {"source_hidden": True}
     if cell.role == "check":
         metadata |= {"editable": False, "deletable": False}
-    elif cell.role in ("answer", "given"):
+    elif cell.role in ("answer", "given", "predict"):
         metadata |= {"deletable": False}
     return metadata
 

@@ -74,8 +74,36 @@ Roles (`role="..."` in a code cell's header; every other value is JSON: "text", 
     hidden     the same, run only in grading. Dropped.
     mistake    a wrong answer that learners give, with `name` and what it `says` to the learner. It may call
                the right answer, `solution(...)`, and change its result. Dropped.
+    predict    the learner's guess, before the result: `guess_share = None  # how many percent?`. Its id is
+               `predict-<lesson>-<n>`. It belongs to no exercise. See Predictions.
     After the declaration, a role cell belongs to the last declared exercise, or to the one that `exercise=`
     names.
+
+Predictions
+    A Markdown cell that says **Predict** is followed by a predict cell, and that by a cell that computes the
+    result and ends with a comparison. Nothing above shows the result, and the value is computed:
+
+        # %% [markdown]
+        # **Predict** how many percent of the pixels are bright.
+
+        # %% role="predict"
+        guess_share = None  # your guess: how many percent of the pixels?
+
+        # %%
+        share = round((gray > 200).mean() * 100)
+        compare_guess(guess_share, share, "%")
+
+    Each predict cell has a name of its own, `guess_...`: a guess that was not made cannot be compared with
+    another result. Choices stand in the comment: `# your guess: "left" or "right"?`.
+
+Folded cells
+    JupyterLab shows only the first line, a comment, of
+    - a cell that holds only asserts, and assignments and imports for them:
+      `# Check: the numbers in this section`, once at the end of a section. An assert stands in no other cell;
+      only a cell whose output varies may hold its own;
+    - a cell of texts: `# The captions and alt texts of the figures`, then
+      `figure_texts = {"wrapped": ("caption.", "alt text."), ...}`. A figure takes its two texts from there:
+      `show(wrapped, text=figure_texts["wrapped"])`.
 
 Tags (`tags=["..."]`, any code cell)
     nbval-ignore-output        its output varies (a live image); it or the next code cell contains an assert
@@ -89,7 +117,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from imgproc_course.authoring.rules import VARYING_TAG, master_problems
+from imgproc_course.authoring.rules import FOLDED_LINES, VARYING_TAG, master_problems
 from imgproc_course.exercises.declaration import MasterError, read_exercises
 from imgproc_course.exercises.percent_script import read_script
 
@@ -101,11 +129,12 @@ _DROPPED = ("exercise", "solution", "case", "hidden", "mistake")
 class Cell:
     """One cell of a lesson.
 
-    id             "answer-<exercise>", "check-<exercise>-<n>", "given-<exercise>-<n>" or "<lesson>-<n>"
+    id             "answer-<exercise>", "check-<exercise>-<n>", "given-<exercise>-<n>",
+                   "predict-<lesson>-<n>" or "<lesson>-<n>"
     kind           "markdown" or "code"
     source         its source in the lesson
     solved_source  its source in the solved twin
-    role           "given", "answer", "check" or ""
+    role           "given", "answer", "check", "predict" or ""
     exercise       the id of its exercise, or ""
     tags           tuple of str
     """
@@ -121,6 +150,11 @@ class Cell:
     @property
     def varies(self):
         return VARYING_TAG in self.tags
+
+    @property
+    def folded(self):
+        """Whether JupyterLab shows only its first line."""
+        return self.kind == "code" and self.source.startswith(FOLDED_LINES)
 
 
 @dataclass(frozen=True)
@@ -216,6 +250,8 @@ def _lesson_cells(path, script, exercises):
         position += 1
         owners = cell.options.get("exercise", latest)
         owner = (owners if isinstance(owners, str) else owners[0]) if role else ""
+        if role == "predict":
+            owner = path.stem.partition("_")[2]
         tags = tuple(cell.options.get("tags", ()))
         id = f"{path.stem}-{position}"
         if role == "answer":
@@ -224,4 +260,5 @@ def _lesson_cells(path, script, exercises):
             counts[role, owner] = counts.get((role, owner), 0) + 1
             id = f"{role}-{owner}-{counts[role, owner]}"
         solved_source = solutions[owner] if role == "answer" else cell.source
-        yield Cell(id, cell.kind, cell.source, solved_source, role, owner, tags)
+        exercise = "" if role == "predict" else owner
+        yield Cell(id, cell.kind, cell.source, solved_source, role, exercise, tags)

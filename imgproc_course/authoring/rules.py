@@ -5,7 +5,10 @@ import re
 
 VARYING_TAG = "nbval-ignore-output"
 RAISING_TAGS = ("nbval-raises-exception", "raises-exception")
+CHECK_LINE, TEXTS_LINE = "# Check: ", "# The captions and alt texts of the figures"
+FOLDED_LINES = (CHECK_LINE, TEXTS_LINE)  # JupyterLab shows only this first line of the cell
 MOST_LINES = 12  # of code in a cell
+_FIGURES = ("show", "show_figure", "tune")
 _MOST_ID_CHARACTERS = 64  # of a cell id in a notebook
 _HIDING_TAGS = re.compile(r"(hide|remove|skip)([-_]|$)|nbval-skip")
 
@@ -26,6 +29,11 @@ def master_problems(master):
     for cell, next_cell in zip(code_cells, [*code_cells[1:], None], strict=True):
         first_line = cell.source.splitlines()[0] if cell.source else "(empty)"
         problems += [f"{cell.id}: {problem}\n    {first_line}" for problem in _cell_problems(cell, next_cell)]
+    # A lesson follows these two rules as soon as it has one predict cell, or one folded cell.
+    if any(cell.role == "predict" for cell in master.cells):
+        problems += _prediction_problems(master)
+    if any(cell.folded for cell in master.cells):
+        problems += _assert_problems(master)
     return problems + [problem for exercise in master.exercises for problem in _exercise_problems(exercise)]
 
 
@@ -79,7 +87,8 @@ def _cell_problems(cell, next_cell):
     if not lines:
         yield "a code cell without code; nbval would never compare it"
         return
-    if len(lines) > MOST_LINES and cell.role != "answer" and "long" not in cell.tags:
+    is_short = len(lines) <= MOST_LINES or cell.folded or cell.role == "answer" or "long" in cell.tags
+    if not is_short:
         yield f'{len(lines)} lines of code, at most {MOST_LINES}; split it, or tag it "long", with a reason'
     if any(
         re.match(r"\s*(from\s+\S+\s+import\s+\*|%%(capture|script|html|javascript))", line) for line in lines
@@ -99,6 +108,97 @@ def _cell_problems(cell, next_cell):
         rf"""check\(\s*["']{re.escape(cell.exercise)}["']""", cell.source
     ):
         yield f'must call check("{cell.exercise}", ...)'
+    yield from _figure_problems(cell)
+    if cell.folded:
+        yield from _folding_problems(cell)
+
+
+def _figure_problems(cell):
+    for call in _calls(cell, _FIGURES):
+        keywords = {keyword.arg for keyword in call.keywords}
+        if "text" not in keywords and not {"caption", "alt"} <= keywords:
+            yield f"{call.func.id}(...) needs text=(caption, alt), or caption= and alt="
+
+
+def _folding_problems(cell):
+    module = _parse(cell.source)
+    if cell.source.startswith(TEXTS_LINE):
+        if module is None or _names_bound(cell) != {"figure_texts"} or len(module.body) != 1:
+            yield f"a cell that begins with '{TEXTS_LINE}' holds only figure_texts = {{...}}"
+    elif not _asserts(cell) or not all(_belongs_to_asserts(node) for node in module.body):
+        yield f"a cell that begins with '{CHECK_LINE}' is folded: it holds only asserts, and names for them"
+
+
+def _belongs_to_asserts(node):
+    if isinstance(node, ast.For | ast.With):
+        return all(_belongs_to_asserts(inner) for inner in node.body)
+    return isinstance(node, ast.Assert | ast.Assign | ast.Import | ast.ImportFrom)
+
+
+# ---------------------------------------------------------------- predictions and asserts
+
+
+def _prediction_problems(master):
+    guesses = [_guess_name(cell) for cell in master.cells if cell.role == "predict"]
+    for cell, next_cell in zip(master.cells, [*master.cells[1:], None], strict=True):
+        is_prompt = cell.kind == "markdown" and "**Predict" in cell.source
+        if is_prompt and (next_cell is None or next_cell.role != "predict"):
+            yield f'{cell.id} says **Predict**; the next cell must have role="predict"'
+        if cell.role == "predict" and _guess_name(cell) is None:
+            yield f"{cell.id}: write one line, guess_share = None  # your guess: how many percent?"
+        elif cell.role == "predict" and guesses.count(_guess_name(cell)) > 1:
+            yield f"{cell.id}: {_guess_name(cell)} is the guess of another cell too; rename it"
+        elif cell.role == "predict" and not _is_compared(_guess_name(cell), _cell_after(master, cell)):
+            comparison = f"compare_guess({_guess_name(cell)}, value)"
+            yield f"{cell.id}: the next code cell must end with {comparison}, where the value is computed"
+
+
+def _guess_name(cell):
+    match = re.fullmatch(r"(guess(_\w+)?) = None  # your guess: \S.*", cell.source.strip())
+    return match and match[1]
+
+
+def _cell_after(master, predict_cell):
+    """The next code cell that can compare: not one that raises."""
+    position = master.cells.index(predict_cell)
+    return next(
+        (
+            cell
+            for cell in master.cells[position + 1 :]
+            if cell.kind == "code" and not set(cell.tags) & set(RAISING_TAGS)
+        ),
+        None,
+    )
+
+
+def _is_compared(guess, cell):
+    module = _parse(cell.source) if cell else None
+    if module is None or not module.body or not isinstance(module.body[-1], ast.Expr):
+        return False
+    call = module.body[-1].value
+    return (
+        call in _calls(cell, ("compare_guess",), module)
+        and len(call.args) > 1
+        and isinstance(call.args[0], ast.Name)
+        and call.args[0].id == guess
+        and any(isinstance(node, ast.Name) for node in ast.walk(call.args[1]))
+    )
+
+
+def _assert_problems(master):
+    for cell in master.cells:
+        if cell.kind == "code" and not cell.folded and not cell.varies and _asserts(cell):
+            yield f"{cell.id}: move its asserts into a cell that begins with '{CHECK_LINE}'"
+
+
+def _calls(cell, names, module=None):
+    """The calls of the named functions in a cell."""
+    module = module or _parse(cell.source)
+    return [
+        node
+        for node in (ast.walk(module) if module else ())
+        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in names
+    ]
 
 
 def _names_bound(cell):

@@ -46,6 +46,7 @@ def show(
     titles=None,
     *,
     encoding="bgr8",
+    text=None,
     alt=None,
     caption=None,
     limits=None,
@@ -69,6 +70,8 @@ def show(
     encoding : str or list of str, one per image
         Channel order of colour images: "bgr8", "rgb8", "bgra8", "rgba8", "8UC3" (bgr). An (H, W) array is
         gray under each of these. "mono8", "mono16", "16UC1", "32FC1" and similar ones require their dtype.
+    text : (caption, alt)
+        Both texts of the figure, instead of `caption` and `alt`.
     alt : str
         Alternative text: what the figure shows. If omitted, it is made of titles and sizes.
     caption : str
@@ -99,6 +102,7 @@ def show(
         numbers=numbers,
         columns=columns,
     )
+    caption, alt = split_text(text, caption, alt)
     show_figure(figure, alt=alt or figure.get_label(), caption=caption)
 
 
@@ -135,7 +139,7 @@ def draw(
     return figure, axes
 
 
-def show_figure(figure, *, alt, caption=None):
+def show_figure(figure, *, alt=None, caption=None, text=None):
     """Shows any matplotlib figure as an image with an alternative text, and closes it.
 
     The stored output has the same bytes whenever the same figure is drawn.
@@ -145,12 +149,26 @@ def show_figure(figure, *, alt, caption=None):
     figure : matplotlib Figure
     alt : str, what the figure shows
     caption : str, a sentence under the figure
+    text : (caption, alt), instead of `caption` and `alt`
     """
+    caption, alt = split_text(text, caption, alt)
     if not isinstance(alt, str) or not alt.strip():
         raise ValueError(f"alt must say in words what the figure shows, got {alt!r}")
     kind, data, width = _encode(figure)
     display(_Output(kind, data, width, alt, caption))
     _close(figure)
+
+
+def split_text(text, caption=None, alt=None):
+    """(caption, alt) of a figure: of its `text`, if it has one; ValueError if this is not a pair of texts."""
+    if text is None:
+        return caption, alt
+    if caption is not None or alt is not None:
+        raise ValueError("give text=(caption, alt), or caption= and alt=, not both")
+    is_pair = isinstance(text, tuple | list) and len(text) == 2
+    if not is_pair or not all(isinstance(part, str) and part.strip() for part in text):
+        raise ValueError(f'text must be ("caption", "alternative text"), got {text!r}')
+    return tuple(text)
 
 
 class _Output:

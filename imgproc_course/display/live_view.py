@@ -15,6 +15,7 @@ from IPython import get_ipython
 from IPython.display import display
 
 from imgproc_course.display.controls import Controls
+from imgproc_course.display.figures import split_text
 from imgproc_course.display.printing import captured_prints, last_lines
 from imgproc_course.display.screen import Screen, describe_error
 
@@ -34,6 +35,7 @@ def live_view(
     width=None,
     limits=None,
     rate=None,
+    text=None,
     caption=None,
     alt=None,
     **ranges,
@@ -58,6 +60,7 @@ def live_view(
         The values shown black and white, for gray results that are neither uint8 nor bool.
     rate : float, Hz
         Rate at which a Recording plays. If omitted: its own.
+    text : (caption, alt), instead of `caption` and `alt`
     caption : str, a sentence under the view
     alt : str, alternative text. If omitted: made of the function's name
     **ranges
@@ -72,6 +75,7 @@ def live_view(
     ValueError : another kind of source, an invalid range
     RosMissingError : a topic, but rclpy is not installed
     """
+    caption, alt = split_text(text, caption, alt)
     view = LiveView(
         source,
         process,

@@ -9,6 +9,7 @@ import ipywidgets as widgets
 import numpy as np
 
 from imgproc_course.display.controls import Controls
+from imgproc_course.display.figures import split_text
 from imgproc_course.display.live_view import is_live, live_view, publish
 from imgproc_course.display.printing import captured_prints, last_lines
 from imgproc_course.display.screen import Screen, describe_error
@@ -17,7 +18,18 @@ PATIENCE = 10  # seconds that `.value` waits for a computation
 QUICK = 0.05  # seconds that the kernel waits for a computation before it reads its next message
 
 
-def tune(function, frame, *, encoding="bgr8", width=None, limits=None, caption=None, alt=None, **sliders):
+def tune(
+    function,
+    frame,
+    *,
+    encoding="bgr8",
+    width=None,
+    limits=None,
+    text=None,
+    caption=None,
+    alt=None,
+    **sliders,
+):
     """Shows the result of `function` on a frame, with a slider for each of its parameters.
 
     tune(canny, gray, thresholds=(0, 1020), sigma=(0, 5.0)) calls canny(gray, low=..., high=..., sigma=...)
@@ -27,7 +39,7 @@ def tune(function, frame, *, encoding="bgr8", width=None, limits=None, caption=N
     ----------
     function : function (frame, **parameters) -> array, or a list or dict (title -> array) of arrays
     frame : array, or any source of `live_view`: a Camera, ImageSubscriber, topic name or Recording
-    encoding, width, limits, caption, alt : as in `live_view`
+    encoding, width, limits, text, caption, alt : as in `live_view`
     **sliders
         name=(low, high) or (low, high, step): a slider, of integers if all are integers. It starts at the
         parameter's own default if this is in the range, else in the middle.
@@ -49,6 +61,7 @@ def tune(function, frame, *, encoding="bgr8", width=None, limits=None, caption=N
         )
     if not sliders:
         raise ValueError("nothing to tune: give a parameter and its range, such as sigma=(0, 5.0)")
+    caption, alt = split_text(text, caption, alt)
     common = {"encoding": encoding, "width": width, "limits": limits, "caption": caption, "alt": alt}
     if is_live(frame) and not isinstance(frame, np.ndarray):
         return live_view(frame, function, **common, **sliders)

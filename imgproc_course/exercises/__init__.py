@@ -12,18 +12,21 @@ from imgproc_course.exercises.declaration import (
     find_exercise,
     read_exercises,
 )
+from imgproc_course.exercises.guesses import GuessComparison, compare_guess
 
 __all__ = [
     "Case",
     "CheckResult",
     "Difference",
     "Exercise",
+    "GuessComparison",
     "MasterError",
     "Mistake",
     "array_of",
     "canonical",
     "check",
     "compare",
+    "compare_guess",
     "exercise",
     "find_exercise",
     "read_exercises",

@@ -254,6 +254,8 @@ def _read_exercises(path, _modified):
     latest = None
     for cell in read_script(path).role_cells:
         place = f"{path.name}, line {cell.line}"
+        if cell.role == "predict":
+            continue
         if cell.role == "exercise":
             heading = _heading(cell, place)
             latest = heading["id"]

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
-ROLES = ("given", "exercise", "answer", "solution", "check", "case", "hidden", "mistake")
+ROLES = ("given", "exercise", "answer", "solution", "check", "case", "hidden", "mistake", "predict")
 
 _ROLE_HEADER = re.compile(r"# ?%%(?!%).*\brole=")
 _UNREADABLE = "incorrectly_encoded_metadata"  # where jupytext puts a header that it cannot read

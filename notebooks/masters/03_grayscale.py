@@ -11,7 +11,7 @@
 # A colour image has three numbers per pixel. A gray image has one: the *intensity* of the pixel, or *gray level*. You may think that it is the average of the three numbers, but it is not. In this lesson you learn the right formula. You also meet a mistake that nearly everybody makes at first when they calculate with pixels.
 #
 # **You will be able to**
-# - explain why green has a larger weight than blue, and compute *luma* (the gray level that OpenCV uses) by hand,
+# - explain why the three channels have different weights, and compute *luma* (the gray level that OpenCV uses) by hand,
 # - calculate with `uint8` pixels without overflow,
 # - compute luma with integers (whole numbers) only, and get the same result as OpenCV for every pixel,
 # - explain which information a gray image loses.
@@ -25,25 +25,63 @@ import numpy as np
 import cv2
 
 from imgproc_course.display import show
-from imgproc_course.exercises import check
+from imgproc_course.exercises import check, compare_guess
 from imgproc_course.imaging import average_gray, lightness_gray, linear_light, linear_light_gray, to_gray
 from imgproc_course.recording import open_recording
 
 frame = open_recording("drive").frame(30)
 print("frame", frame.shape, frame.dtype, "range", frame.min(), "to", frame.max())
 
+# %%
+# The captions and alt texts of the figures
+figure_texts = {
+    "overflow": (
+        "On the left, no pixel is above 85, and bright walls look dark: this is the effect of uint8 overflow.",
+        "Two gray images of the living room: the left one is dark and has stripes where the intensity changes slowly, the right one looks natural.",
+    ),
+    "methods": (
+        "Average and lightness give all three the same gray level. Luma makes green bright and blue dark, as your eyes see them.",
+        "Four strips: blue, green and red; two strips of one gray; and a strip with a dark, a bright and a middle gray.",
+    ),
+    "tiny": (
+        "Five by five pixels of the ball's red stripe. Below the figure, the middle pixel is computed by hand.",
+        "A grid of coloured squares with three numbers each, and the same grid in gray with one number each.",
+    ),
+    "frame": (
+        "The gray image has one number per pixel instead of three, but shapes and shadows are still visible.",
+        "The living room with the walking person, in colour and in shades of gray.",
+    ),
+    "coffee": (
+        "You can still distinguish saucer, table and coffee in gray, because their luma differs.",
+        "A cup of coffee on a table, in colour and in gray.",
+    ),
+    "pair": (
+        "A green and a violet of equal luma: in gray, the boundary between them disappears.",
+        "Left, a green half and a violet half; right, a single uniform gray.",
+    ),
+    "luminance": (
+        "Luminance, the weighted mean of the light, makes pure colours brighter than luma does.",
+        "Three strips: blue, green and red; their luma; their luminance, which is brighter.",
+    ),
+}
+
 # %% [markdown]
 # ## 1 · One pixel (5 minutes)
 #
 # **Ask.** A pixel has three channels: blue 30, green 60, red 220. How bright is it? The simplest answer is the average of the three.
 #
-# **Predict** the average, then run the cell.
+# **Predict** the average. Write your guess instead of `None`, and run the cell. Then run the next cell.
+
+# %% role="predict"
+guess_average = None  # your guess: which number?
 
 # %%
 blue, green, red = 30, 60, 220
 average = (blue + green + red) // 3
-print("average:", average)
+compare_guess(guess_average, average)
 
+# %%
+# Check: the numbers in this section
 assert average == 103
 
 # %% [markdown]
@@ -51,12 +89,15 @@ assert average == 103
 #
 # Now we take the same pixel as it is stored in a frame: three numbers of dtype `uint8`. **Predict** the result of the same calculation.
 
+# %% role="predict"
+guess_wrapped = None  # your guess: which number?
+
 # %%
 pixel = np.array([30, 60, 220], dtype=np.uint8)
-wrapped = (pixel[:1] + pixel[1:2] + pixel[2:3]) // 3  # pixel[1:2] is an array with one value, the green one
-print("sum:", (pixel[:1] + pixel[1:2] + pixel[2:3])[0], "  a third of it:", wrapped[0])
-
-assert wrapped[0] == 18
+total = pixel[:1] + pixel[1:2] + pixel[2:3]  # pixel[1:2] is an array with one value, the green one
+wrapped = total // 3
+print("sum:", total[0])
+compare_guess(guess_wrapped, wrapped[0])
 
 # %% [markdown]
 # The result is 18 instead of 103, and NumPy does not warn you. A `uint8` holds at most 255. After 255 the values start again at 0. This is called *overflow*, or *wrap-around*. Here 30 + 60 + 220 = 310 becomes 310 − 256 = 54, and a third of 54 is 18.
@@ -66,12 +107,7 @@ assert wrapped[0] == 18
 # %%
 wrong = (frame[..., 0] + frame[..., 1] + frame[..., 2]) // 3  # frame[..., 0] is the blue channel of every pixel
 right = (frame.astype(np.uint16).sum(axis=-1) // 3).astype(np.uint8)  # axis=-1: over the channels
-show([wrong, right], ["added as uint8", "widened first"], encoding="mono8",
-     caption="On the left, no pixel is above 85, and bright walls look dark: this is the effect of uint8 overflow.",
-     alt="Two gray images of the living room: the left one is dark and has stripes where the intensity changes slowly, the right one looks natural.")
-
-assert wrong.max() == 85
-assert round((wrong != right).mean() * 100) == 92  # percent of the pixels
+show([wrong, right], ["added as uint8", "widened first"], encoding="mono8", text=figure_texts["overflow"])
 
 # %% [markdown]
 # **Repair it** in four steps, always in this order: *widen, compute, round, narrow*. To *widen* is to convert to a larger type: `astype(np.uint16)` gives a type that holds numbers up to 65,535. To *narrow* is to convert back to `uint8`, after the values are small enough again. (Here `//` rounds down.)
@@ -81,25 +117,31 @@ wide = pixel.astype(np.uint16)
 repaired = np.uint8(wide.sum() // 3)
 print("widened:", wide.sum(), "  a third of it:", repaired, repaired.dtype)
 
+# %%
+# Check: the numbers in this section
+assert total[0] == 54 and wrapped[0] == 18 and 54 // 3 == 18
+assert wrong.max() == 85
 assert repaired == average and np.iinfo(np.uint16).max == 65_535
 
 # %% [markdown]
 # ## 3 · Your eyes do not compute the average (7 minutes)
 #
-# Is the average the right gray level? The next cell draws pure blue, green and red at full intensity, and the results of three methods: the *average*; the *lightness* (the mean of the largest and the smallest channel); and *luma*, which is explained below. **Predict** which colour looks brightest to *you*.
+# Is the average the right gray level? The next cell draws pure blue, green and red at full intensity, and the results of three methods: the *average*; the *lightness* (the mean of the largest and the smallest channel); and *luma*, which is explained below. **Predict** which colour looks brightest to *you*, and has the largest luma.
+
+# %% role="predict"
+guess_brightest = None  # your guess: "blue", "green" or "red"?
 
 # %%
 patches = np.zeros((2, 6, 3), dtype=np.uint8)
 patches[:, 0:2, 0] = patches[:, 2:4, 1] = patches[:, 4:6, 2] = 255  # two columns for each colour
 strips = [patches, average_gray(patches), lightness_gray(patches), to_gray(patches)]
-show(strips, ["colour", "average", "lightness", "luma"], numbers=False,
-     caption="Average and lightness give all three the same gray level. Luma makes green bright and blue dark, as your eyes see them.",
-     alt="Four strips: blue, green and red; two strips of one gray; and a strip with a dark, a bright and a middle gray.")
+show(strips, ["colour", "average", "lightness", "luma"], numbers=False, text=figure_texts["methods"])
 
 print("average  ", average_gray(patches)[0, ::2])
 print("lightness", lightness_gray(patches)[0, ::2])
 print("luma     ", to_gray(patches)[0, ::2])
-assert to_gray(patches)[0, ::2].tolist() == [29, 150, 76]
+largest = to_gray(patches)[0, ::2].argmax()  # the position of the largest value
+compare_guess(guess_brightest, ["blue", "green", "red"][largest])
 
 # %% [markdown]
 # For human eyes, green contributes most to the brightness, and blue contributes little. People measured this, and a television standard (ITU-R BT.601) defines three weights. The sum of the weighted channels is called **luma**:
@@ -108,10 +150,17 @@ assert to_gray(patches)[0, ::2].tolist() == [29, 150, 76]
 #
 # **Predict** the luma of our pixel (blue 30, green 60, red 220): is it close to the average, 103?
 
+# %% role="predict"
+guess_luma = None  # your guess: which number?
+
 # %%
 weighted = 0.299 * red + 0.587 * green + 0.114 * blue
-print("luma:", round(weighted, 2), "-> rounded", round(weighted))
+print("luma before rounding:", round(weighted, 2))
+compare_guess(guess_luma, round(weighted))
 
+# %%
+# Check: the numbers in this section
+assert to_gray(patches)[0, ::2].tolist() == [29, 150, 76]
 assert round(weighted) == 104
 
 # %% [markdown]
@@ -124,8 +173,6 @@ weights = np.array([0.114, 0.587, 0.299])  # blue, green, red
 integer_weights = np.rint(weights * 2**15).astype(int)  # rint rounds to the nearest integer
 print("weights:", integer_weights, "  their sum:", integer_weights.sum(), "  2**15:", 2**15)
 
-assert integer_weights.tolist() == [3736, 19235, 9798] and integer_weights.sum() == 2**15 + 1
-
 # %% [markdown]
 # The sum of the rounded weights is 32769, one more than 2¹⁵. But the weights of a weighted mean must add up to exactly 1; here, multiplied by 2¹⁵, they must add up to 32768. Otherwise the result is a little too large. OpenCV subtracts 1 from the smallest weight, the one of blue. So its weights are 3735, 19235 and 9798.
 #
@@ -136,19 +183,24 @@ total = 33 * 3735 + 60 * 19235 + 220 * 9798  # a pixel like ours, with a little 
 print("exact:", round(total / 2**15, 2))
 print("truncated:", total >> 15, "  rounded:", (total + 2**14) >> 15)
 
-assert 3735 + 19235 + 9798 == 2**15 == 32768 and 2**14 == 16384
-assert round(total / 2**15, 2) == 104.76 and total >> 15 == 104 and (total + 2**14) >> 15 == 105
-
 # %% [markdown]
 # Is it important to round? **Predict** for how many pixels of the frame the truncated and the rounded value differ: 1 %, 10 % or 50 %?
+
+# %% role="predict"
+guess_percent = None  # your guess: how many percent of the pixels?
 
 # %%
 wide = frame.astype(np.uint32)
 sums = wide[..., 0] * 3735 + wide[..., 1] * 19235 + wide[..., 2] * 9798
 truncated, rounded = sums >> 15, (sums + 2**14) >> 15
-print(f"truncating differs from rounding on {(truncated != rounded).mean():.0%} of the pixels")
+compare_guess(guess_percent, round((truncated != rounded).mean() * 100), "%")
 
-assert round((truncated != rounded).mean() * 100) == 53 and (rounded - truncated).max() == 1
+# %%
+# Check: the numbers in this section
+assert integer_weights.tolist() == [3736, 19235, 9798] and integer_weights.sum() == 2**15 + 1 == 32769
+assert 3735 + 19235 + 9798 == 2**15 == 32768 and 2**14 == 16384
+assert round(total / 2**15, 2) == 104.76 and total >> 15 == 104 and (total + 2**14) >> 15 == 105
+assert (truncated != rounded).mean() > 0.5 and (rounded - truncated).max() == 1
 
 # %% [markdown]
 # More than half of the pixels differ, each by one gray level. You cannot see this. But later lessons compare pixels with a threshold (a fixed number). For a pixel close to the threshold, one gray level decides the result.
@@ -157,14 +209,15 @@ assert round((truncated != rounded).mean() * 100) == 53 and (rounded - truncated
 
 # %%
 tiny = frame[386:391, 449:454]
-show([tiny, to_gray(tiny)], ["blue, green, red", "luma"], encoding=["bgr8", "mono8"],
-     caption="Five by five pixels of the ball's red stripe. Below the figure, the middle pixel is computed by hand.",
-     alt="A grid of coloured squares with three numbers each, and the same grid in gray with one number each.")
+show([tiny, to_gray(tiny)], ["blue, green, red", "luma"], encoding=["bgr8", "mono8"], text=figure_texts["tiny"])
 
 b, g, r = (int(value) for value in tiny[2, 2])
 by_hand = (b * 3735 + g * 19235 + r * 9798 + 2**14) >> 15
 print(f"by hand: ({b} * 3735 + {g} * 19235 + {r} * 9798 + 16384) >> 15 = {by_hand}")
-assert to_gray(tiny)[2, 2] == by_hand
+
+# %%
+# Check: the numbers in this section
+assert tiny.shape == (5, 5, 3) and to_gray(tiny)[2, 2] == by_hand
 
 # %% [markdown]
 # ## 6 · Does OpenCV agree? (4 minutes)
@@ -177,12 +230,8 @@ opencv = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
 print("gray", gray.shape, gray.dtype, "range", gray.min(), "to", gray.max())
 print("pixels that differ from OpenCV:", int((gray != opencv).sum()), "of", gray.size)
 
-assert (gray == opencv).all() and (rounded == opencv).all()
-
 # %%
-show([frame, gray], ["frame", "gray (luma)"], encoding=["bgr8", "mono8"],
-     caption="The gray image has one number per pixel instead of three, but shapes and shadows are still visible.",
-     alt="The living room with the walking person, in colour and in shades of gray.")
+show([frame, gray], ["frame", "gray (luma)"], encoding=["bgr8", "mono8"], text=figure_texts["frame"])
 
 # %% [markdown]
 # Now we take a photograph: a cup of coffee. The library scikit-image contains this photograph, which is in the public domain (CC0). In scikit-image the first channel is red, so we reverse the order of the channels (`[..., ::-1]`) before we call `to_gray`.
@@ -192,10 +241,11 @@ from skimage import data
 
 coffee = data.coffee()[..., ::-1]
 coffee_gray = to_gray(coffee)
-show([coffee, coffee_gray], ["photograph", "gray (luma)"], encoding=["bgr8", "mono8"],
-     caption="You can still distinguish saucer, table and coffee in gray, because their luma differs.",
-     alt="A cup of coffee on a table, in colour and in gray.")
+show([coffee, coffee_gray], ["photograph", "gray (luma)"], encoding=["bgr8", "mono8"], text=figure_texts["coffee"])
 
+# %%
+# Check: the results in this section
+assert (gray == opencv).all() and (rounded == opencv).all()
 assert (coffee_gray == cv2.cvtColor(np.ascontiguousarray(coffee), cv2.COLOR_BGR2GRAY)).all()
 
 # %% [markdown]
@@ -203,11 +253,17 @@ assert (coffee_gray == cv2.cvtColor(np.ascontiguousarray(coffee), cv2.COLOR_BGR2
 #
 # If an image is `rgb8` and you read it as `bgr8`, blue gets the weight of red. The result still looks like a correct gray image. **Predict** the mean error, in gray levels.
 
+# %% role="predict"
+guess_error = None  # your guess: how many gray levels?
+
 # %%
 swapped = to_gray(frame[..., ::-1])
 difference = np.abs(swapped.astype(np.int16) - gray)
-print("mean difference:", round(float(difference.mean()), 1), "  largest:", difference.max(), "gray levels")
+print("largest difference:", difference.max(), "gray levels")
+compare_guess(guess_error, round(float(difference.mean()), 1), "gray levels")
 
+# %%
+# Check: the numbers in this section
 assert round(float(difference.mean()), 1) == 8.6 and difference.max() == 38
 
 # %% [markdown]
@@ -222,24 +278,26 @@ pair = np.zeros((4, 8, 3), dtype=np.uint8)
 pair[:, :4] = (40, 100, 60)   # a green
 pair[:, 4:] = (200, 10, 175)  # a violet
 print("luma left and right:", to_gray(pair)[0, 0], to_gray(pair)[0, -1])
-show([pair, to_gray(pair)], ["two colours", "one gray"], encoding=["bgr8", "mono8"], numbers=False,
-     caption="A green and a violet of equal luma: in gray, the boundary between them disappears.",
-     alt="Left, a green half and a violet half; right, a single uniform gray.")
+show([pair, to_gray(pair)], ["two colours", "one gray"], encoding=["bgr8", "mono8"], numbers=False, text=figure_texts["pair"])
 
+# %%
+# Check: the results in this section
 assert to_gray(pair)[0, 0] == to_gray(pair)[0, -1]
 
 # %% [markdown]
 # ## 9 · A pixel value is not an amount of light (5 minutes)
 #
-# Does a pixel of 200 mean twice as much light as a pixel of 100? **Predict**, then run the cell. A camera does not store the amount of light. It stores a *gamma-encoded* number: this encoding uses more gray levels for dark tones, because our eyes see small differences there. The sRGB standard defines the formula that calculates the amount of light from the number; `linear_light` uses it.
+# A camera does not store the amount of light. It stores a *gamma-encoded* number: this encoding uses more gray levels for dark tones, because our eyes see small differences there. The sRGB standard defines the formula that calculates the amount of light from the number; `linear_light` uses it.
+#
+# Does a pixel of 200 mean twice as much light as a pixel of 100? **Predict** how many times as much light it means.
+
+# %% role="predict"
+guess_light = None  # your guess: how many times as much light?
 
 # %%
 light = linear_light(np.array([50, 100, 200, 255], dtype=np.uint8))
 print("fraction of full light at gray levels 50, 100, 200, 255:", light.round(3))
-print("light at 200, divided by light at 100:", round(float(light[2] / light[1]), 1))
-
-assert light.round(3).tolist() == [0.032, 0.127, 0.578, 1.0]
-assert round(float(light[2] / light[1]), 1) == 4.5
+compare_guess(guess_light, round(float(light[2] / light[1]), 1))
 
 # %% [markdown]
 # Here twice the number means 4.5 times the light. Luma is a weighted mean of the *numbers*. The *luminance* is a weighted mean of the *light*. To compare the two, we encode the luminance as a gray level again. For grays both give the same gray level, for pale colours nearly the same. For saturated (strong) colours they differ:
@@ -248,10 +306,12 @@ assert round(float(light[2] / light[1]), 1) == 4.5
 by_light = linear_light_gray(patches)
 print("luma             ", to_gray(patches)[0, ::2], " (blue, green, red)")
 print("luminance encoded", by_light[0, ::2])
-show([patches, to_gray(patches), by_light], ["colour", "luma", "luminance"], numbers=False,
-     caption="Luminance, the weighted mean of the light, makes pure colours brighter than luma does.",
-     alt="Three strips: blue, green and red; their luma; their luminance, which is brighter.")
+show([patches, to_gray(patches), by_light], ["colour", "luma", "luminance"], numbers=False, text=figure_texts["luminance"])
 
+# %%
+# Check: the numbers in this section
+assert light.round(3).tolist() == [0.032, 0.127, 0.578, 1.0]
+assert round(float(light[2] / light[1]), 1) == 4.5
 white_wall = np.full((1, 1, 3), 200, np.uint8)
 assert (by_light >= to_gray(patches)).all() and linear_light_gray(white_wall) == to_gray(white_wall) == 200
 
@@ -563,6 +623,7 @@ def luma(bgr):
 # | *gray* | (720, 1280) | uint8 | 0 to 255 | gray level (luma) |
 
 # %%
+# Check: the numbers in the table
 assert 255 * 2**15 == 8_355_840
 assert wide.dtype == sums.dtype == np.uint32 and sums.shape == (720, 1280)
 assert gray.shape == (720, 1280) and gray.dtype == np.uint8

@@ -41,6 +41,18 @@ Image(data=base64.b64decode("IMAGE_DATA"), format="png")
 from ipywidgets import Label
 
 Label("a widget")
+
+# %% role="predict"
+guess_sum = None  # your guess: which number?
+
+# %%
+from imgproc_course.exercises import compare_guess
+
+compare_guess(guess_sum, 2 + LIMIT)
+
+# %%
+# Check: the sum
+assert 2 + LIMIT == 257
 """
 # A PNG of one pixel with a date and a program's name, as matplotlib and cameras write them.
 NOTED_PNG = (
@@ -86,6 +98,18 @@ def test_the_solved_twin_passes_its_checks(built):
         in solved["check-template-double-1"].outputs[0].data["text/plain"]
     )
     assert list(solved) == list(cells_of(folder / "lessons" / "90_template.ipynb"))
+
+
+def test_a_learner_can_write_a_guess_but_not_delete_its_cell(built):
+    folder, _ = built
+    cells = list(cells_of(folder / "lessons" / "90_template.ipynb").values())[-3:]
+    assert [cell.metadata for cell in cells] == [
+        {"deletable": False},
+        {},
+        {"jupyter": {"source_hidden": True}},  # JupyterLab shows the first line of this cell
+    ]
+    assert cells[0].id == "predict-template-1"
+    assert cells[1].outputs[0].data["text/plain"] == "No guess yet. The result is 257."
 
 
 def test_the_metadata_name_the_lesson_and_no_machine(built):

@@ -68,6 +68,86 @@ def test_a_master_that_follows_the_rules_is_read(write_master, added):
     assert len(read_master(write_master(add=added)).cells) > 6
 
 
+# A prediction and a section's asserts, as the format's description shows them.
+PREDICTION = """
+# %% [markdown]
+# **Predict** the sum.
+
+# %% role="predict"
+guess_sum = None  # your guess: which number?
+
+# %%
+total = 2 + 3
+compare_guess(guess_sum, total)
+
+# %%
+# Check: the numbers in this section
+assert total == 5
+"""
+SECOND = PREDICTION.replace("guess_sum", "guess_product").replace("2 + 3", "2 * 3")
+GUESS = "guess_sum = None  # your guess: which number?"
+COMPARISON = "compare_guess(guess_sum, total)"
+ASSERT = "assert total == 5"
+
+
+def test_predictions_and_folded_cells_are_read(write_master):
+    cells = read_master(write_master(add=PREDICTION + SECOND)).cells[6:]
+    roles = [(cell.id, cell.role, cell.exercise) for cell in cells if cell.role]
+    assert roles == [("predict-template-1", "predict", ""), ("predict-template-2", "predict", "")]
+    assert [cell.source.splitlines()[0] for cell in cells if cell.folded] == [
+        "# Check: the numbers in this section"
+    ] * 2
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        (GUESS, GUESS.replace("None", "5"), "predict-template-2: write one line, guess_share = None"),
+        (GUESS, "guess_sum = None", "predict-template-2: write one line, guess_share = None"),
+        ('# %% role="predict"', "# %%", 'says **Predict**; the next cell must have role="predict"'),
+        (COMPARISON, "compare_guess(guess_sum, 5)", "must end with compare_guess(guess_sum, value)"),
+        (COMPARISON, "compare_guess(guess, total)", "must end with compare_guess(guess_sum, value)"),
+        (COMPARISON, f"{COMPARISON}\nprint(5)", "must end with compare_guess(guess_sum, value)"),
+        (COMPARISON, f"{COMPARISON}\n{ASSERT}", "move its asserts into a cell that begins with '# Check: '"),
+        (ASSERT, f"{ASSERT}\nprint(5)", "it holds only asserts, and names for them"),
+        (ASSERT, "five = 5", "it holds only asserts, and names for them"),
+        (ASSERT, ASSERT + SECOND.replace("product", "sum"), "guess_sum is the guess of another cell too"),
+    ],
+)
+def test_a_broken_rule_of_predictions_is_named(write_master, old, new, message):
+    assert old in PREDICTION
+    with pytest.raises(MasterError) as error:
+        read_master(write_master(add=SECOND + PREDICTION.replace(old, new, 1)))
+    assert message in str(error.value)
+
+
+def test_a_planned_failure_may_stand_before_the_comparison(write_master):
+    failure = '# %% tags=["nbval-raises-exception"]\nint("three")\n\n# %%\ntotal = 2'
+    read_master(write_master(add=PREDICTION.replace("# %%\ntotal = 2", failure)))
+
+
+TEXTS = '\n# %%\n# The captions and alt texts of the figures\nfigure_texts = {"a": ("A.", "B.")}\n'
+
+
+@pytest.mark.parametrize(
+    ("added", "message"),
+    [
+        ("# %%\nshow(image)\n", "show(...) needs text=(caption, alt), or caption= and alt="),
+        ('# %%\nshow(image, alt="an image")\n', "show(...) needs text=(caption, alt)"),
+        (f"{TEXTS}x = 1\n", "holds only figure_texts = {...}"),
+    ],
+)
+def test_a_figure_without_its_texts_is_named(write_master, added, message):
+    with pytest.raises(MasterError) as error:
+        read_master(write_master(add=f"\n{added}"))
+    assert message in str(error.value)
+
+
+def test_the_texts_of_figures_stand_in_a_folded_cell(write_master):
+    figure = '\n# %%\nshow(image, text=figure_texts["a"])\nshow(image, caption="A.", alt="B.")\n'
+    assert read_master(write_master(add=TEXTS + figure)).cells[6].folded
+
+
 def test_every_broken_rule_is_named_at_once(write_master):
     with pytest.raises(MasterError) as error:
         read_master(write_master(("minutes: 5", "minutes: 0"), add="\n# %%\nfrom math import *\n"))

@@ -198,6 +198,22 @@ def test_alt_caption_and_text_are_in_the_output(shown):
     assert bundle["text/plain"] == repr(shown[0]) == "All < 1."
 
 
+def test_both_texts_can_be_given_as_one(shown):
+    show(np.zeros((3, 3), np.uint8), text=("All < 1.", "nine black pixels"))
+    assert alt_text(shown[0]) == "nine black pixels" and shown[0].text == "All < 1."
+
+
+@pytest.mark.parametrize("text", ["a caption", ("a caption",), ("", "an image"), (None, "an image"), 3])
+def test_a_text_that_is_no_pair_is_named(text):
+    with pytest.raises(ValueError, match=r'text must be \("caption", "alternative text"\), got'):
+        show(np.zeros((3, 3), np.uint8), text=text)
+
+
+def test_texts_are_given_once():
+    with pytest.raises(ValueError, match="or caption= and alt=, not both"):
+        show(np.zeros((3, 3), np.uint8), text=("All < 1.", "nine black pixels"), alt="pixels")
+
+
 def test_without_alt_it_is_made_of_titles_and_sizes(shown):
     show({"frame": RED_BGR, "gray": np.zeros((4, 6), np.uint8)})
     assert alt_text(shown[0]) == "frame (colour, 4 rows by 4 cols); gray (gray, 4 rows by 6 cols)"

@@ -5,6 +5,10 @@ def check(exercise_id, function):
     """Do nothing: the autograder has check cells of its own."""
 
 
+def compare_guess(guess, value, unit=""):
+    """Do nothing: a guess is not graded."""
+
+
 def exercise(*_arguments, **_keywords):
     """Do nothing: the declaration was read from the master."""
 
