@@ -116,8 +116,25 @@ exercise(
     function="my_sobel",
     time_limit=5,
     refused=("cv2", "scipy", "skimage", "imgproc_course.imaging"),
-    hint="Widen to int32, pad by one with mode='edge', then add six shifted arrays, each multiplied by its weight.",
+    hint="Widen to int32 and pad by one with mode='edge'. Then add the neighbours, each multiplied by its weight.",
+    border_hint="Only the border is wrong. Repeat the outermost rows and columns with np.pad(..., 1, mode='edge'), and compute every pixel.",
+    hints=(
+        "Section 1 computed the response of one pixel with nine products. What must be different for the next pixel? And which pixels lie around a pixel in the corner of the image?",
+        "Widen gray to int32, and pad it by one pixel with mode='edge'. For each pixel, take the 3 × 3 window of the padded array. grad_col is the sum of window * kernel; grad_row is the sum of window * kernel.T.",
+        "padded = np.pad(gray.astype(np.int32), 1, mode='edge'). Make two int32 arrays with np.zeros(gray.shape, dtype=np.int32). In two loops over row and col: window = padded[row : row + 3, col : col + 3], then grad_col[row, col] = (window * kernel).sum(), and the same with kernel.T for grad_row. At the end: return grad_row, grad_col.",
+    ),
+    explanation="The image is widened to int32 first, because a response can be negative or larger than 255. The kernel is separable, so each gradient is computed in two steps: sums with the weights 1, 2, 1, then the difference of two shifted sums. The slices [2:] and [:-2] give the two neighbours of all pixels at once, so no loop is needed.",
+    another_way="You can also write two loops over rows and columns, take the 3 × 3 window of each pixel, and sum window * kernel.",
 )
+
+
+def gradients(gray, mode="edge", weights=(1, 2, 1)):
+    p = np.pad(gray, 1, mode=mode)
+    first, middle, last = weights
+    along = first * p[:-2] + middle * p[1:-1] + last * p[2:]
+    across = first * p[:, :-2] + middle * p[:, 1:-1] + last * p[:, 2:]
+    return across[2:] - across[:-2], along[:, 2:] - along[:, :-2]
+
 
 # %% role="answer"
 def my_sobel(gray):
@@ -126,11 +143,11 @@ def my_sobel(gray):
 
 # %% role="solution"
 def my_sobel(gray):
-    p = np.pad(gray.astype(np.int32), 1, mode="edge")
-    up, middle, down = p[:-2], p[1:-1], p[2:]
-    grad_col = (up + 2 * middle + down)[:, 2:] - (up + 2 * middle + down)[:, :-2]
-    across = p[:, :-2] + 2 * p[:, 1:-1] + p[:, 2:]
-    grad_row = across[2:] - across[:-2]
+    padded = np.pad(gray.astype(np.int32), 1, mode="edge")
+    smooth_down = padded[:-2] + 2 * padded[1:-1] + padded[2:]
+    smooth_along = padded[:, :-2] + 2 * padded[:, 1:-1] + padded[:, 2:]
+    grad_row = smooth_along[2:] - smooth_along[:-2]
+    grad_col = smooth_down[:, 2:] - smooth_down[:, :-2]
     return grad_row, grad_col
 
 
@@ -138,22 +155,21 @@ def my_sobel(gray):
 check("canny-sobel", my_sobel)
 
 
-# %% role="case" title="a vertical edge" points=1 hint="Which of the two gradients responds to a step along a row?"
+# %% role="case" title="vertical edges: dark, bright, dark" points=1 hint="Here the gray level changes only along the rows, so grad_col is not 0 at the edges, and grad_row is 0 everywhere."
 def inputs(rng):
-    low, high = rng.integers(0, 100), rng.integers(120, 256)
-    image = np.full((5, 6), low, dtype=np.uint8)
-    image[:, rng.integers(2, 5) :] = high
+    image = np.full((5, 8), rng.integers(0, 100), dtype=np.uint8)
+    image[:, rng.integers(2, 4) : 6] = rng.integers(120, 256)
     return (image,)
 
 
-# %% role="case" title="a horizontal edge, bright above dark" points=1 hint="From bright to dark the response is negative: widen before you subtract."
+# %% role="case" title="horizontal edges: dark, bright, dark" points=1 hint="Here the gray level changes only down the columns, so grad_row is not 0 at the edges: positive where the row below is brighter than the row above, negative where it is darker."
 def inputs(rng):
-    image = np.full((6, 5), rng.integers(150, 256), dtype=np.uint8)
-    image[rng.integers(2, 5) :] = rng.integers(0, 80)
+    image = np.full((8, 5), rng.integers(0, 80), dtype=np.uint8)
+    image[rng.integers(2, 4) : 6] = rng.integers(150, 256)
     return (image,)
 
 
-# %% role="case" title="random pixels up to the border" points=1 hint="Look at the border: are the outermost pixels repeated?"
+# %% role="case" title="random pixels up to the border" points=1 hint="Choose one pixel whose value is framed, and calculate its nine products by hand."
 def inputs(rng):
     return (rng.integers(0, 256, size=(4, 5), dtype=np.uint8),)
 
@@ -165,13 +181,16 @@ def inputs(rng):
 
 # %% role="mistake" name="uint8 wraps" says="This is uint8 wrap-around: dark minus bright went below 0 and continued at 255. Widen to int32 before you subtract."
 def my_sobel(gray):
-    p = np.pad(gray, 1, mode="edge")
-    along = p[:-2] + 2 * p[1:-1] + p[2:]
-    across = p[:, :-2] + 2 * p[:, 1:-1] + p[:, 2:]
-    return (across[2:] - across[:-2]).astype(np.int32), (along[:, 2:] - along[:, :-2]).astype(np.int32)
+    grad_row, grad_col = gradients(gray)
+    return grad_row.astype(np.int32), grad_col.astype(np.int32)
 
 
-# %% role="mistake" name="rows and columns swapped" says="The two gradients are swapped: grad_row, the change down a column, comes first."
+# %% role="mistake" name="uint8 results" says="Your results are uint8, but a response can be negative or larger than 255. Widen the image to int32 before you subtract, and return int32."
+def my_sobel(gray):
+    return gradients(gray)
+
+
+# %% role="mistake" name="rows and columns swapped" says="The two gradients are swapped. Return grad_row (the change down a column) first, then grad_col."
 def my_sobel(gray):
     grad_row, grad_col = solution(gray)
     return grad_col, grad_row
@@ -183,21 +202,110 @@ def my_sobel(gray):
     return -grad_row, -grad_col
 
 
+# %% role="mistake" name="the sign of grad_row" says="grad_row has the wrong sign: it is the row below minus the row above."
+def my_sobel(gray):
+    grad_row, grad_col = solution(gray)
+    return -grad_row, grad_col
+
+
+# %% role="mistake" name="the sign of grad_col" says="grad_col has the wrong sign: it is the right column minus the left column."
+def my_sobel(gray):
+    grad_row, grad_col = solution(gray)
+    return grad_row, -grad_col
+
+
+# %% role="mistake" name="absolute values" says="Your responses are absolute values. From bright to dark a response is negative, so keep the sign: leave np.abs out."
+def my_sobel(gray):
+    grad_row, grad_col = solution(gray)
+    return np.abs(grad_row), np.abs(grad_col)
+
+
+# %% role="mistake" name="negative responses set to 0" says="Your negative responses became 0. From bright to dark a response is negative: keep it as it is."
+def my_sobel(gray):
+    grad_row, grad_col = solution(gray)
+    return np.maximum(grad_row, 0), np.maximum(grad_col, 0)
+
+
+# %% role="mistake" name="clipped to 0..255" says="Your responses were cut to the range 0 to 255. A response can be negative or larger than 255: keep it as it is."
+def my_sobel(gray):
+    grad_row, grad_col = solution(gray)
+    return np.clip(grad_row, 0, 255), np.clip(grad_col, 0, 255)
+
+
+# %% role="mistake" name="the same kernel for both" says="Both results are grad_col, computed with the same kernel. grad_row needs the transposed kernel, kernel.T."
+def my_sobel(gray):
+    _, grad_col = solution(gray)
+    return grad_col, grad_col
+
+
+# %% role="mistake" name="the transposed kernel for both" says="Both results are grad_row, computed with the same transposed kernel. grad_col needs the kernel as it is, not transposed."
+def my_sobel(gray):
+    grad_row, _ = solution(gray)
+    return grad_row, grad_row
+
+
 # %% role="mistake" name="zero padding at the border" says="The image was padded with zeros, so its border became an edge. Repeat the outermost rows and columns: np.pad(..., mode='edge')."
 def my_sobel(gray):
-    p = np.pad(gray.astype(np.int32), 1)
-    along = p[:-2] + 2 * p[1:-1] + p[2:]
-    across = p[:, :-2] + 2 * p[:, 1:-1] + p[:, 2:]
-    return across[2:] - across[:-2], along[:, 2:] - along[:, :-2]
+    return gradients(gray.astype(np.int32), "constant")
+
+
+# %% role="mistake" name="reflect padding at the border" says="The image was mirrored at its border (mode='reflect'). This task repeats the outermost rows and columns: np.pad(..., mode='edge')."
+def my_sobel(gray):
+    return gradients(gray.astype(np.int32), "reflect")
+
+
+# %% role="mistake" name="np.roll at the border" says="At the border your function used pixels of the opposite side, as np.roll does. Repeat the outermost rows and columns instead: np.pad(..., mode='edge')."
+def my_sobel(gray):
+    return gradients(gray.astype(np.int32), "wrap")
+
+
+# %% role="mistake" name="the border stays 0" says="The border of your results stays 0. Repeat the outermost rows and columns with np.pad(..., mode='edge'), and compute every pixel."
+def my_sobel(gray):
+    return tuple(np.pad(part[1:-1, 1:-1], 1) for part in solution(gray))
+
+
+# %% role="mistake" name="smaller by the border" says="Your arrays have two rows and two columns fewer than the image. Pad the image first: np.pad(..., 1, mode='edge')."
+def my_sobel(gray):
+    return tuple(part[1:-1, 1:-1] for part in solution(gray))
 
 
 # %% role="mistake" name="the Prewitt kernel" says="All three rows have the same weight: this is the Prewitt kernel. The Sobel kernel gives the middle row double weight."
 def my_sobel(gray):
-    p = np.pad(gray.astype(np.int32), 1, mode="edge")
-    along = p[:-2] + p[1:-1] + p[2:]
-    across = p[:, :-2] + p[:, 1:-1] + p[:, 2:]
-    return across[2:] - across[:-2], along[:, 2:] - along[:, :-2]
+    return gradients(gray.astype(np.int32), weights=(1, 1, 1))
 
+
+# %% role="mistake" name="one row only" says="Each difference uses one row only. Sobel adds three rows with the weights 1, 2, 1."
+def my_sobel(gray):
+    return gradients(gray.astype(np.int32), weights=(0, 1, 0))
+
+
+# %% role="mistake" name="divided by 4" says="Your responses are divided by 4. Return the plain Sobel response: a step of 150 gives 600."
+def my_sobel(gray):
+    grad_row, grad_col = solution(gray)
+    return grad_row // 4, grad_col // 4
+
+
+# %% role="mistake" name="divided by 8" says="Your responses are divided by 8. Return the plain Sobel response: a step of 150 gives 600."
+def my_sobel(gray):
+    grad_row, grad_col = solution(gray)
+    return grad_row // 8, grad_col // 8
+
+
+# %% role="mistake" name="np.gradient" says="These are the values of np.gradient: half the difference of two neighbours in one row. Sobel adds three rows with the weights 1, 2, 1, and does not halve."
+def my_sobel(gray):
+    grad_row, grad_col = np.gradient(gray.astype(np.int32))
+    return grad_row, grad_col
+
+
+# %% role="mistake" name="the magnitude" says="You returned one array, the gradient magnitude. Return two arrays: grad_row, grad_col."
+def my_sobel(gray):
+    grad_row, grad_col = solution(gray)
+    return np.abs(grad_row) + np.abs(grad_col)
+
+
+# %% role="mistake" name="one array of both" says="You returned one array that holds both gradients. Return two arrays with a comma between them, without np.stack or np.array: return grad_row, grad_col."
+def my_sobel(gray):
+    return np.stack(solution(gray))
 
 # %% [markdown]
 # ## 3 · Gradient magnitude and direction (8 minutes)
