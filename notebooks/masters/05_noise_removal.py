@@ -286,13 +286,15 @@ show([salted_portrait, median_blur(salted_portrait, 3)], ["salt and pepper", "3 
 assert psnr(portrait, median_blur(salted_portrait, 3)) > psnr(portrait, salted_portrait) + 10
 
 # %% [markdown]
-# ## 7 · Your turn: the median by hand (10 minutes)
+# ## 7 · Your turn: the median by hand (20 minutes)
 #
-# Write `median3(gray)`: each pixel becomes the median of its 3 × 3 neighbourhood. At the border use *replicate*: repeat the outermost rows and columns. Use only NumPy.
+# Write `median3(gray)`: each pixel becomes the median of its 3 × 3 neighbourhood. At the border use *replicate*: repeat the outermost rows and columns. Compute it yourself, with NumPy only, and do not change `gray`.
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `gray`: (height, width) uint8 | a new (height, width) uint8 array | `cleaned = median3(tiny)` |
+# | `gray`: (height, width) uint8 | a new (height, width) uint8 array; the type counts | `cleaned = median3(tiny)` |
+#
+# `np` is known in your cell. Import everything else that you use in this cell.
 
 # %% role="exercise"
 exercise(
@@ -301,8 +303,30 @@ exercise(
     function="median3",
     time_limit=10,
     refused=("cv2", "scipy", "skimage", "imgproc_course.imaging"),
-    hint="Pad by one with np.pad(gray, 1, mode='edge'), stack the nine shifted arrays, and take np.median over the stack.",
+    hint="For each pixel, sort the nine values of its 3 × 3 neighbourhood and take the fifth of them.",
+    border_hint="Only values at the border of the image are wrong. Repeat the outermost rows and columns before you take the neighbours: np.pad(gray, 1, mode='edge').",
+    hints=(
+        "Look at one pixel in the middle first. Which nine values are its neighbourhood, and which of them is the median when they are sorted? What is missing at a pixel in a corner?",
+        "1. Pad the image by one pixel on each side, so that also a corner has nine neighbours. 2. Make an empty array with the shape and the dtype of gray. 3. Go over all rows and columns of gray. Cut the 3 × 3 window out of the padded image, sort its nine values, and store the fifth.",
+        "padded = np.pad(gray, 1, mode='edge'). The window of the pixel (row, col) of gray is padded[row : row + 3, col : col + 3], because the padded image begins one row and one column earlier. Its median is np.sort(window, axis=None)[4].",
+    ),
+    explanation="Padding first means that the loop needs no special case: in the padded image every pixel of gray has nine neighbours. The pixel (row, col) of gray is at (row + 1, col + 1) in padded, so its window begins at (row, col). The results go into a new array. If they went into the array that is read, later pixels would see neighbours that are already changed.",
+    another_way="You can also stack the nine shifted slices padded[row : row + height, col : col + width] in a list and take np.median(shifted, axis=0).astype(np.uint8): the same values without a loop over the pixels, and much faster on a camera frame.",
 )
+
+
+def nine_neighbours(gray, mode="edge"):
+    height, width = gray.shape
+    padded = np.pad(gray, 1, mode=mode)
+    return np.array([padded[row : row + height, col : col + width] for row in range(3) for col in range(3)])
+
+
+def medians_of_windows(gray, of_window):
+    """of_window applied to the part of each neighbourhood that lies in the image."""
+    result = np.empty_like(gray)
+    for row, col in np.ndindex(gray.shape):
+        result[row, col] = of_window(gray[max(row - 1, 0) : row + 2, max(col - 1, 0) : col + 2])
+    return result
 
 # %% role="answer"
 def median3(gray):
@@ -313,26 +337,38 @@ def median3(gray):
 def median3(gray):
     height, width = gray.shape
     padded = np.pad(gray, 1, mode="edge")
-    shifted = [padded[row : row + height, col : col + width] for row in range(3) for col in range(3)]
-    return np.median(shifted, axis=0).astype(np.uint8)
+    result = np.empty_like(gray)
+    for row in range(height):
+        for col in range(width):
+            window = padded[row : row + 3, col : col + 3]
+            result[row, col] = np.sort(window, axis=None)[4]
+    return result
 
 
 # %% role="check"
 check("noise-median", median3)
 
 
-# %% role="case" title="one wrong pixel" points=1 hint="The wrong pixel must disappear, and the other pixels must change only a little."
+# %% role="case" title="one wrong pixel" points=1
 def inputs(rng):
     image = rng.integers(90, 110, size=(5, 6), dtype=np.uint8)
     image[rng.integers(1, 4), rng.integers(1, 5)] = 255
     return (image,)
 
 
-# %% role="case" title="wrong pixels at the border" points=1 hint="At the border the outermost row and column are repeated, not filled with zeros."
+# %% role="case" title="wrong pixels at the border" points=1
 def inputs(rng):
     image = rng.integers(90, 200, size=(5, 5), dtype=np.uint8)
     image[0, rng.integers(0, 5)] = 255
     image[rng.integers(0, 5), 4] = 0
+    return (image,)
+
+
+# %% role="case" title="strong noise" points=0
+def inputs(rng):
+    image = rng.integers(0, 256, size=(7, 9), dtype=np.uint8)
+    image[rng.random((7, 9)) < 0.2] = 255
+    image[rng.random((7, 9)) < 0.2] = 0
     return (image,)
 
 
@@ -348,42 +384,218 @@ def inputs(rng):
 
 # %% role="mistake" name="a mean instead of a median" says="This is the mean of the nine values. It spreads a wrong pixel over its neighbours. The median is the fifth of the nine values when they are sorted."
 def median3(gray):
-    height, width = gray.shape
+    return np.mean(nine_neighbours(gray), axis=0).astype(np.uint8)
+
+
+# %% role="mistake" name="a rounded mean" says="This is the mean of the nine values. It spreads a wrong pixel over its neighbours. The median is the fifth of the nine values when they are sorted."
+def median3(gray):
+    return np.round(np.mean(nine_neighbours(gray), axis=0)).astype(np.uint8)
+
+
+# %% role="mistake" name="a sum in uint8" says="This is a mean, and its sum of nine values ran past 255 in uint8. The task asks for the median: sort the nine values and take the middle one."
+def median3(gray):
+    return nine_neighbours(gray).sum(axis=0, dtype=np.uint8) // 9
+
+
+# %% role="mistake" name="zero padding at the border" says="At the border the missing neighbours are zeros, as with zero padding. These zeros change the medians. Repeat the outermost rows and columns: np.pad(gray, 1, mode='edge')."
+def median3(gray):
+    return np.median(nine_neighbours(gray, "constant"), axis=0).astype(np.uint8)
+
+
+# %% role="mistake" name="reflected border" says="At the border the missing neighbours are mirrored (reflect-101), so the second row stands above the first. Replicate repeats the outermost row and column: use mode='edge'."
+def median3(gray):
+    return np.median(nine_neighbours(gray, "reflect"), axis=0).astype(np.uint8)
+
+
+# %% role="mistake" name="wrapped border" says="At the border the missing neighbours come from the opposite side of the image. np.roll and an index of -1 do this. Repeat the outermost rows and columns instead: np.pad(gray, 1, mode='edge')."
+def median3(gray):
+    return np.median(nine_neighbours(gray, "wrap"), axis=0).astype(np.uint8)
+
+
+# %% role="mistake" name="border left at 0" says="The pixels at the border are 0: only the inner pixels got a median. Pad the image with its outermost rows and columns first, np.pad(gray, 1, mode='edge'), and then visit every pixel."
+def median3(gray):
+    result = np.zeros_like(gray)
+    result[1:-1, 1:-1] = solution(gray)[1:-1, 1:-1]
+    return result
+
+
+# %% role="mistake" name="border copied" says="The pixels at the border are unchanged, but they need a median too. Repeat the outermost rows and columns with np.pad(gray, 1, mode='edge'), and visit every pixel."
+def median3(gray):
+    result = gray.copy()
+    result[1:-1, 1:-1] = solution(gray)[1:-1, 1:-1]
+    return result
+
+
+# %% role="mistake" name="border not padded, middle of the sorted rest" says="At the border your neighbourhood has fewer than nine values: four in a corner, six at a side. Repeat the outermost rows and columns with np.pad(gray, 1, mode='edge'), so that every pixel has nine."
+def median3(gray):
+    return medians_of_windows(gray, lambda window: np.sort(window, axis=None)[window.size // 2])
+
+
+# %% role="mistake" name="border not padded, lower middle of the sorted rest" says="At the border your neighbourhood has fewer than nine values: four in a corner, six at a side. Repeat the outermost rows and columns with np.pad(gray, 1, mode='edge'), so that every pixel has nine."
+def median3(gray):
+    return medians_of_windows(gray, lambda window: np.sort(window, axis=None)[(window.size - 1) // 2])
+
+
+# %% role="mistake" name="border not padded, median of the rest" says="At the border your neighbourhood has fewer than nine values: four in a corner, six at a side. Repeat the outermost rows and columns with np.pad(gray, 1, mode='edge'), so that every pixel has nine."
+def median3(gray):
+    return medians_of_windows(gray, np.median)
+
+
+# %% role="mistake" name="not sorted" says="The result is the image itself. If you take the fifth of the nine neighbours, you must sort them first: before sorting, the fifth is the pixel itself."
+def median3(gray):
+    return gray.copy()
+
+
+# %% role="mistake" name="read from the array that is written" says="Some neighbours were already replaced by their medians before they were used: you read from the same array that you write to. Write the medians into a new array."
+def median3(gray):
     padded = np.pad(gray, 1, mode="edge")
-    shifted = [padded[row : row + height, col : col + width] for row in range(3) for col in range(3)]
-    return np.mean(shifted, axis=0).astype(np.uint8)
+    for row, col in np.ndindex(gray.shape):
+        padded[row + 1, col + 1] = np.median(padded[row : row + 3, col : col + 3])
+    return padded[1:-1, 1:-1].copy()
 
 
-# %% role="mistake" name="zero padding at the border" says="The image was padded with zeros, and these zeros change the medians at the border. Repeat the outermost rows and columns: np.pad(gray, 1, mode='edge')."
+# %% role="mistake" name="gray overwritten" says="Your function writes into gray, so the input image is changed for everybody who uses it. Write into a new array: result = np.empty_like(gray)."
+def median3(gray):
+    gray[:] = solution(gray.copy())
+    return gray
+
+
+# %% role="mistake" name="the sixth value" says="This is the sixth of the nine sorted values, which has the index 5. The middle one is the fifth, and its index is 4, because Python counts the first value as 0."
+def median3(gray):
+    return np.sort(nine_neighbours(gray), axis=0)[5]
+
+
+# %% role="mistake" name="the fourth value" says="This is the fourth of the nine sorted values. The middle one is the fifth, and its index is 4."
+def median3(gray):
+    return np.sort(nine_neighbours(gray), axis=0)[3]
+
+
+# %% role="mistake" name="the largest value" says="This is the largest of the nine values. The median is the fifth of the nine values when they are sorted."
+def median3(gray):
+    return nine_neighbours(gray).max(axis=0)
+
+
+# %% role="mistake" name="the smallest value" says="This is the smallest of the nine values. The median is the fifth of the nine values when they are sorted."
+def median3(gray):
+    return nine_neighbours(gray).min(axis=0)
+
+
+# %% role="mistake" name="only neighbours in the row" says="This is the median of three values of one row. A neighbourhood has nine values: the rows above and below belong to it, too."
+def median3(gray):
+    return np.median(nine_neighbours(gray)[3:6], axis=0).astype(np.uint8)
+
+
+# %% role="mistake" name="only neighbours in the column" says="This is the median of three values of one column. A neighbourhood has nine values: the columns on the left and on the right belong to it, too."
+def median3(gray):
+    return np.median(nine_neighbours(gray)[1::3], axis=0).astype(np.uint8)
+
+
+# %% role="mistake" name="a cross of five" says="This is the median of five values: the pixel and its neighbours above, below, left and right. The four neighbours at the corners belong to the neighbourhood, too: it has nine values."
+def median3(gray):
+    return np.median(nine_neighbours(gray)[1::2].tolist() + [gray], axis=0).astype(np.uint8)
+
+
+# %% role="mistake" name="rows first, then columns" says="This is a median of medians: three rows first, then the three results. It is not always the median of all nine values. Sort the nine together."
+def median3(gray):
+    padded = np.pad(gray, 1, mode="edge")
+    rows = np.median([padded[:, :-2], padded[:, 1:-1], padded[:, 2:]], axis=0)
+    return np.median([rows[:-2], rows[1:-1], rows[2:]], axis=0).astype(np.uint8)
+
+
+# %% role="mistake" name="columns first, then rows" says="This is a median of medians: three columns first, then the three results. It is not always the median of all nine values. Sort the nine together."
+def median3(gray):
+    padded = np.pad(gray, 1, mode="edge")
+    columns = np.median([padded[:-2], padded[1:-1], padded[2:]], axis=0)
+    return np.median([columns[:, :-2], columns[:, 1:-1], columns[:, 2:]], axis=0).astype(np.uint8)
+
+
+# %% role="mistake" name="a window of 2 by 2" says="Your window has two rows and two columns: four values. A slice ends before its last number, so three rows need a difference of 3, as in row : row + 3."
+def median3(gray):
+    return np.median(nine_neighbours(gray)[[0, 1, 3, 4]], axis=0).astype(np.uint8)
+
+
+# %% role="mistake" name="a window of 2 by 2 to the right" says="Your window has two rows and two columns: four values. A slice ends before its last number, so three rows need a difference of 3, as in row : row + 3."
+def median3(gray):
+    return np.median(nine_neighbours(gray)[[4, 5, 7, 8]], axis=0).astype(np.uint8)
+
+
+# %% role="mistake" name="a window of 5 by 5" says="This is the median of 5 × 5 values. Here the neighbourhood is 3 × 3: pad by one pixel, and take three rows and three columns."
 def median3(gray):
     height, width = gray.shape
-    padded = np.pad(gray, 1)
-    shifted = [padded[row : row + height, col : col + width] for row in range(3) for col in range(3)]
+    padded = np.pad(gray, 2, mode="edge")
+    shifted = [padded[row : row + height, col : col + width] for row in range(5) for col in range(5)]
     return np.median(shifted, axis=0).astype(np.uint8)
 
 
-# %% role="mistake" name="only neighbours in the row" says="Only neighbours in the same row were used. A neighbourhood is three rows by three columns."
-def median3(gray):
-    width = gray.shape[1]
-    padded = np.pad(gray, ((0, 0), (1, 1)), mode="edge")
-    return np.median([padded[:, col : col + width] for col in range(3)], axis=0).astype(np.uint8)
-
-
-# %% role="mistake" name="no border handling" says="The result is smaller than the image: the outermost pixels are missing. Pad before you take the neighbours."
+# %% role="mistake" name="the window of the padded image shifted" says="The window lies one row and one column too far down and right: the pixel (row, col) of gray is at (row + 1, col + 1) of the padded image, so its window is padded[row : row + 3, col : col + 3]."
 def median3(gray):
     height, width = gray.shape
-    shifted = [gray[row : row + height - 2, col : col + width - 2] for row in range(3) for col in range(3)]
-    return np.median(shifted, axis=0).astype(np.uint8) if height > 2 else gray.copy()
+    padded = np.pad(gray, ((1, 3), (1, 3)), mode="edge")
+    result = np.empty_like(gray)
+    for row, col in np.ndindex(height, width):
+        result[row, col] = np.median(padded[row + 1 : min(row + 4, height + 2), col + 1 : min(col + 4, width + 2)])
+    return result
+
+
+# %% role="mistake" name="center left out" says="This is the median of eight values: the pixel itself is missing. The neighbourhood has nine values, and the pixel in the middle is one of them."
+def median3(gray):
+    return np.median(np.delete(nine_neighbours(gray), 4, axis=0), axis=0).astype(np.uint8)
+
+
+# %% role="mistake" name="center left out, upper middle" says="This is a middle value of eight: the pixel itself is missing. The neighbourhood has nine values, and the pixel in the middle is one of them."
+def median3(gray):
+    return np.sort(np.delete(nine_neighbours(gray), 4, axis=0), axis=0)[4]
+
+
+# %% role="mistake" name="only black and white pixels replaced" says="Only the pixels with 0 and 255 have their median. The task asks for the median at every pixel."
+def median3(gray):
+    return np.where((gray == 0) | (gray == 255), solution(gray), gray)
+
+
+# %% role="mistake" name="number of rows used for the columns" says="The last columns stay 0: the loop over the columns ends at the number of rows, gray.shape[0]. The number of columns (the width) is gray.shape[1]."
+def median3(gray):
+    result = solution(gray)
+    result[:, gray.shape[0] :] = 0
+    return result
+
+
+# %% role="mistake" name="no border handling" says="The result is smaller than the image: the outermost pixels are missing. Pad the image before you take the neighbours: np.pad(gray, 1, mode='edge')."
+def median3(gray):
+    return solution(gray)[1:-1, 1:-1]
+
+
+# %% role="mistake" name="padding not removed" says="The result is as large as the padded image: it still has the padding, one row or column too many on each side. Return only the part of the image, result[1:-1, 1:-1]."
+def median3(gray):
+    result = np.pad(gray, 1, mode="edge")
+    result[1:-1, 1:-1] = solution(gray)
+    return result
+
+
+# %% role="mistake" name="one median for the whole image" says="This is one number, the median of the whole image. Each pixel needs the median of its own 3 × 3 neighbourhood."
+def median3(gray):
+    return np.sort(gray, axis=None)[gray.size // 2]
+
+
+# %% role="mistake" name="median along the rows" says="axis=1 takes the median along the rows of the image. The nine shifted images lie one behind the other along axis 0: use axis=0."
+def median3(gray):
+    return np.median(nine_neighbours(gray), axis=1).astype(np.uint8)
+
+
+# %% role="mistake" name="median along the columns" says="axis=2 takes the median along the columns of the image. The nine shifted images lie one behind the other along axis 0: use axis=0."
+def median3(gray):
+    return np.median(nine_neighbours(gray), axis=2).astype(np.uint8)
 
 
 # %% [markdown]
-# ## 8 · Your turn: PSNR (8 minutes)
+# ## 8 · Your turn: PSNR (12 minutes)
 #
-# Write `my_psnr(clean, other)` with the formula of section 6. Remember what `uint8` does to a difference. For equal images the result is infinity, `float("inf")`. Use only NumPy.
+# Write `my_psnr(clean, other)` with the formula of section 6. Remember what `uint8` does to a difference. For equal images the result is infinity, `float("inf")`. Compute it yourself, with NumPy only.
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `clean`, `other`: two (height, width) uint8 images of the same shape | one float: the PSNR in decibel | `my_psnr(four_clean, four_noisy)` |
+# | `clean`, `other`: two (height, width) uint8 images of the same shape | one number, not rounded: the PSNR in decibel | `my_psnr(four_clean, four_noisy)` |
+#
+# `np` is known in your cell. Import everything else that you use in this cell.
 
 # %% role="exercise"
 exercise(
@@ -391,9 +603,25 @@ exercise(
     title="PSNR",
     function="my_psnr",
     time_limit=5,
+    tolerance=1e-6,
     refused=("cv2", "skimage", "imgproc_course.imaging"),
-    hint="Convert both images to float before you subtract.",
+    hint="Go through the formula step by step: widen, subtract, square, mean, 255**2 divided by this mean, logarithm to base 10, times 10.",
+    hints=(
+        "Compute the four pixels of section 6 on paper: 100 and 110, 100 and 90. What are the two differences, and what does uint8 make of 100 - 110?",
+        "1. Convert both images to float. 2. Subtract them, square each difference, and take the mean of all squares: the MSE. 3. If the MSE is 0, return float(\"inf\"). 4. Otherwise put the MSE into the formula; np.log10 is the logarithm to base 10.",
+        "difference = clean.astype(float) - other.astype(float); mse = np.mean(difference**2); then an if for mse == 0; the last line returns 10 * np.log10(255**2 / mse).",
+    ),
+    explanation="The images are converted to float before the subtraction, because a uint8 difference below 0 wraps around. The squares are averaged, so one number remains for the whole image. Equal images must be treated first: their MSE is 0, and 255**2 / 0 is not defined.",
+    another_way="You can also write 20 * np.log10(255 / np.sqrt(mse)): the square root and the factor 20 belong together, as log10(x**2) is 2 * log10(x).",
 )
+
+
+def mse_of(clean, other):
+    return float(np.mean((clean.astype(float) - other.astype(float)) ** 2))
+
+
+def psnr_with(mse, peak=255**2):
+    return float("inf") if mse == 0 else float(10 * np.log10(peak / mse))
 
 # %% role="answer"
 def my_psnr(clean, other):
@@ -402,48 +630,287 @@ def my_psnr(clean, other):
 
 # %% role="solution"
 def my_psnr(clean, other):
-    mse = np.mean((clean.astype(float) - other.astype(float)) ** 2)
-    return float("inf") if mse == 0 else float(10 * np.log10(255**2 / mse))
+    difference = clean.astype(float) - other.astype(float)
+    mse = np.mean(difference**2)
+    if mse == 0:
+        return float("inf")
+    return float(10 * np.log10(255**2 / mse))
 
 
 # %% role="check"
 check("noise-psnr", my_psnr)
 
 
-# %% role="case" title="a brighter image" points=1 tolerance=1e-6 hint="The differences are squared, then averaged."
+# %% role="case" title="a brighter image" points=1
 def inputs(rng):
     clean = rng.integers(0, 200, size=(4, 5), dtype=np.uint8)
     return clean, clean + rng.integers(1, 50, size=(4, 5), dtype=np.uint8)
 
 
-# %% role="case" title="a darker image" points=1 tolerance=1e-6 hint="In uint8, 100 - 110 is 246: widen first."
+# %% role="case" title="a darker image" points=1
 def inputs(rng):
     clean = rng.integers(60, 256, size=(4, 5), dtype=np.uint8)
     return clean, clean - rng.integers(1, 60, size=(4, 5), dtype=np.uint8)
 
 
-# %% role="hidden" title="equal images" points=1 hint="Do not divide by zero: return infinity if the mean squared error is 0."
+# %% role="case" title="the same pixels in another order" points=0 hint="Here some differences are larger than 200, and plus and minus cancel in their sum. Square each difference in float, then take the mean."
+def inputs(rng):
+    clean = rng.integers(0, 256, size=(6, 6), dtype=np.uint8)
+    clean[0, 0], clean[-1, -1] = 0, 255
+    return clean, clean[::-1, ::-1].copy()
+
+
+# %% role="case" title="one pixel differs by 1" points=0 hint="Only equal images have an infinite PSNR: compare the MSE with 0."
+def inputs(rng):
+    clean = rng.integers(0, 255, size=(4, 5), dtype=np.uint8)
+    other = clean.copy()
+    other[rng.integers(0, 4), rng.integers(0, 5)] += 1
+    return clean, other
+
+
+# %% role="case" title="equal images" points=0 hint="For equal images the MSE is 0: return float(\"inf\") before you divide by it."
+def inputs(rng):
+    clean = rng.integers(0, 256, size=(4, 5), dtype=np.uint8)
+    return clean, clean.copy()
+
+
+# %% role="hidden" title="other equal images" points=1 hint="Do not divide by zero: return infinity if the mean squared error is 0."
 def inputs(rng):
     clean = rng.integers(0, 256, size=(6, 6), dtype=np.uint8)
     return clean, clean.copy()
 
 
-# %% role="mistake" name="uint8 wraps" says="This is uint8 wrap-around: 100 - 110 gave 246. Convert both images to float before you subtract."
+# %% role="mistake" name="subtracted in uint8" says="The difference was computed in uint8, before you widened, and wrapped around: 100 - 110 gave 246. Convert both images first, with astype(float), or one pixel with int(...), then subtract."
 def my_psnr(clean, other):
-    mse = np.mean(((clean - other).astype(float)) ** 2)
-    return float("inf") if mse == 0 else float(10 * np.log10(255**2 / mse))
+    return psnr_with(np.mean((clean - other).astype(float) ** 2))
+
+
+# %% role="mistake" name="subtracted and squared in uint8" says="The squares are uint8 values and wrapped around: uint8 ends at 255, but 20 * 20 is 400. Convert both images with astype(float) before you subtract."
+def my_psnr(clean, other):
+    return psnr_with(np.mean((clean - other) ** 2))
+
+
+# %% role="mistake" name="widened to int8" says="Differences above 127 came out wrong: int8 ends at 127. Convert to a larger type before you subtract, such as float."
+def my_psnr(clean, other):
+    difference = clean.astype(np.int8) - other.astype(np.int8)
+    return psnr_with(np.mean(difference.astype(float) ** 2))
+
+
+# %% role="mistake" name="squared in int16" says="Squares above 32767 came out wrong: int16 ends at 32767, and a square can be 65025. Convert to float (or int32) before you square."
+def my_psnr(clean, other):
+    difference = clean.astype(np.int16) - other.astype(np.int16)
+    return psnr_with(np.mean(difference**2))
+
+
+# %% role="mistake" name="subtracted in uint16" says="uint16 has no negative numbers: 100 - 110 gave 65526. Convert both images with astype(float) before you subtract."
+def my_psnr(clean, other):
+    return psnr_with(np.mean((clean.astype(np.uint16) - other).astype(float) ** 2))
 
 
 # %% role="mistake" name="the natural logarithm" says="np.log is the natural logarithm. Decibels use the logarithm to base 10: np.log10."
 def my_psnr(clean, other):
-    mse = np.mean((clean.astype(float) - other.astype(float)) ** 2)
-    return float("inf") if mse == 0 else float(10 * np.log(255**2 / mse))
+    mse = mse_of(clean, other)
+    return psnr_with(mse) if mse == 0 else float(10 * np.log(255**2 / mse))
+
+
+# %% role="mistake" name="the logarithm to base 2" says="np.log2 is the logarithm to base 2. Decibels use the logarithm to base 10: np.log10."
+def my_psnr(clean, other):
+    mse = mse_of(clean, other)
+    return psnr_with(mse) if mse == 0 else float(10 * np.log2(255**2 / mse))
+
+
+# %% role="mistake" name="not times 10" says="The factor 10 in front of the logarithm is missing: a decibel is a tenth of a bel."
+def my_psnr(clean, other):
+    return psnr_with(mse_of(clean, other)) / 10
 
 
 # %% role="mistake" name="the peak is not squared" says="The peak, 255, must be squared like the differences: 255**2 / MSE."
 def my_psnr(clean, other):
-    mse = np.mean((clean.astype(float) - other.astype(float)) ** 2)
-    return float("inf") if mse == 0 else float(10 * np.log10(255 / mse))
+    return psnr_with(mse_of(clean, other), 255)
+
+
+# %% role="mistake" name="a peak of 256" says="The largest gray level is 255, not 256: the formula needs 255**2 / MSE."
+def my_psnr(clean, other):
+    return psnr_with(mse_of(clean, other), 256**2)
+
+
+# %% role="mistake" name="a peak of 1" says="The peak of a uint8 image is 255, not 1: the formula needs 255**2 / MSE."
+def my_psnr(clean, other):
+    return psnr_with(mse_of(clean, other), 1)
+
+
+# %% role="mistake" name="twice too large" says="The result is twice too large. With 255**2 / MSE the factor is 10; the factor 20 belongs to 255 divided by the square root of the MSE."
+def my_psnr(clean, other):
+    return 2 * psnr_with(mse_of(clean, other))
+
+
+# %% role="mistake" name="20 without the root" says="The factor 20 belongs to 255 divided by the square root of the MSE. With the MSE itself write 10 * np.log10(255**2 / mse)."
+def my_psnr(clean, other):
+    mse = mse_of(clean, other)
+    return psnr_with(mse) if mse == 0 else float(20 * np.log10(255 / mse))
+
+
+# %% role="mistake" name="the root of the MSE" says="You divide by the square root of the MSE. With 255**2 the formula needs the MSE itself."
+def my_psnr(clean, other):
+    return psnr_with(mse_of(clean, other) ** 0.5)
+
+
+# %% role="mistake" name="fraction upside down" says="The result has the wrong sign: the fraction is upside down. The formula needs 255**2 / MSE, not MSE / 255**2."
+def my_psnr(clean, other):
+    mse = mse_of(clean, other)
+    return psnr_with(mse) if mse == 0 else -psnr_with(mse)
+
+
+# %% role="mistake" name="the largest value of the clean image" says="Your peak is the largest gray level of this image, clean.max(). In the formula it is always 255, the largest value that a pixel can have."
+def my_psnr(clean, other):
+    return psnr_with(mse_of(clean, other), float(clean.max()) ** 2)
+
+
+# %% role="mistake" name="the largest value of the other image" says="Your peak is the largest gray level of this image, other.max(). In the formula it is always 255, the largest value that a pixel can have."
+def my_psnr(clean, other):
+    return psnr_with(mse_of(clean, other), float(other.max()) ** 2)
+
+
+# %% role="mistake" name="the signal instead of the peak" says="You compare the errors with the mean square of the clean image. PSNR compares them with the square of the peak, always 255**2."
+def my_psnr(clean, other):
+    return psnr_with(mse_of(clean, other), np.mean(clean.astype(float) ** 2))
+
+
+# %% role="mistake" name="absolute differences" says="You take the mean of the absolute differences. The mean squared error needs the square of each difference, then the mean."
+def my_psnr(clean, other):
+    return psnr_with(np.mean(np.abs(clean.astype(float) - other)))
+
+
+# %% role="mistake" name="squared mean of absolute differences" says="You take the mean of the absolute differences first and square this mean. Square each difference first, then take the mean."
+def my_psnr(clean, other):
+    return psnr_with(np.mean(np.abs(clean.astype(float) - other)) ** 2)
+
+
+# %% role="mistake" name="square of the mean" says="You square the mean of the differences, in which plus and minus cancel. Square each difference first, then take the mean."
+def my_psnr(clean, other):
+    return psnr_with(np.mean(clean.astype(float) - other) ** 2)
+
+
+# %% role="mistake" name="variance of the differences" says="This is the variance of the differences: it subtracts their mean first. The MSE is the mean of the squared differences themselves."
+def my_psnr(clean, other):
+    return psnr_with(np.var(clean.astype(float) - other))
+
+
+# %% role="mistake" name="sum instead of mean" says="You use the sum of the squared differences. It must be divided by the number of pixels: take the mean."
+def my_psnr(clean, other):
+    return psnr_with(mse_of(clean, other) * clean.size)
+
+
+# %% role="mistake" name="size of the lesson's frame" says="You divide by 720 * 1280, the size of the lesson's frame. Divide by the number of pixels of this image, or use np.mean."
+def my_psnr(clean, other):
+    return psnr_with(mse_of(clean, other) * clean.size / (720 * 1280))
+
+
+# %% role="mistake" name="divided by the number of rows" says="You divide the sum by the number of rows only. Divide by the number of pixels, height times width, or use np.mean."
+def my_psnr(clean, other):
+    return psnr_with(mse_of(clean, other) * clean.shape[1])
+
+
+# %% role="mistake" name="median of the squares" says="You take the median of the squared differences. The formula needs their mean."
+def my_psnr(clean, other):
+    return psnr_with(float(np.median((clean.astype(float) - other) ** 2)))
+
+
+# %% role="mistake" name="the MSE" says="You return the mean squared error itself. Put it into the formula: 10 times the logarithm of 255**2 / MSE."
+def my_psnr(clean, other):
+    mse = mse_of(clean, other)
+    return psnr_with(mse) if mse == 0 else mse
+
+
+# %% role="mistake" name="the fraction without the logarithm" says="You return 255**2 / MSE itself. The logarithm is missing: 10 * np.log10(255**2 / mse)."
+def my_psnr(clean, other):
+    mse = mse_of(clean, other)
+    return psnr_with(mse) if mse == 0 else 255**2 / mse
+
+
+# %% role="mistake" name="rounded to one digit" says="The result is rounded to one digit after the point. Return the whole number and leave round() out; rounding is for printing."
+def my_psnr(clean, other):
+    return round(psnr_with(mse_of(clean, other)), 1)
+
+
+# %% role="mistake" name="rounded to two digits" says="The result is rounded to two digits after the point. Return the whole number and leave round() out; rounding is for printing."
+def my_psnr(clean, other):
+    return round(psnr_with(mse_of(clean, other)), 2)
+
+
+# %% role="mistake" name="integer division" says="The fraction of 255**2 / MSE was dropped: // (integer division) and int() do this. Divide with a single / and keep the float."
+def my_psnr(clean, other):
+    mse = mse_of(clean, other)
+    return psnr_with(mse) if mse == 0 else float(10 * np.log10(255**2 // mse))
+
+
+# %% role="mistake" name="the mean as a whole number" says="The fraction of the MSE was dropped: // (integer division) and int() do this. Take np.mean and keep the float."
+def my_psnr(clean, other):
+    return psnr_with(int(mse_of(clean, other)))
+
+
+# %% role="mistake" name="infinity as text" says="For equal images you return a text in quotes. The number infinity is float(\"inf\")."
+def my_psnr(clean, other):
+    mse = mse_of(clean, other)
+    return "inf" if mse == 0 else psnr_with(mse)
+
+
+# %% role="mistake" name="0 for equal images" says="For equal images you return 0. They have no noise at all, so their PSNR is infinite: return float(\"inf\")."
+def my_psnr(clean, other):
+    mse = mse_of(clean, other)
+    return 0.0 if mse == 0 else psnr_with(mse)
+
+
+# %% role="mistake" name="100 for equal images" says="For equal images you return 100. Some programs do so, but here the result must be infinity: return float(\"inf\")."
+def my_psnr(clean, other):
+    mse = mse_of(clean, other)
+    return 100.0 if mse == 0 else psnr_with(mse)
+
+
+# %% role="mistake" name="255 for equal images" says="For equal images you return 255. They have no noise at all, so their PSNR is infinite: return float(\"inf\")."
+def my_psnr(clean, other):
+    mse = mse_of(clean, other)
+    return 255.0 if mse == 0 else psnr_with(mse)
+
+
+# %% role="mistake" name="divided by an MSE of 0" says="For equal images the MSE is 0, and you divide by it. Return float(\"inf\") in this case first, before you divide."
+def my_psnr(clean, other):
+    return float(10 * np.log10(255**2 / mse_of(clean, other)))
+
+
+# %% role="mistake" name="equal sums" says="Here two different images have the same sum of gray levels, and you return infinity. Equal sums are not enough: return it only if the MSE is 0."
+def my_psnr(clean, other):
+    return float("inf") if clean.sum() == other.sum() else psnr_with(mse_of(clean, other))
+
+
+# %% role="mistake" name="a small error taken for none" says="One pixel differs by 1, so the MSE is small but not 0, and you return infinity. Only equal images have an infinite PSNR: compare the MSE with 0."
+def my_psnr(clean, other):
+    mse = mse_of(clean, other)
+    return float("inf") if mse < 1 else psnr_with(mse)
+
+
+# %% role="mistake" name="one value for each row" says="You return one value for each row, because the mean was taken with axis=1. Leave axis out to get one mean of all pixels."
+def my_psnr(clean, other):
+    mse = np.mean((clean.astype(float) - other) ** 2, axis=1)
+    return float("inf") if (mse == 0).all() else 10 * np.log10(255**2 / np.maximum(mse, 1e-9))
+
+
+# %% role="mistake" name="one value for each column" says="You return one value for each column, because the mean was taken with axis=0. Leave axis out to get one mean of all pixels."
+def my_psnr(clean, other):
+    mse = np.mean((clean.astype(float) - other) ** 2, axis=0)
+    return float("inf") if (mse == 0).all() else 10 * np.log10(255**2 / np.maximum(mse, 1e-9))
+
+
+# %% role="mistake" name="one value for each pixel" says="You return an array, one value for each pixel. Take the mean of all squared differences before the logarithm: the result is one number."
+def my_psnr(clean, other):
+    squared = (clean.astype(float) - other) ** 2
+    return float("inf") if (squared == 0).all() else 10 * np.log10(255**2 / np.maximum(squared, 1e-9))
+
+
+# %% role="mistake" name="a text with the unit" says="You return a text with the unit dB. Return only the number, a float: leave the quotes and dB out."
+def my_psnr(clean, other):
+    mse = mse_of(clean, other)
+    return psnr_with(mse) if mse == 0 else f"{psnr_with(mse):.1f} dB"
 
 
 # %% [markdown]
