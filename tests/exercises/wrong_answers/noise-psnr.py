@@ -144,7 +144,7 @@ def my_psnr(clean, other):
         return float("inf")
     return float(10 * np.log10(255**2 / mse))
 
-# %% name="widened to int8" origin="new" sentence="int8 ends at 127, so values above are changed: widen to a larger type, astype(float) or astype(int)." must_say=["\\bint8\\b|127", "float|larger|wider|int16|int32"] kind="value" passes=true
+# %% name="widened to int8" origin="new" sentence="int8 ends at 127, so values above are changed: widen to a larger type, astype(float) or astype(int)." must_say=["\\bint8\\b|127", "float|larger|wider|int16|int32"] kind="value"
 def my_psnr(clean, other):
     difference = clean.astype(np.int8) - other.astype(np.int8)
     mse = np.mean(difference.astype(float) ** 2)
@@ -152,7 +152,7 @@ def my_psnr(clean, other):
         return float("inf")
     return float(10 * np.log10(255**2 / mse))
 
-# %% name="int16 squares overflow" origin="new" sentence="The difference fits into int16, but its square, up to 65025, does not (int16 ends at 32767): widen to float or int32." must_say=["int16|32767", "float|int32|int64|wider"] kind="value" passes=true
+# %% name="int16 squares overflow" origin="new" sentence="The difference fits into int16, but its square, up to 65025, does not (int16 ends at 32767): widen to float or int32." must_say=["int16|32767", "float|int32|int64|wider"] kind="value"
 def my_psnr(clean, other):
     difference = clean.astype(np.int16) - other.astype(np.int16)
     mse = np.mean(difference**2)
@@ -185,14 +185,14 @@ def my_psnr(clean, other):
     mse = np.mean((clean.astype(float) - other) ** 2)
     return float(10 * np.log10(255**2 / mse))
 
-# %% name="equal sums taken for equal images" origin="new" sentence="Two different images can have the same sum, and you return infinity for them: ask whether the MSE is 0." must_say=["\\bsum", "MSE|each pixel|every pixel|array_equal|all\\(|differ"] must_not_say=["wrap"] kind="value" passes=true
+# %% name="equal sums taken for equal images" origin="new" sentence="Two different images can have the same sum, and you return infinity for them: ask whether the MSE is 0." must_say=["\\bsum", "MSE|each pixel|every pixel|array_equal|all\\(|differ"] must_not_say=["wrap"] kind="value"
 def my_psnr(clean, other):
     if clean.sum() == other.sum():
         return float("inf")
     mse = np.mean((clean.astype(float) - other) ** 2)
     return float(10 * np.log10(255**2 / mse))
 
-# %% name="small errors taken for none" origin="new" sentence="mse < 1 is true for images that differ a little, and only equal images have an infinite PSNR: compare with 0." must_say=["< ?1|small|little|below 1", "\\b0\\b|equal|zero"] kind="value" passes=true
+# %% name="small errors taken for none" origin="new" sentence="mse < 1 is true for images that differ a little, and only equal images have an infinite PSNR: compare with 0." must_say=["< ?1|small|little|below 1", "\\b0\\b|equal|zero"] kind="value"
 def my_psnr(clean, other):
     mse = np.mean((clean.astype(float) - other) ** 2)
     if mse < 1:
