@@ -492,7 +492,7 @@ def median3(gray):
 
 # %% role="mistake" name="a cross of five" says="This is the median of five values: the pixel and its neighbours above, below, left and right. The four neighbours at the corners belong to the neighbourhood, too: it has nine values."
 def median3(gray):
-    return np.median(nine_neighbours(gray)[1::2].tolist() + [gray], axis=0).astype(np.uint8)
+    return np.median(nine_neighbours(gray)[[1, 3, 4, 5, 7]], axis=0).astype(np.uint8)
 
 
 # %% role="mistake" name="rows first, then columns" says="This is a median of medians: three rows first, then the three results. It is not always the median of all nine values. Sort the nine together."
