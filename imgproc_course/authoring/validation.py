@@ -40,8 +40,8 @@ def validate_exercise(exercise):
         )
     for mistake in exercise.mistakes:
         problems += _mistake_problems(exercise, mistake)
-    for case_result in result.results:
-        problems += _size_problems(exercise, case_result.case)
+    for case in exercise.cases:
+        problems += _size_problems(exercise, case)
     return problems
 
 
@@ -50,7 +50,7 @@ def _mistake_problems(exercise, mistake):
     result = run_cases(exercise, wrong_function)
     if all(case_result.passed for case_result in result.results):
         yield f"{exercise.id}: the mistake {mistake.name!r} passes every public case; add one that catches it"
-    elif result.mistake != mistake:
+    elif result.mistake is None or result.mistake.name != mistake.name:
         confusion = f"is taken for {result.mistake.name!r}" if result.mistake else "is not recognized"
         yield (
             f"{exercise.id}: the mistake {mistake.name!r} {confusion};"

@@ -1,28 +1,21 @@
 """`check`: run an answer's public cases in the learner's notebook."""
 
+import types
 from dataclasses import dataclass, field
-from functools import lru_cache
-from inspect import signature
 
 from imgproc_course.exercises import feedback
+from imgproc_course.exercises.check_data import CheckCase, CheckData, CheckMistake, check_data_of
 from imgproc_course.exercises.comparison import Difference, compare
-from imgproc_course.exercises.declaration import (
-    PUBLIC_SEED,
-    Case,
-    Exercise,
-    MasterError,
-    Mistake,
-    find_exercise,
-)
+from imgproc_course.exercises.declaration import PUBLIC_SEED, find_exercise
 from imgproc_course.exercises.dependencies import Dependencies, find_dependencies
-from imgproc_course.exercises.running import CallResult, call, code_of
+from imgproc_course.exercises.running import CallResult, code_of
 
 
 @dataclass(frozen=True)
 class CaseCall:
     """One call of a case: its arguments, the expected result, the answer's result, and their difference."""
 
-    case: Case
+    case: CheckCase
     arguments: tuple
     expected: CallResult
     result: CallResult
@@ -41,7 +34,7 @@ class CaseResult:
     finish.
     """
 
-    case: Case
+    case: CheckCase
     passed: bool
     failed_call: CaseCall | None
 
@@ -50,20 +43,18 @@ class CaseResult:
 class CheckResult:
     """The result of `check`. A notebook shows it as HTML; `print(result)` gives the same as plain text.
 
-    exercise      the Exercise
+    exercise      CheckData
     attempted     False for the unchanged stub
     results       tuple of CaseResult, one for each public case
     mistake       the known mistake that explains the answer, or None
     dependencies  refused modules and names of other cells that the answer uses
-    names         the argument names of the function
     """
 
-    exercise: Exercise
+    exercise: CheckData
     attempted: bool
     results: tuple = ()
-    mistake: Mistake | None = None
+    mistake: CheckMistake | None = None
     dependencies: Dependencies = field(default_factory=Dependencies)
-    names: tuple = ()
 
     @property
     def passed(self):
@@ -124,46 +115,54 @@ def run_cases(exercise, function, *, cases=None, seed=PUBLIC_SEED):
     -------
     CheckResult
     """
-    cases = exercise.public if cases is None else tuple(cases)
-    names = _argument_names(exercise)
+    return run_check(check_data_of(exercise, None if cases is None else tuple(cases), seed), function)
+
+
+def run_check(exercise, function):
+    """Run an answer on the cases of an exercise.
+
+    Parameters
+    ----------
+    exercise : CheckData
+    function : callable
+
+    Returns
+    -------
+    CheckResult
+    """
     if _is_stub(exercise, function):
-        return CheckResult(exercise, attempted=False, names=names)
+        return CheckResult(exercise, attempted=False)
     calls = []
-    for case, arguments, expected in _expected_calls(exercise, cases, seed):
-        result = call(function, arguments, _names_for(names, arguments), exercise.time_limit)
+    pairs = [(case, expected) for case in exercise.cases for expected in case.calls]
+    for case, expected in pairs:
+        result = exercise.call(function, expected.arguments)
         if result.error == "NotImplementedError":
-            return CheckResult(exercise, attempted=False, names=names)
-        difference = compare(expected.value, result.value, case.tolerance) if result.finished else None
-        calls.append(CaseCall(case, arguments, expected, result, difference))
+            return CheckResult(exercise, attempted=False)
+        difference = compare(expected.result.value, result.value, case.tolerance) if result.finished else None
+        calls.append(CaseCall(case, expected.arguments, expected.result, result, difference))
         if result.timed_out:
             break  # a learner waits for one time limit, not for one per call
-    results = tuple(_case_result(case, calls) for case in cases)
-    dependencies = find_dependencies(function, exercise.refused, set(exercise.namespace()))
-    mistake = None if all(result.passed for result in results) else _known_mistake(exercise, calls, seed)
-    return CheckResult(exercise, True, results, mistake, dependencies, names)
-
-
-def _expected_calls(exercise, cases, seed):
-    for case in cases:
-        for arguments, expected in _solve(exercise, case, seed):
-            yield case, arguments, expected
-
-
-def _argument_names(exercise):
-    return tuple(signature(exercise.function_of(exercise.solution, "solution")).parameters)
-
-
-def _names_for(names, arguments):
-    return [*names[: len(arguments)], *(f"argument {k + 1}" for k in range(len(names), len(arguments)))]
+    results = tuple(_case_result(case, calls) for case in exercise.cases)
+    dependencies = find_dependencies(function, exercise.refused, set(exercise.provided))
+    has_passed = all(result.passed for result in results)
+    mistake = None if has_passed else _known_mistake(exercise.mistakes, calls)
+    return CheckResult(exercise, True, results, mistake, dependencies)
 
 
 def _is_stub(exercise, function):
-    code, stub = code_of(function), code_of(exercise.function_of(exercise.stub, "stub"))
-    return code is not None and (code.co_code, code.co_consts, code.co_names) == (
+    code, stub = code_of(function), _code_in(exercise.stub, exercise.function)
+    return None not in (code, stub) and (code.co_code, code.co_consts, code.co_names) == (
         stub.co_code,
         stub.co_consts,
         stub.co_names,
     )
+
+
+def _code_in(source, name):
+    """The code object of a function that a source defines, found without running the source; or None."""
+    constants = compile(source, "<stub>", "exec", dont_inherit=True).co_consts
+    codes = [code for code in constants if isinstance(code, types.CodeType) and code.co_name == name]
+    return codes[-1] if codes else None
 
 
 def _case_result(case, calls):
@@ -172,51 +171,26 @@ def _case_result(case, calls):
     return CaseResult(case, bool(own_calls) and failed_call is None, failed_call)
 
 
-# Cached from one check to the next: a slow solution runs once. A changed master gives another Exercise.
-@lru_cache(maxsize=256)
-def _solve(exercise, case, seed):
-    solution = exercise.function_of(exercise.solution, "solution")
-    names = _argument_names(exercise)
-    solved = []
-    for arguments in exercise.arguments(case, seed):
-        result = call(solution, arguments, _names_for(names, arguments), exercise.time_limit)
-        if not result.finished or result.changed:
-            explanation = feedback.explain_call(result, None, exercise.function)
-            raise MasterError(f"{exercise.master.name}, {case.id}: the solution fails. {explanation}")
-        solved.append((arguments, result))
-    return tuple(solved)
-
-
-@lru_cache(maxsize=256)
-def _results_of_mistake(exercise, mistake, case, seed):
-    wrong_function = exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
-    names = _argument_names(exercise)
-    return tuple(
-        call(wrong_function, arguments, _names_for(names, arguments), exercise.time_limit)
-        for arguments, _ in _solve(exercise, case, seed)
-    )
-
-
-def _known_mistake(exercise, calls, seed):
+def _known_mistake(mistakes, calls):
     """The declared mistake that explains an answer, or None.
 
     A mistake explains an answer if both do the same in every call. Otherwise it must be the only mistake that
     gives the same wrong values in the first case that fails.
     """
-    matches = [mistake for mistake in exercise.mistakes if _explains(exercise, mistake, calls, seed)]
+    matches = [mistake for mistake in mistakes if _explains(mistake, calls)]
     if matches:
         return matches[0]
     first = next(case_call.case for case_call in calls if not case_call.passed)
     first_calls = [case_call for case_call in calls if case_call.case is first]
     if not all(case_call.result.finished for case_call in first_calls):
         return None  # two different errors may have the same name
-    matches = [mistake for mistake in exercise.mistakes if _explains(exercise, mistake, first_calls, seed)]
+    matches = [mistake for mistake in mistakes if _explains(mistake, first_calls)]
     return matches[0] if len(matches) == 1 else None
 
 
-def _explains(exercise, mistake, calls, seed):
+def _explains(mistake, calls):
     cases = list(dict.fromkeys(case_call.case for case_call in calls))
-    predicted = [result for case in cases for result in _results_of_mistake(exercise, mistake, case, seed)]
+    predicted = [result for case in cases for result in mistake.results[case.id]]
     return len(predicted) == len(calls) and all(
         case_call.result.matches(result, case_call.case.tolerance)
         for case_call, result in zip(calls, predicted, strict=True)

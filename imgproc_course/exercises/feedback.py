@@ -79,7 +79,7 @@ class _LabelledValue:
 
 
 def _values(result, call):
-    names = [*result.names, *("" for _ in call.arguments)]
+    names = [*result.exercise.names, *("" for _ in call.arguments)]
     for name, argument in zip(names, call.arguments, strict=False):
         argument_form = canonical(argument, limit=None)
         for part_name, form, _ in answer_parts(argument_form, argument_form):
@@ -143,15 +143,13 @@ def _footer(result):
         )
     if exercise.practice:
         return "Practice: no points."
-    public_points = sum(case.points for case in exercise.public)
     points = result.points if not result.dependencies.refused else 0
-    text = f"Points here: {points} of {public_points}."
-    count = len(exercise.hidden)
+    text = f"Points here: {points} of {exercise.points}."
+    count = exercise.hidden_count
     if not count:
         return text
-    hidden_points = sum(case.points for case in exercise.hidden)
     checks = "1 more check" if count == 1 else f"{count} more checks"
-    return f"{text} Grading runs {checks} on other inputs, worth {hidden_points}."
+    return f"{text} Grading runs {checks} on other inputs, worth {exercise.hidden_points}."
 
 
 def _hint(result, call):

@@ -26,7 +26,7 @@ import click
 from rich.console import Console
 from rich.table import Table
 
-from imgproc_course.exercises import check, find_exercise
+from imgproc_course.exercises import find_exercise, run_cases
 from imgproc_course.exercises.percent_script import read_script
 
 ROOT = Path(__file__).parents[2]
@@ -110,7 +110,7 @@ def feedback_on(exercise, answer):
         run_cell(answer.source, f"{exercise.id}: {answer.name}", namespace)
     except Exception:  # noqa: BLE001 - a cell that does not run: the stub is still there
         pass
-    result = check(exercise.id, namespace[exercise.function])
+    result = run_cases(exercise, namespace[exercise.function])
     return result, sentences(repr(result), exercise.id)
 
 
