@@ -1,8 +1,9 @@
 """The learner's working copies: lessons are copied into my_lessons/, and work there is never overwritten.
 
-my_lessons/.course.json stores for each copy which lesson it came from. An update replaces a copy that the
-learner has not changed. If the learner has changed it, the updated lesson is added under a new name.
-Nothing is ever deleted. Without .course.json, every copy that differs from its lesson counts as changed.
+A copy has no outputs, so that a learner can predict a result. my_lessons/.course.json stores for each copy
+which lesson it came from. An update replaces a copy that the learner has not changed. If the learner has
+changed it, the updated lesson is added under a new name. Nothing is ever deleted. Without .course.json, every
+copy that differs from its lesson counts as changed.
 """
 
 import contextlib
@@ -16,11 +17,11 @@ from typing import NamedTuple
 
 import imgproc_course
 from imgproc_course.authoring.atomic_write import stage_file
+from imgproc_course.authoring.learner_files import files_for_learners, without_outputs
 
 CHECKOUT = Path(imgproc_course.__file__).resolve().parents[1]
 STATE = ".course.json"
 LOCK = ".course.lock"
-NOT_FOR_LEARNERS = {"masters", "__pycache__"}
 
 
 class LessonsError(Exception):
@@ -56,7 +57,7 @@ class LessonChanges:
 class Origin(NamedTuple):
     """The lesson that a working copy came from, and the update that was last added beside it."""
 
-    shipped: str  # digest of the lesson's bytes
+    shipped: str  # digest of the lesson's bytes, without outputs (until version 0.1.0: with them)
     work: str  # digest of the parts that a learner changes
     offered: str = ""  # digest of the bytes of the update that was added beside it
 
@@ -80,7 +81,7 @@ def update_lessons(source=None, target=None, version=None):
     """
     source = Path(source or CHECKOUT / "notebooks")
     target = Path(target or CHECKOUT / "my_lessons")
-    lessons = list(_lessons(source))
+    lessons = [path.relative_to(source).as_posix() for path in files_for_learners(source)]
     if not any(name.endswith(".ipynb") for name in lessons):
         raise LessonsError(
             f"there are no lessons in {source.name}/; run this from a clone of the course's repository"
@@ -97,21 +98,12 @@ def update_lessons(source=None, target=None, version=None):
         raise LessonsError(_failure_text(target, error)) from error
 
 
-def _lessons(source):
-    """Relative names of all files that a learner gets, sorted."""
-    for path in sorted(source.rglob("*")) if source.is_dir() else ():
-        name = path.relative_to(source)
-        is_excluded = any(part.startswith(".") or part in NOT_FOR_LEARNERS for part in name.parts)
-        if path.is_file() and not is_excluded:
-            yield name.as_posix()
-
-
 def _update(source, target, lessons, version):
     origins = _read_state(target / STATE)
     changes, staged = LessonChanges(folder=target.name), StagedFiles(target)
     with staged:
         for name in lessons:
-            data = (source / name).read_bytes()
+            data = without_outputs((source / name).read_bytes())
             origins[name] = _update_one(staged, changes, name, data, origins.get(name), version)
         state = target / STATE
         staged.write(
@@ -150,14 +142,14 @@ def _update_one(staged, changes, name, data, origin, version):
 
 
 def _name_beside(folder, name, version, data):
-    """A free name for an updated lesson; None if a file with the same bytes exists already."""
+    """A free name for an updated lesson; None if a file with the same lesson exists already."""
     path = Path(name)
     for number in range(1, 1000):
         label = f"version {version}" if number == 1 else f"version {version}, {number}"
         name_beside = path.with_name(f"{path.stem} ({label}){path.suffix}").as_posix()
         if not (folder / name_beside).exists():
             return name_beside
-        if (folder / name_beside).read_bytes() == data:
+        if _work_digest(name, (folder / name_beside).read_bytes()) == _work_digest(name, data):
             return None
     raise LessonsError(
         f"there are already 999 updates of {name} in {folder.name}/; move some of them elsewhere"

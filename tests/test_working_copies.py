@@ -1,6 +1,7 @@
 """Working copies: an update never overwrites the learner's work; it adds the new lesson beside it."""
 
 import errno
+import hashlib
 import json
 import os
 import subprocess
@@ -70,6 +71,71 @@ def test_the_first_start_copies_every_lesson(course):
     assert course.files() == ["a.ipynb", "b.ipynb"]
     assert course.read("a") == notebook("1")
     assert list(changes.lines()) == ["New in my_lessons/: a.ipynb, b.ipynb"]
+
+
+OUTPUT = {"output_type": "stream", "name": "stdout", "text": "36 %"}
+
+
+def test_a_copy_has_no_outputs_and_no_counters(course):
+    course.ship(a=notebook("1", outputs=[OUTPUT]))
+    course.start()
+    copy, lesson = json.loads(course.read("a")), json.loads(notebook("1"))
+    assert copy == lesson
+    assert (copy["cells"][0]["outputs"], copy["cells"][0]["execution_count"]) == ([], None)
+
+
+def as_first_version_copied(course, **lessons):
+    """The learner's folder as version 0.1.0 wrote it: with outputs, and with digests of whole files."""
+    course.ship(**lessons)
+    entries = {}
+    course.copies.mkdir()
+    for name, text in lessons.items():
+        course.write(name, text)
+        work = working_copies._work_digest("a.ipynb", text.encode())
+        entries[f"{name}.ipynb"] = {"shipped": hashlib.sha256(text.encode()).hexdigest(), "work": work}
+    (course.copies / ".course.json").write_text(json.dumps({"lessons": entries}))
+
+
+def test_an_older_copy_with_outputs_is_replaced_if_the_learner_only_ran_it(course):
+    as_first_version_copied(
+        course, a=notebook("1", outputs=[OUTPUT]), b=notebook("2", outputs=[OUTPUT]), c=notebook("3")
+    )
+    course.write("b", notebook("2", outputs=[OUTPUT, OUTPUT]))
+    changes = course.start()
+    assert changes.updated == ["a.ipynb", "b.ipynb"]
+    assert json.loads(course.read("a")) == json.loads(notebook("1"))
+    assert json.loads(course.read("b")) == json.loads(notebook("2"))
+
+
+def test_work_in_an_older_copy_stays_with_its_outputs(course):
+    as_first_version_copied(course, a=notebook("1", outputs=[OUTPUT]), b=notebook("2", outputs=[OUTPUT]))
+    work = notebook("my work", outputs=[OUTPUT])
+    course.write("a", work)
+    course.ship(b=notebook("2 corrected", outputs=[OUTPUT]))
+    changes = course.start()
+    assert (course.read("a"), changes.added_beside, changes.updated) == (work, [], ["b.ipynb"])
+    course.ship(a=notebook("1 corrected", outputs=[OUTPUT]))
+    assert course.start("0.2.0").added_beside == [("a.ipynb", "a (version 0.2.0).ipynb")]
+    assert course.read("a") == work
+    assert json.loads(course.read("a (version 0.2.0)")) == json.loads(notebook("1 corrected"))
+
+
+def test_an_update_that_an_older_version_added_beside_work_is_not_added_again(course):
+    as_first_version_copied(course, a=notebook("1", outputs=[OUTPUT]))
+    course.write("a", notebook("my work"))
+    corrected = notebook("1 corrected", outputs=[OUTPUT])
+    course.write("a (version 0.2.0)", corrected)
+    course.ship(a=corrected)
+    assert course.start("0.2.0").added_beside == []
+    assert course.read("a (version 0.2.0)") == corrected
+
+
+def test_checks_and_solutions_stay_in_the_course(course):
+    for name in ("checks/a.json", "solutions/a.json"):
+        (course.notebooks / name).parent.mkdir()
+        (course.notebooks / name).write_text("{}")
+    course.start()
+    assert course.files() == ["a.ipynb", "b.ipynb"]
 
 
 def test_a_second_start_changes_nothing(course):
