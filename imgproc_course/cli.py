@@ -168,7 +168,7 @@ def soak(minutes, speed, warm_up):
 def build(lessons, only_check, masters, out, solved):
     """Build the lessons from their masters, and each lesson a second time with solutions.
 
-    LESSON is a number or a name: 02 or 02_images_as_messages. Without LESSON, all lessons are built.
+    LESSON is a number or a name: 03 or 03_images_as_messages. Without LESSON, all lessons are built.
     """
     from imgproc_course.authoring.build import build as build_lessons
     from imgproc_course.authoring.build import compare_lessons
@@ -251,7 +251,7 @@ def _masters_folder(masters):
 def key(lessons, seed, out, masters, replace, unsafe):
     """Make the answer key: run the solutions on inputs drawn from a secret seed.
 
-    LESSON is a number or a name: 02 or 02_images_as_messages. Without LESSON, the key has all lessons.
+    LESSON is a number or a name: 03 or 03_images_as_messages. Without LESSON, the key has all lessons.
     """
     from imgproc_course.autograder.answer_key import KeyFolderError
     from imgproc_course.autograder.make_answer_key import make_key, read_or_make_seed

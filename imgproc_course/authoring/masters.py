@@ -1,6 +1,7 @@
 """Read masters: a master is the one source of a lesson, its solved twin and its grading.
 
-A master is `notebooks/masters/NN_name.py`, a percent script (JupyterLab opens it with jupytext). It is
+A master is `notebooks/masters/NN_name.py`: `name` is the lesson's identity, NN is only its place in the
+course. It is a percent script (JupyterLab opens it with jupytext). It is
 ordinary Python: prose in `# %% [markdown]` cells, code in `# %%` cells, and *roles* in the cells' headers.
 A whole one:
 
@@ -55,7 +56,12 @@ A whole one:
         return pixels * 2
 
 Front matter
-    `jupyter: imgproc_course:` holds `title` (also the `# heading` of the first cell) and `minutes`.
+    `jupyter: imgproc_course:` holds `title` and `minutes`. The first cell begins with the heading `# title`;
+    the lesson has its number there, too.
+
+References
+    Other lessons, their sections and the terms of the glossary are referred to by name:
+    [[images_as_messages]], [[canny_stages#4]], [[term:mask]]; `references` describes them.
 
 Roles (`role="..."` in a code cell's header; every other value is JSON: "text", 3, 0.5, true, ["a", "b"])
     given      visible in the lesson; runs before the learner's answer, before each case, and in grading. It
@@ -113,16 +119,16 @@ Tags (`tags=["..."]`, any code cell)
 A practice exercise (`practice=True`) is checked but not graded: its points count as 0.
 """
 
-import re
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from pathlib import Path
 
+from imgproc_course.authoring.references import LESSON_FILE, References, lesson_name
 from imgproc_course.authoring.rules import FOLDED_LINES, VARYING_TAG, master_problems
 from imgproc_course.exercises.declaration import MasterError, read_exercises
-from imgproc_course.exercises.percent_script import read_script
+from imgproc_course.exercises.percent_script import DROPPED_ROLES, read_script
 
-LESSON_NAME = re.compile(r"\d\d_[a-z0-9_]+")
-_DROPPED = ("exercise", "solution", "case", "hidden", "mistake")
+_SOURCES = ("stub", "solution", "preparation")  # fields of an Exercise that are Python
+_TEXTS = ("title", "hint", "border_hint", "explanation", "another_way")
 
 
 @dataclass(frozen=True)
@@ -159,7 +165,11 @@ class Cell:
 
 @dataclass(frozen=True)
 class Master:
-    """A master: `cells` are the lesson's, `exercises` are the declarations that grading needs."""
+    """A master: `cells` are the lesson's, `exercises` are the declarations that grading needs.
+
+    name    of the lesson, its identity: "images_as_messages"
+    number  its place in the course: "03"
+    """
 
     path: Path
     title: str
@@ -169,16 +179,21 @@ class Master:
 
     @property
     def name(self):
-        return self.path.stem
+        return LESSON_FILE.fullmatch(self.path.stem)["name"]
+
+    @property
+    def number(self):
+        return LESSON_FILE.fullmatch(self.path.stem)["number"]
 
 
 def find_masters(folder, names=()):
-    """The masters in a folder, sorted by name.
+    """The masters in a folder, in the order of the course.
 
     Parameters
     ----------
     folder : Path
-    names : names of lessons; all if empty. "02" and "02_images" both name 02_images_as_messages
+    names : names of lessons; all if empty. "03", "images_as_messages", "images" and "03_images_as_messages"
+        name images_as_messages; of a number and a name, the name decides
 
     Returns
     -------
@@ -186,11 +201,15 @@ def find_masters(folder, names=()):
 
     Raises
     ------
-    MasterError : no such folder, no master in it, or a name that matches no lesson or several
+    MasterError : no such folder, no master in it, two of one name, or a name of no lesson or of several
     """
-    paths = sorted(path for path in Path(folder).glob("*.py") if LESSON_NAME.fullmatch(path.stem))
+    paths = sorted(path for path in Path(folder).glob("*.py") if LESSON_FILE.fullmatch(path.stem))
     if not paths:
-        raise MasterError(f"no masters in {folder}; a master is named like 02_images_as_messages.py")
+        raise MasterError(f"no masters in {folder}; a master is named like 03_images_as_messages.py")
+    lessons = [lesson_name(path.stem) for path in paths]
+    for name in lessons:
+        if lessons.count(name) > 1:
+            raise MasterError(f"{folder} has two masters of the lesson {name}; rename one of them")
     if not names:
         return paths
     return sorted({_find_master(paths, name) for name in names})
@@ -198,8 +217,11 @@ def find_masters(folder, names=()):
 
 def _find_master(paths, name):
     stem = Path(name).stem
-    matches = [path for path in paths if path.stem == stem]
-    matches = matches or [path for path in paths if path.stem.startswith(stem)]
+    name_part = lesson_name(stem)
+    matches = [path for path in paths if name_part in (path.name[:2], lesson_name(path.stem))]
+    matches = matches or [
+        path for path in paths if stem in path.stem[:2] or lesson_name(path.stem).startswith(name_part)
+    ]
     if len(matches) != 1:
         lessons = ", ".join(path.stem for path in matches or paths)
         raise MasterError(f"{name!r} names {'several lessons' if matches else 'no lesson'}: {lessons}")
@@ -222,43 +244,71 @@ def read_master(path):
     MasterError : every rule that it breaks, one per line
     """
     path = Path(path)
-    script = read_script(path)
-    exercises = read_exercises(path)
-    master = Master(
-        path=path,
-        title=str(script.front_matter.get("title", "")),
-        minutes=script.front_matter.get("minutes", 0),
-        cells=tuple(_lesson_cells(path, script, exercises)),
-        exercises=exercises,
-    )
+    script, references = read_script(path), References(path)
+    exercises = tuple(_resolved(exercise, references) for exercise in read_exercises(path))
+    title = str(script.front_matter.get("title", ""))
+    cells = list(_lesson_cells(path, script, exercises, references))
+    if cells and cells[0].kind == "markdown":
+        cells[0] = _numbered(cells[0], path.name[:2])
+    master = Master(path, title, script.front_matter.get("minutes", 0), tuple(cells), exercises)
     problems = master_problems(master)
     if problems:
         raise MasterError("\n".join(f"{path.name}: {problem}" for problem in problems))
     return master
 
 
-def _lesson_cells(path, script, exercises):
-    counts, latest, position = {}, "", 0
-    remaining = iter(exercises)
+def _numbered(cell, number):
+    """The lesson's first cell with the lesson's number in its heading."""
+    if not cell.source.startswith("# "):
+        return cell
+    source = f"# {number} · {cell.source[2:]}"
+    return replace(cell, source=source, solved_source=source)
+
+
+def _resolved(exercise, references):
+    """The exercise with the references in its texts and sources resolved."""
+    changes = {name: references.in_text(getattr(exercise, name)) for name in _TEXTS}
+    changes |= {name: references.in_code(getattr(exercise, name)) for name in _SOURCES}
+    return replace(
+        exercise,
+        **changes,
+        given=tuple(map(references.in_code, exercise.given)),
+        hints=tuple(map(references.in_text, exercise.hints)),
+        cases=tuple(
+            replace(case, title=references.in_text(case.title), hint=references.in_text(case.hint))
+            for case in exercise.cases
+        ),
+        mistakes=tuple(
+            replace(mistake, says=references.in_text(mistake.says)) for mistake in exercise.mistakes
+        ),
+    )
+
+
+def _lesson_cells(path, script, exercises, references):
+    counts, latest = {}, ""
+    declared = iter(exercises)
     solutions = {exercise.id: exercise.solution for exercise in exercises}
+    position = 0
     for cell in script.cells:
         role = cell.role
         if role == "exercise":
-            latest = next(remaining).id
-        if role in _DROPPED:
+            latest = next(declared).id
+        if role in DROPPED_ROLES:
             continue
         position += 1
         owners = cell.options.get("exercise", latest)
         owner = (owners if isinstance(owners, str) else owners[0]) if role else ""
         if role == "predict":
-            owner = path.stem.partition("_")[2]
+            owner = lesson_name(path.stem)
         tags = tuple(cell.options.get("tags", ()))
-        id = f"{path.stem}-{position}"
+        id = f"{lesson_name(path.stem)}-{position}"
         if role == "answer":
             id = f"answer-{owner}"
         elif role:
             counts[role, owner] = counts.get((role, owner), 0) + 1
             id = f"{role}-{owner}-{counts[role, owner]}"
-        solved_source = solutions[owner] if role == "answer" else cell.source
+        resolve = references.in_prose if cell.kind == "markdown" else references.in_code
+        source = resolve(cell.source)
+        solved_source = solutions[owner] if role == "answer" else source
         exercise = "" if role == "predict" else owner
-        yield Cell(id, cell.kind, cell.source, solved_source, role, exercise, tags)
+        yield Cell(id, cell.kind, source, solved_source, role, exercise, tags)

@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-from imgproc_course.authoring.masters import LESSON_NAME
+from imgproc_course.authoring.references import LESSON_FILE
 from imgproc_course.exercises.declaration import MasterError
 
 TEMPLATE = Path(__file__).with_name("new_lesson.py.txt")
@@ -14,7 +14,8 @@ def new_lesson(name, folder):
 
     Parameters
     ----------
-    name : str, "brightness" or "10_brightness"; without a number it gets the next free one from 10 on
+    name : str, "brightness" or "30_brightness"; without a number it gets the next free one from 30 on, above
+        the numbers of the course's own lessons
     folder : Path, made if it is missing
 
     Returns
@@ -27,11 +28,11 @@ def new_lesson(name, folder):
     """
     folder = Path(folder)
     stem = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_")
-    if stem and not LESSON_NAME.fullmatch(stem):
+    if stem and not LESSON_FILE.fullmatch(stem):
         stem = f"{_next_number(folder):02d}_{stem}"
-    if not LESSON_NAME.fullmatch(stem):
+    if not LESSON_FILE.fullmatch(stem):
         raise MasterError(
-            f"{name!r} cannot name a lesson; use letters and digits, as in brightness or 10_brightness"
+            f"{name!r} cannot name a lesson; use letters and digits, as in brightness or 30_brightness"
         )
     path = folder / f"{stem}.py"
     name_part = stem[3:]
@@ -50,6 +51,6 @@ def new_lesson(name, folder):
 
 
 def _next_number(folder):
-    used_numbers = {int(path.name[:2]) for path in folder.glob("*.py") if LESSON_NAME.fullmatch(path.stem)}
-    free_numbers = (number for number in range(10, 100) if number not in used_numbers)
+    used_numbers = {int(path.name[:2]) for path in folder.glob("*.py") if LESSON_FILE.fullmatch(path.stem)}
+    free_numbers = (number for number in range(30, 100) if number not in used_numbers)
     return next(free_numbers, 99)

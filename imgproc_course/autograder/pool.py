@@ -2,7 +2,7 @@
 
     key = load_key("key")
     answers = {"messages-decode": "def decode(message): ..."}   # the source of each answer cell, by exercise
-    for graded in autograde([("ada", "02_images_as_messages", answers)], key):
+    for graded in autograde([("ada", "images_as_messages", answers)], key):
         print(graded.name, graded.points, "of", graded.max_points)
 
 Each thread or process that grades keeps one nbval process (`nbval_process`) and sends it one submission after

@@ -10,6 +10,7 @@ from functools import lru_cache
 from pathlib import Path
 
 ROLES = ("given", "exercise", "answer", "solution", "check", "case", "hidden", "mistake", "predict")
+DROPPED_ROLES = ("exercise", "solution", "case", "hidden", "mistake")  # what a learner does not get
 
 _ROLE_HEADER = re.compile(r"# ?%%(?!%).*\brole=")
 _UNREADABLE = "incorrectly_encoded_metadata"  # where jupytext puts a header that it cannot read
@@ -43,6 +44,11 @@ class Script:
 
     front_matter: dict
     cells: tuple
+
+    @property
+    def lesson_cells(self):
+        """The cells that a learner gets; the lesson numbers them from 1."""
+        return tuple(cell for cell in self.cells if cell.role not in DROPPED_ROLES)
 
     @property
     def role_cells(self):

@@ -147,12 +147,12 @@ def _exercise_check(exercise, content):
 def _read(path):
     if path.is_dir():
         lessons = sorted(path.glob("*.ipynb"))
-        example = lessons[0] if lessons else "my_lessons/02_images_as_messages.ipynb"
+        example = lessons[0] if lessons else "my_lessons/03_images_as_messages.ipynb"
         raise LessonFileError(f"{path} is a folder; give the lesson itself, such as {example}")
     if not path.is_file():
         raise LessonFileError(
             f"{path}: no such file; give the lesson that you want to submit, such as"
-            " my_lessons/02_images_as_messages.ipynb"
+            " my_lessons/03_images_as_messages.ipynb"
         )
     if path.suffix != ".ipynb":
         raise LessonFileError(

@@ -1,10 +1,10 @@
 """Collect submissions from folders, single files, and the zips of learning platforms.
 
     submissions/ada.ipynb                                     one file per learner
-    submissions/ada/03_grayscale.ipynb                        one folder per learner, with any content
-    submissions/03_grayscale/ada.ipynb                        one folder per lesson
+    submissions/ada/04_grayscale.ipynb                        one folder per learner, with any content
+    submissions/04_grayscale/ada.ipynb                        one folder per lesson
     submissions/Ada Lovelace_12345_assignsubmission_file_/*   Moodle ("Download all submissions")
-    submissions/lovelaceada_LATE_123_456_03_grayscale-1.ipynb Canvas ("Download Submissions")
+    submissions/lovelaceada_LATE_123_456_04_grayscale-1.ipynb Canvas ("Download Submissions")
     submissions/anything.zip                                  a platform's zip, or a learner's own
 
 A single such zip can also be given alone. Only regular files are read, as bytes. Links are not followed, a
@@ -308,7 +308,7 @@ def _owner(parts, lessons):
 def _without_lesson(stem, lessons):
     """A file's stem without the lesson's name.
 
-    student-1 and student-2 are two learners; ada_03_grayscale and ada_03_grayscale-1 are both ada's.
+    student-1 and student-2 are two learners; ada_04_grayscale and ada_04_grayscale-1 are both ada's.
     """
     unnumbered, _ = _repetition(stem)
     stem = unnumbered if unnumbered.endswith(tuple(lessons)) else stem

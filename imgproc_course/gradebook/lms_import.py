@@ -1,6 +1,6 @@
 """Fill a table that a learning platform exported with our points, so that it can be imported back unchanged.
 
-    Canvas    Grades > Export: "Student", "ID", ..., "Section", "03_grayscale (1234)" per assignment
+    Canvas    Grades > Export: "Student", "ID", ..., "Section", "04_grayscale (1234)" per assignment
     Moodle    View all submissions > Download grading worksheet: "Identifier", ..., "Grade", one assignment
 
 Only the points of graded lessons are written; every other cell stays as it is. A row is matched to a learner

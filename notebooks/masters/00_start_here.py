@@ -6,7 +6,7 @@
 # ---
 
 # %% [markdown]
-# # 00 · Start here
+# # Start here
 #
 # A small robot drives through a living room. Its camera is 20 cm above the floor and takes ten images per second. One image of such a stream is called a *frame*. The robot *publishes* (sends) every frame on a ROS 2 *topic*: a named stream of messages. Any program can *subscribe* to a topic, and then receives its messages. Here each message contains one frame. The name of this topic is `/kachaka/front_camera/image_raw`.
 #
@@ -274,4 +274,4 @@ def count_pixels(frame):
 # |---|---|---|---|---|
 # | *frame*, from the recording or the topic | (720, 1280, 3) | uint8 | 0 to 255 | intensity of blue, green, red |
 #
-# **Next:** lesson 01, what image processing is for.
+# **Next:** [[what_is_image_processing]]

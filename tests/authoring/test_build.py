@@ -117,7 +117,7 @@ def test_the_metadata_name_the_lesson_and_no_machine(built):
     notebook = nbformat.read(folder / "lessons" / "90_template.ipynb", as_version=4)
     assert notebook.metadata == {
         "imgproc_course": {
-            "lesson": "90_template",
+            "lesson": "template",
             "title": "Doubling",
             "minutes": 5,
             "version": version("imgproc-course"),
@@ -132,7 +132,7 @@ def test_the_metadata_name_the_lesson_and_no_machine(built):
 
 def outputs_of(built, position):
     folder, _ = built
-    return cells_of(folder / "lessons" / "90_template.ipynb")[f"90_template-{position}"].outputs
+    return cells_of(folder / "lessons" / "90_template.ipynb")[f"template-{position}"].outputs
 
 
 def test_streams_are_merged_with_stdout_first(built):
@@ -182,9 +182,9 @@ def test_a_difference_is_named_with_lesson_and_cell(built, tmp_path):
     folder, _ = built
     notebook = json.loads((folder / "lessons" / "90_template.ipynb").read_text())
     cells = {cell["id"]: cell for cell in notebook["cells"]}
-    cells["90_template-7"]["outputs"][0]["text"] = ["one\n", "three\n"]
-    cells["90_template-8"]["outputs"] = []  # varies: not compared
-    cells["90_template-10"]["outputs"][0]["data"]["image/png"] = "AAAA"
+    cells["template-7"]["outputs"][0]["text"] = ["one\n", "three\n"]
+    cells["template-8"]["outputs"] = []  # varies: not compared
+    cells["template-10"]["outputs"][0]["data"]["image/png"] = "AAAA"
     cells["answer-template-double"]["source"] = ["def double(pixels): ..."]
     notebook["metadata"]["imgproc_course"]["version"] = "0.0.1"
     (tmp_path / "90_template.ipynb").write_text(json.dumps(notebook))
@@ -193,8 +193,8 @@ def test_a_difference_is_named_with_lesson_and_cell(built, tmp_path):
     assert [problem.splitlines()[0] for problem in problems] == [
         "90_template.ipynb: the lesson's metadata (title, minutes, version) differ",
         "90_template.ipynb: cell answer-template-double: its source differs from the master",
-        "90_template.ipynb: cell 90_template-7: its outputs differ from the stored ones",
-        "90_template.ipynb: cell 90_template-10: its outputs differ from the stored ones",
+        "90_template.ipynb: cell template-7: its outputs differ from the stored ones",
+        "90_template.ipynb: cell template-10: its outputs differ from the stored ones",
         "80_gone.ipynb: it has no master; delete it, or restore its master",
     ]
     assert "stored: one three" in problems[2] and "now:    one two" in problems[2]
@@ -209,14 +209,14 @@ def test_a_lesson_that_was_never_built_is_named(write_master, tmp_path):
 @pytest.mark.parametrize(
     ("added", "message"),
     [
-        ("\n# %%\n1 / 0\n", "90_template.py: cell 90_template-7: ZeroDivisionError: division by zero"),
-        ("\n# %%\nprint(np.__file__)\n", "90_template-7: its output contains a path of this machine"),
-        ("\n# %%\nobject()\n", "90_template-7: its output contains the address 0x"),
+        ("\n# %%\n1 / 0\n", "90_template.py: cell template-7: ZeroDivisionError: division by zero"),
+        ("\n# %%\nprint(np.__file__)\n", "template-7: its output contains a path of this machine"),
+        ("\n# %%\nobject()\n", "template-7: its output contains the address 0x"),
         (
             '\n# %% tags=["nbval-raises-exception"]\nx = 1\n',
-            "90_template-7: tagged nbval-raises-exception, but",
+            "template-7: tagged nbval-raises-exception, but",
         ),
-        ("\n# %%\nimport os\n\nos._exit(1)\n", "90_template.py: cell 90_template-7: the kernel died"),
+        ("\n# %%\nimport os\n\nos._exit(1)\n", "90_template.py: cell template-7: the kernel died"),
     ],
 )
 def test_a_cell_that_cannot_be_stored_is_named_and_the_stored_lesson_stays(
@@ -246,7 +246,7 @@ def test_the_kernel_sees_no_other_robot_and_no_backend_setting(write_master, tmp
     code = "import os\n\n" + "\n".join(f"print(os.environ[{name!r}])" for name in names)
     path = write_master(add=f"\n# %%\n{code}\nprint(os.listdir())\n")
     build(path.parent, tmp_path / "lessons", tmp_path / "solved", progress=str)
-    printed = cells_of(tmp_path / "lessons" / "90_template.ipynb")["90_template-7"].outputs[0].text
+    printed = cells_of(tmp_path / "lessons" / "90_template.ipynb")["template-7"].outputs[0].text
     assert printed == "module://matplotlib_inline.backend_inline\nLOCALHOST\n['.ipython']\n"
     assert os.environ["MPLBACKEND"] == "agg"
 

@@ -32,7 +32,7 @@ def test_build_then_check_agree(write_master, call, tmp_path):
     write_master(("Write `double`", "Please write `double`"))
     result = call(path, "--check")
     assert result.exit_code == 1
-    assert "90_template.ipynb: cell 90_template-4: its source differs from the master" in result.stderr
+    assert "90_template.ipynb: cell template-4: its source differs from the master" in result.stderr
 
 
 def test_a_master_that_cannot_be_built_is_reported_in_one_line(write_master, call):

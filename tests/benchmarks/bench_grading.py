@@ -4,7 +4,7 @@ There are twenty generated submissions, right and wrong ones. nbgrader has an en
 (environment/requirements-nbgrader.txt; the first run makes it in ~/.cache or $NBGRADER_VENV). With
 `--growth 1000` the benchmark then grades so many submissions and prints time and memory on the way.
 
-    .venv/bin/python tests/benchmarks/bench_grading.py [--lesson 07] [--submissions 20] [--growth 1000]
+    .venv/bin/python tests/benchmarks/bench_grading.py [--lesson canny_stages] [--submissions 20] [--growth 1000]
 """
 
 import os
@@ -220,7 +220,7 @@ def _memory():
 
 
 @click.command()
-@click.option("--lesson", default="07", help="Which lesson's exercises.")
+@click.option("--lesson", default="canny_stages", help="Which lesson's exercises.")
 @click.option("--submissions", default=20, help="How many are compared; 0: none.")
 @click.option("--growth", "many", default=0, help="Then grade so many, and show time and memory.")
 def main(lesson, submissions, many):

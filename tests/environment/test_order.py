@@ -29,7 +29,7 @@ def test_every_listed_folder_exists(conftest):
     [
         ("tests/ros/test_camera.py::test_a[x::y]", "tests/ros/test_camera.py"),
         ("tests/test_cli.py::test_b", "tests/test_cli.py"),
-        ("tests/browser/test_lessons.py::test_c[03_grayscale]", "browser"),
+        ("tests/browser/test_lessons.py::test_c[04_grayscale]", "browser"),
         ("tests/notebooks/test_lessons.py::test_d[01]", "tests/notebooks/test_lessons.py::test_d[01]"),
     ],
 )

@@ -226,7 +226,7 @@ def test_a_file_of_another_kind_and_a_folder_are_one_line(tmp_path):
     )
     folder = f"Error: {tmp_path} is a folder; give the lesson itself, such as"
     done = CliRunner().invoke(check, [str(tmp_path)])
-    assert done.exit_code == 1 and done.output == f"{folder} my_lessons/02_images_as_messages.ipynb\n"
+    assert done.exit_code == 1 and done.output == f"{folder} my_lessons/03_images_as_messages.ipynb\n"
     (tmp_path / "03_mine.ipynb").write_text("")
     done = CliRunner().invoke(check, [str(tmp_path)])
     assert done.exit_code == 1 and done.output == f"{folder} {tmp_path / '03_mine.ipynb'}\n"

@@ -174,13 +174,13 @@ def test_a_deadline_with_a_zone_is_in_local_time():
 
 def test_a_new_lesson_is_a_master_that_reads(tmp_path):
     path = new_lesson("Brightness & contrast", tmp_path / "mine")
-    assert path.name == "10_brightness_contrast.py"
+    assert path.name == "30_brightness_contrast.py"
     master = read_master(path)
     assert (master.title, [each.id for each in master.exercises]) == (
         "Brightness contrast",
         ["brightness-contrast-double"],
     )
-    assert new_lesson("other", tmp_path / "mine").name == "11_other.py"
+    assert new_lesson("other", tmp_path / "mine").name == "31_other.py"
     assert new_lesson("42_other", tmp_path / "mine").name == "42_other.py"
 
 

@@ -80,4 +80,4 @@ def test_a_term_in_ten_commands(tmp_path):
     assert grades_in(tmp_path)["own"]["points"] == 3
     pages = list((tmp_path / "grades" / "learners").iterdir())
     assert len(pages) == 31 and (tmp_path / "feedback.zip").stat().st_size > 10_000
-    assert (tmp_path / "handout" / "03_grayscale.ipynb").is_file()
+    assert (tmp_path / "handout" / "04_grayscale.ipynb").is_file()

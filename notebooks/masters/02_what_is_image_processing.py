@@ -6,7 +6,7 @@
 # ---
 
 # %% [markdown]
-# # 01 · What is image processing?
+# # What is image processing?
 #
 # A camera gives a robot 2.8 million numbers, ten times per second. None of them says "floor", "person" or "stop". Image processing improves such images, or extracts information from them that the robot can use.
 #
@@ -15,9 +15,9 @@
 # - recognise four basic operations (grayscale, edge detection, noise removal, binarization) by what they do to the numbers,
 # - explain why a grayscale image is not a binary image.
 #
-# **Time** about 45 minutes. **You need** lesson 00.
+# **Time** about 45 minutes. **You need** [[start_here]].
 #
-# If the next cell says *No module named 'imgproc_course'*, open the lessons with `environment/lab`, as lesson 00 explains.
+# If the next cell says *No module named 'imgproc_course'*, open the lessons with `environment/lab`, as [[start_here]] explains.
 
 # %%
 import cv2
@@ -181,7 +181,7 @@ assert np.unique(binary).tolist() == [0, 255]
 # %% [markdown]
 # ### 8 · Edge detection: where the intensity jumps (3 minutes)
 #
-# An *edge* is a place where the intensity changes strongly from one pixel to the next. We detect edges with the method of John Canny; lesson 07 explains it and the two numbers in the next cell. An edge image also has only two values. **Predict.** How is it different from the binary image above?
+# An *edge* is a place where the intensity changes strongly from one pixel to the next. We detect edges with the method of John Canny; [[canny_stages]] explains it and the two numbers in the next cell. An edge image also has only two values. **Predict.** How is it different from the binary image above?
 
 # %%
 edges = cv2.Canny(gray, 50, 150)
@@ -224,7 +224,7 @@ assert error_after < error_before / 2
 # %% [markdown]
 # ## 10 · Live, on the robot's topic (4 minutes)
 #
-# Here is the same edge detection on the live frames. Move the sliders `low` and `high`: they set the two numbers, the thresholds that lesson 07 explains.
+# Here is the same edge detection on the live frames. Move the sliders `low` and `high`: they set the two numbers, the thresholds that [[canny_stages]] explains.
 
 # %% tags=["nbval-ignore-output"]
 def with_edges(frame, low=50, high=150):

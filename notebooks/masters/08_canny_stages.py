@@ -6,7 +6,7 @@
 # ---
 
 # %% [markdown]
-# # 07 · The stages of Canny
+# # The stages of Canny
 #
 # `cv2.Canny(gray, 50, 150)` finds edges with one line. This line runs five simple stages, one after another. You will write four of them yourself. Together, the stages give the same edges as OpenCV, pixel by pixel.
 #
@@ -16,7 +16,7 @@
 # - explain what 50 and 150 mean, and when to change them,
 # - explain why a noisy image must be smoothed before edge detection.
 #
-# **Time** about 110 minutes; take a break after section 5. **You need** lessons 03 and 05.
+# **Time** about 110 minutes; take a break after section 5. **You need** [[grayscale]] and [[noise_removal]].
 
 # %% role="given" exercise=["canny-sobel", "canny-suppression", "canny-thresholds", "canny-hysteresis"]
 import numpy as np
@@ -60,7 +60,7 @@ print("difference", difference)
 assert difference.tolist() == [0, 0, 0, 150, 150, 0, 0, 0]
 
 # %% [markdown]
-# This is a **correlation** with the kernel `[-1, 0, 1]`. As in lesson 05, the kernel moves along the row. At each pixel, every weight is multiplied by the gray level under it, and the products are added. The result is the *filter response*. Here the response is 0 where the gray level does not change. At the step it is the height of the step. A step from bright to dark gives a negative response.
+# This is a **correlation** with the kernel `[-1, 0, 1]`. As in [[noise_removal]], the kernel moves along the row. At each pixel, every weight is multiplied by the gray level under it, and the products are added. The result is the *filter response*. Here the response is 0 where the gray level does not change. At the step it is the height of the step. A step from bright to dark gives a negative response.
 #
 # A **convolution** first flips the kernel, here to `[1, 0, -1]`. So every response changes its sign. OpenCV's filters compute the correlation; `np.convolve` and many textbooks compute the convolution.
 

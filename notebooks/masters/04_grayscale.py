@@ -6,7 +6,7 @@
 # ---
 
 # %% [markdown]
-# # 03 · Grayscale
+# # Grayscale
 #
 # A colour image has three numbers per pixel. A gray image has one: the *intensity* of the pixel, or *gray level*. You may think that it is the average of the three numbers, but it is not. In this lesson you learn the right formula. You also meet a mistake that nearly everybody makes at first when they calculate with pixels.
 #
@@ -16,7 +16,7 @@
 # - compute luma with integers (whole numbers) only, and get the same result as OpenCV for every pixel,
 # - explain which information a gray image loses.
 #
-# **Time** about 60 minutes. **You need** lesson 02: the shape of a frame is (rows, columns, channels), and its channels are in the order blue, green, red.
+# **Time** about 60 minutes. **You need** [[images_as_messages]]: the shape of a frame is (rows, columns, channels), and its channels are in the order blue, green, red.
 
 # %% role="given" exercise=["grayscale-luma"]
 import numpy as np

@@ -6,7 +6,7 @@
 # ---
 
 # %% [markdown]
-# # 06 · Binarization
+# # Binarization
 #
 # Is this pixel print or paper? Is it marker or wall, obstacle or floor? Often a robot needs a yes or a no for each pixel. **Binarization** splits the pixels into the *foreground*, the part you are interested in, and the *background*, everything else. It compares each gray level with a *threshold*. In this lesson you learn how to choose the threshold.
 #
@@ -15,7 +15,7 @@
 # - compute Otsu's threshold by hand, with the same result as OpenCV,
 # - explain when one threshold for the whole image fails, and what works instead.
 #
-# **Time** about 45 minutes. **You need** lessons 03 and 05.
+# **Time** about 45 minutes. **You need** [[grayscale]] and [[noise_removal]].
 
 # %% role="given" exercise=["binarization-otsu"]
 import numpy as np

@@ -6,7 +6,7 @@
 # ---
 
 # %% [markdown]
-# # 02 · Images as messages
+# # Images as messages
 #
 # A robot's camera sends *messages*. A message with an image has a few fields that describe the image, and one long sequence of bytes.
 # The fields say how to read the bytes. If you ignore these fields, you read the bytes wrongly.
@@ -17,9 +17,9 @@
 # - recognise two common mistakes in an image (red and blue swapped; the rows cut wrongly) and repair them,
 # - subscribe to a camera that does not send lost images again, and explain why some subscriptions receive nothing from it.
 #
-# **Time** about 75 minutes. **You need** lesson 00. You should know that a NumPy array has a shape (its numbers of rows, columns and channels) and a dtype (the type of its numbers).
+# **Time** about 75 minutes. **You need** [[start_here]]. You should know that a NumPy array has a shape (its numbers of rows, columns and channels) and a dtype (the type of its numbers).
 #
-# If the next cell says *No module named 'imgproc_course'*, open the lessons with `environment/lab`, as lesson 00 explains.
+# If the next cell says *No module named 'imgproc_course'*, open the lessons with `environment/lab`, as [[start_here]] explains.
 
 # %%
 from types import SimpleNamespace
@@ -439,7 +439,7 @@ assert 0 < difference.mean() < 2
 # %% [markdown]
 # ## 10 · A live topic, and a subscription that receives nothing (8 minutes)
 #
-# Now we use ROS 2: the recorded drive is published on the robot's own topic, and this notebook subscribes to it. (Without ROS, the ROS cells below do nothing; the doctor of lesson 00 says what to install. Everything above works without ROS.)
+# Now we use ROS 2: the recorded drive is published on the robot's own topic, and this notebook subscribes to it. (Without ROS, the ROS cells below do nothing; the doctor of [[start_here]] says what to install. Everything above works without ROS.)
 
 # %%
 if ros_available():

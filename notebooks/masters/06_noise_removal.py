@@ -6,7 +6,7 @@
 # ---
 
 # %% [markdown]
-# # 05 · Noise removal
+# # Noise removal
 #
 # Every sensor adds *noise*: small or large errors in the gray levels. A *filter* removes noise. It computes each pixel of a new image from the pixel at the same place in the old image and its neighbours. Which filter helps depends on the kind of noise.
 #
@@ -17,7 +17,7 @@
 # - compute a 3 × 3 median by hand,
 # - measure with PSNR which filter removes more noise, and choose a filter with this number.
 #
-# **Time** about 70 minutes. **You need** lesson 03.
+# **Time** about 70 minutes. **You need** [[grayscale]].
 
 # %% role="given" exercise=["noise-median", "noise-psnr", "noise-choose"]
 import numpy as np
@@ -103,7 +103,7 @@ assert np.correlate(impulse, kernel, mode="same").tolist() == [0, 0, 3, 2, 1, 0,
 assert (np.correlate(impulse, kernel[::-1], mode="same") == np.convolve(impulse, kernel, mode="same")).all()
 
 # %% [markdown]
-# OpenCV's filters compute the correlation. Most textbooks use the convolution. For the symmetric kernels of this lesson the results are equal; for the kernel of lesson 07 they have opposite signs.
+# OpenCV's filters compute the correlation. Most textbooks use the convolution. For the symmetric kernels of this lesson the results are equal; for the kernel of [[canny_stages]] they have opposite signs.
 #
 # ## 3 · Planned failure: a mean filter against impulse noise (6 minutes)
 #

@@ -6,7 +6,7 @@
 # ---
 
 # %% [markdown]
-# # 04 · The grayscale node
+# # The grayscale node
 #
 # A function converts one frame to gray. A *node* is a program that takes part in ROS. A grayscale node converts every image that the camera sends, and publishes the results for other nodes. To make a node from the function, you need only a few lines, but some mistakes are easy to make.
 #
@@ -15,7 +15,7 @@
 # - explain why a notebook cell with `rclpy.spin` never ends, and what to do instead (`rclpy` is the Python library of ROS 2),
 # - choose QoS policies, copy a header, and keep a node running when an image cannot be converted.
 #
-# **Time** about 50 minutes. **You need** lessons 02 and 03. This lesson needs a running ROS 2. Without ROS 2 (macOS, Windows without WSL), read the lesson and do the exercise in section 5.
+# **Time** about 50 minutes. **You need** [[images_as_messages]] and [[grayscale]]. This lesson needs a running ROS 2. Without ROS 2 (macOS, Windows without WSL), read the lesson and do the exercise in section 5.
 
 # %% role="given" exercise=["node-process"]
 import cv2

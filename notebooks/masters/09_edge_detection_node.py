@@ -6,7 +6,7 @@
 # ---
 
 # %% [markdown]
-# # 08 · The edge-detection node
+# # The edge-detection node
 #
 # Many lessons on edge detection end with "change the thresholds and observe". One result looks better than another, but is it really better? Here you change the thresholds of a running node, and then you *measure* which thresholds are better.
 #
@@ -16,7 +16,7 @@
 # - compare edges with a ground truth, and measure precision, recall and F1,
 # - tune the parameters on some frames, and evaluate them on other frames.
 #
-# **Time** about 70 minutes. **You need** lessons 04 and 07.
+# **Time** about 70 minutes. **You need** [[grayscale_node]] and [[canny_stages]].
 
 # %% role="given" exercise=["edges-f1"]
 import numpy as np
@@ -40,9 +40,9 @@ print("gray", gray.shape, gray.dtype)
 # %% [markdown]
 # ## 1 · The node (6 minutes)
 #
-# This node differs from the node of lesson 04 in two ways: its function returns two images, and it has parameters.
+# This node differs from the node of [[grayscale_node]] in two ways: its function returns two images, and it has parameters.
 #
-# On a robot, speed is important, so the function calls OpenCV, as the node of lesson 09 does. The asserts check that the gray image and the edges are the same as those of lessons 03 and 07, for every pixel. `sigma` is the standard deviation of the Gaussian blur, in pixels; 0 means no blur.
+# On a robot, speed is important, so the function calls OpenCV, as the node of [[ros2_packages]] does. The asserts check that the gray image and the edges are the same as those of [[grayscale]] and [[canny_stages]], for every pixel. `sigma` is the standard deviation of the Gaussian blur, in pixels; 0 means no blur.
 
 # %%
 def edges_of(gray, low=50, high=150, sigma=0.0):
@@ -218,7 +218,7 @@ assert round(f1, 2) == 0.67
 # %% [markdown]
 # ## 5 · Your turn: F1 (22 minutes)
 #
-# Write `f1_score(edges, outlines, tolerance)`. An edge pixel is *on* an outline if an outline pixel is at most `tolerance` rows *and* at most `tolerance` columns away. In the same way, an outline pixel is *detected* if an edge pixel is at most `tolerance` rows and columns away. In lesson 07, `grow_once` (section 8) looks at the 3 × 3 neighbourhood of every pixel: this is a tolerance of 1. The check refuses an answer that uses `cv2`, SciPy, scikit-image or scikit-learn.
+# Write `f1_score(edges, outlines, tolerance)`. An edge pixel is *on* an outline if an outline pixel is at most `tolerance` rows *and* at most `tolerance` columns away. In the same way, an outline pixel is *detected* if an edge pixel is at most `tolerance` rows and columns away. In [[canny_stages#8]], `grow_once` looks at the 3 × 3 neighbourhood of every pixel: this is a tolerance of 1. The check refuses an answer that uses `cv2`, SciPy, scikit-image or scikit-learn.
 #
 # | Input | Output | Example call |
 # |---|---|---|

@@ -6,7 +6,7 @@
 # ---
 
 # %% [markdown]
-# # 09 · ROS 2 packages
+# # ROS 2 packages
 #
 # A node in a notebook stops when the notebook stops. On a robot, nodes belong to *packages*. A package is a folder with a fixed structure; you can build it, install it and start its nodes by name. Here you build two packages, `image_gray_processor` and `image_edge_detection`, and run their nodes outside this notebook.
 #
@@ -16,7 +16,7 @@
 # - recognise two common mistakes: a workspace that is not sourced, and a dependency that `rosdep` does not know,
 # - explain what changes on the real robot.
 #
-# **Time** about 50 minutes. **You need** lessons 04 and 08. You can build the packages on every machine that runs this notebook. To run the nodes you need ROS 2.
+# **Time** about 50 minutes. **You need** [[grayscale_node]] and [[edge_detection_node]]. You can build the packages on every machine that runs this notebook. To run the nodes you need ROS 2.
 
 # %% role="given" exercise=["packages-executable"]
 from pathlib import Path
@@ -74,7 +74,7 @@ print(code)
 assert "cv2.cvtColor" in code and "ImageProcessor" in code
 
 # %% [markdown]
-# The node consists of a function and an `ImageProcessor`, as in lesson 04. On a robot, speed is important, so the function calls OpenCV. Section 5 checks that its result is the same gray image that you computed by hand in lesson 03.
+# The node consists of a function and an `ImageProcessor`, as in [[grayscale_node]]. On a robot, speed is important, so the function calls OpenCV. Section 5 checks that its result is the same gray image that you computed by hand in [[grayscale]].
 #
 # ## 2 · Planned failure: a name that rosdep does not know (5 minutes)
 #
