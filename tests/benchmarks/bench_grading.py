@@ -4,7 +4,7 @@ There are twenty generated submissions, right and wrong ones. nbgrader has an en
 (environment/requirements-nbgrader.txt; the first run makes it in ~/.cache or $NBGRADER_VENV). With
 `--growth 1000` the benchmark then grades so many submissions and prints time and memory on the way.
 
-    .venv/bin/python tests/benchmarks/bench_grading.py [--lesson canny_stages] [--submissions 20] [--growth 1000]
+    .venv/bin/python tests/benchmarks/bench_grading.py [--lesson NAME] [--submissions 20] [--growth 1000]
 """
 
 import os
