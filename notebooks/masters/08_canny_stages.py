@@ -421,7 +421,31 @@ exercise(
     time_limit=10,
     refused=("cv2", "scipy", "skimage", "imgproc_course.imaging"),
     hint="Pad the magnitude with zeros. Two simple loops over rows and columns are fast enough. For each pixel, the sector says which two neighbours to compare with.",
+    border_hint="Only the border is wrong. Outside the image the magnitude is 0: pad with np.pad(magnitude, 1), and compare every pixel.",
+    hints=(
+        "The loops of section 4 compared each pixel with one fixed pair of neighbours. What has to depend on sector[row, col]?",
+        "Pad the magnitude with zeros, and make a result array of zeros. In two loops over all pixels, use if and elif for the four sectors: each branch reads the first and the second neighbour from the padded array. Write the magnitude into the result if the pixel is kept.",
+        "padded = np.pad(magnitude, 1) and thinned = np.zeros_like(magnitude). Pixel (row, col) is padded[row + 1, col + 1]. For sector 0: first = padded[row + 1, col], second = padded[row + 1, col + 2], keep = value > first and value >= second. For sector 1: first = padded[row, col], second = padded[row + 2, col + 2], keep = value > first and value > second. Write sectors 2 and 3 in the same way. Then: if keep: thinned[row, col] = value.",
+    ),
+    explanation="The padding makes the magnitude 0 outside the image, so every pixel has two neighbours, on the border too. The table first_step holds the way from a pixel to its first neighbour for each sector, and the second neighbour is on the opposite side: the same step with a minus. The result is a new array, because a pixel must be compared with the unchanged magnitudes of its neighbours.",
+    another_way="You can also write it without loops: compare shifted slices of the padded array for each sector, and combine the four masks with np.where.",
 )
+
+
+def neighbours(magnitude, sector, mode="constant"):
+    """The magnitudes of the first and the second neighbour of each pixel."""
+    p = np.pad(magnitude, 1, mode=mode)
+    row, col = np.indices(magnitude.shape) + 1
+    d_row, d_col = np.array([[0, -1, -1, -1], [-1, -1, 0, 1]])[:, sector]
+    return p[row + d_row, col + d_col], p[row - d_row, col - d_col]
+
+
+def is_kept(value, first, second, sector):
+    return (value > first) & ((value > second) | ((value == second) & (sector % 2 == 0)))
+
+
+def thin(magnitude, keep):
+    return np.where(keep, magnitude, 0).astype(np.int32)
 
 
 # %% role="answer"
@@ -439,10 +463,13 @@ def suppress(magnitude, sector):
         for col in range(width):
             d_row, d_col = first_step[int(sector[row, col])]
             value = magnitude[row, col]
-            first = padded[1 + row + d_row, 1 + col + d_col]
-            second = padded[1 + row - d_row, 1 + col - d_col]
-            beats_second = value >= second if sector[row, col] in (0, 2) else value > second
-            if value > first and beats_second:
+            first = padded[row + 1 + d_row, col + 1 + d_col]
+            second = padded[row + 1 - d_row, col + 1 - d_col]
+            if sector[row, col] in (0, 2):
+                keep = value > first and value >= second
+            else:
+                keep = value > first and value > second
+            if keep:
                 thinned[row, col] = value
     return thinned
 
@@ -451,7 +478,7 @@ def suppress(magnitude, sector):
 check("canny-suppression", suppress)
 
 
-# %% role="case" title="a vertical ridge" points=1 hint="Sector 0 compares with left and right."
+# %% role="case" title="a vertical ridge" points=1 hint="Every pixel is in sector 0: compare it with its left and its right neighbour."
 def inputs(rng):
     magnitude = np.sort(rng.integers(1, 400, size=(5, 7)), axis=1)[:, [0, 2, 4, 6, 5, 3, 1]].astype(np.int32)
     return magnitude, np.zeros((5, 7), dtype=np.uint8)
@@ -465,9 +492,14 @@ def inputs(rng):
     return magnitude, np.full((6, 5), 2, dtype=np.uint8)
 
 
-# %% role="case" title="all four sectors" points=1 hint="Which neighbours belong to sectors 1 and 3? Draw them."
+# %% role="case" title="all four sectors" points=1 hint="Choose one pixel whose value is framed. Look up its sector in the table of section 4, and compare it with these two neighbours."
 def inputs(rng):
     return rng.integers(0, 400, size=(7, 8)).astype(np.int32), rng.integers(0, 4, size=(7, 8), dtype=np.uint8)
+
+
+# %% role="case" title="equal neighbours in all sectors" points=0 hint="In sectors 1 and 3 a pixel must be greater than both neighbours. In sectors 0 and 2 it may be equal to the second one."
+def inputs(rng):
+    return rng.integers(0, 4, size=(7, 8)).astype(np.int32), rng.integers(0, 4, size=(7, 8), dtype=np.uint8)
 
 
 # %% role="hidden" title="few values, many equal neighbours" points=1 hint="In sectors 1 and 3 a pixel must be greater than both neighbours."
@@ -477,26 +509,32 @@ def inputs(rng):
 
 # %% role="mistake" name=">= for >" says="Two equal neighbours were both kept, so the edge is two pixels thick. A pixel must be greater than the first neighbour, not only equal to it."
 def suppress(magnitude, sector):
-    padded = np.pad(magnitude, 1)
-    first_step = {0: (0, -1), 1: (-1, -1), 2: (-1, 0), 3: (-1, 1)}
-    thinned = np.zeros_like(magnitude)
-    for (row, col), value in np.ndenumerate(magnitude):
-        d_row, d_col = first_step[int(sector[row, col])]
-        if value >= padded[1 + row + d_row, 1 + col + d_col] and value >= padded[1 + row - d_row, 1 + col - d_col]:
-            thinned[row, col] = value
-    return thinned
+    first, second = neighbours(magnitude, sector)
+    return thin(magnitude, (magnitude >= first) & (magnitude >= second))
 
 
 # %% role="mistake" name="> on both sides" says="Of two equal neighbours neither was kept, so the edge has a gap. In sectors 0 and 2 a pixel may be equal to the second neighbour."
 def suppress(magnitude, sector):
-    padded = np.pad(magnitude, 1)
-    first_step = {0: (0, -1), 1: (-1, -1), 2: (-1, 0), 3: (-1, 1)}
-    thinned = np.zeros_like(magnitude)
-    for (row, col), value in np.ndenumerate(magnitude):
-        d_row, d_col = first_step[int(sector[row, col])]
-        if value > padded[1 + row + d_row, 1 + col + d_col] and value > padded[1 + row - d_row, 1 + col - d_col]:
-            thinned[row, col] = value
-    return thinned
+    first, second = neighbours(magnitude, sector)
+    return thin(magnitude, (magnitude > first) & (magnitude > second))
+
+
+# %% role="mistake" name=">= for the second neighbour in every sector" says="In sectors 1 and 3 (the diagonals) a pixel must be greater than both neighbours. It may be equal to the second neighbour only in sectors 0 and 2."
+def suppress(magnitude, sector):
+    first, second = neighbours(magnitude, sector)
+    return thin(magnitude, (magnitude > first) & (magnitude >= second))
+
+
+# %% role="mistake" name="> and >= swapped" says="The two comparisons are swapped: a pixel must be greater than the first neighbour (left or above), and greater than or equal to the second."
+def suppress(magnitude, sector):
+    first, second = neighbours(magnitude, sector)
+    return thin(magnitude, is_kept(magnitude, second, first, sector))
+
+
+# %% role="mistake" name="> and >= swapped, in every sector" says="The two comparisons are swapped: use > for the first neighbour. For the second, use >= in sectors 0 and 2, and > in sectors 1 and 3."
+def suppress(magnitude, sector):
+    first, second = neighbours(magnitude, sector)
+    return thin(magnitude, (magnitude >= first) & (magnitude > second))
 
 
 # %% role="mistake" name="along the edge instead of across it" says="Each pixel was compared with neighbours along the edge instead of across it. In sector 0 the gradient points along the row, so the neighbours are left and right."
@@ -504,22 +542,156 @@ def suppress(magnitude, sector):
     return solution(magnitude, ((sector + 2) % 4).astype(np.uint8))
 
 
-# %% role="mistake" name="all eight neighbours" says="Each pixel was compared with all eight neighbours. Compare it only with the two neighbours along its gradient; otherwise an edge breaks where its magnitude changes."
+# %% role="mistake" name="sectors 0 and 2 swapped" says="Sectors 0 and 2 are swapped: sector 0 compares with left and right, sector 2 with above and below."
 def suppress(magnitude, sector):
-    padded = np.pad(magnitude, 1)
-    thinned = np.zeros_like(magnitude)
-    for (row, col), value in np.ndenumerate(magnitude):
-        around = padded[row : row + 3, col : col + 3].copy()
-        around[1, 1] = 0
-        if value > around.max():
-            thinned[row, col] = value
-    return thinned
+    return solution(magnitude, np.where(sector % 2 == 0, 2 - sector, sector).astype(np.uint8))
 
 
 # %% role="mistake" name="the diagonals swapped" says="Sectors 1 and 3 are swapped: sector 1 compares with above left and below right, sector 3 with above right and below left."
 def suppress(magnitude, sector):
     return solution(magnitude, np.where(sector % 2 == 1, 4 - sector, sector).astype(np.uint8))
 
+
+# %% role="mistake" name="all eight neighbours" says="Each pixel was compared with all eight neighbours. Compare it only with the two neighbours along its gradient; otherwise an edge breaks where its magnitude changes."
+def suppress(magnitude, sector):
+    p = np.pad(magnitude, 1)
+    height, width = magnitude.shape
+    around = [p[r : r + height, c : c + width] for r in range(3) for c in range(3) if (r, c) != (1, 1)]
+    return thin(magnitude, magnitude > np.max(around, axis=0))
+
+
+# %% role="mistake" name="left and right in every sector" says="Every pixel was compared with left and right. Which two neighbours to compare with depends on the sector of the pixel."
+def suppress(magnitude, sector):
+    return solution(magnitude, np.zeros_like(sector))
+
+
+# %% role="mistake" name="above and below in every sector" says="Every pixel was compared with above and below. Which two neighbours to compare with depends on the sector of the pixel."
+def suppress(magnitude, sector):
+    return solution(magnitude, np.full_like(sector, 2))
+
+
+# %% role="mistake" name="sector 1 missing" says="The pixels of sector 1 are always 0, as if sector 1 is missing. Compare them with above left and below right."
+def suppress(magnitude, sector):
+    return np.where(sector == 1, 0, solution(magnitude, sector))
+
+
+# %% role="mistake" name="sector 2 missing" says="The pixels of sector 2 are always 0, as if sector 2 is missing. Compare them with above and below."
+def suppress(magnitude, sector):
+    return np.where(sector == 2, 0, solution(magnitude, sector))
+
+
+# %% role="mistake" name="sector 3 missing" says="The pixels of sector 3 are always 0, as if sector 3 is missing. Compare them with above right and below left."
+def suppress(magnitude, sector):
+    return np.where(sector == 3, 0, solution(magnitude, sector))
+
+
+# %% role="mistake" name="sector 0 alone" says="Only the pixels of sector 0 were kept. Sectors 1, 2 and 3 need their comparisons, too."
+def suppress(magnitude, sector):
+    return np.where(sector == 0, solution(magnitude, sector), 0)
+
+
+# %% role="mistake" name="or for and" says="One smaller neighbour was enough to keep a pixel, as with or. Both comparisons must be true: use and."
+def suppress(magnitude, sector):
+    first, second = neighbours(magnitude, sector)
+    second_is_smaller = (magnitude > second) | ((magnitude == second) & (sector % 2 == 0))
+    return thin(magnitude, (magnitude > first) | second_is_smaller)
+
+
+# %% role="mistake" name="the first neighbour alone" says="Each pixel was compared with its first neighbour only. It must also be compared with the second one."
+def suppress(magnitude, sector):
+    first, _ = neighbours(magnitude, sector)
+    return thin(magnitude, magnitude > first)
+
+
+# %% role="mistake" name="minima instead of maxima" says="The pixels with the smallest magnitude were kept. Turn the comparisons around: a pixel is kept if it is greater than its neighbours."
+def suppress(magnitude, sector):
+    first, second = neighbours(magnitude, sector)
+    return thin(magnitude, (magnitude < first) & (magnitude <= second))
+
+
+# %% role="mistake" name="nothing suppressed" says="Every pixel keeps its magnitude: nothing was suppressed. A pixel that is not a maximum must become 0."
+def suppress(magnitude, sector):
+    return magnitude.copy()
+
+
+# %% role="mistake" name="the border left at 0" says="The outermost pixels are 0, as if they were left out. Outside the image the magnitude is 0: pad with np.pad(magnitude, 1), and compare every pixel."
+def suppress(magnitude, sector):
+    return np.pad(solution(magnitude, sector)[1:-1, 1:-1], 1)
+
+
+# %% role="mistake" name="the border repeated" says="The magnitude was repeated at the border (mode='edge'). Outside the image it must be 0: pad with np.pad(magnitude, 1)."
+def suppress(magnitude, sector):
+    return thin(magnitude, is_kept(magnitude, *neighbours(magnitude, sector, "edge"), sector))
+
+
+# %% role="mistake" name="np.roll at the border" says="At the border a pixel was compared with pixels of the opposite side, as np.roll does. Outside the image the magnitude is 0: pad with np.pad(magnitude, 1)."
+def suppress(magnitude, sector):
+    return thin(magnitude, is_kept(magnitude, *neighbours(magnitude, sector, "wrap"), sector))
+
+
+# %% role="mistake" name="the shift of the padding" says="The neighbours are one row and one column off. After np.pad(magnitude, 1), pixel (row, col) is at padded[row + 1, col + 1]."
+def suppress(magnitude, sector):
+    first, second = neighbours(np.pad(magnitude, 1), np.pad(sector, ((0, 2), (0, 2)), mode="edge"))
+    inside = np.s_[: magnitude.shape[0], : magnitude.shape[1]]
+    return thin(magnitude, is_kept(magnitude, first[inside], second[inside], sector))
+
+
+# %% role="mistake" name="a square image" says="A part of your result is 0, as if the loops treat the image as a square. The rows end at magnitude.shape[0], the columns at magnitude.shape[1]."
+def suppress(magnitude, sector):
+    size = min(magnitude.shape)
+    thinned = np.zeros_like(magnitude)
+    thinned[:size, :size] = solution(magnitude, sector)[:size, :size]
+    return thinned
+
+
+# %% role="mistake" name="the number of rows for the columns" says="The loop over the columns ends at the number of rows. The rows end at magnitude.shape[0], the columns at magnitude.shape[1]."
+def suppress(magnitude, sector):
+    thinned = np.zeros_like(magnitude)
+    for row in range(magnitude.shape[0]):
+        for col in range(magnitude.shape[0]):
+            thinned[row, col] = solution(magnitude, sector)[row, col]
+    return thinned
+
+
+# %% role="mistake" name="compared in uint8" says="The magnitudes were compared as uint8, where values above 255 wrap around. Compare them as int32."
+def suppress(magnitude, sector):
+    first, second = neighbours(magnitude.astype(np.uint8), sector)
+    return thin(magnitude, is_kept(magnitude.astype(np.uint8), first, second, sector))
+
+
+# %% role="mistake" name="255 for a kept pixel" says="A kept pixel became 255. It keeps its magnitude."
+def suppress(magnitude, sector):
+    return np.where(solution(magnitude, sector) > 0, 255, 0).astype(np.int32)
+
+
+# %% role="mistake" name="1 for a kept pixel" says="A kept pixel became 1. It keeps its magnitude."
+def suppress(magnitude, sector):
+    return np.where(solution(magnitude, sector) > 0, 1, 0).astype(np.int32)
+
+
+# %% role="mistake" name="True and False" says="You returned a mask of True and False. Return int32: the magnitude where a pixel is kept, 0 elsewhere."
+def suppress(magnitude, sector):
+    return solution(magnitude, sector) > 0
+
+
+# %% role="mistake" name="uint8, values above 255 cut" says="Your result is uint8, but a magnitude can be larger than 255. Make the result int32."
+def suppress(magnitude, sector):
+    return np.minimum(solution(magnitude, sector), 255).astype(np.uint8)
+
+
+# %% role="mistake" name="uint8, values above 255 wrapped" says="Your result is uint8, but a magnitude can be larger than 255. Make the result int32: np.zeros_like(magnitude)."
+def suppress(magnitude, sector):
+    return solution(magnitude, sector).astype(np.uint8)
+
+
+# %% role="mistake" name="the padded array returned" says="Your result is as large as the padded array. Return an array with the shape of magnitude."
+def suppress(magnitude, sector):
+    return np.pad(solution(magnitude, sector), 1)
+
+
+# %% role="mistake" name="smaller by the border" says="Your result has two rows and two columns fewer than magnitude. Pad with np.pad(magnitude, 1), and compare every pixel."
+def suppress(magnitude, sector):
+    return solution(magnitude, sector)[1:-1, 1:-1]
 
 # %% [markdown]
 # ## 6 · The double threshold (5 minutes)
@@ -554,6 +726,13 @@ exercise(
     time_limit=5,
     refused=("cv2", "skimage", "imgproc_course.imaging"),
     hint="A comparison of an array with a number gives a bool array. Combine two bool arrays with & (and).",
+    hints=(
+        "A comparison such as thinned > high gives True or False for every pixel at once. Which two comparisons make a pixel weak?",
+        "strong is one comparison. weak needs two comparisons: above low, and not above high. Put each of them in parentheses, and combine them with &. Return weak first.",
+        "strong = thinned > high, and weak = (thinned > low) & (thinned <= high). At the end: return weak, strong.",
+    ),
+    explanation="A comparison of an array with a number gives a bool array, so no loop is needed. & combines two bool arrays pixel by pixel; it needs the parentheses, because Python computes & before > and <=. A value equal to high is not above high, so it is weak.",
+    another_way="You can also write weak = (thinned > low) & ~strong, because ~ turns True into False and False into True.",
 )
 
 
@@ -575,7 +754,7 @@ check("canny-thresholds", double_threshold)
 
 # %% role="case" title="values equal to a threshold" points=1 hint="Above means strictly above: a value equal to low is not weak, and a value equal to high is not strong."
 def inputs(rng):
-    low, high = int(rng.integers(20, 80)), int(rng.integers(100, 200))
+    low, high = int(rng.integers(20, 45)), int(rng.integers(160, 200))
     values = np.array([0, low - 1, low, low + 1, high - 1, high, high + 1, 400, 5], np.int32)
     return rng.permutation(values).reshape(3, 3), low, high
 
@@ -590,6 +769,31 @@ def double_threshold(thinned, low, high):
     return (thinned >= low) & (thinned < high), thinned >= high
 
 
+# %% role="mistake" name=">= for low" says="A value equal to low is not above it, so it is not weak: use > for low."
+def double_threshold(thinned, low, high):
+    return (thinned >= low) & (thinned <= high), thinned > high
+
+
+# %% role="mistake" name=">= for high" says="A value equal to high is not above it, so it is weak, not strong: use > for high."
+def double_threshold(thinned, low, high):
+    return (thinned > low) & (thinned < high), thinned >= high
+
+
+# %% role="mistake" name="a value equal to high is both" says="A value equal to high is weak and strong in your masks. It is not above high, so it is only weak."
+def double_threshold(thinned, low, high):
+    return (thinned > low) & (thinned <= high), thinned >= high
+
+
+# %% role="mistake" name="a value equal to high is neither" says="A value equal to high is neither weak nor strong in your masks. It is not above high, so it is weak."
+def double_threshold(thinned, low, high):
+    return (thinned > low) & (thinned < high), thinned > high
+
+
+# %% role="mistake" name=">= for low, and a value equal to high is neither" says="A value equal to low is not above it, so it is not weak. A value equal to high is not above it, so it is weak."
+def double_threshold(thinned, low, high):
+    return (thinned >= low) & (thinned < high), thinned > high
+
+
 # %% role="mistake" name="weak and strong swapped" says="The two masks are swapped: weak comes first, strong second."
 def double_threshold(thinned, low, high):
     return thinned > high, (thinned > low) & (thinned <= high)
@@ -600,10 +804,69 @@ def double_threshold(thinned, low, high):
     return thinned > low, thinned > high
 
 
-# %% role="mistake" name="a value equal to high is neither" says="A value equal to high is neither weak nor strong in your masks. It is not above high, so it is weak."
+# %% role="mistake" name="below low" says="Your weak pixels are those below low. Turn the comparison around: a weak pixel is above low, but not above high."
 def double_threshold(thinned, low, high):
-    return (thinned > low) & (thinned < high), thinned > high
+    return thinned < low, thinned > high
 
+
+# %% role="mistake" name="all that is not strong" says="Every pixel that is not strong became weak. A weak pixel must also be above low: combine both conditions with &."
+def double_threshold(thinned, low, high):
+    return thinned <= high, thinned > high
+
+
+# %% role="mistake" name="| for &" says="Every pixel is weak in your masks, as with | (or). A weak pixel is above low and not above high: combine both conditions with &."
+def double_threshold(thinned, low, high):
+    return np.ones(thinned.shape, dtype=bool), thinned > high
+
+
+# %% role="mistake" name="low and high swapped" says="Every pixel above low is strong in your masks, and no pixel is weak, as if low and high are swapped. Strong means above high; weak means above low, but not above high."
+def double_threshold(thinned, low, high):
+    return np.zeros(thinned.shape, dtype=bool), thinned > low
+
+
+# %% role="mistake" name="50 and 150" says="Your function always compares with 50 and 150. Use the arguments low and high: another call has other thresholds."
+def double_threshold(thinned, low, high):
+    return (thinned > 50) & (thinned <= 150), thinned > 150
+
+
+# %% role="mistake" name="divided by 4" says="The thresholds were divided by 4. low and high have the same unit as thinned already: compare with them as they are."
+def double_threshold(thinned, low, high):
+    return (thinned > low / 4) & (thinned <= high / 4), thinned > high / 4
+
+
+# %% role="mistake" name="multiplied by 4" says="The thresholds were multiplied by 4. low and high have the same unit as thinned already: compare with them as they are."
+def double_threshold(thinned, low, high):
+    return (thinned > 4 * low) & (thinned <= 4 * high), thinned > 4 * high
+
+
+# %% role="mistake" name="0 and 255" says="You returned 0 and 255 as uint8. Return bool arrays, True and False: a comparison such as thinned > high is one."
+def double_threshold(thinned, low, high):
+    return tuple(np.where(mask, 255, 0).astype(np.uint8) for mask in solution(thinned, low, high))
+
+
+# %% role="mistake" name="the magnitudes kept" says="You returned the magnitudes of the pixels. Return bool arrays, True and False: a comparison such as thinned > high is one."
+def double_threshold(thinned, low, high):
+    return tuple(np.where(mask, thinned, 0) for mask in solution(thinned, low, high))
+
+
+# %% role="mistake" name="the values picked out" says="You returned the values of the pixels, and their places are lost. Return the masks themselves: bool arrays with the shape of thinned."
+def double_threshold(thinned, low, high):
+    return tuple(thinned[mask] for mask in solution(thinned, low, high))
+
+
+# %% role="mistake" name="positions" says="You returned the positions of the pixels. Return masks, bool arrays with the shape of thinned: a comparison such as thinned > high is one."
+def double_threshold(thinned, low, high):
+    return tuple(np.argwhere(mask) for mask in solution(thinned, low, high))
+
+
+# %% role="mistake" name="the strong mask alone" says="You returned only the strong mask. Return both masks: weak, strong."
+def double_threshold(thinned, low, high):
+    return thinned > high
+
+
+# %% role="mistake" name="one array with three levels" says="You returned one array with the levels 0, 1 and 2. Return two bool arrays: weak, strong."
+def double_threshold(thinned, low, high):
+    return ((thinned > low).astype(np.uint8) + (thinned > high)).astype(np.uint8)
 
 # %% [markdown]
 # ## 8 · Edge tracking by hysteresis (8 minutes)
@@ -681,7 +944,56 @@ exercise(
     time_limit=10,
     refused=("cv2", "scipy", "skimage", "imgproc_course.imaging"),
     hint="Start with the strong pixels. Grow by one step, again and again, until the number of edge pixels stops changing.",
+    border_hint="Only pixels on the border are wrong. Pad with False, so that a pixel on the border has eight neighbours too, and visit every pixel.",
+    hints=(
+        "grow_once of section 8 makes the edges grow by one step. How can you know that one more step changes nothing?",
+        "Start with edges = strong. In a while loop, compute the next edges as grow_once does. If they have as many edge pixels as before, stop; otherwise go on with the next edges. At the end, make 255 and 0 of True and False.",
+        "Copy grow_once into the answer cell. Then: edges = strong, and in while True: larger = grow_once(edges, weak); if larger.sum() == edges.sum(): return np.where(edges, 255, 0).astype(np.uint8); edges = larger.",
+    ),
+    explanation="Edges only grow: a step never removes an edge pixel. So if the number of edge pixels stays the same, the edges are the same, and the loop stops. larger is a new array in each step; if the loop wrote into edges itself, it would have nothing to compare with, and it would change the input strong.",
+    another_way="You can also keep a list of edge pixels to visit: take one pixel from the list, and add each of its weak neighbours that is not an edge yet.",
 )
+
+EIGHT = [(row, col) for row in (-1, 0, 1) for col in (-1, 0, 1)]
+
+
+def touching(edges, directions=EIGHT):
+    """True at each pixel that has an edge pixel in one of these directions."""
+    height, width = edges.shape
+    p = np.pad(edges, 1)
+    return np.any([p[1 + r : 1 + r + height, 1 + c : 1 + c + width] for r, c in directions], axis=0)
+
+
+def after_steps(weak, strong, steps=10_000, directions=EIGHT):
+    edges = strong.copy()
+    for _ in range(steps):
+        larger = edges | (weak & touching(edges, directions))
+        if larger.sum() == edges.sum():
+            break
+        edges = larger
+    return as_image(edges)
+
+
+def after_sweep(weak, strong, pixels):
+    """The edges after one sweep over the pixels, each new edge used at once."""
+    edges = strong.copy()
+    for row, col in pixels:
+        if weak[row, col] and edges[max(row - 1, 0) : row + 2, max(col - 1, 0) : col + 2].any():
+            edges[row, col] = True
+    return as_image(edges)
+
+
+def as_image(edges):
+    return np.where(edges, 255, 0).astype(np.uint8)
+
+
+def snake(size):
+    """A chain of pixels through a square image, and its first row."""
+    chain = np.zeros((size, size), dtype=bool)
+    chain[0::2] = True
+    chain[1::4, -1] = True
+    chain[3::4, 0] = True
+    return chain
 
 
 # %% role="answer"
@@ -690,13 +1002,20 @@ def grow(weak, strong):
 
 
 # %% role="solution"
+def grow_once(edges, weak):
+    height, width = edges.shape
+    padded = np.pad(edges, 1)
+    near_edge = np.zeros_like(edges)
+    for row in range(3):
+        for col in range(3):
+            near_edge = near_edge | padded[row : row + height, col : col + width]
+    return edges | (weak & near_edge)
+
+
 def grow(weak, strong):
-    height, width = weak.shape
     edges = strong
     while True:
-        padded = np.pad(edges, 1)
-        shifted = [padded[row : row + height, col : col + width] for row in range(3) for col in range(3)]
-        larger = edges | (weak & np.any(shifted, axis=0))
+        larger = grow_once(edges, weak)
         if larger.sum() == edges.sum():
             return np.where(edges, 255, 0).astype(np.uint8)
         edges = larger
@@ -706,7 +1025,7 @@ def grow(weak, strong):
 check("canny-hysteresis", grow)
 
 
-# %% role="case" title="a chain that turns corners" points=1 hint="Pixels touch at corners too: each pixel has eight neighbours."
+# %% role="case" title="a chain that turns corners" points=1 hint="Every weak pixel that touches an edge at a side or a corner becomes an edge. Repeat this until nothing changes."
 def inputs(rng):
     weak = np.eye(8, dtype=bool)
     weak[rng.integers(4, 7), :] = True
@@ -716,12 +1035,9 @@ def inputs(rng):
     return weak & ~strong, strong
 
 
-# %% role="case" title="a long snake" points=1 hint="One step of growth is not enough: continue until nothing changes."
+# %% role="case" title="a long snake" points=1 hint="A fixed number of steps is not enough for a long chain. Repeat the step until nothing changes."
 def inputs(rng):
-    weak = np.zeros((9, 9), dtype=bool)
-    weak[0::2] = True
-    for row in range(1, 9, 2):
-        weak[row, 0 if row % 4 == 3 else 8] = True
+    weak = snake(9)
     strong = np.zeros_like(weak)
     strong[0, rng.integers(0, 3)] = True
     return weak & ~strong, strong
@@ -737,6 +1053,15 @@ def inputs(rng):
     weak[5, 7] = True  # touches nothing, not even across the border
     strong = np.zeros_like(weak)
     strong[3, 0] = strong[0, 3] = True
+    strong[1, 7] = True  # touches no weak pixel
+    return weak & ~strong, strong
+
+
+# %% role="case" title="a chain of more than 400 steps" points=0 hint="A fixed number of steps, such as 100 or 400, is not enough for every image. Repeat the step until nothing changes."
+def inputs(rng):
+    weak = snake(29)
+    strong = np.zeros_like(weak)
+    strong[0, rng.integers(0, 3)] = True
     return weak & ~strong, strong
 
 
@@ -749,54 +1074,110 @@ def inputs(rng):
 
 # %% role="mistake" name="four neighbours only" says="Your function uses only the four neighbours at the sides, not the corners, so slanted lines break. Use 8-connectivity: each pixel has eight neighbours."
 def grow(weak, strong):
-    edges = strong
-    while True:
-        p = np.pad(edges, 1)
-        larger = edges | (weak & (p[:-2, 1:-1] | p[2:, 1:-1] | p[1:-1, :-2] | p[1:-1, 2:]))
-        if larger.sum() == edges.sum():
-            return np.where(edges, 255, 0).astype(np.uint8)
-        edges = larger
+    return after_steps(weak, strong, directions=[(-1, 0), (1, 0), (0, -1), (0, 1)])
+
+
+# %% role="mistake" name="the four corners only" says="Your function uses only the four neighbours at the corners, not those at the sides. Each pixel has eight neighbours."
+def grow(weak, strong):
+    return after_steps(weak, strong, directions=[(-1, -1), (-1, 1), (1, -1), (1, 1)])
+
+
+# %% role="mistake" name="above and left only" says="Your edges grow only downwards and to the right, as if the window ends too early. It has three rows and three columns: row - 1 : row + 2 and col - 1 : col + 2."
+def grow(weak, strong):
+    return after_steps(weak, strong, directions=[(-1, -1), (-1, 0), (0, -1)])
+
+
+# %% role="mistake" name="one sweep" says="One sweep over the image is not enough: it does not follow a chain that runs up or to the left. Repeat the sweep until nothing changes."
+def grow(weak, strong):
+    return after_sweep(weak, strong, np.ndindex(weak.shape))
+
+
+# %% role="mistake" name="one sweep down the columns" says="One sweep over the image is not enough: it does not follow a chain that runs up or to the left. Repeat it until nothing changes."
+def grow(weak, strong):
+    return after_sweep(weak, strong, [(row, col) for col, row in np.ndindex(weak.T.shape)])
+
+
+# %% role="mistake" name="two sweeps" says="Two sweeps, forwards and backwards, are not enough for a chain with many turns. Repeat them until nothing changes."
+def grow(weak, strong):
+    pixels = list(np.ndindex(weak.shape))
+    return after_sweep(weak, strong, pixels + pixels[::-1])
 
 
 # %% role="mistake" name="np.roll across the border" says="Edges jumped across the border of the image. np.roll moves the last row or column to the other end, so the left border touches the right one. Pad with False and take shifted arrays instead."
 def grow(weak, strong):
     edges = strong
     while True:
-        steps = [(row, col) for row in (-1, 0, 1) for col in (-1, 0, 1)]
-        near = np.any([np.roll(edges, step, axis=(0, 1)) for step in steps], axis=0)
+        near = np.any([np.roll(edges, step, axis=(0, 1)) for step in EIGHT], axis=0)
         larger = edges | (weak & near)
         if larger.sum() == edges.sum():
-            return np.where(edges, 255, 0).astype(np.uint8)
+            return as_image(edges)
         edges = larger
 
 
-# %% role="mistake" name="one step only" says="The edges grew by one step and stopped. Continue until nothing changes."
+# %% role="mistake" name="the border left out" says="The weak pixels on the border of the image never became edges, as if they were left out. Pad with False, and visit every pixel."
 def grow(weak, strong):
-    height, width = weak.shape
-    padded = np.pad(strong, 1)
-    near = [padded[row : row + height, col : col + width] for row in range(3) for col in range(3)]
-    return np.where(strong | (weak & np.any(near, axis=0)), 255, 0).astype(np.uint8)
+    inner = np.pad(np.ones_like(weak)[1:-1, 1:-1], 1)
+    return after_steps(weak & inner, strong)
+
+
+# %% role="mistake" name="one step only" says="The edges grew by one step and stopped. Repeat the step until nothing changes. If the loop compares edges with an old array, write old = edges.copy(): after old = edges both are the same array."
+def grow(weak, strong):
+    return after_steps(weak, strong, 1)
+
+
+# %% role="mistake" name="a fixed number of steps" says="The edges grew by a fixed number of steps, 10. A long chain needs more: repeat the step until nothing changes."
+def grow(weak, strong):
+    return after_steps(weak, strong, 10)
 
 
 # %% role="mistake" name="the strong pixels alone" says="You returned only the strong pixels. Let them grow along the weak pixels that touch them."
 def grow(weak, strong):
-    return np.where(strong, 255, 0).astype(np.uint8)
+    return as_image(strong)
 
 
-# %% role="mistake" name="the strong pixels are lost" says="The strong pixels are missing in your edges. Weak and strong are separate masks: keep the strong pixels, and add the weak ones that touch them."
+# %% role="mistake" name="the strong pixels are lost" says="The strong pixels are missing in your edges. An edge stays an edge: in each step, combine the edges so far and the new ones with |."
 def grow(weak, strong):
     return np.where(weak, solution(weak, strong), 0).astype(np.uint8)
 
 
+# %% role="mistake" name="weak and strong exchanged" says="The edges started from the weak pixels and grew into the strong ones. Start from strong, and grow into weak."
+def grow(weak, strong):
+    return after_steps(strong, weak)
+
+
 # %% role="mistake" name="all weak pixels" says="All weak pixels became edges. Keep only those that a chain of weak pixels connects to a strong pixel."
 def grow(weak, strong):
-    return np.where(weak | strong, 255, 0).astype(np.uint8)
+    return as_image(weak | strong)
+
+
+# %% role="mistake" name="grows over everything" says="Your edges grew over pixels that are not weak. Grow only where weak is True: weak & ..."
+def grow(weak, strong):
+    return as_image(np.ones_like(weak))
+
+
+# %% role="mistake" name="all pixels that touch an edge" says="Your edges also contain pixels that are not weak. A new edge pixel must be weak: weak & ..."
+def grow(weak, strong):
+    return as_image(strong | touching(solution(weak, strong) == 255))
+
+
+# %% role="mistake" name="0 and 1" says="The edges are right, but they are 0 and 1. An edge pixel must be 255: np.where(edges, 255, 0).astype(np.uint8)."
+def grow(weak, strong):
+    return (solution(weak, strong) == 255).astype(np.uint8)
 
 
 # %% role="mistake" name="bool instead of 0 and 255" says="The edges are right, but they are True and False. The task asks for uint8, 0 and 255."
 def grow(weak, strong):
     return solution(weak, strong) == 255
 
+
+# %% role="mistake" name="0 and 255 exchanged" says="0 and 255 are exchanged: an edge pixel is 255, every other pixel 0."
+def grow(weak, strong):
+    return 255 - solution(weak, strong)
+
+
+# %% role="mistake" name="recursion without end" says="Your function calls itself again and again, and never stops. If it visits pixels, mark a pixel as visited before you go on to its neighbours."
+def grow(weak, strong):
+    return grow(weak, strong)
 
 # %% [markdown]
 # ## 10 · Does OpenCV agree? (4 minutes)

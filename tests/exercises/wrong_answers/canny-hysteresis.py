@@ -276,7 +276,7 @@ def grow(weak, strong):
         edges = new
     result = np.where(edges, 255, 0).astype(np.uint8)
 
-# %% name="a hundred steps are enough" origin="new" sentence="100 steps are enough for the lesson's frame only; a longer chain needs more steps, so repeat until nothing changes." must_say=["\\b100\\b|fixed|number of steps|enough", "until|while|no more|nothing changes|long|chain"] must_not_say=["corner"] kind="value" passes=true
+# %% name="a hundred steps are enough" origin="new" sentence="100 steps are enough for the lesson's frame only; a longer chain needs more steps, so repeat until nothing changes." must_say=["\\b100\\b|fixed|number of steps|enough", "until|while|no more|nothing changes|long|chain"] must_not_say=["corner"] kind="value"
 def grow(weak, strong):
     edges = strong.copy()
     h, w = edges.shape
