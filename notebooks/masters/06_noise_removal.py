@@ -914,13 +914,15 @@ def my_psnr(clean, other):
 
 
 # %% [markdown]
-# ## 9 · Practice: choose a filter (5 minutes)
+# ## 9 · Practice: choose a filter (10 minutes)
 #
 # Write `best_filter(clean, noisy, filters)`. It applies every filter to `noisy`, and returns the name of the filter whose result has the highest PSNR compared with `clean`. This exercise gives no points. But for every new camera you will have to choose a filter in this way.
 #
 # | Input | Output | Example call |
 # |---|---|---|
 # | `clean`, `noisy`: two (height, width) uint8 images; `filters`: a dictionary name → function | the *name* of the best filter, a string | `best_filter(gray, salted, filters)` |
+#
+# Import what you use in this cell, for example `from imgproc_course.imaging import psnr`.
 
 # %% role="exercise"
 exercise(
@@ -929,8 +931,54 @@ exercise(
     function="best_filter",
     practice=True,
     time_limit=10,
-    hint="Apply each filter, compute the PSNR of the result, and keep the name with the highest PSNR.",
+    hint="Apply each filter to noisy, compute the PSNR of the result compared with clean, and keep the name with the highest PSNR.",
+    hints=(
+        "How did the table of section 6 get its numbers? Which two images does it compare for each filter, and which number is the best one?",
+        "1. Begin with no name, and with a best PSNR that every filter can beat, such as -1. 2. Go through filters.items(): it gives the name and the function of each filter. 3. Call the function with noisy, and compute the PSNR of the result compared with clean. 4. If it is higher than the best so far, store the name and the PSNR. 5. After the loop return the name.",
+        "for name, apply in filters.items(): value = psnr(clean, apply(noisy)); if value > best_value: best_name, best_value = name, value. Below the loop: return best_name.",
+    ),
+    explanation="The values of the dictionary are functions: apply is called like any other function, with the noisy image. The loop stores the best name together with its PSNR, because the next filter must be compared with the best one so far. The function knows nothing about the filters, so it works for every dictionary.",
+    another_way="You can also write max(filters, key=...): key is a function that gives the PSNR for a name, and max returns the name with the largest one.",
 )
+
+
+def mse_of(image, other):
+    return float(np.mean((image.astype(float) - other.astype(float)) ** 2))
+
+
+def psnr_of(image, other):
+    mse = mse_of(image, other)
+    return float("inf") if mse == 0 else float(10 * np.log10(255**2 / mse))
+
+
+def subtracting(number):
+    return lambda image: image - np.uint8(number)
+
+
+# Each filter wins by another wrong rule: the comments say by which. The clean image has gray levels from 40
+# to 80, and the noisy one is brighter by 60.
+def many_filters():
+    def brighten_bright(image):
+        return np.where(image > 90, image + 30, image).astype(np.uint8)
+
+    def black_corner(image):
+        result = image - np.uint8(60)
+        result[0, 0] = 0
+        return result
+
+    return {
+        "add 10": lambda image: image + np.uint8(10),  # the first by the alphabet
+        "subtract 1": subtracting(1),  # nearest to the noisy image
+        "brighten bright pixels": brighten_bright,  # leaves the clean image as it is
+        "two thirds": lambda image: (image.astype(int) * 2 // 3).astype(np.uint8),  # the last by the alphabet
+        "subtract 44": subtracting(44),  # an error of 16: its square is 256, and 0 in uint8
+        "black corner": black_corner,  # the smallest mean absolute error
+        "subtract 57": subtracting(57),  # the best
+        "everything white": lambda image: np.full_like(image, 255),  # the worst
+        "subtract 65": subtracting(65),  # the best if the difference is computed in uint8
+        "subtract 54": subtracting(54),  # the last above 30 dB
+        "subtract 20": subtracting(20),  # the last of all
+    }
 
 # %% role="answer"
 def best_filter(clean, noisy, filters):
@@ -938,11 +986,16 @@ def best_filter(clean, noisy, filters):
 
 
 # %% role="solution"
-def best_filter(clean, noisy, filters):
-    def mean_squared_error(name):
-        return np.mean((filters[name](noisy).astype(float) - clean) ** 2)
+from imgproc_course.imaging import psnr
 
-    return min(filters, key=mean_squared_error)
+
+def best_filter(clean, noisy, filters):
+    best_name, best_value = None, -1
+    for name, apply in filters.items():
+        value = psnr(clean, apply(noisy))
+        if value > best_value:
+            best_name, best_value = name, value
+    return best_name
 
 
 # %% role="check"
@@ -963,6 +1016,19 @@ def inputs(rng):
     return clean, noisy, {"darker by ten": darker_by_ten, "darker by twenty": darker_by_twenty}
 
 
+# %% role="case" title="many filters"
+def inputs(rng):
+    clean = rng.integers(40, 81, size=(8, 8), dtype=np.uint8)
+    return clean, clean + np.uint8(60), many_filters()
+
+
+# %% role="case" title="the best filter is the first"
+def inputs(rng):
+    clean = rng.integers(100, 200, size=(8, 8), dtype=np.uint8)
+    filters = {"brighter by 30": lambda image: image + np.uint8(30), "brighter by 10": lambda image: image + np.uint8(10)}
+    return clean, clean - np.uint8(30), filters
+
+
 # %% role="hidden" title="a darkened image" hint="The best filter may be the first or the last in the dictionary."
 def inputs(rng):
     clean = rng.integers(100, 200, size=(8, 8), dtype=np.uint8)
@@ -977,9 +1043,106 @@ def inputs(rng):
     return clean, noisy, {"brighter by thirty": brighter_by_thirty, "brighter by ten": brighter_by_ten}
 
 
-# %% role="mistake" name="the worst instead of the best" says="This is the filter with the lowest PSNR. A higher PSNR is better."
+# %% role="mistake" name="the worst instead of the best" says="This is the filter with the lowest PSNR, which has the largest mean squared error. Take the highest PSNR (or the smallest MSE); in a list from sorted() the smallest value is the first and the largest the last, [-1]."
 def best_filter(clean, noisy, filters):
-    return max(filters, key=lambda name: np.mean((filters[name](noisy).astype(float) - clean) ** 2))
+    return min(filters, key=lambda name: psnr_of(clean, filters[name](noisy)))
+
+
+# %% role="mistake" name="the largest name of the alphabet" says="This is the last name in the order of the alphabet. max(filters) compares the names themselves: compute the PSNR of each filter, and compare these values."
+def best_filter(clean, noisy, filters):
+    return max(filters)
+
+
+# %% role="mistake" name="the smallest name of the alphabet" says="This is the first name in the order of the alphabet. min(filters) compares the names themselves: compute the PSNR of each filter, and compare these values."
+def best_filter(clean, noisy, filters):
+    return min(filters)
+
+
+# %% role="mistake" name="always the median" says="The function always returns the fixed name 'median 3', which is not even a name in this dictionary. Apply each filter and compare the PSNR."
+def best_filter(clean, noisy, filters):
+    return "median 3"
+
+
+# %% role="mistake" name="filters applied to the clean image" says="Apply each filter to noisy, not to clean: this filter wins if it filters the clean image, so call the function as apply(noisy)."
+def best_filter(clean, noisy, filters):
+    return max(filters, key=lambda name: psnr_of(clean, filters[name](clean)))
+
+
+# %% role="mistake" name="compared with the noisy image" says="This filter changes the noisy image least. Measure the PSNR of the result compared with clean, not with noisy."
+def best_filter(clean, noisy, filters):
+    return max(filters, key=lambda name: psnr_of(noisy, filters[name](noisy)))
+
+
+# %% role="mistake" name="always the last" says="This is the last filter in the dictionary. A loop gives it if the best value is never updated: store the new best value together with the name."
+def best_filter(clean, noisy, filters):
+    return list(filters)[-1]
+
+
+# %% role="mistake" name="always the first" says="This is the first filter in the dictionary. If return is inside the loop, only the first filter is tried: move return to the left, below the loop."
+def best_filter(clean, noisy, filters):
+    return next(iter(filters))
+
+
+# %% role="mistake" name="squared in uint8" says="This filter wins if the MSE is computed in uint8, where differences and squares wrap around. Widen clean with astype(float) before you subtract, or import psnr."
+def best_filter(clean, noisy, filters):
+    return min(filters, key=lambda name: np.mean((clean - filters[name](noisy)) ** 2))
+
+
+# %% role="mistake" name="subtracted in uint8" says="This filter wins if the difference is computed in uint8, where it wraps around below 0. Widen clean with astype(float) before you subtract, or import psnr."
+def best_filter(clean, noisy, filters):
+    return min(filters, key=lambda name: np.mean((clean - filters[name](noisy)).astype(float) ** 2))
+
+
+# %% role="mistake" name="mean absolute error" says="This filter has the smallest mean absolute error. The task asks for the highest PSNR, so the differences are squared."
+def best_filter(clean, noisy, filters):
+    return min(filters, key=lambda name: np.abs(clean.astype(int) - filters[name](noisy)).mean())
+
+
+# %% role="mistake" name="the last above 30 dB" says="This is the last filter with more than 30 dB. A fixed number does not find the best one: keep the highest PSNR of all."
+def best_filter(clean, noisy, filters):
+    names = [name for name in filters if psnr_of(clean, filters[name](noisy)) > 30]
+    return names[-1] if names else None
+
+
+# %% role="mistake" name="the value instead of the name" says="You return the highest PSNR, a number. The task asks for the name of the filter that has it."
+def best_filter(clean, noisy, filters):
+    return max(psnr_of(clean, apply(noisy)) for apply in filters.values())
+
+
+# %% role="mistake" name="the error instead of the name" says="You return the smallest mean squared error, a number. The task asks for the name of the filter that has it."
+def best_filter(clean, noisy, filters):
+    return min(mse_of(clean, apply(noisy)) for apply in filters.values())
+
+
+# %% role="mistake" name="the position instead of the name" says="You return the position of the best filter (its index, as np.argmax gives it). Return its name: list(filters)[position]."
+def best_filter(clean, noisy, filters):
+    return list(filters).index(solution(clean, noisy, filters))
+
+
+# %% role="mistake" name="a ranking" says="You return a list of all names, the best first. The task asks for one name: the first of your list, [0]."
+def best_filter(clean, noisy, filters):
+    return sorted(filters, key=lambda name: psnr_of(clean, filters[name](noisy)), reverse=True)
+
+
+# %% role="mistake" name="a ranking from the worst" says="You return a list of all names, the best last. The task asks for one name: the last of your list, [-1]."
+def best_filter(clean, noisy, filters):
+    return sorted(filters, key=lambda name: psnr_of(clean, filters[name](noisy)))
+
+
+# %% role="mistake" name="name and value" says="You return two values, the name and its PSNR. The task asks for the name alone."
+def best_filter(clean, noisy, filters):
+    name = solution(clean, noisy, filters)
+    return name, psnr_of(clean, filters[name](noisy))
+
+
+# %% role="mistake" name="a dictionary" says="You return a dictionary with the PSNR of every filter. The task asks for one name: the one with the highest PSNR."
+def best_filter(clean, noisy, filters):
+    return {name: psnr_of(clean, apply(noisy)) for name, apply in filters.items()}
+
+
+# %% role="mistake" name="the filtered image" says="You return the filtered image. The task asks for the name of the best filter."
+def best_filter(clean, noisy, filters):
+    return filters[solution(clean, noisy, filters)](noisy)
 
 
 # %% [markdown]

@@ -32,7 +32,7 @@ from imgproc_course.imaging import psnr
 def best_filter(clean, noisy, filters):
     return max(filters.values(), key=lambda f: psnr(clean, f(noisy)))
 
-# %% name="the largest name of the alphabet" origin="new" sentence="max(filters) compares the names by the alphabet: give max a key that computes the PSNR of each filter." must_say=["alphabet|names with|names themselves|compares the names|letters", "PSNR|key|value"] kind="value" passes=true
+# %% name="the largest name of the alphabet" origin="new" sentence="max(filters) compares the names by the alphabet: give max a key that computes the PSNR of each filter." must_say=["alphabet|names with|names themselves|compares the names|letters", "PSNR|key|value"] kind="value"
 def best_filter(clean, noisy, filters):
     return max(filters)
 
@@ -100,7 +100,7 @@ def best_filter(clean, noisy, filters):
             best_name, best_value = name, value
         return best_name
 
-# %% name="PSNR in uint8" origin="new" sentence="clean - result wraps around in uint8, so your PSNR is wrong: widen clean with astype(float) before you subtract." must_say=["wrap|uint8|overflow", "widen|astype|float"] kind="value" passes=true
+# %% name="PSNR in uint8" origin="new" sentence="clean - result wraps around in uint8, so your PSNR is wrong: widen clean with astype(float) before you subtract." must_say=["wrap|uint8|overflow", "widen|astype|float"] kind="value"
 def best_filter(clean, noisy, filters):
     scores = {}
     for name, f in filters.items():
@@ -164,11 +164,11 @@ def best_filter(clean, noisy, filters):
         scores[filters] = psnr(clean, filters[filters](noisy))
     return max(scores, key=scores.get)
 
-# %% name="mean absolute error" origin="new" sentence="You choose by the mean absolute error, which can prefer another filter; the task asks for the highest PSNR, so square the differences." must_say=["absolute|\\babs", "PSNR|squar"] kind="value" passes=true
+# %% name="mean absolute error" origin="new" sentence="You choose by the mean absolute error, which can prefer another filter; the task asks for the highest PSNR, so square the differences." must_say=["absolute|\\babs", "PSNR|squar"] kind="value"
 def best_filter(clean, noisy, filters):
     return min(filters, key=lambda name: np.abs(clean.astype(int) - filters[name](noisy)).mean())
 
-# %% name="the last filter above 30 dB" origin="new" sentence="You take the last filter that is better than 30 dB, a fixed number: keep the one with the highest PSNR of all." must_say=["30|fixed|last", "highest|best|max|larg"] kind="value" passes=true
+# %% name="the last filter above 30 dB" origin="new" sentence="You take the last filter that is better than 30 dB, a fixed number: keep the one with the highest PSNR of all." must_say=["30|fixed|last", "highest|best|max|larg"] kind="value"
 from imgproc_course.imaging import psnr
 
 
