@@ -232,8 +232,53 @@ exercise(
     time_limit=10,
     refused=("cv2", "scipy", "skimage", "sklearn"),
     tolerance=1e-9,
-    hint="First write dilate(mask, tolerance): its result is True at each pixel that has a True pixel within the tolerance. Pad the mask with False, take shifted slices, and combine them with | (or).",
+    hint="Count pixels in this order: edge pixels, edge pixels near an outline, outline pixels, outline pixels near an edge. Print the four numbers.",
+    hints=(
+        "Precision is a share of the edge pixels, recall is a share of the outline pixels. Which two masks do you need to know which pixels are near the other ones?",
+        "Copy your function near into the answer cell. Make the mask edges > 0. The true positives are the edge pixels that are near an outline; the detected outline pixels are those near an edge. Divide each number by the right total. Return 0.0 before you divide by 0.",
+        "found = edges > 0. If not found.any() or not outlines.any(): return 0.0. precision = (found & near(outlines, tolerance)).sum() / found.sum(), and recall = (outlines & near(found, tolerance)).sum() / outlines.sum(). If precision + recall == 0: return 0.0. At the end: return 2 * precision * recall / (precision + recall).",
+    ),
+    explanation="edges holds 0 and 255, so edges > 0 makes a mask whose pixels can be counted with sum(). Precision and recall look at different pixels: precision counts edge pixels near an outline, recall counts outline pixels near an edge. With a tolerance these are two different numbers, so near is called twice. The two if statements prevent a division by 0.",
+    another_way="You can also use np.argwhere to get the positions of the edge pixels and of the outline pixels, and compare each position of one with all positions of the other.",
 )
+
+
+def window(mask, tolerance, steps=None):
+    """True at each pixel that has a True pixel in one of the (row, col) steps; the whole square if omitted."""
+    height, width = mask.shape
+    p = np.pad(mask, tolerance)
+    sides = range(2 * tolerance + 1)
+    starts = [(r, c) for r in sides for c in sides]
+    if steps is not None:
+        starts = [(r, c) for r, c in starts if steps(r - tolerance, c - tolerance)]
+    return np.any([p[r : r + height, c : c + width] for r, c in starts] or [np.zeros_like(mask)], axis=0)
+
+
+def counts(edges, outlines, tolerance, near=window):
+    """Edge pixels near an outline, edge pixels, outline pixels near an edge, outline pixels."""
+    mask = edges > 0
+    hits, detected = mask & near(outlines, tolerance), outlines & near(mask, tolerance)
+    return [int(part.sum()) for part in (hits, mask, detected, outlines)]
+
+
+def f1_of(hits, edge_count, detected, outline_count):
+    """F1 of four numbers of pixels; 0.0 where it would divide by 0."""
+    if not edge_count or not outline_count or hits + detected == 0:
+        return 0.0
+    precision, recall = hits / edge_count, detected / outline_count
+    return 2 * precision * recall / (precision + recall)
+
+
+def share(part, whole):
+    """The share as NumPy computes it: nan for 0 / 0."""
+    with np.errstate(invalid="ignore"):
+        return np.float64(part) / np.float64(whole)
+
+
+def unguarded_f1(hits, edge_count, detected, outline_count):
+    precision, recall = share(hits, edge_count), share(detected, outline_count)
+    return float(share(2 * precision * recall, precision + recall))
+
 
 # %% role="answer"
 def f1_score(edges, outlines, tolerance):
@@ -241,19 +286,25 @@ def f1_score(edges, outlines, tolerance):
 
 
 # %% role="solution"
-def f1_score(edges, outlines, tolerance):
-    def dilate(mask):
-        height, width = mask.shape
-        padded = np.pad(mask, tolerance)
-        steps = range(2 * tolerance + 1)
-        return np.any([padded[r : r + height, c : c + width] for r in steps for c in steps], axis=0)
+def near(mask, tolerance):
+    height, width = mask.shape
+    padded = np.pad(mask, tolerance)
+    result = np.zeros_like(mask)
+    for row in range(2 * tolerance + 1):
+        for col in range(2 * tolerance + 1):
+            result = result | padded[row : row + height, col : col + width]
+    return result
 
-    detected = edges > 0
-    if not detected.any() or not outlines.any():
+
+def f1_score(edges, outlines, tolerance):
+    found = edges > 0
+    if not found.any() or not outlines.any():
         return 0.0
-    precision = (detected & dilate(outlines)).sum() / detected.sum()
-    recall = (outlines & dilate(detected)).sum() / outlines.sum()
-    return 0.0 if precision + recall == 0 else float(2 * precision * recall / (precision + recall))
+    precision = (found & near(outlines, tolerance)).sum() / found.sum()
+    recall = (outlines & near(found, tolerance)).sum() / outlines.sum()
+    if precision + recall == 0:
+        return 0.0
+    return float(2 * precision * recall / (precision + recall))
 
 
 # %% role="check"
@@ -277,6 +328,35 @@ def inputs(rng):
     return edges, outlines, 2
 
 
+# %% role="case" title="single pixels, three tolerances" points=0 hint="The neighbourhood is a square, corners included: tolerance rows and tolerance columns in each direction. Outside the image there are no pixels."
+def inputs(rng):
+    def call(tolerance):
+        outlines = rng.random((14, 17)) < 0.05
+        edges = np.where(rng.random((14, 17)) < 0.07, 255, 0).astype(np.uint8)
+        return edges, outlines, tolerance
+
+    return [call(2), call(1), call(3)]
+
+
+# %% role="case" title="no edges" points=0 hint="Without edges the result is 0.0."
+def inputs(rng):
+    return np.zeros((6, 7), dtype=np.uint8), rng.random((6, 7)) < 0.3, 2
+
+
+# %% role="case" title="no outlines" points=0 hint="Without outlines the result is 0.0."
+def inputs(rng):
+    edges = np.where(rng.random((6, 7)) < 0.3, 255, 0).astype(np.uint8)
+    return edges, np.zeros((6, 7), dtype=bool), 2
+
+
+# %% role="case" title="edges far from every outline" points=0 hint="If no edge is near an outline, precision and recall are both 0, and the result is 0.0."
+def inputs(rng):
+    outlines, edges = np.zeros((7, 12), dtype=bool), np.zeros((7, 12), dtype=np.uint8)
+    outlines[:, rng.integers(0, 3)] = True
+    edges[:, rng.integers(9, 11)] = 255
+    return edges, outlines, 2
+
+
 # %% role="hidden" title="sparse images" points=1 hint="Is the neighbourhood a square, corners included?"
 def inputs(rng):
     outlines = rng.random((20, 24)) < 0.06
@@ -291,13 +371,14 @@ def inputs(rng):
 
 # %% role="mistake" name="precision alone" says="That is the precision. F1 also needs the recall: it is the harmonic mean of both."
 def f1_score(edges, outlines, tolerance):
-    def dilate(mask):
-        padded = np.pad(mask, tolerance)
-        steps = range(2 * tolerance + 1)
-        return np.any([padded[r : r + mask.shape[0], c : c + mask.shape[1]] for r in steps for c in steps], axis=0)
+    hits, edge_count, _, _ = counts(edges, outlines, tolerance)
+    return hits / edge_count if edge_count else 0.0
 
-    detected = edges > 0
-    return float((detected & dilate(outlines)).sum() / detected.sum()) if detected.any() else 0.0
+
+# %% role="mistake" name="recall alone" says="That is the recall. F1 also needs the precision: it is the harmonic mean of both."
+def f1_score(edges, outlines, tolerance):
+    _, _, detected, outline_count = counts(edges, outlines, tolerance)
+    return detected / outline_count if outline_count else 0.0
 
 
 # %% role="mistake" name="no tolerance" says="You counted only edge pixels exactly on an outline. An edge up to `tolerance` pixels away counts too."
@@ -305,19 +386,234 @@ def f1_score(edges, outlines, tolerance):
     return solution(edges, outlines, 0)
 
 
+# %% role="mistake" name="always 2 pixels" says="Your function always uses 2 pixels. Use the argument tolerance: another call has another tolerance."
+def f1_score(edges, outlines, tolerance):
+    return solution(edges, outlines, 2)
+
+
+# %% role="mistake" name="always 1 pixel" says="Your function always uses 1 pixel. Use the argument tolerance: another call has another tolerance."
+def f1_score(edges, outlines, tolerance):
+    return solution(edges, outlines, 1)
+
+
 # %% role="mistake" name="the plain mean" says="That is the arithmetic mean of precision and recall. F1 is their harmonic mean, which is low if one of them is low."
 def f1_score(edges, outlines, tolerance):
-    def dilate(mask):
-        padded = np.pad(mask, tolerance)
-        steps = range(2 * tolerance + 1)
-        return np.any([padded[r : r + mask.shape[0], c : c + mask.shape[1]] for r in steps for c in steps], axis=0)
-
-    detected = edges > 0
-    if not detected.any() or not outlines.any():
+    hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
+    if not edge_count or not outline_count:
         return 0.0
-    precision = (detected & dilate(outlines)).sum() / detected.sum()
-    return float((precision + (outlines & dilate(detected)).sum() / outlines.sum()) / 2)
+    return (hits / edge_count + detected / outline_count) / 2
 
+
+# %% role="mistake" name="the factor 2" says="Your result is half of F1: the factor 2 is missing. F1 is 2 * precision * recall / (precision + recall)."
+def f1_score(edges, outlines, tolerance):
+    return solution(edges, outlines, tolerance) / 2
+
+
+# %% role="mistake" name="the sum" says="You returned the sum of precision and recall. F1 is 2 * precision * recall, divided by this sum."
+def f1_score(edges, outlines, tolerance):
+    hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
+    if not edge_count or not outline_count:
+        return 0.0
+    return hits / edge_count + detected / outline_count
+
+
+# %% role="mistake" name="the product" says="You returned the product of precision and recall. F1 is 2 times this product, divided by precision + recall."
+def f1_score(edges, outlines, tolerance):
+    hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
+    if not edge_count or not outline_count:
+        return 0.0
+    return hits / edge_count * detected / outline_count
+
+
+# %% role="mistake" name="no division" says="You returned 2 * precision * recall. Divide it by precision + recall."
+def f1_score(edges, outlines, tolerance):
+    hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
+    if not edge_count or not outline_count:
+        return 0.0
+    return 2 * hits / edge_count * detected / outline_count
+
+
+# %% role="mistake" name="percent" says="You returned percent. F1 is a share from 0 to 1: leave out the factor 100."
+def f1_score(edges, outlines, tolerance):
+    return 100 * solution(edges, outlines, tolerance)
+
+
+# %% role="mistake" name="rounded to two digits" says="Your result is rounded to two digits. Return the whole float, without round()."
+def f1_score(edges, outlines, tolerance):
+    return round(solution(edges, outlines, tolerance), 2)
+
+
+# %% role="mistake" name="three numbers" says="You returned three numbers: precision, recall and F1. Return only F1, one float."
+def f1_score(edges, outlines, tolerance):
+    hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
+    if not edge_count or not outline_count or not hits:
+        return 0.0, 0.0, 0.0
+    return hits / edge_count, detected / outline_count, solution(edges, outlines, tolerance)
+
+
+# %% role="mistake" name="edge pixels counted as 255" says="The edge pixels were counted 255 times, because edges holds 0 and 255. Make a mask first, edges > 0, and count with it."
+def f1_score(edges, outlines, tolerance):
+    hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
+    return f1_of(hits, 255 * edge_count, detected, outline_count)
+
+
+# %% role="mistake" name="always 0" says="Your result is always 0.0. An edge pixel is 255, not 1: find the edge pixels with edges > 0."
+def f1_score(edges, outlines, tolerance):
+    return 0.0
+
+
+# %% role="mistake" name="recall divided by the number of edges" says="Recall was divided by the number of edge pixels. It is a share of the outline pixels: divide by outlines.sum()."
+def f1_score(edges, outlines, tolerance):
+    hits, edge_count, detected, _ = counts(edges, outlines, tolerance)
+    return f1_of(hits, edge_count, detected, edge_count)
+
+
+# %% role="mistake" name="the hits of precision for recall" says="Recall was computed from the edge pixels near an outline. It needs the outline pixels near an edge, which is another number, too."
+def f1_score(edges, outlines, tolerance):
+    hits, edge_count, _, outline_count = counts(edges, outlines, tolerance)
+    return f1_of(hits, edge_count, hits, outline_count)
+
+
+# %% role="mistake" name="the hits of precision for recall, at most 1" says="Recall was computed from the edge pixels near an outline. It needs the outline pixels near an edge, which is also another number."
+def f1_score(edges, outlines, tolerance):
+    hits, edge_count, _, outline_count = counts(edges, outlines, tolerance)
+    return f1_of(hits, edge_count, min(hits, outline_count), outline_count)
+
+
+# %% role="mistake" name="the hits of recall for precision" says="Precision was computed from the outline pixels near an edge. It needs the edge pixels near an outline, which is another number."
+def f1_score(edges, outlines, tolerance):
+    _, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
+    return f1_of(detected, edge_count, detected, outline_count)
+
+
+# %% role="mistake" name="the grown masks counted" says="The pixels of the grown masks were counted. Count only the edge pixels and the outline pixels themselves: edge pixels & grown outlines, outline pixels & grown edges."
+def f1_score(edges, outlines, tolerance):
+    grown_edges, grown_outlines = window(edges > 0, tolerance), window(outlines, tolerance)
+    both = int((grown_edges & grown_outlines).sum())
+    return f1_of(both, int(grown_edges.sum()), both, int(grown_outlines.sum()))
+
+
+# %% role="mistake" name="pairs of pixels" says="You counted pairs of an edge pixel and an outline pixel, so one pixel can count several times. Count each pixel once: stop after its first near pixel (break), or use any."
+def f1_score(edges, outlines, tolerance):
+    mask, height, width = edges > 0, *edges.shape
+    p, sides = np.pad(outlines, tolerance), range(2 * tolerance + 1)
+    pairs = sum(int((mask & p[r : r + height, c : c + width]).sum()) for r in sides for c in sides)
+    return f1_of(pairs, int(mask.sum()), pairs, int(outlines.sum()))
+
+
+# %% role="mistake" name="accuracy" says="That is the accuracy: the share of all pixels on which edges and outlines agree. F1 is computed from precision and recall."
+def f1_score(edges, outlines, tolerance):
+    return float(((edges > 0) == outlines).mean())
+
+
+# %% role="mistake" name="IoU" says="That is another measure, intersection over union (IoU). F1 is computed from precision and recall."
+def f1_score(edges, outlines, tolerance):
+    union = ((edges > 0) | outlines).sum()
+    return float(((edges > 0) & outlines).sum() / union) if union else 0.0
+
+
+# %% role="mistake" name="a cross" says="Only pixels in the same row or in the same column were accepted. A pixel may be away in rows and in columns at once: use the whole square, corners included."
+def f1_score(edges, outlines, tolerance):
+    def cross(mask, tolerance):
+        return window(mask, tolerance, lambda row, col: row == 0 or col == 0)
+
+    return f1_of(*counts(edges, outlines, tolerance, cross))
+
+
+# %% role="mistake" name="a circle" says="The distance was measured as in a circle. The neighbourhood is a square: at most tolerance rows and at most tolerance columns."
+def f1_score(edges, outlines, tolerance):
+    def circle(mask, tolerance):
+        return window(mask, tolerance, lambda row, col: row**2 + col**2 <= tolerance**2)
+
+    return f1_of(*counts(edges, outlines, tolerance, circle))
+
+
+# %% role="mistake" name="the sum of rows and columns" says="The distances in rows and in columns were added. The neighbourhood is a square: at most tolerance rows and at most tolerance columns."
+def f1_score(edges, outlines, tolerance):
+    def diamond(mask, tolerance):
+        return window(mask, tolerance, lambda row, col: abs(row) + abs(col) <= tolerance)
+
+    return f1_of(*counts(edges, outlines, tolerance, diamond))
+
+
+# %% role="mistake" name="less than the tolerance" says="Only pixels less than tolerance away were accepted. A pixel at most tolerance away counts: use <=."
+def f1_score(edges, outlines, tolerance):
+    return solution(edges, outlines, tolerance - 1) if tolerance else 0.0
+
+
+# %% role="mistake" name="rows or columns" says="A pixel near in the rows or in the columns was accepted. It must be near in both: use and."
+def f1_score(edges, outlines, tolerance):
+    def stripes(mask, tolerance):
+        rows, cols = mask.any(axis=1, keepdims=True), mask.any(axis=0, keepdims=True)
+        return window(np.repeat(rows, mask.shape[1], 1), tolerance) | window(
+            np.repeat(cols, mask.shape[0], 0), tolerance
+        )
+
+    return f1_of(*counts(edges, outlines, tolerance, stripes))
+
+
+# %% role="mistake" name="the window one too short" says="The window is one row and one column too short, below and on the right, as with range(2 * tolerance). It has 2 * tolerance + 1 rows and columns."
+def f1_score(edges, outlines, tolerance):
+    def short(mask, tolerance):
+        inside = range(-tolerance, max(tolerance, 1))
+        return window(mask, tolerance, lambda row, col: row in inside and col in inside)
+
+    return f1_of(*counts(edges, outlines, tolerance, short))
+
+
+# %% role="mistake" name="np.roll across the border" says="Pixels at one border counted as near the opposite border, as with np.roll. Pad with False and take shifted slices instead."
+def f1_score(edges, outlines, tolerance):
+    def rolled(mask, tolerance):
+        sides = range(-tolerance, tolerance + 1)
+        return np.any([np.roll(mask, (row, col), axis=(0, 1)) for row in sides for col in sides], axis=0)
+
+    return f1_of(*counts(edges, outlines, tolerance, rolled))
+
+
+# %% role="mistake" name="divides by zero" says="Without edges, without outlines, or without true positives the function divides by 0. Return 0.0 before you divide."
+def f1_score(edges, outlines, tolerance):
+    hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
+    precision, recall = hits / edge_count, detected / outline_count
+    return 2 * precision * recall / (precision + recall)
+
+
+# %% role="mistake" name="divides by zero, nan" says="Without edges, without outlines, or without true positives the result is nan, because the function divides by 0. Return 0.0 before you divide."
+def f1_score(edges, outlines, tolerance):
+    return unguarded_f1(*counts(edges, outlines, tolerance))
+
+
+# %% role="mistake" name="no edges divides by zero" says="Without edges the function divides by 0. Return 0.0 before you divide."
+def f1_score(edges, outlines, tolerance):
+    return solution(edges, outlines, tolerance) if edges.any() else 1 / 0
+
+
+# %% role="mistake" name="no edges gives nan" says="Without edges the result is nan, because the function divides by 0. Return 0.0 before you divide."
+def f1_score(edges, outlines, tolerance):
+    return solution(edges, outlines, tolerance) if edges.any() else float("nan")
+
+
+# %% role="mistake" name="no outlines divides by zero" says="Without outlines the function divides by 0. Return 0.0 before you divide."
+def f1_score(edges, outlines, tolerance):
+    return solution(edges, outlines, tolerance) if outlines.any() else 1 / 0
+
+
+# %% role="mistake" name="no outlines gives nan" says="Without outlines the result is nan, because the function divides by 0. Return 0.0 before you divide."
+def f1_score(edges, outlines, tolerance):
+    return solution(edges, outlines, tolerance) if outlines.any() else float("nan")
+
+
+# %% role="mistake" name="no true positives divides by zero" says="If no edge is near an outline, precision + recall is 0, and the function divides by 0. Return 0.0 before you divide."
+def f1_score(edges, outlines, tolerance):
+    if not edges.any() or not outlines.any():
+        return 0.0
+    return solution(edges, outlines, tolerance) or 1 / 0
+
+
+# %% role="mistake" name="no true positives gives nan" says="If no edge is near an outline, precision + recall is 0, and 0 / 0 gives nan. Return 0.0 before you divide."
+def f1_score(edges, outlines, tolerance):
+    if not edges.any() or not outlines.any():
+        return 0.0
+    return solution(edges, outlines, tolerance) or float("nan")
 
 # %% [markdown]
 # ## 6 · Dim light (10 minutes)

@@ -300,7 +300,7 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return float((found & outlines).sum() / union)
 
-# %% name="nothing on the other divides by zero" origin="new" sentence="When nothing lies on the other, precision and recall are both 0 and you divide by 0: return 0.0 first." must_say=["zero|\\b0\\b|\\bnan\\b", "nothing|both 0|precision and recall|precision \\+ recall|sum", "divi|return"] kind="error" passes=true
+# %% name="nothing on the other divides by zero" origin="new" sentence="When nothing lies on the other, precision and recall are both 0 and you divide by 0: return 0.0 first." must_say=["zero|\\b0\\b|\\bnan\\b", "nothing|both 0|precision and recall|precision \\+ recall|sum", "divi|return"] kind="error"
 def f1_score(edges, outlines, tolerance):
     t = tolerance
 
@@ -467,7 +467,7 @@ def f1_score(edges, outlines, tolerance):
         recall = (outlines & grow(found)).sum() / outlines.sum()
         print(2 * precision * recall / max(precision + recall, 1e-9))
 
-# %% name="no outlines divides by zero" origin="new" sentence="You return 0.0 where there are no edges, but without outlines recall still divides by 0: return 0.0 then, too." must_say=["outlines", "zero|\\b0\\b|\\bnan\\b|empty", "divi|return|without|no outlines"] kind="error" passes=true
+# %% name="no outlines divides by zero" origin="new" sentence="You return 0.0 where there are no edges, but without outlines recall still divides by 0: return 0.0 then, too." must_say=["outlines", "zero|\\b0\\b|\\bnan\\b|empty", "divi|return|without|no outlines"] kind="error"
 def f1_score(edges, outlines, tolerance):
     t = tolerance
 
