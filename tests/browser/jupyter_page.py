@@ -237,7 +237,9 @@ class NotebookPage:
             self.page.wait_for_timeout(100)
 
     def prompts(self):
-        return self.page.locator(".jp-CodeCell .jp-InputPrompt").all_text_contents()
+        """The prompts of the code cells; a folded cell has none."""
+        prompts = self.page.locator(".jp-CodeCell .jp-InputPrompt:not(.jp-Placeholder-prompt)")
+        return prompts.all_text_contents()
 
     def wait_until(self, condition, timeout=30):
         """Waits until a function returns true."""
