@@ -9,30 +9,19 @@ from pathlib import Path
 
 import pytest
 
-from imgproc_course.exercises import MasterError, find_exercise
+from imgproc_course.exercises import MasterError, find_exercise, read_exercises
 from imgproc_course.exercises.checking import run_cases
 
 _spec = importlib.util.spec_from_file_location("wrong_answers", Path(__file__).with_name("wrong_answers.py"))
 wrong_answers = importlib.util.module_from_spec(_spec)
 _spec.loader.exec_module(wrong_answers)
 
+MASTERS = Path(__file__).parents[2] / "notebooks" / "masters"
 FILES = sorted(wrong_answers.FOLDER.glob("*.py"))
 EXERCISES = {
-    "start-count",
-    "tour-name",
-    "messages-decode",
-    "grayscale-luma",
-    "node-process",
-    "noise-median",
-    "noise-psnr",
-    "noise-choose",
-    "binarization-otsu",
-    "canny-sobel",
-    "canny-suppression",
-    "canny-thresholds",
-    "canny-hysteresis",
-    "edges-f1",
-    "packages-executable",
+    declared.id
+    for path in sorted(MASTERS.glob("[0-9][0-9]_*.py"))
+    for declared in read_exercises(path)
 }
 KINDS = {
     "value",
