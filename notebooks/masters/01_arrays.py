@@ -1,0 +1,1217 @@
+# ---
+# jupyter:
+#   imgproc_course:
+#     title: Arrays
+#     minutes: 50
+# ---
+
+# %% [markdown]
+# # Arrays
+#
+# An image in a computer is a table of numbers. In Python, the library *NumPy* stores such tables as *arrays*. You know lists; an array is like a list of rows, but it can do much more: select a part, compute with all numbers at once, compare all of them with a threshold. Every later lesson uses these few operations. Here you learn them on images that are small enough to read.
+#
+# **You will be able to**
+# - read and change single pixels, rows, columns and channels,
+# - ask an array for its shape and its dtype, and convert it to another dtype,
+# - select pixels with a mask, and count them,
+# - replace a loop over all pixels by one line with slices.
+#
+# **Time** about 50 minutes; take a break after section 5. **You need** [[start_here]]. If you know NumPy, do only the exercises: each is called "Your turn".
+
+# %% role="given" exercise=["arrays-crop", "arrays-mirror", "arrays-red", "arrays-share", "arrays-two-levels", "arrays-paint", "arrays-row-means", "arrays-differences"]
+import numpy as np
+
+# %%
+from imgproc_course.display import show
+from imgproc_course.exercises import check, compare_guess
+from imgproc_course.recording import open_recording
+
+# %%
+# The captions and alt texts of the figures
+figure_texts = {
+    "tiny": (
+        "The same array as an image: 0 is black, 255 is white. Row 0 is at the top, column 0 is on the left.",
+        "A grid of five rows and five columns: a bright cross on a dark ground, with one black corner.",
+    ),
+    "parts": (
+        "Rows 1 to 2, then columns 1 to 3, then both. The numbers at the axes are the rows and columns of the part.",
+        "Three small parts of the grid: two rows, three columns, and two rows of three columns.",
+    ),
+    "mirrored": (
+        "A step of -1 goes backwards: first over the rows, then over the columns.",
+        "The room as it was recorded, upside down, and with left and right exchanged.",
+    ),
+    "channels": (
+        "The three channels of one frame. The ball's red stripe is bright only in the red channel.",
+        "Three gray images of the living room: its blue, green and red channel.",
+    ),
+    "mask": (
+        "The mask is True (white) where the pixel is brighter than 100, and False (black) elsewhere.",
+        "The grid with its numbers, and the same grid in black and white: the cross is white.",
+    ),
+    "painted": (
+        "The pixels of the mask are white now, all others are unchanged.",
+        "The room, and the same room with its brightest places painted white.",
+    ),
+    "rows": (
+        "The same row three times: without its last two numbers, without its ends, without its first two. In each column stand a pixel's left neighbour, the pixel, and its right neighbour.",
+        "Three short rows of numbers, one above the other, each shifted by one column.",
+    ),
+    "steps": (
+        "Zero where the gray level stays the same; a large number at the left and right outlines of things.",
+        "The gray room, and its differences: dark with bright and very dark vertical lines.",
+    ),
+    "padded": (
+        "The image with a border of zeros, and the image with a border that repeats its outermost pixels.",
+        "Two grids of seven rows and seven columns around the same five by five numbers.",
+    ),
+}
+
+# %% [markdown]
+# ## 1 · A table of numbers (4 minutes)
+#
+# `np.array` makes an array from a list of rows. The `shape` says how many rows and columns it has; rows come first. `size` is the number of all its numbers.
+
+# %%
+tiny = np.array(
+    [[10, 10, 200, 10, 10],
+     [10, 10, 200, 10, 10],
+     [90, 90, 200, 90, 90],
+     [10, 10, 200, 10, 10],
+     [10, 10, 200, 10, 0]],
+    dtype=np.uint8)
+print(tiny)
+print("shape:", tiny.shape, "  size:", tiny.size)
+
+# %%
+show(tiny, "tiny", text=figure_texts["tiny"])
+
+# %%
+# Check: the numbers in this section
+assert tiny.shape == (5, 5) and tiny.size == 25 and tiny[0, 0] == 10
+
+# %% [markdown]
+# ## 2 · One pixel: the index (4 minutes)
+#
+# The *index* of a pixel is its row and its column, in square brackets, with a comma between them. Python counts from 0: the first row is row 0. Negative numbers count from the end: row −1 is the last row.
+#
+# **Predict.** Which number is `tiny[2, 4]`? Write it into the next cell, run that cell, and then the cell after it.
+
+# %% role="predict"
+guess = None  # your guess: a number instead of None
+
+# %%
+print("tiny[0, 0]:", tiny[0, 0], "  tiny[4, 4]:", tiny[4, 4])
+print("tiny[-1, -1]:", tiny[-1, -1])
+compare_guess(guess, tiny[2, 4])
+
+# %% [markdown]
+# Row 2, column 4: the third row, and its last number. The same index on the left of `=` changes a pixel. We change it in a *copy*; section 8 says why.
+
+# %%
+changed = tiny.copy()
+changed[0, 0] = 255
+print("first row before:", tiny[0], "  after:", changed[0])
+
+# %%
+# Check: the numbers in this section
+assert tiny[2, 4] == 90 and tiny[4, 4] == tiny[-1, -1] == 0
+assert changed[0].tolist() == [255, 10, 200, 10, 10] and tiny[0, 0] == 10
+
+# %% [markdown]
+# ## 3 · A part: the slice (6 minutes)
+#
+# A *slice* `start:stop` selects several rows or columns. The start is included, the stop is not: `1:3` means the rows 1 and 2. If you leave out the start, the slice begins at the first row; if you leave out the stop, it goes to the end. A colon alone, `:`, means all of them.
+
+# %%
+two_rows = tiny[1:3]
+three_columns = tiny[:, 1:4]
+both = tiny[1:3, 1:4]
+show([two_rows, three_columns, both], ["[1:3]", "[:, 1:4]", "[1:3, 1:4]"],
+     text=figure_texts["parts"])
+
+# %% [markdown]
+# **Predict.** What is the shape of `tiny[:2, 3:]`?
+
+# %% role="predict"
+guess = None  # your guess: (rows, columns)
+
+# %%
+part = tiny[:2, 3:]
+print(part)
+compare_guess(guess, part.shape)
+
+# %%
+# Check: the numbers in this section
+assert two_rows.shape == (2, 5) and three_columns.shape == (5, 3) and both.shape == (2, 3)
+assert part.shape == (2, 2)
+
+# %% [markdown]
+# ### Your turn: crop
+#
+# To *crop* an image is to cut out a rectangle. Write `crop(image, top, bottom, left, right)`.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `image`: an image, (height, width) or (height, width, 3) | its rows from `top` to `bottom` − 1 and its columns from `left` to `right` − 1 | `crop(tiny, 1, 3, 1, 4)` equals `both` |
+
+# %% role="exercise"
+exercise(
+    "arrays-crop",
+    title="Crop an image",
+    function="crop",
+    time_limit=5,
+    hint="Rows come first, then columns, in one pair of brackets; the stop of a slice is not included.",
+    hints=(
+        "Which two slices did `tiny[1:3, 1:4]` use? Which of your five parameters stand for 1, 3, 1 and 4?",
+        "Write one pair of brackets after image. First the slice of the rows, then a comma, then the slice of the columns. Return the result.",
+        "return image[top:bottom, ...] with the slice of the columns in place of the three dots.",
+    ),
+    explanation="The first slice selects rows, the second columns. The third axis of a colour image needs no slice: an axis that you do not name is taken whole.",
+    another_way="You can also write image[slice(top, bottom), slice(left, right)]: slice(1, 3) is the same as 1:3.",
+)
+
+# %% role="answer"
+def crop(image, top, bottom, left, right):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def crop(image, top, bottom, left, right):
+    return image[top:bottom, left:right]
+
+
+# %% role="check"
+check("arrays-crop", crop)
+
+
+# %% role="case" title="a gray image" points=1
+def inputs(rng):
+    return (rng.integers(0, 256, (6, 9), dtype=np.uint8), 1, 4, 2, 7)
+
+
+# %% role="case" title="a colour image, another part" points=0
+def inputs(rng):
+    return (rng.integers(0, 256, (5, 4, 3), dtype=np.uint8), 2, 5, 0, 2)
+
+
+# %% role="hidden" title="other parts" points=1
+def inputs(rng):
+    image = rng.integers(0, 256, (12, 10, 3), dtype=np.uint8)
+    top, left = (int(value) for value in rng.integers(0, 4, size=2))
+    return [(image, top, top + 5, left, left + 3), (image, 0, 12, 0, 10)]
+
+
+# %% role="mistake" name="columns first" says="Rows and columns are exchanged. Rows come first: image[top:bottom, left:right]."
+def crop(image, top, bottom, left, right):
+    return image[left:right, top:bottom]
+
+
+# %% role="mistake" name="stop included" says="One row and one column too many. The stop of a slice is not included, so bottom needs no + 1: write top:bottom."
+def crop(image, top, bottom, left, right):
+    return image[top:bottom + 1, left:right + 1]
+
+
+# %% role="mistake" name="one row less" says="One row and one column are missing. The stop of a slice is excluded already, so bottom needs no - 1: write top:bottom."
+def crop(image, top, bottom, left, right):
+    return image[top:bottom - 1, left:right - 1]
+
+
+# %% role="mistake" name="two pairs of brackets" says="The second pair of brackets cuts the rows again, so the rows were cut twice. Write both slices in one pair, with a comma: image[top:bottom, left:right]."
+def crop(image, top, bottom, left, right):
+    return image[top:bottom][left:right]
+
+
+# %% role="mistake" name="rows only" says="You cut the rows, but every column is kept. Add the second slice, left:right, after a comma."
+def crop(image, top, bottom, left, right):
+    return image[top:bottom]
+
+
+# %% role="mistake" name="columns only" says="You cut the columns, but every row is kept. The first slice must be top:bottom."
+def crop(image, top, bottom, left, right):
+    return image[:, left:right]
+
+
+# %% role="mistake" name="lengths instead of ends" says="The second number of a slice is a position, not a length. The slice of the rows is top:bottom."
+def crop(image, top, bottom, left, right):
+    return image[top:bottom - top, left:right - left]
+
+
+# %% role="mistake" name="the rest is black" says="Your result has the full size of the image, and the rest is 0. Return only the part, with its smaller shape: image[top:bottom, left:right]."
+def crop(image, top, bottom, left, right):
+    result = np.zeros_like(image)
+    result[top:bottom, left:right] = image[top:bottom, left:right]
+    return result
+
+
+# %% role="mistake" name="the numbers of the example" says="Your slices are fixed numbers, and they fit one example only. Use the parameters: top:bottom, left:right."
+def crop(image, top, bottom, left, right):
+    return image[1:4, 2:5]
+
+
+# %% [markdown]
+# ## 4 · A step, forwards and backwards (5 minutes)
+#
+# A slice may have a third number, the *step*. `::2` takes every second row. A step of `-1` goes backwards: `::-1` begins at the end.
+
+# %%
+frame = open_recording("drive").frame(30)
+small = frame[::4, ::4]
+print("frame:", frame.shape, "  every fourth row and column:", small.shape)
+show([small, small[::-1], small[:, ::-1]], ["small", "[::-1]", "[:, ::-1]"],
+     text=figure_texts["mirrored"])
+
+# %% [markdown]
+# **Predict.** Here is a row of five numbers: 1, 2, 3, 4, 5. What is `row[::-2]`?
+
+# %% role="predict"
+guess = None  # your guess: a list of numbers, for example [1, 2]
+
+# %%
+row = np.array([1, 2, 3, 4, 5])
+compare_guess(guess, row[::-2].tolist())
+
+# %%
+# Check: the numbers in this section
+assert frame.shape == (720, 1280, 3) and small.shape == (180, 320, 3)
+assert row[::-2].tolist() == [5, 3, 1]
+
+# %% [markdown]
+# ### Your turn: mirror
+#
+# In a mirror, left and right are exchanged. Write `mirror(image)`.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `image`: an image, (height, width) or (height, width, 3) | the image with its columns in reverse order, same shape and dtype | `mirror(tiny)[4, 0]` is 0 |
+
+# %% role="exercise"
+exercise(
+    "arrays-mirror",
+    title="Mirror an image",
+    function="mirror",
+    time_limit=5,
+    hint="The rows stay as they are; only the order of the columns is reversed.",
+    hints=(
+        "Which of the three images above shows the room in a mirror? Which slice made it?",
+        "Take all rows with a single colon. Then, after a comma, take the columns with a step of -1.",
+        "return image[:, ...] with the slice that goes backwards in place of the three dots.",
+    ),
+    explanation="The first index, a colon, keeps every row. The second goes over the columns backwards, from the last to the first. The channels of a colour image are a third axis; it is not named, so it is taken whole.",
+    another_way="You can also write np.fliplr(image): the name stands for \"flip left and right\".",
+)
+
+# %% role="answer"
+def mirror(image):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def mirror(image):
+    return image[:, ::-1]
+
+
+# %% role="check"
+check("arrays-mirror", mirror)
+
+
+# %% role="case" title="a gray image" points=1
+def inputs(rng):
+    return (rng.integers(0, 256, (4, 6), dtype=np.uint8),)
+
+
+# %% role="case" title="a colour image" points=0
+def inputs(rng):
+    return (rng.integers(0, 256, (3, 4, 3), dtype=np.uint8),)
+
+
+# %% role="hidden" title="other images" points=1
+def inputs(rng):
+    return [
+        (rng.integers(0, 256, (7, 5), dtype=np.uint8),),
+        (rng.integers(0, 256, (5, 8, 3), dtype=np.uint8),),
+    ]
+
+
+# %% role="mistake" name="rows reversed" says="The rows are reversed, so top and bottom are exchanged. Keep the rows with a colon, and reverse the columns: the second index."
+def mirror(image):
+    return image[::-1]
+
+
+# %% role="mistake" name="both reversed" says="Rows and columns are both reversed, which turns the image by 180 degrees. Keep the rows: a colon alone."
+def mirror(image):
+    return image[::-1, ::-1]
+
+
+# %% role="mistake" name="last axis reversed" says="[..., ::-1] reverses the last axis, and in a colour image this axis holds the channels. The columns are the second axis: [:, ::-1]."
+def mirror(image):
+    return image[..., ::-1]
+
+
+# %% role="mistake" name="an empty slice" says="Your result is empty: it has no column. In 0:-1:-1 the stop -1 means the last column. Leave start and stop out: ::-1."
+def mirror(image):
+    return image[:, 0:-1:-1]
+
+
+# %% role="mistake" name="last column lost" says="The last column is missing. Leave the start of the slice out: ::-1 begins at the last column."
+def mirror(image):
+    return image[:, -2::-1]
+
+
+# %% role="mistake" name="every second column" says="Only every second column is left. The step must be -1."
+def mirror(image):
+    return image[:, ::-2]
+
+
+# %% role="mistake" name="half of the columns read after they were overwritten" says="One half of the image is right, and the other half repeats it: these columns were read after they had been overwritten. Read from image, and write to the copy."
+def mirror(image):
+    result = image.copy()
+    width = image.shape[1]
+    for column in range(width):
+        result[:, column] = result[:, width - 1 - column]
+    return result
+
+
+# %% role="mistake" name="transposed" says="The axes are exchanged: rows became columns (this is called transposed). Keep the axes, and reverse the order of the columns: [:, ::-1]."
+def mirror(image):
+    return image.T
+
+
+# %% [markdown]
+# ## 5 · Channels and the three dots (4 minutes)
+#
+# A colour image has a third index, the *channel*: 0 is blue, 1 is green, 2 is red. So `frame[100, 200, 2]` is the red of one pixel, and `frame[:, :, 2]` is the red channel of all pixels. Three dots, `...`, mean "all axes that I do not name": `frame[..., 2]` is the same as `frame[:, :, 2]`.
+
+# %%
+channels = [small[..., 0], small[..., 1], small[..., 2]]
+print("frame:", small.shape, "  one channel:", channels[0].shape)
+show(channels, ["blue", "green", "red"], encoding="mono8", text=figure_texts["channels"])
+
+# %% [markdown]
+# **Predict.** What is the shape of `frame[..., ::-1]`?
+
+# %% role="predict"
+guess = None  # your guess: three numbers in parentheses
+
+# %%
+swapped = frame[..., ::-1]  # the channels in reverse order: red, green, blue
+compare_guess(guess, swapped.shape)
+
+# %%
+# Check: the numbers in this section
+assert (frame[..., 2] == frame[:, :, 2]).all() and channels[0].shape == (180, 320)
+assert swapped.shape == frame.shape and (swapped[..., 0] == frame[..., 2]).all()
+
+# %% [markdown]
+# ### Your turn: the red channel
+#
+# Write `red_channel(bgr)`.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `bgr`: a frame, (height, width, 3) uint8, channels blue, green, red | its red channel, (height, width) uint8 | `red_channel(small)` equals `channels[2]` |
+
+# %% role="exercise"
+exercise(
+    "arrays-red",
+    title="The red channel",
+    function="red_channel",
+    time_limit=5,
+    hint="Which number does the red channel have? The order is blue, green, red, and Python counts from 0.",
+    hints=(
+        "At which place of the index does the channel stand: first, second or third?",
+        "Keep all rows and all columns, and take the channel number 2.",
+        "return bgr[..., ?] with the number of the red channel in place of the question mark.",
+    ),
+    explanation="The three dots keep all rows and all columns. The number 2 selects one channel, and an axis that is selected with a number disappears: three axes become two.",
+    another_way="You can also write bgr[:, :, 2]: a colon for the rows, and a colon for the columns.",
+)
+
+# %% role="answer"
+def red_channel(bgr):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def red_channel(bgr):
+    return bgr[..., 2]
+
+
+# %% role="check"
+check("arrays-red", red_channel)
+
+
+# %% role="case" title="a small image" points=1
+def inputs(rng):
+    return (rng.integers(0, 256, (4, 5, 3), dtype=np.uint8),)
+
+
+# %% role="hidden" title="other images" points=1
+def inputs(rng):
+    return [(rng.integers(0, 256, (rows, 4, 3), dtype=np.uint8),) for rows in (3, 6)]
+
+
+# %% role="mistake" name="blue" says="This is the blue channel. The order is blue, green, red, so red has the number 2."
+def red_channel(bgr):
+    return bgr[..., 0]
+
+
+# %% role="mistake" name="green" says="This is the green channel. The order is blue, green, red, so red has the number 2."
+def red_channel(bgr):
+    return bgr[..., 1]
+
+
+# %% role="mistake" name="row 2" says="This is row 2 of the image: the first index is for rows. The channel is the last index: bgr[..., 2]."
+def red_channel(bgr):
+    return bgr[2]
+
+
+# %% role="mistake" name="column 2" says="This is column 2 of the image: the second index is for columns. The channel is the third index: bgr[:, :, 2]."
+def red_channel(bgr):
+    return bgr[:, 2]
+
+
+# %% role="mistake" name="the axis is kept" says="The slice 2:3 keeps a third axis of length 1, so the shape is (height, width, 1). Use the index 2 alone: bgr[..., 2]."
+def red_channel(bgr):
+    return bgr[..., 2:3]
+
+
+# %% role="mistake" name="three channels" says="Your result still has three channels. Return only the red one, an array with two axes: bgr[..., 2]."
+def red_channel(bgr):
+    result = bgr.copy()
+    result[..., 0] = 0
+    result[..., 1] = 0
+    return result
+
+
+# %% role="mistake" name="mean of the channels" says="This is the mean (average) of the three channels. The task asks for the red one: bgr[..., 2]."
+def red_channel(bgr):
+    return bgr.mean(axis=2).astype(np.uint8)
+
+
+# %% role="mistake" name="a mask" says="This is a mask: True or False for each pixel. Return the numbers of the red channel, without a comparison."
+def red_channel(bgr):
+    return bgr[..., 2] > 0
+
+
+# %% [markdown]
+# **This is a good place for a break.**
+#
+# ## 6 · The kind of number: dtype (5 minutes)
+#
+# All numbers of an array have the same kind, its *dtype* (data type). Images mostly use `uint8`: whole numbers from 0 to 255, one *byte* (8 bits) each. Other dtypes hold more:
+#
+# | dtype | numbers | bytes |
+# |---|---|---|
+# | `uint8` | whole, 0 to 255 | 1 |
+# | `uint16` | whole, 0 to 65,535 | 2 |
+# | `int16` | whole, −32,768 to 32,767 | 2 |
+# | `float64` | with decimals | 8 |
+# | `bool` | True or False | 1 |
+#
+# `astype` converts an array to another dtype. The result is a new array; the old one stays as it is.
+
+# %%
+print(tiny[2], tiny[2].dtype)
+print(tiny[2] / 4, (tiny[2] / 4).dtype)
+print((tiny[2] / 4).astype(np.uint8), "after astype(np.uint8)")
+
+# %% [markdown]
+# The division `/` gives floats, and `astype(np.uint8)` cuts off the decimals: 22.5 becomes 22. NumPy computes with all numbers at once; you need no loop.
+#
+# **Predict.** A `uint8` holds no negative number. What is 0 − 1 in `uint8`?
+
+# %% role="predict"
+guess = None  # your guess: a number
+
+# %%
+zero = np.array([0], dtype=np.uint8)
+one = np.array([1], dtype=np.uint8)
+compare_guess(guess, (zero - one)[0])
+
+# %% [markdown]
+# After 0 the numbers begin again at 255, and NumPy does not warn you. If a result may be negative or above 255, convert to a larger dtype *first*: this is called to *widen*. The lesson [[grayscale]] shows what happens to an image if you forget it.
+
+# %%
+print(zero.astype(np.int16) - one)
+
+# %%
+# Check: the numbers in this section
+assert (tiny[2] / 4).tolist() == [22.5, 22.5, 50, 22.5, 22.5]
+assert (zero - one)[0] == 255 and (zero.astype(np.int16) - one)[0] == -1
+assert np.iinfo(np.uint8).max == 255 and np.iinfo(np.uint16).max == 65_535
+assert np.iinfo(np.int16).min == -32_768 and np.iinfo(np.int16).max == 32_767
+assert [np.dtype(name).itemsize for name in ("uint8", "uint16", "int16", "float64", "bool")] == [1, 2, 2, 8, 1]
+
+# %% [markdown]
+# ## 7 · Masks (9 minutes)
+#
+# A comparison with an array gives True or False for each pixel. Such an array is called a *mask*.
+
+# %%
+bright = tiny > 100
+print(bright.astype(int))  # 1 for True, 0 for False
+show([tiny, bright], ["tiny", "tiny > 100"], text=figure_texts["mask"])
+
+# %% [markdown]
+# True counts as 1, and False as 0. So the *sum* of a mask is the number of its True pixels, and the *mean* of a mask is their share: between 0 (none) and 1 (all).
+#
+# **Predict** the mean of `bright`: how many of the 25 pixels are True?
+
+# %% role="predict"
+guess = None  # your guess: a number between 0 and 1
+
+# %%
+print("True pixels:", bright.sum(), "of", bright.size)
+compare_guess(guess, bright.mean())
+
+# %% [markdown]
+# A mask in square brackets selects pixels: `tiny[bright]` are the numbers of the bright pixels, in one row. On the left of `=` it changes them all. And `np.where(mask, a, b)` makes a new array with `a` where the mask is True and `b` where it is False.
+
+# %%
+print("selected:", tiny[bright])
+print(np.where(tiny > 100, 1, 0))
+
+# %% [markdown]
+# Three signs combine masks: `&` (and), `|` (or), `~` (not). Write each comparison in parentheses.
+
+# %%
+middle = (tiny > 50) & (tiny < 150)
+print("between 50 and 150:", middle.sum(), "pixels;  not bright:", (~bright).sum())
+
+# %%
+# Check: the numbers in this section
+assert bright.sum() == 5 and bright.mean() == 0.2 and tiny[bright].tolist() == [200] * 5
+assert middle.sum() == 4 and (~bright).sum() == 20
+
+# %% [markdown]
+# ### Your turn: how many percent are bright?
+#
+# Write `bright_percent(gray, level)`.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `gray`: an image, (height, width) uint8; `level`: a number | how many percent of the pixels are brighter than `level`, a float from 0 to 100 | `bright_percent(tiny, 100)` is 20.0 |
+
+# %% role="exercise"
+exercise(
+    "arrays-share",
+    title="How many percent are bright",
+    function="bright_percent",
+    time_limit=5,
+    hint="The mean of the mask is the share, from 0 to 1. Percent is 100 times the share.",
+    hints=(
+        "Which comparison gives True for a pixel that is brighter than level?",
+        "Make the mask, take its mean, and multiply by 100.",
+        "return (gray > level).mean() * ? with the right number in place of the question mark.",
+    ),
+    explanation="gray > level is a mask with one True or False for each pixel. True counts as 1, so its mean is the share of the bright pixels; 100 times the share is percent.",
+    another_way="You can also count: 100 * np.count_nonzero(gray > level) / gray.size.",
+)
+
+# %% role="answer"
+def bright_percent(gray, level):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def bright_percent(gray, level):
+    return float((gray > level).mean() * 100)
+
+
+# %% role="check"
+check("arrays-share", bright_percent)
+
+
+# %% role="case" title="few gray levels" points=1
+def inputs(rng):
+    gray = np.array([[10, 50, 50, 90, 90], [10, 90, 90, 90, 200], [10, 10, 90, 90, 90]], dtype=np.uint8)
+    return (rng.permutation(gray), 50)
+
+
+# %% role="case" title="another level" points=0
+def inputs(rng):
+    return (rng.integers(0, 256, (7, 9), dtype=np.uint8), 200)
+
+
+# %% role="hidden" title="other images" points=1
+def inputs(rng):
+    return [(rng.integers(0, 5, (6, 5), dtype=np.uint8), level) for level in (2, 1, 4)]
+
+
+# %% role="mistake" name="counted" says="You counted the bright pixels. Percent is 100 times their share: the mean of the mask times 100."
+def bright_percent(gray, level):
+    return int((gray > level).sum())
+
+
+# %% role="mistake" name="the share" says="This is the share, a number from 0 to 1. Multiply it by 100 to get percent."
+def bright_percent(gray, level):
+    return float((gray > level).mean())
+
+
+# %% role="mistake" name="equal pixels counted" says="Pixels that are equal to level are counted too (>=). Brighter than level means > level."
+def bright_percent(gray, level):
+    return float((gray >= level).mean() * 100)
+
+
+# %% role="mistake" name="dark instead of bright" says="These are the pixels that are darker than level. Turn the comparison: gray > level."
+def bright_percent(gray, level):
+    return float((gray < level).mean() * 100)
+
+
+# %% role="mistake" name="all that are not bright" says="These are the pixels that are not brighter than level: the opposite. Compare with gray > level."
+def bright_percent(gray, level):
+    return float((gray <= level).mean() * 100)
+
+
+# %% role="mistake" name="mean of the gray levels" says="This is the mean gray level of the bright pixels. Take the mean of the mask itself, gray > level, to get their share."
+def bright_percent(gray, level):
+    return float(gray[gray > level].mean())
+
+
+# %% role="mistake" name="divided by the rows" says="The number of bright pixels was divided by the number of rows only. Divide by the number of all pixels, gray.size (rows times columns)."
+def bright_percent(gray, level):
+    return float((gray > level).sum() / len(gray) * 100)
+
+
+# %% role="mistake" name="rounded" says="The percentage is rounded to a whole number. Return it with its decimals."
+def bright_percent(gray, level):
+    return round((gray > level).mean() * 100)
+
+
+# %% role="mistake" name="integer division" says="The result is 0: // drops the fraction, and a share is less than 1. Divide with /."
+def bright_percent(gray, level):
+    return int((gray > level).sum() // gray.size * 100)
+
+
+# %% role="mistake" name="the mask" says="This is the mask, an array with True or False for each pixel. Return one number: its mean times 100."
+def bright_percent(gray, level):
+    return gray > level
+
+
+# %% role="mistake" name="one number for each column" says="axis=0 gives one number for each column. Leave the axis out: you need one number for the whole image."
+def bright_percent(gray, level):
+    return (gray > level).mean(axis=0) * 100
+
+
+# %% role="mistake" name="always 128" says="128 is fixed in your comparison. Compare with the parameter level."
+def bright_percent(gray, level):
+    return float((gray > 128).mean() * 100)
+
+
+# %% [markdown]
+# ### Your turn: two levels
+#
+# Write `two_levels(gray, level)`. The result is an image that has only black and white pixels.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `gray`: an image, (height, width) uint8; `level`: a number | (height, width) uint8: 255 where the pixel is brighter than `level`, 0 elsewhere | `two_levels(tiny, 100)[0]` is 0, 0, 255, 0, 0 |
+#
+# The dtype counts here: `np.where` with two whole numbers gives `int64`.
+
+# %% role="exercise"
+exercise(
+    "arrays-two-levels",
+    title="Two levels",
+    function="two_levels",
+    time_limit=5,
+    hint="255 where the pixel is brighter than level, and 0 everywhere else.",
+    hints=(
+        "Which function makes a new array from a mask and two values?",
+        "Make the mask gray > level. Choose 255 for True and 0 for False with np.where. Convert the result to uint8.",
+        "return np.where(gray > level, ?, ?).astype(np.uint8) with the two values in place of the question marks.",
+    ),
+    explanation="np.where takes the first value where the mask is True and the second where it is False. Its result has the dtype int64, because 255 and 0 are Python integers; astype makes an image of it again.",
+    another_way="You can also write (gray > level) * np.uint8(255): True counts as 1 and False as 0.",
+)
+
+# %% role="answer"
+def two_levels(gray, level):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def two_levels(gray, level):
+    return np.where(gray > level, 255, 0).astype(np.uint8)
+
+
+# %% role="check"
+check("arrays-two-levels", two_levels)
+
+
+# %% role="case" title="few gray levels" points=1
+def inputs(rng):
+    gray = np.array([[10, 50, 50, 90, 90], [10, 90, 140, 90, 200], [10, 10, 90, 90, 90]], dtype=np.uint8)
+    return (rng.permutation(gray), 50)
+
+
+# %% role="case" title="another level" points=0
+def inputs(rng):
+    return (rng.integers(0, 256, (5, 7), dtype=np.uint8), 200)
+
+
+# %% role="hidden" title="other images" points=1
+def inputs(rng):
+    return [(rng.integers(0, 5, (6, 5), dtype=np.uint8), level) for level in (2, 1, 4)]
+
+
+# %% role="mistake" name="inverted" says="Black and white are swapped: bright pixels became 0. The value for True comes first in np.where."
+def two_levels(gray, level):
+    return np.where(gray > level, 0, 255).astype(np.uint8)
+
+
+# %% role="mistake" name="equal pixels white" says="Pixels that are equal to level became white (>=). Brighter than level means > level."
+def two_levels(gray, level):
+    return np.where(gray >= level, 255, 0).astype(np.uint8)
+
+
+# %% role="mistake" name="a mask" says="This is the mask, with True and False. Make 255 and 0 of it, with np.where and astype(np.uint8)."
+def two_levels(gray, level):
+    return gray > level
+
+
+# %% role="mistake" name="0 and 1" says="True became 1, and 1 is almost black. Use 255 for the bright pixels, for example with np.where."
+def two_levels(gray, level):
+    return (gray > level).astype(np.uint8)
+
+
+# %% role="mistake" name="dark pixels unchanged" says="Dark pixels keep their gray level. They must become 0: the result has only 0 and 255."
+def two_levels(gray, level):
+    result = gray.copy()
+    result[gray > level] = 255
+    return result
+
+
+# %% role="mistake" name="bright pixels unchanged" says="Bright pixels keep their gray level. They must become 255: the result has only 0 and 255."
+def two_levels(gray, level):
+    return np.where(gray > level, gray, 0).astype(np.uint8)
+
+
+# %% role="mistake" name="always 128" says="128 is fixed in your comparison. Compare with the parameter level."
+def two_levels(gray, level):
+    return np.where(gray > 128, 255, 0).astype(np.uint8)
+
+
+# %% role="mistake" name="all black" says="Every pixel is 0. White is 255; the number 256 does not fit into uint8 and becomes 0."
+def two_levels(gray, level):
+    return np.where(gray > level, 256, 0).astype(np.uint8)
+
+
+# %% role="mistake" name="positions" says="np.where with a condition alone gives positions (indices). Give it the two values too: np.where(gray > level, 255, 0)."
+def two_levels(gray, level):
+    return np.where(gray > level)
+
+
+# %% [markdown]
+# ## 8 · Copy and view (6 minutes)
+#
+# A slice does not copy the numbers. It is a *view*: another name for the same numbers in memory. This saves time and memory, but if you change the view, the array changes too.
+#
+# **Predict.** We take the first row of an array and set its first number to 255. What is `original[0, 0]` after that?
+
+# %% role="predict"
+guess = None  # your guess: a number
+
+# %%
+original = tiny.copy()
+first_row = original[0]
+first_row[0] = 255
+compare_guess(guess, original[0, 0])
+
+# %% [markdown]
+# The array changed, although we wrote to `first_row`. Also `b = a` copies nothing: it only gives the array a second name. If you want to change numbers and keep the original, write `.copy()` first. (`astype`, `np.where` and every calculation make new arrays.)
+
+# %%
+safe = tiny[0].copy()
+safe[0] = 255
+print("tiny[0]:", tiny[0], "  the copy:", safe)
+
+# %%
+# Check: the numbers in this section
+assert original[0, 0] == 255 and tiny[0, 0] == 10 and safe[0] == 255
+
+# %% [markdown]
+# ### Your turn: paint
+#
+# Write `paint_white(gray, mask)`. The check also tests that the given image stays as it is.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `gray`: an image, (height, width) uint8; `mask`: (height, width) bool | a new image: 255 where the mask is True, unchanged elsewhere | `paint_white(tiny, bright)[0]` is 10, 10, 255, 10, 10 |
+
+# %% role="exercise"
+exercise(
+    "arrays-paint",
+    title="Paint with a mask",
+    function="paint_white",
+    time_limit=5,
+    hint="255 where the mask is True; every other pixel keeps its gray level.",
+    hints=(
+        "Which method gives you an array that you may change?",
+        "Copy gray. Then select the pixels of the copy with the mask, and set them to 255. Return the copy.",
+        "Three lines: result = gray.copy(), then result[?] = 255, then return result.",
+    ),
+    explanation="The copy may be changed, and the given image stays as it is. The mask in square brackets selects the pixels, and = sets them all to 255.",
+    another_way="You can also write np.where(mask, np.uint8(255), gray): a new array without a copy first.",
+)
+
+# %% role="answer"
+def paint_white(gray, mask):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def paint_white(gray, mask):
+    result = gray.copy()
+    result[mask] = 255
+    return result
+
+
+# %% role="check"
+check("arrays-paint", paint_white)
+
+
+# %% role="case" title="a small image" points=1
+def inputs(rng):
+    return (rng.integers(3, 250, (4, 6), dtype=np.uint8), rng.random((4, 6)) > 0.6)
+
+
+# %% role="hidden" title="other images" points=1
+def inputs(rng):
+    return [(rng.integers(3, 250, (5, 5), dtype=np.uint8), rng.random((5, 5)) > 0.4) for _ in range(3)]
+
+
+# %% role="mistake" name="the other pixels" says="You painted the pixels outside the mask, where it is False. Leave the ~ out: result[mask] = 255."
+def paint_white(gray, mask):
+    result = gray.copy()
+    result[~mask] = 255
+    return result
+
+
+# %% role="mistake" name="only the selected pixels" says="result[mask] is only the selected pixels, in one row. Return the whole image: result."
+def paint_white(gray, mask):
+    result = gray.copy()
+    result[mask] = 255
+    return result[mask]
+
+
+# %% role="mistake" name="painted with 1" says="The pixels of the mask became 1, which is almost black. White is 255."
+def paint_white(gray, mask):
+    result = gray.copy()
+    result[mask] = 1
+    return result
+
+
+# %% role="mistake" name="the rest is black" says="Pixels outside the mask became 0, but they must keep their gray level. Begin with a copy of gray."
+def paint_white(gray, mask):
+    result = np.zeros_like(gray)
+    result[mask] = 255
+    return result
+
+
+# %% role="mistake" name="added in uint8" says="The painted pixels are one gray level darker, not white: gray + 255 overflows in uint8. Set them with = instead: result[mask] = 255."
+def paint_white(gray, mask):
+    return gray + mask.astype(np.uint8) * np.uint8(255)
+
+
+# %% role="mistake" name="the mask" says="This is the mask itself, with True and False. Return a copy of gray in which the pixels of the mask are 255."
+def paint_white(gray, mask):
+    return mask
+
+
+# %% role="mistake" name="nothing painted" says="The image came back unchanged: no pixel was painted. Set the pixels of the mask with result[mask] = 255."
+def paint_white(gray, mask):
+    return gray.copy()
+
+
+# %% [markdown]
+# ## 9 · One axis at a time (4 minutes)
+#
+# `mean`, `sum`, `min` and `max` take all numbers together, or one *axis* at a time. Axis 0 goes down the rows, axis 1 goes across the columns. The named axis disappears: `axis=1` computes across the columns, so one number is left for each row.
+#
+# **Predict.** `tiny.max(axis=0)` has one number for each column. Which is the largest number of the last column?
+
+# %% role="predict"
+guess = None  # your guess: a number
+
+# %%
+print("max of all:", tiny.max(), "  one for each column:", tiny.max(axis=0))
+compare_guess(guess, tiny.max(axis=0)[-1])
+
+# %%
+# Check: the numbers in this section
+assert tiny.max() == 200 and tiny.max(axis=0).tolist() == [90, 90, 200, 90, 90]
+assert frame.mean(axis=2).shape == (720, 1280)
+
+# %% [markdown]
+# ### Your turn: the mean of each row
+#
+# Write `row_means(gray)`.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `gray`: an image, (height, width) uint8 | the mean gray level of each row, (height,) float64 | `row_means(tiny)[2]` is 112.0 |
+
+# %% role="exercise"
+exercise(
+    "arrays-row-means",
+    title="The mean of each row",
+    function="row_means",
+    time_limit=5,
+    hint="Which axis goes across the columns, so that one number is left for each row?",
+    hints=(
+        "The result has one number for each row. Which axis must disappear?",
+        "Use the method mean of the array, and tell it the axis that goes across the columns.",
+        "return gray.mean(axis=?) with 0 or 1 in place of the question mark.",
+    ),
+    explanation="axis=1 computes across the columns: this axis disappears, and one mean for each row is left. mean widens to float64 itself, so nothing overflows.",
+    another_way="You can also write gray.sum(axis=1) / gray.shape[1]: the sum of each row, divided by its number of pixels.",
+)
+
+# %% role="answer"
+def row_means(gray):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def row_means(gray):
+    return gray.mean(axis=1)
+
+
+# %% role="check"
+check("arrays-row-means", row_means)
+
+
+# %% role="case" title="a small image" points=1
+def inputs(rng):
+    return (rng.integers(100, 256, (3, 7), dtype=np.uint8),)
+
+
+# %% role="hidden" title="other images" points=1
+def inputs(rng):
+    return [(rng.integers(0, 256, (6, 4), dtype=np.uint8),), (rng.integers(0, 256, (2, 9), dtype=np.uint8),)]
+
+
+# %% role="mistake" name="means of the columns" says="These are the means of the columns: axis=0 goes down the rows. For one mean per row, use axis=1."
+def row_means(gray):
+    return gray.mean(axis=0)
+
+
+# %% role="mistake" name="one mean" says="This is one number for the whole image. With axis=1 you get an array with one mean for each row."
+def row_means(gray):
+    return float(gray.mean())
+
+
+# %% role="mistake" name="the sum" says="This is the sum of each row. Divide it by the number of columns, or use mean."
+def row_means(gray):
+    return gray.sum(axis=1).astype(float)
+
+
+# %% role="mistake" name="divided by the rows" says="The sums were divided by the number of rows, shape[0]. A row has as many pixels as the image has columns: shape[1]."
+def row_means(gray):
+    return gray.sum(axis=1) / gray.shape[0]
+
+
+# %% role="mistake" name="sum in uint8" says="The sum overflowed, because uint8 ends at 255. Use mean, which widens by itself, or widen first with astype."
+def row_means(gray):
+    return gray.sum(axis=1, dtype=np.uint8) / gray.shape[1]
+
+
+# %% role="mistake" name="an axis of length 1 is kept" says="Your result has the shape (rows, 1). One axis must remain: the shape is (rows,), so leave keepdims out."
+def row_means(gray):
+    return gray.mean(axis=1, keepdims=True)
+
+
+# %% role="mistake" name="the median" says="This is the median of each row, the value in the middle. The task asks for the mean."
+def row_means(gray):
+    return np.median(gray, axis=1)
+
+
+# %% role="mistake" name="the maximum" says="This is the largest gray level of each row (max). The task asks for the mean."
+def row_means(gray):
+    return gray.max(axis=1).astype(float)
+
+
+# %% role="mistake" name="whole numbers" says="The decimals are cut off (// or an integer dtype does that). Divide with /, and keep the float result."
+def row_means(gray):
+    return (gray.sum(axis=1) // gray.shape[1]).astype(float)
+
+
+# %% role="mistake" name="only the first row" says="This is the mean of the first row only. With axis=1 you get an array with one mean for each row."
+def row_means(gray):
+    return float(gray[0].mean())
+
+
+# %% [markdown]
+# ## 10 · Neighbours: a loop, and the same with slices (8 minutes)
+#
+# Most methods of image processing compare a pixel with its neighbours. Here is one row. We want, for each pixel, the sum of its left neighbour, itself, and its right neighbour. With a loop:
+
+# %%
+row = np.array([10, 10, 10, 200, 200, 200])
+sums = []
+for column in range(1, len(row) - 1):
+    sums.append(int(row[column - 1] + row[column] + row[column + 1]))
+print(sums)
+
+# %% [markdown]
+# The loop begins at column 1 and stops before the last column, because the two pixels at the ends have only one neighbour. Now without a loop: we take the row three times, each time *shifted* by one column.
+
+# %%
+left, middle, right = row[:-2], row[1:-1], row[2:]
+show(np.stack([left, middle, right]), "left, middle, right", limits=(0, 255),
+     text=figure_texts["rows"])
+
+# %% [markdown]
+# In each column of the figure stand the three numbers that the loop adds. So we add the three arrays:
+
+# %%
+print((left + middle + right).tolist())
+
+# %% [markdown]
+# The same numbers, in one line. `row[2:]` begins two numbers later, so it holds the *right* neighbours of `row[1:-1]`. With rows and columns it works in the same way: `gray[1:-1, 2:]` holds the right neighbours of `gray[1:-1, 1:-1]`.
+#
+# The result has two numbers less than the row. If it shall have the same length, we first add a border: this is called *padding*. `np.pad` adds zeros, or repeats the outermost pixels.
+
+# %%
+zeros = np.pad(tiny, 1)
+repeated = np.pad(tiny, 1, mode="edge")
+print("before:", tiny.shape, "  after:", zeros.shape)
+show([zeros, repeated], ["zeros", "outermost pixels repeated"], text=figure_texts["padded"])
+
+# %%
+# Check: the numbers in this section
+assert sums == (left + middle + right).tolist() == [30, 220, 410, 600]
+assert len(sums) == len(row) - 2 and zeros.shape == repeated.shape == (7, 7)
+assert zeros[0, 0] == 0 and repeated[0, 0] == tiny[0, 0]
+
+# %% [markdown]
+# ### Your turn: differences
+#
+# Where the gray level jumps from one pixel to the next, there is an edge. Write `differences(gray)`.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `gray`: an image, (height, width) uint8 | for each pixel its right neighbour minus the pixel itself, (height, width − 1) int16 | `differences(tiny)[0]` is 0, 190, −190, 0 |
+#
+# A difference may be negative: remember section 6.
+
+# %% role="exercise"
+exercise(
+    "arrays-differences",
+    title="Differences of neighbours",
+    function="differences",
+    time_limit=5,
+    hint="The right neighbour minus the pixel itself, in a dtype that has negative numbers.",
+    hints=(
+        "Which columns have a right neighbour? And which columns are the right neighbours of these?",
+        "Widen to int16 first. Then take all columns but the first, minus all columns but the last.",
+        "wide = gray.astype(np.int16), then return wide[:, 1:] - wide[:, ?] with the second slice in place of the question mark.",
+    ),
+    explanation="wide[:, 1:] begins one column later, so it holds the right neighbours of wide[:, :-1]. The array is widened before the subtraction, because uint8 has no negative numbers.",
+    another_way="You can also write np.diff(gray.astype(np.int16), axis=1): diff subtracts each number from the next one.",
+)
+
+# %% role="answer"
+def differences(gray):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def differences(gray):
+    wide = gray.astype(np.int16)
+    return wide[:, 1:] - wide[:, :-1]
+
+
+# %% role="check"
+check("arrays-differences", differences)
+
+
+# %% role="case" title="a small image" points=1
+def inputs(rng):
+    gray = rng.integers(0, 256, (3, 6), dtype=np.uint8)
+    gray[0, :2] = (10, 240)
+    gray[1, :2] = (240, 10)
+    return (gray,)
+
+
+# %% role="hidden" title="other images" points=1
+def inputs(rng):
+    return [(rng.integers(0, 256, (5, 5), dtype=np.uint8),), (rng.integers(0, 256, (2, 9), dtype=np.uint8),)]
+
+
+# %% role="mistake" name="uint8 overflow" says="A negative difference does not fit into uint8 and wraps around. Widen with astype(np.int16) before you subtract, not after."
+def differences(gray):
+    return (gray[:, 1:] - gray[:, :-1]).astype(np.int16)
+
+
+# %% role="mistake" name="subtracted in uint8" says="Your result is uint8, which has no negative numbers. Widen with astype(np.int16) before you subtract."
+def differences(gray):
+    return gray[:, 1:] - gray[:, :-1]
+
+
+# %% role="mistake" name="the sign is turned" says="The sign is turned: this is the pixel minus its right neighbour. The task asks for the right neighbour minus the pixel."
+def differences(gray):
+    wide = gray.astype(np.int16)
+    return wide[:, :-1] - wide[:, 1:]
+
+
+# %% role="mistake" name="rows" says="These are the differences between a row and the row below it. The right neighbour is in the next column: shift the second index."
+def differences(gray):
+    wide = gray.astype(np.int16)
+    return wide[1:] - wide[:-1]
+
+
+# %% role="mistake" name="absolute values" says="All differences are positive: the absolute value dropped the sign. Leave np.abs out."
+def differences(gray):
+    wide = gray.astype(np.int16)
+    return np.abs(wide[:, 1:] - wide[:, :-1])
+
+
+# %% role="mistake" name="rolled" says="Your result has one column too many. np.roll puts the first column behind the last one, which has no right neighbour. Use two slices."
+def differences(gray):
+    wide = gray.astype(np.int16)
+    return np.roll(wide, -1, axis=1) - wide
+
+
+# %% role="mistake" name="two columns apart" says="These pixels are two columns apart, so the shape is one column too small. The direct neighbour is one column away: 1: and :-1."
+def differences(gray):
+    wide = gray.astype(np.int16)
+    return wide[:, 2:] - wide[:, :-2]
+
+
+# %% role="mistake" name="a column of zeros" says="Your result has one column too many: the last one is 0. The last column has no right neighbour, so the result has one column less than the image."
+def differences(gray):
+    wide = gray.astype(np.int16)
+    return np.pad(wide[:, 1:] - wide[:, :-1], ((0, 0), (0, 1)))
+
+
+# %% [markdown]
+# Here are the differences of the whole room. NumPy has a function for them, `np.diff`; the next lessons build an edge detector from this idea.
+
+# %%
+steps = np.diff(frame[..., 1].astype(np.int16), axis=1)  # of the green channel
+print("shape:", steps.shape, "  range:", steps.min(), "to", steps.max())
+show([frame[..., 1], steps], ["green channel", "differences"], text=figure_texts["steps"])
+
+# %%
+# Check: the numbers in this section and in the table below
+assert steps.shape == (720, 1279) and steps.dtype == np.int16
+assert np.diff(tiny.astype(np.int16), axis=1).min() == -190
+assert np.diff(tiny.astype(np.int16), axis=1).max() == 190
+assert tiny.min() == 0 and tiny.max() == 200
+
+# %% [markdown]
+# ## Recap
+#
+# Rows first, then columns, then channels. A slice selects a part, a mask selects pixels, an axis says in which direction to compute. Shifted slices replace a loop over neighbours. A slice is a view: copy before you change it.
+#
+# | stage | shape | dtype | range | unit |
+# |---|---|---|---|---|
+# | *tiny* | (5, 5) | uint8 | 0 to 200 | gray level |
+# | mask, `tiny > 100` | (5, 5) | bool | False, True | – |
+# | mean of each row | (5,) | float64 | 0 to 255 | gray level |
+# | differences of *tiny* | (5, 4) | int16 | −190 to 190 | gray levels |
+#
+# **Next:** [[what_is_image_processing]].
