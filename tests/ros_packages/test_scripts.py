@@ -1,0 +1,70 @@
+"""The two nodes as plain scripts, without a package: run as processes on real messages."""
+
+import os
+import signal
+import sys
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+pytestmark = pytest.mark.ros
+
+SCRIPTS = sorted((Path(__file__).parents[2] / "environment" / "ros2_ws" / "scripts").glob("*.py"))
+NAMES = [path.stem for path in SCRIPTS]
+
+
+def expected_view(name, frame):
+    """What a script publishes on ~/view for a frame: (H, W) or three images side by side (H, 3 W, 3)."""
+    gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
+    if name == "image_gray_processor":
+        return gray
+    edges = cv2.Canny(gray, 50, 150)
+    return np.hstack([frame, *(cv2.cvtColor(image, cv2.COLOR_GRAY2BGR) for image in (gray, edges))])
+
+
+@pytest.fixture
+def start_script(start):
+    def start_one(path):
+        process = start(sys.executable, path, DISPLAY=None, WAYLAND_DISPLAY=None)
+        process.wait_for("has started")
+        return process
+
+    return start_one
+
+
+def test_both_nodes_of_the_original_lesson_are_there():
+    assert NAMES == ["image_edge_detection", "image_gray_processor"]
+    for path in SCRIPTS:
+        assert path.read_text(encoding="utf-8").startswith("#!/usr/bin/env python3\n")
+        assert os.access(path, os.X_OK)
+
+
+@pytest.mark.parametrize("path", SCRIPTS, ids=NAMES)
+def test_the_view_has_the_right_pixels_and_the_header(path, start_script, collect, camera, tools):
+    process = start_script(path)
+    before = camera.stamp
+    result = camera.get_result(collect(f"/{path.stem}/view"), tools.message_of(tools.make_frame(3)))
+    expected = expected_view(path.stem, tools.make_frame(3))
+    assert (tools.pixels(result) == expected).all() and 0 < expected.std()
+    assert result.header.frame_id == "camera_front"
+    assert before < tools.nanoseconds(result) <= camera.stamp
+    assert process.leave() == 0
+    assert "Traceback" not in process.output
+
+
+@pytest.mark.parametrize("path", SCRIPTS, ids=NAMES)
+def test_a_broken_image_is_logged_and_the_node_goes_on(path, start_script, collect, camera, tools):
+    process = start_script(path)
+    view = collect(f"/{path.stem}/view")
+    camera.get_result(view, tools.message_of(tools.make_frame(1)))
+    broken = tools.message_of(tools.make_frame(2))
+    broken.data = broken.data[:-7]
+    camera.send(broken)
+    process.wait_for(r"\[ERROR\].*An image was not processed: ")
+    frame = tools.make_frame(4)
+    result = camera.get_result(view, tools.message_of(frame))
+    assert (tools.pixels(result) == expected_view(path.stem, frame)).all()
+    assert process.output.count("publishes ~/view instead") == 1
+    assert process.leave(signal.SIGTERM) == 0
