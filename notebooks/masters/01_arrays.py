@@ -31,7 +31,7 @@ from imgproc_course.recording import open_recording
 figure_texts = {
     "tiny": (
         "The same array as an image: 0 is black, 255 is white. Row 0 is at the top, column 0 is on the left.",
-        "A grid of five rows and five columns: a bright cross on a dark ground, with one black corner.",
+        "A grid of five rows and five columns: a bright vertical line and a darker horizontal line on a dark ground, with one black corner.",
     ),
     "parts": (
         "Rows 1 to 2, then columns 1 to 3, then both. The numbers at the axes are the rows and columns of the part.",
@@ -42,24 +42,20 @@ figure_texts = {
         "The room as it was recorded, upside down, and with left and right exchanged.",
     ),
     "channels": (
-        "The three channels of one frame. The ball's red stripe is bright only in the red channel.",
-        "Three gray images of the living room: its blue, green and red channel.",
+        "The ball and its three channels. The red stripe is bright only in the red channel; the white stripe is bright in all three.",
+        "A ball with red and white stripes in colour, and three gray images of it: in two of them the red stripe is dark.",
     ),
     "mask": (
         "The mask is True (white) where the pixel is brighter than 100, and False (black) elsewhere.",
-        "The grid with its numbers, and the same grid in black and white: the cross is white.",
-    ),
-    "painted": (
-        "The pixels of the mask are white now, all others are unchanged.",
-        "The room, and the same room with its brightest places painted white.",
+        "The grid with its numbers, and the same grid in black and white: only the vertical line is white.",
     ),
     "rows": (
         "The same row three times: without its last two numbers, without its ends, without its first two. In each column stand a pixel's left neighbour, the pixel, and its right neighbour.",
         "Three short rows of numbers, one above the other, each shifted by one column.",
     ),
     "steps": (
-        "Zero where the gray level stays the same; a large number at the left and right outlines of things.",
-        "The gray room, and its differences: dark with bright and very dark vertical lines.",
+        "Gray where neighbours are equal, bright where the gray level jumps up, dark where it jumps down: the outlines of things.",
+        "The room as a gray relief: bright and dark lines at the left and right outlines of the person, the chair and the boxes.",
     ),
     "padded": (
         "The image with a border of zeros, and the image with a border that repeats its outermost pixels.",
@@ -98,12 +94,12 @@ assert tiny.shape == (5, 5) and tiny.size == 25 and tiny[0, 0] == 10
 # **Predict.** Which number is `tiny[2, 4]`? Write it into the next cell, run that cell, and then the cell after it.
 
 # %% role="predict"
-guess = None  # your guess: a number instead of None
+guess_pixel = None  # your guess: a number instead of None
 
 # %%
 print("tiny[0, 0]:", tiny[0, 0], "  tiny[4, 4]:", tiny[4, 4])
 print("tiny[-1, -1]:", tiny[-1, -1])
-compare_guess(guess, tiny[2, 4])
+compare_guess(guess_pixel, tiny[2, 4])
 
 # %% [markdown]
 # Row 2, column 4: the third row, and its last number. The same index on the left of `=` changes a pixel. We change it in a *copy*; section 8 says why.
@@ -134,12 +130,12 @@ show([two_rows, three_columns, both], ["[1:3]", "[:, 1:4]", "[1:3, 1:4]"],
 # **Predict.** What is the shape of `tiny[:2, 3:]`?
 
 # %% role="predict"
-guess = None  # your guess: (rows, columns)
+guess_shape = None  # your guess: (rows, columns)
 
 # %%
 part = tiny[:2, 3:]
 print(part)
-compare_guess(guess, part.shape)
+compare_guess(guess_shape, part.shape)
 
 # %%
 # Check: the numbers in this section
@@ -265,11 +261,11 @@ show([small, small[::-1], small[:, ::-1]], ["small", "[::-1]", "[:, ::-1]"],
 # **Predict.** Here is a row of five numbers: 1, 2, 3, 4, 5. What is `row[::-2]`?
 
 # %% role="predict"
-guess = None  # your guess: a list of numbers, for example [1, 2]
+guess_row = None  # your guess: a list of numbers, for example [1, 2]
 
 # %%
 row = np.array([1, 2, 3, 4, 5])
-compare_guess(guess, row[::-2].tolist())
+compare_guess(guess_row, row[::-2].tolist())
 
 # %%
 # Check: the numbers in this section
@@ -383,23 +379,25 @@ def mirror(image):
 # A colour image has a third index, the *channel*: 0 is blue, 1 is green, 2 is red. So `frame[100, 200, 2]` is the red of one pixel, and `frame[:, :, 2]` is the red channel of all pixels. Three dots, `...`, mean "all axes that I do not name": `frame[..., 2]` is the same as `frame[:, :, 2]`.
 
 # %%
-channels = [small[..., 0], small[..., 1], small[..., 2]]
-print("frame:", small.shape, "  one channel:", channels[0].shape)
-show(channels, ["blue", "green", "red"], encoding="mono8", text=figure_texts["channels"])
+ball = frame[340:440, 430:530]
+blue, green, red = ball[..., 0], ball[..., 1], ball[..., 2]
+print("part of the frame:", ball.shape, "  one channel:", red.shape)
+show([ball, blue, green, red], ["ball", "blue", "green", "red"], columns=2,
+     text=figure_texts["channels"])
 
 # %% [markdown]
 # **Predict.** What is the shape of `frame[..., ::-1]`?
 
 # %% role="predict"
-guess = None  # your guess: three numbers in parentheses
+guess_channels = None  # your guess: three numbers in parentheses
 
 # %%
 swapped = frame[..., ::-1]  # the channels in reverse order: red, green, blue
-compare_guess(guess, swapped.shape)
+compare_guess(guess_channels, swapped.shape)
 
 # %%
 # Check: the numbers in this section
-assert (frame[..., 2] == frame[:, :, 2]).all() and channels[0].shape == (180, 320)
+assert (frame[..., 2] == frame[:, :, 2]).all() and red.shape == (100, 100)
 assert swapped.shape == frame.shape and (swapped[..., 0] == frame[..., 2]).all()
 
 # %% [markdown]
@@ -409,7 +407,7 @@ assert swapped.shape == frame.shape and (swapped[..., 0] == frame[..., 2]).all()
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `bgr`: a frame, (height, width, 3) uint8, channels blue, green, red | its red channel, (height, width) uint8 | `red_channel(small)` equals `channels[2]` |
+# | `bgr`: a frame, (height, width, 3) uint8, channels blue, green, red | its red channel, (height, width) uint8 | `red_channel(ball)` equals `red` |
 
 # %% role="exercise"
 exercise(
@@ -522,12 +520,12 @@ print((tiny[2] / 4).astype(np.uint8), "after astype(np.uint8)")
 # **Predict.** A `uint8` holds no negative number. What is 0 − 1 in `uint8`?
 
 # %% role="predict"
-guess = None  # your guess: a number
+guess_zero = None  # your guess: a number
 
 # %%
 zero = np.array([0], dtype=np.uint8)
 one = np.array([1], dtype=np.uint8)
-compare_guess(guess, (zero - one)[0])
+compare_guess(guess_zero, (zero - one)[0])
 
 # %% [markdown]
 # After 0 the numbers begin again at 255, and NumPy does not warn you. If a result may be negative or above 255, convert to a larger dtype *first*: this is called to *widen*. The lesson [[grayscale]] shows what happens to an image if you forget it.
@@ -559,11 +557,11 @@ show([tiny, bright], ["tiny", "tiny > 100"], text=figure_texts["mask"])
 # **Predict** the mean of `bright`: how many of the 25 pixels are True?
 
 # %% role="predict"
-guess = None  # your guess: a number between 0 and 1
+guess_mean = None  # your guess: a number between 0 and 1
 
 # %%
 print("True pixels:", bright.sum(), "of", bright.size)
-compare_guess(guess, bright.mean())
+compare_guess(guess_mean, bright.mean())
 
 # %% [markdown]
 # A mask in square brackets selects pixels: `tiny[bright]` are the numbers of the bright pixels, in one row. On the left of `=` it changes them all. And `np.where(mask, a, b)` makes a new array with `a` where the mask is True and `b` where it is False.
@@ -811,13 +809,13 @@ def two_levels(gray, level):
 # **Predict.** We take the first row of an array and set its first number to 255. What is `original[0, 0]` after that?
 
 # %% role="predict"
-guess = None  # your guess: a number
+guess_view = None  # your guess: a number
 
 # %%
 original = tiny.copy()
 first_row = original[0]
 first_row[0] = 255
-compare_guess(guess, original[0, 0])
+compare_guess(guess_view, original[0, 0])
 
 # %% [markdown]
 # The array changed, although we wrote to `first_row`. Also `b = a` copies nothing: it only gives the array a second name. If you want to change numbers and keep the original, write `.copy()` first. (`astype`, `np.where` and every calculation make new arrays.)
@@ -933,11 +931,11 @@ def paint_white(gray, mask):
 # **Predict.** `tiny.max(axis=0)` has one number for each column. Which is the largest number of the last column?
 
 # %% role="predict"
-guess = None  # your guess: a number
+guess_column = None  # your guess: a number
 
 # %%
 print("max of all:", tiny.max(), "  one for each column:", tiny.max(axis=0))
-compare_guess(guess, tiny.max(axis=0)[-1])
+compare_guess(guess_column, tiny.max(axis=0)[-1])
 
 # %%
 # Check: the numbers in this section
@@ -1060,7 +1058,7 @@ print(sums)
 
 # %%
 left, middle, right = row[:-2], row[1:-1], row[2:]
-show(np.stack([left, middle, right]), "left, middle, right", limits=(0, 255),
+show(np.stack([left, middle, right]), "left, middle, right",
      text=figure_texts["rows"])
 
 # %% [markdown]
@@ -1193,7 +1191,7 @@ def differences(gray):
 # %%
 steps = np.diff(frame[..., 1].astype(np.int16), axis=1)  # of the green channel
 print("shape:", steps.shape, "  range:", steps.min(), "to", steps.max())
-show([frame[..., 1], steps], ["green channel", "differences"], text=figure_texts["steps"])
+show(steps, "differences", limits=(-40, 40), text=figure_texts["steps"])
 
 # %%
 # Check: the numbers in this section and in the table below
