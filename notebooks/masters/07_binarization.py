@@ -194,13 +194,19 @@ show([global_result, adaptive_result], ["global threshold (Otsu)", "adaptive thr
 assert (adaptive_result == cv2.adaptiveThreshold(rug, 255, cv2.ADAPTIVE_THRESH_MEAN_C, cv2.THRESH_BINARY, 31, 5)).all()
 
 # %% [markdown]
-# ## 6 · Your turn: Otsu by hand (10 minutes)
+# ## 6 · Your turn: Otsu from the pixels (15 minutes)
 #
-# Write `otsu(gray)`: find the threshold `t` with the largest between-class variance. If several thresholds have it, return the *smallest* of them. A pixel equal to `t` belongs to class 0. Use only NumPy.
+# Section 3 counted the pixels in a histogram. Find the same threshold without a histogram: write `otsu(gray)`, which tries every `t` from 0 to 255 and selects the pixels of the two classes with masks, as for the eight pixels.
+#
+# - A pixel equal to `t` belongs to class 0.
+# - If a class is empty, it has no mean: the between-class variance is 0.
+# - If several thresholds have the largest variance, return the *smallest* of them. So the result for an image with only one gray level is 0.
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `gray`: (height, width) uint8 | the threshold `t`, one whole number from 0 to 255 | `otsu(marker)` |
+# | `gray`: (height, width) uint8 | the threshold `t`, one whole number (`int`) from 0 to 255 | `otsu(marker)` |
+#
+# Compute it yourself, with NumPy only. `np` is known in your cell. Import everything else that you use in this cell.
 
 # %% role="exercise"
 exercise(
@@ -209,8 +215,36 @@ exercise(
     function="otsu",
     time_limit=10,
     refused=("cv2", "skimage", "imgproc_course.imaging"),
-    hint="Count the gray levels with np.bincount. For each t compute the shares and the means of the two classes. Keep the first t with the largest between-class variance.",
+    hint="For each t from 0 to 255 compute the shares and the means of the two classes, gray <= t and gray > t. Keep the first t with the largest between-class variance.",
+    hints=(
+        "Take the eight pixels of section 3 and t = 25. Which pixels are in class 0? Which two shares and which two means do you need? How would you remember the best t while you try the next one?",
+        "1. Begin with best_t = 0 and a best variance of 0. 2. Loop over t in range(256). 3. Select the two classes with masks. 4. If one of them is empty, go on with the next t (continue). 5. Compute the variance from the two sizes and the two means. 6. If it is larger than the best variance, store both t and the variance. 7. Return best_t after the loop.",
+        "below, above = gray[gray <= t], gray[gray > t]; variance = (below.size / gray.size) * (above.size / gray.size) * (below.mean() - above.mean()) ** 2; if variance > best_variance: best_t, best_variance = t, variance.",
+    ),
+    explanation="A mask selects the pixels of a class, so .size and .mean() of the selection give its share and its mean. The comparison is > and not >=, so a later t with the same variance does not replace an earlier one. The start values are also the answer for an image with one gray level: no t splits it, and 0 stays.",
+    another_way="You can also count the gray levels once with np.bincount, as section 3 does, and compute the shares and means from the counts: this is much faster for a large image.",
 )
+
+
+def scores(gray, score):
+    """{t: score(below, above)} for every t that leaves no class empty."""
+    pairs = {t: (gray[gray <= t].astype(float), gray[gray > t].astype(float)) for t in range(256)}
+    return {t: score(below, above) for t, (below, above) in pairs.items() if below.size and above.size}
+
+
+def best_of(gray, score):
+    """The first t with the largest score."""
+    score_at = scores(gray, score)
+    return max(score_at, key=score_at.get, default=0)
+
+
+def variance_of(below, above):
+    count = below.size + above.size
+    return below.size / count * above.size / count * (below.mean() - above.mean()) ** 2
+
+
+def counts_of(gray):
+    return np.bincount(gray.ravel(), minlength=256)
 
 
 # %% role="answer"
@@ -220,26 +254,23 @@ def otsu(gray):
 
 # %% role="solution"
 def otsu(gray):
-    counts = np.bincount(gray.ravel(), minlength=256)
-    levels = np.arange(256)
-    best, largest = 0, 0.0
+    best_t, best_variance = 0, 0.0
     for t in range(256):
-        below, above = int(counts[: t + 1].sum()), int(counts[t + 1 :].sum())
-        if below == 0 or above == 0:
+        below, above = gray[gray <= t], gray[gray > t]
+        if below.size == 0 or above.size == 0:
             continue
-        mean_below = int((levels[: t + 1] * counts[: t + 1]).sum()) / below
-        mean_above = int((levels[t + 1 :] * counts[t + 1 :]).sum()) / above
-        variance = below * above * (mean_below - mean_above) ** 2
-        if variance > largest * (1 + 1e-12):
-            best, largest = t, variance
-    return best
+        shares = (below.size / gray.size) * (above.size / gray.size)
+        variance = shares * (below.mean() - above.mean()) ** 2
+        if variance > best_variance:
+            best_t, best_variance = t, variance
+    return best_t
 
 
 # %% role="check"
 check("binarization-otsu", otsu)
 
 
-# %% role="case" title="print on paper" points=1 hint="The histogram has two peaks: the smallest of the best thresholds lies where the first peak ends."
+# %% role="case" title="print on paper" points=1
 def inputs(rng):
     dark, bright = rng.integers(20, 60), rng.integers(160, 220)
     image = np.where(rng.random((16, 20)) < 0.4, dark, bright) + rng.integers(-9, 10, size=(16, 20))
@@ -248,9 +279,37 @@ def inputs(rng):
 
 # %% role="case" title="little print, much paper" points=1 hint="Multiply the squared difference of the means by the shares of both classes."
 def inputs(rng):
-    dark, bright = rng.integers(10, 40), rng.integers(150, 240)
-    image = np.where(rng.random((24, 24)) < 0.06, dark, bright) + rng.integers(-8, 9, size=(24, 24))
-    return (image.astype(np.uint8),)
+    image = np.where(rng.random((24, 24)) < 0.1, 60, 170) + rng.normal(0, 20, size=(24, 24))
+    return (np.clip(image, 0, 255).astype(np.uint8),)
+
+
+# %% role="case" title="a wide and a narrow peak" points=0
+def inputs(rng):
+    is_wide = rng.random((24, 24)) < 0.7
+    image = np.where(is_wide, rng.normal(90, 32, size=(24, 24)), rng.normal(170, 12, size=(24, 24)))
+    return (np.clip(image, 0, 255).astype(np.uint8),)
+
+
+# %% role="case" title="a few bright and a few dark pixels" points=0 hint="The formula multiplies both shares and the square of the difference of the means: w0 * w1 * (mean0 - mean1) ** 2."
+def inputs(rng):
+    image = rng.integers(148, 153, size=64).astype(np.uint8)
+    image[:5], image[-2:] = 100, 250
+    return (rng.permutation(image).reshape(8, 8),)
+
+
+# %% role="case" title="the first and the last threshold" points=0 hint="Try every t from 0 to 255, and leave no t out."
+def inputs(rng):
+    corner = rng.integers(1, 4)
+    black_and_white = np.full((5, 6), 255, dtype=np.uint8)
+    black_and_white[:corner] = 0
+    nearly_white = np.full((5, 6), 255, dtype=np.uint8)
+    nearly_white[:corner] = 254
+    return [(black_and_white,), (nearly_white,)]
+
+
+# %% role="case" title="one gray level" points=0 hint="No t splits this image into two classes, so every variance is 0, and the smallest t is 0."
+def inputs(rng):
+    return (np.full((4, 5), rng.integers(50, 200), dtype=np.uint8),)
 
 
 # %% role="hidden" title="peaks that touch" points=1 hint="A pixel equal to t belongs to class 0."
@@ -267,32 +326,187 @@ def inputs(rng):
     return (image,)
 
 
-# %% role="mistake" name="the smallest variance instead of the largest" says="You kept the threshold at which the classes differ least. The between-class variance must be as large as possible."
+# %% role="mistake" name="the smallest variance instead of the largest" says="Your threshold has the smallest between-class variance, which is the same as the largest variance inside the classes. Look for the largest between-class variance instead."
 def otsu(gray):
-    counts = np.bincount(gray.ravel(), minlength=256)
-    levels = np.arange(256)
-    variances = {}
-    for t in range(256):
-        below, above = counts[: t + 1].sum(), counts[t + 1 :].sum()
-        if below and above:
-            means = (levels[: t + 1] * counts[: t + 1]).sum() / below, (levels[t + 1 :] * counts[t + 1 :]).sum() / above
-            variances[t] = below * above * (means[0] - means[1]) ** 2
-    return min(variances, key=variances.get)
+    return best_of(gray, lambda below, above: -variance_of(below, above))
 
 
-# %% role="mistake" name="the middle of the range" says="This is the middle between the darkest and the brightest pixel. It ignores how many pixels have each gray level. Otsu's method counts them."
+# %% role="mistake" name="shares left out" says="Your threshold ignores the shares of the two classes. The formula multiplies the squared difference of the means by both shares: w0 * w1 * (mean0 - mean1) ** 2."
+def otsu(gray):
+    return best_of(gray, lambda below, above: (below.mean() - above.mean()) ** 2)
+
+
+# %% role="mistake" name="only the share of class 0" says="Only the share of class 0 is used. The formula multiplies by the shares of both classes: w0 * w1 * (mean0 - mean1) ** 2."
+def otsu(gray):
+    return best_of(gray, lambda below, above: below.size * (below.mean() - above.mean()) ** 2)
+
+
+# %% role="mistake" name="only the share of class 1" says="Only the share of class 1 is used. The formula multiplies by the shares of both classes: w0 * w1 * (mean0 - mean1) ** 2."
+def otsu(gray):
+    return best_of(gray, lambda below, above: above.size * (below.mean() - above.mean()) ** 2)
+
+
+# %% role="mistake" name="difference not squared" says="The difference of the means is not squared. Without ** 2 it is negative for every t, because class 0 is the darker one."
+def otsu(gray):
+    return best_of(gray, lambda below, above: below.size * above.size * (below.mean() - above.mean()))
+
+
+# %% role="mistake" name="the wrong square" says="Only the difference of the means must be squared. You use it without a square (abs), or you square the whole product. The formula is w0 * w1 * (mean0 - mean1) ** 2."
+def otsu(gray):
+    return best_of(gray, lambda below, above: below.size * above.size * abs(below.mean() - above.mean()))
+
+
+# %% role="mistake" name="means in whole numbers" says="The means are whole numbers: // and int() drop the fraction. Divide with /, or use .mean(), and keep the float."
+def otsu(gray):
+    return best_of(gray, lambda below, above: below.size * above.size * (below.sum() // below.size - above.sum() // above.size) ** 2)
+
+
+# %% role="mistake" name="medians instead of means" says="The medians of the classes are used. The formula needs their means: .mean()."
+def otsu(gray):
+    return best_of(gray, lambda below, above: below.size * above.size * (np.median(below) - np.median(above)) ** 2)
+
+
+# %% role="mistake" name="sums in uint8" says="The sums of the gray levels were computed in uint8, which wraps around at 255. Use .mean(), or widen with astype(int) before you add."
+def otsu(gray):
+    def score(below, above):
+        means = [part.sum() % 256 / part.size for part in (below, above)]
+        return below.size * above.size * (means[0] - means[1]) ** 2
+
+    return best_of(gray, score)
+
+
+# %% role="mistake" name="means of the counts" says="The means are means of the counts, not of the gray levels. Each gray level must be multiplied by its count, and the sum divided by the number of pixels; or take the mean of the pixels of each class."
+def otsu(gray):
+    counts = counts_of(gray)
+    best_t, largest = 0, -1.0
+    for t in range(255):
+        below, above = counts[: t + 1], counts[t + 1 :]
+        variance = float(below.sum()) * float(above.sum()) * (below.mean() - above.mean()) ** 2
+        if below.sum() and above.sum() and variance > largest:
+            best_t, largest = t, variance
+    return best_t
+
+
+# %% role="mistake" name="the sums of the variances" says="You add the variances inside the two classes without their shares. Take the between-class variance with both shares, w0 * w1 * (mean0 - mean1) ** 2, and its largest value."
+def otsu(gray):
+    return best_of(gray, lambda below, above: -below.var() - above.var())
+
+
+# %% role="mistake" name="the most frequent gray level" says="This is the most frequent gray level, the highest bar of the histogram. It is not a threshold between two classes: compute the between-class variance of every t, and take the t with the largest."
+def otsu(gray):
+    return int(np.argmax(counts_of(gray)))
+
+
+# %% role="mistake" name="the middle of the range" says="This is the middle between the darkest and the brightest pixel. It ignores how many pixels have each gray level. Compute the between-class variance of every t instead."
 def otsu(gray):
     return (int(gray.min()) + int(gray.max())) // 2
 
 
-# %% role="mistake" name="the mean gray level" says="This is the mean gray level. It is close to the mean of the larger class. Otsu's method looks for the threshold that separates the two classes best."
+# %% role="mistake" name="the mean gray level" says="This is the mean gray level, which is not Otsu's threshold. Try every t, and keep the one with the largest between-class variance."
 def otsu(gray):
     return int(gray.mean())
 
 
-# %% role="mistake" name="one too high" says="Your threshold is one too high. A pixel equal to t belongs to class 0, so t is the last gray level of class 0."
+# %% role="mistake" name="the median gray level" says="This is the median gray level, which is not Otsu's threshold. Try every t, and keep the one with the largest between-class variance."
+def otsu(gray):
+    return int(np.median(gray))
+
+
+# %% role="mistake" name="always 128" says="Your function returned 128 for every image, a fixed number. The threshold must be computed from the gray levels of each image."
+def otsu(gray):
+    return 128
+
+
+# %% role="mistake" name="always 127" says="Your function returned 127 for every image, a fixed number. The threshold must be computed from the gray levels of each image."
+def otsu(gray):
+    return 127
+
+
+# %% role="mistake" name="always 0" says="Your function returned 0 for every image. If return is inside the for loop, the function ends with the first t: move it to the left, below the loop. If not, see that best_t gets a new value in the loop."
+def otsu(gray):
+    return 0
+
+
+# %% role="mistake" name="always 255" says="Your function returned 255 for every image, the last t of the loop. Return the t with the largest between-class variance: store it in the loop."
+def otsu(gray):
+    return 255
+
+
+# %% role="mistake" name="one too large" says="Your threshold is one too large: a pixel equal to t belongs to class 0. Split with gray <= t and gray > t. In a histogram the slice counts[:t] ends before t: write counts[: t + 1]."
+def otsu(gray):
+    return solution(gray) + 1 if gray.min() < gray.max() else 0
+
+
+# %% role="mistake" name="one too large, always" says="Your threshold is one too large: a pixel equal to t belongs to class 0, so t is the last gray level of class 0."
 def otsu(gray):
     return solution(gray) + 1
+
+
+# %% role="mistake" name="one too small" says="Your threshold is one too small: t is the last gray level of class 0. Split with gray <= t and gray > t."
+def otsu(gray):
+    return solution(gray) - 1
+
+
+# %% role="mistake" name="the last of equal thresholds" says="Several thresholds have the same largest variance, and you return the last of them. With >= a later t replaces an earlier one: use >, so that the smallest t stays."
+def otsu(gray):
+    score_at = scores(gray, variance_of)
+    largest = max(score_at.values(), default=0)
+    return max((t for t in score_at if score_at[t] == largest), default=0)
+
+
+# %% role="mistake" name="the last of equal thresholds, also with an empty class" says="Several thresholds have the same largest variance, and you return the last of them. With >= a later t replaces an earlier one: use >, so that the smallest t stays."
+def otsu(gray):
+    score_at = dict.fromkeys(range(256), 0.0) | scores(gray, variance_of)
+    return max(t for t in score_at if score_at[t] == max(score_at.values()))
+
+
+# %% role="mistake" name="the mean of an empty class" says="A class without pixels has the mean nan, and np.argmax takes nan for the largest value. Leave out every t that leaves a class empty, or give it the variance 0."
+def otsu(gray):
+    return 0 if gray.min() > 0 else int(gray.max())
+
+
+# %% role="mistake" name="thresholds left out at both ends" says="The first and the last thresholds are not tried. Try every t from 0 to 255: range(256)."
+def otsu(gray):
+    score_at = {t: score for t, score in scores(gray, variance_of).items() if 1 <= t < 254}
+    return max(score_at, key=score_at.get, default=1)
+
+
+# %% role="mistake" name="the threshold 0 left out" says="The threshold 0 is not tried. Try every t from 0 to 255: range(256) begins with 0."
+def otsu(gray):
+    return max(1, solution(gray)) if gray.min() < gray.max() else 0
+
+
+# %% role="mistake" name="no start value for one gray level" says="If the image has only one gray level, no t splits it, and your variable never gets a value. Give it a start value, 0, before the loop."
+def otsu(gray):
+    if gray.min() < gray.max():
+        best_t = solution(gray)
+    return best_t
+
+
+# %% role="mistake" name="the variance" says="You return the largest variance itself. The task asks for the t that has it."
+def otsu(gray):
+    return max(scores(gray, variance_of).values(), default=0.0)
+
+
+# %% role="mistake" name="the variance from the numbers of pixels" says="You return the largest variance itself. The task asks for the t that has it."
+def otsu(gray):
+    return max((score * gray.size**2 for score in scores(gray, variance_of).values()), default=0.0)
+
+
+# %% role="mistake" name="the binary image" says="You return the binary image. The task asks for the threshold itself, one number: return t."
+def otsu(gray):
+    return np.where(gray > solution(gray), 255, 0).astype(np.uint8)
+
+
+# %% role="mistake" name="the mask" says="You return a mask of the image. The task asks for the threshold itself, one number: return t."
+def otsu(gray):
+    return gray > solution(gray)
+
+
+# %% role="mistake" name="t and its variance" says="You return two values, the threshold and its variance. The task asks for the threshold alone."
+def otsu(gray):
+    t = solution(gray)
+    return t, scores(gray, variance_of).get(t, 0.0)
 
 
 # %% [markdown]

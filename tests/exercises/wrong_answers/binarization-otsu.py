@@ -144,7 +144,7 @@ def otsu(gray):
         variances.append(low.size / gray.size * high.size / gray.size * (np.mean(low) - np.mean(high)) ** 2)
     return int(np.argmax(variances))
 
-# %% name="empty image of one gray level" origin="new" sentence="If the image has only one gray level, no t splits it and best_t is never set: give it a start value before the loop." must_say=["one (gray )?level|never set|never assigned|start value|undefined|unbound|not (been )?(set|assigned|defined)|without a value", "start|before|value|assign|set"] kind="error" passes=true
+# %% name="empty image of one gray level" origin="new" sentence="If the image has only one gray level, no t splits it and best_t is never set: give it a start value before the loop." must_say=["one (gray )?level|never set|never assigned|start value|undefined|unbound|not (been )?(set|assigned|defined)|without a value", "start|before|value|assign|set"] kind="error"
 def otsu(gray):
     best = 0.0
     for t in range(256):
@@ -157,7 +157,7 @@ def otsu(gray):
             best_t = t
     return best_t
 
-# %% name="histogram by range with a last bin missing" origin="new" sentence="range(1, 254) leaves out the first and the last thresholds: try all of them, range(256)." must_say=["leaves? out|not tried|missing|skip|range\\(1", "256|first|last|every|all"] kind="value" passes=true
+# %% name="histogram by range with a last bin missing" origin="new" sentence="range(1, 254) leaves out the first and the last thresholds: try all of them, range(256)." must_say=["leaves? out|not tried|missing|skip|range\\(1", "256|first|last|every|all"] kind="value"
 def otsu(gray):
     best, best_t = -1.0, 1
     for t in range(1, 254):
@@ -254,7 +254,7 @@ def otsu(gray):
             best, best_t = variance, t
     return best_t
 
-# %% name="absolute difference instead of its square" origin="new" sentence="abs() is not the square: the formula needs (mean0 - mean1) ** 2, which gives a large difference more weight." must_say=["squar|\\*\\* ?2", "\\babs|absolute|formula"] kind="value" passes=true
+# %% name="absolute difference instead of its square" origin="new" sentence="abs() is not the square: the formula needs (mean0 - mean1) ** 2, which gives a large difference more weight." must_say=["squar|\\*\\* ?2", "\\babs|absolute|formula"] kind="value"
 def otsu(gray):
     best, best_t = -1.0, 0
     for t in range(256):
@@ -266,7 +266,7 @@ def otsu(gray):
             best, best_t = variance, t
     return best_t
 
-# %% name="means in whole numbers" origin="new" sentence="// cuts the fraction of the means off, and then two thresholds look equal that are not: divide with /." must_say=["//|fraction|integer division|whole|cut", "/|mean|float"] kind="value" passes=true
+# %% name="means in whole numbers" origin="new" sentence="// cuts the fraction of the means off, and then two thresholds look equal that are not: divide with /." must_say=["//|fraction|integer division|whole|cut", "/|mean|float"] kind="value"
 def otsu(gray):
     best, best_t = -1, 0
     for t in range(256):
