@@ -128,6 +128,122 @@ show(frame, "decoded by hand", encoding="rgb8",
      alt="A living room seen from close to the floor, with a red and white ball ahead.")
 
 # %% [markdown]
+# ### Your turn: decode a gray image (5 minutes, practice)
+#
+# Write `decode_mono8(message)` with the two lines above. They must work for an image of any size.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `message`: encoding `mono8`, rows without padding | an array of shape (height, width), dtype uint8 | `decode_mono8(tiny_message)` equals `tiny` |
+#
+# `np` is ready to use in every exercise. The check refuses an answer that uses `cv2` or the course's converter, here and in the next exercises.
+
+# %% role="exercise"
+from types import SimpleNamespace
+
+exercise(
+    "messages-mono8",
+    title="Decode a gray image",
+    function="decode_mono8",
+    practice=True,
+    time_limit=5,
+    refused=("cv2", "imgproc_course.messages"),
+    hint="data holds the rows one after the other, from top to bottom. Cut it into height rows of width bytes.",
+    hints=(
+        "data is one long row of bytes. How many bytes belong to the first row of the image?",
+        "Two steps: np.frombuffer makes an array of the bytes, with dtype uint8. Then reshape cuts it into rows. The shape is (height, width).",
+        "flat = np.frombuffer(message.data, dtype=np.uint8). Then return flat.reshape(...), with message.height and message.width in the brackets.",
+    ),
+    explanation="np.frombuffer reads the bytes as numbers of one byte each, because the dtype is uint8. They lie in data row after row, which is also the order in which reshape fills an array. Height comes first, because the first axis of an array is its rows.",
+    another_way="You can also write message.step instead of message.width: without padding, a row of a mono8 image has as many bytes as pixels.",
+)
+
+
+def gray_message(rng, height, width, low=0):
+    pixels = rng.integers(low, 256, size=(height, width), dtype=np.uint8)
+    return SimpleNamespace(
+        height=height, width=width, encoding="mono8", is_bigendian=0, step=width, data=pixels.tobytes()
+    )
+
+
+# %% role="answer" exercise="messages-mono8"
+def decode_mono8(message):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution" exercise="messages-mono8"
+def decode_mono8(message):
+    flat = np.frombuffer(message.data, dtype=np.uint8)
+    return flat.reshape(message.height, message.width)
+
+
+# %% role="check" exercise="messages-mono8"
+check("messages-mono8", decode_mono8)
+
+
+# %% role="case" exercise="messages-mono8" title="a small gray image"
+def inputs(rng):
+    return (gray_message(rng, 3, 5),)
+
+
+# %% role="case" exercise="messages-mono8" title="a bright gray image, higher than it is wide"
+def inputs(rng):
+    return (gray_message(rng, 4, 3, low=128),)
+
+
+# %% role="hidden" exercise="messages-mono8" title="another size"
+def inputs(rng):
+    height, width = (int(n) for n in rng.integers(2, 7, size=2))
+    return (gray_message(rng, height, width + height),)
+
+
+# %% role="mistake" exercise="messages-mono8" name="rows and columns exchanged" says="Height and width are exchanged. The first axis of an array is its rows, so the shape is (height, width), and height comes first."
+def decode_mono8(message):
+    return solution(message).reshape(message.width, message.height)
+
+
+# %% role="mistake" exercise="messages-mono8" name="not cut into rows" says="The array has only one dimension, all rows one after the other. Cut it into rows with reshape(height, width)."
+def decode_mono8(message):
+    return solution(message).ravel()
+
+
+# %% role="mistake" exercise="messages-mono8" name="a third dimension" says="A gray image has two dimensions. Leave the third number out of the shape: (height, width)."
+def decode_mono8(message):
+    return solution(message)[..., np.newaxis]
+
+
+# %% role="mistake" exercise="messages-mono8" name="filled column by column" says="The image was filled column by column. In data it is stored row after row: use reshape(height, width), without .T and without order=\"F\"."
+def decode_mono8(message):
+    return solution(message).ravel().reshape((message.height, message.width), order="F")
+
+
+# %% role="mistake" exercise="messages-mono8" name="rows of height bytes" says="Row r begins at the wrong position. A row takes width bytes, so it begins at byte r * width, not at r * height."
+def decode_mono8(message):
+    rows = [message.data[row * message.height :][: message.width] for row in range(message.height)]
+    return np.array([list(row) for row in rows], dtype=np.uint8)
+
+
+# %% role="mistake" exercise="messages-mono8" name="upside down" says="The image is upside down. The first row in data is the top row: keep the order of the rows, do not reverse it."
+def decode_mono8(message):
+    return solution(message)[::-1]
+
+
+# %% role="mistake" exercise="messages-mono8" name="mirrored" says="Left and right are exchanged. The first byte of a row is its left pixel: keep the order of the columns, do not reverse it."
+def decode_mono8(message):
+    return solution(message)[:, ::-1]
+
+
+# %% role="mistake" exercise="messages-mono8" name="signed numbers" says="int8 has a sign and ends at 127, so bright pixels became negative. Read the bytes with dtype=np.uint8."
+def decode_mono8(message):
+    return solution(message).view(np.int8)
+
+
+# %% role="mistake" exercise="messages-mono8" name="values from 0 to 1" says="The values were divided by 255. Return the gray levels as they are in data, uint8 from 0 to 255."
+def decode_mono8(message):
+    return solution(message) / 255
+
+
+# %% [markdown]
 # ## 3 · Planned failure: which channel is red? (6 minutes)
 #
 # OpenCV stores the channels of a pixel in the order blue, green, red. The robot sends red, green, blue. You cannot see the order in the bytes. Only `encoding` tells you the order.
@@ -151,6 +267,150 @@ print("rgb8 bytes:", frame[388, 551], "  as bgr8:", bgr[388, 551])
 
 assert (bgr == frame[..., ::-1]).all()  # ... means all rows and columns; ::-1 reverses the channels
 assert bgr[388, 551].tolist() == frame[388, 551].tolist()[::-1]
+
+# %% [markdown]
+# ### Your turn: decode a colour image (5 minutes, practice)
+#
+# Write `decode_rgb8(message)`. It keeps the channels in the order of `data`, so it treats `rgb8` and `bgr8` in the same way.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `message`: encoding `rgb8` or `bgr8`, rows without padding | an array of shape (height, width, 3), dtype uint8, the channels in the same order as in `data` | `decode_rgb8(message)` equals `frame` |
+
+# %% role="exercise"
+from types import SimpleNamespace
+
+exercise(
+    "messages-rgb8",
+    title="Decode a colour image",
+    function="decode_rgb8",
+    practice=True,
+    time_limit=5,
+    refused=("cv2", "imgproc_course.messages"),
+    hint="The three bytes of a pixel are side by side in data. Then comes the next pixel of the same row.",
+    hints=(
+        "In a gray image, a pixel is one byte. How many bytes is a pixel here, and where are they in data?",
+        "It is the exercise before with one more number. Read the bytes with np.frombuffer. The shape has three numbers: rows, columns, channels. The channels are already in the right order.",
+        "flat = np.frombuffer(message.data, dtype=np.uint8). Then return flat.reshape(message.height, message.width, ...), with the number of channels as the third number.",
+    ),
+    explanation="The bytes of a pixel are side by side, so the channels are the last axis of the array. reshape does not move a byte: it only says where a row and a pixel end. rgb8 and bgr8 need the same lines, because the order of the channels stays as it is in data.",
+    another_way="You can also write reshape(message.height, -1, 3): for -1, NumPy computes the number of columns itself.",
+)
+
+
+def colour_message(rng, encoding, height, width):
+    pixels = rng.integers(0, 256, size=(height, width, 3), dtype=np.uint8)
+    return SimpleNamespace(
+        height=height, width=width, encoding=encoding, is_bigendian=0, step=width * 3, data=pixels.tobytes()
+    )
+
+
+# %% role="answer" exercise="messages-rgb8"
+def decode_rgb8(message):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution" exercise="messages-rgb8"
+def decode_rgb8(message):
+    flat = np.frombuffer(message.data, dtype=np.uint8)
+    return flat.reshape(message.height, message.width, 3)
+
+
+# %% role="check" exercise="messages-rgb8"
+check("messages-rgb8", decode_rgb8)
+
+
+# %% role="case" exercise="messages-rgb8" title="an rgb8 image"
+def inputs(rng):
+    return (colour_message(rng, "rgb8", 2, 4),)
+
+
+# %% role="case" exercise="messages-rgb8" title="a bgr8 image, higher than it is wide"
+def inputs(rng):
+    return (colour_message(rng, "bgr8", 5, 2),)
+
+
+# %% role="hidden" exercise="messages-rgb8" title="another size"
+def inputs(rng):
+    height, width = (int(n) for n in rng.integers(2, 7, size=2))
+    return (colour_message(rng, "rgb8", height, width + height),)
+
+
+# %% role="mistake" exercise="messages-rgb8" name="channels first" says="The channels are the first axis of your array. The three bytes of a pixel are side by side, so the channels are the last axis: (height, width, 3)."
+def decode_rgb8(message):
+    return solution(message).reshape(3, message.height, message.width)
+
+
+# %% role="mistake" exercise="messages-rgb8" name="one colour after the other" says="data was read as if it held one image for each channel, one after the other. The three bytes of a pixel are side by side: reshape(height, width, 3) is enough, without transpose."
+def decode_rgb8(message):
+    return solution(message).reshape(3, message.height, message.width).transpose(1, 2, 0)
+
+
+# %% role="mistake" exercise="messages-rgb8" name="rows and columns exchanged" says="Height and width are exchanged. The first axis of an array is its rows, so the shape is (height, width, 3), and height comes first."
+def decode_rgb8(message):
+    return solution(message).reshape(message.width, message.height, 3)
+
+
+# %% role="mistake" exercise="messages-rgb8" name="red and blue swapped" says="Red and blue are swapped. Keep the channels in the order of data, and do not reverse them."
+def decode_rgb8(message):
+    return solution(message)[..., ::-1]
+
+
+# %% role="mistake" exercise="messages-rgb8" name="bgr8 reordered" says="For bgr8, red and blue are swapped. Keep the channels in the order of data, for both encodings."
+def decode_rgb8(message):
+    return solution(message)[..., ::-1] if message.encoding == "bgr8" else solution(message)
+
+
+# %% role="mistake" exercise="messages-rgb8" name="rgb8 reordered" says="For rgb8, red and blue are swapped. Keep the channels in the order of data, for both encodings."
+def decode_rgb8(message):
+    return solution(message)[..., ::-1] if message.encoding == "rgb8" else solution(message)
+
+
+# %% role="mistake" exercise="messages-rgb8" name="no axis for the channels" says="The array has only two dimensions, (height, 3 × width). Give the channels an axis of their own: reshape(height, width, 3)."
+def decode_rgb8(message):
+    return solution(message).reshape(message.height, -1)
+
+
+# %% role="mistake" exercise="messages-rgb8" name="one pixel per row" says="The array has one pixel in each row. Its shape must have the rows and columns of the image, too: reshape(height, width, 3)."
+def decode_rgb8(message):
+    return solution(message).reshape(-1, 3)
+
+
+# %% role="mistake" exercise="messages-rgb8" name="not cut into rows" says="The array has only one dimension. Cut it into rows and pixels: reshape(height, width, 3)."
+def decode_rgb8(message):
+    return solution(message).ravel()
+
+
+# %% role="mistake" exercise="messages-rgb8" name="only one channel" says="Your function returns only the first channel. Return all three: an array of shape (height, width, 3)."
+def decode_rgb8(message):
+    return solution(message)[..., 0]
+
+
+# %% role="mistake" exercise="messages-rgb8" name="mean of the channels" says="Your function returns the mean of the three channels, a gray image. Return all three channels: shape (height, width, 3)."
+def decode_rgb8(message):
+    return solution(message).mean(axis=-1).astype(np.uint8)
+
+
+# %% role="mistake" exercise="messages-rgb8" name="upside down" says="The image is upside down. The first row in data is the top row: keep the order of the rows, do not reverse it."
+def decode_rgb8(message):
+    return solution(message)[::-1]
+
+
+# %% role="mistake" exercise="messages-rgb8" name="mirrored" says="Left and right are exchanged: the columns were reversed, not the channels. Keep the order of data for both."
+def decode_rgb8(message):
+    return solution(message)[:, ::-1]
+
+
+# %% role="mistake" exercise="messages-rgb8" name="pixels one byte apart" says="Neighbouring pixels were read one byte apart. A pixel takes three bytes: column c begins at byte 3 * c of its row."
+def decode_rgb8(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    return np.stack([rows[:, k : k + message.width] for k in range(3)], axis=-1)
+
+
+# %% role="mistake" exercise="messages-rgb8" name="bgr8 without an answer" says="For bgr8 your function returns None: no return was reached. bgr8 is decoded in the same way as rgb8."
+def decode_rgb8(message):
+    return solution(message) if message.encoding == "rgb8" else None
+
 
 # %% [markdown]
 # ## 4 · Planned failure: a padded row (8 minutes)
@@ -206,6 +466,164 @@ except ValueError as error:
     print(error)
 
 # %% [markdown]
+# ### Your turn: remove the padding (8 minutes, practice)
+#
+# Write `decode_padded(message)`. Put the two things together that you have seen: crop the padding, as in `cut_by_step`, and form the pixels of a colour image.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `message`: encoding `rgb8`, rows with padding of any length | an array of shape (height, width, 3), dtype uint8, without the padding | for a message with height 2, width 4 and step 14, the result has shape (2, 4, 3) |
+
+# %% role="exercise"
+from types import SimpleNamespace
+
+exercise(
+    "messages-padding",
+    title="Remove the padding",
+    function="decode_padded",
+    practice=True,
+    time_limit=5,
+    refused=("cv2", "imgproc_course.messages"),
+    hint="A row has step bytes. The first width * 3 of them are pixels, the rest is padding.",
+    hints=(
+        "How many bytes does one row have in data? And how many of them are pixels, if a pixel takes three bytes?",
+        "Three steps: cut data into rows of step bytes; keep only the first width * 3 bytes of each row; cut these bytes into pixels of three channels.",
+        "rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step). Then pixels = rows[:, : message.width * 3]. The last line reshapes pixels to (height, width, 3).",
+    ),
+    explanation="The order of the steps matters. First the bytes are cut into rows of step bytes, because the padding belongs to the rows. The slice keeps all rows and the first width * 3 bytes of each. Only then can the bytes be cut into pixels: before, the length of a row may not be a multiple of 3.",
+    another_way="You can also write a loop over the rows: row r begins at byte r * step, and its pixels are the width * 3 bytes from there.",
+)
+
+
+def padded_message(rng, height, width, padding, *, low=0, padding_byte=None):
+    rows = rng.integers(low, 256, size=(height, width * 3 + padding), dtype=np.uint8)
+    if padding_byte is not None:
+        rows[:, width * 3 :] = padding_byte
+    return SimpleNamespace(
+        height=height, width=width, encoding="rgb8", is_bigendian=0, step=rows.shape[1], data=rows.tobytes()
+    )
+
+
+# %% role="answer" exercise="messages-padding"
+def decode_padded(message):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution" exercise="messages-padding"
+def decode_padded(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    pixels = rows[:, : message.width * 3]
+    return pixels.reshape(message.height, message.width, 3)
+
+
+# %% role="check" exercise="messages-padding"
+check("messages-padding", decode_padded)
+
+
+# %% role="case" exercise="messages-padding" title="one byte of padding, always 99"
+def inputs(rng):
+    return (padded_message(rng, 3, 5, 1, low=100, padding_byte=99),)
+
+
+# %% role="case" exercise="messages-padding" title="one byte of padding, any value"
+def inputs(rng):
+    message = padded_message(rng, 2, 3, 1, padding_byte=255)
+    return (SimpleNamespace(**{**vars(message), "data": bytes([99]) + message.data[1:]}),)
+
+
+# %% role="case" exercise="messages-padding" title="three bytes of padding"
+def inputs(rng):
+    message = padded_message(rng, 4, 3, 3)
+    return (SimpleNamespace(**{**vars(message), "data": bytes([99]) + message.data[1:]}),)
+
+
+# %% role="case" exercise="messages-padding" title="six bytes of padding"
+def inputs(rng):
+    message = padded_message(rng, 2, 4, 6)
+    return (SimpleNamespace(**{**vars(message), "data": bytes([99]) + message.data[1:]}),)
+
+
+# %% role="hidden" exercise="messages-padding" title="another padding" hint="The number of padding bytes changes from message to message: step tells it."
+def inputs(rng):
+    height, width = (int(n) for n in rng.integers(2, 7, size=2))
+    return (padded_message(rng, height, width + height, int(rng.integers(1, 6))),)
+
+
+# %% role="mistake" exercise="messages-padding" name="padding read as pixels" says="The padding was read as pixels, so the image is sheared. First cut data into rows of step bytes, reshape(height, step), so that row r begins at byte r * step. Then crop the padding."
+def decode_padded(message):
+    flat = np.frombuffer(message.data, dtype=np.uint8)
+    return flat[: message.height * message.width * 3].reshape(message.height, message.width, 3)
+
+
+# %% role="mistake" exercise="messages-padding" name="only width bytes kept" says="Your function keeps only width bytes of each row, and no axis for the channels. A pixel has three bytes: crop at width * 3, then reshape to (height, width, 3)."
+def decode_padded(message):
+    return solution(message).reshape(message.height, -1)[:, : message.width]
+
+
+# %% role="mistake" exercise="messages-padding" name="padding kept" says="The padding is still in the array, at the end of each row. Keep only the first width * 3 columns, then reshape to (height, width, 3)."
+def decode_padded(message):
+    return np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+
+
+# %% role="mistake" exercise="messages-padding" name="padding made black" says="The padding became 0, but it is still in the array. Cut it off with a slice: keep only the first width * 3 columns."
+def decode_padded(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step).copy()
+    rows[:, message.width * 3 :] = 0
+    return rows
+
+
+# %% role="mistake" exercise="messages-padding" name="no axis for the channels" says="The padding is gone. But the array has only two dimensions, (height, 3 × width). Give the channels an axis of their own: reshape(height, width, 3)."
+def decode_padded(message):
+    return solution(message).reshape(message.height, -1)
+
+
+# %% role="mistake" exercise="messages-padding" name="padding expected in front" says="The first bytes of each row were cut off. The padding is at the end of a row: keep the first width * 3 bytes."
+def decode_padded(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    return rows[:, message.step - message.width * 3 :].reshape(message.height, message.width, 3)
+
+
+# %% role="mistake" exercise="messages-padding" name="one byte too late" says="Every row begins one byte too late: its first byte is missing. Positions are counted from 0, so the slice is rows[:, : width * 3]."
+def decode_padded(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    return rows[:, 1 : message.width * 3 + 1].reshape(message.height, message.width, 3)
+
+
+# %% role="mistake" exercise="messages-padding" name="always three bytes of padding" says="Only a padding of three bytes is removed correctly. Other messages have other paddings: step tells the length of a row. Keep the first width * 3 bytes of it."
+def decode_padded(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    return rows[:, :-3].reshape(message.height, message.width, 3)
+
+
+# %% role="mistake" exercise="messages-padding" name="always one byte of padding" says="Only a padding of one byte is removed correctly. Other messages have other paddings: step tells the length of a row. Keep the first width * 3 bytes of it."
+def decode_padded(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    return rows[:, :-1].reshape(message.height, message.width, 3)
+
+
+# %% role="mistake" exercise="messages-padding" name="whole pixels cropped" says="It works only if the padding is a multiple of three bytes. The padding need not be a whole pixel: crop the bytes of each row first, and form the pixels after that."
+def decode_padded(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, -1, 3)
+    return rows[:, : message.width]
+
+
+# %% role="mistake" exercise="messages-padding" name="padding found by its value" says="It works only where the padding is 99 and no pixel is. A pixel may have the value 99, and padding may have any value. Remove the padding by its place: the end of each row."
+def decode_padded(message):
+    flat = np.frombuffer(message.data, dtype=np.uint8)
+    return flat[flat != 99].reshape(message.height, message.width, 3)
+
+
+# %% role="mistake" exercise="messages-padding" name="rows and columns exchanged" says="Height and width are exchanged. The first axis of an array is its rows, so the shape is (height, width, 3), and height comes first."
+def decode_padded(message):
+    return solution(message).reshape(message.width, message.height, 3)
+
+
+# %% role="mistake" exercise="messages-padding" name="red and blue swapped" says="Red and blue are swapped. Keep the channels in the order of data, and do not reverse them."
+def decode_padded(message):
+    return solution(message)[..., ::-1]
+
+
+# %% [markdown]
 # ## 5 · Which byte comes first? (4 minutes)
 #
 # A depth camera measures distances. It needs numbers above 255, so a pixel takes two bytes. The encoding is `16UC1` (16 bits, unsigned, 1 channel) or `mono16`. Two bytes can be stored in two orders. *Big-endian* stores the more significant byte first, *little-endian* the less significant one.
@@ -229,6 +647,158 @@ for is_bigendian in (0, 1):
     print("is_bigendian", is_bigendian, "->", image_to_array(depth))
 
 assert image_to_array(depth)[0, 0] == 258
+
+# %% [markdown]
+# ### Your turn: decode 16 bits (8 minutes, practice)
+#
+# Write `decode_mono16(message)`.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `message`: encoding `mono16`, rows without padding; `is_bigendian` is 0 or 1 | an array of shape (height, width), dtype uint16 (the type counts) | for a message with the bytes 1 and 2, height 1, width 1 and is_bigendian 1, the result is `[[258]]` |
+
+# %% role="exercise"
+from types import SimpleNamespace
+
+exercise(
+    "messages-mono16",
+    title="Decode 16 bits",
+    function="decode_mono16",
+    practice=True,
+    time_limit=5,
+    refused=("cv2", "imgproc_course.messages"),
+    hint="A pixel is the more significant byte × 256 plus the other byte. is_bigendian says which of the two comes first.",
+    hints=(
+        "A pixel takes two bytes. Which of them counts 256 times as much as the other? Which field tells you?",
+        "Cut data into rows of step bytes, and widen them to uint16. The first bytes of all pixels are every second column, beginning with column 0; the second bytes begin with column 1. Combine them in the order that is_bigendian gives.",
+        "first = rows[:, 0::2] and second = rows[:, 1::2]. If message.is_bigendian is 1, return first * 256 + second. Otherwise second is the more significant byte.",
+    ),
+    explanation="The slices 0::2 and 1::2 take every second column: the first and the second byte of each pixel. The bytes are widened to uint16 before the product, because 256 does not fit into uint8. The largest result is 255 * 256 + 255 = 65535, the largest number of uint16.",
+    another_way='You can also let NumPy combine the bytes: np.frombuffer(message.data, dtype=">u2") for big-endian, "<u2" for little-endian, and then reshape.',
+)
+
+
+def wide_message(rng, height, width, is_bigendian):
+    pixels = rng.integers(0, 65536, size=(height, width))
+    pixels[0, 0], pixels[-1, -1] = 40_000, 258
+    data = pixels.astype(">u2" if is_bigendian else "<u2").tobytes()
+    return SimpleNamespace(
+        height=height, width=width, encoding="mono16", is_bigendian=is_bigendian, step=width * 2, data=data
+    )
+
+
+# %% role="answer" exercise="messages-mono16"
+def decode_mono16(message):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution" exercise="messages-mono16"
+def decode_mono16(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    first = rows[:, 0::2].astype(np.uint16)
+    second = rows[:, 1::2].astype(np.uint16)
+    if message.is_bigendian:
+        return first * 256 + second
+    return second * 256 + first
+
+
+# %% role="check" exercise="messages-mono16"
+check("messages-mono16", decode_mono16)
+
+
+# %% role="case" exercise="messages-mono16" title="big-endian"
+def inputs(rng):
+    return (wide_message(rng, 2, 5, 1),)
+
+
+# %% role="case" exercise="messages-mono16" title="little-endian"
+def inputs(rng):
+    return (wide_message(rng, 4, 3, 0),)
+
+
+# %% role="hidden" exercise="messages-mono16" title="both byte orders, another size"
+def inputs(rng):
+    height, width = (int(n) for n in rng.integers(2, 7, size=2))
+    return [(wide_message(rng, height, width + height, order),) for order in (0, 1)]
+
+
+# %% role="mistake" exercise="messages-mono16" name="always little-endian" says="The little-endian message is right, the big-endian one is not: its bytes were read in the wrong order. The field is_bigendian is a number: 1 means that the more significant byte comes first."
+def decode_mono16(message):
+    return solution(message).byteswap() if message.is_bigendian else solution(message)
+
+
+# %% role="mistake" exercise="messages-mono16" name="always big-endian" says="The big-endian message is right, the little-endian one is not: its bytes were read in the wrong order. The field is_bigendian is a number: 0 means that the less significant byte comes first."
+def decode_mono16(message):
+    return solution(message) if message.is_bigendian else solution(message).byteswap()
+
+
+# %% role="mistake" exercise="messages-mono16" name="byte orders swapped" says="The two byte orders are swapped. If is_bigendian is 1, the more significant byte comes first (in a dtype: >u2). If it is 0, the less significant byte comes first (<u2)."
+def decode_mono16(message):
+    return solution(message).byteswap()
+
+
+# %% role="mistake" exercise="messages-mono16" name="a pixel for every byte" says="Every byte became a pixel. A pixel of mono16 takes two bytes: combine two bytes to one uint16 number."
+def decode_mono16(message):
+    return np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+
+
+# %% role="mistake" exercise="messages-mono16" name="half of the bytes" says="Every byte became a pixel, and half of them were cut off. A pixel of mono16 takes two bytes: combine two bytes to one uint16 number."
+def decode_mono16(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    return rows[:, : message.width]
+
+
+# %% role="mistake" exercise="messages-mono16" name="only the less significant byte" says="Only the less significant byte is left. If you moved the other byte with << 8 while it was uint8: it does not fit, and uint8 wraps to 0. Widen both bytes first, with astype(np.uint16)."
+def decode_mono16(message):
+    return solution(message) & 255
+
+
+# %% role="mistake" exercise="messages-mono16" name="narrowed to uint8" says="The numbers were narrowed to uint8, so everything above 255 is lost. Keep them as uint16."
+def decode_mono16(message):
+    return solution(message).astype(np.uint8)
+
+
+# %% role="mistake" exercise="messages-mono16" name="255 instead of 256" says="The more significant byte was multiplied by 255. A byte has 256 different values, from 0 to 255, so multiply it by 256."
+def decode_mono16(message):
+    return (solution(message) >> 8) * 255 + (solution(message) & 255)
+
+
+# %% role="mistake" exercise="messages-mono16" name="bytes added" says="The two bytes were only added. The more significant byte counts 256 times as much: multiply it by 256 before you add the other byte."
+def decode_mono16(message):
+    return (solution(message) >> 8) + (solution(message) & 255)
+
+
+# %% role="mistake" exercise="messages-mono16" name="one byte from each half of a row" says="Each pixel was combined from one byte of the left half of the row and one of the right half. The two bytes of a pixel are side by side: use the slices 0::2 and 1::2."
+def decode_mono16(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step).astype(np.uint16)
+    left, right = rows[:, : message.width], rows[:, message.width :]
+    return left * 256 + right if message.is_bigendian else right * 256 + left
+
+
+# %% role="mistake" exercise="messages-mono16" name="only the more significant byte" says="Only the more significant byte is left. A pixel is this byte × 256 plus the other byte."
+def decode_mono16(message):
+    return solution(message) >> 8
+
+
+# %% role="mistake" exercise="messages-mono16" name="signed numbers" says="int16 has a sign and ends at 32767, so larger values became negative. Use the unsigned dtype u2 (uint16)."
+def decode_mono16(message):
+    return solution(message).view(np.int16)
+
+
+# %% role="mistake" exercise="messages-mono16" name="not cut into rows" says="The array has only one dimension. Cut it into rows: reshape(height, width)."
+def decode_mono16(message):
+    return solution(message).ravel()
+
+
+# %% role="mistake" exercise="messages-mono16" name="rows and columns exchanged" says="Height and width are exchanged. The first axis of an array is its rows, so the shape is (height, width), and height comes first."
+def decode_mono16(message):
+    return solution(message).reshape(message.width, message.height)
+
+
+# %% role="mistake" exercise="messages-mono16" name="no answer for little-endian" says="For the little-endian message your function returns None: no return was reached. Add the case in which is_bigendian is 0."
+def decode_mono16(message):
+    return solution(message) if message.is_bigendian else None
+
 
 # %% [markdown]
 # ## 6 · Use the library (5 minutes)
@@ -273,11 +843,11 @@ assert encoding_info("rgb8").channels == 3 and np.dtype(encoding_info("16UC1").d
 # %% [markdown]
 # ## 7 · Your turn: decode a message (20 minutes)
 #
-# Write `decode(message)`.
+# Write `decode(message)`. It decodes the four encodings of the small exercises above, and every message may have padded rows.
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `message`: an object with the fields `height`, `width`, `encoding`, `is_bigendian`, `step` and `data` | the pixels, an array; its shape and dtype depend on the encoding | `decode(padded)` equals `tiny` |
+# | `message`: an object with the fields `height`, `width`, `encoding`, `is_bigendian`, `step` and `data` | the pixels, an array; its shape and dtype depend on the encoding (the types count) | `decode(padded)` equals `tiny` |
 #
 # The encodings are:
 #
@@ -285,7 +855,7 @@ assert encoding_info("rgb8").channels == 3 and np.dtype(encoding_info("16UC1").d
 # - `rgb8` and `bgr8`: shape (height, width, 3), dtype uint8, with the channels in the same order as in `data`
 # - `mono16`: shape (height, width), dtype uint16; `is_bigendian` gives the byte order in `data`
 #
-# Rows may be padded, so use `step`. Use only NumPy: the check refuses an answer that uses `cv2` or the course's converter.
+# Use only NumPy. Your answers above are a good start. Copy their lines into this cell, because grading runs this cell alone.
 
 # %% role="exercise"
 from types import SimpleNamespace
@@ -297,6 +867,13 @@ exercise(
     time_limit=5,
     refused=("cv2", "imgproc_course.messages"),
     hint="First cut data into rows of step bytes. Then crop the padding. Then convert the remaining bytes to pixels.",
+    hints=(
+        "Which step is the same for all four encodings? And how many bytes does a pixel take in each of them?",
+        "Begin with rows of step bytes, for every encoding. Then ask message.encoding: mono8 keeps width bytes of each row; rgb8 and bgr8 keep width * 3 bytes and reshape to (height, width, 3); mono16 keeps width * 2 bytes and combines two bytes to one number, as in the exercise with 16 bits.",
+        'rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step). Then if message.encoding == "mono8": return rows[:, : message.width]. Then if message.encoding in ("rgb8", "bgr8"): crop at width * 3, reshape, return. The rest is mono16: pixels = rows[:, : message.width * 2].astype(np.uint16), first = pixels[:, 0::2], second = pixels[:, 1::2], and is_bigendian decides which of them is multiplied by 256.',
+    ),
+    explanation="The rows come first: the padding belongs to the rows, so every encoding begins with reshape(height, step). The number of bytes that are kept is width × bytes per pixel. Only for mono16 the bytes are changed: two bytes become one number. They are widened to uint16 before that, because 256 does not fit into uint8.",
+    another_way='You can also convert the cropped bytes of mono16 with pixels.copy().view(">u2") or view("<u2"): a view reads the same bytes as numbers of two bytes.',
 )
 
 
@@ -312,6 +889,10 @@ def make_message(rng, encoding, channels, padding, *, dtype="u1", is_bigendian=0
     )
 
 
+def rows_of(message):
+    return np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+
+
 # %% role="answer" exercise="messages-decode"
 def decode(message):
     raise NotImplementedError("your turn: delete this line and write the function")
@@ -319,14 +900,18 @@ def decode(message):
 
 # %% role="solution" exercise="messages-decode"
 def decode(message):
-    channels = {"mono8": 1, "mono16": 1, "rgb8": 3, "bgr8": 3}[message.encoding]
-    order = ">" if message.is_bigendian else "<"
-    dtype = np.dtype(order + ("u2" if message.encoding == "mono16" else "u1"))
-    row_bytes = message.width * channels * dtype.itemsize
-    rows = np.frombuffer(message.data, np.uint8).reshape(message.height, message.step)[:, :row_bytes]
-    pixels = np.ascontiguousarray(rows).view(dtype).astype(dtype.newbyteorder("="))
-    shape = (message.height, message.width) if channels == 1 else (message.height, message.width, channels)
-    return pixels.reshape(shape)
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    if message.encoding == "mono8":
+        return rows[:, : message.width]
+    if message.encoding in ("rgb8", "bgr8"):
+        pixels = rows[:, : message.width * 3]
+        return pixels.reshape(message.height, message.width, 3)
+    pixels = rows[:, : message.width * 2].astype(np.uint16)
+    first = pixels[:, 0::2]
+    second = pixels[:, 1::2]
+    if message.is_bigendian:
+        return first * 256 + second
+    return second * 256 + first
 
 
 # %% role="check" exercise="messages-decode"
@@ -370,17 +955,49 @@ def inputs(rng):
 
 # %% role="mistake" exercise="messages-decode" name="padding read as pixels" says="The padding was read as pixels, so the image is sheared. Cut data into rows of step bytes, then crop the padding."
 def decode(message):
-    channels = {"mono8": 1, "mono16": 1, "rgb8": 3, "bgr8": 3}[message.encoding]
-    dtype = np.dtype((">" if message.is_bigendian else "<") + ("u2" if message.encoding == "mono16" else "u1"))
-    count = message.height * message.width * channels
-    pixels = np.frombuffer(message.data, dtype, count=count).astype(dtype.newbyteorder("="))
-    shape = (message.height, message.width) if channels == 1 else (message.height, message.width, channels)
-    return pixels.reshape(shape)
+    flat = np.frombuffer(message.data, np.uint8)
+    row_bytes = solution(message).nbytes // message.height
+    cut = SimpleNamespace(**{**vars(message), "step": row_bytes})
+    cut.data = flat[: message.height * row_bytes].tobytes()
+    return solution(cut)
+
+
+# %% role="mistake" exercise="messages-decode" name="padding not expected" says="Messages without padding are right, messages with padding raise an error. Cut data into rows of step bytes first, then crop the padding of each row."
+def decode(message):
+    if message.step * message.height > solution(message).nbytes:
+        raise ValueError("cannot reshape")
+    return solution(message)
+
+
+# %% role="mistake" exercise="messages-decode" name="padding kept" says="The array has too many columns: the padding is still there, at the end of each row. Crop it: keep only the bytes of the pixels."
+def decode(message):
+    if message.encoding == "mono8":
+        return rows_of(message)
+    if message.encoding == "mono16":
+        order = ">u2" if message.is_bigendian else "<u2"
+        return np.frombuffer(message.data, order).reshape(message.height, -1).astype(np.uint16)
+    pixels = message.step // 3
+    return rows_of(message)[:, : pixels * 3].reshape(message.height, pixels, 3)
+
+
+# %% role="mistake" exercise="messages-decode" name="padding of gray images kept" says="For mono8 the array has too many columns: the padding is still there, at the end of each row. Keep only the first width columns."
+def decode(message):
+    return rows_of(message) if message.encoding == "mono8" else solution(message)
 
 
 # %% role="mistake" exercise="messages-decode" name="channels swapped" says="Red and blue are swapped. The channels must be in the same order as in data."
 def decode(message):
     return solution(message)[..., ::-1] if message.encoding in ("rgb8", "bgr8") else solution(message)
+
+
+# %% role="mistake" exercise="messages-decode" name="rgb8 reordered" says="For rgb8, red and blue are swapped. Keep the channels in the order of data, for rgb8 and for bgr8."
+def decode(message):
+    return solution(message)[..., ::-1] if message.encoding == "rgb8" else solution(message)
+
+
+# %% role="mistake" exercise="messages-decode" name="bgr8 reordered" says="For bgr8, red and blue are swapped. Keep the channels in the order of data, for rgb8 and for bgr8."
+def decode(message):
+    return solution(message)[..., ::-1] if message.encoding == "bgr8" else solution(message)
 
 
 # %% role="mistake" exercise="messages-decode" name="rows and columns exchanged" says="Height and width are exchanged. The first axis of an array is its rows, so the shape begins with height."
@@ -389,10 +1006,84 @@ def decode(message):
     return pixels.reshape((message.width, message.height, *pixels.shape[2:]))
 
 
-# %% role="mistake" exercise="messages-decode" name="wrong byte order" says="The two bytes of a pixel were read in the wrong order. is_bigendian says which byte comes first."
+# %% role="mistake" exercise="messages-decode" name="no axis for the channels" says="The colour image has only two dimensions, (height, 3 × width). Give the channels an axis of their own: reshape to (height, width, 3)."
+def decode(message):
+    return solution(message).reshape(message.height, -1)
+
+
+# %% role="mistake" exercise="messages-decode" name="channels first" says="The channels are the first axis of your colour image. The three bytes of a pixel are side by side in data, so the channels are the last axis: (height, width, 3)."
 def decode(message):
     pixels = solution(message)
-    return pixels.byteswap() if message.encoding == "mono16" and message.is_bigendian else pixels
+    return pixels.reshape(3, message.height, message.width) if pixels.ndim == 3 else pixels
+
+
+# %% role="mistake" exercise="messages-decode" name="colour images cropped at width bytes" says="Only the colour images raise an error. A pixel of rgb8 or bgr8 has 3 bytes: crop each row at width * 3 bytes, then reshape to (height, width, 3)."
+def decode(message):
+    if solution(message).ndim == 3:
+        raise ValueError("cannot reshape")
+    return solution(message)
+
+
+# %% role="mistake" exercise="messages-decode" name="one condition is always true" says='The colour images are right, mono8 and mono16 raise an error. Are they taken for colour images? The condition message.encoding == "rgb8" or "bgr8" is always true: write message.encoding in ("rgb8", "bgr8").'
+def decode(message):
+    if solution(message).ndim == 2:
+        raise ValueError("cannot reshape")
+    return solution(message)
+
+
+# %% role="mistake" exercise="messages-decode" name="every message decoded as mono8" says="Every message was decoded like mono8, with one byte per pixel. Look at message.encoding: rgb8 and bgr8 take three bytes per pixel, mono16 takes two."
+def decode(message):
+    return rows_of(message)[:, : message.width]
+
+
+# %% role="mistake" exercise="messages-decode" name="colour decoded as gray" says="The colour images were decoded with one byte per pixel, like mono8. rgb8 and bgr8 have three channels: crop at width * 3 bytes, and reshape to (height, width, 3)."
+def decode(message):
+    return rows_of(message)[:, : message.width] if solution(message).ndim == 3 else solution(message)
+
+
+# %% role="mistake" exercise="messages-decode" name="bgr8 decoded as gray" says="The bgr8 image was decoded with one byte per pixel, like mono8. bgr8 has three channels, like rgb8: decode both in the same way."
+def decode(message):
+    return rows_of(message)[:, : message.width] if message.encoding == "bgr8" else solution(message)
+
+
+# %% role="mistake" exercise="messages-decode" name="mono16 decoded as mono8" says="For mono16, every byte became a pixel. A pixel takes two bytes: read or combine them as uint16, with the byte order that is_bigendian gives."
+def decode(message):
+    return rows_of(message)[:, : message.width] if message.encoding == "mono16" else solution(message)
+
+
+# %% role="mistake" exercise="messages-decode" name="two columns for each pixel of mono16" says="For mono16, every byte became a pixel, so there are twice as many columns. A pixel takes two bytes: read or combine them as uint16."
+def decode(message):
+    return rows_of(message)[:, : message.width * 2] if message.encoding == "mono16" else solution(message)
+
+
+# %% role="mistake" exercise="messages-decode" name="half of the columns of mono16" says="The mono16 image has only half of its columns. A pixel takes two bytes: crop each row at width * 2 bytes."
+def decode(message):
+    return solution(message)[:, : message.width // 2] if message.encoding == "mono16" else solution(message)
+
+
+# %% role="mistake" exercise="messages-decode" name="mono16 narrowed to uint8" says="The numbers of mono16 were narrowed to uint8, so everything above 255 is lost. Keep them as uint16."
+def decode(message):
+    return solution(message).astype(np.uint8)
+
+
+# %% role="mistake" exercise="messages-decode" name="only the less significant byte" says="Of each mono16 pixel only the less significant byte is left. If you moved the other byte with << 8 while it was uint8: it does not fit, and uint8 wraps to 0. Widen both bytes first, with astype(np.uint16)."
+def decode(message):
+    return solution(message) & np.uint16(255) if message.encoding == "mono16" else solution(message)
+
+
+# %% role="mistake" exercise="messages-decode" name="always little-endian" says="The bytes of the big-endian message were read in the wrong order. is_bigendian says which byte comes first: 1 means the more significant one."
+def decode(message):
+    return solution(message).byteswap() if message.is_bigendian else solution(message)
+
+
+# %% role="mistake" exercise="messages-decode" name="always big-endian" says="The bytes of the little-endian message were read in the wrong order. is_bigendian says which byte comes first: 0 means the less significant one."
+def decode(message):
+    return solution(message) if message.is_bigendian else solution(message).byteswap()
+
+
+# %% role="mistake" exercise="messages-decode" name="byte orders swapped" says="The two byte orders are swapped. If is_bigendian is 1, the more significant byte comes first (in a dtype: >u2). If it is 0, the less significant byte comes first (<u2)."
+def decode(message):
+    return solution(message).byteswap()
 
 
 # %% [markdown]
