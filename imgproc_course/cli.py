@@ -194,6 +194,38 @@ def build(lessons, only_check, masters, out, solved):
 
 
 @main.command()
+@click.argument("folder", type=_FOLDER)
+@click.argument("lessons", nargs=-1, metavar="[LESSON]...")
+@click.option(
+    "--from",
+    "source",
+    type=_FOLDER,
+    default=CHECKOUT / "notebooks",
+    help="Folder of the built lessons.  [default: the course's own]",
+)
+@click.option("--with-solutions", is_flag=True, help="Let learners open solutions after three tries.")
+@click.option("--zip", "zipped", is_flag=True, help="Also write FOLDER.zip.")
+def handout(folder, lessons, source, with_solutions, zipped):
+    """Write what learners get into FOLDER: the lessons without outputs, and what their checks need.
+
+    LESSON is a number or a name: 03 or images_as_messages. Without LESSON, all lessons are handed out.
+    A file in FOLDER that differs is never replaced.
+    """
+    from imgproc_course.authoring.handout import HandoutError, hand_out
+    from imgproc_course.exercises.declaration import MasterError
+
+    try:
+        result = hand_out(folder, source, lessons, with_solutions=with_solutions, zipped=zipped)
+    except (HandoutError, MasterError) as error:
+        raise click.ClickException(str(error)) from error
+    except OSError as error:
+        raise click.ClickException(f"the lessons cannot be written: {error}") from error
+    place = f"{folder}/ and {result.archive}" if zipped else f"{folder}/"
+    solutions = "with" if with_solutions else "without"
+    click.echo(f"Lessons handed out: {len(result.lessons)}, {solutions} solutions, in {place}")
+
+
+@main.command()
 @click.argument(
     "notebooks", nargs=-1, required=True, type=click.Path(path_type=Path), metavar="LESSON.ipynb..."
 )

@@ -203,13 +203,22 @@ def find_masters(folder, names=()):
     ------
     MasterError : no such folder, no master in it, two of one name, or a name of no lesson or of several
     """
-    paths = sorted(path for path in Path(folder).glob("*.py") if LESSON_FILE.fullmatch(path.stem))
+    return _find(folder, names, "masters", "a master", ".py")
+
+
+def find_lessons(folder, names=()):
+    """The built lessons in a folder, in the order of the course; otherwise as `find_masters`."""
+    return _find(folder, names, "notebooks", "a lesson", ".ipynb")
+
+
+def _find(folder, names, plural, singular, suffix):
+    paths = sorted(path for path in Path(folder).glob(f"*{suffix}") if LESSON_FILE.fullmatch(path.stem))
     if not paths:
-        raise MasterError(f"no masters in {folder}; a master is named like 03_images_as_messages.py")
+        raise MasterError(f"no {plural} in {folder}; {singular} is named like 03_images_as_messages{suffix}")
     lessons = [lesson_name(path.stem) for path in paths]
     for name in lessons:
         if lessons.count(name) > 1:
-            raise MasterError(f"{folder} has two masters of the lesson {name}; rename one of them")
+            raise MasterError(f"{folder} has two {plural} of the lesson {name}; rename one of them")
     if not names:
         return paths
     return sorted({_find_master(paths, name) for name in names})
