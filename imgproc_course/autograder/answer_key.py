@@ -25,7 +25,7 @@ from imgproc_course.autograder.sandbox.inside.check_cell import MIME
 from imgproc_course.exercises.canonical import canonical
 from imgproc_course.exercises.input_encoding import decode
 
-FORMAT = 2
+FORMAT = 3
 HANDED_OUT = "handed_out.json"
 
 
@@ -77,9 +77,13 @@ class KeyExercise:
 
 @dataclass(frozen=True)
 class KeyLesson:
-    """One lesson: `version` of the course that it was made from, `digest` (SHA-256) of its master."""
+    """One lesson: `version` of the course that it was made from, `digest` (SHA-256) of its master.
+
+    `name` identifies it; `number` is only its place in the course: "04".
+    """
 
     name: str
+    number: str
     title: str
     version: str
     digest: str

@@ -119,6 +119,7 @@ def _numpy_seed(seed):
 def _lesson_entry(master, entries):
     return {
         "name": master.name,
+        "number": master.number,
         "title": master.title,
         "version": version("imgproc-course"),
         "digest": hashlib.sha256(master.path.read_bytes()).hexdigest(),

@@ -9,6 +9,7 @@ from importlib.metadata import version
 from pathlib import Path
 
 from imgproc_course.authoring.masters import find_masters, read_master
+from imgproc_course.authoring.references import lesson_name
 from imgproc_course.exercises.checking import CheckResult, run_cases
 from imgproc_course.exercises.declaration import Exercise, MasterError, masters_folders, read_exercises
 from imgproc_course.exercises.feedback import explain_call
@@ -88,7 +89,9 @@ class MasterCatalog:
     """
 
     def __init__(self, folders):
-        self.lessons = {path.stem: path for folder in reversed(folders) for path in find_masters(folder)}
+        self.lessons = {
+            lesson_name(path.stem): path for folder in reversed(folders) for path in find_masters(folder)
+        }
         self._masters = {}
 
     def master(self, lesson):

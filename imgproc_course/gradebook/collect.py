@@ -24,6 +24,7 @@ from datetime import datetime
 from pathlib import Path, PurePosixPath
 
 from imgproc_course.autograder.sanitize import sanitize_line
+from imgproc_course.gradebook.lesson_names import is_lesson, lessons_named, without_lesson
 
 LARGEST = 50_000_000  # bytes of one notebook; a lesson full of images has a tenth of it
 LARGEST_ZIP = 4_000_000_000  # bytes of the zip file itself
@@ -36,7 +37,6 @@ _CANVAS = re.compile(
     r"(?P<name>[^_]+)_(?:(?P<late>LATE)_)?(?P<id>\d+)_(?P<order>\d+)_(?P<file>.+)", re.S | re.I
 )
 _REPEATED = re.compile(r"(?P<stem>.+?)(?:-(?P<number>\d{1,6})|[ _]?\((?P<copy>\d{1,6})\))", re.S)
-_LESSON = re.compile(r"\d\d_[a-z0-9_]+")
 _NO_OWNER = ""  # in place of a learner's name: a folder that holds the files of every learner
 _SKIPPED_FOLDERS = {".ipynb_checkpoints", "__MACOSX", "__pycache__", ".git"}
 
@@ -244,7 +244,7 @@ class _Finder:
 
     def _is_lesson(self, name):
         stem, _ = _repetition(PurePosixPath(name).stem)
-        return not _platform_name(name) and (stem in self._lessons or _LESSON.fullmatch(stem) is not None)
+        return not _platform_name(name) and is_lesson(stem, self._lessons)
 
     def _submitted_file(
         self, parts, submitted_at, *, reason="", location=(), source=None, group="", number=0
@@ -289,7 +289,7 @@ def _owner(parts, lessons):
     folders = list(parts[:-1])
     if folders[:1] == [_NO_OWNER]:
         folders = folders[2:]
-    folders = [part for part in folders if part not in lessons and not _LESSON.fullmatch(part)]
+    folders = [part for part in folders if not is_lesson(part, lessons)]
     platform_name = _platform_name(folders[0] if folders else parts[-1])
     if platform_name:
         platform, match = platform_name
@@ -311,11 +311,9 @@ def _without_lesson(stem, lessons):
     student-1 and student-2 are two learners; ada_04_grayscale and ada_04_grayscale-1 are both ada's.
     """
     unnumbered, _ = _repetition(stem)
-    stem = unnumbered if unnumbered.endswith(tuple(lessons)) else stem
-    for lesson in lessons:
-        if lesson in stem and stem != lesson:
-            return stem.replace(lesson, "", 1).strip(" -_.") or stem
-    return stem
+    named = lessons_named(unnumbered, lessons)
+    stem = unnumbered if named and unnumbered.endswith(named[-1]) else stem
+    return without_lesson(stem, lessons) or stem
 
 
 def _repetition(stem):

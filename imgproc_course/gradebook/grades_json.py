@@ -11,7 +11,7 @@ from imgproc_course.autograder.outcomes import Outcome
 from imgproc_course.autograder.results import to_json
 from imgproc_course.gradebook.submission import Finding
 
-FORMAT = 2
+FORMAT = 3
 SCHEMA = Path(__file__).with_name("grades.schema.json")
 
 
@@ -57,10 +57,37 @@ def count_not_graded(grades):
     return count
 
 
+def lesson_names(grades):
+    """The names of the keys' lessons, in the order of the course.
+
+    Parameters
+    ----------
+    grades : dict, the content of grades.json
+
+    Returns
+    -------
+    list of str
+    """
+    numbers = {
+        lesson["lesson"]: lesson["number"] for key in reversed(grades["keys"]) for lesson in key["lessons"]
+    }
+    return sorted(numbers, key=lambda name: (numbers[name], name))
+
+
+def _place(lesson):
+    return lesson.number, lesson.name
+
+
 def _key_entry(key):
     lessons = [
-        {"lesson": name, "title": lesson.title, "version": lesson.version, "max_points": lesson.points}
-        for name, lesson in sorted(key.lessons.items())
+        {
+            "lesson": lesson.name,
+            "number": lesson.number,
+            "title": lesson.title,
+            "version": lesson.version,
+            "max_points": lesson.points,
+        }
+        for lesson in sorted(key.lessons.values(), key=_place)
     ]
     return {"digest": key.digest, "lessons": lessons}
 
@@ -68,7 +95,7 @@ def _key_entry(key):
 def _learner_entry(learner, answer_keys, store):
     lessons = [
         _lesson_entry(learner.submissions[name], learner.earlier.get(name, ()), answer_keys, store)
-        for name in sorted(learner.submissions)
+        for name in sorted(learner.submissions, key=lambda name: _place(answer_keys.lessons[name]))
     ]
     lessons += [_lesson_entry(submission, (), answer_keys, store) for submission in learner.unidentified]
     return {

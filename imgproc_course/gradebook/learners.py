@@ -99,7 +99,6 @@ def _read(file, answer_keys, store, deadline, reader):
     content = read_submission(data, answer_keys, reader, file.source)
     submission = Submission(file, digest_of(data), content, late)
     if content.reason:
-        content.lesson = lesson_by_name(file.source, answer_keys.lessons)
         return submission
     submission.key = answer_keys.key_for(content.lesson, content.version)
     submission.answers_digest = store.keep_answers(submission.key, content.lesson, content.answers)

@@ -26,6 +26,7 @@ import csv
 import io
 
 from imgproc_course.autograder.sanitize import spreadsheet_text
+from imgproc_course.gradebook.grades_json import lesson_names
 
 COLUMNS = (
     "learner",
@@ -120,12 +121,13 @@ def lessons_of(grades):
     -------
     {name: dict, the lesson's entry in `keys`}
     """
-    return {
+    lessons = {
         lesson["lesson"]: lesson
         for key in reversed(grades["keys"])
         for lesson in key["lessons"]
         if lesson["max_points"]
     }
+    return {name: lessons[name] for name in lesson_names(grades) if name in lessons}
 
 
 def _lesson_from(learner, platform):

@@ -1,6 +1,6 @@
 """Fill a table that a learning platform exported with our points, so that it can be imported back unchanged.
 
-    Canvas    Grades > Export: "Student", "ID", ..., "Section", "04_grayscale (1234)" per assignment
+    Canvas    Grades > Export: "Student", "ID", ..., "Section", "grayscale (1234)" per assignment
     Moodle    View all submissions > Download grading worksheet: "Identifier", ..., "Grade", one assignment
 
 Only the points of graded lessons are written; every other cell stays as it is. A row is matched to a learner
@@ -14,6 +14,8 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
+from imgproc_course.authoring.references import lesson_name
+from imgproc_course.gradebook.lesson_names import lessons_named
 from imgproc_course.gradebook.lms_export import lessons_of
 
 _IDENTITIES = {"SIS Login ID", "SIS User ID", "Integration ID", "Email address", "ID number", "Username"}
@@ -157,7 +159,7 @@ def _lesson_columns(table, grades):
     columns = {}
     for number, column in enumerate(table.columns):
         match = _WITH_NUMBER.fullmatch(column)
-        title = (match[1] if match else column).strip().casefold()
+        title = lesson_name((match[1] if match else column).strip().casefold())
         if number > table.columns.index("Section") and title in lesson_names:
             columns[number] = lesson_names[title]
     if not columns:
@@ -169,7 +171,7 @@ def _lesson_columns(table, grades):
 
 
 def _lesson_of_worksheet(table, grades, lessons):
-    in_file_name = [name for name in lessons if name in table.path.stem]
+    in_file_name = lessons_named(table.path.stem, lessons)
     submitted = {lesson["lesson"] for learner in grades["learners"] for lesson in learner["lessons"]}
     candidates = in_file_name or sorted(submitted & set(lessons))
     if len(candidates) == 1:

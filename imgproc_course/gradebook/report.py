@@ -17,6 +17,7 @@ from imgproc_course.autograder.outcomes import TEXTS, Outcome
 from imgproc_course.autograder.sanitize import sanitize_text
 from imgproc_course.exercises.answer_images import answer_images
 from imgproc_course.exercises.values import answer_parts, differing_elements
+from imgproc_course.gradebook.grades_json import lesson_names
 from imgproc_course.gradebook.report_values import value_of
 
 TEMPLATES = Path(__file__).with_name("pages")
@@ -199,12 +200,14 @@ def summary_page(grades):
     str, HTML
     """
     submissions = [(learner, lesson) for learner in grades["learners"] for lesson in learner["lessons"]]
+    submitted = {lesson["lesson"] for _, lesson in submissions}
+    names = [name for name in lesson_names(grades) if name in submitted]
     graded = [(learner, lesson) for learner, lesson in submissions if lesson["status"] == "graded"]
     percentages = [_percentage(learner) for learner in grades["learners"] if learner["max_points"]]
     return _page(
         "summary.html",
         grades=grades,
-        lessons=_lesson_rows(graded),
+        lessons=_lesson_rows(graded, names),
         submission_count=len(submissions),
         graded_count=len(graded),
         late_count=sum(lesson["late"] for _, lesson in submissions),
@@ -215,7 +218,7 @@ def summary_page(grades):
         checks=_check_rows(graded),
         mistakes=_mistake_counts(graded),
         to_look_at=list(_findings_to_look_at(submissions)),
-        names=sorted({lesson["lesson"] for _, lesson in submissions if lesson["lesson"]}),
+        names=names,
     )
 
 
@@ -236,11 +239,13 @@ def _histogram(percentages):
     ]
 
 
-def _lesson_rows(graded):
-    lessons_by_name = {}
+def _lesson_rows(graded, names):
+    lessons_by_name = {name: [] for name in names}
     for _, lesson in graded:
-        lessons_by_name.setdefault(lesson["lesson"], []).append(lesson)
-    for name, lessons in sorted(lessons_by_name.items()):
+        lessons_by_name[lesson["lesson"]].append(lesson)
+    for name, lessons in lessons_by_name.items():
+        if not lessons:
+            continue
         percentages = [_percentage(lesson) for lesson in lessons if lesson["max_points"]]
         yield {
             "name": name,

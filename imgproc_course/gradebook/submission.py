@@ -16,7 +16,9 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from pathlib import Path
 
+from imgproc_course.authoring.references import lesson_name
 from imgproc_course.autograder.sanitize import sanitize_line
+from imgproc_course.gradebook.lesson_names import lessons_named
 from imgproc_course.gradebook.submission_reader import MOST_CHARACTERS, function_names, syntax_digest
 
 SECONDS = 60  # for reading one notebook
@@ -171,7 +173,7 @@ def read_submission(data, catalog, reader, name=""):
     """
     notebook, reason = reader.read(data)
     if notebook is None:
-        return SubmissionContent(reason=reason)
+        return SubmissionContent(lesson=lesson_by_name(name, catalog.lessons), reason=reason)
     content = SubmissionContent(version=notebook["version"])
     cells = [cell for cell in notebook["cells"] if cell is not None]
     content.lesson = _recognize(notebook, cells, catalog, name, content)
@@ -179,7 +181,7 @@ def read_submission(data, catalog, reader, name=""):
         claim = (
             f"; it says that it is {sanitize_line(notebook['lesson'], 80)!r}" if notebook["lesson"] else ""
         )
-        content.reason = f"it is not one of the lessons {', '.join(sorted(catalog.lessons))}{claim}"
+        content.reason = f"it is not one of the lessons {', '.join(catalog.lessons)}{claim}"
         return content
     lesson = catalog.describe(content.lesson, content.version)
     _inspect_notebook(notebook, cells, lesson, content)
@@ -190,27 +192,28 @@ def read_submission(data, catalog, reader, name=""):
 
 
 def lesson_by_name(name, lessons):
-    """The one lesson whose name is part of a file's name, or None if there is none or more than one.
+    """The one lesson that a file's name contains, or None if there is none or more than one.
 
     Parameters
     ----------
     name : str
     lessons : iterable of str
     """
-    candidates = [lesson for lesson in lessons if lesson in name]
+    candidates = lessons_named(name, lessons)
     return candidates[0] if len(candidates) == 1 else None
 
 
 def _recognize(notebook, cells, catalog, name, content):
     """The lesson by its metadata if its answer cells agree, by its answer cells, or by its file name."""
     ids = {cell["id"] for cell in cells}
-    claim = notebook["lesson"] if notebook["lesson"] in catalog.lessons else None
+    metadata_lesson = lesson_name(notebook["lesson"] or "")
+    claim = metadata_lesson if metadata_lesson in catalog.lessons else None
     if claim and ids & catalog.answer_ids(claim):
         return claim
     counts = {lesson: len(ids & catalog.answer_ids(lesson)) for lesson in catalog.lessons}
     best = max(counts, key=counts.get, default=None)
     if best is None or not counts[best]:
-        return claim or lesson_by_name(name, catalog.lessons)
+        return claim or (None if metadata_lesson else lesson_by_name(name, catalog.lessons))
     if claim:
         text = f"it says that it is {claim}, but its answer cells are those of {best}"
         content.add(f"{text}; it is graded as {best}")

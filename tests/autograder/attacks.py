@@ -16,7 +16,7 @@ from imgproc_course.autograder.pool import Limits, autograde
 from imgproc_course.autograder.results import GradedSubmission
 
 MASTERS = Path(__file__).parent / "masters"
-LESSON = "10_attacked"
+LESSON = "attacked"
 SEED = 8_675_309
 PUBLISHED = range(1, 63)  # numbers of the published list
 # Short, so that endless answers end soon; long enough for two kernels on a busy machine.

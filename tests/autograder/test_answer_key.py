@@ -27,7 +27,7 @@ def copy(key, tmp_path):
 
 
 def test_it_contains_exercises_cases_and_mistakes(key):
-    lesson = key.lessons["10_attacked"]
+    lesson = key.lessons["attacked"]
     assert (lesson.title, lesson.points, len(lesson.digest)) == ("Attacked", 10, 64)
     double, mean, apply = lesson.exercises
     assert double.refused == ("cv2", "imgproc_course.imaging", "colorsys")
@@ -69,7 +69,7 @@ def test_everything_in_it_is_json(key):
 
 
 def test_its_notebooks_contain_no_inputs_and_no_hints(key):
-    notebook = json.loads((key.path / "10_attacked" / "attacked-double.ipynb").read_text())
+    notebook = json.loads((key.path / "attacked" / "attacked-double.ipynb").read_text())
     code = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
     assert [cell["execution_count"] for cell in code] == [1, 2, 3, 4]
     assert [cell["id"] for cell in code][2:] == ["case-attacked-double-1", "hidden-attacked-double-1"]
@@ -142,7 +142,7 @@ def change(path, edit):
     ],
 )
 def test_a_key_whose_cells_were_not_run_is_refused(copy, edit):
-    change(copy / "10_attacked" / "attacked-mean.ipynb", edit)
+    change(copy / "attacked" / "attacked-mean.ipynb", edit)
     with pytest.raises(KeyFolderError, match=r"has no execution count.*make the key again"):
         load_key(copy)
 
@@ -150,17 +150,17 @@ def test_a_key_whose_cells_were_not_run_is_refused(copy, edit):
 def test_a_folder_without_a_readable_key_is_reported(tmp_path, copy):
     with pytest.raises(KeyFolderError, match="there is no key; make one: imgproc-course key"):
         load_key(tmp_path / "nowhere")
-    (copy / "10_attacked" / "attacked-mean.ipynb").write_text("{")
+    (copy / "attacked" / "attacked-mean.ipynb").write_text("{")
     with pytest.raises(KeyFolderError, match="cannot be read"):
         load_key(copy)
     (copy / "key.json").write_text('{"format": 99}')
-    with pytest.raises(KeyFolderError, match="a key of format 99, expected 2"):
+    with pytest.raises(KeyFolderError, match="a key of format 99, expected 3"):
         load_key(copy)
 
 
 def test_an_altered_key_is_another_key(copy):
     before = load_key(copy).digest
-    change(copy / "10_attacked" / "attacked-mean.ipynb", lambda cells: cells[0].update(source="# other"))
+    change(copy / "attacked" / "attacked-mean.ipynb", lambda cells: cells[0].update(source="# other"))
     assert load_key(copy).digest != before
 
 

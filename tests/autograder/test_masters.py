@@ -5,6 +5,7 @@ from pathlib import Path
 import pytest
 
 from imgproc_course.authoring.masters import find_masters
+from imgproc_course.authoring.references import lesson_name
 from imgproc_course.autograder.make_answer_key import make_key, sample_answers
 from imgproc_course.autograder.outcomes import Outcome
 from imgproc_course.autograder.pool import autograde
@@ -31,7 +32,11 @@ def results(tmp_path_factory):
     for folder in {path.parent for path, _ in GRADED}:
         key = make_key(folder, "a secret of the tests", tmp_path_factory.mktemp("keys") / "key")
         submissions = [
-            (name_of(path, declared, name), path.stem, {declared.id: sample_answers(declared)[name]})
+            (
+                name_of(path, declared, name),
+                lesson_name(path.stem),
+                {declared.id: sample_answers(declared)[name]},
+            )
             for path, declared, name in SAMPLES
             if path.parent == folder
         ]

@@ -24,7 +24,7 @@ from imgproc_course.exercises.checking import run_cases as check_answer
 from imgproc_course.exercises.declaration import MASTERS_VARIABLE
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("pool")]
-LESSON = "10_attacked"
+LESSON = "attacked"
 DOUBLED = "np.minimum(pixels.astype(int) * 2, 255).astype(np.uint8)"
 DOUBLES = f"def double(pixels):\n    return {DOUBLED}\n"
 SAMPLES = {
@@ -226,7 +226,7 @@ def test_missing_and_unknown_answers(key, right):
 
 
 def test_a_lesson_that_is_not_in_the_key_is_refused(key, right):
-    with pytest.raises(ValueError, match="'99_x' is not in the key, which has 10_attacked"):
+    with pytest.raises(ValueError, match="'99_x' is not in the key, which has attacked"):
         list(autograde([("a", "99_x", right)], key))
     with pytest.raises(ValueError, match="kernel 'slow': expected fast or ipykernel"):
         autograde([], key, kernel="slow")

@@ -16,7 +16,7 @@ PATIENT = Limits(grace=4.0)
 def make_submissions(right, count):
     wrong = "def double(pixels):\n    return pixels * 2"
     return [
-        (f"s{number}", "10_attacked", right | ({"attacked-double": wrong} if number % 3 == 0 else {}))
+        (f"s{number}", "attacked", right | ({"attacked-double": wrong} if number % 3 == 0 else {}))
         for number in range(count)
     ]
 

@@ -22,6 +22,7 @@ from platformdirs import user_cache_path
 from rich.console import Console
 from rich.table import Table
 
+from imgproc_course.authoring.masters import find_masters
 from imgproc_course.autograder.make_answer_key import make_key, sample_answers
 from imgproc_course.autograder.pool import autograde
 from imgproc_course.exercises import array_of, read_exercises
@@ -46,7 +47,8 @@ def nbgrader_venv():
 
 def answers_of(lesson, count):
     """Generated submissions: the k-th one answers each exercise with the k-th of its sample answers."""
-    exercises = [exercise for exercise in read_exercises(MASTERS / f"{lesson}.py") if not exercise.practice]
+    (path,) = find_masters(MASTERS, [lesson])
+    exercises = [exercise for exercise in read_exercises(path) if not exercise.practice]
     samples = {exercise.id: list(sample_answers(exercise).values()) for exercise in exercises}
     for k in range(count):
         answers = {

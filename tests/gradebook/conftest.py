@@ -21,12 +21,12 @@ __all__ = ["write_master"]
 
 @pytest.fixture(scope="session")
 def masters():
-    return {path.stem: read_master(path) for path in find_masters(MASTERS)}
+    return {master.name: master for master in map(read_master, find_masters(MASTERS))}
 
 
 @pytest.fixture(scope="session")
 def light(masters):
-    return masters["20_light"]
+    return masters["light"]
 
 
 @pytest.fixture(scope="session")

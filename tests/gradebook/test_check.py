@@ -42,7 +42,7 @@ def test_an_answered_lesson_is_ready(lesson):
     lesson_check, state, notes = inspect(lesson())
     assert lesson_check.ready and state == "answered" and notes == ""
     assert list(report_lines(lesson_check)) == [
-        "my_lesson.ipynb: 90_template",
+        "my_lesson.ipynb: template",
         "  template-double: answered",
         "Complete: every answer cell is there and filled in. The answers were not run;"
         f" `imgproc-course check --run {lesson_check.path}` runs them.",
@@ -180,11 +180,11 @@ def test_a_lesson_without_metadata_is_recognized_by_its_cells_or_its_name(lesson
     path.write_text(json.dumps(notebook))
     assert check_lesson(path).ready  # by its answer cell
     notebook["cells"] = [cell for cell in notebook["cells"] if cell["id"] != ANSWER]
-    renamed = path.with_name("90_template_final.ipynb")
+    renamed = path.with_name("80_template_final.ipynb")
     renamed.write_text(json.dumps(notebook))
-    assert check_lesson(renamed).content.lesson == "90_template"
+    assert check_lesson(renamed).content.lesson == "template"
     path.write_text(json.dumps(notebook))
-    with pytest.raises(LessonFileError, match=r"it is not one of the lessons .*90_template"):
+    with pytest.raises(LessonFileError, match=r"it is not one of the lessons .*template"):
         check_lesson(path)
 
 

@@ -11,7 +11,7 @@ from submissions import write
 from imgproc_course.gradebook import collect as collect_module
 from imgproc_course.gradebook.collect import CollectError, collect
 
-LESSONS = ("20_light", "21_sound")
+LESSONS = ("light", "sound")
 
 
 def files_by_source(path):
@@ -39,6 +39,11 @@ def make_zip(path, members, when=(2026, 11, 30, 12, 0, 0)):
         ("ada_20_light (2).ipynb", "ada", "", "", False),
         ("ada_20_light.ipynb", "ada", "", "", False),
         ("20_light_ada.ipynb", "ada", "", "", False),
+        ("21_light_ada.ipynb", "ada", "", "", False),
+        ("ada light-1.ipynb", "ada", "", "", False),
+        ("ada highlight-1.ipynb", "ada highlight-1", "", "", False),
+        ("light/ada.ipynb", "ada", "", "", False),
+        ("03_unknown/ada.ipynb", "ada", "", "", False),
         ("ada/20_light.ipynb", "ada", "", "", False),
         ("ada/deep/er/x.ipynb", "ada", "", "", False),
         ("20_light/ada.ipynb", "ada", "", "", False),

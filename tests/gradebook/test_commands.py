@@ -50,8 +50,8 @@ def test_a_key_without_a_seed_keeps_one_and_makes_the_same_key_again(run, tmp_pa
     assert "Its seed is not saved" in other.output
     assert load_key(tmp_path / "k").digest != first
     handed_out = json.loads((tmp_path / "k" / "handed_out.json").read_text())
-    assert handed_out["21_sound"]["check-sound-mean-1"] == 'check("sound-mean", mean)'
-    assert handed_out["21_sound"]["answer-sound-mean"] is None
+    assert handed_out["sound"]["check-sound-mean-1"] == 'check("sound-mean", mean)'
+    assert handed_out["sound"]["answer-sound-mean"] is None
 
 
 def test_a_key_in_a_checkout_that_does_not_ignore_it_is_a_warning(run, tmp_path):

@@ -20,13 +20,13 @@ from imgproc_course.autograder.make_answer_key import make_key
 from imgproc_course.autograder.pool import SandboxError
 from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.gradebook.grade import grade_submissions
-from imgproc_course.gradebook.grades_json import SCHEMA
+from imgproc_course.gradebook.grades_json import SCHEMA, lesson_names
 from imgproc_course.gradebook.result_store import GradesFolderError, ResultStore
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]
 
 
-def lesson_of(grades, learner, lesson="20_light"):
+def lesson_of(grades, learner, lesson="light"):
     of = next(each for each in grades["learners"] if each["name"] == learner)
     return next(each for each in of["lessons"] if each["lesson"] == lesson)
 
@@ -48,9 +48,24 @@ def graded(classroom, key_path, tmp_path_factory):
     return out, summary
 
 
+def test_lessons_are_in_the_order_of_the_course():
+    mine = {"lessons": [{"lesson": "a", "number": "31"}, {"lesson": "b", "number": "07"}]}
+    course = {"lessons": [{"lesson": "z", "number": "04"}, {"lesson": "b", "number": "05"}]}
+    assert lesson_names({"keys": [mine, course]}) == ["z", "b", "a"]
+    assert lesson_names({"keys": [course, mine]}) == ["z", "b", "a"]
+
+
+def test_a_submission_under_an_older_number_is_graded_as_its_lesson(grade, light, submissions):
+    made = notebook(light, answers_of(light, "right"))
+    made["metadata"]["imgproc_course"]["lesson"] = "21_light"
+    write(submissions / "ada" / "21_light.ipynb", made)
+    (lesson,) = grade(submissions)["learners"][0]["lessons"]
+    assert (lesson["lesson"], lesson["points"], lesson["findings"]) == ("light", 6, [])
+
+
 def test_thirty_submissions_get_the_right_points(graded, classroom):
     grades = json.loads((graded[0] / "grades.json").read_text())
-    points = {"20_light": 6, "21_sound": 4}
+    points = {"light": 6, "sound": 4}
     for learner, lesson, kind in classroom[1]:
         got = lesson_of(grades, learner, lesson)
         assert got["max_points"] == points[lesson], learner
@@ -100,7 +115,7 @@ def test_ipykernel_gives_the_same_grades(masters, key_path, submissions, tmp_pat
     for learner, kind in (("ada", "right"), ("bob", 0), ("eve", "raising")):
         write(
             submissions / learner / "x.ipynb",
-            notebook(masters["21_sound"], answers_of(masters["21_sound"], kind)),
+            notebook(masters["sound"], answers_of(masters["sound"], kind)),
         )
     texts = []
     for kernel in ("fast", "ipykernel"):

@@ -7,12 +7,13 @@ import pytest
 from submissions import notebook, write
 
 from imgproc_course.authoring.masters import find_masters, read_master
+from imgproc_course.authoring.references import lesson_name
 from imgproc_course.autograder.make_answer_key import make_key
 from imgproc_course.gradebook.grade import grade_submissions
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]
 NOTEBOOKS = Path(__file__).resolve().parents[2] / "notebooks"
-NAMES = [path.stem for path in find_masters(NOTEBOOKS / "masters")]
+NAMES = [lesson_name(path.stem) for path in find_masters(NOTEBOOKS / "masters")]
 
 
 @pytest.fixture(scope="module")
@@ -23,7 +24,7 @@ def learners(tmp_path_factory):
         master = read_master(path)
         write(
             folder / "in" / "pristine" / f"{master.name}.ipynb",
-            (NOTEBOOKS / f"{master.name}.ipynb").read_bytes(),
+            (NOTEBOOKS / f"{path.stem}.ipynb").read_bytes(),
         )
         solutions = {each.id: each.solution for each in master.exercises}
         write(folder / "in" / "solved" / f"{master.name}.ipynb", notebook(master, solutions))

@@ -35,7 +35,7 @@ NAME = "<img src=x onerror=alert(1)>\u202e {{ 7*7 }}"
 def pages(masters, key_path, tmp_path_factory):
     """{first word of the learner's name: path of the page}, and "summary": the teacher's page."""
     folder = tmp_path_factory.mktemp("pages")
-    submissions, light, sound = folder / "submissions", masters["20_light"], masters["21_sound"]
+    submissions, light, sound = folder / "submissions", masters["light"], masters["sound"]
     write(submissions / "ada" / "a.ipynb", notebook(light, answers_of(light, 0)))
     write(submissions / "ada" / "b.ipynb", notebook(sound, answers_of(sound, "right")))
     raising = f"def halves(pixels):\n    raise ValueError({EVIL!r} + str(pixels.tolist()))"
@@ -115,7 +115,7 @@ def test_a_hidden_check_shows_no_values_even_if_the_result_has_some(
         hidden = replace(hidden, message="a secret value", failed_call=secret_call)
         exercises.append(replace(exercise, cases=(public, hidden), message="its \u202e eye"))
     result = replace(result, exercises=tuple(exercises))
-    text = learner_page(entry, {"20_light": result}, answer_keys)
+    text = learner_page(entry, {"light": result}, answer_keys)
     assert "returned" in text and "a secret" not in text
     assert "Its \\u202e eye." in text and "\u202e" not in text
 

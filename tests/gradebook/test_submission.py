@@ -44,7 +44,7 @@ def texts(content, kind=None):
 def test_a_complete_lesson_gives_its_answers_and_no_findings(read, made, light):
     content = read(made)
     assert content.answers == answers_of(light, "right")
-    assert (content.lesson, content.version, content.reason) == ("20_light", "0.1.0", "")
+    assert (content.lesson, content.version, content.reason) == ("light", "0.1.0", "")
     assert content.states == {"light-double": "answered", "light-halves": "answered"}
     assert content.findings == [] and content.claims == []
 
@@ -204,28 +204,47 @@ def test_claims_are_read(read, made):
 def test_without_metadata_the_answer_cells_name_the_lesson(read, made):
     made["metadata"] = {}
     content = read(made, "21_sound.ipynb")
-    assert (content.lesson, content.version) == ("20_light", None)
+    assert (content.lesson, content.version) == ("light", None)
     assert texts(content) == ["it was made from an unknown version of the lesson, not from version 0.1.0"]
 
 
 def test_without_metadata_and_answer_cells_the_file_name_names_the_lesson(read, made):
     made["metadata"], made["cells"] = {}, made["cells"][:1]
     content = read(made, "ada/20_light-1.ipynb")
-    assert (content.lesson, content.answers) == ("20_light", {})
+    assert (content.lesson, content.answers) == ("light", {})
     assert set(content.states.values()) == {AnswerState.MISSING}
     assert read(made, "20_light/21_sound.ipynb").lesson is None
+
+
+def test_the_name_decides_and_never_the_number(read, made):
+    made["metadata"]["imgproc_course"]["lesson"] = "21_light"  # from a course in which it was number 21
+    assert read(made, "21_light.ipynb").lesson == "light"
+    made["cells"] = made["cells"][:1]
+    assert read(made, "ada.ipynb").lesson == "light"
+    made["metadata"] = {}
+    assert read(made, "21_light.ipynb").lesson == read(made, "light (1).ipynb").lesson == "light"
+    for name in ("20.ipynb", "21.ipynb", "ada/20_.ipynb", "21_sounds.ipynb"):
+        assert read(made, name).lesson is None
+
+
+def test_a_lesson_without_a_key_is_not_graded_as_another_one(read, made):
+    made["cells"] = made["cells"][:1]
+    made["metadata"]["imgproc_course"]["lesson"] = "light_node"
+    content = read(made, "20_light_node.ipynb")
+    assert (content.lesson, content.states) == (None, {})
+    assert content.reason == "it is not one of the lessons light, sound; it says that it is 'light_node'"
 
 
 def test_a_lesson_with_the_answer_cells_of_another_one(read, made):
     made["metadata"]["imgproc_course"]["lesson"] = "21_sound"
     content = read(made)
-    assert content.lesson == "20_light"
-    assert "it is graded as 20_light" in texts(content, "message")[0]
+    assert content.lesson == "light"
+    assert "it is graded as light" in texts(content, "message")[0]
 
 
 def test_a_notebook_that_is_no_lesson(read):
     content = read({"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": []})
-    assert (content.lesson, content.reason) == (None, "it is not one of the lessons 20_light, 21_sound")
+    assert (content.lesson, content.reason) == (None, "it is not one of the lessons light, sound")
 
 
 # ---------------------------------------------------------------- damaged notebooks
@@ -297,4 +316,4 @@ def test_a_reader_that_hangs_is_ended(answer_keys, made, light):
 def test_reading_runs_and_imports_nothing_of_a_notebook(made):
     with pytest.raises(UnreadableError):
         read_notebook(b"__import__('os')._exit(1)")
-    assert read_notebook(json.dumps(made).encode())["lesson"] == "20_light"
+    assert read_notebook(json.dumps(made).encode())["lesson"] == "light"

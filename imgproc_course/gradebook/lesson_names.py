@@ -1,0 +1,40 @@
+"""Names of lessons in the names of files, folders and tables: "ada_03_grayscale-1" names grayscale.
+
+The name decides, never the number: the number is only a lesson's place in the course, which changes.
+"""
+
+import re
+from functools import lru_cache
+
+from imgproc_course.authoring.references import lesson_name
+
+
+def lessons_named(text, lessons):
+    """The lessons whose names are whole words of a text; of grayscale and grayscale_node the longer one.
+
+    Parameters
+    ----------
+    text : str
+    lessons : iterable of str
+
+    Returns
+    -------
+    list of str, without repetition
+    """
+    return list(dict.fromkeys(match[1] for match in _pattern(tuple(lessons)).finditer(text)))
+
+
+def is_lesson(text, lessons):
+    """Whether a text is the name of a lesson, with or without a number."""
+    return lesson_name(text) in lessons or lesson_name(text) != text
+
+
+def without_lesson(text, lessons):
+    """A text without the first name of a lesson in it, and without the separators around that name."""
+    return _pattern(tuple(lessons)).sub("", text, count=1).strip(" -_.")
+
+
+@lru_cache(maxsize=16)
+def _pattern(lessons):
+    names = "|".join(map(re.escape, sorted(lessons, key=len, reverse=True))) or r"(?!)"
+    return re.compile(rf"(?<![a-z0-9])(?:\d\d_)?({names})(?![a-z0-9])")
