@@ -113,5 +113,7 @@ def _zip(files):
     buffer = io.BytesIO()
     with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
         for name, data in sorted(files.items()):
-            archive.writestr(zipfile.ZipInfo(name, _ZIP_DATE), data, zipfile.ZIP_DEFLATED)
+            info = zipfile.ZipInfo(name, _ZIP_DATE)
+            info.external_attr = 0o644 << 16  # without it, unzip makes files that nobody can read
+            archive.writestr(info, data, zipfile.ZIP_DEFLATED)
     return buffer.getvalue()

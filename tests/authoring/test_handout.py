@@ -85,8 +85,10 @@ def test_one_lesson(hand_out, tmp_path, name):
 def test_a_zip_file_holds_the_same_files(hand_out, tmp_path):
     assert hand_out("--zip")[1].endswith(f"in {tmp_path}/handout/ and {tmp_path}/handout.zip\n")
     with zipfile.ZipFile(tmp_path / "handout.zip") as archive:
+        entries = {(entry.date_time, entry.external_attr) for entry in archive.infolist()}
         packed = {name.removeprefix("handout/"): archive.read(name) for name in archive.namelist()}
     assert packed == files_in(tmp_path / "handout")
+    assert entries == {((1980, 1, 1, 0, 0, 0), 0o644 << 16)}
     before = (tmp_path / "handout.zip").read_bytes()
     assert hand_out("--zip")[0] == 0  # the same again changes nothing
     assert (tmp_path / "handout.zip").read_bytes() == before
