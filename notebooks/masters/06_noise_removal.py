@@ -2,7 +2,7 @@
 # jupyter:
 #   imgproc_course:
 #     title: Noise removal
-#     minutes: 70
+#     minutes: 100
 # ---
 
 # %% [markdown]
@@ -17,47 +17,98 @@
 # - compute a 3 × 3 median by hand,
 # - measure with PSNR which filter removes more noise, and choose a filter with this number.
 #
-# **Time** about 70 minutes. **You need** [[grayscale]].
+# **Time** about 100 minutes; take a break after section 4, and one after section 7. **You need** [[arrays]] and [[grayscale]].
 
 # %% role="given" exercise=["noise-median", "noise-psnr", "noise-choose"]
 import numpy as np
 
-# %% tags=["long"]
+# %%
 from imgproc_course.display import show
-from imgproc_course.exercises import check
-from imgproc_course.imaging import (
-    add_gaussian_noise,
-    add_salt_and_pepper,
-    bilateral_filter,
-    box_blur,
-    gaussian_blur,
-    median_blur,
-    psnr,
-    ssim,
-    to_gray,
-)
+from imgproc_course.exercises import check, compare_guess
+from imgproc_course.imaging import add_gaussian_noise, add_salt_and_pepper
+from imgproc_course.imaging import bilateral_filter, box_blur
+from imgproc_course.imaging import gaussian_blur, median_blur
+from imgproc_course.imaging import psnr, ssim, to_gray
 from imgproc_course.recording import open_recording
 
+# %%
+# The captions and alt texts of the figures
+figure_texts = {
+    "wall": (
+        "The wall has one colour, but the numbers differ: this is the noise of the sensor.",
+        "An eight by eight grid of nearly equal gray squares with their numbers.",
+    ),
+    "shifted": (
+        "In each column stand the three values that belong together: the left neighbour above, the pixel in the middle, the right neighbour below.",
+        "Three rows of twelve numbers: the same row three times, each time shifted by one column.",
+    ),
+    "nine": (
+        "The image, the padded image, and the 3 × 3 window of the top left pixel. In the window the pixel itself, 50, is in the middle.",
+        "Three grids of numbers: five by five, seven by seven with repeated outermost numbers, and three by three.",
+    ),
+    "tiny": (
+        "The mean spreads the two wrong pixels over their neighbours; the median removes them and keeps the edge.",
+        "Three grids of numbers: the first has one white and one black pixel that do not fit; in the third they are gone.",
+    ),
+    "bump": (
+        "The response to one bright pixel is the kernel itself: here 1, 2, 4 times 10.",
+        "Two grids: a single 160 in the middle; around it 10, 20, 10, then 20, 40, 20, then 10, 20, 10.",
+    ),
+    "two kinds": (
+        "Above, a few pixels are completely wrong; below, nearly every pixel is a little wrong.",
+        "The ball and the marker twice: above with single white and black pixels, below with fine noise all over.",
+    ),
+    "impulse": (
+        "Impulse noise after four filters: only the median removes it.",
+        "The marker four times: the wrong pixels are blurred in the first two, gone in the third, and still there in the fourth.",
+    ),
+    "gaussian": (
+        "Gaussian noise after four filters: all four reduce it, and the bilateral filter keeps the marker sharp.",
+        "The marker four times, with less noise than before; the edges of the fourth are the sharpest.",
+    ),
+    "portrait": (
+        "The median on a photograph: it removes the noise, but also fine details such as the eyelashes.",
+        "The eyes and the nose of a smiling astronaut, above with white and black pixels, below without them.",
+    ),
+}
+
+# %%
 recording = open_recording("drive")
 gray = to_gray(recording.frame(30))
-print("gray", gray.shape, gray.dtype, "range", gray.min(), "to", gray.max())
+print(gray.shape, gray.dtype, "range", gray.min(), "to", gray.max())
 
 # %% [markdown]
 # ## 1 · Noise is in every image (5 minutes)
 #
-# **Ask.** A wall has one colour. Does the camera see one gray level? Here are 8 × 8 pixels of the wall. **Predict**: are they all equal? If not, how much do they differ? (The *standard deviation* in the output is the typical distance of a value from the mean.)
+# **Ask.** A wall has one colour. Does the camera see one gray level? We look at 8 × 8 pixels of the wall.
+#
+# **Predict** the difference between the brightest and the darkest of these 64 pixels, in gray levels. (0 means that all are equal.)
+
+# %% role="predict"
+guess_range = None  # your guess: how many gray levels?
 
 # %%
 wall = gray[120:128, 880:888]
-show(wall, "a piece of the wall", encoding="mono8",
-     caption="The wall has one colour, but the numbers differ: this is the noise of the sensor.",
-     alt="An eight by eight grid of nearly equal gray squares with their numbers.")
-print("smallest", wall.min(), "  largest", wall.max(), "  standard deviation", round(float(wall.std()), 1), "gray levels")
-
-assert 0 < wall.std() < 5
+show(wall, "a piece of the wall", text=figure_texts["wall"])
+compare_guess(guess_range, int(wall.max()) - int(wall.min()), "gray levels")
 
 # %% [markdown]
-# ## 2 · A row with an intensity step (10 minutes)
+# One number for the strength of the noise is the **standard deviation**: the typical distance of a value from the mean. It is computed in four steps: subtract the mean from each value, square the differences, take their mean, take the square root. By hand on four values, and with NumPy's `std`:
+
+# %%
+four = np.array([98, 102, 97, 103])
+differences = four - four.mean()
+print("differences from the mean:", differences)
+print("by hand:", round(np.sqrt((differences**2).mean()), 2))
+print("std:    ", round(four.std(), 2), "  the wall:", round(wall.std(), 2))
+
+# %%
+# Check: the numbers in this section
+assert four.mean() == 100 and four.std() == np.sqrt((differences**2).mean())
+assert 0 < wall.std() < 5 and 0 < int(wall.max()) - int(wall.min()) < 20
+
+# %% [markdown]
+# ## 2 · A row with an intensity step (12 minutes)
 #
 # An image consists of many rows, and one row is easier to read. Here is a row with a dark part, a bright part and an *intensity step* between them: the place where the gray level (the intensity) jumps. We add an error of a few gray levels to each value.
 
@@ -69,28 +120,38 @@ print("clean", clean_row)
 print("noisy", noisy_row)
 
 # %% [markdown]
-# **Try.** Replace each value by the mean of itself and its two neighbours. The noise gets smaller. **Predict** what happens at the step.
+# **Try.** Replace each value by the mean of itself and its two neighbours. As in [[arrays#10]], we do not write a loop. We take the row three times, each time shifted by one column, so that the neighbours stand in the same column. The first and the last value are repeated once (`mode="edge"`), because they have only one neighbour.
+
+# %%
+padded = np.pad(noisy_row, 1, mode="edge")
+shifted = np.stack([padded[:-2], padded[1:-1], padded[2:]])
+show(shifted.astype(np.uint8), "left neighbour, pixel, right neighbour",
+     text=figure_texts["shifted"])
 
 # %%
 def mean_of_three(row):
-    padded = np.pad(row, 1, mode="edge")  # repeats the first and the last value
-    # left neighbour + value + right neighbour; // divides and drops the fraction
-    return (padded[:-2] + padded[1:-1] + padded[2:]) // 3
+    padded = np.pad(row, 1, mode="edge")
+    left, middle, right = padded[:-2], padded[1:-1], padded[2:]
+    return (left + middle + right) // 3  # // drops the fraction
 
+# %% [markdown]
+# **Predict** the mean of three at index 5. It is the last dark pixel, 45, and its neighbours are 57 and 202.
 
+# %% role="predict"
+guess_mean = None  # your guess: which gray level?
+
+# %%
 averaged = mean_of_three(noisy_row)
 print("noisy", noisy_row)
 print("mean ", averaged)
-
-assert np.abs(averaged[:5] - 50).max() < np.abs(noisy_row[:5] - 50).max()
-assert averaged[5] == 101 and averaged[6] == 146
+compare_guess(guess_mean, averaged[5])
 
 # %% [markdown]
-# The flat parts are smoother, but we lost the sharp edge. Between 50 and 200 there are now 101 and 146. No pixel of the clean row has such a value.
+# The flat parts are smoother: the noise got smaller. But we lost the sharp edge. Between 50 and 200 there are now 101 and 146. No pixel of the clean row has such a value.
 #
 # This mean is a **correlation** with a **kernel**: the list of weights 1/3, 1/3, 1/3. (This *filter kernel* is unrelated to the notebook's kernel, which runs your cells.) The kernel moves along the row. At each pixel, every weight is multiplied by the value under it, and the products are added. The sum is the **filter response** at this pixel.
 #
-# A **convolution** does the same, but flips the kernel first (left becomes right). With a symmetric kernel both give the same response; with any other kernel they differ. A row of zeros with a single 1, an *impulse*, shows the difference: the convolution returns the kernel as it is, and the correlation returns the flipped kernel.
+# A **convolution** does the same, but flips the kernel first (left becomes right). With a symmetric kernel both give the same response; with any other kernel they differ. A row of zeros with a single 1, an *impulse*, shows the difference.
 
 # %%
 impulse = np.array([0, 0, 0, 1, 0, 0, 0])
@@ -98,23 +159,36 @@ kernel = [1, 2, 3]
 print("convolution", np.convolve(impulse, kernel, mode="same"))
 print("correlation", np.correlate(impulse, kernel, mode="same"))
 
-assert np.convolve(impulse, kernel, mode="same").tolist() == [0, 0, 1, 2, 3, 0, 0]
-assert np.correlate(impulse, kernel, mode="same").tolist() == [0, 0, 3, 2, 1, 0, 0]
-assert (np.correlate(impulse, kernel[::-1], mode="same") == np.convolve(impulse, kernel, mode="same")).all()
+# %% [markdown]
+# The convolution returns the kernel as it is, and the correlation returns the flipped kernel. (`mode="same"` gives as many values as the row has.) OpenCV's filters compute the correlation. Most textbooks use the convolution. For the symmetric kernels of this lesson the results are equal; for the kernel of [[canny_stages]] they have opposite signs.
+
+# %%
+# Check: the numbers in this section
+convolved = np.convolve(impulse, kernel, mode="same")
+correlated = np.correlate(impulse, kernel, mode="same")
+assert noisy_row[4:7].tolist() == [57, 45, 202]
+assert np.abs(averaged[:5] - 50).max() < np.abs(errors[:5]).max()
+assert averaged[5] == 101 and averaged[6] == 146
+assert convolved.tolist() == [0, 0, 1, 2, 3, 0, 0]
+assert correlated.tolist() == [0, 0, 3, 2, 1, 0, 0]
+assert (np.correlate(impulse, kernel[::-1], mode="same") == convolved).all()
 
 # %% [markdown]
-# OpenCV's filters compute the correlation. Most textbooks use the convolution. For the symmetric kernels of this lesson the results are equal; for the kernel of [[canny_stages]] they have opposite signs.
-#
 # ## 3 · Planned failure: a mean filter against impulse noise (6 minutes)
 #
-# Some sensor errors are not small: a broken pixel is black or white. This is **impulse noise**, also called *salt-and-pepper* noise. **Predict** what the mean of three does to a single white pixel (255) in a row of 50.
+# Some sensor errors are not small: a broken pixel is black or white. This is **impulse noise**, also called *salt-and-pepper* noise. Here is a row of 50 with a single white pixel.
+#
+# **Predict** how many of the nine values are wrong after the mean of three.
+
+# %% role="predict"
+guess_wrong = None  # your guess: how many values are not 50?
 
 # %%
 salted_row = np.array([50, 50, 50, 50, 255, 50, 50, 50, 50])
+smeared_row = mean_of_three(salted_row)
 print("salted", salted_row)
-print("mean  ", mean_of_three(salted_row))
-
-assert mean_of_three(salted_row).tolist() == [50, 50, 50, 118, 118, 118, 50, 50, 50]
+print("mean  ", smeared_row)
+compare_guess(guess_wrong, (smeared_row != 50).sum())
 
 # %% [markdown]
 # One wrong pixel became three wrong pixels. **Repair it**: do not average. Sort the three values and take the middle one: the **median**. A single *outlier* (a value far from all others) is the smallest or the largest of the three, so it is never in the middle.
@@ -122,21 +196,28 @@ assert mean_of_three(salted_row).tolist() == [50, 50, 50, 118, 118, 118, 50, 50,
 # %%
 def median_of_three(row):
     padded = np.pad(row, 1, mode="edge")
-    # axis=0 sorts the three values of each pixel; [1] is the middle one
-    return np.sort([padded[:-2], padded[1:-1], padded[2:]], axis=0)[1]
+    shifted = np.stack([padded[:-2], padded[1:-1], padded[2:]])
+    # axis=0 sorts each column of three; [1] is the row in the middle
+    return np.sort(shifted, axis=0)[1]
 
 
 print("salted", salted_row)
 print("median", median_of_three(salted_row))
 print("step  ", median_of_three(clean_row))
 
+# %% [markdown]
+# The white pixel is gone, and the step is still a step: between 50 and 200 there is nothing.
+
+# %%
+# Check: the numbers in this section
+assert smeared_row.tolist() == [50, 50, 50, 118, 118, 118, 50, 50, 50]
 assert (median_of_three(salted_row) == 50).all()
-assert (median_of_three(clean_row) == clean_row).all()  # the step is still a step
+assert (median_of_three(clean_row) == clean_row).all()
 
 # %% [markdown]
-# ## 4 · From a row to an image (10 minutes)
+# ## 4 · From a row to an image (14 minutes)
 #
-# In an image a pixel has neighbours on all sides: a neighbourhood of 3 × 3 = 9 values. If you sort them, the median is the fifth value. **Predict** the median of the nine values around the 255 in the middle of this image.
+# In an image a pixel has neighbours on all sides. Together with them it is a neighbourhood of 3 × 3 = 9 values. If you sort the nine, the median is the fifth. Here is a dark and a bright area with two wrong pixels, and the neighbourhood of the 255.
 
 # %%
 tiny = np.array([[50, 52, 51, 200, 201],
@@ -144,21 +225,35 @@ tiny = np.array([[50, 52, 51, 200, 201],
                  [51, 50, 255, 202, 200],
                  [50, 52, 50, 199, 201],
                  [48, 50, 51, 200, 202]], dtype=np.uint8)
-neighbours = np.sort(tiny[1:4, 1:4], axis=None)  # axis=None: sort all nine values as one list
-print("the nine, sorted:", neighbours, "  the fifth:", neighbours[4])
-
-assert neighbours[4] == 53
-
-# %%
-cleaned = median_blur(tiny, 3)
-show([tiny, box_blur(tiny, 3), cleaned], ["with salt and pepper", "3 × 3 mean", "3 × 3 median"], encoding="mono8",
-     caption="The mean spreads the two wrong pixels over their neighbours; the median removes them and keeps the edge.",
-     alt="Three grids of numbers: the first has one white and one black pixel that do not fit; in the third they are gone.")
-
-assert cleaned[2, 2] == 53 and cleaned[1, 4] == 200
+window = tiny[1:4, 1:4]
+print(window)
 
 # %% [markdown]
-# A pixel at the border has fewer neighbours, because there are no pixels outside the image. So a filter needs a rule for the missing neighbours: its **border handling**. Three rules are common (`np.pad` calls them `edge`, `reflect` and `constant`):
+# **Predict** the median of these nine values.
+
+# %% role="predict"
+guess_median = None  # your guess: which gray level?
+
+# %%
+nine = np.sort(window, axis=None)  # axis=None: sort all values as one list
+print("sorted:", nine)
+compare_guess(guess_median, nine[4])
+
+# %% [markdown]
+# The fifth value has the index 4, because Python counts from 0.
+#
+# A pixel at the border has fewer neighbours: there are no pixels outside the image. At a side three of the eight neighbours are missing, in a corner five. So we pad the image by one pixel first; then every pixel has nine values. In the padded image everything stands one row and one column later. So the window of the pixel (row, col) begins at (row, col): for the top left pixel it is `padded[0:3, 0:3]`.
+
+# %%
+padded = np.pad(tiny, 1, mode="edge")
+row, col = 0, 0
+window = padded[row : row + 3, col : col + 3]
+show([tiny, padded, window], ["image", "padded", "window of (0, 0)"],
+     columns=2, text=figure_texts["nine"])
+print("sorted:", np.sort(window, axis=None), "  median:", np.median(window))
+
+# %% [markdown]
+# A rule for the missing neighbours is called **border handling**. Three rules are common; `np.pad` calls them `edge`, `reflect` and `constant`:
 #
 # - *replicate* repeats the outermost pixel; OpenCV's median filter uses it,
 # - *reflect-101* mirrors the image at its outermost pixel, without repeating this pixel; OpenCV's box and Gaussian filters use it,
@@ -166,127 +261,236 @@ assert cleaned[2, 2] == 53 and cleaned[1, 4] == 200
 
 # %%
 border_row = np.array([10, 20, 30])
-for rule, mode in {"replicate": "edge", "reflect-101": "reflect", "zero padding": "constant"}.items():
-    print(f"{rule:13}", np.pad(border_row, 2, mode=mode))
-
-assert np.pad(border_row, 2, mode="edge").tolist() == [10, 10, 10, 20, 30, 30, 30]
-assert np.pad(border_row, 2, mode="reflect").tolist() == [30, 20, 10, 20, 30, 20, 10]
-assert np.pad(border_row, 2, mode="constant").tolist() == [0, 0, 10, 20, 30, 0, 0]
+print("replicate   ", np.pad(border_row, 2, mode="edge"))
+print("reflect-101 ", np.pad(border_row, 2, mode="reflect"))
+print("zero padding", np.pad(border_row, 2, mode="constant"))
 
 # %% [markdown]
-# The 3 × 3 mean is the **box filter** (or mean filter): all nine weights are 1/9. The **Gaussian filter** gives near neighbours more weight. Its 3 × 3 kernel is 1, 2, 1 down the column times 1, 2, 1 along the row, divided by 16. So it is a **separable** filter: you can filter first along the rows and then down the columns, and get the same result as with the whole kernel. This needs 3 + 3 products per pixel instead of 9. The median filter has no kernel: it sorts, and a weighted sum cannot sort.
+# Now the mean and the median of all 25 neighbourhoods of *tiny*:
+
+# %%
+cleaned = median_blur(tiny, 3)
+show([tiny, box_blur(tiny, 3), cleaned],
+     ["with salt and pepper", "3 × 3 mean", "3 × 3 median"],
+     columns=2, text=figure_texts["tiny"])
+
+# %% [markdown]
+# The 3 × 3 mean is the **box filter** (or mean filter): all nine weights are 1/9. The **Gaussian filter** is a mean, too, but near neighbours have more weight than far ones. Therefore it blurs more evenly than the box filter. Its 3 × 3 kernel, multiplied by 16, is
 #
-# **Predict** the response to a single pixel of 160 in a black image. (160 / 16 is 10.)
+# | 1 | 2 | 1 |
+# |---|---|---|
+# | **2** | **4** | **2** |
+# | **1** | **2** | **1** |
+#
+# **Predict** the response in the middle, at a single pixel of 160 in a black image.
+
+# %% role="predict"
+guess_response = None  # your guess: which gray level?
 
 # %%
 bump = np.zeros((5, 5), np.uint8)
 bump[2, 2] = 160
 response = gaussian_blur(bump, 0, size=3)
-show([bump, response], ["one pixel of 160", "3 × 3 Gaussian filter"], encoding="mono8",
-     caption="The response to one bright pixel is the kernel itself: here 1, 2, 4 times 10.",
-     alt="Two grids: a single 160 in the middle; around it 10, 20, 10, then 20, 40, 20, then 10, 20, 10.")
+show([bump, response], ["one pixel of 160", "3 × 3 Gaussian filter"],
+     text=figure_texts["bump"])
+compare_guess(guess_response, response[2, 2])
 
-assert 160 / 16 == 10
+# %% [markdown]
+# The weight in the middle is 4/16, and 160 · 4/16 is 40. Each number of this kernel is a product of 1, 2, 1 down the column and 1, 2, 1 along the row. So the Gaussian filter is **separable**: you can filter first along the rows and then down the columns, and get the same result as with the whole kernel. This needs 3 + 3 products per pixel instead of 9. The median filter has no kernel: it sorts, and a weighted sum cannot sort.
+
+# %%
+# Check: the numbers in this section
+assert nine.tolist() == [50, 50, 50, 52, 53, 198, 199, 202, 255]
+assert cleaned[2, 2] == nine[4] == 53 and cleaned[1, 4] == 200
+assert np.median(window) == cleaned[0, 0] == 50 == window[1, 1]
+assert np.pad(border_row, 2, mode="edge").tolist() == [10, 10, 10, 20, 30, 30, 30]
+assert np.pad(border_row, 2, mode="reflect").tolist() == [30, 20, 10, 20, 30, 20, 10]
+assert np.pad(border_row, 2, mode="constant").tolist() == [0, 0, 10, 20, 30, 0, 0]
 assert (response[1:4, 1:4] == 10 * np.outer([1, 2, 1], [1, 2, 1])).all()
-assert response.sum() == 160  # the weights add up to 1, so the sum stays
+assert response.sum() == 160 and response[2, 2] == 160 * 4 / 16 == 40
 
 # %% [markdown]
-# ## 5 · Four filters, two kinds of noise (8 minutes)
+# *This is a good place for a break.*
 #
-# Now we add random noise to a camera frame. The *seed* of the random numbers is fixed, so everybody gets the same noise. **Gaussian noise** adds a random error to every pixel. The errors have a normal distribution: small errors are common, large ones are rare. We try the box, the Gaussian and the median filter, and also the **bilateral filter**. It is a weighted mean like the Gaussian filter, but neighbours with a very different gray level get almost no weight. So it keeps steps sharp.
+# ## 5 · Two kinds of noise (3 minutes)
+#
+# Now we add random noise to a camera frame. The *seed* of the random numbers is fixed, so everybody gets the same noise. Impulse noise makes 5 % of the pixels black or white. **Gaussian noise** adds a random error to every pixel. The errors have a *normal distribution*: small errors are common, large ones are rare. Here their standard deviation is 20 gray levels.
 
 # %%
-salted = add_salt_and_pepper(gray, 0.05, seed=1)  # 5 % of the pixels become black or white
-grainy = add_gaussian_noise(gray, 20, seed=1)  # standard deviation 20 gray levels
-changed = (salted != gray).mean()
-print(f"changed pixels: salt and pepper {changed:.1%}, Gaussian {(grainy != gray).mean():.1%}")
-
-assert 0.04 < changed < 0.06 and (grainy != gray).mean() > 0.95
+salted = add_salt_and_pepper(gray, 0.05, seed=1)
+grainy = add_gaussian_noise(gray, 20, seed=1)
+print(f"changed pixels, impulse noise:  {(salted != gray).mean():.1%}")
+print(f"changed pixels, Gaussian noise: {(grainy != gray).mean():.1%}")
+show([salted, grainy], ["impulse noise", "Gaussian noise"], columns=1,
+     rows=(310, 440), cols=(430, 740), text=figure_texts["two kinds"])
 
 # %%
-part = dict(rows=(310, 440), cols=(430, 740))  # **part below passes both to show, which draws only this part
-show([salted, grainy], ["impulse noise (salt and pepper)", "Gaussian noise, 20 gray levels"], encoding="mono8", **part,
-     caption="Left, a few pixels are completely wrong; right, nearly every pixel is a little wrong.",
-     alt="The ball and the marker twice: left with single white and black pixels, right with fine noise all over.")
+# Check: the numbers in this section
+assert 0.04 < (salted != gray).mean() < 0.06
+assert (grainy != gray).mean() > 0.95
 
 # %% [markdown]
-# **Predict** which of four filters is best against impulse noise, and which is best against Gaussian noise.
-
-# %%
-filters = {  # name: function; "lambda image: ..." is a short way to write a function
-    "box 3": lambda image: box_blur(image, 3),  # 3 × 3 pixels
-    "Gaussian 1.5": lambda image: gaussian_blur(image, 1.5),  # the kernel's standard deviation is 1.5 pixels
-    "median 3": lambda image: median_blur(image, 3),  # 3 × 3 pixels
-    "bilateral": lambda image: bilateral_filter(image, 50, 2),  # 50 gray levels, 2 pixels
-}
-show([apply(salted) for apply in filters.values()], list(filters), encoding="mono8", **part, columns=2,
-     caption="Impulse noise after four filters: only the median removes it.",
-     alt="Ball and marker four times: the wrong pixels are blurred in the first two, gone in the third, and still there in the fourth.")
-
-# %%
-show([apply(grainy) for apply in filters.values()], list(filters), encoding="mono8", **part, columns=2,
-     caption="Gaussian noise after four filters: all four reduce it, and the bilateral filter keeps the marker sharp.",
-     alt="Ball and marker four times, with less noise than before; the edges of the fourth are the sharpest.")
-
-# %% [markdown]
-# ## 6 · How much noise is left? (8 minutes)
+# ## 6 · How much noise is left? (9 minutes)
 #
-# "It looks better" is not a measurement. A **signal-to-noise ratio** is a measurement: it compares the size of the signal with the size of the errors. The **PSNR** (peak signal-to-noise ratio) takes the largest possible gray level, 255, as the signal. It measures the errors with the *mean squared error* (MSE): take the difference between each pixel and the same pixel of the clean image, square it, and average over all pixels.
-#
-# $$\text{PSNR} = 10 \log_{10} \frac{255^2}{\text{MSE}} \quad\text{in decibel (dB)}$$
-#
-# A higher PSNR means less noise: if the MSE becomes ten times smaller, the PSNR rises by 10 dB. By hand on four pixels:
+# "It looks better" is not a measurement. The *mean squared error* (MSE) is one: take the difference between each pixel and the same pixel of the clean image, square it, and average over all pixels. By hand on four pixels:
 
 # %%
 four_clean = np.array([[100, 100], [100, 100]], dtype=np.uint8)
 four_noisy = np.array([[100, 110], [90, 100]], dtype=np.uint8)
-squared = (four_clean.astype(float) - four_noisy) ** 2
-mse = squared.mean()
-print("squared differences:", squared.ravel(), "  MSE, their mean:", mse)
+errors = four_clean.astype(float) - four_noisy.astype(float)
+mse = (errors**2).mean()
+print("squared errors:", (errors**2).tolist(), "  MSE:", mse)
+
+# %% [markdown]
+# A **signal-to-noise ratio** compares the size of the signal with the size of the errors. The **PSNR** (peak signal-to-noise ratio) takes the largest possible gray level, the peak 255, as the signal:
+#
+# $$\text{PSNR} = 10 \log_{10} \frac{255^2}{\text{MSE}} \quad\text{in decibel (dB)}$$
+#
+# The logarithm to base 10 counts zeros: it is 1 for 10, 2 for 100 and 3 for 1000. Ten times this logarithm is a ratio in **decibel**. So a ratio of 1000 is 30 dB. A higher PSNR means less noise.
+
+# %%
+print("log10:", np.log10(10), np.log10(100), np.log10(1000))
+print("255**2 / MSE:", 255**2 / mse)
 print("PSNR:", round(10 * np.log10(255**2 / mse), 1), "dB")
 
+# %% [markdown]
+# **Predict** by how many dB the PSNR rises if the MSE becomes ten times smaller.
+
+# %% role="predict"
+guess_rise = None  # your guess: how many dB?
+
+# %%
+before = 10 * np.log10(255**2 / mse)
+after = 10 * np.log10(255**2 / (mse / 10))
+print("before:", round(before, 1), "dB   after:", round(after, 1), "dB")
+compare_guess(guess_rise, round(after - before, 1), "dB")
+
+# %% [markdown]
+# The MSE does not know what the errors look like. The **SSIM** (structural similarity) does. In each small window it compares three properties of the two images: the mean, the contrast (the standard deviation), and whether the gray levels rise and fall at the same places. For equal images it is 1. The next cell makes all pixels brighter by 20, and compares this with Gaussian noise of the same size:
+
+# %%
+brighter = np.minimum(gray.astype(int) + 20, 255).astype(np.uint8)
+for name, image in {"brighter": brighter, "grainy": grainy}.items():
+    print(f"{name:10} PSNR {psnr(gray, image):.1f} dB"
+          f"   SSIM {ssim(gray, image):.2f}")
+
+# %% [markdown]
+# The PSNR is nearly the same for both. The SSIM is much higher for the brighter image, because its structure did not change.
+
+# %%
+# Check: the numbers in this section
 assert mse == 50 and round(10 * np.log10(255**2 / mse), 1) == 31.1
-assert psnr(four_clean, four_noisy) == 10 * np.log10(255**2 / mse)
-assert round(10 * np.log10(255**2 / (mse / 10)) - psnr(four_clean, four_noisy), 9) == 10
+assert psnr(four_clean, four_noisy) == before and round(after - before, 9) == 10
+assert np.log10(10) == 1 and np.log10(100) == 2 and round(np.log10(1000), 9) == 3
+assert abs(psnr(gray, brighter) - psnr(gray, grainy)) < 1
+assert ssim(gray, brighter) > 0.9 and ssim(gray, grainy) < 0.3
 
 # %% [markdown]
-# **Check** your predictions of section 5 with numbers. The table also shows the **SSIM** (structural similarity). It compares the local mean, contrast and structure of two images; for equal images it is 1.
+# ## 7 · Four filters (10 minutes)
+#
+# We compare the box, the Gaussian and the median filter, and a fourth one, the **bilateral filter**. It is a weighted mean like the Gaussian filter, but a neighbour has a large weight only if it is near *and* has a similar gray level. So the bright side of a step has almost no weight on the dark side, and the step stays sharp.
+#
+# Here are the weights of the three values around the last dark pixel of section 2: 57, 45 and 202. They get smaller with the difference from 45; a difference of 50 gray levels is large here. The weighted mean is the sum of value times weight, divided by the sum of the weights.
+#
+# **Predict** this weighted mean. (The plain mean was 101.)
+
+# %% role="predict"
+guess_weighted = None  # your guess: which gray level?
 
 # %%
-print(f"{'':14}{'salt and pepper':>22}{'Gaussian':>20}")
-print(f"{'no filter':14}{psnr(gray, salted):>16.1f} dB {psnr(gray, grainy):>16.1f} dB")
-score = {}
-for name, apply in filters.items():
-    score[name] = psnr(gray, apply(salted)), psnr(gray, apply(grainy))
-    similarity = ssim(gray, apply(salted)), ssim(gray, apply(grainy))
-    print(f"{name:14}{score[name][0]:>16.1f} dB {score[name][1]:>16.1f} dB   SSIM {similarity[0]:.2f}, {similarity[1]:.2f}")
-
-assert max(score, key=lambda name: score[name][0]) == "median 3"
-assert max(score, key=lambda name: score[name][1]) == "Gaussian 1.5"
+values = noisy_row[4:7]
+differences = values - values[1]
+weights = np.exp(-((differences / 50) ** 2) / 2)  # 1 for equal values
+print("values ", values)
+print("weights", weights.round(2))
+weighted_mean = (values * weights).sum() / weights.sum()
+compare_guess(guess_weighted, round(weighted_mean))
 
 # %% [markdown]
-# No filter is the best for every kind of noise. Against impulse noise the median is better than the others by more than ten decibels. Against Gaussian noise the Gaussian filter is the best of the four. First look at the noise, then choose.
+# The 202 has a weight of 0.01, so it hardly counts, and the dark pixel stays dark.
+#
+# The four filters stand in a dictionary: name → function. `lambda image: box_blur(image, 3)` is a short way to write a function that takes `image` and returns `box_blur(image, 3)`.
 
 # %%
-second_best = max(score[name][0] for name in score if name != "median 3")
-assert score["median 3"][0] - second_best > 10
+filters = {
+    "box": lambda image: box_blur(image, 3),  # 3 × 3 pixels
+    # the standard deviation of the kernel is 1.5 pixels
+    "Gaussian": lambda image: gaussian_blur(image, 1.5),
+    "median": lambda image: median_blur(image, 3),  # 3 × 3 pixels
+    # similar: about 50 gray levels; near: about 2 pixels
+    "bilateral": lambda image: bilateral_filter(image, 50, 2),
+}
+names = list(filters)
+print(names)
 
 # %% [markdown]
+# **Predict** which of the four is best against impulse noise.
+
+# %% role="predict"
+guess_impulse = None  # your guess: "box", "Gaussian", "median", "bilateral"?
+
+# %%
+scores = []
+for name in names:
+    filtered = filters[name](salted)
+    scores.append(psnr(gray, filtered))
+    print(f"{name:10} {scores[-1]:.1f} dB   SSIM {ssim(gray, filtered):.2f}")
+print(f"no filter  {psnr(gray, salted):.1f} dB")
+compare_guess(guess_impulse, names[np.argmax(scores)])
+
+# %%
+results = [filters[name](salted) for name in names]
+show(results, names, rows=(310, 410), cols=(600, 760), columns=2,
+     text=figure_texts["impulse"])
+
+# %% [markdown]
+# **Predict** which of the four is best against Gaussian noise.
+
+# %% role="predict"
+guess_gaussian = None  # your guess: "box", "Gaussian", "median", "bilateral"?
+
+# %%
+gaussian_scores = []
+for name in names:
+    filtered = filters[name](grainy)
+    gaussian_scores.append(psnr(gray, filtered))
+    print(f"{name:10} {gaussian_scores[-1]:.1f} dB"
+          f"   SSIM {ssim(gray, filtered):.2f}")
+print(f"no filter  {psnr(gray, grainy):.1f} dB")
+compare_guess(guess_gaussian, names[np.argmax(gaussian_scores)])
+
+# %%
+results = [filters[name](grainy) for name in names]
+show(results, names, rows=(310, 410), cols=(600, 760), columns=2,
+     text=figure_texts["gaussian"])
+
+# %% [markdown]
+# There is no best filter for every noise. Against impulse noise the median is better than the others by more than ten decibels. Against Gaussian noise the Gaussian filter is the best of the four. First look at the noise, then choose.
+#
 # The same on a photograph of an astronaut. NASA took it, it is in the public domain, and scikit-image contains it.
 
 # %%
 from skimage import data
 
-portrait = to_gray(data.astronaut()[..., ::-1])
+portrait = to_gray(data.astronaut()[..., ::-1])  # from RGB to BGR first
 salted_portrait = add_salt_and_pepper(portrait, 0.05, seed=2)
-show([salted_portrait, median_blur(salted_portrait, 3)], ["salt and pepper", "3 × 3 median"], rows=(0, 300), cols=(100, 400),
-     caption="The median on a photograph: it removes the noise, but also fine details such as the eyelashes.",
-     alt="The face of a smiling astronaut, with white and black pixels on the left and without them on the right.")
+show([salted_portrait, median_blur(salted_portrait, 3)],
+     ["salt and pepper", "3 × 3 median"], columns=1,
+     rows=(60, 160), cols=(160, 290), text=figure_texts["portrait"])
 
-assert psnr(portrait, median_blur(salted_portrait, 3)) > psnr(portrait, salted_portrait) + 10
+# %%
+# Check: the numbers in this section
+cleaned_portrait = median_blur(salted_portrait, 3)
+assert round(weights[2], 2) == 0.01 and round(weighted_mean) < 60
+assert sorted(scores)[-1] == scores[2] > sorted(scores)[-2] + 10
+assert max(gaussian_scores) == gaussian_scores[1]
+assert psnr(portrait, cleaned_portrait) > psnr(portrait, salted_portrait) + 10
 
 # %% [markdown]
-# ## 7 · Your turn: the median by hand (20 minutes)
+# *This is a good place for a break. Three exercises follow.*
+
+# %% [markdown]
+# ## 8 · Your turn: the median by hand (24 minutes)
 #
 # Write `median3(gray)`: each pixel becomes the median of its 3 × 3 neighbourhood. At the border use *replicate*: repeat the outermost rows and columns. Compute it yourself, with NumPy only, and do not change `gray`.
 #
@@ -587,7 +791,7 @@ def median3(gray):
 
 
 # %% [markdown]
-# ## 8 · Your turn: PSNR (12 minutes)
+# ## 9 · Your turn: PSNR (12 minutes)
 #
 # Write `my_psnr(clean, other)` with the formula of section 6. Remember what `uint8` does to a difference. For equal images the result is infinity, `float("inf")`. Compute it yourself, with NumPy only.
 #
@@ -914,7 +1118,7 @@ def my_psnr(clean, other):
 
 
 # %% [markdown]
-# ## 9 · Practice: choose a filter (10 minutes)
+# ## 10 · Practice: choose a filter (5 minutes)
 #
 # Write `best_filter(clean, noisy, filters)`. It applies every filter to `noisy`, and returns the name of the filter whose result has the highest PSNR compared with `clean`. This exercise gives no points. But for every new camera you will have to choose a filter in this way.
 #
@@ -933,7 +1137,7 @@ exercise(
     time_limit=10,
     hint="Apply each filter to noisy, compute the PSNR of the result compared with clean, and keep the name with the highest PSNR.",
     hints=(
-        "How did the table of section 6 get its numbers? Which two images does it compare for each filter, and which number is the best one?",
+        "How did section 7 compare the four filters? Which two images does it compare for each filter, and which number is the best one?",
         "1. Begin with no name, and with a best PSNR that every filter can beat, such as -1. 2. Go through filters.items(): it gives the name and the function of each filter. 3. Call the function with noisy, and compute the PSNR of the result compared with clean. 4. If it is higher than the best so far, store the name and the PSNR. 5. After the loop return the name.",
         "for name, apply in filters.items(): value = psnr(clean, apply(noisy)); if value > best_value: best_name, best_value = name, value. Below the loop: return best_name.",
     ),
@@ -1063,6 +1267,11 @@ def best_filter(clean, noisy, filters):
     return "median 3"
 
 
+# %% role="mistake" name="always the lesson's median" says="The function always returns the fixed name 'median', which is not even a name in this dictionary. Apply each filter and compare the PSNR."
+def best_filter(clean, noisy, filters):
+    return "median"
+
+
 # %% role="mistake" name="filters applied to the clean image" says="Apply each filter to noisy, not to clean: this filter wins if it filters the clean image, so call the function as apply(noisy)."
 def best_filter(clean, noisy, filters):
     return max(filters, key=lambda name: psnr_of(clean, filters[name](clean)))
@@ -1157,8 +1366,11 @@ def best_filter(clean, noisy, filters):
 # | filtered | (720, 1280) | uint8 | 0 to 255 | gray level |
 # | MSE | one number | float64 | 0 to 65,025 | gray level squared |
 # | PSNR | one number | float64 | 0 to infinity | decibel |
+#
+# **Next:** [[binarization]].
 
 # %%
-for image in (salted, grainy, *[apply(grainy) for apply in filters.values()]):
+# Check: the numbers in the table
+for image in (salted, grainy, *results):
     assert image.shape == (720, 1280) and image.dtype == np.uint8
 assert 255**2 == 65_025 and isinstance(psnr(gray, salted), float)
