@@ -165,8 +165,15 @@ def soak(minutes, speed, warm_up):
     type=_FOLDER,
     help="Folder for the solved lessons.  [default: solved/]",
 )
-def build(lessons, only_check, masters, out, solved):
+@click.option(
+    "--with-solutions",
+    is_flag=True,
+    help="Also write solutions/, which solution() opens. The course's own lessons always get them.",
+)
+def build(lessons, only_check, masters, out, solved, with_solutions):
     """Build the lessons from their masters, and each lesson a second time with solutions.
+
+    Beside the lessons, checks/ gets what `check` and `hint` need.
 
     LESSON is a number or a name: 03 or 03_images_as_messages. Without LESSON, all lessons are built.
     """
@@ -180,7 +187,15 @@ def build(lessons, only_check, masters, out, solved):
         if only_check:
             result = compare_lessons(masters, out, lessons, progress=click.echo)
         else:
-            result = build_lessons(masters, out, solved, lessons, progress=click.echo)
+            own = masters.resolve() == CHECKOUT / "notebooks" / "masters"
+            result = build_lessons(
+                masters,
+                out,
+                solved,
+                lessons,
+                progress=click.echo,
+                with_solutions=with_solutions or own,
+            )
     except MasterError as error:
         raise click.ClickException(str(error)) from error
     except OSError as error:

@@ -1,6 +1,7 @@
 """Build lessons and their solved twins from masters, and compare stored lessons with their masters."""
 
 import hashlib
+import tempfile
 import time
 from dataclasses import dataclass, field
 from importlib.metadata import version
@@ -12,9 +13,12 @@ from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
 from imgproc_course.authoring.atomic_write import write_file
 from imgproc_course.authoring.execute import execute, normalize, output_texts, refuse_traces
+from imgproc_course.authoring.lesson_files import lesson_file_differences, lesson_files
 from imgproc_course.authoring.masters import find_masters, read_master
+from imgproc_course.authoring.references import lesson_name
 from imgproc_course.authoring.rules import RAISING_TAGS, VARYING_TAG
 from imgproc_course.authoring.validation import validate_exercise
+from imgproc_course.exercises.check_files import CHECKS, SOLUTIONS
 from imgproc_course.exercises.declaration import MasterError
 
 
@@ -26,8 +30,8 @@ class BuildResult:
     problems: list = field(default_factory=list)
 
 
-def build(masters_dir, lessons_dir, solved_dir, names=(), progress=print):
-    """Build lessons and their solved twins.
+def build(masters_dir, lessons_dir, solved_dir, names=(), progress=print, *, with_solutions=False):
+    """Build lessons and their solved twins, and the files that the lessons carry.
 
     Each lesson is built alone and written when it is complete. A failure or Ctrl-C costs only that lesson:
     its stored file stays as it was.
@@ -37,19 +41,21 @@ def build(masters_dir, lessons_dir, solved_dir, names=(), progress=print):
     masters_dir, lessons_dir, solved_dir : Path
     names : names of lessons; all if empty
     progress : callable, takes a line of progress
+    with_solutions : bool, write solutions/ too: `solution` opens what is there
 
     Returns
     -------
     BuildResult
     """
     result = BuildResult()
-    for path, twins, problem in _build_each(masters_dir, lessons_dir, names, progress, solved=True):
+    for path, twins, files, problem in _build_each(masters_dir, lessons_dir, names, progress, solved=True):
         if problem:
             result.problems.append(problem)
             continue
         for folder, notebook in zip((lessons_dir, solved_dir), twins, strict=True):
             text = nbformat.writes(notebook) + "\n"
             write_file(Path(folder) / f"{path.stem}.ipynb", text, permissions=0o644)
+        _write_lesson_files(files, Path(lessons_dir), with_solutions=with_solutions)
         result.built.append(path.stem)
     if not names:
         result.problems += _orphans(masters_dir, lessons_dir)
@@ -68,15 +74,24 @@ def compare_lessons(masters_dir, lessons_dir, names=(), progress=print):
     BuildResult, its problems name the lesson and the cell
     """
     result = BuildResult()
-    for path, twins, problem in _build_each(masters_dir, lessons_dir, names, progress, solved=False):
+    for path, twins, files, problem in _build_each(masters_dir, lessons_dir, names, progress, solved=False):
         if problem:
             result.problems.append(problem)
             continue
         result.problems += differences(twins[0], Path(lessons_dir) / f"{path.stem}.ipynb")
+        result.problems += lesson_file_differences(files, Path(lessons_dir))
         result.built.append(path.stem)
     if not names:
         result.problems += _orphans(masters_dir, lessons_dir)
     return result
+
+
+def _write_lesson_files(files, folder, *, with_solutions):
+    for name, text in files.items():
+        if with_solutions or not name.startswith(SOLUTIONS):
+            write_file(folder / name, text, permissions=0o644)
+        else:
+            (folder / name).unlink(missing_ok=True)  # of a build with solutions
 
 
 def _build_each(masters_dir, lessons_dir, names, progress, *, solved):
@@ -85,15 +100,18 @@ def _build_each(masters_dir, lessons_dir, names, progress, *, solved):
         progress(f"{path.stem} ...")
         try:
             master = read_valid_master(path)
+            files = lesson_files(master)
             twins = [build_lesson(master, Path(lessons_dir) / f"{path.stem}.ipynb")]
             if solved:
                 twins.append(build_solved(master))
         except MasterError as error:
-            yield path, None, str(error)
+            yield path, None, {}, str(error)
             continue
         kilobytes = len(nbformat.writes(twins[0])) / 1000
-        progress(f"{path.stem}: {kilobytes:.0f} kB, {time.monotonic() - start:.0f} s")
-        yield path, twins, ""
+        check_kilobytes = sum(len(text) for name, text in files.items() if name.startswith(CHECKS)) / 1000
+        sizes = f"{kilobytes:.0f} kB, checks {check_kilobytes:.0f} kB"
+        progress(f"{path.stem}: {sizes}, {time.monotonic() - start:.0f} s")
+        yield path, twins, files, ""
 
 
 def read_valid_master(path):
@@ -158,7 +176,9 @@ def build_solved(master):
 
 def _execute_master(master, *, solved):
     notebook = lesson_notebook(master, solved=solved)
-    execute(notebook, master.path)
+    with tempfile.TemporaryDirectory(prefix="checks-") as folder:
+        _write_lesson_files(lesson_files(master), Path(folder), with_solutions=True)
+        execute(notebook, master.path, checks_dir=Path(folder) / CHECKS)
     normalize(notebook, master)
     return notebook
 
@@ -240,12 +260,12 @@ def _read_stored(path):
 
 
 def _orphans(masters_dir, lessons_dir):
-    masters = {path.stem for path in find_masters(masters_dir)}
-    return [
-        f"{path.name}: it has no master; delete it, or restore its master"
-        for path in sorted(Path(lessons_dir).glob("*.ipynb"))
-        if path.stem not in masters
-    ]
+    masters, folder = {path.stem for path in find_masters(masters_dir)}, Path(lessons_dir)
+    paths = [path for path in sorted(folder.glob("*.ipynb")) if path.stem not in masters]
+    names = {lesson_name(master) for master in masters}
+    for subfolder in (CHECKS, SOLUTIONS):
+        paths += [path for path in sorted(folder.glob(f"{subfolder}/*.json")) if path.stem not in names]
+    return [f"{path.name}: it has no master; delete it, or restore its master" for path in paths]
 
 
 def differences(built, stored_path):

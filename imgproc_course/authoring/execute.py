@@ -16,33 +16,39 @@ from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernel
 from PIL import Image
 
 from imgproc_course.authoring.rules import RAISING_TAGS
-from imgproc_course.exercises.declaration import MASTERS_VARIABLE, MasterError
+from imgproc_course.exercises.check_files import CHECKS_VARIABLE
+from imgproc_course.exercises.declaration import MasterError
 
 CELL_SECONDS = 120
+_VARIABLES_LEFT_OUT = (
+    "MPLBACKEND",
+    "PYTHONWARNINGS",
+    "FORCE_COLOR",
+    "NO_COLOR",
+    "ROS_LOCALHOST_ONLY",
+    "JPY_SESSION_NAME",
+)
 _ANSI = re.compile(r"\x1b\[[0-9;]*m")
 _ADDRESS = re.compile(r"\b0x[0-9a-f]{8,}\b")
 _DATA_URI = re.compile(r"base64,[A-Za-z0-9+/=\s]+")
 _WIDGET = "application/vnd.jupyter.widget-view+json"
 
 
-def kernel_environment(masters_dir):
+def kernel_environment(checks_dir=None):
     """The environment of a lesson's kernel: the user's, without variables that would change outputs.
 
     Parameters
     ----------
-    masters_dir : Path
+    checks_dir : Path of the folder of checks files that the lesson uses; the checkout's if omitted
 
     Returns
     -------
     dict of str
     """
-    environment = {
-        name: value
-        for name, value in os.environ.items()
-        if name not in ("MPLBACKEND", "PYTHONWARNINGS", "FORCE_COLOR", "NO_COLOR", "ROS_LOCALHOST_ONLY")
-    }
+    environment = {name: value for name, value in os.environ.items() if name not in _VARIABLES_LEFT_OUT}
+    if checks_dir is not None:
+        environment[CHECKS_VARIABLE] = str(Path(checks_dir).resolve())
     return environment | {
-        MASTERS_VARIABLE: str(Path(masters_dir).resolve()),
         # The lesson sees no other robot or lesson. ROS takes 0 to 101.
         "ROS_DOMAIN_ID": str(1 + os.getpid() % 100),
         "ROS_AUTOMATIC_DISCOVERY_RANGE": "LOCALHOST",
@@ -53,7 +59,7 @@ def kernel_environment(masters_dir):
     }
 
 
-def execute(notebook, master_path, kernel_name="python3"):
+def execute(notebook, master_path, kernel_name="python3", checks_dir=None):
     """Execute a notebook in its own kernel, in an empty folder; its outputs are stored in the notebook.
 
     Parameters
@@ -61,6 +67,7 @@ def execute(notebook, master_path, kernel_name="python3"):
     notebook : NotebookNode with cell ids
     master_path : Path of its master
     kernel_name : str
+    checks_dir : as in `kernel_environment`
 
     Raises
     ------
@@ -83,9 +90,7 @@ def execute(notebook, master_path, kernel_name="python3"):
             on_cell_start=note_cell,
         )
         quiet = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
-        environment = kernel_environment(Path(master_path).parent) | {
-            "IPYTHONDIR": str(Path(folder) / ".ipython")
-        }
+        environment = kernel_environment(checks_dir) | {"IPYTHONDIR": str(Path(folder) / ".ipython")}
         try:
             client.execute(env=environment, **quiet)
         except CellExecutionError as error:

@@ -3,7 +3,8 @@
 import contextlib
 import json
 
-CHECKS, SOLUTIONS = "checks", "solutions"
+from imgproc_course.exercises.check_files import CHECKS, SOLUTIONS
+
 _NOT_FOR_LEARNERS = {"masters", "__pycache__", CHECKS, SOLUTIONS}
 
 

@@ -185,6 +185,11 @@ class Master:
     def number(self):
         return LESSON_FILE.fullmatch(self.path.stem)["number"]
 
+    @property
+    def handed_out(self):
+        """{cell id: source of a check or given cell, which learners leave as it is; None for the others}."""
+        return {cell.id: cell.source if cell.role in ("check", "given") else None for cell in self.cells}
+
 
 def find_masters(folder, names=()):
     """The masters in a folder, in the order of the course.

@@ -132,12 +132,7 @@ def _handed_out_cells(masters):
 
     They show which check cells a learner changed, and which cells are the learner's own.
     """
-    lessons = {
-        master.name: {
-            cell.id: cell.source if cell.role in ("check", "given") else None for cell in master.cells
-        }
-        for master in masters
-    }
+    lessons = {master.name: master.handed_out for master in masters}
     return json.dumps(lessons, indent=1, sort_keys=True) + "\n"
 
 

@@ -5,8 +5,9 @@ from dataclasses import dataclass, field
 
 from imgproc_course.exercises import feedback
 from imgproc_course.exercises.check_data import CheckCase, CheckData, CheckMistake, check_data_of
+from imgproc_course.exercises.check_files import find_check_data
 from imgproc_course.exercises.comparison import Difference, compare
-from imgproc_course.exercises.declaration import PUBLIC_SEED, find_exercise
+from imgproc_course.exercises.declaration import PUBLIC_SEED
 from imgproc_course.exercises.dependencies import Dependencies, find_dependencies
 from imgproc_course.exercises.running import CallResult, code_of
 
@@ -88,17 +89,17 @@ def check(exercise_id, function):
 
     Raises
     ------
-    MasterError : there is no such exercise
+    CheckFileError : there is no such exercise, or its file is missing or damaged
     TypeError : `function` cannot be called
     """
-    exercise = find_exercise(exercise_id)
+    exercise = find_check_data(exercise_id)
     if not callable(function):
         raise TypeError(
             f"check({exercise_id!r}, ...) needs your function {exercise.function} itself, got a value of type"
             f" {type(function).__name__}; run the cell with your function first (if it shows an error, repair"
             f" that), and write check({exercise_id!r}, {exercise.function}), no parentheses after the name"
         )
-    return run_cases(exercise, function)
+    return run_check(exercise, function)
 
 
 def run_cases(exercise, function, *, cases=None, seed=PUBLIC_SEED):

@@ -3,6 +3,7 @@
 import base64
 import json
 import os
+import shutil
 from importlib.metadata import version
 
 import nbformat
@@ -175,7 +176,8 @@ def test_building_again_changes_nothing(built):
     result = build(folder / "masters", folder / "lessons", folder / "solved", ["90"], progress=str)
     assert result.problems == [] and result.built == ["90_template"]
     assert path.read_bytes() == before
-    assert sorted(p.name for p in path.parent.iterdir()) == ["90_template.ipynb"]  # no temporary file is left
+    names = sorted(p.name for p in path.parent.iterdir())
+    assert names == ["90_template.ipynb", "checks"]  # no temporary file is left
 
 
 def test_a_difference_is_named_with_lesson_and_cell(built, tmp_path):
@@ -189,6 +191,8 @@ def test_a_difference_is_named_with_lesson_and_cell(built, tmp_path):
     notebook["metadata"]["imgproc_course"]["version"] = "0.0.1"
     (tmp_path / "90_template.ipynb").write_text(json.dumps(notebook))
     (tmp_path / "80_gone.ipynb").write_text(json.dumps(notebook))
+    shutil.copytree(folder / "lessons" / "checks", tmp_path / "checks")
+    (tmp_path / "checks" / "gone.json").write_text("{}")
     problems = compare_lessons(folder / "masters", tmp_path, progress=str).problems
     assert [problem.splitlines()[0] for problem in problems] == [
         "90_template.ipynb: the lesson's metadata (title, minutes, version) differ",
@@ -196,6 +200,7 @@ def test_a_difference_is_named_with_lesson_and_cell(built, tmp_path):
         "90_template.ipynb: cell template-7: its outputs differ from the stored ones",
         "90_template.ipynb: cell template-10: its outputs differ from the stored ones",
         "80_gone.ipynb: it has no master; delete it, or restore its master",
+        "gone.json: it has no master; delete it, or restore its master",
     ]
     assert "stored: one three" in problems[2] and "now:    one two" in problems[2]
 
@@ -203,7 +208,10 @@ def test_a_difference_is_named_with_lesson_and_cell(built, tmp_path):
 def test_a_lesson_that_was_never_built_is_named(write_master, tmp_path):
     path = write_master()
     problems = compare_lessons(path.parent, tmp_path, progress=str).problems
-    assert problems == ["90_template.ipynb: not built yet, or not a notebook; run imgproc-course build"]
+    assert problems == [
+        "90_template.ipynb: not built yet, or not a notebook; run imgproc-course build",
+        "checks/template.json: not built yet; run imgproc-course build",
+    ]
 
 
 @pytest.mark.parametrize(

@@ -6,7 +6,23 @@ import re
 import numpy as np
 import pytest
 
+from imgproc_course.authoring.lesson_files import lesson_files
+from imgproc_course.authoring.masters import read_master
 from imgproc_course.exercises import check, find_exercise, run_cases
+
+
+@pytest.fixture
+def write_master(write_master, tmp_path, monkeypatch):
+    """Writes a master, and the checks file that its lesson carries."""
+
+    def write(**changed):
+        path = write_master(**changed)
+        for name, text in lesson_files(read_master(path)).items():
+            (tmp_path / name).parent.mkdir(exist_ok=True)
+            (tmp_path / name).write_text(text)
+        monkeypatch.setenv("IMGPROC_COURSE_CHECKS", str(tmp_path / "checks"))
+
+    return write
 
 
 @pytest.fixture(autouse=True)
@@ -234,8 +250,10 @@ def test_a_message_is_shown_by_its_fields_and_a_table_of_its_bytes(write_master)
             '    return (SimpleNamespace(height=2, width=5, encoding="mono8", step=6, data=data),)'
         ),
         second="",
-        hidden="",
-        mistake="",
+        hidden=(
+            '# %% role="hidden" title="Message"\ndef inputs(rng):\n    return (SimpleNamespace(height=3),)'
+        ),
+        mistake='# %% role="mistake" name="one" says="One."\ndef double(message):\n    return 1',
         **{"second mistake": ""},
     )
     text = repr(check("test-double", lambda message: message.width))
