@@ -2,7 +2,7 @@
 # jupyter:
 #   imgproc_course:
 #     title: The grayscale node
-#     minutes: 50
+#     minutes: 80
 # ---
 
 # %% [markdown]
@@ -11,11 +11,12 @@
 # A function converts one frame to gray. A *node* is a program that takes part in ROS. A grayscale node converts every image that the camera sends, and publishes the results for other nodes. To make a node from the function, you need only a few lines, but some mistakes are easy to make.
 #
 # **You will be able to**
-# - write a ROS 2 node that subscribes, processes and publishes, and explain each of its lines,
-# - explain why a notebook cell with `rclpy.spin` never ends, and what to do instead (`rclpy` is the Python library of ROS 2),
-# - choose QoS policies, copy a header, and keep a node running when an image cannot be converted.
+# - read and write a Python *class*, and pass a function to it as a *callback*,
+# - write a ROS 2 node that subscribes, converts, processes and publishes, and explain each of its lines,
+# - explain what `rclpy.spin` does in a script and in a notebook (`rclpy` is the Python library of ROS 2),
+# - choose QoS policies (rules for how messages are delivered), copy a header, and keep a node running when an image cannot be converted.
 #
-# **Time** about 50 minutes. **You need** [[images_as_messages]] and [[grayscale]]. This lesson needs a running ROS 2. Without ROS 2 (macOS, Windows without WSL), read the lesson and do the exercise in section 5.
+# **Time** about 80 minutes, with a pause after section 3. **You need** [[images_as_messages]] and [[grayscale]]. This lesson needs a running ROS 2. Without ROS 2 (macOS, Windows without WSL), read the lesson, run section 2, and do the exercise in section 6.
 
 # %% role="given" exercise=["node-process"]
 import cv2
@@ -23,20 +24,46 @@ import numpy as np
 
 # %%
 from imgproc_course.display import live_view
-from imgproc_course.exercises import check
+from imgproc_course.exercises import check, compare_guess
 from imgproc_course.imaging import to_gray
 from imgproc_course.recording import open_recording
-from imgproc_course.ros import ImageSubscriber, RosSession, open_camera, ros_available
+from imgproc_course.ros import ImageSubscriber, RosSession
+from imgproc_course.ros import open_camera, ros_available
 
 frame = open_recording("drive").frame(30)
 if ros_available():
     camera = open_camera("recording")
     print("the camera publishes", camera.topic)
 
+# %%
+# The captions and alt texts of the figures
+figure_texts = {
+    "gray": (
+        "The drive in gray, live, with ten images per second.",
+        "The living room in gray, while the robot drives.",
+    ),
+    "mine": (
+        "The images that my node publishes.",
+        "The images of my own node, live.",
+    ),
+}
+
 # %% [markdown]
-# ## 1 · A callback is a function that ROS calls (7 minutes)
+# ## 1 · A callback is a function that ROS calls (10 minutes)
 #
-# **Ask.** Until now you called `wait` and waited for an image. A node does not wait. It subscribes to a topic and passes a function, its *callback*. ROS calls this function for every message that arrives. The camera sends ten images per second. **Predict** how often ROS calls the function below in two seconds.
+# **Ask.** Until now you called `wait` and waited for an image. A node does not wait. It subscribes to a topic and passes a function, its *callback*. ROS calls this function for every message that arrives. This is the way of an image through a grayscale node:
+#
+# ```mermaid
+# flowchart LR
+#     accTitle: The way of an image
+#     accDescr: The camera publishes the topic image_raw. The gray node subscribes to it and publishes the topic gray. This page subscribes to gray and shows the images.
+#     camera(["camera"]) -->|publishes| raw["topic<br>.../image_raw"]
+#     raw -->|subscription calls on_image| node(["gray node"])
+#     node -->|publishes| gray["topic<br>.../gray"]
+#     gray -->|subscription| view(["live view<br>in this page"])
+# ```
+#
+# The next cell defines a callback. It has two arguments: the frame, and the message from which the frame was made. It stores the message's *stamp*: the time at which the image was taken.
 
 # %%
 stamps = []
@@ -45,6 +72,12 @@ stamps = []
 def on_image(frame, msg):
     stamps.append(msg.header.stamp)
 
+
+# %% [markdown]
+# The camera sends ten images per second. **Predict** how often ROS calls this function while the next cell sleeps for two seconds.
+
+# %% role="predict"
+guess_calls = None  # your guess: how many calls in two seconds?
 
 # %% tags=["nbval-ignore-output"]
 import time
@@ -56,105 +89,313 @@ if ros_available():
     time.sleep(2)
     cameras = subscriber.session.node.count_publishers(camera.topic)
     subscriber.stop()
-    print("called", len(stamps), "times in two seconds; cameras:", cameras)
-    assert 10 <= len(stamps) <= 25 * cameras
+    print("cameras:", cameras)
+compare_guess(guess_calls, len(stamps))
+
+# %%
+# Check: ten calls per second from each camera
+assert not ros_available() or 10 <= len(stamps) <= 25 * cameras
 
 # %% [markdown]
-# ROS called it about twenty times, although this cell only slept. If another lesson is still open, it publishes the drive too. Then there are two cameras, and you see about forty calls.
+# ROS called the function about twenty times, although your cell only slept. (If another lesson is still open, it publishes the drive too. Then there are two cameras, and you see about forty calls.)
 #
-# The callback ran in a background *thread*: a part of the program that runs at the same time as your cells. An *executor* runs in this thread. It waits for messages and calls the callbacks, again and again. This is called *spinning*.
+# How can this be? The callback ran in a background *thread*. A thread is a part of a program that runs at the same time as the other parts. Your cells run in the main thread. In the background thread, an *executor* waits for messages and calls the callbacks, again and again. This is called *spinning*.
 #
-# ## 2 · The node, line by line (14 minutes)
+# ```mermaid
+# sequenceDiagram
+#     accTitle: Executor, callback and thread
+#     accDescr: The main thread runs your cells. Meanwhile the executor in a background thread receives a message from the topic, calls on_image, and waits for the next message.
+#     participant cells as main thread: your cells
+#     participant executor as background thread: executor
+#     participant topic as topic .../image_raw
+#     cells->>cells: time.sleep(2)
+#     topic->>executor: message 1
+#     executor->>executor: on_image(frame, msg)
+#     topic->>executor: message 2
+#     executor->>executor: on_image(frame, msg)
+# ```
 #
-# Here is the whole node, as it would run on a robot. In Python, a node is a *class*: a description of objects that have data and functions. `GrayNode(Node)` means that `GrayNode` has everything that ROS's class `Node` has. `__init__` runs when a node is created, `self` is the node itself, and `super().__init__` runs the `__init__` of `Node`. `**options` passes all further named arguments to `Node`. The numbers at the ends of the lines refer to the explanations below.
+# ## 2 · A class in ten lines (10 minutes)
+#
+# In Python, a node is written as a *class*. If you have never written a class, this section is for you. It does not use ROS. A class describes objects: which values they have, and what they can do. Here is a bell. Whoever wants to know when it rings gives it a callback.
 
-# %% tags=["long"]
+# %%
+class Bell:
+    def __init__(self, name):
+        self.name = name
+        self.callbacks = []
+
+    def subscribe(self, callback):
+        self.callbacks.append(callback)
+
+    def ring(self):
+        for callback in self.callbacks:
+            callback(self.name)
+
+
+# %% [markdown]
+# - `class Bell:` begins the class. The functions inside it are its *methods*.
+# - `Bell("front door")` will create an object. Python then calls the method `__init__`.
+# - `self` is the object itself. Python passes it as the first argument of every method; you do not write it in the call.
+# - `self.name` is a value that belongs to the object, an *attribute*. Each bell has its own name and its own list of callbacks.
+# - `callback(self.name)` calls a function that somebody else wrote. The bell does not know what the function does.
+#
+# The next cell makes a bell and subscribes a function. `on_ring` stands there *without* parentheses: we pass the function itself, and do not call it. Then the bell rings twice. **Predict** how many names are in the list at the end.
+
+# %% role="predict"
+guess_rings = None  # your guess: how many names are in the list?
+
+# %%
+rung = []
+
+
+def on_ring(name):
+    rung.append(name)
+
+
+bell = Bell("front door")
+bell.subscribe(on_ring)
+bell.ring()
+bell.ring()
+print(rung)
+compare_guess(guess_rings, len(rung))
+
+# %%
+# Check: subscribe does not call the function, each ring calls it once
+assert rung == ["front door", "front door"]
+
+# %% [markdown]
+# You never called `on_ring`. The bell called it, once for each ring. In the same way, ROS calls your callback once for each message.
+#
+# A class can extend another class. `CountingBell(Bell)` *inherits* from `Bell`: it has everything that `Bell` has, and more. `super().__init__(name)` runs the `__init__` of `Bell` first, which sets the name and the list. A method can be a callback too: `self.on_ring`.
+
+# %%
+class CountingBell(Bell):
+    def __init__(self, name):
+        super().__init__(name)
+        self.rings = 0
+        self.subscribe(self.on_ring)
+
+    def on_ring(self, name):
+        self.rings = self.rings + 1
+
+
+back_door = CountingBell("back door")
+for _ in range(3):
+    back_door.ring()
+print(back_door.name, "rang", back_door.rings, "times")
+
+# %%
+# Check: what the counting bell has of its own, and what it has from Bell
+assert (back_door.name, back_door.rings, len(back_door.callbacks)) == ("back door", 3, 1)
+
+# %% [markdown]
+# Remember this form: a class that inherits, an `__init__` that begins with `super().__init__(...)` and subscribes, and a method that is the callback. The node in the next section has exactly this form.
+#
+# ## 3 · The node, line by line (20 minutes)
+#
+# A node that works with images does four things: it **subscribes** to a topic, **converts** each message to an array, **processes** the array, and **publishes** (or displays) the result.
+#
+# **The libraries that it needs**
+# - `rclpy` is the Python library of ROS 2: nodes, topics, parameters and the log.
+# - `sensor_msgs` is the ROS package with the message types of sensors, such as `Image`.
+# - `cv_bridge` is the ROS package that converts between messages and arrays. Here the course's `image_to_array` and `array_to_image` do this.
+# - OpenCV (`cv2`) is the most common library for image processing. Its images are NumPy arrays.
+# - NumPy (`np`) is the library of arrays.
+#
+# **The steps of the implementation**
+# 1. Choose the QoS policies.
+# 2. Write a class that inherits from `Node`, and give the node a name.
+# 3. Create a publisher for the results, and a subscription to the camera's topic with a callback.
+# 4. In the callback, convert the message to an array, and log an error if this fails.
+# 5. Process the array, convert the result to a message with the same header, and publish it.
+# 6. Create the node and spin it (section 4).
+#
+# Step 1: the *QoS policies* (quality of service) say how messages are delivered. The next cell states the three that matter for a camera:
+
+# %%
 if ros_available():
     from rclpy.node import Node
+    from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
     from rclpy.qos import qos_profile_sensor_data
     from sensor_msgs.msg import Image
 
-    from imgproc_course.messages import ConversionError, array_to_image, image_to_array
+    camera_qos = QoSProfile(
+        depth=5,
+        reliability=ReliabilityPolicy.BEST_EFFORT,
+        durability=DurabilityPolicy.VOLATILE,
+    )
 
-    class GrayNode(Node):
-        def __init__(self, **options):
-            super().__init__("gray_by_hand", **options)                                             # 1
-            self.gray = self.create_publisher(Image, "~/gray", qos_profile_sensor_data)             # 2
-            self.create_subscription(Image, camera.topic, self.on_image, qos_profile_sensor_data)   # 3
-
-        def on_image(self, msg):
-            try:
-                frame = image_to_array(msg, "bgr8")                                                 # 4
-            except ConversionError as error:
-                self.get_logger().error(str(error), throttle_duration_sec=5)                        # 5
-                return
-            gray = to_gray(frame)                                                                   # 6
-            self.gray.publish(array_to_image(gray, "mono8", msg.header))                            # 7
+# %%
+# Check: these are the policies of qos_profile_sensor_data
+for policy in ("reliability", "durability", "history", "depth"):
+    assert not ros_available() or getattr(camera_qos, policy) == getattr(qos_profile_sensor_data, policy)
 
 # %% [markdown]
-# 1. `"gray_by_hand"` is the node's name. Other programs see it in the *ROS graph*, the network of all running nodes and topics.
-# 2. The node creates a *publisher* for images on `~/gray`. ROS replaces `~` by the node's name: `/gray_by_hand/gray`. So a node with another name publishes on another topic.
-# 3. The node creates a *subscription* to the camera's topic, with the callback `on_image`. `qos_profile_sensor_data` is the set of *QoS policies* that cameras offer:
-#    - **reliability: best effort.** A lost image is not sent again, because a late image is useless.
-#    - **history: keep last, depth: 5.** At most five images wait in the queue. If a sixth image arrives, the oldest one is dropped.
-#    - **durability: volatile.** Images that were published before the subscription existed are not delivered.
-# 4. `image_to_array` converts the message to an array with the channels blue, green, red, whatever its encoding is.
-# 5. If an image cannot be converted, the node *logs* the error, at most every five seconds, and skips the image. One wrong message must not end the node.
-# 6. This is the only line that processes the image. It does not use ROS.
-# 7. The node converts the result to a message and publishes it. It **copies the header**, so that the receiver knows when the image was taken.
+# - **reliability: best effort.** A lost image is not sent again, because a late image is useless.
+# - **durability: volatile.** Images that were published before the subscription existed are not delivered.
+# - **depth: 5.** At most five messages wait in a queue until the callback has time for them.
 #
-# ## 3 · Planned failure: the cell that never returns (7 minutes)
+# `rclpy` has a ready profile with the same policies: `qos_profile_sensor_data`.
 #
-# Most ROS tutorials end with `rclpy.spin(node)`. In a script this is right: the script runs until you press Ctrl-C. **Predict** what it does in a notebook cell.
+# What happens when the callback is slow and the queue is full? Python has such a queue too: `deque(maxlen=5)`. The next cell puts the images 1 to 7 into it. **Predict** which image is the first one in the queue at the end.
+
+# %% role="predict"
+guess_oldest = None  # your guess: the number of the first image in the queue?
+
+# %%
+from collections import deque
+
+queue = deque(maxlen=5)
+for number in range(1, 8):  # 1, 2, ..., 7
+    queue.append(number)
+print(queue)
+compare_guess(guess_oldest, queue[0])
+
+# %%
+# Check: the two oldest images are gone
+assert list(queue) == [3, 4, 5, 6, 7]
+
+# %% [markdown]
+# The oldest images are dropped. For a robot this is right: the newest image is the most useful one.
 #
-# A cell with `rclpy.spin(node)` shows `[*]` and never ends, and all other cells have to wait. (**Kernel → Interrupt Kernel** stops it.) The second of the next two cells spins for only three seconds, so that this lesson can continue. During these seconds, try to run another cell.
+# Steps 2 to 5: here is the whole node, as it would run on a robot. The numbers at the ends of the lines refer to the list below.
+
+# %% tags=["long"]
+if ros_available():
+    from imgproc_course.messages import ConversionError
+    from imgproc_course.messages import array_to_image, image_to_array
+
+    TOPIC = camera.topic
+
+    class GrayNode(Node):
+        """Converts the camera's images to gray and publishes them."""
+
+        def __init__(self, context=None):
+            super().__init__("gray_by_hand", context=context)                # 1
+            self.publisher = self.create_publisher(                          # 2
+                Image, "~/gray", camera_qos
+            )
+            self.create_subscription(                                        # 3
+                Image, TOPIC, self.on_image, camera_qos
+            )
+            self.get_logger().info("The gray node has started.")             # 4
+
+        def on_image(self, msg):
+            """Called by ROS for every image."""
+            try:
+                frame = image_to_array(msg, "bgr8")                          # 5
+            except ConversionError as error:
+                self.get_logger().error(str(error))                          # 6
+                return
+            gray = to_gray(frame)                                            # 7
+            gray_msg = array_to_image(gray, "mono8", msg.header)             # 8
+            self.publisher.publish(gray_msg)                                 # 9
+
+# %% [markdown]
+# **The code, explained**
+# 1. `GrayNode` inherits from ROS's class `Node`. `"gray_by_hand"` is the node's name. Other programs see it in the *ROS graph*: the network of all running nodes and topics. The *context* holds the state of ROS in one program; a script does not need to pass one.
+# 2. The node creates a *publisher* for messages of the type `Image` on `~/gray`. ROS replaces `~` by the node's name: `/gray_by_hand/gray`. So a node with another name publishes on another topic.
+# 3. The node creates a *subscription* to the camera's topic. The callback is the method `on_image`, without parentheses.
+# 4. The node *logs* one line of information when it starts. A node does not use `print`: a log line also has a time, a level (`INFO`, `WARN`, `ERROR`) and the node's name.
+# 5. `image_to_array` converts the message to an array with the channels blue, green, red, whatever the message's encoding is.
+# 6. If an image cannot be converted, the node logs the error and skips the image. One wrong message must not end the node.
+# 7. This is the only line that processes the image. It does not use ROS.
+# 8. The node converts the result to a message. It **copies the header**, so that the receiver knows when the image was taken.
+# 9. The node publishes the message.
+#
+# **What other tutorials write.** Most tutorials convert with `cv_bridge`. Its two methods are `imgmsg_to_cv2` (message to array, as in line 5) and `cv2_to_imgmsg` (array to message, as in line 8). The course has a class with the same names:
+
+# %%
+from imgproc_course.messages.cv_bridge import CvBridge
+
+bridge = CvBridge()
+msg = bridge.cv2_to_imgmsg(frame, "bgr8")  # an array becomes a message
+array = bridge.imgmsg_to_cv2(msg, "bgr8")  # a message becomes an array
+print(msg.encoding, msg.height, msg.width, "->", array.shape, array.dtype)
+
+# %%
+# Check: both conversions together change no pixel
+assert (array == frame).all() and msg.encoding == "bgr8"
+
+# %% [markdown]
+# Most tutorials also show the image in a window. `cv2.imshow("gray", gray)` draws it, `cv2.waitKey(1)` gives the window one millisecond to react to mouse and keyboard, and `cv2.destroyAllWindows()` closes all windows at the end. A notebook runs in a browser, maybe on another computer than the node, and cannot open such windows. So here you use `live_view`.
+#
+# **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
+#
+# ## 4 · Planned failure: rclpy.spin in a notebook (8 minutes)
+#
+# Step 6: most ROS tutorials end with `rclpy.spin(node)`. In a script this is right: the node runs until you press Ctrl-C.
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
     from rclpy.executors import SingleThreadedExecutor
 
     session = RosSession.current()
-    node = GrayNode(context=session.context)  # a context holds the state of ROS in this program
-    executor = SingleThreadedExecutor(context=session.context)  # rclpy.spin uses this executor too
+    node = GrayNode(context=session.context)
+    executor = SingleThreadedExecutor(context=session.context)
     executor.add_node(node)
 
-# %% tags=["nbval-ignore-output"]
-if ros_available():
-    started = time.monotonic()
-    while time.monotonic() < started + 3:  # rclpy.spin(node) has no such limit
-        executor.spin_once(timeout_sec=0.1)
-    blocked = time.monotonic() - started
-    executor.remove_node(node)
-    print(f"for {blocked:.0f} seconds no other cell could run")
-    assert blocked >= 3
+# %%
+# Check: the node has its name
+assert not ros_available() or node.get_name() == "gray_by_hand"
 
 # %% [markdown]
+# The line on a red background, if you see one, is the node's log. A script writes its log to the terminal; a notebook shows it under a cell.
+#
+# `rclpy.spin` uses such an executor too. The next cell spins for three seconds; `rclpy.spin(node)` does the same without a limit. **Predict**: while a cell spins, can you run another cell?
+
+# %% role="predict"
+guess_other_cells = None  # your guess: can another cell run, "yes" or "no"?
+
+# %% tags=["nbval-ignore-output"]
+started = time.monotonic()
+while time.monotonic() < started + 3:
+    if ros_available():
+        executor.spin_once(timeout_sec=0.1)
+blocked = time.monotonic() - started
+print(f"this cell ran for {blocked:.0f} seconds")
+compare_guess(guess_other_cells, blocked < 3)
+
+# %%
+# Check: the cell did not return earlier
+assert blocked >= 3
+
+# %% [markdown]
+# While the cell runs, it shows `[*]`, and all other cells wait. A cell with `rclpy.spin(node)` never ends by itself; **Kernel → Interrupt Kernel** stops it.
+#
 # **Repair it**: spin in a background thread. The course's `RosSession` has such a thread, and its executor spins all nodes of this notebook. The thread stops when the kernel stops.
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
+    executor.remove_node(node)
     session.add_node(node)
     gray_frames = ImageSubscriber("/gray_by_hand/gray", encoding="mono8")
     gray = gray_frames.wait(timeout=10)
     print("received from my own node:", gray.shape, gray.dtype)
-    assert gray.shape == (720, 1280) and gray.dtype == np.uint8
+
+# %%
+# Check: the node publishes gray images of the camera's size
+assert not ros_available() or (gray.shape == (720, 1280) and gray.dtype == np.uint8)
 
 # %% [markdown]
 # **Look** at the result live. The camera publishes each image on a topic. Your node subscribes to this topic and publishes the gray image on a second topic. This page shows the images of the second topic. (Without ROS, the page shows the frames of the recording, converted by `to_gray`.)
 
 # %% tags=["nbval-ignore-output"]
-caption = "The drive in gray, live, with ten images per second."
-alt = "The living room in gray, while the robot drives."
 if ros_available():
-    view = live_view(gray_frames, encoding="mono8", caption=caption, alt=alt)
+    view = live_view(gray_frames, encoding="mono8", text=figure_texts["gray"])
 else:
-    view = live_view(open_recording("drive"), to_gray, caption=caption, alt=alt)
+    drive = open_recording("drive")
+    view = live_view(drive, to_gray, text=figure_texts["gray"])
+
+# %%
+# Check: the live view runs
 assert view.running
 
 # %% [markdown]
-# ## 4 · The same node for every function (6 minutes)
+# ## 5 · The same node for every function (10 minutes)
 #
-# An edge-detection node needs the same lines; only the names and line 6 are different. So the course has one class for all such nodes: `ImageProcessor`. You give it the node's name, a function, and the names of the function's results. The function gets a frame and returns a dictionary. The node publishes each value of the dictionary on the topic that its key names: `"gray"` goes to `~/gray`.
+# An edge-detection node needs the same lines; only the names and line 7 are different. So the course has one class for all such nodes: `ImageProcessor`. You give it the node's name, a function, and the names of the function's results. The function gets a frame and returns a dictionary. The node publishes each value of the dictionary on the topic that its key names: `"gray"` goes to `~/gray`.
 
 # %%
 def make_gray(frame):
@@ -162,22 +403,25 @@ def make_gray(frame):
 
 
 result = make_gray(frame)
-print({key: (array.shape, str(array.dtype)) for key, array in result.items()})
+print("keys:", list(result))
+print("gray:", result["gray"].shape, result["gray"].dtype)
 
+# %%
+# Check: OpenCV computes the same gray level for every pixel
 assert (result["gray"] == cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)).all()
 
 # %% [markdown]
-# On a robot, speed is important, so a real node calls OpenCV's `cvtColor` here. The assert checks that both functions give the same gray level for every pixel.
+# On a robot, speed is important, so a real node calls OpenCV's `cvtColor` here. Both functions give the same gray level for every pixel.
 #
-# If a message cannot be converted, or if your function raises an error, `ImageProcessor` counts the failure and the node continues. The next function fails for every second image, on purpose. The lines on a red background are the node's *log*. A script writes its log to the terminal; a notebook shows it under the running cell. `INFO` lines are information, `WARN` lines are warnings.
+# If a message cannot be converted, or if your function raises an error, `ImageProcessor` counts the failure, logs it, and the node continues. The next function fails for every second image, on purpose.
 
-# %% tags=["nbval-ignore-output"]
+# %%
 calls = []
 
 
 def failing(frame):
     calls.append(1)
-    if len(calls) % 2:
+    if len(calls) % 2 == 1:
         raise ValueError("I fail on every second image")
     return make_gray(frame)
 
@@ -186,17 +430,22 @@ def failing(frame):
 if ros_available():
     from imgproc_course.ros import ImageProcessor
 
-    failing_node = session.add_node(ImageProcessor("failing", failing, ["gray"], context=session.context))
+    failing_node = session.add_node(
+        ImageProcessor("failing", failing, ["gray"], context=session.context)
+    )
     gray_images = ImageSubscriber("/failing/gray", encoding="mono8")
-    for _ in range(3):
+    for _ in range(6):
         gray_images.wait(timeout=10)
     statistics = failing_node.statistics()
     print("processed", statistics["processed"], " failed", statistics["failed"])
-    assert statistics["processed"] >= 3 and statistics["failed"] >= 2
     session.remove_node(failing_node)
 
+# %%
+# Check: the node failed again and again, and continued
+assert not ros_available() or (statistics["processed"] >= 6 and statistics["failed"] >= 5)
+
 # %% [markdown]
-# ## 5 · Your turn: the node's function (8 minutes)
+# ## 6 · Your turn: the node's function (10 minutes)
 #
 # Write `process(frame)`, the function of a grayscale node. You may use `cv2` and `np`, which are imported already. If you use something else (for example `to_gray`), import it in this cell. Do not change the frame, because other code may use it too. The key, the shape and the dtype must be exactly as in the table.
 #
@@ -213,7 +462,7 @@ exercise(
     refused=(),
     hint="cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY) computes it; put the result into a dictionary.",
     hints=(
-        "What does `make_gray` in section 4 return: an array, or an array with a name? And which call of OpenCV"
+        "What does `make_gray` in section 5 return: an array, or an array with a name? And which call of OpenCV"
         " gives the same gray image as `to_gray`?",
         "Convert the frame with `cv2.cvtColor` and the conversion code `cv2.COLOR_BGR2GRAY`. Put the result into a"
         " dictionary: the key is the text `\"gray\"`, the value is the image. Return the dictionary.",
@@ -399,17 +648,17 @@ def process(frame):
     return {"gray": frame[..., 2].copy()}
 
 
-# %% role="mistake" name="upside down" says="The gray image is right, but upside down: [::-1] reverses the rows. Here, return the gray image as it is; section 6 is for such changes."
+# %% role="mistake" name="upside down" says="The gray image is right, but upside down: [::-1] reverses the rows. Here, return the gray image as it is; section 7 is for such changes."
 def process(frame):
     return {"gray": gray_of(frame)[::-1].copy()}
 
 
-# %% role="mistake" name="left and right exchanged" says="The gray image is right, but flipped from left to right. Here, return the gray image as it is; section 6 is for such changes."
+# %% role="mistake" name="left and right exchanged" says="The gray image is right, but flipped from left to right. Here, return the gray image as it is; section 7 is for such changes."
 def process(frame):
     return {"gray": gray_of(frame)[:, ::-1].copy()}
 
 
-# %% role="mistake" name="the negative" says="The gray image is inverted (255 - gray). Here, return the gray image as it is; section 6 is for such changes."
+# %% role="mistake" name="the negative" says="The gray image is inverted (255 - gray). Here, return the gray image as it is; section 7 is for such changes."
 def process(frame):
     return {"gray": 255 - gray_of(frame)}
 
@@ -420,22 +669,31 @@ def process(frame):
 
 
 # %% [markdown]
-# ## 6 · Practice: your node, live (8 minutes)
+# ## 7 · Practice: your node, live (12 minutes)
 #
-# Run your own `process` in a node and watch its images. In the second of the next two cells, replace `make_gray` by `process` and run the cell. Then change `process` in your answer cell: turn the image upside down, draw a border around it, or keep only the red channel. After each change, run the answer cell and then the second cell again. The second cell removes the old node before it starts the new one.
+# Run your own `process` in a node and watch its images. In the second of the next two cells, replace `make_gray` by `process` and run the cell. Then change `process` in your answer cell. After each change, run the answer cell and then the second cell again. The second cell removes the old node before it starts the new one. Ideas:
+#
+# - turn the image upside down: `gray[::-1]`,
+# - invert it: `255 - gray`,
+# - draw a white border around it: `gray[:20] = 255` sets the first twenty rows,
+# - publish the red channel alone, as a gray image: `{"gray": frame[..., 2]}`. Red objects become bright.
 
 # %%
 my_node = None
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
-    session.remove_node(my_node)  # the node of the previous run of this cell; on the first run there is none
-    my_node = session.add_node(ImageProcessor("my_node", make_gray, ["gray"], context=session.context))
+    session.remove_node(my_node)  # the previous run's node, if any
+    my_node = session.add_node(
+        ImageProcessor("my_node", make_gray, ["gray"], context=session.context)
+    )
     my_images = ImageSubscriber("/my_node/gray", encoding="mono8")
     my_image = my_images.wait(timeout=10)
-    my_view = live_view(my_images, encoding="mono8", caption="The images that my node publishes.",
-                        alt="The images of my own node, live.")
-    assert my_image.shape == (720, 1280)
+    my_view = live_view(my_images, encoding="mono8", text=figure_texts["mine"])
+
+# %%
+# Check: my node publishes images of the camera's size
+assert not ros_available() or my_image.shape == (720, 1280)
 
 # %% [markdown]
 # ## Recap
@@ -449,5 +707,6 @@ if ros_available():
 # | *gray*, published as `mono8` | (720, 1280) | uint8 | 0 to 255 | gray level |
 
 # %%
-assert frame.shape == (720, 1280, 3) and frame.size == 2_764_800
+# Check: the numbers in the table
+assert frame.shape == (720, 1280, 3) and len(msg.data) == frame.size == 2_764_800
 assert make_gray(frame)["gray"].shape == (720, 1280)
