@@ -5,6 +5,7 @@ import json
 
 from imgproc_course.exercises.check_files import CHECKS, SOLUTIONS
 
+KEEP_OUTPUT_TAG = "keep-output"
 _NOT_FOR_LEARNERS = {"masters", "__pycache__", CHECKS, SOLUTIONS}
 
 
@@ -30,7 +31,7 @@ def files_for_learners(source):
 
 
 def without_outputs(data):
-    """A notebook without outputs and counters, as a learner gets it.
+    """A notebook without outputs and counters, as a learner gets it; a cell can be tagged to keep its own.
 
     Parameters
     ----------
@@ -43,7 +44,10 @@ def without_outputs(data):
     with contextlib.suppress(ValueError, KeyError, TypeError, AttributeError):
         notebook, has_changed = json.loads(data), False
         for cell in notebook["cells"]:
-            if cell["cell_type"] == "code" and (cell["outputs"] or cell["execution_count"] is not None):
+            is_kept = KEEP_OUTPUT_TAG in cell.get("metadata", {}).get("tags", ())
+            if cell["cell_type"] != "code" or is_kept:
+                continue
+            if cell["outputs"] or cell["execution_count"] is not None:
                 cell["outputs"], cell["execution_count"] = [], None
                 has_changed = True
         if has_changed:

@@ -146,6 +146,12 @@ def test_a_file_that_is_no_notebook_stays_as_it_is(data):
     assert without_outputs(data) == data
 
 
+def test_a_cell_can_be_tagged_to_keep_its_output():
+    kept, cleared = (SUM.copy() | {"metadata": {"tags": tags}} for tags in (["keep-output"], []))
+    copy = json.loads(without_outputs(json.dumps({"cells": [kept, cleared]}).encode()))
+    assert copy["cells"] == [kept, cleared | {"outputs": [], "execution_count": None}]
+
+
 def test_a_notebook_without_outputs_keeps_its_bytes():
     data = json.dumps({"cells": [{"cell_type": "code", "outputs": [], "execution_count": None}]}).encode()
     assert without_outputs(data) == data

@@ -19,9 +19,7 @@ _spec.loader.exec_module(wrong_answers)
 MASTERS = Path(__file__).parents[2] / "notebooks" / "masters"
 FILES = sorted(wrong_answers.FOLDER.glob("*.py"))
 EXERCISES = {
-    declared.id
-    for path in sorted(MASTERS.glob("[0-9][0-9]_*.py"))
-    for declared in read_exercises(path)
+    declared.id for path in sorted(MASTERS.glob("[0-9][0-9]_*.py")) for declared in read_exercises(path)
 }
 KINDS = {
     "value",
