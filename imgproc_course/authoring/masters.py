@@ -114,7 +114,7 @@ Folded cells
 Tags (`tags=["..."]`, any code cell)
     nbval-ignore-output        its output varies (a live image); it or the next code cell contains an assert
     nbval-raises-exception     the lesson's planned failure: the cell raises, and the error is stored
-    keep-output                learners' copies, which have no outputs, keep this one (the index of the course)
+    keep-output                learners' copies keep this output; they keep no other (the course's index)
     long                       more than 12 lines of code, on purpose
 
 A practice exercise (`practice=True`) is checked but not graded: its points count as 0.
