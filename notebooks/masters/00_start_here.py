@@ -2,7 +2,7 @@
 # jupyter:
 #   imgproc_course:
 #     title: Start here
-#     minutes: 15
+#     minutes: 25
 # ---
 
 # %% [markdown]
@@ -10,41 +10,55 @@
 #
 # A small robot drives through a living room. Its camera is 20 cm above the floor and takes ten images per second. One image of such a stream is called a *frame*. The robot *publishes* (sends) every frame on a ROS 2 *topic*: a named stream of messages. Any program can *subscribe* to a topic, and then receives its messages. Here each message contains one frame. The name of this topic is `/kachaka/front_camera/image_raw`.
 #
-# In about 15 minutes, these frames will arrive in this notebook, and your own function will process each of them. You need no robot. The drive is a recording that a computer rendered for this course; everything else is real ROS 2. (ROS 2, the Robot Operating System, is a collection of libraries and tools for robot programs.)
+# At the end of this lesson, these frames arrive in this notebook, and your own function processes each of them. You need no robot. The drive is a recording that a computer rendered for this course; everything else is real ROS 2. (ROS 2, the Robot Operating System, is a collection of libraries and tools for robot programs.)
 #
 # **You will be able to**
 # - run a lesson cell by cell, and restart it,
 # - check whether your computer is ready for the course, and repair what is missing,
 # - receive a camera's frames from a ROS 2 topic and watch them live,
-# - do an exercise and check your answer.
+# - do an exercise, check your answer, and get a hint.
 #
-# **Time** about 15 minutes. **You need** a little Python: variables, functions, lists.
+# **Time** about 25 minutes. **You need** a little Python: variables, functions, lists.
 
 # %% [markdown]
-# ## 1 · How a lesson works (2 minutes)
+# ## 1 · How a lesson works (6 minutes)
 #
-# A lesson is a list of cells. Text cells like this one are for reading. Code cells contain Python: click into a code cell and press **Shift + Enter** to run it. Its output appears below it. Run the cells from top to bottom, because a cell uses results of the cells above it.
-#
-# A line that begins with `assert` checks a condition. If the condition is false, the cell stops with an error. The words in bold guide you. **Ask** begins with a question. At **Predict**, decide on your own answer before you run the next cell. At **Try**, **Look** and **Check**, run the cell and compare the result with your answer.
-#
-# The *kernel* is the Python process that runs the cells of a notebook. If something goes wrong, choose **Kernel → Restart Kernel and Run All Cells…** in the menu. Then the lesson starts again from the first cell, and your own code stays. This file is your own copy: an update of the course never overwrites it.
+# A lesson is a *notebook*: a list of cells. Text cells like this one are for reading. Code cells contain Python. Click into the next cell and press **Shift + Enter** to run it. Its output appears below it.
 
 # %%
-# This cell checks whether the course is installed.
-try:
-    import imgproc_course
-except ModuleNotFoundError:
-    raise ModuleNotFoundError(
-        "this notebook's kernel cannot import the course: close it, and open the lessons with environment/lab, "
-        "or choose Kernel > Change Kernel and the Python in the course's folder .venv"
-    ) from None
-
-print("The course is installed, version", imgproc_course.__version__)
+print("hello")
 
 # %% [markdown]
+# Look at the brackets on the left of the cell:
+#
+# | brackets | meaning |
+# |---|---|
+# | `[ ]` | not run yet |
+# | `[*]` | running, or waiting for another cell |
+# | `[3]` | finished; it was the third run since the start |
+#
+# Run the cells from top to bottom, because a cell uses results of the cells above it. If you begin in the middle, first choose **Run → Run All Above Selected Cell** in the menu. Otherwise Python does not know the names of the cells above, and you see a `NameError`.
+#
+# The *kernel* is the Python process that runs the cells.
+#
+# | you want to | do this |
+# |---|---|
+# | stop a cell that runs too long | **Kernel → Interrupt Kernel**, or the ■ in the toolbar |
+# | begin again with an empty memory | **Kernel → Restart Kernel and Run All Cells…**; your code stays |
+# | save | **Ctrl + S**; JupyterLab also saves every two minutes |
+# | write in a cell | click into it, or press **Enter** (*edit mode*) |
+# | leave a cell, to move with the arrow keys | **Esc** (*command mode*); in this mode, letters are commands: `a` adds a cell above, `b` below |
+# | finish a lesson | **File → Close and Shut Down Notebook**; a closed tab alone keeps its kernel running |
+#
+# This file is your own copy: an update of the course never overwrites it.
+#
+# The words in bold guide you. **Ask** begins with a question. **Try**, **Look** and **Check** mean: run the cell and compare. Before a result, you often write down a guess; section 3 shows how. Some cells show only their first line, such as `# Check: the numbers in this section`. They contain lines with `assert`: each of them tests that a number in the text is right. You can run these cells without reading them.
+#
 # ## 2 · Is your computer ready? (3 minutes)
 #
 # The next cell runs the *doctor*, a program of this course that checks everything the lessons need. If a line shows ✗, it also says how to fix the problem. You can ignore a line that shows !. (In a terminal, the command `imgproc-course doctor` does the same.)
+#
+# If the cell says *No module named 'imgproc_course'*, the notebook uses another Python than the course. Close it, and open the lessons with `environment/lab`. Or choose **Kernel → Change Kernel…** and the Python in the course's folder `.venv`.
 
 # %% tags=["nbval-ignore-output"]
 from imgproc_course.doctor import doctor
@@ -53,41 +67,59 @@ report = doctor()
 report
 
 # %%
+# Check: your computer is ready
 assert report.ready, "a line above shows ✗; do what it says, then run both cells again"
-print("ready")
+
+# %%
+# The captions and alt texts of the figures
+figure_texts = {
+    "frame": (
+        "The robot's camera, 20 cm above the floor, sees a lot of floor, some furniture, and a ball in front of the robot.",
+        "A living room seen from close to the floor: wooden boards, a sofa, a ball ahead, a chair and boxes.",
+    ),
+    "live": (
+        "The drive. The slider sets the brightness in percent.",
+        "The living room seen from close to the floor, while the robot drives.",
+    ),
+}
 
 # %% [markdown]
-# ## 3 · An image from the recording (3 minutes)
+# ## 3 · An image from the recording (4 minutes)
 #
 # We begin without ROS. `open_recording` opens the recording of the drive, and `frame(0)` is its first frame. An image is an *array*: a table of numbers. Its smallest part is a *pixel*: one small square of one colour. The `shape` of an array says how many rows, columns and so on it has. Its `dtype` (data type) says what kind of numbers it contains.
 #
-# **Predict.** The image is 1280 pixels wide and 720 pixels high. Will its shape be `(720, 1280, …)` or `(1280, 720, …)`?
+# **Predict.** The image is 1280 pixels wide and 720 pixels high. Which of these two numbers comes first in its shape? Write your guess instead of `None`, and run the cell. Then run the cell below it, which compares your guess with the result. A wrong guess costs nothing, and you can leave `None`.
+
+# %% role="predict"
+guess_first = None  # your guess: 720 or 1280?
 
 # %%
 from imgproc_course.display import show
+from imgproc_course.exercises import compare_guess
 from imgproc_course.recording import open_recording
 
 recording = open_recording("drive")
 frame = recording.frame(0)
-print("frames:", len(recording))
-print("type:", type(frame).__name__, "  shape:", frame.shape, "  dtype:", frame.dtype)
-
-assert len(recording) == 90
-assert frame.shape == (720, 1280, 3)
+print("frames in the recording:", len(recording))
+print("shape:", frame.shape, "  dtype:", frame.dtype)
+compare_guess(guess_first, frame.shape[0])
 
 # %% [markdown]
 # Rows come first: 720 rows, 1280 columns, and 3 numbers for each pixel. The three numbers belong to three *channels*: blue, green and red. Each number is an *intensity*: 0 means no light of this colour, 255 means the most light. The dtype `uint8` holds whole numbers from 0 to 255.
 
 # %%
-height = recording.pose("camera", 0)[2]  # metres above the floor
-show(frame, "the robot's first frame",
-     caption="The robot's camera, 20 cm above the floor, sees a lot of floor, some furniture, and a ball in front of the robot.",
-     alt="A living room seen from close to the floor: wooden boards, a sofa, a ball ahead, a chair and boxes.")
+show(frame, "the robot's first frame", text=figure_texts["frame"])
 
-assert round(height, 2) == 0.2
+# %%
+# Check: the numbers in this section
+import numpy as np
+
+assert len(recording) == 90 and frame.shape == (720, 1280, 3)
+assert frame.dtype == np.uint8 and np.iinfo(np.uint8).max == 255
+assert round(recording.pose("camera", 0)[2], 2) == 0.2  # metres above the floor
 
 # %% [markdown]
-# ## 4 · A frame from a topic (4 minutes)
+# ## 4 · A frame from a topic (5 minutes)
 #
 # Now we use ROS 2. `open_camera` publishes the recording on the robot's topic, as the robot does. `ImageSubscriber` subscribes to this topic, so it receives every frame that is published there. `wait` waits for the next frame and returns it.
 #
@@ -98,41 +130,40 @@ from imgproc_course.ros import ImageSubscriber, open_camera, ros_available
 
 if ros_available():
     camera = open_camera("recording")
-    subscriber = ImageSubscriber(camera.topic)
-    received = subscriber.wait(timeout=10)
+    source = ImageSubscriber(camera.topic)
+    received = source.wait(timeout=10)
     print("topic:", camera.topic)
 else:
+    source = recording
     received = recording.frame(1)
 print("shape:", received.shape, "  dtype:", received.dtype)
-
-assert received.shape == frame.shape and received.dtype == frame.dtype
 
 # %% [markdown]
 # This frame went through every step. It was read from the recording and converted to a *message* (one unit of data on a topic). The same middleware as on a robot sent it to this notebook. (The *middleware* is the software that carries messages from one program to another.) Here the message was received and converted back to an array.
 #
-# **Look.** Here are the frames live. The view calls the function `darken` for every frame, with the value of the slider. Move the slider while the view runs.
+# **Look.** Here are the frames live. The view calls the function `darken` for every frame, with the value of the slider. Move the slider while the view runs. With a mouse, drag it; with the keyboard, use the arrow keys.
+#
+# `darken` multiplies every intensity by `percent` and divides it by 100 (`//` divides and rounds down). 255 × 100 = 25,500 is too large for `uint8`. So `astype` first converts the numbers to `uint16`, a dtype that holds numbers up to 65,535, and at the end back to `uint8`.
 
 # %% tags=["nbval-ignore-output"]
 from imgproc_course.display import live_view
 
 
 def darken(frame, percent=100):
-    # uint16 holds numbers up to 65535, so 255 * 100 fits; uint8 ends at 255
-    return (frame.astype("uint16") * percent // 100).astype("uint8")
+    large = frame.astype("uint16") * percent // 100
+    return large.astype("uint8")
 
 
-source = subscriber if ros_available() else recording
-view = live_view(source, darken, percent=(0, 100), caption="The drive. The slider sets the brightness in percent.",
-                 alt="The living room seen from close to the floor, while the robot drives.")
+view = live_view(source, darken, percent=(0, 100), text=figure_texts["live"])
 
 # %%
-half = darken(frame, percent=50)
-print("brightest value before:", frame.max(), "  after:", half.max())
-
-assert frame.max() == 255 and half.max() == 127
+# Check: the numbers in this section
+assert received.shape == frame.shape and received.dtype == frame.dtype
+assert 255 * 100 == 25_500 and np.iinfo(np.uint16).max == 65_535
+assert frame.max() == 255 and darken(frame, percent=50).max() == 127
 
 # %% [markdown]
-# ## 5 · Your turn: the first exercise (3 minutes)
+# ## 5 · Your turn: the first exercise (7 minutes)
 #
 # How many pixels does an image have? Write the function `count_pixels(frame)`:
 #
@@ -140,9 +171,15 @@ assert frame.max() == 255 and half.max() == 127
 # |---|---|---|
 # | `frame`: a colour image, an array like `frame` above, of any size | the number of its pixels: one whole number, rows × columns | for an image of 2 rows and 3 columns, `count_pixels(image)` gives `6` |
 #
-# Delete the line with `raise`, and write your own code there. Then run this cell and the cell below it, which checks your answer.
+# Delete the line with `raise`, and write your own code there. Then run this cell and the cell below it.
 #
-# This exercise is for practice: it gives no points, but it shows how every exercise works.
+# | cell | what it does |
+# |---|---|
+# | `check("start-count", count_pixels)` | runs your function on some images. It says what is right, and what to look at. You can repeat it as often as you like. |
+# | `hint("start-count")` | shows a hint. Run it again for the next one; there are three. |
+# | `solution("start-count")` | shows a solution and explains it, after three honest tries. `solution("start-count", give_up=True)` shows it at once. |
+#
+# For a hint, add a cell below (**Esc**, then `b`) and write `from imgproc_course.exercises import hint, solution` as its first line. Hints and solutions never change your points. This exercise is for practice: it gives no points, but it shows how every exercise works.
 
 # %% role="exercise"
 exercise(
@@ -274,4 +311,4 @@ def count_pixels(frame):
 # |---|---|---|---|---|
 # | *frame*, from the recording or the topic | (720, 1280, 3) | uint8 | 0 to 255 | intensity of blue, green, red |
 #
-# **Next:** [[what_is_image_processing]]
+# **Next:** [[arrays]]. Before you go on, choose **File → Close and Shut Down Notebook**.
