@@ -1,7 +1,7 @@
 """`check`: run an answer's public cases in the learner's notebook."""
 
 import types
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
 from imgproc_course.exercises import feedback
 from imgproc_course.exercises.check_data import CheckCase, CheckData, CheckMistake, check_data_of
@@ -9,7 +9,10 @@ from imgproc_course.exercises.check_files import find_check_data
 from imgproc_course.exercises.comparison import Difference, compare
 from imgproc_course.exercises.declaration import PUBLIC_SEED
 from imgproc_course.exercises.dependencies import Dependencies, find_dependencies
-from imgproc_course.exercises.running import CallResult, code_of
+from imgproc_course.exercises.diagnosis import Diagnosis, diagnose
+from imgproc_course.exercises.running import CallResult, code_of, overwrite_freed_memory
+
+_NONE = {"type": "None"}
 
 
 @dataclass(frozen=True)
@@ -49,6 +52,7 @@ class CheckResult:
     results       tuple of CaseResult, one for each public case
     mistake       the known mistake that explains the answer, or None
     dependencies  refused modules and names of other cells that the answer uses
+    diagnosis     what is certain about the values of the shown call
     """
 
     exercise: CheckData
@@ -56,12 +60,20 @@ class CheckResult:
     results: tuple = ()
     mistake: CheckMistake | None = None
     dependencies: Dependencies = field(default_factory=Dependencies)
+    diagnosis: Diagnosis = field(default_factory=Diagnosis)
 
     @property
     def passed(self):
         """True if grading would give every point of the public cases."""
         is_accepted = not self.dependencies.refused and not self.dependencies.foreign
         return self.attempted and is_accepted and all(result.passed for result in self.results)
+
+    @property
+    def shown(self):
+        """The failed call whose values are shown: one that the known mistake explains, else the first."""
+        failed = [result.failed_call for result in self.results if result.failed_call]
+        explained = [case_call for case_call in failed if self.mistake and case_call.result.finished]
+        return next(iter([*explained, *failed]), None)
 
     @property
     def points(self):
@@ -136,6 +148,7 @@ def run_check(exercise, function):
     calls = []
     pairs = [(case, expected) for case in exercise.cases for expected in case.calls]
     for case, expected in pairs:
+        overwrite_freed_memory(expected.result.value)
         result = exercise.call(function, expected.arguments)
         if result.error == "NotImplementedError":
             return CheckResult(exercise, attempted=False)
@@ -147,7 +160,15 @@ def run_check(exercise, function):
     dependencies = find_dependencies(function, exercise.refused, set(exercise.provided))
     has_passed = all(result.passed for result in results)
     mistake = None if has_passed else _known_mistake(exercise.mistakes, calls)
-    return CheckResult(exercise, True, results, mistake, dependencies)
+    result = CheckResult(exercise, True, results, mistake, dependencies)
+    return replace(result, diagnosis=_diagnosis(result, calls))
+
+
+def _diagnosis(result, calls):
+    shown = result.shown
+    if shown is None or shown.difference is None or shown.result.changed:
+        return Diagnosis()
+    return diagnose(calls, shown, result.exercise.names)
 
 
 def _is_stub(exercise, function):
@@ -175,24 +196,27 @@ def _case_result(case, calls):
 def _known_mistake(mistakes, calls):
     """The declared mistake that explains an answer, or None.
 
-    A mistake explains an answer if both do the same in every call. Otherwise it must be the only mistake that
-    gives the same wrong values in the first case that fails.
+    A mistake explains an answer if both do the same in every call. It may also be the only mistake that does
+    the same in every call in which the answer returned a value.
     """
     matches = [mistake for mistake in mistakes if _explains(mistake, calls)]
     if matches:
         return matches[0]
-    first = next(case_call.case for case_call in calls if not case_call.passed)
-    first_calls = [case_call for case_call in calls if case_call.case is first]
-    if not all(case_call.result.finished for case_call in first_calls):
-        return None  # two different errors may have the same name
-    matches = [mistake for mistake in mistakes if _explains(mistake, first_calls)]
+    returned = [case_call for case_call in calls if case_call.result.value not in (None, _NONE)]
+    if all(case_call.passed for case_call in returned):
+        return None
+    matches = [mistake for mistake in mistakes if _explains(mistake, returned)]
     return matches[0] if len(matches) == 1 else None
 
 
 def _explains(mistake, calls):
-    cases = list(dict.fromkeys(case_call.case for case_call in calls))
-    predicted = [result for case in cases for result in mistake.results[case.id]]
-    return len(predicted) == len(calls) and all(
-        case_call.result.matches(result, case_call.case.tolerance)
-        for case_call, result in zip(calls, predicted, strict=True)
+    return all(_does_the_same(mistake, case_call) for case_call in calls)
+
+
+def _does_the_same(mistake, case_call):
+    position = [id(expected.arguments) for expected in case_call.case.calls].index(id(case_call.arguments))
+    predicted = mistake.results[case_call.case.id][position]
+    # Two different errors may have the same type.
+    return case_call.result.message == predicted.message and case_call.result.matches(
+        predicted, case_call.case.tolerance
     )

@@ -12,6 +12,8 @@ import numpy as np
 
 from imgproc_course.exercises.canonical import array_of
 
+_LONGEST_TEXT = 500  # a longer text is cut
+_GLANCE, _CONTEXT = 30, 20  # characters: how two longer texts are compared
 # Rounding errors, relative to the expected number: a sum computed in another order is not a mistake.
 _ROUNDING = {"float16": 1e-2, "float32": 1e-5, "float64": 1e-9, "float": 1e-9}
 
@@ -55,7 +57,7 @@ def compare(expected, actual, tolerance=0.0, path=""):
     -------
     Difference or None
     """
-    kind, actual_kind = _kind(expected), _kind(actual)
+    kind, actual_kind = kind_of(expected), kind_of(actual)
     if kind != actual_kind and not (kind == "float" and actual_kind == "int"):
         return _difference("type", path, expected, actual)
     if actual.get("too_large") or actual.get("opaque"):
@@ -77,7 +79,25 @@ def compare(expected, actual, tolerance=0.0, path=""):
     if same:
         return None
     difference = _difference("value", path, expected, actual)
+    if kind == "str":
+        difference = replace(difference, message=difference.message + _first_difference(expected, actual))
     return replace(difference, expected=expected.get("value"), actual=actual.get("value"))
+
+
+def _first_difference(expected, actual):
+    """Where two long texts begin to differ; "" for short ones, which a reader compares at a glance."""
+    texts = [form.get("value", "") for form in (expected, actual)]
+    if min(map(len, texts)) < _GLANCE:
+        return ""
+    pairs = enumerate(zip(*texts, strict=False))
+    start = next((place for place, (a, b) in pairs if a != b), min(map(len, texts)))
+    before = "…" * (start > _CONTEXT) + texts[0][max(0, start - _CONTEXT) : start]
+    rest, actual_rest = (
+        repr(text[start : start + _CONTEXT]) if text[start:] else "the end" for text in texts
+    )
+    return (
+        f"; they differ from character {start + 1} on, after {before!r}: expected {rest}, got {actual_rest}"
+    )
 
 
 def _difference(kind, path, expected, actual):
@@ -86,7 +106,7 @@ def _difference(kind, path, expected, actual):
 
 def describe(form):
     """A short description of a canonical form: `an array of shape (5, 5), uint8`, `the text 'rgb8'`."""
-    kind = _kind(form)
+    kind = kind_of(form)
     if form.get("too_large"):
         return f"a very large {form['type']}"
     if kind == "ndarray":
@@ -100,8 +120,8 @@ def describe(form):
     if kind == "bytes":
         return f"{form['length']} bytes"
     if kind == "str":
-        text = form["value"]
-        return f"the text {text if len(text) <= 60 else text[:57] + '...'!r}"
+        text = form.get("value", "")
+        return f"the text {text if len(text) <= _LONGEST_TEXT else text[: _LONGEST_TEXT - 1] + '…'!r}"
     if kind == "bool":
         return str(form["value"])
     if kind in ("int", "float"):
@@ -109,7 +129,8 @@ def describe(form):
     return f"an object of type {form['type']}"
 
 
-def _kind(form):
+def kind_of(form):
+    """The kind of a form: NumPy's scalars count as "int", "float" or "bool"; messages are "message"."""
     kind = form["type"]
     if "fields" in form:
         return "message"
@@ -132,7 +153,7 @@ def _float(value):
 
 
 def _close(expected, actual, tolerance):
-    if _kind(expected) == "int" and tolerance == 0:
+    if kind_of(expected) == "int" and tolerance == 0:
         return expected["value"] == actual["value"]
     rounding = _ROUNDING.get(expected["type"].removeprefix("numpy."), 0.0)
     return bool(

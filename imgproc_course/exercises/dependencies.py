@@ -8,18 +8,27 @@ import ast
 import builtins
 import dis
 import linecache
+import sys
 import types
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 
 from imgproc_course.exercises.running import code_of
 
 
 @dataclass(frozen=True)
 class Dependencies:
-    """refused: modules, as the exercise names them; foreign: names that another cell defines. Sorted."""
+    """What an answer uses from outside its cell.
+
+    refused   modules, as the exercise names them, sorted
+    foreign   names that another cell defines, sorted
+    origins   {foreign name: its import line, "function" for a function of another cell, or "value"}
+    names     {refused module: the name by which the answer uses it}
+    """
 
     refused: tuple = ()
     foreign: tuple = ()
+    origins: dict = field(default_factory=dict, compare=False)
+    names: dict = field(default_factory=dict, compare=False)
 
 
 def find_dependencies(function, refused, provided):
@@ -42,7 +51,8 @@ def find_dependencies(function, refused, provided):
         return Dependencies()
     walker = _Walker(tuple(refused), provided)
     walker.visit(function)
-    return Dependencies(tuple(sorted(walker.used_refused)), tuple(sorted(walker.foreign)))
+    refused, foreign = tuple(sorted(walker.used_refused)), tuple(sorted(walker.foreign))
+    return Dependencies(refused, foreign, walker.foreign, walker.used_refused)
 
 
 class _Walker:
@@ -50,8 +60,8 @@ class _Walker:
         self._refused = refused
         self._provided = provided
         self._visited = set()
-        self.used_refused = set()
-        self.foreign = set()
+        self.used_refused = {}
+        self.foreign = {}
 
     def visit(self, function):
         code = code_of(function)
@@ -61,27 +71,27 @@ class _Walker:
         cell_names = names_of_cell(code.co_filename)
         namespace = function.__globals__
         for name in _imports(code):
-            self._is_refused(name)
+            self._is_refused(name, name)
         for name in _global_names(code):
             if name not in namespace:
                 # A built-in, or a name that will raise NameError. If it names a refused module, the learner
                 # should know that importing it would not help.
-                self._is_refused(name)
+                self._is_refused(name, name)
                 continue
             value = namespace[name]
-            if self._is_refused(_module_of(value)) or name in self._provided or hasattr(builtins, name):
+            if self._is_refused(_module_of(value), name) or name in self._provided or hasattr(builtins, name):
                 continue
             if cell_names is not None and name not in cell_names:
-                self.foreign.add(name)
+                self.foreign[name] = _origin(name, value)
             elif isinstance(value, types.FunctionType) and value.__globals__ is namespace:
                 self.visit(value)
 
-    def _is_refused(self, module):
+    def _is_refused(self, module, used_name):
         """Whether a module is refused; a refused one is recorded."""
         if not isinstance(module, str):
             return False
         matches = {name for name in self._refused if module == name or module.startswith(name + ".")}
-        self.used_refused |= matches
+        self.used_refused |= {match: self.used_refused.get(match, used_name) for match in matches}
         return bool(matches)
 
 
@@ -89,6 +99,18 @@ def _module_of(value):
     if isinstance(value, types.ModuleType):
         return value.__name__
     return getattr(value, "__module__", None)
+
+
+def _origin(name, value):
+    """The import line of a value of another cell, "function" for a function defined there, or "value"."""
+    if isinstance(value, types.ModuleType):
+        return f"import {name}" if value.__name__ == name else f"import {value.__name__} as {name}"
+    parts = (_module_of(value) or "").split(".") if callable(value) else []
+    for count in range(1, len(parts) + 1):
+        module = sys.modules.get(".".join(parts[:count]))
+        if parts != ["__main__"] and getattr(module, name, None) is value:
+            return f"from {module.__name__} import {name}"
+    return "function" if isinstance(value, types.FunctionType) else "value"
 
 
 def _codes(code):

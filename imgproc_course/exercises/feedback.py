@@ -8,11 +8,22 @@ import html
 import re
 
 from imgproc_course.exercises.canonical import array_of, canonical
+from imgproc_course.exercises.error_advice import advice_on
 from imgproc_course.exercises.values import answer_parts, describe_value, differing_elements, table_rows
 
 _MOST_LINES = 12  # of the function's own prints
 
+_BORDER = "Pixels there have neighbours outside the image: how does the task treat those?"
+
 _COLOURS = {"passed": "#2e7d32", "failed": "#c62828", "open": "#616161"}
+
+_NONE_FROM = {
+    "": "Did you forget return?",
+    "end": "For this input it reached its end without return: is a case missing, or the last else?",
+    "return": (
+        "The value after its return is None. Methods that work in place, such as list.sort(), return None."
+    ),
+}
 
 # NumPy's message about a number that an array's type cannot hold.
 _OUT_OF_BOUNDS = re.compile(r"Python integer (-?\d+) out of bounds for (\w+)")
@@ -37,7 +48,7 @@ def explain_call(result, difference, function):
     if difference is None:
         return ""
     if result.value["type"] == "None":
-        return f"{name} returned None. Did you forget return?"
+        return f"{name} returned None. {_NONE_FROM[result.none_from]}"
     message = difference.message[0].upper() + difference.message[1:] + "."
     return f"In answer{difference.path}: {message}" if difference.path else message
 
@@ -62,7 +73,10 @@ def _explain_change(name, argument):
         return (
             f"{name} changed its input {argument}. Only read it, and store what you compute under new names."
         )
-    return f"{name} changed its input {argument}. Work on a copy: begin with {argument} = {argument}.copy()."
+    return (
+        f"{name} changed its input {argument}. Leave the input as it is: write the result into a new"
+        f" array, or begin with {argument} = {argument}.copy()."
+    )
 
 
 # ---------------------------------------------------------------- the parts of the feedback
@@ -97,18 +111,27 @@ def _answer_parts(call):
 
 def _refusals(result):
     for module in result.dependencies.refused:
-        yield (
-            f"{result.exercise.function}() uses {module}. Write this exercise without it: grading refuses it."
-        )
+        name = result.dependencies.names.get(module, module)
+        used = module if name.startswith(module) else f"{name} of {module}"
+        reason = "the task is to do it yourself" if result.exercise.practice else "grading refuses it"
+        yield f"{result.exercise.function}() uses {used}. Write this exercise without it: {reason}."
 
 
 def _notes(result):
-    name = f"{result.exercise.function}()"
-    for foreign in result.dependencies.foreign:
-        yield (
-            f"{name} uses {foreign}, which another cell defines. Grading runs only the answer cell:"
-            f" define {foreign} in it."
-        )
+    exercise = result.exercise
+    names = ", ".join(exercise.names)
+    for foreign, origin in sorted(result.dependencies.origins.items()):
+        if foreign in exercise.names:
+            advice = f"Take {foreign} as the argument: def {exercise.function}({names}):"
+        elif origin == "function":
+            advice = f"Copy the definition of {foreign} into the answer cell."
+        elif origin == "value":
+            advice = f"Use the arguments of your function ({names}), or define {foreign} in the answer cell."
+        else:
+            advice = f"Write its import line in the answer cell, too: {origin}"
+        verb = "imports" if " import " in f" {origin}" else "defines"
+        reason = "" if exercise.practice else " Grading runs only the answer cell."
+        yield f"{exercise.function}() uses {foreign}, which another cell {verb}.{reason} {advice}"
 
 
 def _explain_case(result, case_result):
@@ -124,12 +147,17 @@ def _headline(result):
         return "open", f"{exercise.id}: not attempted yet"
     passed, count = sum(case_result.passed for case_result in result.results), len(result.results)
     # A refused module comes first: it may be the cause of an error below.
+    refused = (
+        "this answer uses what the task excludes" if exercise.practice else "grading would refuse this answer"
+    )
     if passed < count and result.dependencies.refused:
-        return "failed", f"{exercise.id}: grading would refuse this answer"
+        return "failed", f"{exercise.id}: {refused}"
     if passed < count:
         return "failed", f"{exercise.id}: {passed} of {count} checks pass"
+    if result.dependencies.refused:
+        return "failed", f"{exercise.id}: the values are right, but {refused}"
     if not result.passed:
-        return "failed", f"{exercise.id}: the values are right, but grading would refuse this answer"
+        return "failed", f"{exercise.id}: the values are right, but the answer cell does not work alone"
     all_pass = {1: "the check passes", 2: "both checks pass"}.get(count, f"all {count} checks pass")
     return "passed", f"{exercise.id}: {all_pass}"
 
@@ -143,7 +171,8 @@ def _footer(result):
         )
     if exercise.practice:
         return "Practice: no points."
-    points = result.points if not result.dependencies.refused else 0
+    is_accepted = not result.dependencies.refused and not result.dependencies.foreign
+    points = result.points if is_accepted else 0
     text = f"Points here: {points} of {exercise.points}."
     count = exercise.hidden_count
     if not count:
@@ -152,17 +181,24 @@ def _footer(result):
     return f"{text} Grading runs {checks} on other inputs, worth {exercise.hidden_points}."
 
 
-def _hint(result, call):
+def _advice(result, call):
+    """What is known of the mistake; if that is not all, the hint of the case."""
     if result.mistake is not None:
-        return result.mistake.says
-    # An exercise's hint is about wrong values: it does not help with an error, None or another shape.
-    is_about_values = call.result.finished and not call.result.changed and _has_expected_form(call)
-    return f"Hint: {call.case.hint}" if call.case.hint and is_about_values else ""
-
-
-def _has_expected_form(call):
-    expected, actual = call.expected.value, call.result.value
-    return all(expected.get(key) == actual.get(key) for key in ("type", "dtype", "shape"))
+        yield result.mistake.says
+        return
+    if not call.result.finished:
+        exercise = result.exercise
+        yield advice_on(
+            call.result.error, call.result.message, call.result.line, exercise.names, exercise.function
+        )
+    if call.difference is None or call.result.changed:
+        return
+    diagnosis = result.diagnosis
+    yield diagnosis.text
+    if diagnosis.on_border:
+        yield result.exercise.border_hint or _BORDER
+    elif not diagnosis.is_whole and call.difference.kind in ("value", "dtype") and call.case.hint:
+        yield f"Hint: {call.case.hint}"
 
 
 def _warning_and_output(call):
@@ -181,15 +217,14 @@ def as_text(result):
     """A CheckResult as plain text."""
     _, headline = _headline(result)
     lines = [f"{headline}.", *_refusals(result)]
-    has_details = False
+    shown = result.shown
     for case_result in result.results:
         lines.append(f"{'✓' if case_result.passed else '✗'} {case_result.case.title}")
         if case_result.passed:
             continue
         lines.append(_indent(_explain_case(result, case_result)))
-        if not has_details:
-            lines += [_indent(text) for text in _details_as_text(result, case_result.failed_call)]
-            has_details = True
+        if case_result.failed_call is shown and shown is not None:
+            lines += [_indent(text) for text in _details_as_text(result, shown)]
     lines += _notes(result)
     lines.append(_footer(result))
     return "\n".join(line for line in lines if line)
@@ -201,7 +236,7 @@ def _details_as_text(result, call):
         width = max((len(text) for row in value.rows for text, _ in row), default=0) + 1
         for row in value.rows:
             yield "".join(f"{text:>{width}}{'*' if mark else ' '}" for text, mark in row).rstrip()
-    yield _hint(result, call)
+    yield from _advice(result, call)
     yield from _warning_and_output(call)
 
 
@@ -217,7 +252,7 @@ def as_html(result):
     state, headline = _headline(result)
     body = [f'<div style="font-weight: 600; color: {_COLOURS[state]}">{html.escape(headline)}</div>']
     body += [_paragraph(refusal) for refusal in _refusals(result)]
-    has_details = False
+    shown = result.shown
     for case_result in result.results:
         mark, colour = ("✓", _COLOURS["passed"]) if case_result.passed else ("✗", _COLOURS["failed"])
         title = html.escape(case_result.case.title)
@@ -225,8 +260,8 @@ def as_html(result):
         if case_result.passed:
             continue
         explanation = _paragraph(_explain_case(result, case_result))
-        details = "" if has_details else "".join(_details_as_html(result, case_result.failed_call))
-        has_details = True
+        is_shown = case_result.failed_call is shown and shown is not None
+        details = "".join(_details_as_html(result, shown)) if is_shown else ""
         body.append(f'<div style="margin: 0 0 6px 18px">{explanation}{details}</div>')
     body += [_paragraph(note) for note in _notes(result)]
     body.append(f'<div style="margin-top: 4px">{html.escape(_footer(result))}</div>')
@@ -238,7 +273,7 @@ def _paragraph(text):
 
 
 def _details_as_html(result, call):
-    yield _paragraph(_hint(result, call))
+    yield from (_paragraph(text) for text in _advice(result, call))
     for value in _values(result, call):
         marks = " (values that differ are framed)" if value.has_marks else ""
         yield f"<div>{html.escape(f'{value.label}: {value.description}{marks}')}</div>"

@@ -7,6 +7,7 @@ runs a master's code, is the only other module of this package that catches ever
 import contextlib
 import copy
 import ctypes
+import dis
 import io
 import linecache
 import re
@@ -17,12 +18,16 @@ import traceback
 import types
 import warnings
 from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
 
 from imgproc_course.exercises.canonical import canonical
 from imgproc_course.exercises.comparison import compare
 
 _MOST_OUTPUT = 2_000  # characters; the function's further prints are dropped
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
+_BLOCKS = 16  # of one size: more than NumPy or malloc keep for reuse
 _REPEAT = 0.1  # seconds: an alarm swallowed by a bare `except:` rings again
 
 
@@ -43,6 +48,8 @@ class CallResult:
     changed    names of the arguments that the function changed
     printed    the beginning of what it printed
     warning    the first warning, "" for none
+    none_from  where a returned None comes from: "end" if the function also has a return with a value,
+               "return" if it ends only at such returns, "" in all other cases
     """
 
     value: dict | None = None
@@ -54,6 +61,7 @@ class CallResult:
     changed: tuple = ()
     printed: str = ""
     warning: str = ""
+    none_from: str = ""
 
     @property
     def finished(self):
@@ -98,7 +106,8 @@ def _call_fields(function, arguments, time_limit):
     """The fields of CallResult that the call itself gives, as a dict."""
     try:
         value = _call_within(lambda: function(*arguments), time_limit)
-        return {"value": canonical(value, limit=None)}
+        none_from = _none_from(code_of(function)) if value is None else ""
+        return {"value": canonical(value, limit=None), "none_from": none_from}
     except TimeUp as ended:
         return {"timed_out": True, "stuck": bool(ended.args)}
     except (Exception, SystemExit) as error:  # noqa: BLE001 - the learner's function may raise anything
@@ -107,6 +116,46 @@ def _call_fields(function, arguments, time_limit):
             "message": _message(error),
             "line": _own_line(error, function),
         }
+
+
+def _none_from(code):
+    """Where a function's None comes from; CallResult describes the words."""
+    if code is None:
+        return ""
+    steps = [step for step in dis.get_instructions(code) if step.opname not in ("RESUME", "NOP", "CACHE")]
+    ends = [
+        (step.opname == "RETURN_CONST" and step.argval is None)
+        or (step.opname == "RETURN_VALUE" and before.opname == "LOAD_CONST" and before.argval is None)
+        for before, step in pairwise(steps)
+        if step.opname.startswith("RETURN_")
+    ]
+    if all(ends):
+        return ""
+    return "end" if any(ends) else "return"
+
+
+def overwrite_freed_memory(form):
+    """Fill memory of the sizes of a value's arrays, and free it.
+
+    Freed memory may still hold an expected result. An answer that fills only a part of np.empty_like() would
+    find it there, and pass by chance.
+
+    Parameters
+    ----------
+    form : canonical form of the expected value
+    """
+    sizes = {np.prod(part["shape"], dtype=int) * np.dtype(part["dtype"]).itemsize for part in _arrays(form)}
+    blocks = [np.full(size, 0xA5, np.uint8) for size in sizes for _ in range(_BLOCKS)]
+    del blocks
+
+
+def _arrays(form):
+    if form["type"] == "ndarray":
+        yield form
+    parts = [*form.get("items", ()), *form.get("fields", {}).values()]
+    for part in parts:
+        for item in part if isinstance(part, list) else [part]:
+            yield from _arrays(item)
 
 
 class _LimitedOutput(io.StringIO):

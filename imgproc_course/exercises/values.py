@@ -30,16 +30,17 @@ def answer_parts(expected, actual):
     -------
     list of (name, expected form, actual form or None); the name is "" for the whole answer
     """
-    items = _named_items(expected)
+    items = named_items(expected)
     if not any(form["type"] == "ndarray" for _, form in items) or len(items) > _MOST_PARTS:
         return [("", expected, actual)]
-    actual_items = dict(_named_items(actual)) if actual is not None else {}
+    actual_items = dict(named_items(actual)) if actual is not None else {}
     if actual is not None and actual_items.keys() != {name for name, _ in items}:
         return [("", expected, actual)]
     return [(name, form, actual_items.get(name)) for name, form in items]
 
 
-def _named_items(form):
+def named_items(form):
+    """The parts of a tuple, list, dict or message as (name, form): ("[0]", form); else []."""
     if form["type"] in ("tuple", "list"):
         return [(f"[{number}]", item) for number, item in enumerate(form.get("items", ()))]
     if form["type"] == "dict":

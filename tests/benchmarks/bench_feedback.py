@@ -39,8 +39,9 @@ _spec.loader.exec_module(wrong_answers)
 
 # Lines of the feedback that hold values, titles or points, and no sentence about the mistake.
 _NO_SENTENCE = re.compile(
-    r"[✓✗] |Points here|Practice:|\s+(given|returned|expected)\b[^:]*: |[\s\d.,()*+einfa-]*$|\s+in your line"
-    r"|\s+(In answer\S*: )?(\d+ of \d+ values differ|Expected the (integer|float) \S+, got the \4 )"
+    r"[✓✗] |Points here|Practice:|\s+(given|returned|expected)\b[^:]*: |\s+in your line"
+    r"|(\s*(True|False|nan|inf|-?[\d.e+-]+|[(),]|\*))*$"
+    r"|\s+(In answer\S*: )?(\d+ of \d+ values differ|Expected the (integer|float) \S+, got the \6 )"
 )
 
 

@@ -125,8 +125,9 @@ def test_a_changed_input_fails_though_the_answer_is_right():
 
     result = check("test-double", changes)
     assert not result.passed
-    assert "double() changed its input pixels. Work on a copy: begin with pixels = pixels.copy()." in repr(
-        result
+    assert (
+        "double() changed its input pixels. Leave the input as it is: write the result into a new array"
+        in repr(result)
     )
 
 
@@ -313,3 +314,120 @@ def test_a_value_that_is_no_function_is_refused_with_the_remedy():
         match="needs your function double itself, got a value of type int; run the cell with your function",
     ):
         check("test-double", 3)
+
+
+def test_a_wrong_dtype_gets_the_dtype_and_not_the_hint():
+    text = repr(check("test-double", lambda pixels: right(pixels).astype(np.int64)))
+    assert (
+        "The values are right; only the dtype is not: you return int64. End with .astype(np.uint8)." in text
+    )
+    assert "Hint" not in text
+
+
+PAIR_CASE = '# %% role="case" title="Pair"\ndef inputs(rng):\n    return (np.full((5, 5), 9, "u1"),)'
+
+
+def write_border_master(write_master, border_hint):
+    write_master(
+        exercise=(
+            '# %% role="exercise"\nexercise("test-double", function="double", time_limit=0.5, hint="Widen.",'
+            f' border_hint="{border_hint}")'
+        ),
+        case=PAIR_CASE,
+        second="",
+    )
+
+
+def border_left_out(pixels):
+    return np.pad(right(pixels)[1:-1, 1:-1], 1)
+
+
+def test_a_wrong_border_gets_the_border_hint(write_master):
+    write_border_master(write_master, "Repeat the border.")
+    text = repr(check("test-double", border_left_out))
+    assert "and there your result is 0: the border was never computed." in text
+    assert "Repeat the border." in text and "Widen." not in text
+    text = repr(check("test-double", lambda pixels: right(pixels) - np.uint8(3)))
+    assert "Hint: Widen." in text and "Repeat the border." not in text
+
+
+def test_a_wrong_border_without_a_border_hint_gets_a_question(write_master):
+    write_border_master(write_master, "")
+    text = repr(check("test-double", border_left_out))
+    assert "Pixels there have neighbours outside the image: how does the task treat those?" in text
+
+
+def test_a_numpy_scalar_gets_the_hint(write_master):
+    write_master(
+        solution='# %% role="solution"\ndef double(pixels):\n    return float(pixels.mean())',
+        mistake="",
+        **{"second mistake": ""},
+    )
+    assert "Hint: Widen." in repr(check("test-double", lambda pixels: float(pixels.mean() ** 2)))
+    assert "Hint: Widen." in repr(check("test-double", lambda pixels: np.float64(pixels.mean() ** 2)))
+
+
+def test_an_error_gets_advice_and_not_the_hint():
+    text = repr(check("test-double", lambda pixels: pixels if pixels > 3 else 0))
+    assert "`if` and `while` need one True or False" in text and "Hint" not in text
+
+
+def test_the_case_that_the_mistake_explains_is_shown(write_master):
+    write_master(
+        case='# %% role="case" title="Flat"\ndef inputs(rng):\n    return (np.uint8([200]),)',
+        second='# %% role="case" title="Square"\ndef inputs(rng):\n    return (np.full((2, 2), 200, "u1"),)',
+    )
+    result = check("test-double", lambda pixels: pixels * 2 if pixels.shape[1] else 0)
+    assert result.mistake.name == "wraps" and result.shown.case.title == "Square"
+    assert repr(result).index("✗ Square") < repr(result).index("It wraps.")
+
+
+def test_a_mistake_that_explains_one_case_of_two_is_not_named():
+    result = check("test-double", lambda pixels: pixels * 2 if pixels.ndim == 2 else pixels)
+    assert result.mistake is None
+    assert "It wraps." not in repr(result)
+
+
+def fills_a_part(pixels):
+    doubled = np.empty_like(pixels)
+    doubled[0] = right(pixels)[0]
+    return doubled
+
+
+def test_an_array_that_is_filled_in_part_does_not_pass_by_chance():
+    assert not any(check("test-double", fills_a_part).results[0].passed for _ in range(20))
+
+
+def test_names_of_other_cells_say_where_they_come_from():
+    namespace = {"np": np, "pixels": np.uint8([1]), "gamma": lambda values: values}
+    exec("from imgproc_course.imaging import psnr", namespace)
+    source = "def double(image):\n    return gamma(image), psnr, pixels, test_double\n"
+    namespace["test_double"] = 3
+    linecache.cache["<answer>"] = (len(source), None, source.splitlines(keepends=True), "<answer>")
+    exec(compile(source, "<answer>", "exec"), namespace)
+    text = repr(check("test-double", namespace["double"]))
+    assert "double() uses pixels, which another cell defines." in text
+    assert "Take pixels as the argument: def double(pixels):" in text
+    assert "Write its import line in the answer cell, too: from imgproc_course.imaging import psnr" in text
+    assert "Copy the definition of gamma into the answer cell." in text
+    assert "Use the arguments of your function (pixels), or define test_double in the answer cell." in text
+    assert "Points here: 0 of 3." in text
+
+
+def test_a_practice_exercise_speaks_of_no_grading(write_master):
+    write_master(
+        exercise=(
+            '# %% role="exercise"\nSIDE = 3\n'
+            'exercise("test-double", function="double", practice=True, refused=("cv2",))'
+        ),
+        hidden="",
+    )
+
+    def uses(pixels):
+        import cv2
+
+        return right(pixels) if cv2 else None
+
+    text = repr(check("test-double", uses))
+    assert "the values are right, but this answer uses what the task excludes" in text
+    assert "rading" not in text and "Practice: no points." in text

@@ -98,3 +98,17 @@ def test_descriptions():
     assert describe(canonical(3)) == "the integer 3"
     assert describe(canonical({"a": 1})) == "a dict with the keys 'a'"
     assert describe_index((3, 7, 2)) == "row 3, col 7, channel 2"
+
+
+def test_long_texts_are_given_whole_with_their_first_difference():
+    expected = (
+        "/home/robot/ros2_ws/install/image_edge_detection/lib/image_edge_detection/image_edge_detection"
+    )
+    message = compare(canonical(expected), canonical(expected + ".py")).message
+    assert f"expected the text {expected!r}, got the text {expected + '.py'!r}" in message
+    assert message.endswith(
+        "they differ from character 95 on, after '…image_edge_detection': expected the end, got '.py'"
+    )
+    message = compare(canonical(expected), canonical(expected.replace("/lib", ""))).message
+    assert "differ from character 50 on, after '…mage_edge_detection/': expected 'lib/" in message
+    assert "character" not in compare(canonical("rgb8"), canonical("bgr8")).message

@@ -53,6 +53,31 @@ def test_a_name_that_only_begins_like_a_refused_one_is_free():
     assert find_dependencies(function, ("json",), set()).refused == ()
 
 
+def test_where_a_name_of_another_cell_comes_from():
+    others = (
+        "import math\nimport xml.dom.minidom as dom\nfrom imgproc_course.imaging import psnr\n"
+        "K = 3\ndef helper(a): return a\n"
+    )
+    function = function_in_cell(
+        "def f(a):\n    return math.pi, dom.parse, psnr(a, a), K, helper(a)\n", others=others
+    )
+    assert find_dependencies(function, (), set()).origins == {
+        "math": "import math",
+        "dom": "import xml.dom.minidom as dom",
+        "psnr": "from imgproc_course.imaging import psnr",
+        "K": "value",
+        "helper": "function",
+    }
+
+
+def test_the_name_by_which_a_refused_module_is_used():
+    function = function_in_cell(
+        "def f(a):\n    return psnr(a, a)\n", others="from imgproc_course.imaging import psnr"
+    )
+    refused = find_dependencies(function, ("imgproc_course.imaging",), set())
+    assert refused.names == {"imgproc_course.imaging": "psnr"}
+
+
 def test_bound_names():
     source = (
         "import a.b, c as d\nx, (y, *z) = 1, (2, 3)\ndef g(h): i = 1\nclass J: k = 2\nfor m in []: n = 1\n"

@@ -7,7 +7,8 @@ import warnings
 import numpy as np
 import pytest
 
-from imgproc_course.exercises.running import call
+from imgproc_course.exercises.canonical import canonical
+from imgproc_course.exercises.running import call, overwrite_freed_memory
 
 
 def run(function, *arguments, seconds=0.3):
@@ -117,3 +118,35 @@ def test_a_warning_is_kept():
         warnings.warn("overflow", stacklevel=1)
 
     assert run(warn, 1).warning == "overflow"
+
+
+def returns_in_one_case(number):
+    if number:
+        return number
+
+
+def returns_a_none(number):
+    return [number].sort()
+
+
+@pytest.mark.parametrize(
+    ("function", "none_from"),
+    [(returns_in_one_case, "end"), (returns_a_none, "return"), (lambda number: None, ""), (print, "")],
+)
+def test_where_a_none_comes_from(function, none_from):
+    assert call(function, (0,), ["number"], 1).none_from == none_from
+
+
+def test_a_value_has_no_none():
+    assert call(returns_in_one_case, (3,), ["number"], 1).none_from == ""
+
+
+@pytest.mark.parametrize("shape", [(5, 6), (40, 40), (300, 400)])
+def test_freed_memory_no_longer_holds_the_expected_values(shape):
+    expected = np.arange(np.prod(shape), dtype=np.int32).reshape(shape)
+    form = canonical((expected, {"more": expected}), limit=None)
+    copies = [expected.copy() for _ in range(12)]
+    del copies
+    overwrite_freed_memory(form)
+    found = [np.empty_like(expected) for _ in range(4)]
+    assert not any((array == expected).mean() > 0.5 for array in found)

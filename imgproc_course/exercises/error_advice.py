@@ -1,0 +1,380 @@
+"""What an error of Python's or NumPy's means, in a plain sentence or two, and what to do about it.
+
+The advice is for somebody who meets the error for the first time. It reads the error's type and message, and
+the line that raised: `thinned > high and thinned < 9` needs another sentence than `if thinned > high:`.
+"""
+
+import ast
+import re
+
+# Where a name comes from that learners use without its import.
+_IMPORTS = {
+    "np": "import numpy as np",
+    "plt": "import matplotlib.pyplot as plt",
+    "Path": "from pathlib import Path",
+    "SimpleNamespace": "from types import SimpleNamespace",
+    "ndimage": "from scipy import ndimage",
+    **{
+        name: f"import {name}"
+        for name in ("math", "cv2", "os", "sys", "random", "itertools", "struct", "time")
+    },
+    **{name: f"from math import {name}" for name in ("sqrt", "log10", "log", "floor", "ceil", "pi", "inf")},
+}
+_INDEX_OUTSIDE = (
+    "Python counts from 0, so {last} is the last index of axis {axis}. Does your function read neighbours"
+    " of a pixel? Pad the image first (np.pad): then pixels at the border have neighbours too, and none is"
+    " outside. An array is indexed rows first: array[row, col]; rows are axis 0, columns axis 1."
+)
+_WHOLE_INDEX = "An index is a whole number, and / makes a float. Divide with //, or use int()."
+
+
+def advice_on(error, message, line="", parameters=None, function=""):
+    """What an error means and what to do; "" if nothing certain can be said.
+
+    Parameters
+    ----------
+    error : str, the type name of the exception: "IndexError"
+    message : str, the exception's message
+    line : str, the line that raised, "" if it is not known
+    parameters : tuple of str, the arguments with which the function is called, or None
+    function : str, the name of the learner's function
+    """
+    source = line.partition(": ")[2]
+    call = f"{function}({', '.join(parameters)})" if parameters is not None else ""
+    if call and message.startswith(f"{function}()") and "positional argument" in message:
+        return f"check calls {call}: begin your function with def {call}: and use these arguments."
+    for kind, pattern, advice in _ADVICE:
+        match = re.search(pattern, message) if error in kind.split() else None
+        if match:
+            return advice(match, source) if callable(advice) else match.expand(advice)
+    return ""
+
+
+# ---------------------------------------------------------------- errors that several mistakes can cause
+
+
+def _nodes(source):
+    """The syntax nodes of one line; () if the line is only a part of a statement."""
+    text = re.sub(r"^el(?=if\b)", "", source.strip())
+    try:
+        return tuple(ast.walk(ast.parse(f"{text} pass" if text.endswith(":") else text)))
+    except SyntaxError:
+        return ()
+
+
+def _ambiguous(_match, source):
+    nodes = _nodes(source)
+    chained = [node for node in nodes if isinstance(node, ast.Compare) and len(node.ops) > 1]
+    bits = (ast.BitAnd, ast.BitOr)
+    if any(
+        isinstance(inner, ast.BinOp) and isinstance(inner.op, bits) for c in chained for inner in ast.walk(c)
+    ):
+        return "& is computed before > and <=. Put each comparison in parentheses: (a > low) & (a <= high)."
+    if chained:
+        return (
+            "A chained comparison such as low < a < high does not work with an array. Write two comparisons"
+            " with & between them, each in parentheses: (low < a) & (a < high)."
+        )
+    if any(isinstance(node, ast.BoolOp) for node in nodes):
+        return (
+            "`and` and `or` need a single True or False, and an array has many. Between arrays write & or |,"
+            " with each comparison in parentheses."
+        )
+    if any(isinstance(node, ast.UnaryOp) and isinstance(node.op, ast.Not) for node in nodes):
+        return "`not` needs a single True or False, and an array has many. For an array write ~ before it."
+    calls = {ast.unparse(node.func) for node in nodes if isinstance(node, ast.Call)}
+    if calls & {"max", "min"}:
+        return "max() and min() compare single numbers. For arrays write np.maximum or np.minimum."
+    return (
+        "`if` and `while` need one True or False, and a comparison of an array gives many, one for each"
+        " value. Work with the mask itself (np.where, array[mask] = ...), or ask mask.any() or mask.all()."
+    )
+
+
+def _unhashable(match, source):
+    nodes = _nodes(source)
+    if any(isinstance(node, ast.Set) for node in nodes):
+        return (
+            f"Curly brackets without a key and a colon make a set, and a set cannot hold"
+            f" {_article(match[1])}."
+            ' A dictionary needs both: {"key": value}.'
+        )
+    if any(isinstance(node, ast.Dict) for node in nodes):
+        return f"The key of a dictionary cannot be {_article(match[1])}. Write the key as text, in quotes."
+    if any(isinstance(node, ast.Call) and ast.unparse(node.func) == "set" for node in nodes):
+        return "set() cannot hold the rows of an array. np.unique(array) gives its different values."
+    return f"A set or the key of a dictionary cannot hold {_article(match[1])}."
+
+
+def _article(type_name):
+    return {"numpy.ndarray": "an array", "list": "a list", "dict": "a dict"}.get(type_name, type_name)
+
+
+def _broadcast(match, _source):
+    shapes = [tuple(map(int, re.findall(r"\d+", shape))) for shape in re.findall(r"\([\d,]*\)", match.string)]
+    advice = "Arithmetic with two arrays works value by value, and needs equal shapes."
+    if len(shapes) != 2 or len(shapes[0]) != len(shapes[1]):
+        return advice
+    gaps = [abs(a - b) for a, b in zip(*shapes, strict=True)]
+    if min(max(shapes)) > 3 and (3, 3) in shapes:
+        return (
+            f"{advice} A kernel is smaller than the image: it slides over it, and each pixel is computed from"
+            " the products with its own 3 × 3 neighbours."
+        )
+    if max(gaps) <= 2:
+        return f"{advice} These two differ by {max(gaps)}: look where each slice begins and ends."
+    return advice
+
+
+def _unpack(match, source):
+    if ".shape" in source:
+        return (
+            f"The shape has another number of parts than the {match[1]} names on the left. A colour image has"
+            " three, rows, columns and channels; a gray image has two. .shape[:2] are the first two."
+        )
+    if source.startswith("for "):
+        return "A loop over a dictionary gives only its keys. For keys and values write dictionary.items()."
+    return f"There are {match[1]} names on the left; the value on the right has another number of parts."
+
+
+def _reshape(match, _source):
+    size, shape = int(match[1]), [int(part) for part in re.findall(r"-?\d+", match[2])]
+    if size == 1:
+        return (
+            "There is one value only. np.array() makes a single object of bytes; np.frombuffer(data,"
+            " np.uint8) reads them as numbers."
+        )
+    count = 1
+    for part in shape:
+        count *= part
+    if count < 0:
+        return f"{size} values cannot be divided into rows of this size."
+    product = " × ".join(map(str, shape))
+    if size > count:
+        return (
+            f"{size} values are too many for {product} = {count}. Is there padding at the end of the rows?"
+            " Crop it before you reshape."
+        )
+    return f"{size} values are too few for {product} = {count}. Was too much cropped before?"
+
+
+def _none(_match, _source):
+    return (
+        "A value here is None. Functions without return give None, and so do methods that work in place, such"
+        " as list.sort() and list.append(): call them on a line of their own, or use sorted(values)."
+    )
+
+
+def _unknown_name(match, _source):
+    line = _IMPORTS.get(match[1])
+    if line:
+        return f"The name {match[1]} is not known in this cell. Write its import line in it: {line}"
+    return (
+        f"Nothing has the name {match[1]} here. Is it spelled as above? If another cell defines or imports"
+        f" it, write its definition or its import line in this cell; if it is a text, put it in quotes."
+    )
+
+
+def _no_attribute(match, _source):
+    kind, name = match[1], match[2]
+    if kind == "NoneType":
+        return _none(match, "")
+    if kind == "numpy.ndarray" and name in ("height", "width"):
+        return f"An array has no .{name}: its rows are .shape[0], its columns .shape[1]."
+    if kind == "numpy.ndarray" and name in ("append", "extend", "add"):
+        return "An array cannot grow. Make it in its full size, or collect the values in a list."
+    if name == "join":
+        return 'join is a method of the text that stands between the parts: "/".join(parts).'
+    if kind in ("list", "tuple") and name in ("shape", "astype", "dtype", "mean", "sum", "max", "min"):
+        return f"A {kind} has no .{name}. Make an array of it first: np.array(values)."
+    if kind in ("int", "float", "bool") and name in ("astype", "shape"):
+        return f"This is a single number ({kind}), not an array. For numbers use int() or float()."
+    return ""
+
+
+def _not_callable(match, _source):
+    if match[1] in ("tuple", "numpy.ndarray", "list", "dict"):
+        return (
+            f"A {match[1]} is not a function: round brackets call. Its parts are taken with square brackets,"
+            " as in shape[0]."
+        )
+    return f"Round brackets call a function, and this is a value of type {match[1]}. Is a * missing before (?"
+
+
+def _not_subscriptable(match, source):
+    if match[1] == "NoneType":
+        return _none(match, source)
+    if "function" in match[1] or "method" in match[1]:
+        return "This is a function. Call it with round brackets; square brackets take a part of a value."
+    if match[1] in ("int", "float", "numpy.float64", "numpy.uint8", "numpy.int64"):
+        return "This is a single number, and it has no parts to take with square brackets."
+    return (
+        'This object has fields, not keys: write message.height, with a dot, instead of message["height"].'
+        if '["' in source or "['" in source
+        else ""
+    )
+
+
+def _text_operator(match, _source):
+    operator, left, right = match.groups()
+    if operator == "/" and left == right == "str":
+        return (
+            'Texts cannot be joined with /, only a Path can: Path(a) / b. Or write an f-string, f"{a}/{b}".'
+        )
+    if "NoneType" in (left, right):
+        return _none(match, "")
+    if "str" in (left, right):
+        return "A text and another value cannot be combined in this way. An f-string writes both into a text."
+    if "list" in (left, right):
+        return "A list does no arithmetic. Make an array of it first: np.array(values)."
+    return ""
+
+
+# (error types, pattern of the message, advice: a template for the match, or a function of match and source)
+_ADVICE = (
+    ("ValueError", "truth value of an array", _ambiguous),
+    (
+        "IndexError",
+        "^tuple index out of range",
+        "The tuple has fewer parts. The shape of a gray image has two numbers, (rows, columns), and only a"
+        " colour image has a third: ask for len(image.shape) or image.ndim first.",
+    ),
+    ("TypeError", r"(?:unhashable type|use): '([\w.]+)'", _unhashable),
+    ("ValueError", "could not be broadcast|could not broadcast", _broadcast),
+    (
+        "IndexError",
+        r"index (-?\d+) is out of bounds for axis (\d) with size (\d+)",
+        lambda match, _: _INDEX_OUTSIDE.format(last=int(match[3]) - 1, axis=match[2]),
+    ),
+    (
+        "IndexError",
+        "^(?:list|string) index out of range",
+        "Python counts from 0: the last index is len(...) - 1.",
+    ),
+    ("ValueError", r"cannot reshape array of size (\d+) into shape \(([-\d, ]+)\)", _reshape),
+    ("IndexError", r"only integers, slices|arrays used as indices", _WHOLE_INDEX),
+    (
+        "TypeError",
+        "indices must be integers or slices, not float|slice indices must be integers",
+        _WHOLE_INDEX,
+    ),
+    (
+        "TypeError",
+        "'(?:numpy.)?float\\d*' object cannot be interpreted as an integer",
+        _WHOLE_INDEX.replace("An index", "A count"),
+    ),
+    (
+        "TypeError",
+        "list indices must be integers or slices, not tuple",
+        "A list takes one index at a time: values[row][col]. Or make an array of it: np.array(values).",
+    ),
+    (
+        "TypeError",
+        "string indices must be integers",
+        "The name before the brackets holds a text, not a dictionary. Does the variable of a loop have the"
+        " same name as the dictionary, and overwrite it? Give it another name.",
+    ),
+    (
+        "IndexError",
+        r"too many indices for array: array is (\d)-dimensional, but (\d) were indexed",
+        r"The array has \1 axes, and you give \2 indices. A gray image has rows and columns only; channels"
+        r" are the third axis of a colour image.",
+    ),
+    (
+        "IndexError",
+        "boolean index did not match",
+        "A mask chooses values of an array of its own shape. These two have different shapes.",
+    ),
+    (
+        "UFuncTypeError _UFuncOutputCastingError",
+        r"Cannot cast ufunc '\w+' output from dtype\('(\w+)'\) to dtype\('(\w+)'\)",
+        r"The result is \1, and the array on the left holds \2. Write a = a + b instead of a += b, or"
+        r" widen the array first with astype.",
+    ),
+    ("NameError", "name '(\\w+)' is not defined", _unknown_name),
+    (
+        "UnboundLocalError",
+        "local variable '(\\w+)'",
+        r"\1 gets its value inside an if or a loop, and that did not run for this input. Give \1 a start"
+        r" value before it.",
+    ),
+    ("AttributeError", "'([\\w.]+)' object has no attribute '(\\w+)'", _no_attribute),
+    ("TypeError", "'([\\w.]+)' object is not callable", _not_callable),
+    ("TypeError", "'([\\w.]+)' object is not subscriptable", _not_subscriptable),
+    ("TypeError", "'NoneType'", _none),
+    (
+        "TypeError",
+        "only (?:0-dimensional|length-1) arrays can be converted",
+        "int(), float() and the functions of math take one number, and this is a whole array."
+        " array.astype(...) changes the dtype of all values; NumPy has functions for arrays, such as"
+        " np.log10.",
+    ),
+    ("TypeError", r"unsupported operand type\(s\) for (\S+): '([\w.]+)' and '([\w.]+)'", _text_operator),
+    ("ValueError", r"(?:too many|not enough) values to unpack \(expected (\d+)", _unpack),
+    (
+        "TypeError UFuncTypeError",
+        "ufunc 'bitwise_xor' not supported",
+        "In Python ^ is not a power. Write a ** 2 for a square.",
+    ),
+    (
+        "TypeError UFuncTypeError",
+        "ufunc 'bitwise_(?:and|or)' not supported",
+        "& and | combine masks. & is computed before > and <, so put each comparison in parentheses.",
+    ),
+    ("TypeError", "boolean subtract", "Masks cannot be subtracted. For True in a and not in b write a & ~b."),
+    (
+        "TypeError UFuncTypeError",
+        "boolean negative|bad operand type for unary -: 'bool'",
+        "For the opposite of a mask write ~mask.",
+    ),
+    (
+        "KeyError",
+        "(.+)",
+        r"The dictionary has no key \1. Use the keys that it has: a loop over a dictionary gives them.",
+    ),
+    (
+        "RecursionError",
+        "",
+        "Your function calls itself and never ends. Mark what it has visited already before it calls"
+        " itself again, or use a loop.",
+    ),
+    ("ZeroDivisionError", "", "You divide by 0 for this input. Test for 0 before you divide."),
+    (
+        "ValueError",
+        "setting an array element with a sequence",
+        "One element of an array holds one number, and here a whole list or array is stored in it.",
+    ),
+    ("TypeError", "int\\(\\) argument .* not 'list'", "One number is needed here, and this is a whole list."),
+    (
+        "TypeError",
+        "can only concatenate str",
+        "A text and another value cannot be combined with +. An f-string writes both into a text.",
+    ),
+    (
+        "ValueError",
+        "zero-size array",
+        "The array has no values here: an empty array has no maximum and no minimum.",
+    ),
+    ("ValueError", "read-only", "This array cannot be written to. Work on a copy: array.copy()."),
+    (
+        "ValueError TypeError",
+        "got <function",
+        "A function stands where its result is needed. Call it, with its argument in round brackets.",
+    ),
+    (
+        "ValueError",
+        "shapes .* not aligned|matmul",
+        "@ and np.dot multiply matrices. Value by value, arrays are multiplied with *.",
+    ),
+    (
+        "ModuleNotFoundError",
+        "No module named '([\\w.]+)'",
+        r"No library with the name \1 is installed here. Write the computation"
+        " yourself, with NumPy.",
+    ),
+    (
+        "error",
+        "in function 'imread'",
+        "cv2.imread reads a file by its name, and this is an array already: use cv2.cvtColor.",
+    ),
+)
