@@ -68,7 +68,7 @@ figure_texts = {
     ),
     "portrait": (
         "The median on a photograph: it removes the noise, but also fine details such as the eyelashes.",
-        "The eyes and the nose of a smiling astronaut, above with white and black pixels, below without them.",
+        "The face of a smiling astronaut, above with white and black pixels, below without them.",
     ),
 }
 

@@ -2,7 +2,7 @@
 # jupyter:
 #   imgproc_course:
 #     title: Binarization
-#     minutes: 45
+#     minutes: 60
 # ---
 
 # %% [markdown]
@@ -15,7 +15,7 @@
 # - compute Otsu's threshold by hand, with the same result as OpenCV,
 # - explain when one threshold for the whole image fails, and what works instead.
 #
-# **Time** about 45 minutes. **You need** [[grayscale]] and [[noise_removal]].
+# **Time** about 60 minutes; take a break after section 4. **You need** [[arrays]], [[grayscale]] and [[noise_removal]].
 
 # %% role="given" exercise=["binarization-otsu"]
 import numpy as np
@@ -25,18 +25,66 @@ import cv2
 from matplotlib.figure import Figure
 
 from imgproc_course.display import show, show_figure
-from imgproc_course.exercises import check
-from imgproc_course.imaging import adaptive_threshold, otsu_threshold, threshold, to_gray
+from imgproc_course.exercises import check, compare_guess
+from imgproc_course.imaging import adaptive_threshold, otsu_threshold
+from imgproc_course.imaging import threshold, to_gray
 from imgproc_course.recording import open_recording
 
+# %%
+# The captions and alt texts of the figures
+figure_texts = {
+    "tiny": (
+        "Above means strictly above: 100 is not above 100, so this pixel becomes black.",
+        "A five by five grid of gray numbers, and the same grid in black and white with 0 and 255.",
+    ),
+    "marker": (
+        "Black print on white paper, seen by the robot from a distance of 3.6 metres.",
+        "A black square with a white pattern of bits on white paper.",
+    ),
+    "histogram": (
+        "Two peaks: the print on the left, the paper on the right. The gray levels between them come from the blurred edges of the print and from the wall. A threshold in this valley works, such as 128.",
+        "A histogram with one peak of dark and one of bright gray levels, and a blue line at 128 between them.",
+    ),
+    "otsu": (
+        "The curve is highest at Otsu's threshold, which separates the two peaks best. The red line marks it.",
+        "Above, the marker's histogram; below, a curve with one broad maximum; a red line through both.",
+    ),
+    "binary marker": (
+        "The print is black and the paper is white: now a program can read the pattern of the marker.",
+        "The marker in gray and in pure black and white.",
+    ),
+    "photograph": (
+        "The dark coat is separated from the bright sky and grass: a global threshold is enough here.",
+        "A man behind a camera on a tripod, in gray and in black and white.",
+    ),
+    "rug": (
+        "The rug with its dark stripes. The part on the right lies in the shade, the rest in the sun.",
+        "A rug with dark zigzag stripes, bright on the left and darker on the right.",
+    ),
+    "global": (
+        "In the shade the stripes are separated. In the sun nearly everything is white, and the stripes are lost.",
+        "The rug in black and white: stripes on the right, a white area without stripes on the left.",
+    ),
+    "adaptive": (
+        "With an adaptive threshold the stripes are visible in the sun and in the shade.",
+        "Above, zigzag stripes only on the right; below, zigzag stripes everywhere.",
+    ),
+}
+
+# %%
 recording = open_recording("drive")
 gray = to_gray(recording.frame(30))
-print("gray", gray.shape, gray.dtype, "range", gray.min(), "to", gray.max())
+print(gray.shape, gray.dtype, "range", gray.min(), "to", gray.max())
 
 # %% [markdown]
 # ## 1 · A global threshold (5 minutes)
 #
-# **Ask.** In the image below, every value above 100 becomes 255 (white), and all others become 0 (black). This is a **global threshold**: one number for the whole image. **Predict** what happens to the 100 in the middle.
+# **Ask.** In the image below, every value above 100 becomes 255 (white), and all others become 0 (black). This is a **global threshold**: one number for the whole image.
+#
+# **Predict** which value the 100 in the middle gets.
+
+# %% role="predict"
+guess_middle = None  # your guess: 0 or 255?
 
 # %%
 tiny = np.array([[20, 30, 40, 180, 190],
@@ -45,104 +93,157 @@ tiny = np.array([[20, 30, 40, 180, 190],
                  [35, 45, 160, 195, 205],
                  [40, 50, 170, 200, 210]], dtype=np.uint8)
 binary = np.where(tiny > 100, 255, 0).astype(np.uint8)
-show([tiny, binary], ["gray", "above 100"], encoding="mono8",
-     caption="Above means strictly above: 100 is not above 100, so this pixel becomes black.",
-     alt="A five by five grid of gray numbers, and the same grid in black and white with 0 and 255.")
-
-assert binary[2, 2] == 0 and np.unique(binary).tolist() == [0, 255]
-assert (threshold(tiny, 100) == binary).all()
+show([tiny, binary], ["gray", "above 100"], text=figure_texts["tiny"])
+compare_guess(guess_middle, binary[2, 2])
 
 # %% [markdown]
-# ## 2 · The histogram (7 minutes)
+# `threshold(tiny, 100)` of the course gives the same image. OpenCV compares in the same way: strictly above.
+
+# %%
+# Check: the numbers in this section
+assert binary[2, 2] == 0 and np.unique(binary).tolist() == [0, 255]
+assert (threshold(tiny, 100) == binary).all()
+assert (cv2.threshold(tiny, 100, 255, cv2.THRESH_BINARY)[1] == binary).all()
+
+# %% [markdown]
+# ## 2 · The histogram (9 minutes)
 #
-# The marker in front of the back wall is black print on white paper. The print is the foreground, the paper is the background. A **histogram** counts how many pixels have each gray level. **Predict** its shape: does it have one *peak* (a hill) or two?
+# The marker in front of the back wall is black print on white paper. The print is the foreground, the paper is the background.
 
 # %%
 marker = gray[319:395, 656:724]
-counts = np.bincount(marker.ravel(), minlength=256)  # counts[100] is the number of pixels with gray level 100
-show(marker, "the marker", encoding="mono8",
-     caption="Black print on white paper, seen by the robot from a distance of 3.6 metres.",
-     alt="A black square with a white pattern of bits on white paper.")
-
-assert counts.sum() == marker.size == 76 * 68
-
-# %%
-def draw_histogram(counts, lines, title):
-    figure = Figure(figsize=(8, 2.6), dpi=100, layout="constrained")
-    axes = figure.add_subplot()
-    axes.bar(np.arange(256), counts, width=1, color="0.35")
-    for name, (value, colour) in lines.items():
-        axes.axvline(value, color=colour, label=f"{name} = {value}")
-    axes.set(title=title, xlabel="gray level", ylabel="pixels", xlim=(0, 255))
-    axes.legend()
-    return figure
-
-
-show_figure(draw_histogram(counts, {"threshold in the middle": (128, "tab:blue")}, "pixels of each gray level"),
-            caption="Two peaks: the print on the left, the paper on the right. Any threshold in the valley between them works.",
-            alt="A histogram with one peak of dark and one of bright gray levels, and a blue line at 128 between them.")
+show(marker, "the marker", text=figure_texts["marker"])
 
 # %% [markdown]
-# ## 3 · Otsu's method (10 minutes)
+# A **histogram** counts how many pixels have each gray level. `np.bincount` counts how often each whole number occurs in a list of numbers: first how many 0, then how many 1, and so on. `ravel` makes such a list of an image: all rows, one after another.
+
+# %%
+levels = np.array([[2, 0, 2], [5, 2, 0]])
+print("as one list:", levels.ravel())
+print("counts:     ", np.bincount(levels.ravel()))
+
+# %% [markdown]
+# There are two zeros, no 1, three times 2, no 3, no 4, and one 5. Now the marker.
+#
+# **Predict** how many percent of the marker's pixels are bright: above 128.
+
+# %% role="predict"
+guess_share = None  # your guess: how many percent?
+
+# %%
+counts = np.bincount(marker.ravel(), minlength=256)
+print("pixels with the gray level 100:", counts[100])
+bright_share = counts[129:].sum() / marker.size
+compare_guess(guess_share, round(bright_share * 100), "%")
+
+# %% [markdown]
+# (`minlength=256` gives one count for every gray level up to 255, even if the brightest ones do not occur.) The histogram as a figure:
+
+# %%
+figure = Figure(figsize=(8, 2.6), dpi=100, layout="constrained")
+axes = figure.add_subplot()
+axes.bar(range(256), counts, width=1, color="0.35")
+axes.axvline(128, color="tab:blue")  # a vertical line
+axes.set(xlabel="gray level", ylabel="pixels", xlim=(0, 255))
+show_figure(figure, text=figure_texts["histogram"])
+
+# %%
+# Check: the numbers in this section
+assert np.bincount(levels.ravel()).tolist() == [2, 0, 3, 0, 0, 1]
+assert counts.sum() == marker.size == 76 * 68 and counts.shape == (256,)
+assert round((marker > 128).mean(), 9) == round(bright_share, 9)
+
+# %% [markdown]
+# ## 3 · Otsu's method (14 minutes)
 #
 # A histogram with two peaks is called *bimodal*. A person sees the valley between the peaks, but a program needs a rule. **Otsu's method** (1979) tries every threshold. Each threshold splits the pixels into two classes. The method keeps the threshold with the largest **between-class variance**, which measures how much the two classes differ:
 #
 # $$\sigma_B^2(t) = w_0\, w_1\, (\mu_0 - \mu_1)^2$$
 #
-# Class 0 contains the pixels at or below the threshold $t$, class 1 the pixels above $t$. The weights $w_0$ and $w_1$ say which share of all pixels is in each class. $\mu_0$ and $\mu_1$ (the Greek letter mu) are the mean gray levels of the two classes, and $\sigma_B^2$ (sigma squared) is the between-class variance.
+# - Class 0 contains the pixels at or below the threshold $t$, class 1 the pixels above $t$.
+# - $w_0$ and $w_1$, the weights, say which share of all pixels is in each class.
+# - $\mu_0$ and $\mu_1$ (the Greek letter mu) are the mean gray levels of the two classes.
+# - $\sigma_B^2$ (sigma squared) is the between-class variance.
 #
-# The next cell computes it for eight pixels and four thresholds. **Predict** which of the four thresholds is the best.
+# By hand for eight pixels, 10, 20, 20, 30, 180, 190, 200, 210, and $t = 195$: six of eight pixels are in class 0, and their mean is 75. Two of eight are in class 1, and their mean is 205. So
+#
+# $$\sigma_B^2(195) = \tfrac{6}{8} \cdot \tfrac{2}{8} \cdot (75 - 205)^2 = 0.75 \cdot 0.25 \cdot 16900 = 3168.75$$
+#
+# Why multiply by the shares? Without them, the method would like to put a single very dark pixel alone into a class: then the means differ most.
+#
+# **Predict** which of the four thresholds 15, 25, 100 and 195 is the best for the eight pixels.
+
+# %% role="predict"
+guess_t = None  # your guess: 15, 25, 100 or 195?
 
 # %%
 eight = np.array([10, 20, 20, 30, 180, 190, 200, 210])
-variance_at = {}  # threshold: variance
-for t in (15, 25, 100, 195):
+thresholds = [15, 25, 100, 195]
+variances = []
+for t in thresholds:
     below, above = eight[eight <= t], eight[eight > t]
-    variance_at[t] = below.size / 8 * above.size / 8 * (below.mean() - above.mean()) ** 2
-    print(f"t = {t:3}   {below.size} in class 0, {above.size} in class 1   between-class variance {variance_at[t]:8.1f}")
-
-assert 4 / 8 * 4 / 8 * (eight[:4].mean() - eight[4:].mean()) ** 2 == 7656.25 == variance_at[100]
-assert max(variance_at, key=variance_at.get) == 100 and eight[3] == 30 and eight[4] == 180
+    w0, w1 = below.size / 8, above.size / 8
+    variances.append(w0 * w1 * (below.mean() - above.mean()) ** 2)
+    print(f"t = {t:3}  shares {w0} and {w1}  variance {variances[-1]:.2f}")
+best_position = np.argmax(variances)  # where the largest variance stands
+compare_guess(guess_t, thresholds[best_position])
 
 # %% [markdown]
-# The best of the four is 100. It lies between the dark values (up to 30) and the bright values (from 180), and has the largest between-class variance. Now we try all 256 thresholds on the marker.
+# The best of the four is 100. It lies between the dark values (up to 30) and the bright values (from 180).
+#
+# For the marker we try all thresholds. An image has many pixels but only 256 gray levels, so it is faster to compute the means from the histogram: the sum of all gray levels is the sum of each level times its count.
 
 # %%
 def between_class_variance(counts, t):
-    levels = np.arange(256)
-    below, above = counts[: t + 1].sum(), counts[t + 1 :].sum()
-    if below == 0 or above == 0:
-        return 0.0
-    mean_below = (levels[: t + 1] * counts[: t + 1]).sum() / below
-    mean_above = (levels[t + 1 :] * counts[t + 1 :]).sum() / above
-    return below * above / counts.sum() ** 2 * (mean_below - mean_above) ** 2
+    sums = np.arange(256) * counts  # level times count
+    n0, n1 = counts[: t + 1].sum(), counts[t + 1 :].sum()
+    mean0 = sums[: t + 1].sum() / n0
+    mean1 = sums[t + 1 :].sum() / n1
+    w0, w1 = n0 / counts.sum(), n1 / counts.sum()
+    return w0 * w1 * (mean0 - mean1) ** 2
 
+# %% [markdown]
+# **Predict** Otsu's threshold for the marker. Look at the histogram in section 2.
 
-variances = np.array([between_class_variance(counts, t) for t in range(256)])
-best = int(np.argmax(variances))  # the position of the largest value
-print("best threshold:", best, "  OpenCV's:", int(cv2.threshold(marker, 0, 255, cv2.THRESH_OTSU)[0]))
+# %% role="predict"
+guess_otsu = None  # your guess: which gray level?
 
-assert best == otsu_threshold(marker) == int(cv2.threshold(marker, 0, 255, cv2.THRESH_OTSU)[0])
+# %%
+variances = np.zeros(256)
+# From the darkest pixel on, class 0 has pixels; below the brightest, class 1.
+for t in range(marker.min(), marker.max()):
+    variances[t] = between_class_variance(counts, t)
+best = int(np.argmax(variances))
+opencv_best, _ = cv2.threshold(marker, 0, 255, cv2.THRESH_OTSU)
+print("OpenCV's threshold:", int(opencv_best))
+compare_guess(guess_otsu, best)
 
 # %%
 figure = Figure(figsize=(8, 3.6), dpi=100, layout="constrained")
 upper, lower = figure.subplots(2, sharex=True)
-upper.bar(np.arange(256), counts, width=1, color="0.35")
+upper.bar(range(256), counts, width=1, color="0.35")
 lower.plot(variances, color="tab:orange")
-for axes in (upper, lower):
-    axes.axvline(best, color="tab:red")
+upper.axvline(best, color="tab:red")
+lower.axvline(best, color="tab:red")
 upper.set(ylabel="pixels", title=f"Otsu's threshold is {best}")
-lower.set(xlabel="threshold t (gray level)", ylabel="between-class\nvariance (level²)", xlim=(0, 255))
-show_figure(figure, caption="The curve is highest at Otsu's threshold, which separates the two peaks best. The red line marks it.",
-            alt="Above, the marker's histogram; below, a curve with one broad maximum; a red line through both.")
+lower.set(xlabel="threshold t (gray level)", xlim=(0, 255),
+          ylabel="between-class\nvariance (level²)")
+show_figure(figure, text=figure_texts["otsu"])
 
 # %%
-show([marker, threshold(marker, best)], ["gray", f"above {best}"], encoding="mono8",
-     caption="The print is black and the paper is white: now a program can read the pattern of the marker.",
-     alt="The marker in gray and in pure black and white.")
+show([marker, threshold(marker, best)], ["gray", f"above {best}"],
+     columns=1, text=figure_texts["binary marker"])
+
+# %%
+# Check: the numbers in this section
+assert eight[:6].mean() == 75 and eight[6:].mean() == 205
+assert 6 / 8 * 2 / 8 * (75 - 205) ** 2 == 3168.75
+assert thresholds[best_position] == 100 and eight[3] == 30 and eight[4] == 180
+assert 4 / 8 * 4 / 8 * (eight[:4].mean() - eight[4:].mean()) ** 2 == 7656.25
+assert best == otsu_threshold(marker) == int(opencv_best)
 
 # %% [markdown]
-# ## 4 · Two more examples (5 minutes)
+# ## 4 · Two more examples (4 minutes)
 #
 # Otsu's method on the sign on the wall, and on a photograph of a man with a camera, one of scikit-image's example images (CC0, free to use).
 
@@ -151,50 +252,95 @@ from skimage import data
 
 sign = to_gray(recording.frame(75))[215:310, 660:800]
 photograph = data.camera()
-for name, image in {"sign": sign, "photograph": photograph}.items():
-    print(f"{name:10} Otsu's threshold {otsu_threshold(image)}")
+t = otsu_threshold(photograph)
+print("sign:", otsu_threshold(sign), "  photograph:", t)
+show([photograph, threshold(photograph, t)], ["photograph", "Otsu"],
+     text=figure_texts["photograph"])
 
-show([photograph, threshold(photograph, otsu_threshold(photograph))], ["photograph", "Otsu"],
-     caption="The dark coat is separated from the bright sky and grass: a global threshold is enough here.",
-     alt="A man behind a camera on a tripod, in gray and in black and white.")
-assert otsu_threshold(photograph) == int(cv2.threshold(photograph, 0, 255, cv2.THRESH_OTSU)[0])
+# %%
+# Check: Otsu's threshold of both images is OpenCV's
+for image in (sign, photograph):
+    opencv_threshold, _ = cv2.threshold(image, 0, 255, cv2.THRESH_OTSU)
+    assert otsu_threshold(image) == int(opencv_threshold)
 
 # %% [markdown]
-# ## 5 · Planned failure: the sun on the floor (8 minutes)
+# *This is a good place for a break.*
 #
-# Half of a rug with dark stripes lies in the sun. The dark stripes are our foreground. **Predict** what a global threshold does to the half in the sun.
+# ## 5 · Planned failure: the sun on the floor (12 minutes)
+#
+# A part of a rug with dark stripes lies in the sun. The dark stripes are our foreground.
 
 # %%
 rug = gray[415:515, 60:560]
-global_result = threshold(rug, otsu_threshold(rug))
-show([rug, global_result], ["rug, partly in the sun", f"above {otsu_threshold(rug)}"], encoding="mono8", columns=1,
-     caption="A global threshold separates sun and shade instead of dark and bright stripes.",
-     alt="A striped rug with a bright sunny part; below, the sunny part is all white.")
+show(rug, "rug, partly in the sun", text=figure_texts["rug"])
 
 # %% [markdown]
-# Why does it fail? Compare a dark stripe in the sun with a bright stripe in the shade:
+# **Predict** how many percent of the sunny pixels become white with Otsu's global threshold. (If the stripes were separated correctly, it would be about 60 %.)
+
+# %% role="predict"
+guess_white = None  # your guess: how many percent?
+
+# %%
+t = otsu_threshold(rug)
+global_result = threshold(rug, t)
+show(global_result, f"above {t}", text=figure_texts["global"])
+sunny_result = global_result[50:90, 150:250]
+compare_guess(guess_white, round((sunny_result == 255).mean() * 100), "%")
+
+# %% [markdown]
+# Why does it fail? Compare the dark stripes in the sun with the bright stripes in the shade.
+#
+# **Predict**: are the dark stripes in the sun brighter than the bright stripes in the shade?
+
+# %% role="predict"
+guess_brighter = None  # your guess: "yes" or "no"?
 
 # %%
 sunny, shady = rug[50:90, 150:250], rug[50:90, 430:500]
-# np.percentile(sunny, 10): 10 % of the sunny pixels are darker than this value
-dark_in_sun, bright_in_shade = np.percentile(sunny, 10), np.percentile(shady, 90)
-print(f"dark stripes in the sun: {dark_in_sun:.0f}   bright stripes in the shade: {bright_in_shade:.0f}")
-
-assert round(dark_in_sun) == 188 and round(bright_in_shade) == 185
+# 10 % of the sunny pixels are darker than this value
+dark_in_sun = np.percentile(sunny, 10)
+# 90 % of the shady pixels are darker than this value
+bright_in_shade = np.percentile(shady, 90)
+print(f"dark in the sun: {dark_in_sun:.0f}")
+print(f"bright in the shade: {bright_in_shade:.0f}")
+compare_guess(guess_brighter, bool(dark_in_sun > bright_in_shade))
 
 # %% [markdown]
-# A dark stripe in the sun is brighter than a bright stripe in the shade. So no single threshold separates dark from bright stripes. **Repair it**: compare each pixel with *its own neighbourhood*. The **adaptive threshold** of a pixel is the mean of a square block around this pixel, minus a constant.
+# So no single threshold separates dark from bright stripes. **Repair it**: compare each pixel with *its own neighbourhood*. The **adaptive threshold** of a pixel is the mean of a square block around this pixel, minus a constant. First one row by hand: five pixels in the sun, then five in the shade, and blocks of three pixels.
+
+# %%
+row = np.array([200, 180, 200, 180, 200, 80, 60, 80, 60, 80])
+padded = np.pad(row, 1, mode="edge")
+block_means = (padded[:-2] + padded[1:-1] + padded[2:]) / 3
+print("row      ", row)
+print("threshold", (block_means - 5).round().astype(int))
+print("white    ", (row > block_means - 5).astype(int))
+
+# %% [markdown]
+# The threshold follows the light: about 185 in the sun, about 65 in the shade. Every stripe is separated correctly, except for one pixel at the border of the shadow: the first 80 has a bright neighbour from the sun in its block.
+#
+# The constant helps in flat areas: there each pixel is nearly equal to its mean, and noise would decide. With "mean minus 5" a flat area is white. Now the rug, with blocks of 31 × 31 pixels:
 
 # %%
 adaptive_result = adaptive_threshold(rug, 31, 5)
-show([global_result, adaptive_result], ["global threshold (Otsu)", "adaptive threshold: mean of 31 × 31, minus 5"], columns=1,
-     caption="With an adaptive threshold the stripes are visible in the sun and in the shade.",
-     alt="Above, the rug split into a white and a dark area; below, its zigzag stripes everywhere.")
+show([global_result, adaptive_result],
+     ["global threshold (Otsu)", "adaptive threshold: mean of 31 × 31, minus 5"],
+     columns=1, text=figure_texts["adaptive"])
 
-assert (adaptive_result == cv2.adaptiveThreshold(rug, 255, cv2.ADAPTIVE_THRESH_MEAN_C, cv2.THRESH_BINARY, 31, 5)).all()
+# %%
+# Check: the numbers in this section
+method = cv2.ADAPTIVE_THRESH_MEAN_C
+opencv_result = cv2.adaptiveThreshold(rug, 255, method, cv2.THRESH_BINARY, 31, 5)
+assert (adaptive_result == opencv_result).all()
+assert round(dark_in_sun) == 188 and round(bright_in_shade) == 185
+assert (sunny_result == 255).mean() > 0.9
+assert abs((adaptive_result[50:90, 150:250] == 255).mean() - 0.6) < 0.05
+assert (row > block_means - 5).tolist() == [1, 0, 1, 0, 1, 0, 0, 1, 0, 1]
+assert np.abs((block_means - 5)[1:4] - 185).max() < 5
+assert np.abs((block_means - 5)[6:9] - 65).max() < 5
 
 # %% [markdown]
-# ## 6 · Your turn: Otsu from the pixels (15 minutes)
+# ## 6 · Your turn: Otsu from the pixels (16 minutes)
 #
 # Section 3 counted the pixels in a histogram. Find the same threshold without a histogram: write `otsu(gray)`, which tries every `t` from 0 to 255 and selects the pixels of the two classes with masks, as for the eight pixels.
 #
@@ -521,8 +667,12 @@ def otsu(gray):
 # | between-class variance | (256,) | float64 | 0 to 16,256.25 | gray level squared |
 # | threshold | one number | int | 0 to 255 | gray level |
 # | binary | (720, 1280) | uint8 | 0 and 255 | no and yes |
+#
+# **Next:** [[canny_stages]].
 
 # %%
+# Check: the numbers in the table
+binary = threshold(gray, 128)
 assert counts.shape == (256,) and counts.dtype == np.int64 and gray.size == 921_600
 assert (255 / 2) ** 2 == 16_256.25 and variances.max() < 16_256.25
-assert threshold(gray, 128).shape == (720, 1280) and threshold(gray, 128).dtype == np.uint8
+assert binary.shape == (720, 1280) and binary.dtype == np.uint8
