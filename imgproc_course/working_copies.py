@@ -2,8 +2,9 @@
 
 A copy has no outputs, so that a learner can predict a result. my_lessons/.course.json stores for each copy
 which lesson it came from. An update replaces a copy that the learner has not changed. If the learner has
-changed it, the updated lesson is added under a new name. Nothing is ever deleted. Without .course.json, every
-copy that differs from its lesson counts as changed.
+changed it, the updated lesson is added under a new name. A copy under an older number of its lesson gets the
+new number. Nothing is ever deleted. Without .course.json, every copy that differs from its lesson counts as
+changed.
 """
 
 import contextlib
@@ -11,6 +12,7 @@ import errno
 import hashlib
 import json
 import os
+import re
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import NamedTuple
@@ -18,10 +20,13 @@ from typing import NamedTuple
 import imgproc_course
 from imgproc_course.authoring.atomic_write import stage_file
 from imgproc_course.authoring.learner_files import files_for_learners, without_outputs
+from imgproc_course.authoring.lesson_names import lesson_name
 
 CHECKOUT = Path(imgproc_course.__file__).resolve().parents[1]
 STATE = ".course.json"
 LOCK = ".course.lock"
+# A lesson's number in prose: in its heading, in a link, in "lesson 04".
+_NUMBER = re.compile(r"(?<=^# )\d\d(?= · )|\b\d\d(?=_[a-z])|(?<=[Ll]esson )\d\d\b")
 
 
 class LessonsError(Exception):
@@ -35,6 +40,7 @@ class LessonChanges:
     new: list[str] = field(default_factory=list)
     updated: list[str] = field(default_factory=list)
     added_beside: list[tuple[str, str]] = field(default_factory=list)  # (learner's file, updated lesson)
+    renumbered: list[tuple[str, str]] = field(default_factory=list)  # (old name, new name)
     folder: str = "my_lessons"
 
     @property
@@ -50,7 +56,10 @@ class LessonChanges:
             yield f"Updated, because you had not changed them: {', '.join(self.updated)}"
         for learners_file, lesson in self.added_beside:
             yield f"Updated in the course: {learners_file}. Your file is unchanged; the new one is {lesson}"
-        if not self.written:
+        if self.renumbered:
+            pairs = ", ".join(f"{old} is now {new}" for old, new in self.renumbered)
+            yield f"Lessons have new numbers, and your work in them is unchanged: {pairs}"
+        if not self.written and not self.renumbered:
             yield f"{self.folder}/ is up to date; nothing was changed."
 
 
@@ -104,7 +113,12 @@ def _update(source, target, lessons, version):
     with staged:
         for name in lessons:
             data = without_outputs((source / name).read_bytes())
-            origins[name] = _update_one(staged, changes, name, data, origins.get(name), version)
+            old_name = _name_under_older_number(target, name, origins)
+            if old_name:
+                staged.rename(old_name, name)
+                changes.renumbered.append((old_name, name))
+            origin = _take_origin(origins, target, name, old_name)
+            origins[name] = _update_one(staged, changes, name, data, origin, version)
         state = target / STATE
         staged.write(
             STATE, _state_text(origins).encode(), replaces=state.read_bytes() if state.exists() else None
@@ -113,9 +127,45 @@ def _update(source, target, lessons, version):
     return changes
 
 
+def _name_under_older_number(folder, name, origins):
+    """The name of a lesson's copy under an older number; None if there is none, or if the name is taken."""
+    path = folder / name
+    lesson = lesson_name(path.stem)
+    if path.exists() or lesson == path.stem:
+        return None
+    names = [
+        copy.relative_to(folder).as_posix()
+        for copy in sorted(path.parent.glob(f"[0-9][0-9]_{lesson}{path.suffix}"))
+        if copy.is_file()
+    ]
+    own = [copy for copy in names if copy in origins] or [
+        copy for copy in names if _lesson_in_metadata((folder / copy).read_bytes()) == lesson
+    ]
+    return own[-1] if own else None
+
+
+def _lesson_in_metadata(data):
+    with contextlib.suppress(ValueError, KeyError, TypeError, AttributeError):
+        return lesson_name(json.loads(data)["metadata"]["imgproc_course"]["lesson"])
+    return None
+
+
+def _take_origin(origins, folder, name, old_name):
+    """Where a copy came from; also under an older number, if an update was interrupted after its renaming."""
+    if name in origins:
+        return origins.pop(name)
+    lesson = lesson_name(Path(name).stem)
+    for entry in sorted(origins):
+        is_renamed = entry == old_name or not (folder / entry).exists()
+        other_number = Path(entry).with_stem(lesson) == Path(name).with_stem(lesson)
+        if is_renamed and other_number and lesson_name(Path(entry).stem) == lesson:
+            return origins.pop(entry)
+    return None
+
+
 def _update_one(staged, changes, name, data, origin, version):
     """Stages the files to write for one lesson; returns the origin to store."""
-    copy = staged.folder / name
+    copy = staged.present_path(name)
     lesson = Origin(_digest(data), _work_digest(name, data))
     if not copy.exists():
         staged.write(name, data)
@@ -125,7 +175,7 @@ def _update_one(staged, changes, name, data, origin, version):
         return origin
     copy_data = copy.read_bytes()
     copy_work = _work_digest(name, copy_data)
-    if origin and copy_work == origin.work:
+    if origin and origin.work in (copy_work, _work_digest(name, copy_data, with_numbers=True)):
         if copy_data != data:
             staged.write(name, data, replaces=copy_data)
             changes.updated.append(name)
@@ -160,25 +210,27 @@ def _digest(data):
     return hashlib.sha256(data).hexdigest()
 
 
-def _work_digest(name, data):
+def _work_digest(name, data, *, with_numbers=False):
     """Digest of what counts as a learner's work: in a notebook the cells, without their outputs and counts.
 
     Running cells is not work; writing, adding or moving a cell is, and so is pasting an image into one. In a
-    file that is not a readable notebook, every byte counts.
+    file that is not a readable notebook, every byte counts. The numbers of lessons do not count, except in
+    digests that the first version stored.
     """
     if name.endswith(".ipynb"):
         with contextlib.suppress(ValueError, KeyError, TypeError, AttributeError):
             cells = json.loads(data)["cells"]
-            return _digest(json.dumps([_work_of(cell) for cell in cells], sort_keys=True).encode())
+            work = [_work_of(cell, with_numbers) for cell in cells]
+            return _digest(json.dumps(work, sort_keys=True).encode())
     return _digest(data)
 
 
-def _work_of(cell):
-    source = cell["source"]
+def _work_of(cell, with_numbers):
+    source = cell["source"] if isinstance(cell["source"], str) else "".join(cell["source"])
     return [
         cell.get("id"),
         cell["cell_type"],
-        source if isinstance(source, str) else "".join(source),
+        source if with_numbers or cell["cell_type"] != "markdown" else _NUMBER.sub("", source),
         cell.get("attachments") or {},
     ]
 
@@ -206,6 +258,7 @@ class StagedFiles:
     def __init__(self, folder):
         self.folder = folder
         self._files = []  # (temporary path, final path, the bytes that it replaces there or None)
+        self._renamed = {}  # new path: old path
 
     def __enter__(self):
         return self
@@ -221,10 +274,22 @@ class StagedFiles:
         temporary = stage_file(path, data, sync=True)
         self._files.append((temporary, path, replaces))
 
+    def rename(self, old_name, name):
+        self._renamed[self.folder / name] = self.folder / old_name
+
+    def present_path(self, name):
+        """Where a file is until everything is put in place."""
+        return self._renamed.get(self.folder / name, self.folder / name)
+
     def put_in_place(self):
         for _, path, replaces in self._files:
-            if (path.read_bytes() if path.exists() else None) != replaces:
-                raise LessonsError(f"{path.name} was saved during its update; start again")
+            present = self._renamed.get(path, path)
+            if (present.read_bytes() if present.exists() else None) != replaces:
+                raise LessonsError(f"{present.name} was saved during its update; start again")
+        for path, old_path in self._renamed.items():
+            if path.exists():
+                raise LessonsError(f"{path.name} appeared during the update; start again")
+            old_path.rename(path)
         for temporary, path, _ in self._files:
             temporary.replace(path)
 

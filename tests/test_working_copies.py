@@ -91,7 +91,7 @@ def as_first_version_copied(course, **lessons):
     course.copies.mkdir()
     for name, text in lessons.items():
         course.write(name, text)
-        work = working_copies._work_digest("a.ipynb", text.encode())
+        work = working_copies._work_digest("a.ipynb", text.encode(), with_numbers=True)
         entries[f"{name}.ipynb"] = {"shipped": hashlib.sha256(text.encode()).hexdigest(), "work": work}
     (course.copies / ".course.json").write_text(json.dumps({"lessons": entries}))
 
@@ -437,3 +437,144 @@ def test_two_starts_at_once_give_one_result(course):
     assert counts == [0, 0, 22]
     assert len(course.files()) == 22
     assert [name for name in course.all_files() if name.endswith(".tmp")] == []
+
+
+# ---------------------------------------------------------------- lessons with other numbers
+
+
+def lesson(number, *words, name="blur"):
+    """A lesson whose heading and links have numbers, as build writes them."""
+    heading = f"# {number} · Blur\n[lesson {number}, Blur]({number}_{name}.ipynb)"
+    content = json.loads(notebook("x = 1", *words))
+    content["cells"].insert(
+        0, {"cell_type": "markdown", "id": f"{name}-1", "source": heading, "metadata": {}}
+    )
+    content["metadata"] = {"imgproc_course": {"lesson": name}}
+    return json.dumps(content)
+
+
+@pytest.fixture
+def renumbered(course):
+    """A course with one lesson, copied as 03_blur; `renumber` ships it as 04_blur."""
+    for path in course.notebooks.iterdir():
+        path.unlink()
+    course.ship(**{"03_blur": lesson("03")})
+    course.start()
+
+    def renumber(*words):
+        (course.notebooks / "03_blur.ipynb").unlink()
+        course.ship(**{"04_blur": lesson("04", *words)})
+
+    course.renumber = renumber
+    return course
+
+
+def test_a_copy_without_work_gets_the_new_number_and_the_new_content(renumbered):
+    renumbered.renumber("y = 2")
+    changes = renumbered.start()
+    assert renumbered.files() == ["04_blur.ipynb"]
+    assert renumbered.read("04_blur") == lesson("04", "y = 2")
+    assert changes.renumbered == [("03_blur.ipynb", "04_blur.ipynb")]
+    assert changes.updated == ["04_blur.ipynb"] and changes.new == []
+    assert renumbered.start().written == []
+
+
+def test_a_copy_with_work_gets_the_new_number_and_keeps_its_content(renumbered):
+    work = lesson("03", "my answer")
+    renumbered.write("03_blur", work)
+    renumbered.renumber()
+    changes = renumbered.start()
+    assert renumbered.files() == [
+        "04_blur.ipynb"
+    ]  # the lesson itself has not changed: no second one beside it
+    assert renumbered.read("04_blur") == work
+    assert list(changes.lines()) == [
+        "Lessons have new numbers, and your work in them is unchanged: 03_blur.ipynb is now 04_blur.ipynb"
+    ]
+    assert list(renumbered.start().lines()) == ["my_lessons/ is up to date; nothing was changed."]
+
+
+def test_a_lesson_that_changed_as_well_is_added_beside_work_once(renumbered):
+    work = lesson("03", "my answer")
+    renumbered.write("03_blur", work)
+    renumbered.renumber("y = 2")
+    changes = renumbered.start()
+    beside = "04_blur (version 0.2.0)"
+    assert renumbered.files() == [f"{beside}.ipynb", "04_blur.ipynb"]
+    assert (renumbered.read("04_blur"), renumbered.read(beside)) == (work, lesson("04", "y = 2"))
+    assert len(list(changes.lines())) == 2
+    assert renumbered.start().written == []
+
+
+def test_nothing_is_overwritten_if_the_new_name_is_taken(renumbered):
+    renumbered.write("03_blur", lesson("03", "my answer"))
+    renumbered.write("04_blur", "mine as well")
+    renumbered.renumber("y = 2")
+    changes = renumbered.start()
+    assert changes.renumbered == []
+    assert renumbered.read("03_blur") == lesson("03", "my answer")
+    assert renumbered.read("04_blur") == "mine as well"
+    assert renumbered.files() == ["03_blur.ipynb", "04_blur (version 0.2.0).ipynb", "04_blur.ipynb"]
+    assert renumbered.start().written == []
+
+
+def test_without_the_state_file_the_metadata_name_the_lesson(renumbered):
+    (renumbered.copies / ".course.json").unlink()
+    renumbered.write("02_blur", notebook("not of this course"))
+    renumbered.renumber()
+    assert renumbered.start().renumbered == [("03_blur.ipynb", "04_blur.ipynb")]
+    assert renumbered.read("02_blur") == notebook("not of this course")
+
+
+def test_a_lesson_whose_number_another_one_gets_is_not_mixed_up_with_it(course):
+    course.ship(**{"03_blur": lesson("03"), "04_sharpen": lesson("04", name="sharpen")})
+    course.start()
+    course.write("03_blur", lesson("03", "my answer"))
+    for name in ("03_blur", "04_sharpen"):
+        (course.notebooks / f"{name}.ipynb").unlink()
+    course.ship(**{"04_blur": lesson("04"), "03_sharpen": lesson("03", name="sharpen")})
+    course.start()
+    assert course.files() == ["03_sharpen.ipynb", "04_blur.ipynb", "a.ipynb", "b.ipynb"]
+    assert course.read("04_blur") == lesson("03", "my answer")
+    assert course.read("03_sharpen") == lesson("03", name="sharpen")
+
+
+def test_an_update_that_was_interrupted_after_the_renaming_is_completed(renumbered):
+    renumbered.renumber("y = 2")
+    (renumbered.copies / "03_blur.ipynb").rename(renumbered.copies / "04_blur.ipynb")
+    changes = renumbered.start()
+    assert (changes.updated, renumbered.files()) == (["04_blur.ipynb"], ["04_blur.ipynb"])
+    assert renumbered.read("04_blur") == lesson("04", "y = 2")
+
+
+def test_a_deleted_copy_is_created_under_the_new_number(renumbered):
+    (renumbered.copies / "03_blur.ipynb").unlink()
+    renumbered.renumber()
+    changes = renumbered.start()
+    assert (changes.new, changes.renumbered) == (["04_blur.ipynb"], [])
+
+
+def test_a_copy_saved_during_the_update_keeps_its_name_and_content(renumbered, monkeypatch):
+    renumbered.renumber("y = 2")
+    path = renumbered.copies / "03_blur.ipynb"
+    monkeypatch.setattr(
+        "imgproc_course.working_copies._state_text", lambda origins: path.write_text("saved now") and "{}"
+    )
+    with pytest.raises(LessonsError, match=r"03_blur.ipynb was saved during its update; start again"):
+        renumbered.start()
+    assert (renumbered.files(), renumbered.read("03_blur")) == (["03_blur.ipynb"], "saved now")
+
+
+def test_the_copy_that_the_course_made_is_renamed_and_not_another_file(renumbered):
+    renumbered.write("05_blur", notebook("not of this course"))
+    renumbered.renumber()
+    assert renumbered.start().renumbered == [("03_blur.ipynb", "04_blur.ipynb")]
+    assert renumbered.files() == ["04_blur.ipynb", "05_blur.ipynb"]
+
+
+def test_a_copy_of_the_first_version_gets_the_new_number(course):
+    as_first_version_copied(course, **{"03_blur": lesson("03")})
+    (course.notebooks / "03_blur.ipynb").unlink()
+    course.ship(**{"04_blur": lesson("04", "y = 2")})
+    assert course.start().updated == ["04_blur.ipynb"]
+    assert course.read("04_blur") == lesson("04", "y = 2")

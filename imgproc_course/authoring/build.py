@@ -14,8 +14,8 @@ from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 from imgproc_course.authoring.atomic_write import write_file
 from imgproc_course.authoring.execute import execute, normalize, output_texts, refuse_traces
 from imgproc_course.authoring.lesson_files import lesson_file_differences, lesson_files
+from imgproc_course.authoring.lesson_names import lesson_name
 from imgproc_course.authoring.masters import find_masters, read_master
-from imgproc_course.authoring.references import lesson_name
 from imgproc_course.authoring.rules import RAISING_TAGS, VARYING_TAG
 from imgproc_course.authoring.validation import validate_exercise
 from imgproc_course.exercises.check_files import CHECKS, SOLUTIONS

@@ -9,8 +9,8 @@ from pathlib import Path
 
 from imgproc_course.authoring.atomic_write import write_file
 from imgproc_course.authoring.learner_files import CHECKS, SOLUTIONS, without_outputs
+from imgproc_course.authoring.lesson_names import lesson_name
 from imgproc_course.authoring.masters import find_lessons
-from imgproc_course.authoring.references import lesson_name
 
 MARKER = ".course.json"  # a folder with this file is a learner's: check keeps progress there
 _ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same files give the same bytes

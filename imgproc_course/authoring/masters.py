@@ -123,7 +123,8 @@ A practice exercise (`practice=True`) is checked but not graded: its points coun
 from dataclasses import dataclass, replace
 from pathlib import Path
 
-from imgproc_course.authoring.references import LESSON_FILE, References, lesson_name
+from imgproc_course.authoring.lesson_names import LESSON_FILE, lesson_name
+from imgproc_course.authoring.references import References
 from imgproc_course.authoring.rules import FOLDED_LINES, VARYING_TAG, master_problems
 from imgproc_course.exercises.declaration import MasterError, read_exercises
 from imgproc_course.exercises.percent_script import DROPPED_ROLES, read_script

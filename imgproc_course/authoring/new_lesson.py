@@ -3,7 +3,7 @@
 import re
 from pathlib import Path
 
-from imgproc_course.authoring.references import LESSON_FILE
+from imgproc_course.authoring.lesson_names import LESSON_FILE
 from imgproc_course.exercises.declaration import MasterError
 
 TEMPLATE = Path(__file__).with_name("new_lesson.py.txt")

@@ -17,9 +17,9 @@ from functools import cached_property
 from pathlib import Path
 
 from imgproc_course.authoring.glossary import GLOSSARY, read_glossary
+from imgproc_course.authoring.lesson_names import LESSON_FILE
 from imgproc_course.exercises.percent_script import MasterError, read_script
 
-LESSON_FILE = re.compile(r"(?P<number>\d\d)_(?P<name>(?!\d\d_)[a-z0-9_]+)")
 _IN_PROSE = re.compile(
     r"(?P<code>(?P<ticks>`+).+?(?<!`)(?P=ticks)(?!`))|\[\[(?P<target>[A-Za-z][^\[\]]*)\]\]", re.S
 )
@@ -27,12 +27,6 @@ _IN_CODE = re.compile(r"\[\[(?P<target>(?:term:[^\[\]]+|[a-z][a-z0-9_]+(?:#\d+)?
 _TITLE = re.compile(r"^#\s+title:\s*(.+?)\s*$", re.M)
 _AT_START = re.compile(r"(?:\A|\n\s*\n|[.!?] )\Z")
 _WITH_WORDS = {tokenize.COMMENT, tokenize.STRING, getattr(tokenize, "FSTRING_MIDDLE", tokenize.STRING)}
-
-
-def lesson_name(text):
-    """The name of a lesson without its number: "04_grayscale" and "grayscale" give "grayscale"."""
-    match = LESSON_FILE.fullmatch(text)
-    return match["name"] if match else text
 
 
 @dataclass(frozen=True)

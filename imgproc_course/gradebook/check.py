@@ -8,8 +8,8 @@ from dataclasses import dataclass, field
 from importlib.metadata import version
 from pathlib import Path
 
+from imgproc_course.authoring.lesson_names import lesson_name
 from imgproc_course.authoring.masters import find_masters, read_master
-from imgproc_course.authoring.references import lesson_name
 from imgproc_course.exercises.checking import CheckResult, run_cases
 from imgproc_course.exercises.declaration import Exercise, MasterError, masters_folders, read_exercises
 from imgproc_course.exercises.feedback import explain_call

@@ -23,8 +23,8 @@ from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path, PurePosixPath
 
+from imgproc_course.authoring.lesson_names import is_lesson, lessons_named, without_lesson
 from imgproc_course.autograder.sanitize import sanitize_line
-from imgproc_course.gradebook.lesson_names import is_lesson, lessons_named, without_lesson
 
 LARGEST = 50_000_000  # bytes of one notebook; a lesson full of images has a tenth of it
 LARGEST_ZIP = 4_000_000_000  # bytes of the zip file itself

@@ -14,8 +14,7 @@ import re
 from dataclasses import dataclass
 from pathlib import Path
 
-from imgproc_course.authoring.references import lesson_name
-from imgproc_course.gradebook.lesson_names import lessons_named
+from imgproc_course.authoring.lesson_names import lesson_name, lessons_named
 from imgproc_course.gradebook.lms_export import lessons_of
 
 _IDENTITIES = {"SIS Login ID", "SIS User ID", "Integration ID", "Email address", "ID number", "Username"}

@@ -16,9 +16,8 @@ from dataclasses import dataclass, field
 from enum import StrEnum
 from pathlib import Path
 
-from imgproc_course.authoring.references import lesson_name
+from imgproc_course.authoring.lesson_names import lesson_name, lessons_named
 from imgproc_course.autograder.sanitize import sanitize_line
-from imgproc_course.gradebook.lesson_names import lessons_named
 from imgproc_course.gradebook.submission_reader import MOST_CHARACTERS, function_names, syntax_digest
 
 SECONDS = 60  # for reading one notebook

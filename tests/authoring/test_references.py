@@ -1,7 +1,8 @@
 import pytest
 
+from imgproc_course.authoring.lesson_names import lesson_name
 from imgproc_course.authoring.masters import read_master
-from imgproc_course.authoring.references import References, lesson_name
+from imgproc_course.authoring.references import References
 from imgproc_course.exercises.declaration import MasterError
 
 PROSE = """

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import pytest
 
+from imgproc_course.authoring.lesson_names import lesson_name
 from imgproc_course.authoring.masters import find_masters
-from imgproc_course.authoring.references import lesson_name
 from imgproc_course.autograder.make_answer_key import make_key, sample_answers
 from imgproc_course.autograder.outcomes import Outcome
 from imgproc_course.autograder.pool import autograde

@@ -6,8 +6,8 @@ from pathlib import Path
 import pytest
 from submissions import notebook, write
 
+from imgproc_course.authoring.lesson_names import lesson_name
 from imgproc_course.authoring.masters import find_masters, read_master
-from imgproc_course.authoring.references import lesson_name
 from imgproc_course.autograder.make_answer_key import make_key
 from imgproc_course.gradebook.grade import grade_submissions
 

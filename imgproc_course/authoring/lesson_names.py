@@ -1,4 +1,4 @@
-"""Names of lessons in the names of files, folders and tables: "ada_03_grayscale-1" names grayscale.
+"""Names of lessons, alone and in the names of files, folders and tables: "ada_03_grayscale-1".
 
 The name decides, never the number: the number is only a lesson's place in the course, which changes.
 """
@@ -6,7 +6,13 @@ The name decides, never the number: the number is only a lesson's place in the c
 import re
 from functools import lru_cache
 
-from imgproc_course.authoring.references import lesson_name
+LESSON_FILE = re.compile(r"(?P<number>\d\d)_(?P<name>(?!\d\d_)[a-z0-9_]+)")
+
+
+def lesson_name(text):
+    """The name of a lesson without its number: "04_grayscale" and "grayscale" give "grayscale"."""
+    match = LESSON_FILE.fullmatch(text)
+    return match["name"] if match else text
 
 
 def lessons_named(text, lessons):

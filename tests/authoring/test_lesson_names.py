@@ -1,6 +1,6 @@
 import pytest
 
-from imgproc_course.gradebook.lesson_names import is_lesson, lessons_named, without_lesson
+from imgproc_course.authoring.lesson_names import is_lesson, lessons_named, without_lesson
 
 LESSONS = ("grayscale", "grayscale_node", "faces")
 
