@@ -2,7 +2,7 @@
 # jupyter:
 #   imgproc_course:
 #     title: Grayscale
-#     minutes: 60
+#     minutes: 80
 # ---
 
 # %% [markdown]
@@ -13,10 +13,10 @@
 # **You will be able to**
 # - explain why the three channels have different weights, and compute *luma* (the gray level that OpenCV uses) by hand,
 # - calculate with `uint8` pixels without overflow,
-# - compute luma with integers (whole numbers) only, and get the same result as OpenCV for every pixel,
+# - compute luma with integers (whole numbers) only, in loops and with slices, and get the same result as OpenCV for every pixel,
 # - explain which information a gray image loses.
 #
-# **Time** about 60 minutes. **You need** [[images_as_messages]]: the shape of a frame is (rows, columns, channels), and its channels are in the order blue, green, red.
+# **Time** about 80 minutes, with a pause after section 5. **You need** [[arrays]] (index, slice, dtype) and [[images_as_messages]]: the shape of a frame is (rows, columns, channels), and its channels are in the order blue, green, red.
 
 # %% role="given" exercise=["grayscale-luma"]
 import numpy as np
@@ -26,11 +26,13 @@ import cv2
 
 from imgproc_course.display import show
 from imgproc_course.exercises import check, compare_guess
-from imgproc_course.imaging import average_gray, lightness_gray, linear_light, linear_light_gray, to_gray
+from imgproc_course.imaging import average_gray, lightness_gray, to_gray
+from imgproc_course.imaging import linear_light, linear_light_gray
 from imgproc_course.recording import open_recording
 
 frame = open_recording("drive").frame(30)
-print("frame", frame.shape, frame.dtype, "range", frame.min(), "to", frame.max())
+print("frame", frame.shape, frame.dtype)
+print("range", frame.min(), "to", frame.max())
 
 # %%
 # The captions and alt texts of the figures
@@ -66,7 +68,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · One pixel (5 minutes)
+# ## 1 · One pixel (4 minutes)
 #
 # **Ask.** A pixel has three channels: blue 30, green 60, red 220. How bright is it? The simplest answer is the average of the three.
 #
@@ -77,7 +79,7 @@ guess_average = None  # your guess: which number?
 
 # %%
 blue, green, red = 30, 60, 220
-average = (blue + green + red) // 3
+average = (blue + green + red) // 3  # // divides and rounds down
 compare_guess(guess_average, average)
 
 # %%
@@ -85,7 +87,7 @@ compare_guess(guess_average, average)
 assert average == 103
 
 # %% [markdown]
-# ## 2 · Planned failure: overflow (7 minutes)
+# ## 2 · Planned failure: a sum of pixels (12 minutes)
 #
 # Now we take the same pixel as it is stored in a frame: three numbers of dtype `uint8`. **Predict** the result of the same calculation.
 
@@ -93,8 +95,10 @@ assert average == 103
 guess_wrapped = None  # your guess: which number?
 
 # %%
-pixel = np.array([30, 60, 220], dtype=np.uint8)
-total = pixel[:1] + pixel[1:2] + pixel[2:3]  # pixel[1:2] is an array with one value, the green one
+blue_pixels = np.array([30], dtype=np.uint8)  # arrays with one pixel each
+green_pixels = np.array([60], dtype=np.uint8)
+red_pixels = np.array([220], dtype=np.uint8)
+total = blue_pixels + green_pixels + red_pixels
 wrapped = total // 3
 print("sum:", total[0])
 compare_guess(guess_wrapped, wrapped[0])
@@ -102,53 +106,94 @@ compare_guess(guess_wrapped, wrapped[0])
 # %% [markdown]
 # The result is 18 instead of 103, and NumPy does not warn you. A `uint8` holds at most 255. After 255 the values start again at 0. This is called *overflow*, or *wrap-around*. Here 30 + 60 + 220 = 310 becomes 310 − 256 = 54, and a third of 54 is 18.
 #
-# Look at the effect on a whole frame:
+# We want to see the effect on a whole frame. For this we need the blue channel of every pixel. **Predict** the shape of `frame[0]`: is it the blue channel?
+
+# %% role="predict"
+guess_shape = None  # your guess: the shape of frame[0], such as (720, 1280)?
 
 # %%
-wrong = (frame[..., 0] + frame[..., 1] + frame[..., 2]) // 3  # frame[..., 0] is the blue channel of every pixel
-right = (frame.astype(np.uint16).sum(axis=-1) // 3).astype(np.uint8)  # axis=-1: over the channels
-show([wrong, right], ["added as uint8", "widened first"], encoding="mono8", text=figure_texts["overflow"])
+print("frame[..., 0]:", frame[..., 0].shape)
+compare_guess(guess_shape, frame[0].shape)
+
+# %% [markdown]
+# `frame[0]` is not the blue channel. It is the first *row* of the image: 1280 pixels with three channels. The channels are on the *last* axis, so the blue channel is `frame[..., 0]`.
+
+# %%
+wrong = (frame[..., 0] + frame[..., 1] + frame[..., 2]) // 3
+wide = frame.astype(np.uint16)
+right = (wide[..., 0] + wide[..., 1] + wide[..., 2]) // 3
+show([wrong, right.astype(np.uint8)], ["added as uint8", "widened first"],
+     encoding="mono8", text=figure_texts["overflow"])
 
 # %% [markdown]
 # **Repair it** in four steps, always in this order: *widen, compute, round, narrow*. To *widen* is to convert to a larger type: `astype(np.uint16)` gives a type that holds numbers up to 65,535. To *narrow* is to convert back to `uint8`, after the values are small enough again. (Here `//` rounds down.)
 
 # %%
-wide = pixel.astype(np.uint16)
-repaired = np.uint8(wide.sum() // 3)
-print("widened:", wide.sum(), "  a third of it:", repaired, repaired.dtype)
+wide = blue_pixels.astype(np.uint16) + green_pixels + red_pixels
+repaired = (wide // 3).astype(np.uint8)
+print("sum:", wide[0], wide.dtype, "  a third:", repaired[0], repaired.dtype)
+
+# %% [markdown]
+# `uint16` is large enough for a sum of three pixels. Is it large enough for a product too? Later we multiply pixels by numbers such as 19235. **Predict** the product of a white pixel, 255, and 19235 in `uint16`: is it right?
+
+# %% role="predict"
+guess_product = None  # your guess: is the product right, "yes" or "no"?
+
+# %%
+white = np.array([255], dtype=np.uint16)
+print("uint16:", (white * 19235)[0])
+print("uint32:", (white.astype(np.uint32) * 19235)[0])
+compare_guess(guess_product, int((white * 19235)[0]) == 255 * 19235)
+
+# %% [markdown]
+# The product is 4,904,925. It does not fit into `uint16`, so it overflows too. `uint32` holds numbers up to 4,294,967,295. The rule: before you compute, ask for the *largest* number that can occur, and choose a dtype that holds it.
 
 # %%
 # Check: the numbers in this section
-assert total[0] == 54 and wrapped[0] == 18 and 54 // 3 == 18
+assert total[0] == 54 and wrapped[0] == 18 and 30 + 60 + 220 == 310
+assert frame[0].shape == (1280, 3) and frame[..., 0].shape == (720, 1280)
 assert wrong.max() == 85
-assert repaired == average and np.iinfo(np.uint16).max == 65_535
+assert repaired[0] == average == 103
+assert np.iinfo(np.uint16).max == 65_535 and np.iinfo(np.uint32).max == 4_294_967_295
+assert 255 * 19235 == 4_904_925 and (white * 19235)[0] == 4_904_925 % 65_536
 
 # %% [markdown]
-# ## 3 · Your eyes do not compute the average (7 minutes)
+# ## 3 · Your eyes do not compute the average (8 minutes)
 #
-# Is the average the right gray level? The next cell draws pure blue, green and red at full intensity, and the results of three methods: the *average*; the *lightness* (the mean of the largest and the smallest channel); and *luma*, which is explained below. **Predict** which colour looks brightest to *you*, and has the largest luma.
+# Is the average the right gray level? Here are pure blue, green and red at full intensity:
+
+# %%
+patches = np.zeros((2, 6, 3), dtype=np.uint8)
+patches[:, 0:2, 0] = 255  # two columns of pure blue,
+patches[:, 2:4, 1] = 255  # two of pure green,
+patches[:, 4:6, 2] = 255  # and two of pure red
+
+# %% [markdown]
+# The next cell draws them, and the results of three methods: the *average*; the *lightness* (the mean of the largest and the smallest channel); and *luma*, which is explained below. **Predict** which colour looks brightest to *you*, and has the largest luma.
 
 # %% role="predict"
 guess_brightest = None  # your guess: "blue", "green" or "red"?
 
 # %%
-patches = np.zeros((2, 6, 3), dtype=np.uint8)
-patches[:, 0:2, 0] = patches[:, 2:4, 1] = patches[:, 4:6, 2] = 255  # two columns for each colour
-strips = [patches, average_gray(patches), lightness_gray(patches), to_gray(patches)]
-show(strips, ["colour", "average", "lightness", "luma"], numbers=False, text=figure_texts["methods"])
-
-print("average  ", average_gray(patches)[0, ::2])
-print("lightness", lightness_gray(patches)[0, ::2])
-print("luma     ", to_gray(patches)[0, ::2])
-largest = to_gray(patches)[0, ::2].argmax()  # the position of the largest value
+luma_patches = to_gray(patches)
+strips = [patches, average_gray(patches), lightness_gray(patches), luma_patches]
+show(strips, ["colour", "average", "lightness", "luma"], numbers=False,
+     text=figure_texts["methods"])
+largest = luma_patches[0, ::2].argmax()  # the position of the largest value
 compare_guess(guess_brightest, ["blue", "green", "red"][largest])
+
+# %%
+print("blue, green, red:")
+print("average  ", average_gray(patches)[0, ::2])  # row 0, every second column
+print("lightness", lightness_gray(patches)[0, ::2])
+print("luma     ", luma_patches[0, ::2])
 
 # %% [markdown]
 # For human eyes, green contributes most to the brightness, and blue contributes little. People measured this, and a television standard (ITU-R BT.601) defines three weights. The sum of the weighted channels is called **luma**:
 #
 # $$Y = 0.299\,R + 0.587\,G + 0.114\,B$$
 #
-# **Predict** the luma of our pixel (blue 30, green 60, red 220): is it close to the average, 103?
+# The weights add up to 1. So white stays white: 255 gives 255. **Predict** the luma of our pixel (blue 30, green 60, red 220): is it close to the average, 103?
 
 # %% role="predict"
 guess_luma = None  # your guess: which number?
@@ -160,30 +205,36 @@ compare_guess(guess_luma, round(weighted))
 
 # %%
 # Check: the numbers in this section
-assert to_gray(patches)[0, ::2].tolist() == [29, 150, 76]
-assert round(weighted) == 104
+assert luma_patches[0, ::2].tolist() == [29, 150, 76]
+assert round(weighted) == 104 and round(0.299 + 0.587 + 0.114, 9) == 1
 
 # %% [markdown]
-# ## 4 · With integers (8 minutes)
+# ## 4 · With integers (14 minutes)
 #
-# On a small processor, calculations with integers are fast, and their sums have no rounding errors. So we multiply the weights by 2¹⁵ = 32768, round them, and divide the sum by 2¹⁵ at the end. `>> 15` (a shift by 15 bits) is a fast way to write `// 2**15`.
+# On a small processor, calculations with integers are fast, and their sums have no rounding errors. So we multiply the weights by 2¹⁵ = 32768, round them, and divide the sum by 2¹⁵ at the end.
 
 # %%
 weights = np.array([0.114, 0.587, 0.299])  # blue, green, red
-integer_weights = np.rint(weights * 2**15).astype(int)  # rint rounds to the nearest integer
-print("weights:", integer_weights, "  their sum:", integer_weights.sum(), "  2**15:", 2**15)
+integer_weights = np.rint(weights * 2**15).astype(int)  # rint: nearest integer
+print("weights:", integer_weights, "  their sum:", integer_weights.sum())
+print("2**15:", 2**15)
 
 # %% [markdown]
 # The sum of the rounded weights is 32769, one more than 2¹⁵. But the weights of a weighted mean must add up to exactly 1; here, multiplied by 2¹⁵, they must add up to 32768. Otherwise the result is a little too large. OpenCV subtracts 1 from the smallest weight, the one of blue. So its weights are 3735, 19235 and 9798.
 #
-# One step is missing. `>> 15` *truncates*: it drops the fraction, so 104.76 becomes 104. To *round* to the nearest integer, add half of 32768 (2¹⁴ = 16384) first.
+# `>> 15` (a shift by 15 bits) is a fast way to write `// 2**15`. Like `//`, it *truncates*: it drops the fraction. To *round* to the nearest integer, add half of 32768 (2¹⁴ = 16384) first. **Predict** both results for a sum that stands for 104.76.
+
+# %% role="predict"
+guess_both = None  # your guess: truncated and rounded, such as (7, 8)?
 
 # %%
-total = 33 * 3735 + 60 * 19235 + 220 * 9798  # a pixel like ours, with a little more blue: 33
+total = 33 * 3735 + 60 * 19235 + 220 * 9798  # blue 33, green 60, red 220
 print("exact:", round(total / 2**15, 2))
-print("truncated:", total >> 15, "  rounded:", (total + 2**14) >> 15)
+compare_guess(guess_both, (total >> 15, (total + 2**14) >> 15))
 
 # %% [markdown]
+# The parentheses are important: Python computes `+` before `>>`, so `total >> 15 + 2**14` would shift by 16399 bits.
+#
 # Is it important to round? **Predict** for how many pixels of the frame the truncated and the rounded value differ: 1 %, 10 % or 50 %?
 
 # %% role="predict"
@@ -192,34 +243,81 @@ guess_percent = None  # your guess: how many percent of the pixels?
 # %%
 wide = frame.astype(np.uint32)
 sums = wide[..., 0] * 3735 + wide[..., 1] * 19235 + wide[..., 2] * 9798
-truncated, rounded = sums >> 15, (sums + 2**14) >> 15
+truncated = sums >> 15
+rounded = (sums + 2**14) >> 15
 compare_guess(guess_percent, round((truncated != rounded).mean() * 100), "%")
-
-# %%
-# Check: the numbers in this section
-assert integer_weights.tolist() == [3736, 19235, 9798] and integer_weights.sum() == 2**15 + 1 == 32769
-assert 3735 + 19235 + 9798 == 2**15 == 32768 and 2**14 == 16384
-assert round(total / 2**15, 2) == 104.76 and total >> 15 == 104 and (total + 2**14) >> 15 == 105
-assert (truncated != rounded).mean() > 0.5 and (rounded - truncated).max() == 1
 
 # %% [markdown]
 # More than half of the pixels differ, each by one gray level. You cannot see this. But later lessons compare pixels with a threshold (a fixed number). For a pixel close to the threshold, one gray level decides the result.
 #
-# ## 5 · An image small enough to read (4 minutes)
+# And is it important to use integers? The formula with 0.114, 0.587 and 0.299 is right too. But its weights are not exactly the integer weights divided by 2¹⁵. **Predict** how many of the 921,600 pixels get another gray level.
+
+# %% role="predict"
+guess_decimal = None  # your guess: how many pixels?
 
 # %%
-tiny = frame[386:391, 449:454]
-show([tiny, to_gray(tiny)], ["blue, green, red", "luma"], encoding=["bgr8", "mono8"], text=figure_texts["tiny"])
-
-b, g, r = (int(value) for value in tiny[2, 2])
-by_hand = (b * 3735 + g * 19235 + r * 9798 + 2**14) >> 15
-print(f"by hand: ({b} * 3735 + {g} * 19235 + {r} * 9798 + 16384) >> 15 = {by_hand}")
+decimal = 0.114 * frame[..., 0] + 0.587 * frame[..., 1] + 0.299 * frame[..., 2]
+other = np.rint(decimal) != rounded
+print("pixels in the frame:", other.size)
+compare_guess(guess_decimal, int(other.sum()))
 
 # %%
 # Check: the numbers in this section
-assert tiny.shape == (5, 5, 3) and to_gray(tiny)[2, 2] == by_hand
+assert integer_weights.tolist() == [3736, 19235, 9798] and integer_weights.sum() == 2**15 + 1 == 32769
+assert 3735 + 19235 + 9798 == 2**15 == 32768 and 2**14 == 16384 and 15 + 2**14 == 16399
+assert round(total / 2**15, 2) == 104.76 and total >> 15 == 104 and (total + 2**14) >> 15 == 105
+assert (truncated != rounded).mean() > 0.5 and (rounded - truncated).max() == 1
+assert other.sum() == 1 and other.size == 921_600
+colours = np.random.default_rng(0).integers(0, 256, (100, 100, 3), dtype=np.uint8)
+decimal = 0.114 * colours[..., 0] + 0.587 * colours[..., 1] + 0.299 * colours[..., 2]
+assert (np.rint(decimal) != to_gray(colours)).sum() > 1 and np.abs(np.rint(decimal) - to_gray(colours)).max() == 1
 
 # %% [markdown]
+# Only one pixel differs, by one gray level. (In an image with all kinds of colours, a few more differ.) But "equal for every pixel" is easier to check than "nearly equal". So the exercise asks for the integer weights.
+#
+# ## 5 · An image small enough to read (9 minutes)
+
+# %%
+tiny = frame[386:391, 449:454]
+show([tiny, to_gray(tiny)], ["blue, green, red", "luma"],
+     encoding=["bgr8", "mono8"], text=figure_texts["tiny"])
+
+# %%
+b = int(tiny[2, 2, 0])  # the middle pixel; int() makes a Python integer of it
+g = int(tiny[2, 2, 1])
+r = int(tiny[2, 2, 2])
+by_hand = (b * 3735 + g * 19235 + r * 9798 + 2**14) >> 15
+print(f"({b} * 3735 + {g} * 19235 + {r} * 9798 + 16384) >> 15 = {by_hand}")
+
+# %% [markdown]
+# How do we compute all pixels? First as you would do it by hand: **two loops**, over the rows and over the columns. For each pixel, the result gets one number.
+
+# %%
+height, width, channels = tiny.shape
+by_loops = np.zeros((height, width), dtype=np.uint8)  # will hold the results
+for row in range(height):
+    for col in range(width):
+        b, g, r = tiny[row, col].astype(np.uint32)
+        by_loops[row, col] = (b * 3735 + g * 19235 + r * 9798 + 2**14) >> 15
+print(by_loops)
+
+# %% [markdown]
+# The same **with slices**: `wide[..., 0]` is the blue channel of all pixels at once, and NumPy runs the loops for us. This is shorter, and for a large image it is much faster.
+
+# %%
+wide = tiny.astype(np.uint32)
+sums_tiny = wide[..., 0] * 3735 + wide[..., 1] * 19235 + wide[..., 2] * 9798
+by_slices = ((sums_tiny + 2**14) >> 15).astype(np.uint8)
+print("equal:", (by_loops == by_slices).all())
+
+# %%
+# Check: the results in this section
+assert tiny.shape == (5, 5, 3) and to_gray(tiny)[2, 2] == by_hand == by_loops[2, 2]
+assert (by_slices == to_gray(tiny)).all() and (by_loops == by_slices).all()
+
+# %% [markdown]
+# **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
+#
 # ## 6 · Does OpenCV agree? (4 minutes)
 #
 # We compare three results: our rounded sum above, the course's `to_gray`, and OpenCV's `cvtColor`. **Check** every pixel of the frame.
@@ -228,10 +326,12 @@ assert tiny.shape == (5, 5, 3) and to_gray(tiny)[2, 2] == by_hand
 gray = to_gray(frame)
 opencv = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
 print("gray", gray.shape, gray.dtype, "range", gray.min(), "to", gray.max())
-print("pixels that differ from OpenCV:", int((gray != opencv).sum()), "of", gray.size)
+print("to_gray differs from OpenCV:", (gray != opencv).sum(), "pixels")
+print("our sum differs from OpenCV:", (rounded != opencv).sum(), "pixels")
 
 # %%
-show([frame, gray], ["frame", "gray (luma)"], encoding=["bgr8", "mono8"], text=figure_texts["frame"])
+show([frame, gray], ["frame", "gray (luma)"],
+     encoding=["bgr8", "mono8"], text=figure_texts["frame"])
 
 # %% [markdown]
 # Now we take a photograph: a cup of coffee. The library scikit-image contains this photograph, which is in the public domain (CC0). In scikit-image the first channel is red, so we reverse the order of the channels (`[..., ::-1]`) before we call `to_gray`.
@@ -241,7 +341,8 @@ from skimage import data
 
 coffee = data.coffee()[..., ::-1]
 coffee_gray = to_gray(coffee)
-show([coffee, coffee_gray], ["photograph", "gray (luma)"], encoding=["bgr8", "mono8"], text=figure_texts["coffee"])
+show([coffee, coffee_gray], ["photograph", "gray (luma)"],
+     encoding=["bgr8", "mono8"], text=figure_texts["coffee"])
 
 # %%
 # Check: the results in this section
@@ -249,7 +350,7 @@ assert (gray == opencv).all() and (rounded == opencv).all()
 assert (coffee_gray == cv2.cvtColor(np.ascontiguousarray(coffee), cv2.COLOR_BGR2GRAY)).all()
 
 # %% [markdown]
-# ## 7 · Swapped channels (3 minutes)
+# ## 7 · Swapped channels (4 minutes)
 #
 # If an image is `rgb8` and you read it as `bgr8`, blue gets the weight of red. The result still looks like a correct gray image. **Predict** the mean error, in gray levels.
 
@@ -258,7 +359,7 @@ guess_error = None  # your guess: how many gray levels?
 
 # %%
 swapped = to_gray(frame[..., ::-1])
-difference = np.abs(swapped.astype(np.int16) - gray)
+difference = np.abs(swapped.astype(np.int16) - gray)  # may be negative
 print("largest difference:", difference.max(), "gray levels")
 compare_guess(guess_error, round(float(difference.mean()), 1), "gray levels")
 
@@ -277,15 +378,16 @@ assert round(float(difference.mean()), 1) == 8.6 and difference.max() == 38
 pair = np.zeros((4, 8, 3), dtype=np.uint8)
 pair[:, :4] = (40, 100, 60)   # a green
 pair[:, 4:] = (200, 10, 175)  # a violet
-print("luma left and right:", to_gray(pair)[0, 0], to_gray(pair)[0, -1])
-show([pair, to_gray(pair)], ["two colours", "one gray"], encoding=["bgr8", "mono8"], numbers=False, text=figure_texts["pair"])
+print("luma:", to_gray(pair)[0, 0], "left,", to_gray(pair)[0, -1], "right")
+show([pair, to_gray(pair)], ["two colours", "one gray"], numbers=False,
+     encoding=["bgr8", "mono8"], text=figure_texts["pair"])
 
 # %%
 # Check: the results in this section
 assert to_gray(pair)[0, 0] == to_gray(pair)[0, -1]
 
 # %% [markdown]
-# ## 9 · A pixel value is not an amount of light (5 minutes)
+# ## 9 · A pixel value is not an amount of light (6 minutes)
 #
 # A camera does not store the amount of light. It stores a *gamma-encoded* number: this encoding uses more gray levels for dark tones, because our eyes see small differences there. The sRGB standard defines the formula that calculates the amount of light from the number; `linear_light` uses it.
 #
@@ -296,7 +398,7 @@ guess_light = None  # your guess: how many times as much light?
 
 # %%
 light = linear_light(np.array([50, 100, 200, 255], dtype=np.uint8))
-print("fraction of full light at gray levels 50, 100, 200, 255:", light.round(3))
+print("fraction of full light at 50, 100, 200, 255:", light.round(3))
 compare_guess(guess_light, round(float(light[2] / light[1]), 1))
 
 # %% [markdown]
@@ -304,23 +406,24 @@ compare_guess(guess_light, round(float(light[2] / light[1]), 1))
 
 # %%
 by_light = linear_light_gray(patches)
-print("luma             ", to_gray(patches)[0, ::2], " (blue, green, red)")
+print("luma             ", luma_patches[0, ::2], " (blue, green, red)")
 print("luminance encoded", by_light[0, ::2])
-show([patches, to_gray(patches), by_light], ["colour", "luma", "luminance"], numbers=False, text=figure_texts["luminance"])
+show([patches, luma_patches, by_light], ["colour", "luma", "luminance"],
+     numbers=False, text=figure_texts["luminance"])
 
 # %%
 # Check: the numbers in this section
 assert light.round(3).tolist() == [0.032, 0.127, 0.578, 1.0]
 assert round(float(light[2] / light[1]), 1) == 4.5
 white_wall = np.full((1, 1, 3), 200, np.uint8)
-assert (by_light >= to_gray(patches)).all() and linear_light_gray(white_wall) == to_gray(white_wall) == 200
+assert (by_light >= luma_patches).all() and linear_light_gray(white_wall) == to_gray(white_wall) == 200
 
 # %% [markdown]
 # Robots still use luma: it needs only three multiplications per pixel, and OpenCV computes it. But if you want to measure light, first undo the gamma encoding, and then take the mean of the pixels.
 #
-# ## 10 · Your turn: luma with integers (14 minutes)
+# ## 10 · Your turn: luma with integers (16 minutes)
 #
-# Write `luma(bgr)`. Use the integer weights of section 4, and round.
+# Write `luma(bgr)` for an image of any size. Use the integer weights of section 4, and round. Begin with two loops if you like, make them pass, and then try to write it with slices, as in section 5.
 #
 # | Input | Output | Example call |
 # |---|---|---|
