@@ -46,7 +46,6 @@ def grades_in(folder):
 def test_a_term_in_ten_commands(tmp_path):
     lines = commands()
     assert len(lines) == 10
-    (tmp_path / "notebooks").symlink_to(CHECKOUT / "notebooks")
     masters = [read_master(path) for path in find_masters(CHECKOUT / "notebooks" / "masters")]
     masters = [each for each in masters if any(not exercise.practice for exercise in each.exercises)]
     submitted, graded = [], 0
@@ -80,4 +79,8 @@ def test_a_term_in_ten_commands(tmp_path):
     assert grades_in(tmp_path)["own"]["points"] == 3
     pages = list((tmp_path / "grades" / "learners").iterdir())
     assert len(pages) == 31 and (tmp_path / "feedback.zip").stat().st_size > 10_000
-    assert (tmp_path / "handout" / "04_grayscale.ipynb").is_file()
+    handed_out = sorted(path.stem for path in (tmp_path / "handout").glob("[0-9]*.ipynb"))
+    assert handed_out == [path.stem for path in find_masters(CHECKOUT / "notebooks" / "masters")]
+    assert (tmp_path / "handout" / "checks" / "grayscale.json").is_file()
+    assert not (tmp_path / "handout" / "solutions").exists()
+    assert (tmp_path / "handout.zip").is_file() and (tmp_path / "handout_mine.zip").is_file()
