@@ -2,7 +2,7 @@
 # jupyter:
 #   imgproc_course:
 #     title: The stages of Canny
-#     minutes: 110
+#     minutes: 180
 # ---
 
 # %% [markdown]
@@ -16,16 +16,16 @@
 # - explain what 50 and 150 mean, and when to change them,
 # - explain why a noisy image must be smoothed before edge detection.
 #
-# **Time** about 110 minutes; take a break after section 5. **You need** [[grayscale]] and [[noise_removal]].
+# **Time** about 180 minutes, best on two days: there are pauses after sections 4 and 8. **You need** [[grayscale]], and [[noise_removal]]: kernels, padding and shifted slices.
 
-# %% role="given" exercise=["canny-sobel", "canny-suppression", "canny-thresholds", "canny-hysteresis"]
+# %% role="given" exercise=["canny-sobel", "canny-local-maximum", "canny-suppression", "canny-thresholds", "canny-hysteresis"]
 import numpy as np
 
 # %% tags=["long"]
 import cv2
 
 from imgproc_course.display import draw, show, show_figure, tune
-from imgproc_course.exercises import check
+from imgproc_course.exercises import check, compare_guess
 from imgproc_course.imaging import (
     add_gaussian_noise,
     canny,
@@ -43,71 +43,192 @@ recording = open_recording("drive")
 gray = to_gray(recording.frame(30))
 print("gray", gray.shape, gray.dtype, "range", gray.min(), "to", gray.max())
 
+# %%
+# The captions and alt texts of the figures
+figure_texts = {
+    "window": (
+        "Nine gray levels, nine weights, nine products. The response of the middle pixel is the sum of the products.",
+        "Three grids of three by three numbers: a window with a step from 50 to 200, the Sobel kernel, and their products.",
+    ),
+    "sobel": (
+        "Along the rows the gray level rises by 150: the response is 4 × 150 = 600. Down the columns nothing changes.",
+        "Three five by five grids: a step from 50 to 200; a grid with two columns of 600; a grid of zeros.",
+    ),
+    "arrow": (
+        "The arrow points from dark to bright, at a right angle to the edge.",
+        "A grid with a slanted edge; an orange arrow points from its middle to the lower right.",
+    ),
+    "magnitude": (
+        "The larger the step, the brighter the pixel. The outlines are several pixels wide, and not equally bright.",
+        "The living room as bright outlines on black: books, door, chair, rug and ball.",
+    ),
+    "hue": (
+        "Around the ball the gradient points in every direction, so the rim of the ball shows every hue.",
+        "The rim of the ball as a ring in all colours of the rainbow, beside the coloured outlines of the marker.",
+    ),
+    "small": (
+        "In each row only the pixel with the largest magnitude keeps its value.",
+        "Three five by five grids: gray levels of a soft step, their magnitudes, and the magnitudes of one column only.",
+    ),
+    "thinned": (
+        "The rim of the ball, enlarged: before the suppression the ridge is several pixels wide, after it one pixel.",
+        "Two enlarged parts of the image: left a broad bright band, right a thin line of single pixels.",
+    ),
+    "thresholds": (
+        "A part of the floor. With the low threshold, the wood pattern appears, too. With the high threshold, the lines between the boards are broken.",
+        "Left, the rug, long lines between floor boards and many short lines; right, the rug and only broken lines.",
+    ),
+    "growth": (
+        "The edges after this number of steps.",
+        "White lines on black; they get longer with each step.",
+    ),
+    "grown": (
+        "The broken pieces are joined to long lines. Most of the wood pattern of the floor is gone, because it touches no strong pixel.",
+        "Left, broken lines between the floor boards; right, the same lines without gaps.",
+    ),
+    "noise": (
+        "The noise hides the edges, because noisy pixels make intensity steps nearly everywhere.",
+        "Left, clear outlines of the room; right, short white lines nearly everywhere.",
+    ),
+    "repaired": (
+        "After a Gaussian blur with sigma = 2 pixels the outlines are back.",
+        "Left, short white lines nearly everywhere; right, clear outlines of the room.",
+    ),
+    "tuner": (
+        "Edges of the camera frame.",
+        "White lines on black; they change with the sliders.",
+    ),
+    "cat": (
+        "Without blur every hair is an edge. What counts as an edge depends on the scale at which you look.",
+        "A cat's face; its edges with all the hairs; its edges after a blur, with eyes, nose and ears only.",
+    ),
+}
+
 # %% [markdown]
 # ## 1 · An edge is an intensity step (8 minutes)
 #
-# **Ask.** Where in the row below is the edge? You see it at once: between 50 and 200, where the gray level (the *intensity*) jumps. A program has to compute it.
+# **Ask.** Here is one row of an image:
 #
-# **Predict.** For each pixel subtract its left neighbour from its right neighbour. Where is the result not zero?
+# `50  50  50  50  200  200  200  200`
+#
+# Where is the edge? You see it at once: between 50 and 200, where the gray level (the *intensity*) jumps. A program has to compute it.
+#
+# **Predict.** For each pixel, subtract its left neighbour from its right neighbour. At which positions is the result not zero? (The positions are 0 to 7. The row is padded, so the first and the last pixel have two neighbours, too.)
+
+# %% role="predict"
+guess_positions = None  # your guess: which positions, for example (0, 7)?
 
 # %%
 row = np.array([50, 50, 50, 50, 200, 200, 200, 200])
-padded = np.pad(row, 1, mode="edge")  # replicate
+padded = np.pad(row, 1, mode="edge")  # repeats the first and the last pixel
 difference = padded[2:] - padded[:-2]  # right neighbour minus left neighbour
 print("row       ", row)
 print("difference", difference)
-
-assert difference.tolist() == [0, 0, 0, 150, 150, 0, 0, 0]
+compare_guess(guess_positions, np.flatnonzero(difference))  # where it is not 0
 
 # %% [markdown]
-# This is a **correlation** with the kernel `[-1, 0, 1]`. As in [[noise_removal]], the kernel moves along the row. At each pixel, every weight is multiplied by the gray level under it, and the products are added. The result is the *filter response*. Here the response is 0 where the gray level does not change. At the step it is the height of the step. A step from bright to dark gives a negative response.
+# This is a **correlation** with the kernel `[-1, 0, 1]`. As in [[noise_removal]], the kernel *slides* along the row. At each pixel, every weight is multiplied by the gray level under it, and the products are added. The result is the *filter response*. Here the response is 0 where the gray level does not change. At the step it is the height of the step, 150. A step from bright to dark gives a negative response.
 #
-# A **convolution** first flips the kernel, here to `[1, 0, -1]`. So every response changes its sign. OpenCV's filters compute the correlation; `np.convolve` and many textbooks compute the convolution.
+# A **convolution** first flips the kernel, here to `[1, 0, -1]`. So every response changes its sign. OpenCV's filters compute the correlation; `np.convolve` and many textbooks compute the convolution. In the next cell, `mode="valid"` means: only where the whole kernel lies inside the padded row.
 
 # %%
-# mode="valid": only where the whole kernel lies inside the padded row
 correlated = np.correlate(padded, [-1, 0, 1], mode="valid")
 convolved = np.convolve(padded, [-1, 0, 1], mode="valid")
 print("correlation", correlated)
 print("convolution", convolved)
 
-assert (correlated == difference).all()
-assert (convolved == -correlated).all()
+# %%
+# Check: the numbers in this section
+assert difference.tolist() == [0, 0, 0, 150, 150, 0, 0, 0]
+assert (correlated == difference).all() and (convolved == -correlated).all()
 
 # %% [markdown]
+# ## 2 · The Sobel kernel, one window by hand (12 minutes)
+#
 # Noise easily disturbs the differences in a single row. The **Sobel kernel** combines three rows, and gives the middle row double weight:
 #
 # $$\begin{bmatrix}-1&0&1\\-2&0&2\\-1&0&1\end{bmatrix}$$
 #
-# This kernel is separable: it smooths with 1, 2, 1 down the column, and takes the difference with −1, 0, 1 along the row. So it responds to a *vertical edge*, where the gray level changes along the row. The *transposed* kernel (its rows become columns) takes the difference down the column. It responds to a *horizontal edge*, where the gray level changes down the column.
-#
-# **Predict** the response at a vertical edge with a step of 150. Remember that the weights 1, 2, 1 add up to 4.
+# Here is a small image with a *vertical edge*: the gray level changes along the row, from 50 to 200.
 
 # %%
-step = np.tile(np.array([50, 50, 200, 200, 200], dtype=np.uint8), (5, 1))  # five equal rows
+five_rows = [[50, 50, 200, 200, 200]] * 5  # the same row five times
+step = np.array(five_rows, dtype=np.uint8)
+kernel = np.array([[-1, 0, 1],
+                   [-2, 0, 2],
+                   [-1, 0, 1]])
+print(step)
+
+# %% [markdown]
+# We compute the response of *one* pixel, in row 2 and column 1. The kernel covers 3 × 3 pixels around it, its *window*: rows 1 to 3 and columns 0 to 2. Each of the nine gray levels is multiplied by the weight at the same place. The response is the sum of the nine products.
+#
+# **Predict** this sum. (Each row of the window is 50, 50, 200.)
+
+# %% role="predict"
+guess_response = None  # your guess: which number?
+
+# %%
+window = step[1:4, 0:3].astype(np.int32)  # a product can be negative
+products = window * kernel
+print("response:", products.sum())
+show([window, kernel, products], ["window", "kernel", "products"],
+     text=figure_texts["window"])
+compare_guess(guess_response, products.sum())
+
+# %% [markdown]
+# The response is 600, which is 4 × 150: the height of the step times the sum of the weights 1, 2 and 1.
+#
+# Why `int32`? A response can be negative or larger than 255, so it does not fit into `uint8`. `int32` holds whole numbers, negative too, up to about two billion. So we widen the image *before* we multiply and subtract.
+#
+# Now the window slides along row 2. Around column 2 it covers columns 1 to 3, and so on. (At column 0 it would need a column −1. This is why the image is padded first, by repeating its outermost pixels.)
+
+# %%
+for col in (1, 2, 3):
+    window = step[1:4, col - 1 : col + 2].astype(np.int32)
+    print("around column", col, "response", (window * kernel).sum())
+
+# %% [markdown]
+# A *horizontal edge* needs the *transposed* kernel: its rows become columns. NumPy writes `kernel.T`. It computes the row below minus the row above.
+
+# %%
+print(kernel.T)
+
+# %% [markdown]
+# The course's function `sobel` does this for all pixels, with both kernels. It returns two arrays: `grad_row`, the change *down a column*, from row to row, and `grad_col`, the change *along a row*, from column to column. Together they are the **gradient**.
+
+# %%
 grad_row, grad_col = sobel(step)
-show([step, grad_col, grad_row], ["gray", "grad_col (along a row)", "grad_row (down a column)"],
-     caption="Along the rows the gray level rises by 150: the response is 4 × 150 = 600. Down the columns nothing changes.",
-     alt="Three five by five grids: a step from 50 to 200; a grid with two columns of 600; a grid of zeros.")
-
-assert grad_col.max() == 600 == 4 * 150 and not grad_row.any()
+show([step, grad_col, grad_row],
+     ["gray", "grad_col (along a row)", "grad_row (down a column)"],
+     text=figure_texts["sobel"])
 
 # %% [markdown]
-# The two responses together are the **gradient**. The factor **4** is important: all thresholds below are compared with the Sobel response, not with gray levels. At a vertical or horizontal edge, a threshold of 50 means a step of 12.5 gray levels, and a threshold of 150 means a step of 37.5.
+# The factor **4** is important: all thresholds below are compared with the Sobel response, not with gray levels. At a vertical or horizontal edge, a threshold of 50 means a step of 12.5 gray levels, and a threshold of 150 means a step of 37.5.
+#
+# The Sobel kernel is *separable*: it smooths with 1, 2, 1 in one direction, and takes the difference with −1, 0, 1 in the other direction. These two small filters, one after the other, give the same result with less work.
 
 # %%
-assert 50 / 4 == 12.5 and 150 / 4 == 37.5
+# Check: the numbers in this section
+assert products.sum() == 600 == 4 * 150 and window.dtype == np.int32
+responses = [(step[1:4, col - 1 : col + 2].astype(np.int32) * kernel).sum() for col in (1, 2, 3)]
+assert responses == [600, 600, 0] == grad_col[2, 1:4].tolist()
+assert grad_col.max() == 600 and not grad_row.any()
+assert 50 / 4 == 12.5 and 150 / 4 == 37.5 and np.iinfo(np.int32).max > 2_000_000_000
+assert (np.outer([1, 2, 1], [-1, 0, 1]) == kernel).all()
 
 # %% [markdown]
-# ## 2 · Your turn: the Sobel filter (15 minutes)
+# ## 3 · Your turn: the Sobel filter (22 minutes)
 #
-# Write `my_sobel(gray)`. It computes both parts of the gradient.
+# Write `my_sobel(gray)`. It computes both parts of the gradient for every pixel.
 #
 # | Input | Output | Example call |
 # |---|---|---|
 # | `gray`: (height, width) uint8 | `grad_row, grad_col`, in this order: two (height, width) int32 arrays | `grad_row, grad_col = my_sobel(step)` |
 #
-# `grad_col` uses the kernel above: right minus left. `grad_row` uses the transposed kernel: the row below minus the row above. The responses can be negative or larger than 255, so they need int32. At the border use *replicate*: repeat the outermost rows and columns. Use only NumPy.
+# - `grad_col` uses the kernel above: right minus left. `grad_row` uses the transposed kernel: the row below minus the row above.
+# - At the border use *replicate*: repeat the outermost rows and columns, `np.pad(..., 1, mode="edge")`. Then pixel (row, col) of the image is the middle of the window `padded[row : row + 3, col : col + 3]`.
+# - The type counts: both arrays must be `int32`.
+# - Use only NumPy; `np` is imported for you. Two loops over all pixels are fast enough here.
 
 # %% role="exercise"
 exercise(
@@ -307,13 +428,29 @@ def my_sobel(gray):
 def my_sobel(gray):
     return np.stack(solution(gray))
 
+
 # %% [markdown]
-# ## 3 · Gradient magnitude and direction (8 minutes)
+# ## 4 · Gradient magnitude and direction (12 minutes)
 #
 # The gradient of a pixel is an arrow: `grad_col` to the right, `grad_row` down. The arrow points from dark to bright, at a right angle to the edge: this is the **gradient direction** (or orientation). The length of the arrow is the **gradient magnitude**. A *norm* is a way to measure a length. Canny uses one of two norms:
 #
 # - the **L2 norm** √(grad_row² + grad_col²) is the length that you measure with a ruler,
-# - the **L1 norm** |grad_row| + |grad_col| is faster to compute; `cv2.Canny` uses it by default.
+# - the **L1 norm** |grad_row| + |grad_col| is the way along the rows and columns, as a taxi drives around blocks. It is faster to compute, and `cv2.Canny` uses it by default.
+#
+# **Predict** the L1 norm of a gradient with grad_row = −300 and grad_col = 400.
+
+# %% role="predict"
+guess_norm = None  # your guess: which number?
+
+# %%
+down, right = -300, 400
+l1 = abs(down) + abs(right)
+l2 = (down**2 + right**2) ** 0.5  # ** 0.5 is the square root
+print("L1 norm", l1, "  L2 norm", l2)
+compare_guess(guess_norm, l1)
+
+# %% [markdown]
+# The L1 norm is never smaller than the L2 norm. Now the direction, on a small image with a slanted edge:
 
 # %%
 slanted = np.array([[40, 40, 40, 60, 160],
@@ -322,96 +459,333 @@ slanted = np.array([[40, 40, 40, 60, 160],
                     [45, 100, 195, 200, 200],
                     [90, 180, 200, 200, 200]], dtype=np.uint8)
 down, right = sobel(slanted)
-figure, axes = draw(slanted, "gradient of the middle pixel", encoding="mono8")
-axes[0].annotate("", xy=(2 + right[2, 2] / 400, 2 + down[2, 2] / 400), xytext=(2, 2),
-                 arrowprops={"color": "tab:orange", "width": 3, "headwidth": 12})
-show_figure(figure, alt="A grid with a slanted edge; an orange arrow points from its middle to the lower right.",
-            caption="The arrow points from dark to bright, at a right angle to the edge.")
-print("grad_row", down[2, 2], " grad_col", right[2, 2])
+print("middle pixel: grad_row", down[2, 2], "  grad_col", right[2, 2])
 
 # %%
-print("L1 norm ", abs(down[2, 2]) + abs(right[2, 2]), "  L2 norm", round(float(np.hypot(down[2, 2], right[2, 2])), 1))
-
-l1, l2 = magnitude(down, right, "L1"), magnitude(down, right, "L2")
-assert l1[2, 2] == abs(int(down[2, 2])) + abs(int(right[2, 2]))
-assert l2[2, 2] == (int(down[2, 2]) ** 2 + int(right[2, 2]) ** 2) ** 0.5
-assert (l1 >= l2).all()  # the L1 norm is never smaller
+figure, axes = draw(slanted, "gradient of the middle pixel", encoding="mono8")
+to_right, to_bottom = right[2, 2] / 400, down[2, 2] / 400  # in pixels
+axes[0].arrow(2, 2, to_right, to_bottom, width=0.06, color="tab:orange")
+show_figure(figure, text=figure_texts["arrow"])
 
 # %% [markdown]
-# The next figure shows the gradient magnitude of a camera frame. The figure after it shows the direction as the *hue* of a colour, and the magnitude as its brightness. (Hue is the place of a colour on the colour wheel: red, yellow, green, blue and back to red. It is an angle.)
+# The next figure shows the gradient magnitude of a camera frame. `canny_stages` runs all stages of Canny with the thresholds 50 and 150, and returns the result of each stage.
 
 # %%
 stages = canny_stages(gray, 50, 150)
-print("magnitude", stages.magnitude.shape, stages.magnitude.dtype, "range", stages.magnitude.min(), "to", stages.magnitude.max())
-show(np.minimum(stages.magnitude, 500), "magnitude (L1), up to 500",
-     caption="The larger the step, the brighter the pixel. The outlines are several pixels wide, and not equally bright.",
-     alt="The living room as bright outlines on black: books, door, chair, rug and ball.")
-
-# %%
-angle = gradient_angle(stages.grad_row, stages.grad_col) % 360  # degrees
-hsv = np.zeros((*gray.shape, 3), np.uint8)  # channels: hue, saturation, value (brightness)
-hsv[..., 0] = angle / 2  # OpenCV counts hue in steps of two degrees
-hsv[..., 1] = 255
-hsv[..., 2] = np.minimum(stages.magnitude // 2, 255)
-show(cv2.cvtColor(hsv, cv2.COLOR_HSV2BGR), "direction as hue", rows=(310, 440), cols=(430, 740),
-     caption="Around the ball the gradient points in every direction, so the rim of the ball shows every hue.",
-     alt="The rim of the ball as a ring in all colours of the rainbow, beside the coloured outlines of the marker.")
+all_magnitudes = stages.magnitude
+print(all_magnitudes.shape, all_magnitudes.dtype, "up to", all_magnitudes.max())
+show(np.minimum(all_magnitudes, 500), "magnitude (L1), up to 500",
+     text=figure_texts["magnitude"])
 
 # %% [markdown]
-# ## 4 · Non-maximum suppression: keep only the top of the ridge (12 minutes)
+# The figure below shows the direction as the *hue* of a colour, and the magnitude as its brightness. Hue is the place of a colour on the colour wheel: red, yellow, green, blue and back to red. It is an angle. OpenCV's *HSV* image has three channels: hue (in steps of two degrees), saturation (255 is a full colour), and value (the brightness).
+
+# %%
+angle = gradient_angle(stages.grad_row, stages.grad_col)
+degrees = np.round(angle) % 360  # whole degrees, 0 to 359
+hsv = np.zeros((720, 1280, 3), dtype=np.uint8)
+hsv[:, :, 0] = degrees // 2
+hsv[:, :, 1] = 255
+hsv[:, :, 2] = np.minimum(stages.magnitude // 2, 255)
+coloured = cv2.cvtColor(hsv, cv2.COLOR_HSV2BGR)
+show(coloured, "direction as hue", rows=(310, 440), cols=(430, 740),
+     text=figure_texts["hue"])
+
+# %%
+# Check: the results in this section
+assert l1 == 700 and l2 == 500 and gray.shape == (720, 1280)
+lengths_l1, lengths_l2 = magnitude(down, right, "L1"), magnitude(down, right, "L2")
+assert (lengths_l1 == np.abs(down) + np.abs(right)).all() and (lengths_l1 >= lengths_l2).all()
+assert lengths_l2[2, 2] == (int(down[2, 2]) ** 2 + int(right[2, 2]) ** 2) ** 0.5
+assert down[2, 2] > 0 and right[2, 2] > 0
+
+# %% [markdown]
+# > ☕ **Pause.** The first two stages are done: the gradient, and its magnitude and direction. When you come back, run all cells above (**Run → Run All Above Selected Cell**).
 #
-# An edge should be one pixel wide. But if the intensity changes over a few pixels, the response is also a few pixels wide: the magnitudes form a *ridge*. **Predict** from the gray levels in the next cell which pixel should be the edge.
+# ## 5 · A ridge in one row (8 minutes)
+#
+# An edge should be one pixel wide. But if the intensity changes over a few pixels, the response is also a few pixels wide: the magnitudes form a *ridge*, like a mountain ridge. Here is a soft step:
+#
+# `50  50  60  90  150  190  200  200`
+#
+# **Predict** at which position (0 to 7) the magnitude is largest.
+
+# %% role="predict"
+guess_top = None  # your guess: which position?
 
 # %%
 soft = np.array([50, 50, 60, 90, 150, 190, 200, 200], dtype=np.uint8)
-_, across = sobel(np.tile(soft, (3, 1)))
-profile = np.abs(across[1])
+_, across = sobel(np.array([soft, soft, soft]))  # three equal rows
+profile = np.abs(across[1])  # the magnitudes of the middle row
 print("gray     ", soft)
 print("magnitude", profile)
+compare_guess(guess_top, profile.argmax())  # the position of the largest
 
+# %% [markdown]
+# The edge should be this pixel, the top of the ridge. So a pixel is kept only if its magnitude is a *local maximum* (a peak): larger than the magnitudes of its neighbours. What if two neighbours are equal? Then one of them should be kept. OpenCV's rule is: a pixel is kept if it is *greater than* its left neighbour, and *greater than or equal to* its right neighbour. Outside the image the magnitude is 0.
+#
+# The next cell shows the three numbers that the rule needs, for each pixel. Because of the padding, pixel `col` is at `zero_padded[col + 1]`.
+
+# %%
+zero_padded = np.pad(profile, 1)  # a 0 on each side
+for col in range(8):
+    left, right = zero_padded[col], zero_padded[col + 2]
+    print("left", left, " pixel", col, "has", profile[col], " right", right)
+
+# %%
+# Check: the numbers in this section
 assert profile.tolist() == [0, 40, 160, 360, 400, 200, 40, 0]
 
 # %% [markdown]
-# The edge is the pixel with the largest magnitude, 400: the top of the ridge. So Canny compares each pixel with its two neighbours *along its gradient*, and keeps the pixel only if its magnitude is a maximum. This is **non-maximum suppression**. The gradient can point in any direction, but a pixel has only eight neighbours. So the direction is rounded to one of four *sectors*:
+# ### Your turn: the peaks of one row (10 minutes, practice)
 #
-# | sector | the gradient points | first neighbour | second neighbour |
-# |---|---|---|---|
-# | 0 | along the row | left | right |
-# | 1 | down-right or up-left | above left | below right |
-# | 2 | down the column | above | below |
-# | 3 | down-left or up-right | above right | below left |
+# Write `keep_peaks(magnitude)`. It applies this rule to one row. This prepares section 7.
 #
-# If two neighbours on the ridge have equal magnitudes, one of them should be kept. OpenCV's rule is: in sectors 0 and 2 a pixel is kept if its magnitude is *greater than* that of the first neighbour and *greater than or equal to* that of the second. In sectors 1 and 3 its magnitude must be greater than both. Outside the image the magnitude is 0 (zero padding).
+# | Input | Output | Example call |
+# |---|---|---|
+# | `magnitude`: (width,) int32, one row | a new (width,) int32 array: the magnitude where a pixel is kept, 0 elsewhere | `keep_peaks(profile)` gives `[0, 0, 0, 0, 400, 0, 0, 0]` |
+
+# %% role="exercise"
+exercise(
+    "canny-local-maximum",
+    title="The peaks of one row",
+    function="keep_peaks",
+    time_limit=5,
+    practice=True,
+    refused=("cv2", "scipy", "skimage", "imgproc_course.imaging"),
+    hint="Calculate one pixel by hand: its left neighbour, its own magnitude, its right neighbour. Are both comparisons of the rule true?",
+    hints=(
+        "The loop above prints three numbers for each pixel. Which two comparisons of these numbers decide whether the pixel is kept?",
+        "Pad the magnitude with zeros, and make a result of zeros. In a loop over all pixels, compare the pixel with its left and its right neighbour in the padded row. If both comparisons are true, write the magnitude into the result.",
+        "padded = np.pad(magnitude, 1) and peaks = np.zeros_like(magnitude). In for col in range(magnitude.size): left, value, right = padded[col], padded[col + 1], padded[col + 2]; if value > left and value >= right: peaks[col] = value. At the end: return peaks.",
+    ),
+    explanation="After the padding, pixel col is at padded[col + 1], so its neighbours are padded[col] and padded[col + 2]. The zeros outside the row are the neighbours of the first and of the last pixel. np.zeros_like makes an array of zeros with the same shape and dtype as magnitude.",
+    another_way="You can also write it without a loop: keep = (magnitude > padded[:-2]) & (magnitude >= padded[2:]), and then np.where(keep, magnitude, 0).",
+)
+
+
+def peaks_of(magnitude, compare, mode="constant"):
+    p = np.pad(magnitude, 1, mode=mode)
+    return np.where(compare(p[:-2], p[1:-1], p[2:]), magnitude, 0).astype(np.int32)
+
+
+# %% role="answer"
+def keep_peaks(magnitude):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def keep_peaks(magnitude):
+    padded = np.pad(magnitude, 1)
+    peaks = np.zeros_like(magnitude)
+    for col in range(magnitude.size):
+        left, value, right = padded[col], padded[col + 1], padded[col + 2]
+        if value > left and value >= right:
+            peaks[col] = value
+    return peaks
+
+
+# %% role="check"
+check("canny-local-maximum", keep_peaks)
+
+
+# %% role="case" title="two peaks" hint="A peak is greater than its left neighbour, and greater than or equal to its right one. All other pixels become 0."
+def inputs(rng):
+    low = rng.integers(10, 60, size=4)
+    first, second = rng.integers(200, 400), rng.integers(100, 190)
+    return (np.array([low[0], low[0] + 70, first, low[1] + 30, low[1], low[2], second, low[3]], np.int32),)
+
+
+# %% role="case" title="equal neighbours" hint="Of two equal neighbours the left one is kept: it is greater than its left neighbour, and equal to its right one."
+def inputs(rng):
+    value = rng.integers(100, 400)
+    return (np.array([0, 30, value, value, 20, 5, 90, 90, 90, 40], np.int32),)
+
+
+# %% role="case" title="peaks at both ends" hint="Outside the row the magnitude is 0. So the first and the last pixel can be peaks, too."
+def inputs(rng):
+    small, large = rng.integers(100, 250), rng.integers(260, 400)
+    rows = [[small, 40, 10, 60, 50, large], [large, 20, 90, 30, small]]
+    return [(np.array(row, np.int32),) for row in rows]
+
+
+# %% role="hidden" title="any row"
+def inputs(rng):
+    return [(rng.integers(0, 6, size=20).astype(np.int32) * 60,) for _ in range(3)]
+
+
+# %% role="mistake" name=">= on both sides" says="Two equal neighbours were both kept. A pixel must be greater than its left neighbour, not only equal to it: use > for the left one."
+def keep_peaks(magnitude):
+    return peaks_of(magnitude, lambda left, value, right: (value >= left) & (value >= right))
+
+
+# %% role="mistake" name="> on both sides" says="Of two equal neighbours neither was kept. A pixel may be equal to its right neighbour: use >= for the right one."
+def keep_peaks(magnitude):
+    return peaks_of(magnitude, lambda left, value, right: (value > left) & (value > right))
+
+
+# %% role="mistake" name="> and >= swapped" says="The two comparisons are swapped: use > for the left neighbour, and >= for the right one."
+def keep_peaks(magnitude):
+    return peaks_of(magnitude, lambda left, value, right: (value >= left) & (value > right))
+
+
+# %% role="mistake" name="or for and" says="One smaller neighbour was enough to keep a pixel, as with or. Both comparisons must be true: use and."
+def keep_peaks(magnitude):
+    return peaks_of(magnitude, lambda left, value, right: (value > left) | (value >= right))
+
+
+# %% role="mistake" name="the left neighbour alone" says="Each pixel was compared with its left neighbour only. It must also be greater than or equal to its right neighbour."
+def keep_peaks(magnitude):
+    return peaks_of(magnitude, lambda left, value, right: value > left)
+
+
+# %% role="mistake" name="the right neighbour alone" says="Each pixel was compared with its right neighbour only. It must also be greater than its left neighbour."
+def keep_peaks(magnitude):
+    return peaks_of(magnitude, lambda left, value, right: value >= right)
+
+
+# %% role="mistake" name="minima" says="The pixels with the smallest magnitude were kept. Turn the comparisons around: a peak is greater than its neighbours."
+def keep_peaks(magnitude):
+    return peaks_of(magnitude, lambda left, value, right: (value < left) & (value <= right))
+
+
+# %% role="mistake" name="the ends left out" says="The first and the last pixel are always 0, as if they were left out. Outside the row the magnitude is 0: pad with np.pad(magnitude, 1), and compare them, too."
+def keep_peaks(magnitude):
+    return np.pad(solution(magnitude)[1:-1], 1)
+
+
+# %% role="mistake" name="the row repeated at its ends" says="The magnitude was repeated at the ends of the row (mode='edge'). Outside the row it must be 0: pad with np.pad(magnitude, 1)."
+def keep_peaks(magnitude):
+    return peaks_of(magnitude, lambda left, value, right: (value > left) & (value >= right), "edge")
+
+
+# %% role="mistake" name="np.roll" says="The first and the last pixel were compared with the opposite end of the row, as np.roll does. Outside the row the magnitude is 0: pad with np.pad(magnitude, 1)."
+def keep_peaks(magnitude):
+    return peaks_of(magnitude, lambda left, value, right: (value > left) & (value >= right), "wrap")
+
+
+# %% role="mistake" name="the shift of the padding" says="The neighbours are one pixel off. After np.pad(magnitude, 1), pixel col is at padded[col + 1]."
+def keep_peaks(magnitude):
+    p = np.pad(magnitude, 1)
+    keep = [value > p[col - 1] and value >= p[col + 1] for col, value in enumerate(magnitude)]
+    return np.where(keep, magnitude, 0)
+
+
+# %% role="mistake" name="compared with pixels that are 0 already" says="A pixel was compared with a neighbour that your function had already set to 0. Compare with the unchanged magnitude, and write into a new array."
+def keep_peaks(magnitude):
+    p = np.pad(magnitude, 1)
+    for col in range(1, p.size - 1):
+        if not (p[col] > p[col - 1] and p[col] >= p[col + 1]):
+            p[col] = 0
+    return p[1:-1]
+
+
+# %% role="mistake" name="the largest magnitude alone" says="Only the largest magnitude of the row was kept. A peak is larger than its two neighbours, so a row can have several peaks."
+def keep_peaks(magnitude):
+    return np.where(magnitude == magnitude.max(), magnitude, 0)
+
+
+# %% role="mistake" name="nothing removed" says="Every pixel keeps its magnitude. A pixel that is not a peak must become 0."
+def keep_peaks(magnitude):
+    return magnitude.copy()
+
+
+# %% role="mistake" name="255 for a peak" says="A peak became 255. It keeps its magnitude."
+def keep_peaks(magnitude):
+    return np.where(solution(magnitude) > 0, 255, 0).astype(np.int32)
+
+
+# %% role="mistake" name="True and False" says="You returned True and False. Return int32: the magnitude of each peak, 0 for all other pixels."
+def keep_peaks(magnitude):
+    return solution(magnitude) > 0
+
+
+# %% role="mistake" name="positions" says="You returned the positions of the peaks. Return a row as long as magnitude: the magnitude of each peak, 0 for all other pixels."
+def keep_peaks(magnitude):
+    return np.flatnonzero(solution(magnitude))
+
+
+# %% role="mistake" name="the peaks alone" says="You returned only the peaks. Return a row as long as magnitude, with 0 for all other pixels."
+def keep_peaks(magnitude):
+    return solution(magnitude)[solution(magnitude) > 0]
+
+
+# %% [markdown]
+# ## 6 · Non-maximum suppression: keep only the top of the ridge (15 minutes)
+#
+# Now the same in two dimensions. The next cell walks over *all* pixels of a 5 × 5 image with two loops, also over those on the border. Its edge is vertical, so every pixel is compared with its left and right neighbours.
+
+# %%
+wall = np.array([[50, 60, 130, 180, 190],
+                 [50, 60, 120, 180, 190],
+                 [50, 60, 120, 185, 190],
+                 [50, 65, 140, 185, 190],
+                 [50, 60, 150, 185, 190]], dtype=np.uint8)
+wall_magnitude = magnitude(*sobel(wall))  # * passes both gradients
+
+# %%
+height, width = wall_magnitude.shape
+zero_padded = np.pad(wall_magnitude, 1)
+wall_thinned = np.zeros_like(wall_magnitude)
+for row in range(height):
+    for col in range(width):
+        value = zero_padded[row + 1, col + 1]  # the pixel itself
+        left, right = zero_padded[row + 1, col], zero_padded[row + 1, col + 2]
+        if value > left and value >= right:
+            wall_thinned[row, col] = value
+
+# %%
+show([wall, wall_magnitude, wall_thinned],
+     ["gray", "magnitude", "peaks of each row"], text=figure_texts["small"])
+
+# %% [markdown]
+# But left and right are the right neighbours only at a vertical edge. In general, Canny compares each pixel with its two neighbours *along its gradient*, across the edge, and keeps the pixel only if its magnitude is a maximum. This is **non-maximum suppression**. The gradient can point in any direction, but a pixel has only eight neighbours. So the direction is rounded to one of four *sectors*:
+#
+# | sector | the gradient points | first neighbour | second neighbour | a pixel is kept if it is |
+# |---|---|---|---|---|
+# | 0 | along the row | left | right | > first and >= second |
+# | 1 | down-right or up-left | above left | below right | > first and > second |
+# | 2 | down the column | above | below | > first and >= second |
+# | 3 | down-left or up-right | above right | below left | > first and > second |
+#
+# So in sectors 0 and 2 one of two equal neighbours is kept, as in section 5. In sectors 1 and 3 OpenCV requires that the magnitude is greater than both. Outside the image the magnitude is 0 (zero padding).
 
 # %%
 sector = direction(stages.grad_row, stages.grad_col)
-print("pixels in sector 0, 1, 2, 3:", np.bincount(sector.ravel()))  # bincount: how often each number occurs
-
-assert (sector == stages.direction).all()
-
-# %% [markdown]
-# Where is the border between two sectors? Halfway between 0° and 45°, at 22.5°. OpenCV does not compute the angle. It compares: if |grad_row| is smaller than |grad_col| times 13573 / 2¹⁵, the pixel is in sector 0. This fraction is the tangent of 22.5°, written with integers.
+for number in range(4):
+    print("sector", number, ":", (sector == number).sum(), "pixels")
 
 # %%
-print("13573 / 2**15 =", round(13573 / 2**15, 4), "  tangent of 22.5 degrees =", round(float(np.tan(np.pi / 8)), 4))
-
-assert round(13573 / 2**15, 4) == round(float(np.tan(np.pi / 8)), 4) == 0.4142
-
-# %%
-zoom = dict(rows=(376, 400), cols=(440, 464))
-before_and_after = [np.minimum(stages.magnitude, 500), np.minimum(stages.thinned, 500)]
-show(before_and_after, ["magnitude", "after suppression"], **zoom, numbers=False,
-     caption="The rim of the ball, enlarged: before the suppression the ridge is several pixels wide, after it one pixel.",
-     alt="Two enlarged parts of the image: left a broad bright band, right a thin line of single pixels.")
+before, after = np.minimum(all_magnitudes, 500), np.minimum(stages.thinned, 500)
+show([before, after], ["magnitude", "after suppression"], rows=(376, 400),
+     cols=(440, 464), numbers=False, text=figure_texts["thinned"])
 
 # %% [markdown]
-# ## 5 · Your turn: non-maximum suppression (20 minutes)
+# <details>
+# <summary>For the curious: how OpenCV finds the sector without an angle</summary>
 #
-# Write `suppress(magnitude, sector)`. Use the rule and the table of section 4, and only NumPy.
+# The border between sectors 0 and 1 is halfway between 0° and 45°, at 22.5°. OpenCV does not compute the angle, because this is slow. It compares: if |grad_row| is smaller than |grad_col| × 13573 / 32768, the pixel is in sector 0. The fraction 13573 / 32768 is 0.4142, the tangent of 22.5°, written with two integers (32768 is 2¹⁵, so the division is a fast shift).
+#
+# </details>
+
+# %%
+# Check: the numbers and results in this section
+assert (sector == stages.direction).all() and 2**15 == 32768
+assert round(13573 / 32768, 4) == round(float(np.tan(np.pi / 8)), 4) == 0.4142
+assert (direction(*sobel(wall)) == 0).all()
+assert (wall_thinned == canny_stages(wall, 50, 150).thinned).all()
+assert (wall_thinned > 0).sum(axis=1).tolist() == [1, 1, 1, 1, 1]
+
+# %% [markdown]
+# ## 7 · Your turn: non-maximum suppression (25 minutes)
+#
+# Write `suppress(magnitude, sector)`. Use the rule and the table of section 6. Begin with the two loops of section 6: which two neighbours you take depends on the sector of the pixel.
 #
 # | Input | Output | Example call |
 # |---|---|---|
 # | `magnitude`: (height, width) int32; `sector`: (height, width) uint8, 0 to 3 | a new (height, width) int32 array: the magnitude where a pixel is kept, 0 elsewhere | `thinned = suppress(stages.magnitude, stages.direction)` |
+#
+# The type counts: the result must be `int32`. Use only NumPy; `np` is imported for you.
 
 # %% role="exercise"
 exercise(
@@ -693,30 +1067,53 @@ def suppress(magnitude, sector):
 def suppress(magnitude, sector):
     return solution(magnitude, sector)[1:-1, 1:-1]
 
+
 # %% [markdown]
-# ## 6 · The double threshold (5 minutes)
+# ## 8 · The double threshold (8 minutes)
 #
 # Which ridges are edges? A single threshold is not enough. If it is low, the wood pattern of the floor becomes edges. If it is high, outlines get gaps. Canny uses a **double threshold**. A pixel above `high` is a **strong** edge pixel: it is always an edge. A pixel above `low`, but not above `high`, is a **weak** edge pixel: it may be an edge. All other pixels are background.
+#
+# A comparison such as `row > 150` gives a bool array: True or False for each pixel. Three signs combine bool arrays pixel by pixel: `&` means *and*, `|` means *or*, and `~` means *not*. (Python's words `and`, `or` and `not` work only with single values.) Each comparison needs parentheses, because Python computes `&`, `|` and `~` first.
+#
+# **Predict**: the low threshold is 50, the high threshold 150. How many of these six magnitudes are weak: 20, 50, 51, 150, 151, 400?
+
+# %% role="predict"
+guess_weak = None  # your guess: how many?
+
+# %%
+six = np.array([20, 50, 51, 150, 151, 400])
+above_low = six > 50
+above_high = six > 150
+print("above low               ", above_low)
+print("above low, not above high", above_low & ~above_high)
+compare_guess(guess_weak, (above_low & ~above_high).sum())
+
+# %% [markdown]
+# Only 51 and 150 are weak: *above* means strictly above, so 50 is not above 50. The same for the camera frame:
 
 # %%
 strong = stages.thinned > 150
-weak = (stages.thinned > 50) & (stages.thinned <= 150)  # & means "and" for each pixel; | means "or"
-print(f"weak {weak.sum():,}   strong {strong.sum():,}")
+weak = (stages.thinned > 50) & (stages.thinned <= 150)
+print("weak", weak.sum(), "  strong", strong.sum())
 show([weak | strong, strong], ["weak or strong: above 50", "strong: above 150"],
-     caption="With the low threshold, the floor boards also appear. With the high threshold, only the strongest pieces remain.",
-     alt="Left, many thin lines all over the room; right, fewer and broken lines.")
+     rows=(380, 700), cols=(640, 1120), text=figure_texts["thresholds"])
 
+# %%
+# Check: the results in this section
+assert six[above_low & ~above_high].tolist() == [51, 150]
 assert (stages.strong == strong).all() and (stages.weak == weak).all()
 assert not (weak & strong).any()  # no pixel is both
 
 # %% [markdown]
-# ## 7 · Your turn: the double threshold (4 minutes)
+# ### Your turn: the double threshold (6 minutes)
 #
 # Write `double_threshold(thinned, low, high)`. Strong means strictly above `high`. Weak means strictly above `low` and not strong.
 #
 # | Input | Output | Example call |
 # |---|---|---|
 # | `thinned`: (height, width) int32; `low`, `high`: two numbers, low < high | `weak, strong`, in this order: two bool arrays of the same shape | `weak, strong = double_threshold(stages.thinned, 50, 150)` |
+#
+# The type counts: both arrays must be bool. `np` is imported for you.
 
 # %% role="exercise"
 exercise(
@@ -868,28 +1265,27 @@ def double_threshold(thinned, low, high):
 def double_threshold(thinned, low, high):
     return ((thinned > low).astype(np.uint8) + (thinned > high)).astype(np.uint8)
 
+
 # %% [markdown]
-# ## 8 · Edge tracking by hysteresis (8 minutes)
+# > ☕ **Pause.** Only one stage is missing. When you come back, run all cells above.
+#
+# ## 9 · Edge tracking by hysteresis (15 minutes)
 #
 # All strong pixels are edges. A weak pixel becomes an edge if at least one of its eight neighbours is an edge. The neighbours at the corners count too: this is *8-connectivity*. (With *4-connectivity* only the four neighbours at the sides count.) So edges grow from the strong pixels, step by step along the weak pixels, until nothing changes. This is **edge tracking by hysteresis**. (*Hysteresis* means here: an edge needs the high threshold to start, but only the low threshold to continue.)
 #
 # In other words: weak and strong pixels that touch each other form a **connected component**. If at least one pixel of a component is strong, the whole component is an edge.
 #
-# **Predict** which of the pixels become edges. (S is a strong pixel, w is a weak pixel, a dot is background.)
-#
-# ```
-# S w w . . w
-# . . . w . w
-# w . . . . .
-# ```
+# The next cell defines one step of growth. `padded[row : row + height, col : col + width]` is the image shifted by one pixel or not at all. Together, the nine shifted copies contain each pixel's 3 × 3 neighbourhood, so `near_edge` is True where at least one pixel of it is an edge. (`a |= b` means `a = a | b`.)
 
 # %%
 def grow_once(edges, weak):
-    padded = np.pad(edges, 1)
     height, width = edges.shape
-    shifted = [padded[row : row + height, col : col + width] for row in range(3) for col in range(3)]
-    # already an edge, or a weak pixel with an edge in its 3 × 3 neighbourhood
-    return edges | (weak & np.any(shifted, axis=0))
+    padded = np.pad(edges, 1)  # False around the image
+    near_edge = np.zeros_like(edges)
+    for row in range(3):
+        for col in range(3):
+            near_edge |= padded[row : row + height, col : col + width]
+    return edges | (weak & near_edge)  # already an edge, or weak and near one
 
 
 # %%
@@ -899,15 +1295,39 @@ def grow_steps(weak, strong, steps):
         edges = grow_once(edges, weak)
     return edges
 
+# %% [markdown]
+# Try it on a small image. S is a strong pixel, w is a weak pixel, a dot is background:
+#
+# ```
+# S w w . . w
+# . . . w . w
+# w . . . . .
+# ```
+#
+# **Predict** how many pixels are edges in the end, the S included.
 
-letters = np.array([list("Sww..w"), list("...w.w"), list("w.....")])
-chain = grow_steps(letters == "w", letters == "S", 10)
-print(np.where(chain, "E", letters))
+# %% role="predict"
+guess_edges = None  # your guess: how many pixels?
 
-assert chain.astype(int).tolist() == [[1, 1, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 0, 0]]
+# %%
+rows = ["Sww..w",
+        "...w.w",
+        "w....."]
+letters = np.array([list(row) for row in rows])  # list("Sw") is ["S", "w"]
+for steps in range(4):
+    print("after", steps, "steps")
+    grown = grow_steps(letters == "w", letters == "S", steps)
+    print(np.where(grown, "E", letters))
+small_edges = grow_steps(letters == "w", letters == "S", 10)
+compare_guess(guess_edges, small_edges.sum())
+
+# %%
+# Check: the numbers in this section
+assert small_edges.astype(int).tolist() == [[1, 1, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0], [0, 0, 0, 0, 0, 0]]
+assert (grow_steps(letters == "w", letters == "S", 3) == small_edges).all()
 
 # %% [markdown]
-# Now the same on the camera frame. The slider sets the number of steps. Move it, and watch the lines grow from the strong pixels.
+# The w at the corner of the third w is connected; the two on the right and the one below are not. Now the same on the camera frame. The slider sets the number of steps. Move it, and watch the lines grow from the strong pixels.
 
 # %% tags=["nbval-ignore-output"]
 def growth(frame, steps=0):
@@ -915,26 +1335,37 @@ def growth(frame, steps=0):
     return np.where(edges, 255, 0).astype(np.uint8)
 
 
-growing = tune(growth, gray, steps=(0, 60), caption="The edges after this number of steps.",
-               alt="White lines on black; they get longer with each step.")
+growing = tune(growth, gray, steps=(0, 60), text=figure_texts["growth"])
 
 # %%
-early, late = grow_steps(stages.weak, stages.strong, 3), grow_steps(stages.weak, stages.strong, 400)
-print(f"strong pixels {stages.strong.sum():,}   after 3 steps {early.sum():,}   after 400 {late.sum():,}")
-show([stages.strong, late], ["strong pixels", "after growth"],
-     caption="The broken pieces are joined to outlines. Most of the wood pattern of the floor is gone, because it touches no strong pixel.",
-     alt="Left, broken lines; right, the same lines joined to closed outlines.")
+# Check: the slider's image before it is moved
+assert (growing.value == np.where(stages.strong, 255, 0)).all()
 
+# %%
+early = grow_steps(stages.weak, stages.strong, 3)
+late = grow_steps(stages.weak, stages.strong, 400)
+print("strong pixels:", stages.strong.sum())
+print("edge pixels after 3 steps:", early.sum())
+print("edge pixels after 400 steps:", late.sum())
+show([stages.strong, late], ["strong pixels", "after growth"],
+     rows=(380, 700), cols=(640, 1120), text=figure_texts["grown"])
+
+# %%
+# Check: the results in this section
 assert ((stages.edges == 255) == late).all()
 
 # %% [markdown]
-# ## 9 · Your turn: hysteresis (12 minutes)
+# ## 10 · Your turn: hysteresis (20 minutes)
 #
-# Write `grow(weak, strong)`. Every strong pixel is an edge. A weak pixel is an edge if a chain of weak pixels leads from it to a strong pixel. Each pixel of the chain touches the next one at a side or a corner. Use only NumPy.
+# Write `grow(weak, strong)`. Every strong pixel is an edge. A weak pixel is an edge if a chain of weak pixels leads from it to a strong pixel. Each pixel of the chain touches the next one at a side or a corner.
 #
 # | Input | Output | Example call |
 # |---|---|---|
 # | `weak`, `strong`: two (height, width) bool arrays; no pixel is True in both | (height, width) uint8: 255 on edges, 0 elsewhere | `edges = grow(stages.weak, stages.strong)` |
+#
+# - 400 steps were enough for the camera frame, but another image can need more. So repeat the step until nothing changes.
+# - If you use `grow_once`, copy its definition into the answer cell: grading runs only this cell.
+# - The type counts: the result must be `uint8`. Use only NumPy; `np` is imported for you.
 
 # %% role="exercise"
 exercise(
@@ -1179,8 +1610,9 @@ def grow(weak, strong):
 def grow(weak, strong):
     return grow(weak, strong)
 
+
 # %% [markdown]
-# ## 10 · Does OpenCV agree? (4 minutes)
+# ## 11 · Does OpenCV agree? (3 minutes)
 #
 # `canny_stages` runs all stages one after another. The course's `canny` computes the same edges, but faster. **Check** that it agrees with OpenCV on ten frames of the drive, pixel by pixel.
 
@@ -1188,60 +1620,71 @@ def grow(weak, strong):
 different = 0
 for k in range(0, 90, 9):
     frame = to_gray(recording.frame(k))
-    different += int((canny(frame, 50, 150) != cv2.Canny(frame, 50, 150)).sum())
+    different += (canny(frame, 50, 150) != cv2.Canny(frame, 50, 150)).sum()
 print("pixels that differ from OpenCV:", different, "of", 10 * gray.size)
 
-assert different == 0
-assert (canny(gray, 50, 150) == stages.edges).all()
+# %%
+# Check: the results in this section
+assert different == 0 and (canny(gray, 50, 150) == stages.edges).all()
 
 # %% [markdown]
-# ## 11 · Planned failure: Canny on a noisy frame (6 minutes)
+# ## 12 · Planned failure: Canny on a noisy frame (6 minutes)
 #
-# In textbooks, the first stage of Canny is a Gaussian blur. `cv2.Canny` does **not** blur: you have to blur the image yourself. **Predict** what Gaussian noise with a standard deviation of 15 gray levels does to the edges.
+# In textbooks, the first stage of Canny is a Gaussian blur. `cv2.Canny` does **not** blur: you have to blur the image yourself. What happens if you forget it? We add Gaussian noise with a standard deviation of 15 gray levels to the frame.
+#
+# **Predict**: how many times as many edge pixels are there with noise?
+
+# %% role="predict"
+guess_times = None  # your guess: 1, 2, 5 or 10 times as many?
 
 # %%
 noisy = add_gaussian_noise(gray, 15, seed=1)
-unblurred = canny(noisy, 50, 150)
-show([canny(gray, 50, 150), unblurred], ["edges of the frame", "edges with noise of 15 gray levels"],
-     caption="The noise hides the edges, because noisy pixels make intensity steps nearly everywhere.",
-     alt="Left, clear outlines of the room; right, short white lines nearly everywhere.")
-print(f"edge pixels: {(canny(gray, 50, 150) > 0).mean():.1%} before, {(unblurred > 0).mean():.1%} with noise")
-
-assert (unblurred > 0).sum() > 3 * (canny(gray, 50, 150) > 0).sum()
+clean_edges, unblurred = canny(gray, 50, 150), canny(noisy, 50, 150)
+show([clean_edges, unblurred], ["edges of the frame", "edges with noise"],
+     text=figure_texts["noise"])
+times = (unblurred > 0).sum() / (clean_edges > 0).sum()
+compare_guess(guess_times, round(float(times), 1), "times")
 
 # %% [markdown]
 # **Repair it**: blur first. `sigma` is the standard deviation of the Gaussian kernel in pixels. The blur keeps most of the step at an outline, but the steps between single noisy pixels become small.
 
 # %%
 repaired = canny(noisy, 50, 150, sigma=2)
-show([unblurred, repaired], ["without blur", "sigma = 2 pixels"], encoding="mono8",
-     caption="After a Gaussian blur with sigma = 2 pixels the outlines are back.",
-     alt="Left, short white lines nearly everywhere; right, clear outlines of the room.")
+show([unblurred, repaired], ["without blur", "sigma = 2 pixels"],
+     text=figure_texts["repaired"])
 
-assert (repaired > 0).sum() < (unblurred > 0).sum() / 3
+# %%
+# Check: the results in this section
+assert times > 3 and (repaired > 0).sum() < (unblurred > 0).sum() / 3
 assert (repaired == canny(gaussian_blur(noisy, 2), 50, 150)).all()
 
 # %% [markdown]
-# ## 12 · Tune the three numbers (8 minutes)
+# ## 13 · Tune the three numbers (10 minutes)
 #
 # Three numbers decide which edges you get: `low`, `high` and `sigma`. Move the sliders. Find values that keep the outlines of the ball, the chair and the marker, but remove the wood pattern of the floor. Below the sliders is a line of code with your values that you can copy.
 
 # %% tags=["nbval-ignore-output"]
-tuner = tune(canny, gray, thresholds=(0, 1020), sigma=(0, 5.0), caption="Edges of the camera frame.",
-             alt="White lines on black; they change with the sliders.")
+tuner = tune(canny, gray, thresholds=(0, 1020), sigma=(0, 5.0),
+             text=figure_texts["tuner"])
+
+# %%
+# Check: the sliders' image
+assert tuner.value.shape == gray.shape
 
 # %% [markdown]
-# The same on a photograph: a cat, one of scikit-image's example images (CC0, free to use).
+# The same on a photograph: a cat, one of scikit-image's example images (CC0, free to use). In scikit-image the first channel is red, so `[:, :, ::-1]` reverses the channels.
 
 # %%
 from skimage import data
 
-cat = to_gray(data.chelsea()[..., ::-1])
-show([cat, canny(cat, 50, 150), canny(cat, 50, 150, sigma=2)], ["photograph", "sigma = 0", "sigma = 2"],
-     caption="Without blur every hair is an edge. What counts as an edge depends on the scale at which you look.",
-     alt="A cat's face; its edges with all the hairs; its edges after a blur, with eyes, nose and ears only.")
+cat = to_gray(data.chelsea()[:, :, ::-1])
+cat_edges, blurred_edges = canny(cat, 50, 150), canny(cat, 50, 150, sigma=2)
+show([cat, cat_edges, blurred_edges], ["photograph", "sigma = 0", "sigma = 2"],
+     text=figure_texts["cat"])
 
-assert (canny(cat, 50, 150) == cv2.Canny(cat, 50, 150)).all()
+# %%
+# Check: the results in this section
+assert (cat_edges == cv2.Canny(cat, 50, 150)).all()
 
 # %% [markdown]
 # ## Recap
@@ -1258,9 +1701,15 @@ assert (canny(cat, 50, 150) == cv2.Canny(cat, 50, 150)).all()
 # | edges | (720, 1280) | uint8 | 0 and 255 | no and yes |
 
 # %%
-strongest = np.array([[0, 0, 0], [0, 0, 255], [0, 255, 255]], np.uint8)  # no neighbourhood has a larger L1 magnitude
+fields = ["grad_row", "grad_col", "magnitude", "thinned",
+          "weak", "strong", "edges"]
+for field in fields:
+    stage = getattr(stages, field)  # stages.grad_row, then stages.grad_col, ...
+    print(field, stage.shape, stage.dtype)
+
+# %%
+# Check: the numbers in the table
+strongest = np.array([[0, 0, 0], [0, 0, 255], [0, 255, 255]], np.uint8)  # no window has a larger L1 norm
 assert 4 * 255 == 1020 and magnitude(*sobel(strongest))[1, 1] == 6 * 255 == 1530
-for field in ("grad_row", "grad_col", "magnitude", "thinned", "weak", "strong", "edges"):
-    stage = getattr(stages, field)
-    print(f"{field:10} {stage.shape!s:12} {stage.dtype}")
-    assert stage.shape == (720, 1280)
+for field in fields:
+    assert getattr(stages, field).shape == (720, 1280)
