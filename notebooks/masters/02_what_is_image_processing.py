@@ -2,20 +2,21 @@
 # jupyter:
 #   imgproc_course:
 #     title: What is image processing?
-#     minutes: 45
+#     minutes: 55
 # ---
 
 # %% [markdown]
 # # What is image processing?
 #
-# A camera gives a robot 2.8 million numbers, ten times per second. None of them says "floor", "person" or "stop". Image processing improves such images, or extracts information from them that the robot can use.
+# *Image processing* improves the quality of an image, or extracts information from it. A robot needs both. Its camera gives it 2.8 million numbers, ten times per second. None of these numbers says "floor", "person" or "stop".
 #
 # **You will be able to**
 # - name four uses of images on a home robot, with an example of each,
 # - recognise four basic operations (grayscale, edge detection, noise removal, binarization) by what they do to the numbers,
-# - explain why a grayscale image is not a binary image.
+# - explain why a grayscale image is not a binary image,
+# - name the four steps of a program that processes a robot's images, and the libraries that it needs.
 #
-# **Time** about 45 minutes. **You need** [[start_here]].
+# **Time** about 55 minutes; take a break after section 4. **You need** [[arrays]]: slices, masks, `np.where`, the mean of a mask.
 #
 # If the next cell says *No module named 'imgproc_course'*, open the lessons with `environment/lab`, as [[start_here]] explains.
 
@@ -24,20 +25,65 @@ import cv2
 import numpy as np
 
 from imgproc_course.display import live_view, show
-from imgproc_course.exercises import check
+from imgproc_course.exercises import check, compare_guess
 from imgproc_course.recording import open_recording
 from imgproc_course.ros import ImageSubscriber, open_camera, ros_available
 
 recording = open_recording("drive")
 frame = recording.frame(30)
-print("frame", frame.shape, frame.dtype, "numbers:", f"{frame.size:,}")
-
-assert frame.size == 2_764_800
+print("frame", frame.shape, frame.dtype, "  numbers:", frame.size)
 
 # %%
-show(frame, "frame 30 of the drive",
-     caption="Three seconds after the start: a person walks past, a ball lies ahead, and a marker stands in front of the wall.",
-     alt="A living room seen from close to the floor: a person walking, a ball on a striped rug, a square marker.")
+# The captions and alt texts of the figures
+figure_texts = {
+    "frame": (
+        "Three seconds after the start: a person walks past, a ball lies ahead, and a marker stands in front of the wall.",
+        "A living room seen from close to the floor: a person walking, a ball on a striped rug, a square marker.",
+    ),
+    "floor": (
+        "A little more than a third of the image is floor. The rug is not painted: is it safe to drive on it?",
+        "The same room with the wooden floor in plain green around the rug.",
+    ),
+    "person": (
+        "The frame has millions of numbers, the bounding box has only four. They are enough for a robot that follows a person.",
+        "The room with a yellow box around the walking person.",
+    ),
+    "marker": (
+        "OpenCV has found the four corners of the marker, and its number: 7.",
+        "A black and white square in front of the wall, with a green outline and the text id=7.",
+    ),
+    "depth": (
+        "Distances from 0.5 m (black) to 5 m (white): the ball stands out against the wall behind it.",
+        "A gray image of the room in which near objects are dark; the ball is a dark disc ahead.",
+    ),
+    "gray": (
+        "One intensity for each pixel: only a third of the numbers, but we still recognise nearly every shape.",
+        "The room in colour, and the same room in shades of gray.",
+    ),
+    "binary": (
+        "Pixels above the threshold 128 become white, all others black. The result shows areas, not objects.",
+        "The gray room, and the same room in pure black and white areas.",
+    ),
+    "edges": (
+        "Both have two values. Binarization gives areas; edge detection gives thin lines, one pixel wide.",
+        "Left, black and white areas; right, thin white outlines of the same room on black.",
+    ),
+    "noise": (
+        "The noise is gone. Look closely: the finest details are gone too.",
+        "A part of the image around ball and marker with black and white noise pixels, and the same part without them.",
+    ),
+    "live": (
+        "The drive and its edges. The two sliders set the thresholds.",
+        "The room in colour and its edges as white lines on black, while the robot drives.",
+    ),
+}
+
+# %%
+show(frame, "frame 30 of the drive", text=figure_texts["frame"])
+
+# %%
+# Check: the numbers in this section
+assert frame.size == 2_764_800 and recording.rate == 10
 
 # %% [markdown]
 # ## Part one: what a robot needs to know
@@ -48,27 +94,32 @@ show(frame, "frame 30 of the drive",
 #
 # A robot does not have the ground truth. It has to find the answers itself. Here we use the ground truth to see what the robot looks for.
 #
-# ### 1 · Environment recognition: where can I drive? (4 minutes)
+# ### 1 · Environment recognition: where can I drive? (5 minutes)
 #
-# **Predict.** How much of the image is floor: a tenth, a third, a half?
+# Look at the frame above. **Predict.** How many percent of the image are floor? (The rug does not count.)
+
+# %% role="predict"
+guess_floor = None  # your guess: how many percent of the pixels?
 
 # %%
 labels = recording.labels(30)
-number_of = {name: number for number, name in recording.label_names.items()}
-floor = labels == number_of["floor"]  # compares every pixel with this number
-print(f"floor: {floor.mean():.1%} of the image")
-
-assert number_of["floor"] == 1 and round(floor.mean() * 100) == 36
+print(recording.label_names)
+floor = labels == 1  # a mask: True where the pixel shows the floor
+floor_share = floor.mean()
+compare_guess(guess_floor, round(floor_share * 100), "%")
 
 # %% [markdown]
-# `floor` is a *mask*: an array with True or False for each pixel. True counts as 1 and False as 0, so the mean of a mask is the share of its True pixels. A mask also selects pixels: `painted[floor]` are the pixels of the floor. Here we paint them green.
+# The mask `floor` has True or False for each pixel, and its mean is the share of the True pixels. A mask also selects pixels. Here we paint all pixels of the floor green:
 
 # %%
 painted = frame.copy()
-painted[floor] = painted[floor] // 2 + np.array([0, 127, 0], np.uint8)  # half of the old colour, plus green
-show(painted, "floor, painted green",
-     caption="A little more than a third of the image is floor. The rug is not painted: is it safe to drive on it?",
-     alt="The same room with the wooden floor tinted green around the rug.")
+painted[floor] = (0, 160, 0)  # blue, green, red
+show(painted, "floor, painted green", text=figure_texts["floor"])
+
+# %%
+# Check: the numbers in this section
+assert recording.label_names[1] == "floor"
+assert round(floor_share * 100) == 36
 
 # %% [markdown]
 # ### 2 · Object detection: who is there? (4 minutes)
@@ -76,172 +127,264 @@ show(painted, "floor, painted green",
 # A detector returns a *bounding box*: the smallest rectangle around an object, given by its first and last row and its first and last column. Here we compute the person's bounding box from the label image. A real detector has to find the person in the frame.
 
 # %%
-rows, columns = np.nonzero(labels == number_of["person"])  # the positions of all pixels that show the person
+person = labels == 16
+rows, columns = np.nonzero(person)  # the row and column of every True pixel
 top, bottom = rows.min(), rows.max()
 left, right = columns.min(), columns.max()
-print(f"person: rows {top} to {bottom}, columns {left} to {right}")
-
-assert (top, bottom, left, right) == (102, 394, 584, 690)
+print("rows", top, "to", bottom, "  columns", left, "to", right)
 
 # %%
 boxed = frame.copy()
-cv2.rectangle(boxed, (int(left), int(top)), (int(right), int(bottom)), (0, 255, 255), thickness=4)  # (column, row)
-show(boxed, "one person, one bounding box",
-     caption="The frame has millions of numbers, the bounding box has only four. They are enough for a robot that follows a person.",
-     alt="The room with a yellow box around the walking person.")
-
-# %% [markdown]
-# ### 3 · Position estimation: where am I? (5 minutes)
-#
-# The black and white square is a *marker*. We know its size: each side is 25 cm. OpenCV finds its four corners in the image. To compute the position of the marker from the corners, we need two facts about the camera:
-# - its *intrinsics* (`info.k`), in pixels: the *focal length*, which says how strongly the lens enlarges, and the *principal point*, the image point straight ahead of the camera,
-# - its *distortion* (`info.d`): how much the lens bends straight lines in the image.
-#
-# `cv2.solvePnP` then computes the *pose* of the marker relative to the camera. A pose is a position and an orientation. Here we use only the position. We compare its distance from the camera with the ground truth in the recording.
+yellow = (0, 255, 255)
+# OpenCV's points are (column, row), the other way round than an index
+cv2.rectangle(boxed, (left, top), (right, bottom), yellow, thickness=4)
+show(boxed, "one person, one bounding box", text=figure_texts["person"])
 
 # %%
-dictionary = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50)
-corners, ids, _ = cv2.aruco.ArucoDetector(dictionary).detectMarkers(frame)
-half = 0.25 / 2  # metres
-square = np.array([[-half, half, 0], [half, half, 0], [half, -half, 0], [-half, -half, 0]])
-info = recording.camera_info
-success, _, position = cv2.solvePnP(square, corners[0][0], np.array(info.k).reshape(3, 3), np.array(info.d))
-measured = np.linalg.norm(position)  # the length of the vector: the distance
-true = np.linalg.norm(recording.pose("marker", 30)[:3] - recording.pose("camera", 30)[:3])
-print(f"marker {ids[0][0]}: measured {measured:.1f} m, true {true:.1f} m")
-
-assert ids[0][0] == 7
-assert abs(measured - true) / true < 0.05  # within five percent
+# Check: the numbers in this section
+assert recording.label_names[16] == "person"
+assert (top, bottom, left, right) == (102, 394, 584, 690)
 
 # %% [markdown]
-# From one image we get the distance with an error of less than five percent. If a robot knows where in the room the marker stands, it can compute its own position from the pose of the marker.
+# ### 3 · Position estimation: where am I? (7 minutes)
 #
-# ### 4 · Obstacle avoidance: what is in my way? (4 minutes)
+# The black and white square is a *marker*. OpenCV knows its pattern: it finds the four corners of the marker in the image, and reads its number.
+
+# %%
+patterns = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50)
+detector = cv2.aruco.ArucoDetector(patterns)
+corners, ids, _ = detector.detectMarkers(frame)
+marked = frame.copy()
+cv2.aruco.drawDetectedMarkers(marked, corners, ids)
+show(marked, "the marker", rows=(280, 430), cols=(590, 790),
+     text=figure_texts["marker"])
+
+# %%
+top_left, top_right, bottom_right, bottom_left = corners[0][0]
+print("top left corner (column, row):", top_left)
+print("bottom left corner:           ", bottom_left)
+
+# %% [markdown]
+# We know the real size of the marker: each side is 0.25 m. How far away is it? An object at twice the distance looks half as large. How large it looks in pixels also depends on the lens, on its *focal length*. The focal length of this camera is 705 pixels. Then:
 #
-# The depth image contains distances in millimetres, for every second row and every second column. **Predict**: how many metres away is the ball ahead of the robot?
+# $$\text{distance} = \text{focal length} \cdot \frac{\text{real size}}{\text{size in pixels}}$$
+#
+# **Predict** the distance. (The left side of the marker goes from row 330 to row 377.)
+
+# %% role="predict"
+guess_marker = None  # your guess: how many metres?
+
+# %%
+focal_length = recording.camera_info.k[4]  # in pixels
+side = bottom_left[1] - top_left[1]  # in pixels
+distance = focal_length * 0.25 / side
+print("focal length:", focal_length, "  side:", side)
+compare_guess(guess_marker, round(float(distance), 2), "m")
+
+# %% [markdown]
+# The recording contains the true positions of camera and marker, so we can compute the true distance: 3.6 m. Our result has an error of less than five percent. The library function `cv2.solvePnP` is better: it uses all four corners, and it also corrects how the lens bends straight lines (the *distortion*). It gives the *pose* of the marker: its position and its orientation. If a robot knows where in the room the marker stands, it can compute its own position from the pose of the marker.
+
+# %%
+# Check: the numbers in this section
+marker_position = recording.pose("marker", 30)[:3]
+true_distance = np.linalg.norm(marker_position - recording.pose("camera", 30)[:3])
+assert ids[0][0] == 7 and focal_length == 705
+assert top_left[1] == 330 and bottom_left[1] == 377
+assert round(true_distance, 1) == 3.6 and round(float(distance), 2) == 3.75
+assert abs(distance - true_distance) / true_distance < 0.05
+
+# %% [markdown]
+# ### 4 · Obstacle avoidance: what is in my way? (6 minutes)
+#
+# The depth image contains distances in millimetres, for every second row and every second column of the frame. We look for the nearest obstacle straight ahead of the robot, in the middle third of the image. Floor and rug are no obstacles.
+#
+# **Predict.** Which obstacle is the nearest one straight ahead?
+
+# %% role="predict"
+guess_obstacle = None  # your guess: "ball", "box", "person", "table" or "toy"?
 
 # %%
 depth = recording.depth(30)
-ball = labels[::2, ::2] == number_of["ball"]  # [::2, ::2]: every second row and column, as in the depth image
-ball_distance = np.median(depth[ball]) / 1000
-print("depth", depth.shape, depth.dtype, f" ball: {ball_distance:.2f} m")
-
-assert depth.shape == (360, 640) and depth.dtype == np.uint16
-assert round(ball_distance, 2) == 1.75
-
-# %%
-# encoding="16UC1": one channel, 16 bits (numbers from 0 to 65535)
-show(depth, "depth in millimetres: dark is near", encoding="16UC1", limits=(500, 5000),
-     caption="Distances from 0.5 m (black) to 5 m (white): the ball stands out against the wall behind it.",
-     alt="A gray image of the room in which near objects are dark; the ball is a dark disc ahead.")
+small_labels = labels[::2, ::2]  # as large as the depth image
+obstacle = (small_labels != 1) & (small_labels != 14)  # not floor, not rug
+obstacle[:, :213] = False  # the left third is not ahead
+obstacle[:, 427:] = False  # nor is the right third
+nearest = depth[obstacle].min()
+names = small_labels[obstacle & (depth == nearest)]
+print("depth", depth.shape, depth.dtype, "  nearest:", nearest / 1000, "m")
+compare_guess(guess_obstacle, recording.label_names[names[0]])
 
 # %% [markdown]
+# `&` between two masks means *and*: True where both are True. The ball is the nearest obstacle ahead, at 1.72 m; the toy beside it is at 1.73 m. The boxes on the right are nearer (1.05 m), but the robot can drive past them.
+
+# %%
+show(depth, "depth in millimetres: dark is near", limits=(500, 5000),
+     text=figure_texts["depth"])
+
+# %%
+# Check: the numbers in this section
+assert depth.shape == (360, 640) and depth.dtype == np.uint16
+assert recording.label_names[14] == "rug" and recording.label_names[names[0]] == "ball"
+assert nearest == 1722 and (depth > 0).all()
+toy, box = small_labels == 17, small_labels == 8
+assert recording.label_names[17] == "toy" and recording.label_names[8] == "box"
+assert round(depth[toy].min() / 1000, 2) == 1.73 and round(depth[box].min() / 1000, 2) == 1.05
+assert np.nonzero(box)[1].min() > 427
+
+# %% [markdown]
+# **Pause.** This is a good place for a break. Part two needs only the first code cell of this lesson.
+#
 # ## Part two: four operations
 #
-# Programs for all four uses are built from simple operations. Four operations are very common, and each has its own lesson. Look at what each operation does to the *numbers*: to the shape of the array, and to how many different values it has.
+# Programs for all four uses are built from simple operations. Four operations are very common, and each has its own lesson: [[grayscale]], [[binarization]], [[canny_stages|edge detection]] and [[noise_removal]]. Look at what each operation does to the *numbers*: to the shape of the array, and to how many different values it has.
 #
 # ### 5 · Grayscale: three numbers become one (3 minutes)
 
 # %%
 gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
-print("before", frame.shape, "  after", gray.shape, gray.dtype, "  different values:", np.unique(gray).size)
-# bgr8: channels blue, green, red, 8 bits each; mono8: one channel of 8 bits
-show([frame, gray], ["colour", "gray"], encoding=["bgr8", "mono8"],
-     caption="One intensity for each pixel: only a third of the numbers, but we still recognise nearly every shape.",
-     alt="The room in colour, and the same room in shades of gray.")
-
-assert gray.shape == (720, 1280) and np.unique(gray).size == 246
+print("before", frame.shape, "  after", gray.shape, gray.dtype)
+print("different values:", np.unique(gray).size)
+show([frame, gray], ["colour", "gray"], text=figure_texts["gray"])
 
 # %% [markdown]
-# ### 6 · Planned failure: grayscale is not binary (3 minutes)
+# ### 6 · Planned failure: grayscale is not binary (4 minutes)
 #
-# Many people call a gray image a "black and white photograph". Are all its pixels black or white? Count them. (In a *planned failure*, something goes wrong on purpose. **Repair it** then says what to do.)
+# Many people call a gray image a "black and white photograph". Are all its pixels black or white? (In a *planned failure*, something goes wrong on purpose. **Repair it** then says what to do.) **Predict** how many percent of its pixels are fully black (0) or fully white (255).
+
+# %% role="predict"
+guess_black_white = None  # your guess: how many percent of the pixels?
 
 # %%
-white = (gray == 255).mean()
-black = (gray == 0).mean()
-print(f"white {white:.2%}, black {black:.2%}, together {white + black:.2%}")
+black_share = (gray == 0).mean()
+white_share = (gray == 255).mean()
+together = round(float(black_share + white_share) * 100, 3)
+compare_guess(guess_black_white, together, "%")
 
-assert white + black < 0.01
+# %%
+# Check: the numbers in the sections 5 and 6
+assert gray.shape == (720, 1280) and np.unique(gray).size == 246
+assert together == 0.005
 
 # %% [markdown]
-# Less than 1 % of the pixels are fully white or black: a gray image has up to 256 intensities (gray levels). **Repair it**: to get two values from 256, choose a *threshold*, and compare every pixel with it. That is the next operation.
+# Almost no pixel is fully white or black: a gray image has up to 256 intensities (gray levels). **Repair it**: to get two values from 256, choose a *threshold*, and compare every pixel with it. That is the next operation.
 #
-# ### 7 · Binarization: above the threshold or not (3 minutes)
+# ### 7 · Binarization: above the threshold or not (4 minutes)
 
 # %%
 binary = np.where(gray > 128, 255, 0).astype(np.uint8)
-print("different values:", np.unique(binary), f"  white: {(binary == 255).mean():.1%}")
-show([gray, binary], ["gray: 246 values", "binary: two"], encoding="mono8",
-     caption="Pixels above the threshold 128 become white, all others black. The result shows areas, not objects.",
-     alt="The gray room, and the same room in pure black and white areas.")
-
-assert np.unique(binary).tolist() == [0, 255]
+binary_share = (binary == 255).mean()
+print("different values:", np.unique(binary))
+print("white:", round(binary_share * 100), "%")
+show([gray, binary], ["gray: 246 values", "binary: two"], text=figure_texts["binary"])
 
 # %% [markdown]
-# ### 8 · Edge detection: where the intensity jumps (3 minutes)
+# ### 8 · Edge detection: where the intensity jumps (4 minutes)
 #
-# An *edge* is a place where the intensity changes strongly from one pixel to the next. We detect edges with the method of John Canny; [[canny_stages]] explains it and the two numbers in the next cell. An edge image also has only two values. **Predict.** How is it different from the binary image above?
+# An *edge* is a place where the intensity changes strongly from one pixel to the next. We detect edges with the method of John Canny; the lesson [[canny_stages]] explains it, and the two numbers 50 and 150 in the next cell. An edge image also has only two values: 255 (white) for an edge, 0 for no edge.
+#
+# **Predict.** Are more or fewer of its pixels white than in the binary image above?
+
+# %% role="predict"
+guess_white = None  # your guess: "more" or "fewer"?
 
 # %%
 edges = cv2.Canny(gray, 50, 150)
-print("different values:", np.unique(edges), f"  white: {(edges == 255).mean():.1%}")
-show([binary, edges], ["binary: areas", "edges: lines"], encoding="mono8",
-     caption="Both have two values. Binarization gives areas; edge detection gives thin lines, one pixel wide.",
-     alt="Left, black and white areas; right, thin white outlines of the same room on black.")
-
-assert np.unique(edges).tolist() == [0, 255]
-assert round((edges == 255).mean() * 100) == 4 and (binary == 255).mean() > 0.3
-
-# %% [markdown]
-# ### 9 · Noise removal: the same image with fewer errors (4 minutes)
-#
-# Sensors make errors, called *noise*. Here we set 5 % of the pixels to black or white. This is *impulse noise*, also called salt-and-pepper noise. A *median filter* replaces each pixel by the median of the 3 × 3 pixels around it. (The median is the value in the middle when you sort them.) So single wrong values disappear. The image keeps its shape and its colours.
+edge_share = (edges == 255).mean()
+print("different values:", np.unique(edges))
+print("white:", round(edge_share * 100), "%")
+compare_guess(guess_white, "more" if edge_share > binary_share else "fewer")
 
 # %%
-rng = np.random.default_rng(seed=1)  # with the same seed, you always get the same random numbers
-random_values = rng.random(frame.shape[:2])
+show([binary, edges], ["binary: areas", "edges: lines"], text=figure_texts["edges"])
+
+# %%
+# Check: the numbers in the sections 7 and 8
+assert np.unique(binary).tolist() == np.unique(edges).tolist() == [0, 255]
+assert round(edge_share * 100) == 4 and binary_share > 0.3
+
+# %% [markdown]
+# ### 9 · Noise removal: the same image with fewer errors (5 minutes)
+#
+# Sensors make errors, called *noise*. Here we set 5 % of the pixels to black or white. This is *impulse noise*, also called salt-and-pepper noise.
+
+# %%
+rng = np.random.default_rng(seed=1)  # the same seed gives the same random numbers
+random_values = rng.random((720, 1280))  # one number from 0 to 1 for each pixel
 noisy = frame.copy()
 noisy[random_values < 0.025] = 0
 noisy[random_values > 0.975] = 255
-cleaned = cv2.medianBlur(noisy, 3)
-noise_share = (noisy != frame).any(axis=-1).mean()  # pixels with any changed channel
-print(f"noise: {noise_share:.1%} of the pixels   shape before {noisy.shape}, after {cleaned.shape}")
 
-assert round(noise_share * 100) == 5 and cleaned.shape == noisy.shape
+# %% [markdown]
+# A *median filter* replaces each pixel by the median of the 3 × 3 pixels around it. (The median is the value in the middle when you sort them.) So single wrong values disappear. The image keeps its shape and its colours.
 
 # %%
-window = (slice(300, 460), slice(440, 730))
-show([noisy[window], cleaned[window]], ["with noise", "after a 3 × 3 median"],
-     caption="The noise is gone. Look closely: the finest details are gone too.",
-     alt="A part of the image around ball and marker with black and white noise pixels, and the same part without them.")
+cleaned = cv2.medianBlur(noisy, 3)
+print("before", noisy.shape, "  after", cleaned.shape)
+show([noisy, cleaned], ["with noise", "after a 3 × 3 median"],
+     rows=(300, 460), cols=(440, 730), text=figure_texts["noise"])
 
+# %% [markdown]
+# **Predict.** How large is the mean error that is left, compared with the mean error of the noisy image?
+
+# %% role="predict"
+guess_error = None  # your guess: how many percent of it are left?
+
+# %%
 error_before = np.abs(noisy.astype(int) - frame).mean()
 error_after = np.abs(cleaned.astype(int) - frame).mean()
-print(f"mean error: {error_before:.1f} before, {error_after:.1f} after, in gray levels")
+print("mean error in gray levels:", round(float(error_before), 1),
+      "before,", round(float(error_after), 1), "after")
+compare_guess(guess_error, round(float(error_after / error_before) * 100), "%")
+
+# %%
+# Check: the numbers in this section
+noise = (random_values < 0.025) | (random_values > 0.975)
+assert round(noise.mean() * 100) == 5 and cleaned.shape == noisy.shape
 assert error_after < error_before / 2
 
 # %% [markdown]
-# ## 10 · Live, on the robot's topic (4 minutes)
+# ## 10 · The four steps, live on the robot's topic (4 minutes)
 #
-# Here is the same edge detection on the live frames. Move the sliders `low` and `high`: they set the two numbers, the thresholds that [[canny_stages]] explains.
+# Every program in this course that processes a robot's images has four steps:
+#
+# 1. **Subscribe** to the camera's topic, to receive its messages.
+# 2. **Convert** each message to an array.
+# 3. **Process** the array: for example, compute its edges.
+# 4. **Display** the result, or **publish** it on a topic of its own, as a new message.
+#
+# These libraries are needed:
+#
+# | library | what it is | used for |
+# |---|---|---|
+# | `rclpy` | the Python library of ROS 2 | steps 1 and 4: nodes, topics, messages |
+# | `cv_bridge` | the converter between ROS messages and arrays | steps 2 and 4 |
+# | OpenCV (`cv2`) | the most widely used library for image processing | step 3, and windows for step 4 |
+# | NumPy (`np`) | the library for arrays | all computation with pixels |
+#
+# `ImageSubscriber` of this course does the steps 1 and 2 with `rclpy`, and `live_view` does step 4. The next lessons look inside. Here is step 3, edge detection, on the live frames. Move the sliders `low` and `high`: they set the two thresholds that [[canny_stages]] explains.
 
-# %% tags=["nbval-ignore-output"]
+# %%
 def with_edges(frame, low=50, high=150):
     gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
-    return {"camera": frame, "edges": cv2.Canny(gray, min(low, high), max(low, high))}
+    edges = cv2.Canny(gray, min(low, high), max(low, high))
+    return {"camera": frame, "edges": edges}
 
 
+# %% tags=["nbval-ignore-output"]
 if ros_available():
     camera = open_camera("recording")
     source = ImageSubscriber(camera.topic)
 else:
     source = recording
-view = live_view(source, with_edges, low=(0, 500), high=(0, 500))
+view = live_view(source, with_edges, low=(0, 500), high=(0, 500),
+                 text=figure_texts["live"])
+
+# %%
+# Check: the function gives the same edges as above
 assert (with_edges(frame)["edges"] == edges).all()
 
 # %% [markdown]
-# ## 11 · Your turn: name the operation (8 minutes)
+# ## 11 · Your turn: name the operation (9 minutes)
 #
 # Write `name_operation(before, after)`. It gets an image before and after one operation, and returns the name of this operation.
 #
@@ -275,11 +418,11 @@ exercise(
 
 
 def room_image(rng):
-    """A colour image of a flat wall with boxes, (90, 120, 3) uint8, with a little noise."""
-    image = np.full((90, 120, 3), rng.integers(140, 200, size=3), dtype=np.float64)
+    """A colour image of a flat wall with boxes, (45, 60, 3) uint8, with a little noise."""
+    image = np.full((45, 60, 3), rng.integers(140, 200, size=3), dtype=np.float64)
     for _ in range(6):
-        row, column = rng.integers(0, 70), rng.integers(0, 90)
-        image[row : row + rng.integers(15, 40), column : column + rng.integers(20, 60)] = rng.integers(0, 256, size=3)
+        row, column = rng.integers(0, 35), rng.integers(0, 45)
+        image[row : row + rng.integers(8, 20), column : column + rng.integers(10, 30)] = rng.integers(0, 256, size=3)
     return np.clip(image + rng.normal(0, 3, size=image.shape), 0, 255).astype(np.uint8)
 
 
@@ -362,7 +505,7 @@ def inputs(rng):
 def inputs(rng):
     before = room_image(rng)
     gray = to_gray(before)
-    return before, np.where(gray > np.quantile(gray, 0.6), 255, 0).astype(np.uint8)
+    return before, np.where(gray > np.quantile(gray, 0.57), 255, 0).astype(np.uint8)
 
 
 # %% role="case" exercise="tour-name" title="an image of many lines" points=0
@@ -431,7 +574,7 @@ def name_operation(before, after):
     return None if operation == "binarization" else operation
 
 
-# %% role="mistake" exercise="tour-name" name="three channels not recognised" says="The colour image was not recognised by its three dimensions. after.shape is a tuple such as (90, 120, 3): it never equals the number 3, and other images have another size than the lesson's frame. Compare after.ndim, the number of dimensions, with 3."
+# %% role="mistake" exercise="tour-name" name="three channels not recognised" says="The colour image was not recognised by its three dimensions. after.shape is a tuple such as (45, 60, 3): it never equals the number 3, and other images have another size than the lesson's frame. Compare after.ndim, the number of dimensions, with 3."
 def name_operation(before, after):
     operation = solution(before, after)
     return "grayscale" if operation == "noise removal" else operation
@@ -510,15 +653,14 @@ def name_operation(before, after):
 #
 # | operation | shape | dtype | different values | unit |
 # |---|---|---|---|---|
-# | *frame*, `bgr8` | (720, 1280, 3) | uint8 | up to 256 per channel | intensity of blue, green, red |
+# | *frame* | (720, 1280, 3) | uint8 | up to 256 per channel | intensity of blue, green, red |
 # | grayscale | (720, 1280) | uint8 | up to 256 | gray level |
 # | binarization | (720, 1280) | uint8 | two, in areas | black 0, white 255 |
 # | edges | (720, 1280) | uint8 | two, in lines | no edge 0, edge 255 |
 # | noise removal | (720, 1280, 3) | uint8 | up to 256 per channel | intensity of blue, green, red |
 
 # %%
-for name, image in {"gray": gray, "binary": binary, "edges": edges, "cleaned": cleaned}.items():
-    print(f"{name:8} {image.shape!s:15} {image.dtype}")
-
-assert gray.shape == binary.shape == edges.shape == (720, 1280)
-assert cleaned.shape == frame.shape == (720, 1280, 3)
+# Check: the table above
+for image in (gray, binary, edges):
+    assert image.shape == (720, 1280) and image.dtype == np.uint8
+assert cleaned.shape == frame.shape == (720, 1280, 3) and cleaned.dtype == np.uint8
