@@ -302,10 +302,15 @@ compare_guess(guess_response, response[2, 2])
 # Check: the numbers in this section
 assert nine.tolist() == [50, 50, 50, 52, 53, 198, 199, 202, 255]
 assert cleaned[2, 2] == nine[4] == 53 and cleaned[1, 4] == 200
+outside = np.pad(np.zeros((5, 5)), 1, constant_values=1)
+assert outside[0:3, 1:4].sum() == 3 and outside[0:3, 0:3].sum() == 5
 assert np.median(window) == cleaned[0, 0] == 50 == window[1, 1]
-assert np.pad(border_row, 2, mode="edge").tolist() == [10, 10, 10, 20, 30, 30, 30]
-assert np.pad(border_row, 2, mode="reflect").tolist() == [30, 20, 10, 20, 30, 20, 10]
-assert np.pad(border_row, 2, mode="constant").tolist() == [0, 0, 10, 20, 30, 0, 0]
+replicated = np.pad(border_row, 2, mode="edge")
+assert replicated.tolist() == [10, 10, 10, 20, 30, 30, 30]
+mirrored = np.pad(border_row, 2, mode="reflect")
+assert mirrored.tolist() == [30, 20, 10, 20, 30, 20, 10]
+zero_padded = np.pad(border_row, 2, mode="constant")
+assert zero_padded.tolist() == [0, 0, 10, 20, 30, 0, 0]
 assert (response[1:4, 1:4] == 10 * np.outer([1, 2, 1], [1, 2, 1])).all()
 assert response.sum() == 160 and response[2, 2] == 160 * 4 / 16 == 40
 
@@ -381,7 +386,8 @@ for name, image in {"brighter": brighter, "grainy": grainy}.items():
 # Check: the numbers in this section
 assert mse == 50 and round(10 * np.log10(255**2 / mse), 1) == 31.1
 assert psnr(four_clean, four_noisy) == before and round(after - before, 9) == 10
-assert np.log10(10) == 1 and np.log10(100) == 2 and round(np.log10(1000), 9) == 3
+assert np.log10([10, 100, 1000]).round(9).tolist() == [1, 2, 3]
+assert round(10 * np.log10(1000), 9) == 30
 assert abs(psnr(gray, brighter) - psnr(gray, grainy)) < 1
 assert ssim(gray, brighter) > 0.9 and ssim(gray, grainy) < 0.3
 
@@ -596,6 +602,18 @@ def median3(gray):
     return np.round(np.mean(nine_neighbours(gray), axis=0)).astype(np.uint8)
 
 
+# %% role="mistake" name="a weighted mean" says="This is a weighted mean, as in the Gaussian filter. It spreads a wrong pixel over its neighbours. The median is the fifth of the nine values when they are sorted."
+def median3(gray):
+    weights = np.array([1, 2, 1, 2, 4, 2, 1, 2, 1])[:, np.newaxis, np.newaxis]
+    return ((nine_neighbours(gray) * weights).sum(axis=0) // 16).astype(np.uint8)
+
+
+# %% role="mistake" name="the middle between the smallest and the largest" says="This is the middle between the smallest and the largest of the nine values. The median is the fifth of the nine values when they are sorted."
+def median3(gray):
+    nine = nine_neighbours(gray).astype(int)
+    return ((nine.min(axis=0) + nine.max(axis=0)) // 2).astype(np.uint8)
+
+
 # %% role="mistake" name="a sum in uint8" says="This is a mean, and its sum of nine values ran past 255 in uint8. The task asks for the median: sort the nine values and take the middle one."
 def median3(gray):
     return nine_neighbours(gray).sum(axis=0, dtype=np.uint8) // 9
@@ -684,7 +702,7 @@ def median3(gray):
     return nine_neighbours(gray).min(axis=0)
 
 
-# %% role="mistake" name="only neighbours in the row" says="This is the median of three values of one row. A neighbourhood has nine values: the rows above and below belong to it, too."
+# %% role="mistake" name="only neighbours in the row" says="This is the median of three values of one row. A neighbourhood has nine values: the rows above and below belong to it, too. (np.sort without axis=None sorts each row alone.)"
 def median3(gray):
     return np.median(nine_neighbours(gray)[3:6], axis=0).astype(np.uint8)
 
@@ -773,6 +791,23 @@ def median3(gray):
     result = np.pad(gray, 1, mode="edge")
     result[1:-1, 1:-1] = solution(gray)
     return result
+
+
+# %% role="mistake" name="a flat array" says="You return all medians in one long row. Give the result the shape of the image: reshape(gray.shape), or write each median to result[row, col]."
+def median3(gray):
+    return solution(gray).ravel()
+
+
+# %% role="mistake" name="a flat array of integers" says="You return all medians in one long row. Give the result the shape of the image: reshape(gray.shape), or write each median to result[row, col]."
+def median3(gray):
+    return solution(gray).ravel().astype(int)
+
+
+# %% role="mistake" name="whole rows" says="Your window has three whole rows. Cut the columns, too: padded[row : row + 3, col : col + 3]."
+def median3(gray):
+    padded = np.pad(gray, 1, mode="edge")
+    medians = [np.median(padded[row : row + 3]) for row in range(gray.shape[0])]
+    return np.repeat(np.array(medians).astype(np.uint8), gray.shape[1]).reshape(gray.shape)
 
 
 # %% role="mistake" name="one median for the whole image" says="This is one number, the median of the whole image. Each pixel needs the median of its own 3 × 3 neighbourhood."
@@ -948,10 +983,37 @@ def my_psnr(clean, other):
     return 2 * psnr_with(mse_of(clean, other))
 
 
-# %% role="mistake" name="20 without the root" says="The factor 20 belongs to 255 divided by the square root of the MSE. With the MSE itself write 10 * np.log10(255**2 / mse)."
+# %% role="mistake" name="20 without the root" says="The MSE must not be squared: write 10 * np.log10(255**2 / mse). (The factor 20 belongs to 255 divided by the square root of the MSE.)"
 def my_psnr(clean, other):
     mse = mse_of(clean, other)
     return psnr_with(mse) if mse == 0 else float(20 * np.log10(255 / mse))
+
+
+# %% role="mistake" name="half as large" says="The result is half as large as it should be. With 255 divided by the square root of the MSE the factor is 20; with 255**2 / MSE it is 10."
+def my_psnr(clean, other):
+    return psnr_with(mse_of(clean, other)) / 2
+
+
+# %% role="mistake" name="10 inside the logarithm" says="The factor 10 is inside the logarithm. It belongs in front of it: 10 * np.log10(255**2 / mse)."
+def my_psnr(clean, other):
+    return psnr_with(mse_of(clean, other), 10 * 255**2) / 10
+
+
+# %% role="mistake" name="divided outside the logarithm" says="You divide by the MSE outside the logarithm. The fraction belongs inside: np.log10(255**2 / mse)."
+def my_psnr(clean, other):
+    mse = mse_of(clean, other)
+    return psnr_with(mse) if mse == 0 else float(10 * np.log10(255**2) / mse)
+
+
+# %% role="mistake" name="images divided by 255" says="You divide the images by 255 and use the peak 255 as well. Leave the images as they are (or use the peak 1 for images from 0 to 1)."
+def my_psnr(clean, other):
+    return psnr_with(mse_of(clean, other), 255**4)
+
+
+# %% role="mistake" name="times 2" says="Each difference is multiplied by 2. The square is ** 2."
+def my_psnr(clean, other):
+    mse = np.mean((clean.astype(float) - other) * 2)
+    return psnr_with(mse) if mse >= 0 else float("nan")
 
 
 # %% role="mistake" name="the root of the MSE" says="You divide by the square root of the MSE. With 255**2 the formula needs the MSE itself."
@@ -1042,6 +1104,12 @@ def my_psnr(clean, other):
     return round(psnr_with(mse_of(clean, other)), 2)
 
 
+# %% role="mistake" name="rounded to a whole number" says="The result has no digits after the point: round() or int() dropped them. Return the float itself."
+def my_psnr(clean, other):
+    mse = mse_of(clean, other)
+    return psnr_with(mse) if mse == 0 else round(psnr_with(mse))
+
+
 # %% role="mistake" name="integer division" says="The fraction of 255**2 / MSE was dropped: // (integer division) and int() do this. Divide with a single / and keep the float."
 def my_psnr(clean, other):
     mse = mse_of(clean, other)
@@ -1057,6 +1125,12 @@ def my_psnr(clean, other):
 def my_psnr(clean, other):
     mse = mse_of(clean, other)
     return "inf" if mse == 0 else psnr_with(mse)
+
+
+# %% role="mistake" name="minus infinity" says="For equal images you return minus infinity. No noise means the best value, so it is plus infinity: float(\"inf\")."
+def my_psnr(clean, other):
+    mse = mse_of(clean, other)
+    return float("-inf") if mse == 0 else psnr_with(mse)
 
 
 # %% role="mistake" name="0 for equal images" says="For equal images you return 0. They have no noise at all, so their PSNR is infinite: return float(\"inf\")."
@@ -1170,6 +1244,10 @@ def many_filters():
         result[0, 0] = 0
         return result
 
+    def uneven(image):
+        errors = np.resize(np.array([2, -2, 6, -2, 2, -6, 2], dtype=int), image.shape)
+        return (image.astype(int) - 60 + errors).astype(np.uint8)
+
     return {
         "add 10": lambda image: image + np.uint8(10),  # the first by the alphabet
         "subtract 1": subtracting(1),  # nearest to the noisy image
@@ -1177,8 +1255,9 @@ def many_filters():
         "two thirds": lambda image: (image.astype(int) * 2 // 3).astype(np.uint8),  # the last by the alphabet
         "subtract 44": subtracting(44),  # an error of 16: its square is 256, and 0 in uint8
         "black corner": black_corner,  # the smallest mean absolute error
-        "subtract 57": subtracting(57),  # the best
+        "subtract 60 unevenly": uneven,  # the best
         "everything white": lambda image: np.full_like(image, 255),  # the worst
+        "subtract 56": subtracting(56),  # the best SSIM, and the smallest of the largest errors
         "subtract 65": subtracting(65),  # the best if the difference is computed in uint8
         "subtract 54": subtracting(54),  # the last above 30 dB
         "subtract 20": subtracting(20),  # the last of all
@@ -1305,6 +1384,11 @@ def best_filter(clean, noisy, filters):
 # %% role="mistake" name="mean absolute error" says="This filter has the smallest mean absolute error. The task asks for the highest PSNR, so the differences are squared."
 def best_filter(clean, noisy, filters):
     return min(filters, key=lambda name: np.abs(clean.astype(int) - filters[name](noisy)).mean())
+
+
+# %% role="mistake" name="another measure" says="This filter wins if you choose by SSIM, or by the largest error of a single pixel. The task asks for the highest PSNR."
+def best_filter(clean, noisy, filters):
+    return min(filters, key=lambda name: np.abs(clean.astype(int) - filters[name](noisy)).max())
 
 
 # %% role="mistake" name="the last above 30 dB" says="This is the last filter with more than 30 dB. A fixed number does not find the best one: keep the highest PSNR of all."

@@ -152,6 +152,8 @@ show_figure(figure, text=figure_texts["histogram"])
 assert np.bincount(levels.ravel()).tolist() == [2, 0, 3, 0, 0, 1]
 assert counts.sum() == marker.size == 76 * 68 and counts.shape == (256,)
 assert round((marker > 128).mean(), 9) == round(bright_share, 9)
+depth = recording.depth(30)[160:198, 328:362]  # millimetres, at half the size
+assert round(np.median(depth) / 1000, 1) == 3.6
 
 # %% [markdown]
 # ## 3 · Otsu's method (14 minutes)
@@ -531,6 +533,42 @@ def otsu(gray):
         if below.sum() and above.sum() and variance > largest:
             best_t, largest = t, variance
     return best_t
+
+
+# %% role="mistake" name="means of the masks" says="The mean of a mask is a share of the pixels, not a gray level. Select the pixels with the mask first: gray[mask].mean()."
+def otsu(gray):
+    def score(below, above):
+        w0, w1 = below.size / gray.size, above.size / gray.size
+        return w0 * w1 * (w0 - w1) ** 2
+
+    return best_of(gray, score)
+
+
+# %% role="mistake" name="means over all pixels" says="The means were taken over all pixels of the image, with 0 for the pixels of the other class. Take each mean over the pixels of its class only: gray[mask].mean()."
+def otsu(gray):
+    return best_of(gray, lambda below, above: below.size * above.size * (below.sum() - above.sum()) ** 2)
+
+
+# %% role="mistake" name="the best variance never updated" says="This is the last t that splits the image. The best variance must get its new value in the loop, together with best_t."
+def otsu(gray):
+    return max(scores(gray, variance_of), default=0)
+
+
+# %% role="mistake" name="break instead of continue" says="The loop ends at the first t that leaves a class empty. break ends the whole loop, and continue goes on with the next t."
+def otsu(gray):
+    return solution(gray) if gray.min() == 0 else 0
+
+
+# %% role="mistake" name="a list that does not begin with t = 0" says="Your threshold is too small by the darkest gray level. The list of variances does not begin with t = 0, so the position in it is not t. Append 0 for each t that leaves a class empty, or store t itself."
+def otsu(gray):
+    return max(0, solution(gray) - int(gray.min()))
+
+
+# %% role="mistake" name="the middle between the means" says="This is the middle between the two means of the best split. The task asks for the t of this split, the last gray level of class 0."
+def otsu(gray):
+    t = solution(gray)
+    below, above = gray[gray <= t], gray[gray > t]
+    return int((below.mean() + above.mean()) / 2) if above.size else t
 
 
 # %% role="mistake" name="the sums of the variances" says="You add the variances inside the two classes without their shares. Take the between-class variance with both shares, w0 * w1 * (mean0 - mean1) ** 2, and its largest value."
