@@ -1,6 +1,7 @@
 """Exercises: declared in a master, checked in the learner's notebook, graded by the instructor."""
 
 from imgproc_course.exercises.canonical import array_of, canonical
+from imgproc_course.exercises.check_files import CheckFileError
 from imgproc_course.exercises.checking import CheckResult, check, run_cases
 from imgproc_course.exercises.comparison import Difference, compare
 from imgproc_course.exercises.declaration import (
@@ -13,9 +14,11 @@ from imgproc_course.exercises.declaration import (
     read_exercises,
 )
 from imgproc_course.exercises.guesses import GuessComparison, compare_guess
+from imgproc_course.exercises.help_steps import hint, solution
 
 __all__ = [
     "Case",
+    "CheckFileError",
     "CheckResult",
     "Difference",
     "Exercise",
@@ -29,6 +32,8 @@ __all__ = [
     "compare_guess",
     "exercise",
     "find_exercise",
+    "hint",
     "read_exercises",
     "run_cases",
+    "solution",
 ]

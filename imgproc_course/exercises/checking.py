@@ -10,6 +10,7 @@ from imgproc_course.exercises.comparison import Difference, compare
 from imgproc_course.exercises.declaration import PUBLIC_SEED
 from imgproc_course.exercises.dependencies import Dependencies, find_dependencies
 from imgproc_course.exercises.diagnosis import Diagnosis, diagnose
+from imgproc_course.exercises.progress import ExerciseProgress, digest_of, note_progress
 from imgproc_course.exercises.running import CallResult, code_of, overwrite_freed_memory
 
 _NONE = {"type": "None"}
@@ -111,7 +112,17 @@ def check(exercise_id, function):
             f" {type(function).__name__}; run the cell with your function first (if it shows an error, repair"
             f" that), and write check({exercise_id!r}, {exercise.function}), no parentheses after the name"
         )
-    return run_check(exercise, function)
+    result = run_check(exercise, function)
+    _note(result, function)
+    return result
+
+
+def _note(result, function):
+    """Note a right answer or an honest try. Feedback does not depend on it."""
+    if result.passed:
+        note_progress(result.exercise.id, ExerciseProgress(passed=True))
+    elif result.attempted:
+        note_progress(result.exercise.id, ExerciseProgress(tries=(digest_of(function),)))
 
 
 def run_cases(exercise, function, *, cases=None, seed=PUBLIC_SEED):

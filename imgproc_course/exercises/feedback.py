@@ -181,6 +181,10 @@ def _footer(result):
     return f"{text} Grading runs {checks} on other inputs, worth {exercise.hidden_points}."
 
 
+def _another_way(result):
+    return result.exercise.another_way if result.passed else ""
+
+
 def _advice(result, call):
     """What is known of the mistake; if that is not all, the hint of the case."""
     if result.mistake is not None:
@@ -226,7 +230,7 @@ def as_text(result):
         if case_result.failed_call is shown and shown is not None:
             lines += [_indent(text) for text in _details_as_text(result, shown)]
     lines += _notes(result)
-    lines.append(_footer(result))
+    lines += [_footer(result), _another_way(result)]
     return "\n".join(line for line in lines if line)
 
 
@@ -265,6 +269,7 @@ def as_html(result):
         body.append(f'<div style="margin: 0 0 6px 18px">{explanation}{details}</div>')
     body += [_paragraph(note) for note in _notes(result)]
     body.append(f'<div style="margin-top: 4px">{html.escape(_footer(result))}</div>')
+    body.append(_paragraph(_another_way(result)))
     return f'<div style="border-left: 4px solid {_COLOURS[state]}; padding: 4px 10px">{"".join(body)}</div>'
 
 
