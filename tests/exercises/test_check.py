@@ -2,13 +2,13 @@
 
 import linecache
 import re
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 
 from imgproc_course.authoring.lesson_files import lesson_files
-from imgproc_course.authoring.masters import read_master
-from imgproc_course.exercises import check, find_exercise, run_cases
+from imgproc_course.exercises import check, find_exercise, read_exercises, run_cases
 
 
 @pytest.fixture
@@ -17,7 +17,8 @@ def write_master(write_master, tmp_path, monkeypatch):
 
     def write(**changed):
         path = write_master(**changed)
-        for name, text in lesson_files(read_master(path)).items():
+        lesson = SimpleNamespace(name="doubling", exercises=read_exercises(path), handed_out={})
+        for name, text in lesson_files(lesson).items():
             (tmp_path / name).parent.mkdir(exist_ok=True)
             (tmp_path / name).write_text(text)
         monkeypatch.setenv("IMGPROC_COURSE_CHECKS", str(tmp_path / "checks"))
