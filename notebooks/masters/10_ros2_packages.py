@@ -2,21 +2,22 @@
 # jupyter:
 #   imgproc_course:
 #     title: ROS 2 packages
-#     minutes: 75
+#     minutes: 80
 # ---
 
 # %% [markdown]
 # # ROS 2 packages
 #
-# A node in a notebook stops when the notebook stops. On a robot, nodes belong to *packages*. A package is a folder with a fixed structure; you can build it, install it and start its nodes by name. Here you build two packages, `image_gray_processor` and `image_edge_detection`, and run their nodes outside this notebook.
+# A node in a notebook stops when the notebook stops. A *script* is a program of its own. On a robot, nodes belong to *packages*. A package is a folder with a fixed structure; you can build it, install it and start its nodes by name. Here you build two packages, `image_gray_processor` and `image_edge_detection`, and run their nodes outside this notebook.
 #
 # **You will be able to**
+# - read a node that is a complete script, from `rclpy.init` to `shutdown`, and run it in a terminal,
 # - explain each file of an `ament_python` package (a ROS 2 package in Python; *ament* is the build system of ROS 2),
 # - build a *workspace* (a folder with packages) with `colcon`, source it, and start its nodes in a terminal,
 # - recognise two common mistakes: a workspace that is not sourced, and a dependency that `rosdep` does not know,
 # - explain what changes on the real robot, and go on with a robot and a node of your own.
 #
-# **Time** about 75 minutes. **You need** [[grayscale_node]] and [[edge_detection_node]]. You type the commands into a terminal of JupyterLab. Each command also has a cell that does the same, so this lesson works without a terminal too. To run the nodes you need ROS 2.
+# **Time** about 80 minutes, with a pause after section 4. **You need** [[grayscale_node]] and [[edge_detection_node]]. You type the commands into a terminal of JupyterLab. Each command also has a cell that does the same, so this lesson works without a terminal too. To run the nodes you need ROS 2.
 
 # %% role="given" exercise=["packages-executable"]
 from pathlib import Path
@@ -25,10 +26,12 @@ from pathlib import Path
 import atexit
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import time
 
+# %%
 import numpy as np
 
 import imgproc_course
@@ -40,6 +43,10 @@ from imgproc_course.ros import ImageSubscriber, open_camera, ros_available
 # %%
 # The captions and alt texts of the figures
 figure_texts = {
+    "script": (
+        "The gray images that the script publishes from another process.",
+        "The living room in gray, live, while the robot drives.",
+    ),
     "gray": (
         "The gray images that the node publishes from another process.",
         "The living room in gray, live, while the robot drives.",
@@ -51,7 +58,128 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · What is in a package (12 minutes)
+# ## 1 · A node as a script (13 minutes)
+#
+# The course has both nodes as scripts of about fifty lines, as you find them in many tutorials. The next cell makes a folder, `ros2_ws`, beside this notebook. It copies the scripts and the packages of the course into it, and prints the first script:
+
+# %%
+workspace = Path("ros2_ws").absolute()
+course = Path(imgproc_course.__file__).parents[1] / "environment" / "ros2_ws"
+for name in ("scripts", "src"):
+    shutil.copytree(course / name, workspace / name, dirs_exist_ok=True)
+
+script = workspace / "scripts" / "image_gray_processor.py"
+print(script.read_text(encoding="utf-8"))
+
+# %% [markdown]
+# You know the class from [[grayscale_node]]: the QoS profile, the subscription and the callback, which converts with `imgmsg_to_cv2`, processes with `cv2.cvtColor`, and logs an error. What is new, from the top to the bottom:
+#
+# - `#!/usr/bin/env python3` is the *shebang*. It tells Linux which program runs this file.
+# - `cv2.imshow` shows the image in a window, and `cv2.waitKey(1)` gives OpenCV one millisecond to draw it. Where no window can be opened, the script says so once, and publishes the image on `~/view` with `cv2_to_imgmsg`.
+# - `rclpy.init()` starts ROS in this program. In a notebook, the course's session does this.
+# - `rclpy.spin(node)` waits for messages and calls the callback, until you press Ctrl-C.
+# - Ctrl-C raises `KeyboardInterrupt`. (`ExternalShutdownException` comes when ROS was stopped in another way.) Both end the program as planned, so the script does nothing: `pass`.
+# - `finally` is always done at the end: `cv2.destroyAllWindows()` closes the windows, `destroy_node()` deletes the node, and `rclpy.try_shutdown()` ends ROS in this program.
+# - `if __name__ == "__main__":` means: call `main` only if this file is started, not if it is imported.
+
+# %%
+# Check: what the text says about the script
+source = script.read_text(encoding="utf-8")
+for name in ("#!/usr/bin/env python3", "BEST_EFFORT", "VOLATILE", "imgmsg_to_cv2", "cv2_to_imgmsg", "cv2.imshow"):
+    assert name in source
+for name in ("cv2.waitKey(1)", "rclpy.init()", "rclpy.spin(node)", "KeyboardInterrupt", "destroy_node", "try_shutdown"):
+    assert name in source
+
+# %% [markdown]
+# Now run it. First, this notebook starts the camera and subscribes to the script's topic:
+
+# %%
+script_node = None
+if ros_available():
+    camera = open_camera("recording")
+    script_topic = "/image_gray_processor/view"
+    script_images = ImageSubscriber(script_topic, encoding="mono8")
+
+# %% [markdown]
+# Open a terminal: **File → New → Terminal**. Drag its tab to the right edge, so that you see the terminal and this notebook side by side. It is in the folder of your lessons. Type these lines, one after the other, and press Enter after each line:
+#
+# ```sh
+# source ../.venv/bin/activate
+# cd ros2_ws
+# python scripts/image_gray_processor.py
+# ```
+#
+# 1. The first line selects the Python of the course. (If bash, the program that runs in a terminal, answers *No such file or directory*, use the path of your own virtual environment.)
+# 2. `cd` (change directory) goes into the folder.
+# 3. The third line runs the script. The terminal is busy now, because the node spins. The node prints its log there.
+#
+# In this lesson, each command also has a cell, for those who cannot use a terminal. These cells call the three functions below, which give a line to bash as a terminal does. You do not need to write such code. If the node runs in your terminal already, the cell does not start it again.
+
+# %%
+terminal = os.environ.copy()  # the environment variables of a new terminal
+python_folder = str(Path(sys.executable).parent)
+terminal["PATH"] = python_folder + os.pathsep + terminal["PATH"]
+
+
+def run(line):
+    """Runs one line in the workspace; returns what it prints."""
+    result = subprocess.run(
+        ["bash", "-c", line], cwd=workspace, env=terminal,
+        capture_output=True, text=True)
+    return (result.stdout + result.stderr).strip()
+
+
+# %%
+def start(line):
+    """Starts a program in the workspace, and does not wait until it ends."""
+    with (workspace / "node.log").open("w") as log:
+        process = subprocess.Popen(
+            ["bash", "-c", line], cwd=workspace, env=terminal,
+            stdout=log, stderr=log)
+    atexit.register(process.terminate)  # stops it when the kernel stops
+    return process
+
+
+# %%
+def stop(process):
+    """Stops a program, as Ctrl-C in its terminal does."""
+    process.send_signal(signal.SIGINT)
+    process.wait(timeout=20)
+
+
+# %%
+if ros_available():
+    time.sleep(1)
+    if script_images.matched == 0:  # no publisher: the script does not run yet
+        script_node = start("exec python scripts/image_gray_processor.py")
+
+# %% tags=["nbval-ignore-output"]
+if ros_available():
+    script_image = script_images.wait(timeout=30)
+    print("from another process:", script_image.shape, script_image.dtype)
+    text = figure_texts["script"]
+    script_view = live_view(script_images, encoding="mono8", text=text)
+
+# %%
+# Check: the script publishes gray images
+assert not ros_available() or script_image.shape == (720, 1280)
+
+# %% [markdown]
+# These images come from another *process* (a running program): ROS carries them from there to this notebook. Now stop the script: click into the terminal and press **Ctrl-C**. The next cell does the same if this notebook started the script.
+
+# %% tags=["nbval-ignore-output"]
+if ros_available():
+    script_view.stop()
+    if script_node is not None:
+        stop(script_node)
+        print("exit code:", script_node.returncode)
+
+# %%
+# Check: the script ended without an error
+assert script_node is None or script_node.returncode == 0
+
+# %% [markdown]
+# ## 2 · What is in a package (10 minutes)
 #
 # If ROS 2 is fully installed, one command creates the files of a new package. For our two packages the commands are:
 #
@@ -62,14 +190,9 @@ figure_texts = {
 #
 # `--node-name` is the name of the first node, and `--dependencies` are the other packages that the node needs. The course does not have the command `ros2`; it contains both packages with all their files.
 #
-# A *workspace* is a folder with packages in its folder `src`. The folder with the code that you write is called the *source* folder. The next cell makes a workspace, `ros2_ws`, beside this notebook. It copies the two packages into it, and lists the files of the first one:
+# A *workspace* is a folder with packages in its folder `src`. (*Source code* is the code that you write; `src` is short for source.) Our folder `ros2_ws` is a workspace. These are the files of its first package:
 
 # %%
-workspace = Path("ros2_ws").absolute()
-course = Path(imgproc_course.__file__).parents[1]
-sources = course / "environment" / "ros2_ws" / "src"
-shutil.copytree(sources, workspace / "src", dirs_exist_ok=True)
-
 package = workspace / "src" / "image_gray_processor"
 for path in sorted(package.rglob("*")):
     if path.is_file() and path.suffix != ".pyc":
@@ -83,7 +206,7 @@ for name in ("package.xml", "setup.py", "setup.cfg", "resource/image_gray_proces
 # %% [markdown]
 # | file | what it is for |
 # |---|---|
-# | `package.xml` | name, version, licence, and the *dependencies*: the other packages that this package needs (section 2) |
+# | `package.xml` | name, version, licence, and the *dependencies*: the other packages that this package needs (section 3) |
 # | `setup.py` | says which files are installed, and which programs you can start |
 # | `setup.cfg` | says that these programs are installed into `lib/<package>`, where `ros2 run` looks for them |
 # | `resource/image_gray_processor` | an empty file, the *marker* by which ROS finds the package |
@@ -115,9 +238,9 @@ assert "cv2.cvtColor" in code and "ImageProcessor" in code and "def main" in cod
 assert "console_scripts" in setup and "data_files" in setup
 
 # %% [markdown]
-# The node consists of a function and an `ImageProcessor`, as in [[grayscale_node]]. On a robot, speed is important, so the function calls OpenCV. Section 5 checks that its result is the same gray image that you computed by hand in [[grayscale]].
+# The node consists of a function and an `ImageProcessor`, as in [[grayscale_node]]. On a robot, speed is important, so the function calls OpenCV. Section 6 checks that its result is the same gray image that you computed by hand in [[grayscale]].
 #
-# ## 2 · Planned failure: a dependency that cannot be found (6 minutes)
+# ## 3 · Planned failure: a dependency that cannot be found (6 minutes)
 #
 # On a robot, the command `rosdep install` reads `package.xml` and installs the dependencies with the package manager of the robot's Linux. It identifies each dependency by a name, the *rosdep key*. If `package.xml` contains another name, rosdep stops:
 #
@@ -154,44 +277,23 @@ print((package / "package.xml").read_text(encoding="utf-8"))
 # %% [markdown]
 # `exec_depend` means: needed when the node runs. `test_depend` means: needed only for the tests. `imgproc_course`, the Python package of this course, has no rosdep key. It must be installed in the Python that builds and runs the nodes. Here this is the Python of this notebook.
 #
-# ## 3 · Build (12 minutes)
+# ## 4 · Build (10 minutes)
 #
-# `colcon` is the build tool of ROS 2. It finds the packages in `src`, builds them, and installs them into the folder `install`. You will type its commands into a terminal. Each command also has a cell, for those who cannot use a terminal. The cells call the next function: it gives one line to bash, the program that runs in a terminal, and returns what it prints. (You do not need to write such code.)
-
-# %%
-terminal = os.environ.copy()  # the environment variables of a new terminal
-python_folder = str(Path(sys.executable).parent)
-terminal["PATH"] = python_folder + os.pathsep + terminal["PATH"]
-
-
-def run(line):
-    """Runs one line in the workspace; returns what it prints."""
-    result = subprocess.run(
-        ["bash", "-c", line], cwd=workspace, env=terminal,
-        capture_output=True, text=True)
-    return (result.stdout + result.stderr).strip()
-
-
-# %% [markdown]
-# Now our workspace has one folder, `src`. **Predict** how many more folders it has after the build.
+# `colcon` is the build tool of ROS 2. It finds the packages in `src`, builds them, and installs them into the folder `install`. Now our workspace has two folders, `scripts` and `src`. **Predict** how many more folders it has after the build.
 
 # %% role="predict"
-guess_folders = None  # your guess: how many new folders beside src?
+guess_folders = None  # your guess: how many new folders?
 
 # %% [markdown]
-# Open a terminal: **File → New → Terminal**. Drag its tab to the right edge, so that you see the terminal and this notebook side by side. It is in the folder of your lessons. Type these lines, one after the other, and press Enter after each line:
+# Type these lines into your terminal, one after the other. (If it is a new one, begin with `source ../.venv/bin/activate` and `cd ros2_ws`.)
 #
 # ```sh
-# source ../.venv/bin/activate
-# cd ros2_ws
 # python -m colcon build --packages-select image_gray_processor
 # python -m colcon build
 # ```
 #
-# 1. The first line selects the Python of the course. (If bash answers *No such file or directory*, use the path of your own virtual environment.)
-# 2. `cd` (change directory) goes into the workspace.
-# 3. `--packages-select` builds only the packages that you name. This saves time while you work on one package. colcon prints many lines; the last one says *Finished*.
-# 4. Without it, colcon builds all packages in `src`.
+# 1. `--packages-select` builds only the packages that you name. This saves time while you work on one package. colcon prints many lines; the last one says *Finished*.
+# 2. Without it, colcon builds all packages in `src`.
 #
 # The next cell does the same as the last line. If you have built in the terminal, colcon builds once more, which does no harm.
 
@@ -203,7 +305,7 @@ for line in printed.splitlines():
 
 new_folders = []
 for path in sorted(workspace.iterdir()):
-    if path.is_dir() and path.name != "src":
+    if path.is_dir() and path.name not in ("scripts", "src"):
         new_folders.append(path.name)
 print(new_folders)
 compare_guess(guess_folders, len(new_folders))
@@ -215,7 +317,9 @@ assert printed.count("Finished") == 2 and new_folders == ["build", "install", "l
 # %% [markdown]
 # `build` holds intermediate files and `log` holds log files. `install` holds the result. You can delete all three at any time and build again.
 #
-# ## 4 · Does ROS find the package? (10 minutes)
+# **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
+#
+# ## 5 · Does ROS find the package? (8 minutes)
 #
 # The packages are built. Now you open a *second* terminal with **File → New → Terminal**, and ask ROS for the package. **Predict**: can ROS find it?
 
@@ -255,7 +359,8 @@ assert not found and (not ros_available() or "AMENT_PREFIX_PATH" in where)
 # These commands add your workspace to the variable. Your workspace is now an *overlay*, and the ROS installation is the *underlay*: ROS searches the overlay first. You must source the workspace in *every* terminal that uses its packages.
 
 # %%
-where = run("source install/setup.bash && " + question)
+sourced = "source install/setup.bash && "
+where = run(sourced + question)
 if ros_available():
     print("found:", Path(where).relative_to(workspace))
 
@@ -264,14 +369,13 @@ if ros_available():
 assert not ros_available() or where == str(workspace / "install" / "image_gray_processor")
 
 # %% [markdown]
-# ## 5 · Run (12 minutes)
+# ## 6 · Run (10 minutes)
 #
-# `ros2 run image_gray_processor image_gray_processor` finds the folder of the package, as you just did. Then it starts the file `lib/PACKAGE/EXECUTABLE` in this folder. Without the command `ros2`, start the file itself. First this notebook starts the camera:
+# `ros2 run image_gray_processor image_gray_processor` finds the folder of the package, as you just did. Then it starts the file `lib/PACKAGE/EXECUTABLE` in this folder. Without the command `ros2`, start the file itself. First this notebook subscribes to the node's topic:
 
 # %%
 node = None
 if ros_available():
-    camera = open_camera("recording")
     gray_topic = "/image_gray_processor/gray"
     gray_images = ImageSubscriber(gray_topic, encoding="mono8")
 
@@ -282,26 +386,14 @@ if ros_available():
 # install/image_gray_processor/lib/image_gray_processor/image_gray_processor
 # ```
 #
-# The terminal is busy now, because the node spins. The node prints its log there. If you do not use a terminal, the next cell starts the node. It calls `start`, which starts a program in another process and does not wait until it ends. (You do not need to write such code.)
-
-# %%
-def start(line):
-    """Starts a program in the workspace, as a sourced terminal does."""
-    line = "source install/setup.bash && exec " + line
-    with (workspace / "node.log").open("w") as log:
-        process = subprocess.Popen(
-            ["bash", "-c", line], cwd=workspace, env=terminal,
-            stdout=log, stderr=log)
-    atexit.register(process.terminate)  # stops it when the kernel stops
-    return process
-
+# The terminal is busy now, because the node spins. The node prints its log there. If you do not use a terminal, the next cell starts the node.
 
 # %%
 if ros_available():
     time.sleep(1)
     if gray_images.matched == 0:  # no publisher: no node runs in a terminal
         folder = "install/image_gray_processor/lib/image_gray_processor/"
-        node = start(folder + "image_gray_processor")
+        node = start(sourced + "exec " + folder + "image_gray_processor")
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
@@ -314,8 +406,6 @@ if ros_available():
 assert not ros_available() or (gray.shape == (720, 1280) and gray.dtype == np.uint8)
 
 # %% [markdown]
-# These images come from another *process* (a running program): ROS carries them from there to this notebook.
-#
 # Is the gray image from the other process (computed by OpenCV) equal to the gray image computed by `to_gray`, for every pixel? The node copies the header, so its image has the same stamp as the camera's image. We use the stamp to find the two images that belong together: two callbacks store the images under their stamps.
 
 # %%
@@ -368,12 +458,9 @@ assert not ros_available() or len(pairs) >= 3
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
-    import signal
-
     view.stop()
     if node is not None:
-        node.send_signal(signal.SIGINT)  # Ctrl-C
-        node.wait(timeout=20)
+        stop(node)
         print((workspace / "node.log").read_text().splitlines()[-1])
 
 # %%
@@ -383,7 +470,7 @@ assert node is None or node.returncode == 0
 # %% [markdown]
 # The node stopped without an error and printed its statistics. (*Ignored* images are images that came while the node had no subscriber. The node does not process them.)
 #
-# ## 6 · Practice: where is the executable? (6 minutes)
+# ## 7 · Practice: where is the executable? (6 minutes)
 #
 # Write `executable_of(install, package)`. It returns the path of the file that `ros2 run` starts. Here the executable has the same name as its package. The function only puts the path together; it does not look at the disk. `Path` is imported already.
 #
@@ -400,7 +487,7 @@ exercise(
     time_limit=5,
     hint="The parts are: install, package, lib, package, executable. The executable has the name of the package.",
     hints=(
-        "Look at the path in section 5: which folders come after `install`, and how often does the name of the"
+        "Look at the path in section 6: which folders come after `install`, and how often does the name of the"
         " package occur?",
         "The parts, in this order, are: `install`, the name of the package, `lib`, the name of the package, and the"
         " executable, which has the name of the package too. Join them with `/`, and return a string.",
@@ -589,7 +676,7 @@ def executable_of(install, package):
 
 
 # %% [markdown]
-# ## 7 · Practice: run the edge node (8 minutes)
+# ## 8 · Practice: run the edge node (8 minutes)
 #
 # Now run the edge-detection node in the second terminal. Its thresholds are *parameters*, and you can set them in the command:
 #
@@ -597,29 +684,25 @@ def executable_of(install, package):
 # install/image_edge_detection/lib/image_edge_detection/image_edge_detection --ros-args -p low:=50 -p high:=150
 # ```
 #
-# Run the next two cells and observe the edges. To try other thresholds, stop the node with Ctrl-C, press the arrow key ↑ to get the line back, change the numbers, and press Enter. (Without a terminal: change the numbers in the next cell, and run it again.)
+# Run the next cells and observe the edges. To try other thresholds, stop the node with Ctrl-C, press the arrow key ↑ to get the line back, change the numbers, and press Enter. (Without a terminal: change the numbers in the next cell, and run the next two cells again.)
 
 # %%
 edge_node = None
 
-
-def stop_edge_node():
-    """Stops the node that this notebook started, if there is one."""
-    if edge_node is not None:
-        edge_node.terminate()
-        edge_node.wait(timeout=20)
-
-
-# %% tags=["nbval-ignore-output"]
+# %%
 if ros_available():
-    stop_edge_node()  # the node of the previous run of this cell
+    if edge_node is not None:
+        stop(edge_node)  # the node of the previous run of this cell
     edge_topic = "/image_edge_detection/edges"
     edge_images = ImageSubscriber(edge_topic, encoding="mono8")
     time.sleep(1)
     if edge_images.matched == 0:  # no publisher: no node runs in a terminal
         folder = "install/image_edge_detection/lib/image_edge_detection/"
-        parameters = " --ros-args -p low:=50 -p high:=150"
-        edge_node = start(folder + "image_edge_detection" + parameters)
+        parameters = "image_edge_detection --ros-args -p low:=50 -p high:=150"
+        edge_node = start(sourced + "exec " + folder + parameters)
+
+# %% tags=["nbval-ignore-output"]
+if ros_available():
     edges = edge_images.wait(timeout=30)
     text = figure_texts["edges"]
     edge_view = live_view(edge_images, encoding="mono8", text=text)
@@ -629,16 +712,18 @@ if ros_available():
 assert not ros_available() or set(np.unique(edges)) <= {0, 255}
 
 # %% [markdown]
+# The second script, `scripts/image_edge_detection.py`, shows three images side by side: the frame, its gray image, and the edges. If you like, run it in place of the node of the package, and look at its images with `live_view("/image_edge_detection/view")` in a cell of your own.
+#
 # To stop the node, press Ctrl-C in the terminal. A node that the notebook started runs until the kernel stops; or set `stop_now = True` in the next cell and run it.
 
 # %%
 stop_now = False
-if ros_available() and stop_now:
+if stop_now and edge_node is not None:
     edge_view.stop()
-    stop_edge_node()
+    stop(edge_node)
 
 # %% [markdown]
-# ## 8 · On the robot (5 minutes)
+# ## 9 · On the robot (5 minutes)
 #
 # | in this course | with a full ROS 2 installation |
 # |---|---|
@@ -683,7 +768,7 @@ if ros_available() and stop_now:
 assert round(720 * 1280 * 3 * 8 * 10 / 1e6) == 221
 
 # %% [markdown]
-# ## 9 · Goodbye, and what next (4 minutes)
+# ## 10 · Goodbye, and what next (4 minutes)
 #
 # You have gone the whole way of an image: from the bytes of a message to a gray image, a clean image, a binary image and edges; from a function to a node, and from a node to a package that runs without a notebook. You computed every step by hand and compared it with the library that everybody uses. Well done!
 #
