@@ -11,8 +11,8 @@ from imgproc_course.authoring.atomic_write import write_file
 from imgproc_course.authoring.learner_files import CHECKS, SOLUTIONS, without_outputs
 from imgproc_course.authoring.lesson_names import lesson_name
 from imgproc_course.authoring.masters import find_lessons
+from imgproc_course.exercises.progress import LEARNERS_FOLDER
 
-MARKER = ".course.json"  # a folder with this file is a learner's: check keeps progress there
 _ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same files give the same bytes
 
 
@@ -60,7 +60,7 @@ def hand_out(folder, source, names=(), *, with_solutions=False, zipped=False):
     files = {path.name: without_outputs(path.read_bytes()) for path in pages if path not in left_out}
     for path in chosen:
         files |= _exercise_files(source, path, with_solutions)
-    files[MARKER] = (json.dumps({"handout": version("imgproc-course")}) + "\n").encode()
+    files[LEARNERS_FOLDER] = (json.dumps({"handout": version("imgproc-course")}) + "\n").encode()
     archive = folder.with_name(f"{folder.name}.zip")
     outputs = {folder / name: data for name, data in files.items()}
     if zipped:
