@@ -247,7 +247,7 @@ def handout(folder, lessons, source, with_solutions, zipped):
 @click.option("--run", "and_run", is_flag=True, help="Also run the checks on your answers.")
 def check(notebooks, and_run):
     """Check a lesson before you submit it: is every answer present, and in its answer cell?"""
-    from imgproc_course.exercises.declaration import MasterError
+    from imgproc_course.exercises.check_files import CheckFileError
     from imgproc_course.gradebook.check import LessonFileError, check_lesson, report_lines, run_answers
 
     ready = True
@@ -256,7 +256,7 @@ def check(notebooks, and_run):
             lesson_check = check_lesson(path)
             if and_run:
                 run_answers(lesson_check)
-        except (LessonFileError, MasterError) as error:
+        except (LessonFileError, CheckFileError) as error:
             raise click.ClickException(str(error)) from error
         click.echo("\n".join(report_lines(lesson_check)))
         ready = ready and lesson_check.ready

@@ -16,6 +16,10 @@ from imgproc_course.exercises.declaration import PUBLIC_SEED, MasterError
 from imgproc_course.exercises.running import CallResult, call
 
 
+class AnswerError(ValueError):
+    """An answer cell that does not run by itself; the message says why."""
+
+
 @dataclass(frozen=True, eq=False)
 class ExpectedCall:
     """One call of a case: its arguments, and what a right answer does with them."""
@@ -89,6 +93,22 @@ class CheckData:
         for source in self.given:
             exec(compile(source, f"<given cell of {self.id}>", "exec", dont_inherit=True), names)
         return names
+
+    def function_of(self, source):
+        """The exercise's function as the source of an answer cell defines it, in a namespace of its own.
+
+        Raises
+        ------
+        AnswerError : the source fails, or does not define the function
+        """
+        names = self.namespace()
+        try:
+            exec(compile(source, f"<answer to {self.id}>", "exec", dont_inherit=True), names)
+        except Exception as error:
+            raise AnswerError(f"{type(error).__name__}: {error}") from error
+        if not callable(names.get(self.function)):
+            raise AnswerError(f"it defines no function {self.function}()")
+        return names[self.function]
 
     def call(self, function, arguments):
         """The CallResult of one call of an answer."""

@@ -26,6 +26,10 @@ from imgproc_course.exercises.running import CallResult
 FORMAT = 1
 CHECKS, SOLUTIONS = "checks", "solutions"  # names of the folders
 CHECKS_VARIABLE = "IMGPROC_COURSE_CHECKS"
+NO_CHECKS = (
+    "there are no checks here: the folder checks/ must be beside the lesson; start the lessons with"
+    " environment/lab, or take the folder again from what your teacher handed out"
+)
 
 PLAIN_FIELDS = (
     "title",
@@ -271,10 +275,7 @@ def find_check_file(id):
     """
     paths = [path for folder in checks_folders() for path in sorted(folder.glob("*.json"))]
     if not paths:
-        raise CheckFileError(
-            "there are no checks here: the folder checks/ must be beside the lesson; start the lessons with"
-            " environment/lab, or take the folder again from what your teacher handed out"
-        )
+        raise CheckFileError(NO_CHECKS)
     name = json.dumps(str(id))
     for path in paths:
         # A file without this id is not parsed: it may be damaged.

@@ -5,13 +5,11 @@ report the same findings. Here each answer can also be run against the public ch
 """
 
 from dataclasses import dataclass, field
-from importlib.metadata import version
 from pathlib import Path
 
-from imgproc_course.authoring.lesson_names import lesson_name
-from imgproc_course.authoring.masters import find_masters, read_master
-from imgproc_course.exercises.checking import CheckResult, run_cases
-from imgproc_course.exercises.declaration import Exercise, MasterError, masters_folders, read_exercises
+from imgproc_course.exercises.check_data import AnswerError, CheckData
+from imgproc_course.exercises.check_files import NO_CHECKS, CheckFileError, checks_folders, read_check_file
+from imgproc_course.exercises.checking import CheckResult, run_check
 from imgproc_course.exercises.feedback import explain_call
 from imgproc_course.gradebook.collect import LARGEST, too_large
 from imgproc_course.gradebook.lesson_description import LessonDescription
@@ -36,14 +34,14 @@ class LessonFileError(ValueError):
 class ExerciseCheck:
     """One exercise of a checked lesson.
 
-    exercise  as its master declares it
+    exercise  CheckData
     state     AnswerState
     source    of its answer, "" if there is none
     notes     list of str, for the learner
     result    what the public checks gave, or None if they were not run
     """
 
-    exercise: Exercise
+    exercise: CheckData
     state: AnswerState
     source: str
     notes: list = field(default_factory=list)
@@ -76,8 +74,8 @@ class LessonCheck:
         return all(entry.state is AnswerState.ANSWERED for entry in graded)
 
 
-class MasterCatalog:
-    """The lessons that the masters of some folders describe.
+class CheckFileCatalog:
+    """The lessons that the checks files of some folders describe.
 
     Parameters
     ----------
@@ -85,31 +83,27 @@ class MasterCatalog:
 
     Attributes
     ----------
-    lessons : {name: Path of the master}
+    lessons : {name: CheckFile}
+    damage  : list of CheckFileError, of the files that cannot be read
     """
 
     def __init__(self, folders):
-        self.lessons = {
-            lesson_name(path.stem): path for folder in reversed(folders) for path in find_masters(folder)
-        }
-        self._masters = {}
-
-    def master(self, lesson):
-        """The Master of a lesson."""
-        if lesson not in self._masters:
-            self._masters[lesson] = read_master(self.lessons[lesson])
-        return self._masters[lesson]
+        self.lessons, self.damage = {}, []
+        for path in (path for folder in folders for path in sorted(folder.glob("*.json"))):
+            try:
+                file = read_check_file(path)
+            except CheckFileError as error:
+                self.damage.append(error)
+            else:
+                self.lessons.setdefault(file.lesson, file)
 
     def answer_ids(self, lesson):
-        """The ids of a lesson's answer cells, as a set; empty if its master cannot be read."""
-        try:
-            return {f"answer-{exercise.id}" for exercise in read_exercises(self.lessons[lesson])}
-        except MasterError:
-            return set()  # if the notebook is of this lesson, `describe` reports the error
+        """The ids of a lesson's answer cells, as a set."""
+        return {f"answer-{id}" for id in self.lessons[lesson].ids}
 
     def describe(self, lesson, _version):
-        """The LessonDescription of a lesson, in the version that is installed."""
-        return LessonDescription.from_master(self.master(lesson), version("imgproc-course"))
+        """The LessonDescription of a lesson, in the version that its checks were built with."""
+        return LessonDescription.from_check_file(self.lessons[lesson])
 
 
 def check_lesson(path, folders=None):
@@ -118,7 +112,7 @@ def check_lesson(path, folders=None):
     Parameters
     ----------
     path : Path of the notebook
-    folders : list of Path of masters; the usual ones if omitted
+    folders : list of Path of checks; those beside the notebook and the course's if omitted
 
     Returns
     -------
@@ -127,17 +121,21 @@ def check_lesson(path, folders=None):
     Raises
     ------
     LessonFileError : no such file, not a notebook, or not a lesson of this course
-    MasterError : the master of the lesson cannot be read
+    CheckFileError : the checks of the lesson are missing or damaged
     """
     path = Path(path)
     data = _read(path)
-    catalog = MasterCatalog(masters_folders() if folders is None else folders)
+    catalog = CheckFileCatalog(checks_folders(path.resolve().parent) if folders is None else folders)
+    if not catalog.lessons and not catalog.damage:
+        raise CheckFileError(NO_CHECKS)
     with NotebookReader() as reader:
         content = read_submission(data, catalog, reader, path.name)
+    if content.reason and catalog.damage:
+        raise catalog.damage[0]  # it may be the file of this lesson
     if content.reason:
         raise LessonFileError(f"{path}: {content.reason}")
-    exercises = catalog.master(content.lesson).exercises
-    return LessonCheck(path, content, [_exercise_check(exercise, content) for exercise in exercises])
+    file = catalog.lessons[content.lesson]
+    return LessonCheck(path, content, [_exercise_check(file.exercise(id), content) for id in file.ids])
 
 
 def _exercise_check(exercise, content):
@@ -189,12 +187,12 @@ def run_answers(lesson_check):
 
 def _run_answer(entry):
     try:
-        function = entry.exercise.function_of(entry.source, "your answer")
-    except MasterError as error:
+        function = entry.exercise.function_of(entry.source)
+    except AnswerError as error:
         entry.state = AnswerState.BROKEN
-        entry.notes.append(f"its cell does not run by itself: {str(error).split(': ', 1)[1]}")
+        entry.notes.append(f"its cell does not run by itself: {error}")
         return
-    result = run_cases(entry.exercise, function)
+    result = run_check(entry.exercise, function)
     if not result.attempted:
         entry.state = AnswerState.NOT_ATTEMPTED
         return

@@ -1,8 +1,6 @@
-"""What a submission of a lesson must contain: a description made from an answer key or from a master."""
+"""What a submission of a lesson must contain: a description made from an answer key or from a checks file."""
 
 from dataclasses import dataclass
-
-_COMPARED = ("check", "given")  # roles of the cells whose source a learner should not change
 
 
 @dataclass(frozen=True)
@@ -45,16 +43,9 @@ class LessonDescription:
         return cls(lesson.name, lesson.version, _exercises(lesson.exercises), cells)
 
     @classmethod
-    def from_master(cls, master, version):
-        """The description of a Master.
-
-        Parameters
-        ----------
-        master : Master
-        version : str, of the course
-        """
-        cells = {cell.id: cell.source if cell.role in _COMPARED else None for cell in master.cells}
-        return cls(master.name, version, _exercises(master.exercises), cells)
+    def from_check_file(cls, file):
+        """The description of a lesson by its CheckFile."""
+        return cls(file.lesson, file.version, _exercises(map(file.exercise, file.ids)), file.cells)
 
 
 def _exercises(declared):

@@ -162,7 +162,7 @@ def read_submission(data, catalog, reader, name=""):
     Parameters
     ----------
     data : bytes of the notebook
-    catalog : AnswerKeys (for `grade`) or MasterCatalog (for `check`), the lessons that it can be
+    catalog : AnswerKeys (for `grade`) or CheckFileCatalog (for `check`), the lessons that it can be
     reader : NotebookReader
     name : str, the file's name, which may name the lesson
 

@@ -6,6 +6,7 @@ import textwrap
 import pytest
 
 from imgproc_course.authoring import masters
+from imgproc_course.authoring.lesson_files import lesson_files
 
 # The example in the format's description, so that what is described is what is tested.
 TEMPLATE = textwrap.dedent(re.search(r"A whole one:\n\n(.*?)\nFront matter", masters.__doc__, re.S)[1])
@@ -34,3 +35,10 @@ def write_master(tmp_path, monkeypatch):
         return path
 
     return write
+
+
+def write_carried_files(master, folder):
+    """Write the files that the lesson of a Master carries into a folder."""
+    for name, text in lesson_files(master).items():
+        (folder / name).parent.mkdir(parents=True, exist_ok=True)
+        (folder / name).write_text(text, encoding="utf-8")

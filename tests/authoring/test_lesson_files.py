@@ -4,6 +4,7 @@ import json
 
 import numpy as np
 import pytest
+from template_master import write_carried_files
 
 from imgproc_course.authoring.build import build
 from imgproc_course.authoring.lesson_files import lesson_file_differences, lesson_files
@@ -19,11 +20,9 @@ def stored(write_master, tmp_path):
     """Writes the files of a changed template into a folder; returns them and the folder."""
 
     def write(*replacements, add=""):
-        files = lesson_files(read_master(write_master(*replacements, add=add)))
-        for name, text in files.items():
-            (tmp_path / name).parent.mkdir(exist_ok=True)
-            (tmp_path / name).write_text(text, encoding="utf-8")
-        return files, tmp_path
+        master = read_master(write_master(*replacements, add=add))
+        write_carried_files(master, tmp_path)
+        return lesson_files(master), tmp_path
 
     return write
 

@@ -9,7 +9,7 @@ import pytest
 sys.path.insert(0, str(Path(__file__).parent))
 sys.path.append(str(Path(__file__).parents[1] / "authoring"))
 from submissions import MASTERS, SEED
-from template_master import write_master
+from template_master import write_carried_files, write_master
 
 from imgproc_course.authoring.masters import find_masters, read_master
 from imgproc_course.autograder.make_answer_key import make_key
@@ -27,6 +27,15 @@ def masters():
 @pytest.fixture(scope="session")
 def light(masters):
     return masters["light"]
+
+
+@pytest.fixture(scope="session")
+def checks(tmp_path_factory, masters):
+    """The folder of the lessons' checks files."""
+    folder = tmp_path_factory.mktemp("lessons")
+    for master in masters.values():
+        write_carried_files(master, folder)
+    return folder / "checks"
 
 
 @pytest.fixture(scope="session")

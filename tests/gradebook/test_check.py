@@ -5,6 +5,7 @@ import json
 import nbformat
 import pytest
 from click.testing import CliRunner
+from template_master import write_carried_files
 
 from imgproc_course.authoring.build import lesson_notebook
 from imgproc_course.authoring.masters import read_master
@@ -18,7 +19,9 @@ def lesson(write_master, tmp_path):
     """Writes a learner's notebook, changed by a function, and returns its path."""
 
     def write(change=lambda cells: None, *, solved=True):
-        notebook = json.loads(nbformat.writes(lesson_notebook(read_master(write_master()), solved=solved)))
+        master = read_master(write_master())
+        write_carried_files(master, tmp_path)
+        notebook = json.loads(nbformat.writes(lesson_notebook(master, solved=solved)))
         cells = {cell["id"]: cell for cell in notebook["cells"]}
         change(cells)
         notebook["cells"] = [cell for cell in cells.values() if cell is not None]
@@ -132,7 +135,8 @@ def test_an_answer_that_would_get_no_points_is_reported(lesson, change, state, t
 
 def test_the_lessons_own_function_of_that_name_is_not_a_misplaced_answer(lesson, write_master):
     path = lesson(remove(ANSWER))
-    write_master(("LIMIT = 255", "LIMIT = 255\n\ndef double(pixels):\n    return pixels"))
+    changed = write_master(("LIMIT = 255", "LIMIT = 255\n\ndef double(pixels):\n    return pixels"))
+    write_carried_files(read_master(changed), path.parent)
     notebook = json.loads(path.read_text())
     given = next(cell for cell in notebook["cells"] if cell["id"] == "given-template-double-1")
     given["source"] += "\n\ndef double(pixels):\n    return pixels"
@@ -171,6 +175,17 @@ def test_a_lesson_of_another_version_is_reported(lesson):
     path.write_text(json.dumps(notebook))
     (note,) = check_lesson(path).notes
     assert note.startswith("it was made from version '0.0.1' of the lesson, not from version ")
+
+
+def test_the_checks_beside_the_lesson_are_used_and_no_master(lesson, tmp_path, monkeypatch):
+    path = lesson()
+    monkeypatch.setenv("IMGPROC_COURSE_MASTERS", str(tmp_path / "nowhere"))
+    (tmp_path / "masters" / "90_template.py").unlink()
+    assert check_lesson(path).ready
+    (tmp_path / "checks" / "template.json").write_text('{"template-double": ')
+    done = CliRunner().invoke(check, [str(path)])
+    assert done.exit_code == 1 and done.output.startswith("Error: checks/template.json cannot be read (")
+    assert done.output.endswith("take the folder checks/ again from the course or from your teacher\n")
 
 
 def test_a_lesson_without_metadata_is_recognized_by_its_cells_or_its_name(lesson):

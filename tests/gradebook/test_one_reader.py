@@ -5,7 +5,7 @@ import json
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
-from submissions import MASTERS, answers_of, cell_of, notebook
+from submissions import answers_of, cell_of, notebook
 
 from imgproc_course.gradebook.check import LessonFileError, check_lesson
 from imgproc_course.gradebook.collect import collect
@@ -30,9 +30,9 @@ def verdict_of(content, answers):
     return {"lesson": content.lesson, "answers": answers, "states": content.states, "findings": findings}
 
 
-def verdict_of_check(path):
+def verdict_of_check(path, checks):
     try:
-        lesson_check = check_lesson(path, [MASTERS])
+        lesson_check = check_lesson(path, [checks])
     except LessonFileError as error:
         return {"reason": str(error).removeprefix(f"{path}: ")}
     assert {entry.exercise.id: entry.state for entry in lesson_check.exercises} == lesson_check.content.states
@@ -178,13 +178,15 @@ def as_bytes(made, file_damage):
     name=names,
     file_damage=file_damages,
 )
-def test_check_and_grade_give_one_verdict(light, answer_keys, tmp_path, solved, changes, name, file_damage):
+def test_check_and_grade_give_one_verdict(
+    light, answer_keys, checks, tmp_path, solved, changes, name, file_damage
+):
     made = notebook(light, answers_of(light, "right") if solved else None)
     for damage in changes:
         damaged(made, damage)
     path = tmp_path / f"{name}.ipynb"
     path.write_bytes(as_bytes(made, file_damage))
-    assert verdict_of_check(path) == verdict_of_grade(path, answer_keys)
+    assert verdict_of_check(path, checks) == verdict_of_grade(path, answer_keys)
 
 
 def too_long(made):
@@ -214,13 +216,13 @@ def markdown_before(made):
     ],
 )
 def test_notebooks_about_which_check_and_grade_once_disagreed(
-    light, answer_keys, tmp_path, damage, state, text
+    light, answer_keys, checks, tmp_path, damage, state, text
 ):
     made = notebook(light, answers_of(light, "right"))
     damage(made)
     path = tmp_path / "my answers.ipynb"
     path.write_text(json.dumps(made), encoding="utf-8")
-    verdict = verdict_of_check(path)
+    verdict = verdict_of_check(path, checks)
     assert verdict == verdict_of_grade(path, answer_keys)
     if state is None:
         assert verdict["reason"].startswith(text)
