@@ -1,6 +1,7 @@
 """Exercises: declared in a master, checked in the learner's notebook, graded by the instructor."""
 
 from imgproc_course.exercises.canonical import array_of, canonical
+from imgproc_course.exercises.cell_runs import watch_cells
 from imgproc_course.exercises.check_files import CheckFileError
 from imgproc_course.exercises.checking import CheckResult, check, run_cases
 from imgproc_course.exercises.comparison import Difference, compare
@@ -37,3 +38,5 @@ __all__ = [
     "run_cases",
     "solution",
 ]
+
+watch_cells()

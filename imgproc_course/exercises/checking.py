@@ -4,6 +4,7 @@ import types
 from dataclasses import dataclass, field, replace
 
 from imgproc_course.exercises import feedback
+from imgproc_course.exercises.cell_runs import RUNS
 from imgproc_course.exercises.check_data import CheckCase, CheckData, CheckMistake, check_data_of
 from imgproc_course.exercises.check_files import find_check_data
 from imgproc_course.exercises.comparison import Difference, compare
@@ -54,6 +55,7 @@ class CheckResult:
     mistake       the known mistake that explains the answer, or None
     dependencies  refused modules and names of other cells that the answer uses
     diagnosis     what is certain about the values of the shown call
+    why_older     why the function is older than the learner's cell, and was not run; "" if it is not older
     """
 
     exercise: CheckData
@@ -62,11 +64,12 @@ class CheckResult:
     mistake: CheckMistake | None = None
     dependencies: Dependencies = field(default_factory=Dependencies)
     diagnosis: Diagnosis = field(default_factory=Diagnosis)
+    why_older: str = ""
 
     @property
     def passed(self):
         """True if grading would give every point of the public cases."""
-        is_accepted = not self.dependencies.refused and not self.dependencies.foreign
+        is_accepted = not self.dependencies.refused and not self.dependencies.foreign and not self.why_older
         return self.attempted and is_accepted and all(result.passed for result in self.results)
 
     @property
@@ -112,6 +115,9 @@ def check(exercise_id, function):
             f" {type(function).__name__}; run the cell with your function first (if it shows an error, repair"
             f" that), and write check({exercise_id!r}, {exercise.function}), no parentheses after the name"
         )
+    why_older = RUNS.why_older(exercise_id, exercise.function, function)
+    if why_older:
+        return CheckResult(exercise, attempted=True, why_older=why_older)
     result = run_check(exercise, function)
     _note(result, function)
     return result

@@ -25,6 +25,8 @@ _FACTORS = {
     -1: "the expected number with the other sign",
 }
 
+_ZEROS = "Every value of your result is 0. Is the result never stored in the array?"
+
 
 @dataclass(frozen=True)
 class Diagnosis:
@@ -58,8 +60,12 @@ def diagnose(calls, shown, names=()):
         return Diagnosis()
     pairs = [pair for pair in side_by_side(expected, actual) if compare(*pair, shown.case.tolerance)]
     kinds = {compare(*pair, shown.case.tolerance).kind for pair in pairs}
+    returned = [call for call in calls if call.result.finished]
+    fixed = _constant(returned)
+    if fixed:
+        return Diagnosis(fixed)
     if kinds == {"value"}:
-        return _diagnose_values([call for call in calls if call.result.finished], shown, names)
+        return _diagnose_values(returned, names)
     if kinds == {"dtype"}:
         return _advice_on_dtypes(pairs, shown.case.tolerance)
     wrong = next(pair for pair in pairs if compare(*pair, shown.case.tolerance).kind != "value")
@@ -279,15 +285,15 @@ def _advice_on_size(shape, actual_shape):
 # ---------------------------------------------------------------- values
 
 
-def _diagnose_values(calls, shown, names):
+def _diagnose_values(calls, names):
     """The first sentence that is true of every call, and where the wrong values lie."""
-    for relation in (_constant, _exchanged, _number, _text, _array):
-        text = relation(calls)
-        if text:
-            return Diagnosis(text, is_whole=relation is not _number)
     if names and all(_is_input(call) for call in calls):
         text = f"You return {names[0]} as it was given: nothing is computed, or the result is not stored."
         return Diagnosis(text, is_whole=True)
+    for relation in (_exchanged, _number, _text, _array):
+        text = relation(calls)
+        if text:
+            return Diagnosis(text, is_whole=relation is not _number and text != _ZEROS)
     return _place(calls)
 
 
@@ -304,8 +310,8 @@ def _constant(calls):
     value = forms[0][1].get("value")
     returned = "the same" if value is None else repr(value)
     return (
-        f"Your function returns {returned} for every input, as if it were fixed. Compute it from the input"
-        f" that the function receives."
+        f"Your function returns {returned} for every input. Is it fixed? It must be computed from the"
+        f" input that the function receives."
     )
 
 
@@ -388,7 +394,7 @@ def _mirrored(axis):
 
 # (what the learner reads, the wrong values computed from the expected ones)
 _RELATIONS = (
-    ("Every value of your result is 0. Is the result never stored in the array?", lambda values: values * 0),
+    (_ZEROS, lambda values: values * 0),
     ("All signs are exchanged: minus should be plus, and plus minus.", lambda values: -values),
     ("The values are right but for the sign: negative values must stay negative, without abs().", np.abs),
     (

@@ -150,12 +150,25 @@ def _reshape(match, _source):
     if count < 0:
         return f"{size} values cannot be divided into rows of this size."
     product = " × ".join(map(str, shape))
+    if size == 3 * count:
+        return f"{size} values are 3 times as many as {product}. Are the three channels missing in the shape?"
     if size > count:
         return (
             f"{size} values are too many for {product} = {count}. Is there padding at the end of the rows?"
-            " Crop it before you reshape."
+            f" Crop each row, rows[:, :n], before you reshape; rows[:n] keeps the first rows."
         )
     return f"{size} values are too few for {product} = {count}. Was too much cropped before?"
+
+
+def _zero_division(_match, source):
+    divisions = (ast.Div, ast.FloorDiv, ast.Mod)
+    divisors = [
+        ast.unparse(node.right)
+        for node in _nodes(source)
+        if isinstance(node, ast.BinOp) and isinstance(node.op, divisions)
+    ]
+    is_named = len(divisors) == 1 and not divisors[0].isdigit()
+    return f"{divisors[0] if is_named else 'The divisor'} is 0 for this input. Test for 0 before you divide."
 
 
 def _none(_match, _source):
@@ -189,6 +202,8 @@ def _no_attribute(match, _source):
         return f"A {kind} has no .{name}. Make an array of it first: np.array(values)."
     if kind in ("int", "float", "bool") and name in ("astype", "shape"):
         return f"This is a single number ({kind}), not an array. For numbers use int() or float()."
+    if kind.endswith(("SimpleNamespace", "Image", "CompressedImage")):
+        return f"A message has no field {name}; print(message) shows its fields."
     return ""
 
 
@@ -338,7 +353,7 @@ _ADVICE = (
         "Your function calls itself and never ends. Mark what it has visited already before it calls"
         " itself again, or use a loop.",
     ),
-    ("ZeroDivisionError", "", "You divide by 0 for this input. Test for 0 before you divide."),
+    ("ZeroDivisionError", "", _zero_division),
     (
         "ValueError",
         "setting an array element with a sequence",
@@ -354,6 +369,12 @@ _ADVICE = (
         "ValueError",
         "zero-size array",
         "The array has no values here: an empty array has no maximum and no minimum.",
+    ),
+    (
+        "ValueError",
+        "buffer size must be a multiple of element size",
+        "Without dtype np.frombuffer reads float64, eight bytes for each value; uint16 takes two bytes,"
+        " uint8 one byte. Which dtype have the bytes?",
     ),
     ("ValueError", "read-only", "This array cannot be written to. Work on a copy: array.copy()."),
     (

@@ -17,14 +17,6 @@ _BORDER = "Pixels there have neighbours outside the image: how does the task tre
 
 _COLOURS = {"passed": "#2e7d32", "failed": "#c62828", "open": "#616161"}
 
-_NONE_FROM = {
-    "": "Did you forget return?",
-    "end": "For this input it reached its end without return: is a case missing, or the last else?",
-    "return": (
-        "The value after its return is None. Methods that work in place, such as list.sort(), return None."
-    ),
-}
-
 # NumPy's message about a number that an array's type cannot hold.
 _OUT_OF_BOUNDS = re.compile(r"Python integer (-?\d+) out of bounds for (\w+)")
 
@@ -48,7 +40,13 @@ def explain_call(result, difference, function):
     if difference is None:
         return ""
     if result.value["type"] == "None":
-        return f"{name} returned None. {_NONE_FROM[result.none_from]}"
+        if not result.has_return:
+            return f"{name} returned None. Did you forget return?"
+        return (
+            f"{name} returned None for this input, although it has a return with a value. Is a case"
+            f" missing, such as the last else? Methods that work in place, such as list.sort(), return"
+            f" None, too."
+        )
     message = difference.message[0].upper() + difference.message[1:] + "."
     return f"In answer{difference.path}: {message}" if difference.path else message
 
@@ -113,7 +111,7 @@ def _refusals(result):
     for module in result.dependencies.refused:
         name = result.dependencies.names.get(module, module)
         used = module if name.startswith(module) else f"{name} of {module}"
-        reason = "the task is to do it yourself" if result.exercise.practice else "grading refuses it"
+        reason = "the task does not allow it" if result.exercise.practice else "grading refuses it"
         yield f"{result.exercise.function}() uses {used}. Write this exercise without it: {reason}."
 
 
@@ -143,12 +141,16 @@ def _explain_case(result, case_result):
 
 def _headline(result):
     exercise = result.exercise
+    if result.why_older:
+        return "failed", f"{exercise.id}: this is an older function"
     if not result.attempted:
         return "open", f"{exercise.id}: not attempted yet"
     passed, count = sum(case_result.passed for case_result in result.results), len(result.results)
     # A refused module comes first: it may be the cause of an error below.
     refused = (
-        "this answer uses what the task excludes" if exercise.practice else "grading would refuse this answer"
+        "this answer uses what is not allowed here"
+        if exercise.practice
+        else "grading would refuse this answer"
     )
     if passed < count and result.dependencies.refused:
         return "failed", f"{exercise.id}: {refused}"
@@ -164,6 +166,8 @@ def _headline(result):
 
 def _footer(result):
     exercise = result.exercise
+    if result.why_older:
+        return ""
     if not result.attempted:
         return (
             f"Write {exercise.function}() in its cell, run that cell, then run this one."
@@ -190,7 +194,14 @@ def _advice(result, call):
     if result.mistake is not None:
         yield result.mistake.says
         return
-    if not call.result.finished:
+    if call.result.timed_out:
+        yield "A loop never ends: does each step change what the loop tests?"
+        if "overflow" in call.result.warning:
+            yield (
+                "A number overflowed: after 255 a uint8 goes on with 0. Count with Python's int, as"
+                " range() does."
+            )
+    elif call.result.error:
         exercise = result.exercise
         yield advice_on(
             call.result.error, call.result.message, call.result.line, exercise.names, exercise.function
@@ -220,7 +231,7 @@ def _warning_and_output(call):
 def as_text(result):
     """A CheckResult as plain text."""
     _, headline = _headline(result)
-    lines = [f"{headline}.", *_refusals(result)]
+    lines = [f"{headline}.", result.why_older, *_refusals(result)]
     shown = result.shown
     for case_result in result.results:
         lines.append(f"{'✓' if case_result.passed else '✗'} {case_result.case.title}")
@@ -255,7 +266,7 @@ def as_html(result):
     """A CheckResult as HTML that reads well in a light and in a dark JupyterLab."""
     state, headline = _headline(result)
     body = [f'<div style="font-weight: 600; color: {_COLOURS[state]}">{html.escape(headline)}</div>']
-    body += [_paragraph(refusal) for refusal in _refusals(result)]
+    body += [_paragraph(text) for text in (result.why_older, *_refusals(result))]
     shown = result.shown
     for case_result in result.results:
         mark, colour = ("✓", _COLOURS["passed"]) if case_result.passed else ("✗", _COLOURS["failed"])

@@ -48,8 +48,7 @@ class CallResult:
     changed    names of the arguments that the function changed
     printed    the beginning of what it printed
     warning    the first warning, "" for none
-    none_from  where a returned None comes from: "end" if the function also has a return with a value,
-               "return" if it ends only at such returns, "" in all other cases
+    has_return the function returned None here, although it has a return with a value
     """
 
     value: dict | None = None
@@ -61,7 +60,7 @@ class CallResult:
     changed: tuple = ()
     printed: str = ""
     warning: str = ""
-    none_from: str = ""
+    has_return: bool = False
 
     @property
     def finished(self):
@@ -106,8 +105,8 @@ def _call_fields(function, arguments, time_limit):
     """The fields of CallResult that the call itself gives, as a dict."""
     try:
         value = _call_within(lambda: function(*arguments), time_limit)
-        none_from = _none_from(code_of(function)) if value is None else ""
-        return {"value": canonical(value, limit=None), "none_from": none_from}
+        has_return = value is None and _returns_a_value(code_of(function))
+        return {"value": canonical(value, limit=None), "has_return": has_return}
     except TimeUp as ended:
         return {"timed_out": True, "stuck": bool(ended.args)}
     except (Exception, SystemExit) as error:  # noqa: BLE001 - the learner's function may raise anything
@@ -118,20 +117,14 @@ def _call_fields(function, arguments, time_limit):
         }
 
 
-def _none_from(code):
-    """Where a function's None comes from; CallResult describes the words."""
-    if code is None:
-        return ""
-    steps = [step for step in dis.get_instructions(code) if step.opname not in ("RESUME", "NOP", "CACHE")]
-    ends = [
-        (step.opname == "RETURN_CONST" and step.argval is None)
-        or (step.opname == "RETURN_VALUE" and before.opname == "LOAD_CONST" and before.argval is None)
+def _returns_a_value(code):
+    """Whether a function has a return that is not `return None`."""
+    steps = [] if code is None else list(dis.get_instructions(code))
+    return any(
+        step.opname == "RETURN_VALUE"
+        and (step.is_jump_target or before.opname != "LOAD_CONST" or before.argval is not None)
         for before, step in pairwise(steps)
-        if step.opname.startswith("RETURN_")
-    ]
-    if all(ends):
-        return ""
-    return "end" if any(ends) else "return"
+    )
 
 
 def overwrite_freed_memory(form):

@@ -26,7 +26,8 @@ import click
 from rich.console import Console
 from rich.table import Table
 
-from imgproc_course.exercises import find_exercise, run_cases
+from imgproc_course.exercises import CheckResult, find_exercise, run_cases
+from imgproc_course.exercises.cell_runs import CellRuns
 from imgproc_course.exercises.percent_script import read_script
 
 ROOT = Path(__file__).parents[2]
@@ -106,12 +107,17 @@ def feedback_on(exercise, answer):
     """(CheckResult, the sentences of its text) for one wrong answer."""
     namespace = exercise.namespace()
     run_cell(exercise.stub, f"stub of {exercise.id}", namespace)
+    runs = CellRuns()
+    run = runs.start(answer.source, f"answer-{exercise.id}")
     try:
         add_earlier_names(namespace, answer.source, lesson_statements(exercise.master, exercise.id))
         run_cell(answer.source, f"{exercise.id}: {answer.name}", namespace)
-    except Exception:  # noqa: BLE001 - a cell that does not run: the stub is still there
-        pass
+    except Exception as error:  # noqa: BLE001 - a cell that does not run: the stub is still there
+        run.fail(error)
     result = run_cases(exercise, namespace[exercise.function])
+    why_older = runs.why_older(exercise.id, exercise.function, namespace[exercise.function])
+    if why_older:
+        result = CheckResult(result.exercise, attempted=True, why_older=why_older)
     return result, sentences(repr(result), exercise.id)
 
 

@@ -361,8 +361,6 @@ def test_a_wrong_border_without_a_border_hint_gets_a_question(write_master):
 def test_a_numpy_scalar_gets_the_hint(write_master):
     write_master(
         solution='# %% role="solution"\ndef double(pixels):\n    return float(pixels.mean())',
-        mistake="",
-        **{"second mistake": ""},
     )
     assert "Hint: Widen." in repr(check("test-double", lambda pixels: float(pixels.mean() ** 2)))
     assert "Hint: Widen." in repr(check("test-double", lambda pixels: np.float64(pixels.mean() ** 2)))
@@ -421,7 +419,6 @@ def test_a_practice_exercise_speaks_of_no_grading(write_master):
             '# %% role="exercise"\nSIDE = 3\n'
             'exercise("test-double", function="double", practice=True, refused=("cv2",))'
         ),
-        hidden="",
     )
 
     def uses(pixels):
@@ -430,5 +427,5 @@ def test_a_practice_exercise_speaks_of_no_grading(write_master):
         return right(pixels) if cv2 else None
 
     text = repr(check("test-double", uses))
-    assert "the values are right, but this answer uses what the task excludes" in text
+    assert "the values are right, but this answer uses what is not allowed here" in text
     assert "rading" not in text and "Practice: no points." in text

@@ -2,6 +2,7 @@
 
 import math  # noqa: F401 - the lines below use it
 from pathlib import Path  # noqa: F401
+from types import SimpleNamespace  # noqa: F401
 
 import numpy as np
 import pytest
@@ -36,6 +37,10 @@ ADVICE = {
     "a[5, 0]": "so 4 is the last index of axis 0.",
     "values[3]": "the last index is len(...) - 1",
     "a.reshape(5, 5)": "30 values are too many for 5 × 5 = 25. Is there padding",
+    "a.reshape(2, 5)": "30 values are 3 times as many as 2 × 5. Are the three channels missing",
+    'np.frombuffer(b"abc")': "Without dtype np.frombuffer reads float64, eight bytes for each value",
+    "number % (number - 5)": "number - 5 is 0 for this input. Test for 0 before you divide.",
+    "SimpleNamespace(width=3).channels": "A message has no field channels",
     "a.reshape(6, 6)": "30 values are too few for 6 × 6 = 36.",
     'np.array(b"abc").reshape(3, 1)': "np.frombuffer(data, np.uint8) reads them as numbers",
     "a[1.5]": "An index is a whole number, and / makes a float.",
@@ -77,7 +82,7 @@ ADVICE = {
     "-mask": "For the opposite of a mask write ~mask.",
     'names["gauss"]': "The dictionary has no key 'gauss'.",
     "def f():\n    return f()\nf()": "Mark what it has visited already",
-    "1 / 0": "You divide by 0 for this input.",
+    "1 / 0": "The divisor is 0 for this input.",
     "(a * 0.5)[0, 0] = values": "One element of an array holds one number",
     "a[0, 0] = values": "One number is needed here, and this is a whole list.",
     "np.zeros(0).max()": "an empty array has no maximum",

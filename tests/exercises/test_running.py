@@ -130,15 +130,21 @@ def returns_a_none(number):
 
 
 @pytest.mark.parametrize(
-    ("function", "none_from"),
-    [(returns_in_one_case, "end"), (returns_a_none, "return"), (lambda number: None, ""), (print, "")],
+    ("function", "has_return"),
+    [
+        (returns_in_one_case, True),
+        (returns_a_none, True),
+        (lambda number: number if number else None, True),
+        (lambda number: None, False),
+        (print, False),
+    ],
 )
-def test_where_a_none_comes_from(function, none_from):
-    assert call(function, (0,), ["number"], 1).none_from == none_from
+def test_a_none_beside_a_return_with_a_value(function, has_return):
+    assert call(function, (0,), ["number"], 1).has_return == has_return
 
 
-def test_a_value_has_no_none():
-    assert call(returns_in_one_case, (3,), ["number"], 1).none_from == ""
+def test_a_value_is_not_a_none():
+    assert not call(returns_in_one_case, (3,), ["number"], 1).has_return
 
 
 @pytest.mark.parametrize("shape", [(5, 6), (40, 40), (300, 400)])
