@@ -517,8 +517,8 @@ exercise(
     border_hint="Only values at the border of the image are wrong. Repeat the outermost rows and columns before you take the neighbours: np.pad(gray, 1, mode='edge').",
     hints=(
         "Look at one pixel in the middle first. Which nine values are its neighbourhood, and which of them is the median when they are sorted? What is missing at a pixel in a corner?",
-        "1. Pad the image by one pixel on each side, so that also a corner has nine neighbours. 2. Make an empty array with the shape and the dtype of gray. 3. Go over all rows and columns of gray. Cut the 3 × 3 window out of the padded image, sort its nine values, and store the fifth.",
-        "padded = np.pad(gray, 1, mode='edge'). The window of the pixel (row, col) of gray is padded[row : row + 3, col : col + 3], because the padded image begins one row and one column earlier. Its median is np.sort(window, axis=None)[4].",
+        "1. Pad the image by one pixel on each side, so that also a corner has nine neighbours.\n2. Make an empty array with the shape and the dtype of gray.\n3. Go over all rows and columns of gray. Cut the 3 × 3 window out of the padded image, sort its nine values, and store the fifth.",
+        "Before the loops: padded = np.pad(gray, 1, mode='edge')\nInside the two loops over row and col:\n    window = padded[row : row + 3, col : col + 3]\n    result[row, col] = np.sort(window, axis=None)[?]\nWhich index has the fifth value?",
     ),
     explanation="Padding first means that the loop needs no special case: in the padded image every pixel of gray has nine neighbours. The pixel (row, col) of gray is at (row + 1, col + 1) in padded, so its window begins at (row, col). The results go into a new array. If they went into the array that is read, later pixels would see neighbours that are already changed.",
     another_way="You can also stack the nine shifted slices padded[row : row + height, col : col + width] in a list and take np.median(shifted, axis=0).astype(np.uint8): the same values without a loop over the pixels, and much faster on a camera frame.",
@@ -847,8 +847,8 @@ exercise(
     hint="Go through the formula step by step: widen, subtract, square, mean, 255**2 divided by this mean, logarithm to base 10, times 10.",
     hints=(
         "Compute the four pixels of section 6 on paper: 100 and 110, 100 and 90. What are the two differences, and what does uint8 make of 100 - 110?",
-        "1. Convert both images to float. 2. Subtract them, square each difference, and take the mean of all squares: the MSE. 3. If the MSE is 0, return float(\"inf\"). 4. Otherwise put the MSE into the formula; np.log10 is the logarithm to base 10.",
-        "difference = clean.astype(float) - other.astype(float); mse = np.mean(difference**2); then an if for mse == 0; the last line returns 10 * np.log10(255**2 / mse).",
+        "1. Convert both images to float.\n2. Subtract them, square each difference, and take the mean of all squares: the MSE.\n3. If the MSE is 0, return float(\"inf\").\n4. Otherwise put the MSE into the formula; np.log10 is the logarithm to base 10.",
+        "difference = clean.astype(float) - other.astype(float)\nmse = np.mean(difference**2)\nThen an if for mse == 0. The last line returns 10 * np.log10(?), the formula with mse in it.",
     ),
     explanation="The images are converted to float before the subtraction, because a uint8 difference below 0 wraps around. The squares are averaged, so one number remains for the whole image. Equal images must be treated first: their MSE is 0, and 255**2 / 0 is not defined.",
     another_way="You can also write 20 * np.log10(255 / np.sqrt(mse)): the square root and the factor 20 belong together, as log10(x**2) is 2 * log10(x).",
@@ -1212,8 +1212,8 @@ exercise(
     hint="Apply each filter to noisy, compute the PSNR of the result compared with clean, and keep the name with the highest PSNR.",
     hints=(
         "How did section 7 compare the four filters? Which two images does it compare for each filter, and which number is the best one?",
-        "1. Begin with no name, and with a best PSNR that every filter can beat, such as -1. 2. Go through filters.items(): it gives the name and the function of each filter. 3. Call the function with noisy, and compute the PSNR of the result compared with clean. 4. If it is higher than the best so far, store the name and the PSNR. 5. After the loop return the name.",
-        "for name, apply in filters.items(): value = psnr(clean, apply(noisy)); if value > best_value: best_name, best_value = name, value. Below the loop: return best_name.",
+        "1. Begin with no name, and with a best PSNR that every filter can beat, such as -1.\n2. Go through filters.items(): it gives the name and the function of each filter.\n3. Call the function with noisy, and compute the PSNR of the result compared with clean.\n4. If it is higher than the best so far, store the name and the PSNR.\n5. After the loop return the name.",
+        "Inside the loop, for name, apply in filters.items():\n    value = psnr(clean, apply(noisy))\n    if value > best_value:\n        best_name, best_value = ?, ?\nBelow the loop: return best_name",
     ),
     explanation="The values of the dictionary are functions: apply is called like any other function, with the noisy image. The loop stores the best name together with its PSNR, because the next filter must be compared with the best one so far. The function knows nothing about the filters, so it works for every dictionary.",
     another_way="You can also write max(filters, key=...): key is a function that gives the PSNR for a name, and max returns the name with the largest one.",
