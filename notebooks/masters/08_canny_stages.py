@@ -240,9 +240,9 @@ exercise(
     hint="Widen to int32 and pad by one with mode='edge'. Then add the neighbours, each multiplied by its weight.",
     border_hint="Only the border is wrong. Repeat the outermost rows and columns with np.pad(..., 1, mode='edge'), and compute every pixel.",
     hints=(
-        "Section 1 computed the response of one pixel with nine products. What must be different for the next pixel? And which pixels lie around a pixel in the corner of the image?",
-        "Widen gray to int32, and pad it by one pixel with mode='edge'. For each pixel, take the 3 × 3 window of the padded array. grad_col is the sum of window * kernel; grad_row is the sum of window * kernel.T.",
-        "padded = np.pad(gray.astype(np.int32), 1, mode='edge'). Make two int32 arrays with np.zeros(gray.shape, dtype=np.int32). In two loops over row and col: window = padded[row : row + 3, col : col + 3], then grad_col[row, col] = (window * kernel).sum(), and the same with kernel.T for grad_row. At the end: return grad_row, grad_col.",
+        "Section 2 computed the response of one pixel with nine products. What must be different for the next pixel? And which pixels lie around a pixel in the corner of the image?",
+        "1. Widen gray to int32, and pad it by one pixel with mode='edge'.\n2. Make two int32 arrays of zeros with the shape of gray.\n3. Go over all rows and columns. Cut the 3 × 3 window of the pixel out of the padded array.\n4. Store the sum of window * kernel in grad_col, and the sum of window * kernel.T in grad_row.\n5. Return grad_row, grad_col.",
+        "Before the loops:\n    padded = np.pad(gray.astype(np.int32), 1, mode='edge')\n    grad_col = np.zeros(gray.shape, dtype=np.int32)\nInside the two loops over row and col:\n    window = padded[row : row + 3, col : col + 3]\n    grad_col[row, col] = (window * kernel).sum()\nWhat is different for grad_row? Write kernel inside your function, too.",
     ),
     explanation="The image is widened to int32 first, because a response can be negative or larger than 255. The kernel is separable, so each gradient is computed in two steps: sums with the weights 1, 2, 1, then the difference of two shifted sums. The slices [2:] and [:-2] give the two neighbours of all pixels at once, so no loop is needed.",
     another_way="You can also write two loops over rows and columns, take the 3 × 3 window of each pixel, and sum window * kernel.",
@@ -556,8 +556,8 @@ exercise(
     hint="Calculate one pixel by hand: its left neighbour, its own magnitude, its right neighbour. Are both comparisons of the rule true?",
     hints=(
         "The loop above prints three numbers for each pixel. Which two comparisons of these numbers decide whether the pixel is kept?",
-        "Pad the magnitude with zeros, and make a result of zeros. In a loop over all pixels, compare the pixel with its left and its right neighbour in the padded row. If both comparisons are true, write the magnitude into the result.",
-        "padded = np.pad(magnitude, 1) and peaks = np.zeros_like(magnitude). In for col in range(magnitude.size): left, value, right = padded[col], padded[col + 1], padded[col + 2]; if value > left and value >= right: peaks[col] = value. At the end: return peaks.",
+        "1. Pad the magnitude with one 0 on each side.\n2. Make a result of zeros with the same shape and dtype.\n3. Go over all pixels. Compare each with its left and its right neighbour in the padded row.\n4. If both comparisons are true, write the magnitude into the result.\n5. Return the result.",
+        "padded = np.pad(magnitude, 1)\npeaks = np.zeros_like(magnitude)\nInside the loop, for col in range(magnitude.size):\n    left, value, right = padded[col], padded[col + 1], padded[col + 2]\n    if value > left and ?:\n        peaks[col] = value",
     ),
     explanation="After the padding, pixel col is at padded[col + 1], so its neighbours are padded[col] and padded[col + 2]. The zeros outside the row are the neighbours of the first and of the last pixel. np.zeros_like makes an array of zeros with the same shape and dtype as magnitude.",
     another_way="You can also write it without a loop: keep = (magnitude > padded[:-2]) & (magnitude >= padded[2:]), and then np.where(keep, magnitude, 0).",
@@ -797,9 +797,9 @@ exercise(
     hint="Pad the magnitude with zeros. Two simple loops over rows and columns are fast enough. For each pixel, the sector says which two neighbours to compare with.",
     border_hint="Only the border is wrong. Outside the image the magnitude is 0: pad with np.pad(magnitude, 1), and compare every pixel.",
     hints=(
-        "The loops of section 4 compared each pixel with one fixed pair of neighbours. What has to depend on sector[row, col]?",
-        "Pad the magnitude with zeros, and make a result array of zeros. In two loops over all pixels, use if and elif for the four sectors: each branch reads the first and the second neighbour from the padded array. Write the magnitude into the result if the pixel is kept.",
-        "padded = np.pad(magnitude, 1) and thinned = np.zeros_like(magnitude). Pixel (row, col) is padded[row + 1, col + 1]. For sector 0: first = padded[row + 1, col], second = padded[row + 1, col + 2], keep = value > first and value >= second. For sector 1: first = padded[row, col], second = padded[row + 2, col + 2], keep = value > first and value > second. Write sectors 2 and 3 in the same way. Then: if keep: thinned[row, col] = value.",
+        "The loops of section 6 compare every pixel with left and right. What has to depend on sector[row, col]?",
+        "1. Pad the magnitude with zeros, and make a result array of zeros.\n2. Go over all rows and columns.\n3. Use if and elif for the four sectors: each branch takes the first and the second neighbour from the padded array, and compares.\n4. If the pixel is kept, write its magnitude into the result.",
+        "Inside the two loops, pixel (row, col) is padded[row + 1, col + 1]:\n    value = magnitude[row, col]\n    if sector[row, col] == 0:\n        first, second = padded[row + 1, col], padded[row + 1, col + 2]\n        keep = value > first and value >= second\n    elif sector[row, col] == 1:\n        first, second = padded[row, col], padded[row + 2, col + 2]\n        keep = value > first and value > second\n    Write the branches of sectors 2 and 3 in the same way.\n    if keep:\n        thinned[row, col] = value",
     ),
     explanation="The padding makes the magnitude 0 outside the image, so every pixel has two neighbours, on the border too. The table first_step holds the way from a pixel to its first neighbour for each sector, and the second neighbour is on the opposite side: the same step with a minus. The result is a new array, because a pixel must be compared with the unchanged magnitudes of its neighbours.",
     another_way="You can also write it without loops: compare shifted slices of the padded array for each sector, and combine the four masks with np.where.",
@@ -866,7 +866,7 @@ def inputs(rng):
     return magnitude, np.full((6, 5), 2, dtype=np.uint8)
 
 
-# %% role="case" title="all four sectors" points=1 hint="Choose one pixel whose value is framed. Look up its sector in the table of section 4, and compare it with these two neighbours."
+# %% role="case" title="all four sectors" points=1 hint="Choose one pixel whose value is framed. Look up its sector in the table of section 6, and compare it with these two neighbours."
 def inputs(rng):
     return rng.integers(0, 400, size=(7, 8)).astype(np.int32), rng.integers(0, 4, size=(7, 8), dtype=np.uint8)
 
@@ -1125,8 +1125,8 @@ exercise(
     hint="A comparison of an array with a number gives a bool array. Combine two bool arrays with & (and).",
     hints=(
         "A comparison such as thinned > high gives True or False for every pixel at once. Which two comparisons make a pixel weak?",
-        "strong is one comparison. weak needs two comparisons: above low, and not above high. Put each of them in parentheses, and combine them with &. Return weak first.",
-        "strong = thinned > high, and weak = (thinned > low) & (thinned <= high). At the end: return weak, strong.",
+        "1. strong is one comparison.\n2. weak needs two comparisons: above low, and not above high.\n3. Put each of them in parentheses, and combine them with &.\n4. Return weak first, then strong.",
+        "strong = thinned > high\nweak = (thinned > low) & (?)\nreturn weak, strong",
     ),
     explanation="A comparison of an array with a number gives a bool array, so no loop is needed. & combines two bool arrays pixel by pixel; it needs the parentheses, because Python computes & before > and <=. A value equal to high is not above high, so it is weak.",
     another_way="You can also write weak = (thinned > low) & ~strong, because ~ turns True into False and False into True.",
@@ -1377,9 +1377,9 @@ exercise(
     hint="Start with the strong pixels. Grow by one step, again and again, until the number of edge pixels stops changing.",
     border_hint="Only pixels on the border are wrong. Pad with False, so that a pixel on the border has eight neighbours too, and visit every pixel.",
     hints=(
-        "grow_once of section 8 makes the edges grow by one step. How can you know that one more step changes nothing?",
-        "Start with edges = strong. In a while loop, compute the next edges as grow_once does. If they have as many edge pixels as before, stop; otherwise go on with the next edges. At the end, make 255 and 0 of True and False.",
-        "Copy grow_once into the answer cell. Then: edges = strong, and in while True: larger = grow_once(edges, weak); if larger.sum() == edges.sum(): return np.where(edges, 255, 0).astype(np.uint8); edges = larger.",
+        "grow_once of section 9 makes the edges grow by one step. How can you know that one more step changes nothing?",
+        "1. Start with edges = strong.\n2. In a while loop, compute the next edges as grow_once does.\n3. If they have as many edge pixels as before, stop. Otherwise go on with the next edges.\n4. At the end, make 255 and 0 of True and False.",
+        "Copy grow_once into the answer cell. Then, in grow:\n    edges = strong\n    while True:\n        larger = grow_once(edges, weak)\n        if larger.sum() == ?:\n            return np.where(edges, 255, 0).astype(np.uint8)\n        edges = larger",
     ),
     explanation="Edges only grow: a step never removes an edge pixel. So if the number of edge pixels stays the same, the edges are the same, and the loop stops. larger is a new array in each step; if the loop wrote into edges itself, it would have nothing to compare with, and it would change the input strong.",
     another_way="You can also keep a list of edge pixels to visit: take one pixel from the list, and add each of its weak neighbours that is not an edge yet.",

@@ -377,9 +377,9 @@ exercise(
     hint="Choose one pixel that is framed. Mark all pixels that are at most tolerance rows and at most tolerance columns away from it: is one of them True?",
     border_hint="Only pixels on the border are wrong. Outside the image there are no True pixels: pad the mask with False, and visit every pixel.",
     hints=(
-        "For tolerance 1 the code above combined 3 × 3 shifted copies of the mask. How many copies does tolerance 2 need?",
-        "Pad the mask with tolerance pixels of False on each side. In two loops over 2 * tolerance + 1 shifts each, take the slice of the padded mask that has the mask's shape, and combine it with the result by | (or).",
-        "height, width = mask.shape; padded = np.pad(mask, tolerance); result = np.zeros_like(mask). In for row in range(2 * tolerance + 1) and for col in range(2 * tolerance + 1): result = result | padded[row : row + height, col : col + width]. At the end: return result.",
+        "For tolerance 1 the code above combines 3 × 3 shifted copies of the mask. How many copies does tolerance 2 need?",
+        "1. Pad the mask with tolerance pixels of False on each side.\n2. Make a result of False with the shape of the mask.\n3. In two loops over 2 * tolerance + 1 shifts each, take the slice of the padded mask that has the mask's shape.\n4. Combine it with the result by | (or).",
+        "height, width = mask.shape\npadded = np.pad(mask, tolerance)\nresult = np.zeros_like(mask)\nInside two loops, for row and for col in range(?):\n    result = result | padded[row : row + height, col : col + width]",
     ),
     explanation="Each shifted slice of the padded mask tells for all pixels at once whether one certain neighbour is True. There are (2 * tolerance + 1) × (2 * tolerance + 1) neighbours, with the pixel itself, and | combines them: one True neighbour is enough. The slices begin at row and end at row + height, so they also work with tolerance 0.",
     another_way="You can also write two loops over all pixels, and ask with .any() whether the window of the padded mask around each pixel has a True pixel.",
@@ -583,8 +583,8 @@ exercise(
     hint="Count pixels in this order: edge pixels, edge pixels near an outline, outline pixels, outline pixels near an edge. Print the four numbers.",
     hints=(
         "Precision is a share of the edge pixels, recall is a share of the outline pixels. Which two masks do you need to know which pixels are near the other ones?",
-        "Copy your function near into the answer cell. Make the mask edges > 0. The true positives are the edge pixels that are near an outline; the detected outline pixels are those near an edge. Divide each number by the right total. Return 0.0 before you divide by 0.",
-        "found = edges > 0. If not found.any() or not outlines.any(): return 0.0. precision = (found & near(outlines, tolerance)).sum() / found.sum(), and recall = (outlines & near(found, tolerance)).sum() / outlines.sum(). If precision + recall == 0: return 0.0. At the end: return 2 * precision * recall / (precision + recall).",
+        "1. Copy your function near into the answer cell.\n2. Make the mask edges > 0.\n3. If there are no edge pixels or no outline pixels, return 0.0.\n4. Precision: count the edge pixels that are near an outline, and divide by the number of edge pixels.\n5. Recall: count the outline pixels that are near an edge, and divide by the number of outline pixels.\n6. If both are 0, return 0.0. Otherwise return F1.",
+        "found = edges > 0\nif not found.any() or not outlines.any():\n    return 0.0\nprecision = (found & near(outlines, tolerance)).sum() / found.sum()\nrecall = ?\nif precision + recall == 0:\n    return 0.0\nreturn float(2 * precision * recall / (precision + recall))",
     ),
     explanation="edges holds 0 and 255, so edges > 0 makes a mask whose pixels can be counted with sum(). Precision and recall look at different pixels: precision counts edge pixels near an outline, recall counts outline pixels near an edge. With a tolerance these are two different numbers, so near is called twice. The two if statements prevent a division by 0.",
     another_way="You can also use np.argwhere to get the positions of the edge pixels and of the outline pixels, and compare each position of one with all positions of the other.",
