@@ -275,7 +275,8 @@ binary = np.where(gray > 128, 255, 0).astype(np.uint8)
 binary_share = (binary == 255).mean()
 print("different values:", np.unique(binary))
 print("white:", round(binary_share * 100), "%")
-show([gray, binary], ["gray: 246 values", "binary: two"], text=figure_texts["binary"])
+show([gray, binary], ["gray: 246 values", "binary: two"],
+     text=figure_texts["binary"])
 
 # %% [markdown]
 # ### 8 · Edge detection: where the intensity jumps (4 minutes)
@@ -295,7 +296,8 @@ print("white:", round(edge_share * 100), "%")
 compare_guess(guess_white, "more" if edge_share > binary_share else "fewer")
 
 # %%
-show([binary, edges], ["binary: areas", "edges: lines"], text=figure_texts["edges"])
+show([binary, edges], ["binary: areas", "edges: lines"],
+     text=figure_texts["edges"])
 
 # %%
 # Check: the numbers in the sections 7 and 8
@@ -308,7 +310,8 @@ assert round(edge_share * 100) == 4 and binary_share > 0.3
 # Sensors make errors, called *noise*. Here we set 5 % of the pixels to black or white. This is *impulse noise*, also called salt-and-pepper noise.
 
 # %%
-rng = np.random.default_rng(seed=1)  # the same seed gives the same random numbers
+# with the same seed, you always get the same random numbers
+rng = np.random.default_rng(seed=1)
 random_values = rng.random((720, 1280))  # one number from 0 to 1 for each pixel
 noisy = frame.copy()
 noisy[random_values < 0.025] = 0
