@@ -27,7 +27,19 @@ A whole one:
     # %% role="exercise"
     from imgproc_course.exercises import exercise
 
-    exercise("template-double", function="double", time_limit=5, refused=("cv2",))
+    exercise(
+        "template-double",
+        function="double",
+        time_limit=5,
+        refused=("cv2",),
+        hints=(
+            "What is 2 * 200, and where does uint8 end?",
+            "Widen the array, multiply, limit it to LIMIT, and make it uint8 again.",
+            "np.minimum(pixels.astype(np.uint16) * ..., ...).astype(...)",
+        ),
+        explanation="uint16 has room for 2 * 255, so nothing is lost before the limit.",
+        another_way="You can also write np.where(pixels > LIMIT // 2, LIMIT, pixels * 2).",
+    )
 
     # %% [markdown]
     # **Your turn.** Write `double`: each value twice, never above 255.
@@ -68,8 +80,9 @@ Roles (`role="..."` in a code cell's header; every other value is JSON: "text", 
                holds everything that an answer may use from outside its own cell, imports too (`np` is always
                defined). `exercise=` names its exercise, or a list of them.
     exercise   the declaration, dropped from the lesson: one call of `exercise(...)`, with literals only (see
-               `imgproc_course.exercises.exercise`). The rest of the cell (imports, functions that make
-               inputs) runs before each case and mistake of this exercise.
+               `imgproc_course.exercises.exercise`); three hints, an explanation and another way are
+               required. The rest of the cell (imports, functions that make inputs) runs before each case and
+               mistake of this exercise.
     answer     the stub: it raises NotImplementedError, or its body is `...`. The learner edits this cell, and
                only this cell is graded. Its id in the lesson is `answer-<exercise>`.
     solution   replaces the answer in the solved twin.

@@ -9,6 +9,7 @@ CHECK_LINE, TEXTS_LINE = "# Check: ", "# The captions and alt texts of the figur
 FOLDED_LINES = (CHECK_LINE, TEXTS_LINE)  # JupyterLab shows only this first line of the cell
 MOST_LINES = 12  # of code in a cell
 _FIGURES = ("show", "show_figure", "tune")
+HINTS = 3  # of every exercise
 _MOST_ID_CHARACTERS = 64  # of a cell id in a notebook
 _HIDING_TAGS = re.compile(r"(hide|remove|skip)([-_]|$)|nbval-skip")
 
@@ -44,12 +45,25 @@ def _exercise_problems(exercise):
         yield f'exercise {exercise.id} has no role="hidden"; an answer could copy the public values'
     if not exercise.mistakes:
         yield f'exercise {exercise.id} has no role="mistake"; which wrong answer do learners give?'
+    if len(exercise.hints) != HINTS or not all(_is_text(text) for text in exercise.hints):
+        yield (
+            f"exercise {exercise.id} needs hints=(...) with {HINTS} texts: a question that points to the"
+            f" idea, the steps in words, nearly the code; it has {len(exercise.hints)}"
+        )
+    if not _is_text(exercise.explanation):
+        yield f"exercise {exercise.id} needs explanation=...: why is its solution written in this way?"
+    if not _is_text(exercise.another_way):
+        yield f'exercise {exercise.id} needs another_way="You can also write ...", one sentence'
     names = [mistake.name for mistake in exercise.mistakes]
     yield from (
         f"exercise {exercise.id} declares the mistake {name!r} twice"
         for name in sorted(set(names))
         if names.count(name) > 1
     )
+
+
+def _is_text(value):
+    return isinstance(value, str) and bool(value.strip())
 
 
 def _heading_problems(master):

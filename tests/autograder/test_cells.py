@@ -50,6 +50,7 @@ CELLS = [
     ("colorsys.rgb_to_hsv", "", ("RefusedModule", "write this exercise without colorsys")),
     ("from imgproc_course.imaging import to_gray", "", ("RefusedModule", None)),
     ("from imgproc_course.exercises import check\ncheck('x', print)", "", ("", "")),
+    ("from imgproc_course.exercises import hint, solution\nhint('x'), solution('x')", None, ("", "")),
     ("from imgproc_course.autograder import pool", "", ("ImportError", None)),
     ("import random\nprint(random.random())", "0.8444218515250481\n", ("", "")),
     ("print(np.random.rand())", "0.5488135039273248\n", ("", "")),

@@ -67,12 +67,6 @@ def test_html_is_escaped_and_shows_code_as_code():
     assert "a &lt; b" in hint("test-double", step=3)._repr_html_()
 
 
-def test_an_exercise_without_hints(write_master, lesson):
-    path = write_master()
-    (lesson / "checks" / "doubling.json").write_text(lesson_files(read_master(path))["checks/doubling.json"])
-    assert repr(hint("test-double")).startswith("There are no hints for test-double.\nsolution(")
-
-
 OPEN = "test-double: one solution"
 
 

@@ -24,6 +24,9 @@ exercise(
     function="double",
     time_limit=0.5,
     refused=("cv2", "imgproc_course.imaging", "colorsys"),
+    hints=("What?", "How?", "The code."),
+    explanation="Because.",
+    another_way="Otherwise.",
 )
 
 # %% role="answer"
@@ -54,7 +57,16 @@ def double(pixels):
     return solution(pixels) // 4
 
 # %% role="exercise"
-exercise("attacked-mean", title="Mean", function="mean", time_limit=0.5, tolerance=0.01)
+exercise(
+    "attacked-mean",
+    title="Mean",
+    function="mean",
+    time_limit=0.5,
+    tolerance=0.01,
+    hints=("What?", "How?", "The code."),
+    explanation="Because.",
+    another_way="Otherwise.",
+)
 
 # %% role="answer"
 def mean(values):
@@ -80,7 +92,15 @@ def mean(values):
     return float(np.sum(values))
 
 # %% role="exercise"
-exercise("attacked-apply", title="Apply", function="apply", practice=True)
+exercise(
+    "attacked-apply",
+    title="Apply",
+    function="apply",
+    practice=True,
+    hints=("What?", "How?", "The code."),
+    explanation="Because.",
+    another_way="Otherwise.",
+)
 
 # %% role="answer"
 def apply(function):

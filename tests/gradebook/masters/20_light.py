@@ -18,7 +18,16 @@ LIMIT = 255
 from imgproc_course.exercises import check
 
 # %% role="exercise"
-exercise("light-double", title="Twice as bright", function="double", time_limit=1, refused=("cv2",))
+exercise(
+    "light-double",
+    title="Twice as bright",
+    function="double",
+    time_limit=1,
+    refused=("cv2",),
+    hints=("What?", "How?", "The code."),
+    explanation="Because.",
+    another_way="Otherwise.",
+)
 
 # %% role="answer"
 def double(pixels):
@@ -44,7 +53,15 @@ def double(pixels):
     return pixels * 2
 
 # %% role="exercise"
-exercise("light-halves", title="Two halves", function="halves", time_limit=1)
+exercise(
+    "light-halves",
+    title="Two halves",
+    function="halves",
+    time_limit=1,
+    hints=("What?", "How?", "The code."),
+    explanation="Because.",
+    another_way="Otherwise.",
+)
 
 # %% role="answer"
 def halves(pixels):

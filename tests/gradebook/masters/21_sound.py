@@ -13,7 +13,16 @@
 from imgproc_course.exercises import check
 
 # %% role="exercise"
-exercise("sound-mean", title="Mean", function="mean", time_limit=1, tolerance=0.01)
+exercise(
+    "sound-mean",
+    title="Mean",
+    function="mean",
+    time_limit=1,
+    tolerance=0.01,
+    hints=("What?", "How?", "The code."),
+    explanation="Because.",
+    another_way="Otherwise.",
+)
 
 # %% role="answer"
 def mean(values):
@@ -39,7 +48,15 @@ def mean(values):
     return float(np.sum(values))
 
 # %% role="exercise"
-exercise("sound-practice", title="Free", function="free", practice=True)
+exercise(
+    "sound-practice",
+    title="Free",
+    function="free",
+    practice=True,
+    hints=("What?", "How?", "The code."),
+    explanation="Because.",
+    another_way="Otherwise.",
+)
 
 # %% role="answer"
 def free(value):
