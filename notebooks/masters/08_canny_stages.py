@@ -16,7 +16,7 @@
 # - explain what 50 and 150 mean, and when to change them,
 # - explain why a noisy image must be smoothed before edge detection.
 #
-# **Time** about 180 minutes, best on two days: there are pauses after sections 4 and 8. **You need** [[grayscale]], and [[noise_removal]]: kernels, padding and shifted slices.
+# **Time** about 180 minutes, best on two days: there are pauses after sections 4 and 8. **You need** [[arrays#10]] (shifted slices and padding), [[grayscale]] and [[noise_removal]].
 
 # %% role="given" exercise=["canny-sobel", "canny-local-maximum", "canny-suppression", "canny-thresholds", "canny-hysteresis"]
 import numpy as np
@@ -228,7 +228,7 @@ assert (np.outer([1, 2, 1], [-1, 0, 1]) == kernel).all()
 # - `grad_col` uses the kernel above: right minus left. `grad_row` uses the transposed kernel: the row below minus the row above.
 # - At the border use *replicate*: repeat the outermost rows and columns, `np.pad(..., 1, mode="edge")`. Then pixel (row, col) of the image is the middle of the window `padded[row : row + 3, col : col + 3]`.
 # - The type counts: both arrays must be `int32`.
-# - Use only NumPy; `np` is imported for you. Two loops over all pixels are fast enough here.
+# - Use only NumPy; `np` is imported for you. Two loops over all pixels are fast enough here. Grading runs only the answer cell, so write the kernel in it, too.
 
 # %% role="exercise"
 exercise(
@@ -276,14 +276,14 @@ def my_sobel(gray):
 check("canny-sobel", my_sobel)
 
 
-# %% role="case" title="vertical edges: dark, bright, dark" points=1 hint="Here the gray level changes only along the rows, so grad_col is not 0 at the edges, and grad_row is 0 everywhere."
+# %% role="case" title="vertical edges: dark, bright, dark" points=1 hint="Here the gray level changes only along the rows, so grad_row is 0 everywhere, and grad_col is not 0 beside each edge. Calculate the nine products of one framed pixel by hand."
 def inputs(rng):
     image = np.full((5, 8), rng.integers(0, 100), dtype=np.uint8)
     image[:, rng.integers(2, 4) : 6] = rng.integers(120, 256)
     return (image,)
 
 
-# %% role="case" title="horizontal edges: dark, bright, dark" points=1 hint="Here the gray level changes only down the columns, so grad_row is not 0 at the edges: positive where the row below is brighter than the row above, negative where it is darker."
+# %% role="case" title="horizontal edges: dark, bright, dark" points=1 hint="Here the gray level changes only down the columns, so grad_col is 0 everywhere. grad_row is positive where the row below is brighter than the row above, and negative where it is darker."
 def inputs(rng):
     image = np.full((8, 5), rng.integers(0, 80), dtype=np.uint8)
     image[rng.integers(2, 4) : 6] = rng.integers(150, 256)
@@ -427,6 +427,22 @@ def my_sobel(gray):
 # %% role="mistake" name="one array of both" says="You returned one array that holds both gradients. Return two arrays with a comma between them, without np.stack or np.array: return grad_row, grad_col."
 def my_sobel(gray):
     return np.stack(solution(gray))
+
+
+# %% role="mistake" name="the border stays 0, and float64" says="The border of your results stays 0, and they are float64. Repeat the outermost rows and columns with np.pad(..., mode='edge'), compute every pixel, and store the results in int32 arrays."
+def my_sobel(gray):
+    return tuple(np.pad(part[1:-1, 1:-1], 1).astype(float) for part in solution(gray))
+
+
+# %% role="mistake" name="the window begins at the pixel" says="Your results are one row and one column too far up and left, because the image was not padded. Pad it first: np.pad(..., 1, mode='edge')."
+def my_sobel(gray):
+    return tuple(np.pad(part[1:-1, 1:-1], ((0, 2), (0, 2))) for part in solution(gray))
+
+
+# %% role="mistake" name="int8 wraps" says="Your values wrapped around, as in int8, which ends at 127. Widen to int32 before you subtract."
+def my_sobel(gray):
+    grad_row, grad_col = gradients(gray.astype(np.int8))
+    return grad_row.astype(np.int32), grad_col.astype(np.int32)
 
 
 # %% [markdown]
@@ -1068,6 +1084,23 @@ def suppress(magnitude, sector):
     return solution(magnitude, sector)[1:-1, 1:-1]
 
 
+# %% role="mistake" name="equal neighbours kept on the diagonals" says="In sectors 1 and 3 (the diagonals) equal neighbours were kept. There a pixel must be greater than both neighbours: use >."
+def suppress(magnitude, sector):
+    first, second = neighbours(magnitude, sector)
+    is_diagonal = (sector % 2 == 1) & (magnitude >= first) & (magnitude >= second)
+    return thin(magnitude, is_kept(magnitude, first, second, sector) | is_diagonal)
+
+
+# %% role="mistake" name="compared with pixels that are 0 already" says="A pixel was compared with a neighbour that your function had already set to 0. Compare with the unchanged magnitude, and write into a new array."
+def suppress(magnitude, sector):
+    thinned = magnitude.copy()
+    for row, col in np.ndindex(magnitude.shape):
+        first, second = (part[row, col] for part in neighbours(thinned, sector))
+        if not is_kept(magnitude[row, col], first, second, sector[row, col]):
+            thinned[row, col] = 0
+    return thinned
+
+
 # %% [markdown]
 # ## 8 · The double threshold (8 minutes)
 #
@@ -1149,7 +1182,7 @@ def double_threshold(thinned, low, high):
 check("canny-thresholds", double_threshold)
 
 
-# %% role="case" title="values equal to a threshold" points=1 hint="Above means strictly above: a value equal to low is not weak, and a value equal to high is not strong."
+# %% role="case" title="values equal to a threshold" points=1 hint="For each framed value ask: is it above low? Is it above high? A value equal to a threshold is not above it."
 def inputs(rng):
     low, high = int(rng.integers(20, 45)), int(rng.integers(160, 200))
     values = np.array([0, low - 1, low, low + 1, high - 1, high, high + 1, 400, 5], np.int32)
@@ -1609,6 +1642,13 @@ def grow(weak, strong):
 # %% role="mistake" name="recursion without end" says="Your function calls itself again and again, and never stops. If it visits pixels, mark a pixel as visited before you go on to its neighbours."
 def grow(weak, strong):
     return grow(weak, strong)
+
+
+# %% role="mistake" name="a negative slice at the border" says="Weak pixels in the first row and the first column were left out: there row - 1 or col - 1 is -1, and such a slice is empty. Pad with False first, or use max(row - 1, 0)."
+def grow(weak, strong):
+    reachable = weak.copy()
+    reachable[0] = reachable[:, 0] = False
+    return after_steps(reachable, strong)
 
 
 # %% [markdown]

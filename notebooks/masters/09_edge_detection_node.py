@@ -659,7 +659,7 @@ def f1_score(edges, outlines, tolerance):
 check("edges-f1", f1_score)
 
 
-# %% role="case" title="no tolerance" points=1 hint="With tolerance 0 an edge pixel counts only if the outline has the same pixel."
+# %% role="case" title="no tolerance" points=1 hint="Count the pixels of this small image: edge pixels, outline pixels, and pixels that are both. What are precision, recall and F1?"
 def inputs(rng):
     outlines = rng.random((8, 9)) < 0.4
     edges = np.where(rng.random((8, 9)) < 0.4, 255, 0).astype(np.uint8)
@@ -962,6 +962,49 @@ def f1_score(edges, outlines, tolerance):
     if not edges.any() or not outlines.any():
         return 0.0
     return solution(edges, outlines, tolerance) or float("nan")
+
+
+# %% role="mistake" name="the geometric mean" says="That is the geometric mean, the square root of precision * recall. F1 is their harmonic mean: 2 * precision * recall / (precision + recall)."
+def f1_score(edges, outlines, tolerance):
+    hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
+    if not edge_count or not outline_count:
+        return 0.0
+    return (hits / edge_count * detected / outline_count) ** 0.5
+
+
+# %% role="mistake" name="parentheses missing" says="Parentheses are missing: Python divides by precision alone, and adds recall afterwards. Write 2 * precision * recall / (precision + recall)."
+def f1_score(edges, outlines, tolerance):
+    hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
+    if not edge_count or not outline_count or not hits:
+        return 0.0
+    return 3 * detected / outline_count
+
+
+# %% role="mistake" name="parentheses missing, nan" says="Parentheses are missing: Python divides by precision alone, and adds recall afterwards. Write 2 * precision * recall / (precision + recall)."
+def f1_score(edges, outlines, tolerance):
+    hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
+    if not edge_count or not outline_count:
+        return 0.0
+    return 3 * detected / outline_count if hits else float("nan")
+
+
+# %% role="mistake" name="no tolerance for the recall" says="The recall was computed without the tolerance: an outline pixel is detected if an edge pixel is near it."
+def f1_score(edges, outlines, tolerance):
+    hits, edge_count, _, outline_count = counts(edges, outlines, tolerance)
+    return f1_of(hits, edge_count, int(((edges > 0) & outlines).sum()), outline_count)
+
+
+# %% role="mistake" name="no tolerance for the precision" says="The precision was computed without the tolerance: an edge pixel counts if an outline pixel is near it."
+def f1_score(edges, outlines, tolerance):
+    _, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
+    return f1_of(int(((edges > 0) & outlines).sum()), edge_count, detected, outline_count)
+
+
+# %% role="mistake" name="the enlarged edges for the precision" says="The precision was computed from the enlarged edges. Count the edge pixels themselves, and enlarge the outlines."
+def f1_score(edges, outlines, tolerance):
+    enlarged = window(edges > 0, tolerance)
+    both = int((enlarged & outlines).sum())
+    return f1_of(both, int(enlarged.sum()), both, int(outlines.sum()))
 
 
 # %% [markdown]
