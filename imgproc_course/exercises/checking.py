@@ -10,7 +10,7 @@ from imgproc_course.exercises.check_files import find_check_data
 from imgproc_course.exercises.comparison import Difference, compare
 from imgproc_course.exercises.declaration import PUBLIC_SEED
 from imgproc_course.exercises.dependencies import Dependencies, find_dependencies
-from imgproc_course.exercises.diagnosis import Diagnosis, diagnose
+from imgproc_course.exercises.diagnosis import Diagnosis, diagnose, remarks_on_source
 from imgproc_course.exercises.progress import ExerciseProgress, digest_of, note_progress
 from imgproc_course.exercises.running import CallResult, code_of, overwrite_freed_memory
 
@@ -55,6 +55,7 @@ class CheckResult:
     mistake       the known mistake that explains the answer, or None
     dependencies  refused modules and names of other cells that the answer uses
     diagnosis     what is certain about the values of the shown call
+    remarks       what is certain from the source of the function, sentences
     why_older     why the function is older than the learner's cell, and was not run; "" if it is not older
     """
 
@@ -64,6 +65,7 @@ class CheckResult:
     mistake: CheckMistake | None = None
     dependencies: Dependencies = field(default_factory=Dependencies)
     diagnosis: Diagnosis = field(default_factory=Diagnosis)
+    remarks: tuple = ()
     why_older: str = ""
 
     @property
@@ -160,15 +162,16 @@ def run_check(exercise, function):
     -------
     CheckResult
     """
+    remarks = tuple(remarks_on_source(function))
     if _is_stub(exercise, function):
-        return CheckResult(exercise, attempted=False)
+        return CheckResult(exercise, attempted=False, remarks=remarks)
     calls = []
     pairs = [(case, expected) for case in exercise.cases for expected in case.calls]
     for case, expected in pairs:
         overwrite_freed_memory(expected.result.value)
         result = exercise.call(function, expected.arguments)
         if result.error == "NotImplementedError":
-            return CheckResult(exercise, attempted=False)
+            return CheckResult(exercise, attempted=False, remarks=remarks)
         difference = compare(expected.result.value, result.value, case.tolerance) if result.finished else None
         calls.append(CaseCall(case, expected.arguments, expected.result, result, difference))
         if result.timed_out:
@@ -177,7 +180,8 @@ def run_check(exercise, function):
     dependencies = find_dependencies(function, exercise.refused, set(exercise.provided))
     has_passed = all(result.passed for result in results)
     mistake = None if has_passed else _known_mistake(exercise.mistakes, calls)
-    result = CheckResult(exercise, True, results, mistake, dependencies)
+    remarks = () if has_passed else remarks
+    result = CheckResult(exercise, True, results, mistake, dependencies, remarks=remarks)
     return replace(result, diagnosis=_diagnosis(result, calls))
 
 

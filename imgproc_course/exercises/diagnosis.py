@@ -4,6 +4,9 @@ A sentence is given only if it is true of the values in every call: a wrong name
 more than none.
 """
 
+import ast
+import inspect
+import textwrap
 from dataclasses import dataclass
 
 import numpy as np
@@ -72,6 +75,33 @@ def diagnose(calls, shown, names=()):
     if "shape" in kinds:
         return Diagnosis(_advice_on_shape(*wrong, shown.arguments, names), is_whole=True)
     return Diagnosis(_advice_on_type(*wrong, shown.case.tolerance), is_whole=True)
+
+
+def remarks_on_source(function):
+    """What is certain from the source of a function alone, as a list of sentences."""
+    try:
+        tree = ast.parse(textwrap.dedent(inspect.getsource(function))).body[0]
+    except (OSError, TypeError, SyntaxError):
+        return []
+    remarks = []
+    for node in ast.walk(tree):
+        if isinstance(node, ast.BoolOp) and isinstance(node.op, ast.Or):
+            texts = [value for value in node.values[1:] if isinstance(value, ast.Constant) and value.value]
+            if texts and isinstance(node.values[0], ast.Compare):
+                remarks.append(
+                    f"{ast.unparse(node)} is always true, because {ast.unparse(texts[0])} alone counts as"
+                    f" True. Compare with each of them, or write: in (..., ...)."
+                )
+    body = getattr(tree, "body", [])
+    if any(_is_stub_line(statement) for statement in body[:-1]):
+        remarks.append(
+            "The line with raise NotImplementedError is still there, and ends the function: delete it."
+        )
+    return remarks
+
+
+def _is_stub_line(statement):
+    return isinstance(statement, ast.Raise) and "NotImplementedError" in ast.unparse(statement)
 
 
 def side_by_side(expected, actual):
@@ -305,7 +335,7 @@ def _constant(calls):
     forms = _forms(calls)
     if len(forms) < 2 or all(actual == forms[0][0] for actual, _ in forms):
         return ""
-    if any(actual != forms[0][1] for _, actual in forms):
+    if any(actual != forms[0][1] or actual.get("opaque") for _, actual in forms):
         return ""
     value = forms[0][1].get("value")
     returned = "the same" if value is None else repr(value)

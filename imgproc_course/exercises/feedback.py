@@ -15,7 +15,12 @@ _MOST_LINES = 12  # of the function's own prints
 
 _BORDER = "Pixels there have neighbours outside the image: how does the task treat those?"
 
-_COLOURS = {"passed": "#2e7d32", "failed": "#c62828", "open": "#616161"}
+# JupyterLab's colours that have a contrast of at least 4.5 in its light and in its dark theme.
+_COLOURS = {
+    "passed": "var(--jp-success-color0, #1b5e20)",
+    "failed": "var(--jp-error-color1, #c62828)",
+    "open": "var(--jp-content-font-color2, #616161)",
+}
 
 # NumPy's message about a number that an array's type cannot hold.
 _OUT_OF_BOUNDS = re.compile(r"Python integer (-?\d+) out of bounds for (\w+)")
@@ -231,7 +236,7 @@ def _warning_and_output(call):
 def as_text(result):
     """A CheckResult as plain text."""
     _, headline = _headline(result)
-    lines = [f"{headline}.", result.why_older, *_refusals(result)]
+    lines = [f"{headline}.", result.why_older, *_refusals(result), *result.remarks]
     shown = result.shown
     for case_result in result.results:
         lines.append(f"{'✓' if case_result.passed else '✗'} {case_result.case.title}")
@@ -266,7 +271,7 @@ def as_html(result):
     """A CheckResult as HTML that reads well in a light and in a dark JupyterLab."""
     state, headline = _headline(result)
     body = [f'<div style="font-weight: 600; color: {_COLOURS[state]}">{html.escape(headline)}</div>']
-    body += [_paragraph(text) for text in (result.why_older, *_refusals(result))]
+    body += [_paragraph(text) for text in (result.why_older, *_refusals(result), *result.remarks)]
     shown = result.shown
     for case_result in result.results:
         mark, colour = ("✓", _COLOURS["passed"]) if case_result.passed else ("✗", _COLOURS["failed"])

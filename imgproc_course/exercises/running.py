@@ -47,7 +47,7 @@ class CallResult:
     stuck      the call could not be stopped
     changed    names of the arguments that the function changed
     printed    the beginning of what it printed
-    warning    the first warning, "" for none
+    warning    the first warning, or the first of an overflow, "" for none
     has_return the function returned None here, although it has a return with a value
     """
 
@@ -97,7 +97,9 @@ def call(function, arguments, names, time_limit):
     if not fields.get("stuck"):
         pairs = zip(names, before, copies, strict=True)
         fields["changed"] = tuple(name for name, old, new in pairs if old != canonical(new, limit=None))
-    warning = str(caught_warnings[0].message) if caught_warnings else ""
+    messages = [str(caught.message) for caught in caught_warnings]
+    # An overflow is the one that explains most.
+    warning = next((text for text in messages if "overflow" in text), messages[0] if messages else "")
     return CallResult(printed=output.getvalue(), warning=warning, **fields)
 
 

@@ -2,6 +2,8 @@
 
 import linecache
 import re
+import sys
+from pathlib import Path
 from types import SimpleNamespace
 
 import numpy as np
@@ -429,3 +431,67 @@ def test_a_practice_exercise_speaks_of_no_grading(write_master):
     text = repr(check("test-double", uses))
     assert "the values are right, but this answer uses what is not allowed here" in text
     assert "rading" not in text and "Practice: no points." in text
+
+
+def test_an_endless_loop_says_what_overflowed():
+    def endless(pixels):
+        level = np.uint8(0)
+        while level <= 255:
+            level += np.uint8(1)
+
+    text = repr(check("test-double", endless))
+    assert "A loop never ends: does each step change what the loop tests?" in text
+    assert "after 255 a uint8 goes on with 0." in text
+
+
+def raise_left_in(pixels):
+    raise NotImplementedError("your turn")
+    return right(pixels)
+
+
+def test_a_raise_that_is_left_in_place_is_told():
+    result = check("test-double", raise_left_in)
+    assert not result.attempted
+    assert "The line with raise NotImplementedError is still there" in repr(result)
+
+
+def theme_colours(theme):
+    """{name: (red, green, blue, opacity)} of the variables of one of JupyterLab's themes."""
+    (path,) = Path(sys.prefix, "share/jupyter/lab/themes/@jupyterlab").glob(
+        f"theme-{theme}-extension/index.css"
+    )
+    named = {"white": "#ffffff"}
+    colours = {}
+    for name, value in re.findall(r"(--jp-[\w-]+):\s*([^;}]+)", path.read_text()):
+        value = named.get(value, re.sub(r"var\(--md-[\w-]+,\s*(#\w+)\)", r"\1", value))
+        if re.fullmatch(r"#(\w{3}|\w{6})", value):
+            digits = value[1:] if len(value) == 7 else "".join(digit * 2 for digit in value[1:])
+            colours[name] = (*bytes.fromhex(digits), 1.0)
+        elif re.fullmatch(r"rgba\([\d., ]+\)", value):
+            colours[name] = tuple(map(float, value[5:-1].split(",")))
+    return colours
+
+
+def contrast(colour, ground):
+    """The contrast of WCAG between a colour, which may be transparent, and its ground."""
+    opacity = colour[3]
+    mixed = [opacity * a + (1 - opacity) * b for a, b in zip(colour[:3], ground[:3], strict=True)]
+    light = [
+        np.dot(
+            [0.2126, 0.7152, 0.0722],
+            [c / 3294.6 if c <= 10 else ((c / 255 + 0.055) / 1.055) ** 2.4 for c in rgb],
+        )
+        for rgb in (mixed, ground[:3])
+    ]
+    return (max(light) + 0.05) / (min(light) + 0.05)
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("function", [right, wraps, stub])
+def test_the_colours_have_contrast_in_both_themes(theme, function):
+    html = check("test-double", function)._repr_html_()
+    used = re.findall(r"[ ;\"]color: var\((--jp-[\w-]+), (#\w{6})\)", html)
+    assert used and not re.findall(r"[ ;\"]color: #", html)
+    colours = theme_colours(theme)
+    assert all(contrast(colours[name], colours["--jp-layout-color0"]) >= 4.5 for name, _ in used), used
+    assert all(contrast((*bytes.fromhex(fallback[1:]), 1.0), (255, 255, 255)) >= 4.5 for _, fallback in used)

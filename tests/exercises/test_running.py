@@ -156,3 +156,11 @@ def test_freed_memory_no_longer_holds_the_expected_values(shape):
     overwrite_freed_memory(form)
     found = [np.empty_like(expected) for _ in range(4)]
     assert not any((array == expected).mean() > 0.5 for array in found)
+
+
+def test_an_overflow_is_the_warning_that_is_told():
+    def warns(_):
+        np.zeros(0).mean()
+        return np.uint8(255) + np.uint8(1)
+
+    assert "overflow" in run(warns, 0).warning
