@@ -30,11 +30,7 @@ def master_problems(master):
     for cell, next_cell in zip(code_cells, [*code_cells[1:], None], strict=True):
         first_line = cell.source.splitlines()[0] if cell.source else "(empty)"
         problems += [f"{cell.id}: {problem}\n    {first_line}" for problem in _cell_problems(cell, next_cell)]
-    # A lesson follows these two rules as soon as it has one predict cell, or one folded cell.
-    if any(cell.role == "predict" for cell in master.cells):
-        problems += _prediction_problems(master)
-    if any(cell.folded for cell in master.cells):
-        problems += _assert_problems(master)
+    problems += [*_prediction_problems(master), *_assert_problems(master)]
     return problems + [problem for exercise in master.exercises for problem in _exercise_problems(exercise)]
 
 

@@ -50,6 +50,8 @@ THIRTEEN = "\n".join(f"x{k} = {k}" for k in range(13))
         ([], '\n# %% tags=["nbval-ignore-output"]\nx = 1\n\n# %%\ny = x\n', "it must contain an assert"),
         ([], "\n# %%\ndouble = 2 * 3\n", "defines double, which is the name of an exercise's function"),
         ([], '\n# %% role="given"\n# !ls\n', "it takes no magics"),
+        ([], "\n# %%\nassert True\n", "template-7: move its asserts into a cell that begins with"),
+        ([], "\n# %% [markdown]\n# **Predict** it.\n", "template-7 says **Predict**; the next cell must"),
     ],
 )  # fmt: skip
 def test_a_broken_rule_is_named(write_master, replacements, added, message):
@@ -64,7 +66,7 @@ def test_a_broken_rule_is_named(write_master, replacements, added, message):
     [
         f'\n# %% tags=["long"]\n{THIRTEEN}\n',
         '\n# %% tags=["nbval-ignore-output"]\nx = 1\nassert x\n',
-        '\n# %% tags=["nbval-ignore-output"]\nx = 1\n\n# %% [markdown]\n# Words.\n\n# %%\nassert x\n',
+        '\n# %% tags=["nbval-ignore-output"]\nx = 1\n\n# %% [markdown]\n# A\n\n# %%\n# Check: x\nassert x\n',
         "\n# %%\n# !echo hello\n",
     ],
 )
