@@ -179,7 +179,7 @@ assert frame.max() == 255 and darken(frame, percent=50).max() == 127
 # | `hint("start-count")` | shows a hint. Run it again for the next one; there are three. |
 # | `solution("start-count")` | shows a solution and explains it, after three honest tries. `solution("start-count", give_up=True)` shows it at once. |
 #
-# For a hint, add a cell below (**Esc**, then `b`) and write `from imgproc_course.exercises import hint, solution` as its first line. Hints and solutions never change your points. This exercise is for practice: it gives no points, but it shows how every exercise works.
+# Hints and solutions never change your points. This exercise is for practice: it gives no points, but it shows how every exercise works.
 
 # %% role="exercise"
 exercise(
@@ -301,6 +301,14 @@ def count_pixels(frame):
 def count_pixels(frame):
     return str(frame.shape[0] * frame.shape[1])
 
+
+# %% [markdown]
+# Here is the first hint of this exercise. In other exercises you call `hint` and `solution` yourself: add a cell (**Esc**, then `b`), and begin it with the same import line.
+
+# %%
+from imgproc_course.exercises import hint
+
+hint("start-count", step=1)
 
 # %% [markdown]
 # ## Recap

@@ -873,6 +873,12 @@ def decode_mono16(message):
     return left * 256 + right if message.is_bigendian else right * 256 + left
 
 
+# %% role="mistake" exercise="messages-mono16" name="only two columns" says="Only the first bytes of each row are left. The slice 0:2 takes the columns 0 and 1; 0::2 takes every second column: the first byte of each pixel."
+def decode_mono16(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    return rows[:, 0:2].reshape(message.height, message.width)
+
+
 # %% role="mistake" exercise="messages-mono16" name="only the more significant byte" says="Only the more significant byte is left. A pixel is this byte × 256 plus the other byte."
 def decode_mono16(message):
     return solution(message) >> 8
@@ -1071,9 +1077,14 @@ def decode(message):
 
 # %% role="mistake" exercise="messages-decode" name="padding not expected" says="Messages without padding are right, messages with padding raise an error. Cut data into rows of step bytes first, then crop the padding of each row."
 def decode(message):
-    if message.step * message.height > solution(message).nbytes:
-        raise ValueError("cannot reshape")
-    return solution(message)
+    if message.encoding == "mono16":
+        order = ">u2" if message.is_bigendian else "<u2"
+        pixels = np.frombuffer(message.data, dtype=order).astype(np.uint16)
+        return pixels.reshape(message.height, message.width)
+    flat = np.frombuffer(message.data, dtype=np.uint8)
+    if message.encoding == "mono8":
+        return flat.reshape(message.height, message.width)
+    return flat.reshape(message.height, message.width, 3)
 
 
 # %% role="mistake" exercise="messages-decode" name="padding kept" says="The array has too many columns: the padding is still there, at the end of each row. Crop it: keep only the bytes of the pixels."
@@ -1126,16 +1137,15 @@ def decode(message):
 
 # %% role="mistake" exercise="messages-decode" name="colour images cropped at width bytes" says="Only the colour images raise an error. A pixel of rgb8 or bgr8 has 3 bytes: crop each row at width * 3 bytes, then reshape to (height, width, 3)."
 def decode(message):
-    if solution(message).ndim == 3:
-        raise ValueError("cannot reshape")
+    if message.encoding in ("rgb8", "bgr8"):
+        return rows_of(message)[:, : message.width].reshape(message.height, message.width, 3)
     return solution(message)
 
 
 # %% role="mistake" exercise="messages-decode" name="one condition is always true" says='The colour images are right, mono8 and mono16 raise an error. Are they taken for colour images? The condition message.encoding == "rgb8" or "bgr8" is always true: write message.encoding in ("rgb8", "bgr8").'
 def decode(message):
-    if solution(message).ndim == 2:
-        raise ValueError("cannot reshape")
-    return solution(message)
+    pixels = rows_of(message)[:, : message.width * 3]
+    return pixels.reshape(message.height, message.width, 3)
 
 
 # %% role="mistake" exercise="messages-decode" name="every message decoded as mono8" says="Every message was decoded like mono8, with one byte per pixel. Look at message.encoding: rgb8 and bgr8 take three bytes per pixel, mono16 takes two."
