@@ -18,16 +18,24 @@ from imgproc_course.exercises.values import named_items
 _FACTORS = {
     0.5: "half the expected number",
     2: "twice the expected number",
-    3: "3 times the expected number, as if each of three channels counted",
+    3: "3 times the expected number (are the channels counted, too?)",
     10: "10 times the expected number",
     0.1: "a tenth of the expected number",
-    100: "100 times the expected number, as in percent",
+    100: "100 times the expected number (is it in percent?)",
     0.01: "a hundredth of the expected number",
-    255: "255 times the expected number: white counts as 255, not as 1",
+    255: "255 times the expected number (does white count as 255?)",
     1 / 255: "the expected number divided by 255",
     -1: "the expected number with the other sign",
 }
 
+_COINCIDENCE = 0.01
+_LINES = {
+    "the first row": np.s_[:1],
+    "the last row": np.s_[-1:],
+    "the first column": np.s_[:, :1],
+    "the last column": np.s_[:, -1:],
+}
+_RIGHT = "The values are right"
 _ZEROS = "Every value of your result is 0. Is the result never stored in the array?"
 
 
@@ -131,7 +139,7 @@ def _advice_on_type(expected, actual, tolerance):
         if actual["type"].rpartition(".")[2] in ("PosixPath", "WindowsPath", "PurePosixPath"):
             return "You return a Path, and the task asks for a text: return str(path)."
         if actual_kind in ("function", "method"):
-            return "You return a function itself, and the task asks for a text: its name, in quotes."
+            return "You return a function itself, and the task asks for a text, such as its name."
         return f"You return {_noun(actual)}, and the task asks for a single text."
     if kind in ("int", "float", "bool"):
         if actual_kind == "str":
@@ -153,7 +161,8 @@ def _noun(form):
     nouns |= {"bool": "True or False", "function": "a function", "bytes": "bytes", "set": "a set"}
     kind = kind_of(form)
     if kind in ("tuple", "list"):
-        return f"{len(form.get('items', ()))} values (a {kind})"
+        count = len(form.get("items", ()))
+        return f"{count} value{'s' * (count != 1)} (a {kind})"
     return nouns.get(kind, f"a value of type {kind}")
 
 
@@ -222,7 +231,8 @@ def _advice_on_dtypes(pairs, tolerance):
     texts = dict.fromkeys(_advice_on_dtype(*pair, tolerance) for pair in pairs)
     if "" in texts:
         return Diagnosis()
-    return Diagnosis(" ".join(texts), is_whole=True)
+    wrong = [text for text in texts if not text.startswith(_RIGHT)]
+    return Diagnosis(" ".join(wrong or texts), is_whole=True)
 
 
 def _advice_on_dtype(expected, actual, tolerance):
@@ -238,20 +248,22 @@ def _advice_on_dtype(expected, actual, tolerance):
             f" comparison such as a > b is bool already."
         )
     if actual_dtype == "bool" and np.array_equal(values != 0, actual_values):
-        highest = values.max(initial=0)
-        return (
-            f"The task asks for {dtype}, and you return True and False (bool): write"
-            f" np.where(mask, {highest}, 0).astype(np.{dtype})."
-        )
+        text = f"The task asks for {dtype}, and you return True and False (bool)"
+        levels = set(np.unique(values).tolist())
+        if levels <= {0, 255} or levels <= {0, 1}:
+            return f"{text}: write np.where(mask, {max(levels)}, 0).astype(np.{dtype})."
+        return f"{text}: return the numbers themselves, not where they are above 0."
     if same:
         return (
-            f"The values are right; only the dtype is not: you return {actual_dtype}. End with"
+            f"{_RIGHT}; only the dtype is not: you return {actual_dtype}. End with"
             f" .astype(np.{_dtype_name(dtype)})."
         )
     if values.dtype.kind in "iu" and actual_values.dtype.kind == "f":
         close = _same(values, actual_values, 0.5)
         return f"Round the values ({actual_dtype}), and end with .astype(np.{dtype})." if close else ""
-    if np.array_equal(values.astype(actual_values.dtype), actual_values):
+    if values.dtype.kind == "f" and np.abs(values - actual_values).max(initial=0) < 1:
+        return f"The fractions are lost: you return {actual_dtype}, and the task asks for {dtype}."
+    if values.dtype.kind in "iu" and np.array_equal(values.astype(actual_values.dtype), actual_values):
         return f"The values do not all fit into {actual_dtype}, and were cut. Make the result {dtype}."
     return ""
 
@@ -274,10 +286,12 @@ def _advice_on_shape(expected, actual, arguments, names):
     if actual_shape == shape[::-1] and values is not None and _same(values.T, actual_values):
         return "Rows and columns are exchanged: your result is the expected one, transposed."
     if given and names and len(given[0]) > len(shape) and actual_shape == given[0][1:]:
-        name = names[0]
+        text = "Axis 0, the rows, is gone from your result: "
+        if len(given[0]) == 2:
+            return f"{text}axis=0 goes along the rows, and axis=1 along the columns."
         return (
-            f"Axis 0, the rows, is gone from your result: {name}[0] is the first row, and axis=0 goes"
-            f" along the rows. The channels are the last axis: {name}[..., 0], axis=-1."
+            f"{text}{names[0]}[0] is the first row, and axis=0 goes along the rows. The channels are the last"
+            f" axis: {names[0]}[..., 0], axis=-1."
         )
     if len(shape) == 3 and actual_shape == (shape[0], shape[1] * shape[2]):
         return f"The axis of the channels is missing: reshape to (height, width, {shape[2]})."
@@ -287,7 +301,8 @@ def _advice_on_shape(expected, actual, arguments, names):
         return "The channels come first in your result. The task wants them last, side by side in each pixel."
     if len(shape) == 2 and actual_shape[:2] == shape and len(actual_shape) == 3:
         return (
-            f"Your result still has {actual_shape[2]} channels. The task asks for one value for each pixel."
+            f"Your result still has a third axis, of length {actual_shape[2]}. The task asks for one value"
+            f" for each pixel."
         )
     return _advice_on_size(shape, actual_shape) if len(shape) == len(actual_shape) >= 2 else ""
 
@@ -307,7 +322,7 @@ def _advice_on_size(shape, actual_shape):
     if rows == 0 and cols > 0:
         return (
             f"Your result is too wide: {actual_shape[1]} columns instead of {shape[1]}. Keep only the"
-            f" columns of the image, without the padding at the end of the rows."
+            f" columns that the task asks for, without any padding."
         )
     return ""
 
@@ -318,12 +333,11 @@ def _advice_on_size(shape, actual_shape):
 def _diagnose_values(calls, names):
     """The first sentence that is true of every call, and where the wrong values lie."""
     if names and all(_is_input(call) for call in calls):
-        text = f"You return {names[0]} as it was given: nothing is computed, or the result is not stored."
-        return Diagnosis(text, is_whole=True)
+        return Diagnosis(f"Your result is equal to the input {names[0]}: no value has changed.")
     for relation in (_exchanged, _number, _text, _array):
         text = relation(calls)
         if text:
-            return Diagnosis(text, is_whole=relation is not _number and text != _ZEROS)
+            return Diagnosis(text, is_whole=relation is not _number and "?" not in text)
     return _place(calls)
 
 
@@ -340,8 +354,8 @@ def _constant(calls):
     value = forms[0][1].get("value")
     returned = "the same" if value is None else repr(value)
     return (
-        f"Your function returns {returned} for every input. Is it fixed? It must be computed from the"
-        f" input that the function receives."
+        f"Your function returns {returned} for every input. Is the value fixed, or never updated? It must be"
+        " computed from the input that the function receives."
     )
 
 
@@ -404,8 +418,8 @@ def _array(calls):
     integers = all(expected.dtype.kind in "iu" and expected.max(initial=0) > 1 for expected, _ in arrays)
     if integers and {int(v) for gap in gaps for v in np.unique(gap)} == {0, 1}:
         return (
-            "Some values are one too small, and none is wrong by more: the fraction was cut off. Round"
-            " before you narrow the dtype."
+            "Some values are one too small, and none is wrong by more. Is the fraction cut off, instead of"
+            " rounded?"
         )
     return ""
 
@@ -456,28 +470,29 @@ def _place(calls):
                 return Diagnosis()
             masks.append((differing(values, actual_values, call.case.tolerance), actual_values))
     wrong = [(mask, values) for mask, values in masks if mask.any()]
-    if not wrong or not any(min(mask.shape[:2]) >= 3 for mask, _ in wrong):
+    if not wrong:
         return Diagnosis()
     flat = [mask.any(axis=2) if mask.ndim == 3 else mask for mask, _ in wrong]
-    line = _line(flat)
+    line = next((name for name, place in _LINES.items() if _lie_in(flat, place)), "")
     if line:
         return Diagnosis(f"All wrong values lie in {line}.")
-    if not any(mask[1:-1, 1:-1].any() for mask in flat):
+    if _lie_in(flat, np.s_[1:-1, 1:-1], is_inside=False):
         zeros = all(not values[mask].any() for mask, values in wrong)
-        left = ", and there your result is 0: the border was never computed" if zeros else ""
-        return Diagnosis(f"Only values on the border of the image are wrong{left}.", on_border=True)
+        left = ", and there your result is 0: is the border never computed?" if zeros else "."
+        return Diagnosis(f"Only values on the border of the image are wrong{left}", on_border=True)
     channels = {int(c) for mask, _ in wrong if mask.ndim == 3 for c in np.argwhere(mask)[:, 2]}
     if len(channels) == 1 and all(mask.ndim == 3 and mask.shape[2] > 1 for mask, _ in wrong):
         return Diagnosis(f"All wrong values lie in channel {channels.pop()}; the other channels are right.")
     return Diagnosis()
 
 
-def _line(masks):
-    """The one row or column, first or last, that holds all wrong values; "" if there is none."""
-    lines = {
-        "the first row": lambda mask: mask[1:],
-        "the last row": lambda mask: mask[:-1],
-        "the first column": lambda mask: mask[:, 1:],
-        "the last column": lambda mask: mask[:, :-1],
-    }
-    return next((name for name, rest in lines.items() if not any(rest(mask).any() for mask in masks)), "")
+def _lie_in(masks, place, is_inside=True):
+    """Whether all True values lie in (or outside) a place of each mask, and not by coincidence."""
+    chance = 1.0
+    for mask in masks:
+        region = np.full(mask.shape, not is_inside)
+        region[place] = is_inside
+        if (mask & ~region).any():
+            return False
+        chance *= region.mean() ** mask.sum()
+    return chance < _COINCIDENCE

@@ -20,11 +20,6 @@ _IMPORTS = {
     },
     **{name: f"from math import {name}" for name in ("sqrt", "log10", "log", "floor", "ceil", "pi", "inf")},
 }
-_INDEX_OUTSIDE = (
-    "Python counts from 0, so {last} is the last index of axis {axis}. Does your function read neighbours"
-    " of a pixel? Pad the image first (np.pad): then pixels at the border have neighbours too, and none is"
-    " outside. An array is indexed rows first: array[row, col]; rows are axis 0, columns axis 1."
-)
 _WHOLE_INDEX = "An index is a whole number, and / makes a float. Divide with //, or use int()."
 
 
@@ -126,6 +121,17 @@ def _broadcast(match, _source):
     return advice
 
 
+def _index_outside(match, _source):
+    axis, size = match[2], int(match[3])
+    advice = f"Python counts from 0, so {size - 1} is the last index of axis {axis}."
+    if axis == "2":
+        return f"{advice} Axis 2 of a colour image holds its channels."
+    return (
+        f"{advice} Does your function read neighbours of a pixel? Pad the image first (np.pad): then"
+        f" pixels at the border have neighbours too. An array is indexed rows first: array[row, col]."
+    )
+
+
 def _unpack(match, source):
     if ".shape" in source:
         return (
@@ -134,7 +140,10 @@ def _unpack(match, source):
         )
     if source.startswith("for "):
         return "A loop over a dictionary gives only its keys. For keys and values write dictionary.items()."
-    return f"There are {match[1]} names on the left; the value on the right has another number of parts."
+    return (
+        f"There are {match[1]} names on the left; the value on the right has another number of parts. An"
+        f" array is unpacked row by row."
+    )
 
 
 def _reshape(match, _source):
@@ -157,7 +166,10 @@ def _reshape(match, _source):
             f"{size} values are too many for {product} = {count}. Is there padding at the end of the rows?"
             f" Crop each row, rows[:, :n], before you reshape; rows[:n] keeps the first rows."
         )
-    return f"{size} values are too few for {product} = {count}. Was too much cropped before?"
+    return (
+        f"{size} values are too few for {product} = {count}. Was too much cropped, or is this the shape of"
+        f" another image?"
+    )
 
 
 def _zero_division(_match, source):
@@ -213,7 +225,10 @@ def _not_callable(match, _source):
             f"A {match[1]} is not a function: round brackets call. Its parts are taken with square brackets,"
             " as in shape[0]."
         )
-    return f"Round brackets call a function, and this is a value of type {match[1]}. Is a * missing before (?"
+    return (
+        f"Round brackets call a function, and this is a value of type {match[1]}. Leave the brackets out;"
+        f" or is a * missing before them?"
+    )
 
 
 def _not_subscriptable(match, source):
@@ -259,7 +274,7 @@ _ADVICE = (
     (
         "IndexError",
         r"index (-?\d+) is out of bounds for axis (\d) with size (\d+)",
-        lambda match, _: _INDEX_OUTSIDE.format(last=int(match[3]) - 1, axis=match[2]),
+        _index_outside,
     ),
     (
         "IndexError",

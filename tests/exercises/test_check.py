@@ -348,7 +348,7 @@ def border_left_out(pixels):
 def test_a_wrong_border_gets_the_border_hint(write_master):
     write_border_master(write_master, "Repeat the border.")
     text = repr(check("test-double", border_left_out))
-    assert "and there your result is 0: the border was never computed." in text
+    assert "and there your result is 0: is the border never computed?" in text
     assert "Repeat the border." in text and "Widen." not in text
     text = repr(check("test-double", lambda pixels: right(pixels) - np.uint8(3)))
     assert "Hint: Widen." in text and "Repeat the border." not in text

@@ -74,6 +74,13 @@ DTYPES = [
     (GRAY, GRAY + 0.3, "Round the values (float64), and end with .astype(np.uint8)."),
     (MASK, np.where(MASK, 255, 0), "The task asks for bool, True and False, and you return numbers (int64)."),
     (np.where(MASK, np.uint8(255), np.uint8(0)), MASK, "write np.where(mask, 255, 0).astype(np.uint8)"),
+    (GRAY, GRAY > 0, "you return True and False (bool): return the numbers themselves"),
+    (GRAY / 7, (GRAY / 7).astype(np.uint8), "The fractions are lost: you return uint8"),
+    (
+        (GRAY.astype("i4"), SIGNED),
+        (GRAY, SIGNED.astype(np.uint8)),
+        "The values do not all fit into uint8, and were cut. Make the result int32.",
+    ),
     (SIGNED, SIGNED.astype(np.uint8), "do not all fit into uint8, and were cut. Make the result int32."),
 ]
 SHAPES = [
@@ -84,13 +91,13 @@ SHAPES = [
     (COLOUR, COLOUR[..., 0], "The axis of the channels is missing: each pixel has 3 values."),
     (COLOUR, COLOUR.reshape(4, 15), "reshape to (height, width, 3)"),
     (COLOUR, np.moveaxis(COLOUR, 2, 0), "The channels come first in your result."),
-    (GRAY, np.stack([GRAY] * 3, axis=2), "Your result still has 3 channels."),
+    (GRAY, np.stack([GRAY] * 3, axis=2), "Your result still has a third axis, of length 3."),
 ]
 VALUES = [
     ((SIGNED, GRAY.astype("i4")), (GRAY.astype("i4"), SIGNED), "but in the wrong order: exchange the first"),
     (0.5, 1.0, "Your number is twice the expected number, in every check."),
     (81, 80, "Your number is one too small, in every check."),
-    (0.25, 25.0, "100 times the expected number, as in percent"),
+    (0.25, 25.0, "100 times the expected number (is it in percent?)"),
     ("Gray", "gray", "Only capital and small letters differ."),
     ("a b", "ab ", "Only the spaces or line ends differ."),
     (GRAY, GRAY * 0, "Every value of your result is 0."),
@@ -114,7 +121,7 @@ PLACES = [
         "All wrong values lie in channel 1; the other channels are right.",
     ),
     (GRAY, changed(changed(GRAY, 0), np.s_[:, 0]), "Only values on the border of the image are wrong."),
-    (GRAY, np.pad(GRAY[1:-1, 1:-1], 1), "and there your result is 0: the border was never computed."),
+    (GRAY, np.pad(GRAY[1:-1, 1:-1], 1), "and there your result is 0: is the border never computed?"),
 ]
 
 
@@ -143,7 +150,7 @@ def test_the_first_row_of_a_colour_image_is_not_a_channel():
 
 
 def test_the_input_unchanged():
-    assert say(GRAY // 2, GRAY).text.startswith("You return image as it was given")
+    assert say(GRAY // 2, GRAY).text.startswith("Your result is equal to the input image")
 
 
 def test_what_is_true_of_one_call_only_is_not_said():
@@ -192,3 +199,15 @@ def test_a_value_that_cannot_be_compared_is_not_called_fixed():
     assert (
         diagnose(calls, calls[0]).text == "You return a Path, and the task asks for a text: return str(path)."
     )
+
+
+def test_axis_0_of_a_gray_image():
+    diagnosis = say(GRAY.mean(axis=1), GRAY.mean(axis=0))
+    assert diagnosis.text.endswith("axis=0 goes along the rows, and axis=1 along the columns.")
+    assert "channels" not in diagnosis.text
+
+
+def test_a_few_wrong_values_on_the_border_of_a_small_array_tell_nothing():
+    small = np.arange(9).reshape(3, 3)
+    assert say(small, changed(small, np.s_[0, 0], 50)).text == ""
+    assert say(small, changed(small, ([0, 0, 2], [0, 2, 0]), 50)).text == ""
