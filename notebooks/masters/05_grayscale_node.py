@@ -102,17 +102,17 @@ assert not ros_available() or 10 <= len(stamps) <= 25 * cameras
 # How can this be? The callback ran in a background *thread*. A thread is a part of a program that runs at the same time as the other parts. Your cells run in the main thread. In the background thread, an *executor* waits for messages and calls the callbacks, again and again. This is called *spinning*.
 #
 # ```mermaid
-# sequenceDiagram
+# flowchart LR
 #     accTitle: Executor, callback and thread
-#     accDescr: The main thread runs your cells. Meanwhile the executor in a background thread receives a message from the topic, calls on_image, and waits for the next message.
-#     participant cells as main thread: your cells
-#     participant executor as background thread: executor
-#     participant topic as topic .../image_raw
-#     cells->>cells: time.sleep(2)
-#     topic->>executor: message 1
-#     executor->>executor: on_image(frame, msg)
-#     topic->>executor: message 2
-#     executor->>executor: on_image(frame, msg)
+#     accDescr: The main thread runs your cells. At the same time, the executor in a background thread waits for a message from the topic, calls on_image, and waits for the next message.
+#     topic["topic<br>.../image_raw"] -->|message| executor
+#     subgraph background ["background thread"]
+#         executor(["executor:<br>waits for a message"]) -->|calls| callback["on_image(frame, msg)"]
+#         callback -->|returns| executor
+#     end
+#     subgraph main ["main thread"]
+#         cells["your cells:<br>time.sleep(2)"]
+#     end
 # ```
 #
 # ## 2 · A class in ten lines (10 minutes)

@@ -101,16 +101,16 @@ if ros_available():
     script_images = ImageSubscriber(script_topic, encoding="mono8")
 
 # %% [markdown]
-# Open a terminal: **File → New → Terminal**. Drag its tab to the right edge, so that you see the terminal and this notebook side by side. It is in the folder of your lessons. Type these lines, one after the other, and press Enter after each line:
+# Open a terminal: **File → New → Terminal**. Drag its tab to the right edge, so that you see the terminal and this notebook side by side. Type these lines, one after the other, and press Enter after each line:
 #
 # ```sh
-# source ../.venv/bin/activate
-# cd ros2_ws
+# cd "$JUPYTER_SERVER_ROOT/ros2_ws"
+# source ../../.venv/bin/activate
 # python scripts/image_gray_processor.py
 # ```
 #
-# 1. The first line selects the Python of the course. (If bash, the program that runs in a terminal, answers *No such file or directory*, use the path of your own virtual environment.)
-# 2. `cd` (change directory) goes into the folder.
+# 1. `cd` (change directory) goes into a folder. JupyterLab sets `JUPYTER_SERVER_ROOT` to the folder of your lessons. It is an *environment variable*: a named text that every program receives when it starts.
+# 2. The second line selects the Python of the course. (If bash, the program that runs in a terminal, answers *No such file or directory*, use the path of your own virtual environment.)
 # 3. The third line runs the script. The terminal is busy now, because the node spins. The node prints its log there.
 #
 # In this lesson, each command also has a cell, for those who cannot use a terminal. These cells call the three functions below, which give a line to bash as a terminal does. You do not need to write such code. If the node runs in your terminal already, the cell does not start it again.
@@ -285,7 +285,7 @@ print((package / "package.xml").read_text(encoding="utf-8"))
 guess_folders = None  # your guess: how many new folders?
 
 # %% [markdown]
-# Type these lines into your terminal, one after the other. (If it is a new one, begin with `source ../.venv/bin/activate` and `cd ros2_ws`.)
+# Type these lines into your terminal, one after the other. (If it is a new one, begin with the first two lines of section 1.)
 #
 # ```sh
 # python -m colcon build --packages-select image_gray_processor
@@ -330,7 +330,8 @@ guess_found = None  # your guess: "yes" or "no"?
 # Type this into the second terminal (`ament_index` is a small tool of ROS 2 that prints where a package is installed):
 #
 # ```sh
-# source ../.venv/bin/activate
+# cd "$JUPYTER_SERVER_ROOT/ros2_ws"
+# source ../../.venv/bin/activate
 # ament_index packages image_gray_processor
 # ```
 
@@ -346,12 +347,11 @@ compare_guess(guess_found, found)
 assert not found and (not ros_available() or "AMENT_PREFIX_PATH" in where)
 
 # %% [markdown]
-# This is the second **planned failure**. `ros2 run` reports the same mistake as *Package 'image_gray_processor' not found*. An *environment variable* is a named text that a program receives when it starts. ROS searches the folders in the environment variable `AMENT_PREFIX_PATH`, and our folder is not in it.
+# This is the second **planned failure**. `ros2 run` reports the same mistake as *Package 'image_gray_processor' not found*. ROS searches the folders in the environment variable `AMENT_PREFIX_PATH`, and our folder is not in it.
 #
 # **Repair it**: *source* the workspace. To source a file is to run its commands in the current terminal. Type into the second terminal:
 #
 # ```sh
-# cd ros2_ws
 # source install/setup.bash
 # ament_index packages image_gray_processor
 # ```
