@@ -452,6 +452,8 @@ exercise(
     " or uint16. `wide[..., 0]` is the blue channel of all pixels, so one line computes the sum for the whole"
     " frame. `+ 2**14` makes `>> 15` round to the nearest integer instead of rounding down. The parentheses are"
     " needed, because Python computes `+` before `>>`, and the result must be narrowed last.",
+    border_hint="Every pixel gets its luma from its own three channels, also in the last row and the last column. Do your"
+    " loops run to the end: range(height) and range(width)?",
     another_way="You can also write the sum as `(wide * [3735, 19235, 9798]).sum(axis=-1)`, or compute it pixel by"
     " pixel in two loops over the rows and columns.",
 )
@@ -645,6 +647,21 @@ def luma(bgr):
 # %% role="mistake" name="the weights of green and red are swapped" says="Green and red got each other's weight. The channels are blue, green, red: the weights are 3735, 19235, 9798 in this order."
 def luma(bgr):
     return luma_of(bgr, (3735, 9798, 19235))
+
+
+# %% role="mistake" name="no blue in the sum" says="The blue channel is missing in your sum: add blue * 3735."
+def luma(bgr):
+    return luma_of(bgr, (0, 19235, 9798))
+
+
+# %% role="mistake" name="no green in the sum" says="The green channel is missing in your sum: add green * 19235."
+def luma(bgr):
+    return luma_of(bgr, (3735, 0, 9798))
+
+
+# %% role="mistake" name="no red in the sum" says="The red channel is missing in your sum: add red * 9798."
+def luma(bgr):
+    return luma_of(bgr, (3735, 19235, 0))
 
 
 # %% role="mistake" name="divided by 2**16" says="The values are half as large as they should be: divide by 2**15 (shift by 15), not by 2**16."

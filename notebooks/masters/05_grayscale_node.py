@@ -471,6 +471,8 @@ exercise(
     explanation="`cv2.cvtColor` makes a new array, so the frame does not change. The conversion code begins with"
     " BGR, because the node reads every image as bgr8. The node takes the key as the name of the topic: the image"
     " under `\"gray\"` is published on `~/gray`.",
+    border_hint="Every pixel gets its gray level from its own three channels, also at the border of the image. Do you"
+    " change or leave out the first or last rows or columns?",
     another_way="You can also call `to_gray(frame)`, if you write its import line"
     " (`from imgproc_course.imaging import to_gray`) in the answer cell.",
 )
@@ -631,6 +633,16 @@ def process(frame):
 # %% role="mistake" name="decimal weights, as float" says="The values still have fractions, and the dtype is float. The image must be uint8. Use cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY), which computes luma."
 def process(frame):
     return {"gray": weighted(frame, 0.114, 0.587, 0.299)}
+
+
+# %% role="mistake" name="the largest channel" says="This is the largest channel of each pixel (the value V of HSV), not luma. Use cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY), which computes luma."
+def process(frame):
+    return {"gray": frame.max(axis=-1)}
+
+
+# %% role="mistake" name="divided by 255" says="The image is divided by 255. Return it as it is: uint8, 0 to 255."
+def process(frame):
+    return {"gray": gray_of(frame) / 255}
 
 
 # %% role="mistake" name="the blue channel" says="You return the blue channel alone. Luma is a weighted sum of blue, green and red. Use cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY), which computes luma."

@@ -665,6 +665,31 @@ def executable_of(install, package):
     return f"{package}/lib/{package}/{package}"
 
 
+# %% role="mistake" name="install dropped by a slash" says="Your path begins with /lib: install and package are lost. (In Path and os.path.join, a part that begins with / drops all parts before it.)"
+def executable_of(install, package):
+    return f"/lib/{package}/{package}"
+
+
+# %% role="mistake" name="two slashes" says="There are two slashes between two parts of your path. One is enough."
+def executable_of(install, package):
+    return f"{install}/{package}//lib/{package}/{package}"
+
+
+# %% role="mistake" name="a dot before install" says="You put ./ before install. The path begins with install, exactly as it is given."
+def executable_of(install, package):
+    return f"./{install}/{package}/lib/{package}/{package}"
+
+
+# %% role="mistake" name="a list converted by str" says="You convert a list to a string with str(), and its brackets and commas are in the result. Join the parts: \"/\".join(parts)."
+def executable_of(install, package):
+    return str([install, package, "lib", package, package])
+
+
+# %% role="mistake" name="the last slash is missing" says="The last slash is missing: between the folder lib/<package> and the executable there is a / too."
+def executable_of(install, package):
+    return f"{install}/{package}/lib/{package}{package}"
+
+
 # %% role="mistake" name="the command" says="This is the command that starts the node. The task asks for the path of the file that the command starts."
 def executable_of(install, package):
     return f"ros2 run {package} {package}"
