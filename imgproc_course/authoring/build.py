@@ -13,9 +13,11 @@ from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
 from imgproc_course.authoring.atomic_write import write_file
 from imgproc_course.authoring.execute import execute, normalize, output_texts, refuse_traces
+from imgproc_course.authoring.glossary import GLOSSARY
 from imgproc_course.authoring.lesson_files import lesson_file_differences, lesson_files
 from imgproc_course.authoring.lesson_names import lesson_name
 from imgproc_course.authoring.masters import find_masters, read_master
+from imgproc_course.authoring.pages import GLOSSARY_PAGE, build_pages, page_differences
 from imgproc_course.authoring.rules import RAISING_TAGS, VARYING_TAG
 from imgproc_course.authoring.validation import validate_exercise
 from imgproc_course.exercises.check_files import CHECKS, SOLUTIONS
@@ -58,8 +60,19 @@ def build(masters_dir, lessons_dir, solved_dir, names=(), progress=print, *, wit
         _write_lesson_files(files, Path(lessons_dir), with_solutions=with_solutions)
         result.built.append(path.stem)
     if not names:
+        result.problems += _write_pages(masters_dir, Path(lessons_dir))
         result.problems += _orphans(masters_dir, lessons_dir)
     return result
+
+
+def _write_pages(masters_dir, lessons_dir):
+    try:
+        pages = build_pages(masters_dir)
+    except MasterError as error:
+        return [str(error)]
+    for name, text in pages.items():
+        write_file(lessons_dir / name, text, permissions=0o644)
+    return []
 
 
 def compare_lessons(masters_dir, lessons_dir, names=(), progress=print):
@@ -82,6 +95,10 @@ def compare_lessons(masters_dir, lessons_dir, names=(), progress=print):
         result.problems += lesson_file_differences(files, Path(lessons_dir))
         result.built.append(path.stem)
     if not names:
+        try:
+            result.problems += page_differences(build_pages(masters_dir), lessons_dir)
+        except MasterError as error:
+            result.problems.append(str(error))
         result.problems += _orphans(masters_dir, lessons_dir)
     return result
 
@@ -261,7 +278,9 @@ def _read_stored(path):
 
 def _orphans(masters_dir, lessons_dir):
     masters, folder = {path.stem for path in find_masters(masters_dir)}, Path(lessons_dir)
+    pages = {GLOSSARY_PAGE} if (Path(masters_dir) / GLOSSARY).exists() else set()
     paths = [path for path in sorted(folder.glob("*.ipynb")) if path.stem not in masters]
+    paths = [path for path in paths if path.name not in pages]
     names = {lesson_name(master) for master in masters}
     for subfolder in (CHECKS, SOLUTIONS):
         paths += [path for path in sorted(folder.glob(f"{subfolder}/*.json")) if path.stem not in names]

@@ -3,17 +3,28 @@
 ["structuring element"]                  the term, as it is written in the middle of a sentence
 lesson = "canny_stages"                  the lesson that introduces it
 definition = "One to three sentences."   Markdown, with references to lessons and to other terms
-spellings = ["structuring elements"]     other forms of the word, optional
+spellings = ["structuring elements"]     other forms of the word, and words that the entry explains too
+ordinary = true                          also an ordinary English word, which `early_uses` does not look for
 """
 
 import tomllib
 from dataclasses import dataclass
 from functools import lru_cache
+from importlib.metadata import version
 from pathlib import Path
+
+from nbformat.v4 import new_markdown_cell, new_notebook
 
 from imgproc_course.exercises.percent_script import MasterError
 
 GLOSSARY = "glossary.toml"
+_KEYS = {"lesson", "definition", "spellings", "ordinary"}
+_INTRODUCTION = """\
+# Glossary
+
+The words of this course, from A to Z. Each entry ends with the lesson that introduces the word.
+
+**Ctrl + F** finds a word on this page."""
 
 
 @dataclass(frozen=True)
@@ -24,12 +35,14 @@ class Term:
     lesson      the name of the lesson that introduces it
     definition  Markdown
     forms       the name and its other spellings, in lower case
+    ordinary    whether it is also an ordinary English word
     """
 
     name: str
     lesson: str
     definition: str
     forms: tuple
+    ordinary: bool = False
 
     @property
     def anchor(self):
@@ -73,10 +86,39 @@ def _read_glossary(path, _modified):
 
 def _read_term(path, name, entry):
     place = f"{path.name}: [{name!r}]"
-    if not isinstance(entry, dict) or set(entry) - {"lesson", "definition", "spellings"}:
-        raise MasterError(f"{place} takes lesson, definition and spellings")
+    if not isinstance(entry, dict) or set(entry) - _KEYS:
+        raise MasterError(f"{place} takes only {', '.join(sorted(_KEYS))}")
     for key in ("lesson", "definition"):
         if not isinstance(entry.get(key), str) or not entry[key].strip():
             raise MasterError(f'{place} needs {key} = "..."')
     forms = dict.fromkeys(form.casefold() for form in (name, *entry.get("spellings", ())))
-    return Term(name, entry["lesson"], entry["definition"].strip(), tuple(forms))
+    ordinary = bool(entry.get("ordinary", False))
+    return Term(name, entry["lesson"], entry["definition"].strip(), tuple(forms), ordinary)
+
+
+# ---------------------------------------------------------------- the notebook
+
+
+def glossary_notebook(terms, references):
+    """The glossary as learners read it: one cell per term, with a heading to which the lessons link.
+
+    Parameters
+    ----------
+    terms : tuple of Term
+    references : References, of the glossary
+
+    Returns
+    -------
+    NotebookNode
+
+    Raises
+    ------
+    MasterError : a term whose lesson does not exist, or an unknown reference in a definition
+    """
+    cells = [new_markdown_cell(_INTRODUCTION, id="glossary")]
+    for number, term in enumerate(terms, 1):
+        text = references.in_prose(f"### {term.name}\n\n{term.definition}\n\n→ [[{term.lesson}]]")
+        cells.append(new_markdown_cell(text, id=f"glossary-{number}"))
+    metadata = {"page": "glossary", "title": "Glossary", "version": version("imgproc-course")}
+    kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
+    return new_notebook(cells=cells, metadata={"kernelspec": kernel, "imgproc_course": metadata})

@@ -27,7 +27,7 @@ def master_problems(master):
     """
     problems = [*_heading_problems(master), *_name_problems(master), *_id_problems(master)]
     code_cells = [cell for cell in master.cells if cell.kind == "code"]
-    for cell, next_cell in zip(code_cells, [*code_cells[1:], None], strict=True):
+    for cell, next_cell in zip(code_cells, [*code_cells[1:], None], strict=False):
         first_line = cell.source.splitlines()[0] if cell.source else "(empty)"
         problems += [f"{cell.id}: {problem}\n    {first_line}" for problem in _cell_problems(cell, next_cell)]
     problems += [*_prediction_problems(master), *_assert_problems(master)]

@@ -8,7 +8,7 @@ from jupyter_page import ROOT, VIEW
 
 pytestmark = pytest.mark.browser
 
-LESSONS = sorted((ROOT / "notebooks").glob("*.ipynb"))
+LESSONS = sorted((ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb"))
 
 
 def test_there_are_lessons():
