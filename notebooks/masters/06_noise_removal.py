@@ -676,6 +676,22 @@ def median3(gray):
     return padded[1:-1, 1:-1].copy()
 
 
+# %% role="mistake" name="read from the copy that is written" says="Some neighbours were already replaced by their medians before they were used: you read from the same array that you write to. Write the medians into a new array, and visit the border, too."
+def median3(gray):
+    result = gray.copy()
+    for row in range(1, gray.shape[0] - 1):
+        for col in range(1, gray.shape[1] - 1):
+            result[row, col] = np.median(result[row - 1 : row + 2, col - 1 : col + 2])
+    return result
+
+
+# %% role="mistake" name="the result made anew in the loop" says="Only the last pixel has its median; all others are 0. If the result array is made inside the loops, it begins anew for each pixel: make it once, before the loops."
+def median3(gray):
+    result = np.zeros_like(gray)
+    result[-1, -1] = solution(gray)[-1, -1]
+    return result
+
+
 # %% role="mistake" name="gray overwritten" says="Your function writes into gray, so the input image is changed for everybody who uses it. Write into a new array: result = np.empty_like(gray)."
 def median3(gray):
     gray[:] = solution(gray.copy())
@@ -757,6 +773,14 @@ def median3(gray):
     for row, col in np.ndindex(height, width):
         result[row, col] = np.median(padded[row + 1 : min(row + 4, height + 2), col + 1 : min(col + 4, width + 2)])
     return result
+
+
+# %% role="mistake" name="the window too far up and left" says="The window lies one row and one column too far up and left. If the image is padded by 1, the window of the pixel (row, col) is padded[row : row + 3, col : col + 3]."
+def median3(gray):
+    height, width = gray.shape
+    padded = np.pad(gray, 2, mode="edge")
+    shifted = [padded[row : row + height, col : col + width] for row in range(3) for col in range(3)]
+    return np.median(shifted, axis=0).astype(np.uint8)
 
 
 # %% role="mistake" name="center left out" says="This is the median of eight values: the pixel itself is missing. The neighbourhood has nine values, and the pixel in the middle is one of them."
@@ -1032,6 +1056,11 @@ def my_psnr(clean, other):
     return psnr_with(mse_of(clean, other), float(clean.max()) ** 2)
 
 
+# %% role="mistake" name="the square of the largest value in uint8" says="clean.max() is a uint8 number, so its square wraps around. The peak in the formula is always 255: write 255**2."
+def my_psnr(clean, other):
+    return psnr_with(mse_of(clean, other), float(clean.max() * clean.max()))
+
+
 # %% role="mistake" name="the largest value of the other image" says="Your peak is the largest gray level of this image, other.max(). In the formula it is always 255, the largest value that a pixel can have."
 def my_psnr(clean, other):
     return psnr_with(mse_of(clean, other), float(other.max()) ** 2)
@@ -1070,6 +1099,11 @@ def my_psnr(clean, other):
 # %% role="mistake" name="size of the lesson's frame" says="You divide by 720 * 1280, the size of the lesson's frame. Divide by the number of pixels of this image, or use np.mean."
 def my_psnr(clean, other):
     return psnr_with(mse_of(clean, other) * clean.size / (720 * 1280))
+
+
+# %% role="mistake" name="return inside the loop" says="Only the first row of the images was summed. If return is inside the loop over the rows, move it to the left, below the loops."
+def my_psnr(clean, other):
+    return psnr_with(mse_of(clean[:1], other[:1]) / clean.shape[0])
 
 
 # %% role="mistake" name="divided by the number of rows" says="You divide the sum by the number of rows only. Divide by the number of pixels, height times width, or use np.mean."
@@ -1249,6 +1283,8 @@ def many_filters():
         return (image.astype(int) - 60 + errors).astype(np.uint8)
 
     return {
+        "mirrored": lambda image: image[:, ::-1].copy(),  # the first of all
+        "subtract 30": subtracting(30),  # the first that keeps all differences between pixels
         "add 10": lambda image: image + np.uint8(10),  # the first by the alphabet
         "subtract 1": subtracting(1),  # nearest to the noisy image
         "brighten bright pixels": brighten_bright,  # leaves the clean image as it is

@@ -571,6 +571,18 @@ def otsu(gray):
     return int((below.mean() + above.mean()) / 2) if above.size else t
 
 
+# %% role="mistake" name="means left out" says="Your threshold depends on the shares alone. The formula multiplies them by the squared difference of the means: w0 * w1 * (mean0 - mean1) ** 2."
+def otsu(gray):
+    return best_of(gray, lambda below, above: below.size * above.size)
+
+
+# %% role="mistake" name="the first decrease" says="The loop ends when the variance gets smaller for the first time, but it may grow again later. Try every t up to 255."
+def otsu(gray):
+    score_at = scores(gray, variance_of)
+    smaller = [t - 1 for t in score_at if score_at[t] < score_at.get(t - 1, 0)]
+    return smaller[0] if smaller else 255
+
+
 # %% role="mistake" name="the sums of the variances" says="You add the variances inside the two classes without their shares. Take the between-class variance with both shares, w0 * w1 * (mean0 - mean1) ** 2, and its largest value."
 def otsu(gray):
     return best_of(gray, lambda below, above: -below.var() - above.var())
