@@ -516,7 +516,7 @@ assert lengths_l2[2, 2] == (int(down[2, 2]) ** 2 + int(right[2, 2]) ** 2) ** 0.5
 assert down[2, 2] > 0 and right[2, 2] > 0
 
 # %% [markdown]
-# > ☕ **Pause.** The first two stages are done: the gradient, and its magnitude and direction. When you come back, run all cells above (**Run → Run All Above Selected Cell**).
+# **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 #
 # ## 5 · A ridge in one row (8 minutes)
 #
@@ -1300,7 +1300,7 @@ def double_threshold(thinned, low, high):
 
 
 # %% [markdown]
-# > ☕ **Pause.** Only one stage is missing. When you come back, run all cells above.
+# **This is a good place for a second pause.** Only one stage is missing. When you come back, choose **Run → Run All Above Selected Cell**.
 #
 # ## 9 · Edge tracking by hysteresis (15 minutes)
 #

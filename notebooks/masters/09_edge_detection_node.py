@@ -267,7 +267,7 @@ if ros_available():
 assert different == 0
 
 # %% [markdown]
-# > ☕ **Pause.** From here on, the lesson does not need the node. When you come back, run all cells above.
+# **This is a good place for a pause.** From here on, the lesson does not need the node. When you come back, choose **Run → Run All Above Selected Cell**.
 #
 # ## 4 · Which edges are right? (12 minutes)
 #
