@@ -1105,8 +1105,9 @@ for s, sigma in enumerate(sigmas):
     axes[s].set_yticks(range(len(lows)), lows)
     axes[s].set(xlabel="high", ylabel="low")
     i, j = lows.index(best[sigma][0]), highs.index(best[sigma][1])
-    axes[s].add_patch(Rectangle((j - 0.5, i - 0.5), 1, 1, fill=False,
-                                edgecolor="red", linewidth=4))
+    frame_of_best = Rectangle((j - 0.5, i - 0.5), 1, 1, clip_on=False,
+                              fill=False, edgecolor="red", linewidth=4)
+    axes[s].add_patch(frame_of_best)
 show_figure(figure, text=figure_texts["maps"])
 
 # %%
