@@ -440,21 +440,22 @@ exercise(
     refused=("cv2", "imgproc_course.imaging"),
     hint="Widen, compute, round, narrow, in this order.",
     hints=(
-        "Which channel is `bgr[..., 0]`, and which weight belongs to it? And which dtype can hold 255 * 19235?",
-        "Four steps. Widen the frame with `astype(np.uint32)`. Multiply each channel by its weight (blue 3735,"
-        " green 19235, red 9798) and add the three products. Round: add 2**14, then shift with `>> 15`."
-        " Narrow with `astype(np.uint8)`.",
+        "Which channel is bgr[..., 0], and which weight belongs to it? And which dtype can hold 255 * 19235?",
+        "1. Widen the frame with astype(np.uint32).\n"
+        "2. Multiply each channel by its weight (blue 3735, green 19235, red 9798) and add the three products.\n"
+        "3. Round: add 2**14, then shift with >> 15.\n"
+        "4. Narrow with astype(np.uint8).",
         "wide = bgr.astype(np.uint32)\n"
         "total = wide[..., 0] * 3735 + wide[..., 1] * ... + wide[..., 2] * ...\n"
         "return ((total + ...) >> 15).astype(...)",
     ),
-    explanation="`astype(np.uint32)` comes first, because a product such as 255 * 19235 does not fit into uint8"
-    " or uint16. `wide[..., 0]` is the blue channel of all pixels, so one line computes the sum for the whole"
-    " frame. `+ 2**14` makes `>> 15` round to the nearest integer instead of rounding down. The parentheses are"
-    " needed, because Python computes `+` before `>>`, and the result must be narrowed last.",
+    explanation="astype(np.uint32) comes first, because a product such as 255 * 19235 does not fit into uint8"
+    " or uint16. wide[..., 0] is the blue channel of all pixels, so one line computes the sum for the whole"
+    " frame. + 2**14 makes >> 15 round to the nearest integer instead of rounding down. The parentheses are"
+    " needed, because Python computes + before >>, and the result must be narrowed last.",
     border_hint="Every pixel gets its luma from its own three channels, also in the last row and the last column. Do your"
     " loops run to the end: range(height) and range(width)?",
-    another_way="You can also write the sum as `(wide * [3735, 19235, 9798]).sum(axis=-1)`, or compute it pixel by"
+    another_way="You can also write the sum as (wide * [3735, 19235, 9798]).sum(axis=-1), or compute it pixel by"
     " pixel in two loops over the rows and columns.",
 )
 

@@ -462,19 +462,20 @@ exercise(
     refused=(),
     hint="cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY) computes it; put the result into a dictionary.",
     hints=(
-        "What does `make_gray` in section 5 return: an array, or an array with a name? And which call of OpenCV"
-        " gives the same gray image as `to_gray`?",
-        "Convert the frame with `cv2.cvtColor` and the conversion code `cv2.COLOR_BGR2GRAY`. Put the result into a"
-        " dictionary: the key is the text `\"gray\"`, the value is the image. Return the dictionary.",
+        "What does make_gray in section 5 return: an array, or an array with a name? And which call of OpenCV"
+        " gives the same gray image as to_gray?",
+        "1. Convert the frame with cv2.cvtColor and the conversion code cv2.COLOR_BGR2GRAY.\n"
+        "2. Put the result into a dictionary: the key is the text \"gray\", the value is the image.\n"
+        "3. Return the dictionary.",
         'gray = cv2.cvtColor(frame, ...)\nreturn {"gray": ...}',
     ),
-    explanation="`cv2.cvtColor` makes a new array, so the frame does not change. The conversion code begins with"
+    explanation="cv2.cvtColor makes a new array, so the frame does not change. The conversion code begins with"
     " BGR, because the node reads every image as bgr8. The node takes the key as the name of the topic: the image"
-    " under `\"gray\"` is published on `~/gray`.",
+    " under \"gray\" is published on ~/gray.",
     border_hint="Every pixel gets its gray level from its own three channels, also at the border of the image. Do you"
     " change or leave out the first or last rows or columns?",
-    another_way="You can also call `to_gray(frame)`, if you write its import line"
-    " (`from imgproc_course.imaging import to_gray`) in the answer cell.",
+    another_way="You can also call to_gray(frame), if you write its import line"
+    " (from imgproc_course.imaging import to_gray) in the answer cell.",
 )
 
 

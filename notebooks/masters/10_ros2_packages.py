@@ -487,17 +487,19 @@ exercise(
     time_limit=5,
     hint="The parts are: install, package, lib, package, executable. The executable has the name of the package.",
     hints=(
-        "Look at the path in section 6: which folders come after `install`, and how often does the name of the"
+        "Look at the path in section 6: which folders come after install, and how often does the name of the"
         " package occur?",
-        "The parts, in this order, are: `install`, the name of the package, `lib`, the name of the package, and the"
-        " executable, which has the name of the package too. Join them with `/`, and return a string.",
+        "1. The parts are, in this order: install, the name of the package, lib, the name of the package, and the"
+        " executable, which has the name of the package too.\n"
+        "2. Join them with / between them.\n"
+        "3. Return the string.",
         'return f"{install}/{...}/lib/{...}/{...}"',
     ),
     explanation="An f-string replaces each name in braces by its value. The package's name occurs three times: each"
-    " package has a folder of its own in `install`, a folder of its own in `lib`, and here its executable has the"
-    " same name. The path begins with `install` exactly as it is given, and nothing is searched on the disk.",
-    another_way='You can also write `"/".join([install, package, "lib", package, package])`, or'
-    " `(Path(install) / package / \"lib\" / package / package).as_posix()`.",
+    " package has a folder of its own in install, a folder of its own in lib, and here its executable has the"
+    " same name. The path begins with install exactly as it is given, and nothing is searched on the disk.",
+    another_way='You can also write "/".join([install, package, "lib", package, package]), or'
+    " (Path(install) / package / \"lib\" / package / package).as_posix().",
 )
 
 
