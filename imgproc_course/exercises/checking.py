@@ -237,7 +237,4 @@ def _explains(mistake, calls):
 def _does_the_same(mistake, case_call):
     position = [id(expected.arguments) for expected in case_call.case.calls].index(id(case_call.arguments))
     predicted = mistake.results[case_call.case.id][position]
-    # Two different errors may have the same type.
-    return case_call.result.message == predicted.message and case_call.result.matches(
-        predicted, case_call.case.tolerance
-    )
+    return case_call.result.matches(predicted, case_call.case.tolerance)

@@ -67,8 +67,9 @@ class CallResult:
         return not self.error and not self.timed_out
 
     def matches(self, other, tolerance):
-        """Whether two calls did the same: the same error, or equal values."""
-        if (self.error, self.timed_out, self.changed) != (other.error, other.timed_out, other.changed):
+        """Whether two calls did the same: the same error with the same message, or equal values."""
+        ends = [(call.error, call.message, call.timed_out, call.changed) for call in (self, other)]
+        if ends[0] != ends[1]:
             return False
         return not self.finished or compare(other.value, self.value, tolerance) is None
 

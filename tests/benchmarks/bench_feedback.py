@@ -11,7 +11,9 @@ quoted. An answer's feedback is
 
     .venv/bin/python tests/benchmarks/bench_feedback.py [--exercise ID] [--list]
 
-Measured on the 394 answers of 15 exercises, before the feedback was changed: 29.9 % right, 9.9 % false.
+Measured before the feedback was changed, on 394 answers to 15 exercises: 29.9 % right, 9.9 % false. After
+it, on 626 answers to 29 exercises: 99.7 % right, none false. The answers were written without
+the feedback, but the known mistakes of the exercises with the answers: new answers get a smaller share.
 """
 
 import ast

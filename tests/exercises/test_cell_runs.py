@@ -70,7 +70,7 @@ def test_an_error_before_the_function_gets_its_advice():
 
 # ---------------------------------------------------------------- real kernels
 
-MASTER_CHECK = (
+CHECK_CELL = (
     "from imgproc_course.exercises import check\nresult = check('start-count', count_pixels)\nprint(result)"
 )
 
@@ -109,7 +109,7 @@ def checked(kernel):
 
     def check_after(source):
         run(kernel, source)
-        return run(kernel, MASTER_CHECK)
+        return run(kernel, CHECK_CELL)
 
     return check_after
 
@@ -138,6 +138,28 @@ def test_in_a_kernel_a_new_name_leaves_an_older_function(checked):
     assert "Your cell defines countpixels()" in text and "checks pass" not in text
 
 
+def run_cell(kernel, source, cell_id):
+    """Run a cell as JupyterLab does, with the id of the cell."""
+    content = {"code": source, "silent": False, "store_history": True, "stop_on_error": False}
+    message = kernel.session.msg("execute_request", content, metadata={"cellId": cell_id})
+    kernel.shell_channel.send(message)
+    while kernel.get_shell_msg(timeout=60)["parent_header"].get("msg_id") != message["header"]["msg_id"]:
+        pass
+
+
+def test_in_a_kernel_the_answer_cell_is_known_by_its_id(kernel, checked):
+    run_cell(kernel, RIGHT, "answer-start-count")
+    run_cell(kernel, RIGHT.replace("count_pixels", "how_many"), "answer-start-count")
+    text = run(kernel, CHECK_CELL)
+    assert (
+        "Your cell defines how_many(), and this exercise needs a function with the name count_pixels()"
+        in text
+    )
+    run_cell(kernel, RIGHT, "answer-start-count")
+    run_cell(kernel, RIGHT.replace("count_pixels", "count_pixel"), "answer-another-exercise")
+    assert "both checks pass" in run(kernel, CHECK_CELL)
+
+
 def test_in_a_kernel_the_repaired_cell_passes_again(checked):
     checked(RIGHT.replace(":\n", "\n"))
     assert "both checks pass" in checked(RIGHT)
@@ -145,4 +167,4 @@ def test_in_a_kernel_the_repaired_cell_passes_again(checked):
 
 def test_in_a_kernel_a_cell_that_checks_its_own_function(checked):
     checked(RIGHT.replace(":\n", "\n"))
-    assert "both checks pass" in checked(f"{RIGHT}\n{MASTER_CHECK}")
+    assert "both checks pass" in checked(f"{RIGHT}\n{CHECK_CELL}")

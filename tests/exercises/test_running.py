@@ -164,3 +164,9 @@ def test_an_overflow_is_the_warning_that_is_told():
         return np.uint8(255) + np.uint8(1)
 
     assert "overflow" in run(warns, 0).warning
+
+
+def test_two_errors_are_the_same_only_with_the_same_message():
+    first, second = run(lambda a: a[3], (0,)), run(lambda a: [0][3], (0,))
+    assert first.error == second.error == "IndexError" and not first.matches(second, 0.0)
+    assert first.matches(run(lambda a: a[4], (0,)), 0.0)
