@@ -127,9 +127,9 @@ print("difference", difference)
 compare_guess(guess_positions, np.flatnonzero(difference))  # where it is not 0
 
 # %% [markdown]
-# This is a **correlation** with the kernel `[-1, 0, 1]`. As in [[noise_removal]], the kernel *slides* along the row. At each pixel, every weight is multiplied by the gray level under it, and the products are added. The result is the *filter response*. Here the response is 0 where the gray level does not change. At the step it is the height of the step, 150. A step from bright to dark gives a negative response.
+# This is a **[[term:correlation]]** with the kernel `[-1, 0, 1]`. As in [[noise_removal]], the kernel *slides* along the row. At each pixel, every weight is multiplied by the gray level under it, and the products are added. The result is the *[[term:filter response]]*. Here the response is 0 where the gray level does not change. At the step it is the height of the step, 150. A step from bright to dark gives a negative response.
 #
-# A **convolution** first flips the kernel, here to `[1, 0, -1]`. So every response changes its sign. OpenCV's filters compute the correlation; `np.convolve` and many textbooks compute the convolution. In the next cell, `mode="valid"` means: only where the whole kernel lies inside the padded row.
+# A **[[term:convolution]]** first flips the kernel, here to `[1, 0, -1]`. So every response changes its sign. OpenCV's filters compute the correlation; `np.convolve` and many textbooks compute the convolution. In the next cell, `mode="valid"` means: only where the whole kernel lies inside the padded row.
 
 # %%
 correlated = np.correlate(padded, [-1, 0, 1], mode="valid")
@@ -145,7 +145,7 @@ assert (correlated == difference).all() and (convolved == -correlated).all()
 # %% [markdown]
 # ## 2 · The Sobel kernel, one window by hand (12 minutes)
 #
-# Noise easily disturbs the differences in a single row. The **Sobel kernel** combines three rows, and gives the middle row double weight:
+# Noise easily disturbs the differences in a single row. The **[[term:Sobel kernel]]** combines three rows, and gives the middle row double weight:
 #
 # $$\begin{bmatrix}-1&0&1\\-2&0&2\\-1&0&1\end{bmatrix}$$
 #
@@ -188,13 +188,13 @@ for col in (1, 2, 3):
     print("around column", col, "response", (window * kernel).sum())
 
 # %% [markdown]
-# A *horizontal edge* needs the *transposed* kernel: its rows become columns. NumPy writes `kernel.T`. It computes the row below minus the row above.
+# A *horizontal edge* needs the *[[term:transposed]]* kernel: its rows become columns. NumPy writes `kernel.T`. It computes the row below minus the row above.
 
 # %%
 print(kernel.T)
 
 # %% [markdown]
-# The course's function `sobel` does this for all pixels, with both kernels. It returns two arrays: `grad_row`, the change *down a column*, from row to row, and `grad_col`, the change *along a row*, from column to column. Together they are the **gradient**.
+# The course's function `sobel` does this for all pixels, with both kernels. It returns two arrays: `grad_row`, the change *down a column*, from row to row, and `grad_col`, the change *along a row*, from column to column. Together they are the **[[term:gradient]]**.
 
 # %%
 grad_row, grad_col = sobel(step)
@@ -205,7 +205,7 @@ show([step, grad_col, grad_row],
 # %% [markdown]
 # The factor **4** is important: all thresholds below are compared with the Sobel response, not with gray levels. At a vertical or horizontal edge, a threshold of 50 means a step of 12.5 gray levels, and a threshold of 150 means a step of 37.5.
 #
-# The Sobel kernel is *separable*: it smooths with 1, 2, 1 in one direction, and takes the difference with −1, 0, 1 in the other direction. These two small filters, one after the other, give the same result with less work.
+# The Sobel kernel is *[[term:separable filter|separable]]*: it smooths with 1, 2, 1 in one direction, and takes the difference with −1, 0, 1 in the other direction. These two small filters, one after the other, give the same result with less work.
 
 # %%
 # Check: the numbers in this section
@@ -448,7 +448,7 @@ def my_sobel(gray):
 # %% [markdown]
 # ## 4 · Gradient magnitude and direction (12 minutes)
 #
-# The gradient of a pixel is an arrow: `grad_col` to the right, `grad_row` down. The arrow points from dark to bright, at a right angle to the edge: this is the **gradient direction** (or orientation). The length of the arrow is the **gradient magnitude**. A *norm* is a way to measure a length. Canny uses one of two norms:
+# The gradient of a pixel is an arrow: `grad_col` to the right, `grad_row` down. The arrow points from dark to bright, at a right angle to the edge: this is the **[[term:gradient direction]]** (or orientation). The length of the arrow is the **[[term:gradient magnitude]]**. A *norm* is a way to measure a length. Canny uses one of two norms:
 #
 # - the **L2 norm** √(grad_row² + grad_col²) is the length that you measure with a ruler,
 # - the **L1 norm** |grad_row| + |grad_col| is the way along the rows and columns, as a taxi drives around blocks. It is faster to compute, and `cv2.Canny` uses it by default.
@@ -494,7 +494,7 @@ show(np.minimum(all_magnitudes, 500), "magnitude (L1), up to 500",
      text=figure_texts["magnitude"])
 
 # %% [markdown]
-# The figure below shows the direction as the *hue* of a colour, and the magnitude as its brightness. Hue is the place of a colour on the colour wheel: red, yellow, green, blue and back to red. It is an angle. OpenCV's *HSV* image has three channels: hue (in steps of two degrees), saturation (255 is a full colour), and value (the brightness).
+# The figure below shows the direction as the *[[term:hue]]* of a colour, and the magnitude as its brightness. Hue is the place of a colour on the colour wheel: red, yellow, green, blue and back to red. It is an angle. OpenCV's *HSV* image has three channels: hue (in steps of two degrees), saturation (255 is a full colour), and value (the brightness).
 
 # %%
 angle = gradient_angle(stages.grad_row, stages.grad_col)
@@ -520,7 +520,7 @@ assert down[2, 2] > 0 and right[2, 2] > 0
 #
 # ## 5 · A ridge in one row (8 minutes)
 #
-# An edge should be one pixel wide. But if the intensity changes over a few pixels, the response is also a few pixels wide: the magnitudes form a *ridge*, like a mountain ridge. Here is a soft step:
+# An edge should be one pixel wide. But if the intensity changes over a few pixels, the response is also a few pixels wide: the magnitudes form a *[[term:ridge]]*, like a mountain ridge. Here is a soft step:
 #
 # `50  50  60  90  150  190  200  200`
 #
@@ -755,7 +755,7 @@ show([wall, wall_magnitude, wall_thinned],
      ["gray", "magnitude", "peaks of each row"], text=figure_texts["small"])
 
 # %% [markdown]
-# But left and right are the right neighbours only at a vertical edge. In general, Canny compares each pixel with its two neighbours *along its gradient*, across the edge, and keeps the pixel only if its magnitude is a maximum. This is **non-maximum suppression**. The gradient can point in any direction, but a pixel has only eight neighbours. So the direction is rounded to one of four *sectors*:
+# But left and right are the right neighbours only at a vertical edge. In general, Canny compares each pixel with its two neighbours *along its gradient*, across the edge, and keeps the pixel only if its magnitude is a maximum. This is **[[term:non-maximum suppression]]**. The gradient can point in any direction, but a pixel has only eight neighbours. So the direction is rounded to one of four *sectors*:
 #
 # | sector | the gradient points | first neighbour | second neighbour | a pixel is kept if it is |
 # |---|---|---|---|---|
@@ -1104,7 +1104,7 @@ def suppress(magnitude, sector):
 # %% [markdown]
 # ## 8 · The double threshold (8 minutes)
 #
-# Which ridges are edges? A single threshold is not enough. If it is low, the wood pattern of the floor becomes edges. If it is high, outlines get gaps. Canny uses a **double threshold**. A pixel above `high` is a **strong** edge pixel: it is always an edge. A pixel above `low`, but not above `high`, is a **weak** edge pixel: it may be an edge. All other pixels are background.
+# Which ridges are edges? A single threshold is not enough. If it is low, the wood pattern of the floor becomes edges. If it is high, outlines get gaps. Canny uses a **[[term:double threshold]]**. A pixel above `high` is a **strong** edge pixel: it is always an edge. A pixel above `low`, but not above `high`, is a **weak** edge pixel: it may be an edge. All other pixels are background.
 #
 # A comparison such as `row > 150` gives a bool array: True or False for each pixel. Three signs combine bool arrays pixel by pixel: `&` means *and*, `|` means *or*, and `~` means *not*. (Python's words `and`, `or` and `not` work only with single values.) Each comparison needs parentheses, because Python computes `&`, `|` and `~` first.
 #
@@ -1304,9 +1304,9 @@ def double_threshold(thinned, low, high):
 #
 # ## 9 · Edge tracking by hysteresis (15 minutes)
 #
-# All strong pixels are edges. A weak pixel becomes an edge if at least one of its eight neighbours is an edge. The neighbours at the corners count too: this is *8-connectivity*. (With *4-connectivity* only the four neighbours at the sides count.) So edges grow from the strong pixels, step by step along the weak pixels, until nothing changes. This is **edge tracking by hysteresis**. (*Hysteresis* means here: an edge needs the high threshold to start, but only the low threshold to continue.)
+# All strong pixels are edges. A weak pixel becomes an edge if at least one of its eight neighbours is an edge. The neighbours at the corners count too: this is *8-connectivity*. (With *4-connectivity* only the four neighbours at the sides count.) So edges grow from the strong pixels, step by step along the weak pixels, until nothing changes. This is **[[term:hysteresis|edge tracking by hysteresis]]**. (*Hysteresis* means here: an edge needs the high threshold to start, but only the low threshold to continue.)
 #
-# In other words: weak and strong pixels that touch each other form a **connected component**. If at least one pixel of a component is strong, the whole component is an edge.
+# In other words: weak and strong pixels that touch each other form a **[[term:connected component]]**. If at least one pixel of a component is strong, the whole component is an edge.
 #
 # The next cell defines one step of growth. `padded[row : row + height, col : col + width]` is the image shifted by one pixel or not at all. Together, the nine shifted copies contain each pixel's 3 × 3 neighbourhood, so `near_edge` is True where at least one pixel of it is an edge. (`a |= b` means `a = a | b`.)
 

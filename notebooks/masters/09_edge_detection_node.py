@@ -81,7 +81,7 @@ figure_texts = {
 #
 # This node differs from the node of [[grayscale_node]] in two ways: its function returns several images, and it has parameters.
 #
-# On a robot, speed is important, so the function calls OpenCV, as the node of [[ros2_packages]] does. The folded cell below checks that the gray image and the edges are the same as those of [[grayscale]] and [[canny_stages]], for every pixel. `sigma` is the standard deviation of the Gaussian blur, in pixels; 0 means no blur.
+# On a robot, speed is important, so the function calls OpenCV, as the node of [[ros2_packages]] does. The folded cell below checks that the gray image and the edges are the same as those of [[grayscale]] and [[canny_stages]], for every pixel. `sigma` is the [[term:standard deviation]] of the Gaussian blur, in pixels; 0 means no blur.
 
 # %%
 def edges_of(gray, low=50, high=150, sigma=0.0):
@@ -116,7 +116,7 @@ assert (edges_of(gray, 50, 150, 2.0) == canny(gray, 50, 150, sigma=2.0)).all()
 assert outputs["view"].shape == (720, 3 * 1280, 3)
 
 # %% [markdown]
-# Each of the three numbers becomes a *ROS parameter* with a range and a description. You can change it while the node runs. Before the node uses new values, it calls our function `check_thresholds`, which checks all values together. If the function raises an error, the node keeps its old values.
+# Each of the three numbers becomes a *[[term:ROS parameter]]* with a range and a description. You can change it while the node runs. Before the node uses new values, it calls our function `check_thresholds`, which checks all values together. If the function raises an error, the node keeps its old values.
 
 # %%
 def check_thresholds(low, high, sigma):
@@ -191,7 +191,7 @@ else:
 assert view.running
 
 # %% [markdown]
-# Now we count. Here a *line* is a **connected component** of edge pixels: pixels that touch each other, with 8-connectivity (so pixels that touch only at a corner are connected, too). `cv2.connectedComponents` gives each component a number.
+# Now we count. Here a *line* is a **[[term:connected component]]** of edge pixels: pixels that touch each other, with 8-connectivity (so pixels that touch only at a corner are connected, too). `cv2.connectedComponents` gives each component a number.
 
 # %%
 def count_lines(edges):
@@ -271,7 +271,7 @@ assert different == 0
 #
 # ## 4 · Which edges are right? (12 minutes)
 #
-# To decide which edges are better, we need a **ground truth**: the right result, from another source than the node. The recording has a *label image* for each frame: the value of each of its pixels is the number of the object that the pixel shows. If two neighbouring pixels show different objects, there is a true *outline* between them.
+# To decide which edges are better, we need a **[[term:ground truth]]**: the right result, from another source than the node. The recording has a *[[term:label image]]* for each frame: the value of each of its pixels is the number of the object that the pixel shows. If two neighbouring pixels show different objects, there is a true *outline* between them.
 #
 # The next cell compares each pixel with its right neighbour, and with the neighbour below. (`mask[:, :-1] |= ...` means: keep what is True already, and add what is new. `labels[:, :-1]` is all columns but the last, `labels[:, 1:]` all columns but the first.)
 
@@ -292,10 +292,10 @@ print("edge pixels   ", (outputs["edges"] > 0).sum())
 # %% [markdown]
 # We want the edges to show the outlines, and nothing else. An edge pixel on an outline is a *true positive*. An edge pixel elsewhere is a *false positive*: there is no outline. An outline pixel without an edge is a *false negative*: the node has missed it. From these we compute two numbers:
 #
-# - **precision**: the share of the edge pixels that are true positives. If it is low, the node "sees ghosts": many of its edges are not outlines.
-# - **recall**: the share of the outline pixels that were detected. If it is low, the node "is blind": it misses many outlines.
+# - **[[term:precision]]**: the share of the edge pixels that are true positives. If it is low, the node "sees ghosts": many of its edges are not outlines.
+# - **[[term:recall]]**: the share of the outline pixels that were detected. If it is low, the node "is blind": it misses many outlines.
 #
-# **F1** combines both numbers in one. It is their *harmonic mean*, a mean that is closer to the smaller of the two numbers. So F1 is high only if both are high:
+# **[[term:F1]]** combines both numbers in one. It is their *[[term:harmonic mean]]*, a mean that is closer to the smaller of the two numbers. So F1 is high only if both are high:
 #
 # $$F_1 = \frac{2 \cdot \text{precision} \cdot \text{recall}}{\text{precision} + \text{recall}}$$
 #
@@ -333,7 +333,7 @@ assert both == 3 and precision == 3 / 4 and recall == 3 / 5 and round(float(f1),
 #
 # "On an outline" is too strict: the outline lies *between* two objects, and an edge may be one pixel beside it. So we accept a **tolerance**: an edge pixel counts if an outline pixel is *near*. With a tolerance of 1, near means at most one row *and* at most one column away: the 3 × 3 neighbourhood of a pixel.
 #
-# You know this from `grow_once` in [[canny_stages#9]]: pad the mask with False, and combine the nine shifted copies with `|`. (This operation is called *dilation*. It makes a mask larger by some pixels in every direction.)
+# You know this from `grow_once` in [[canny_stages#9]]: pad the mask with False, and combine the nine shifted copies with `|`. (This operation is called *[[term:dilation]]*. It makes a mask larger by some pixels in every direction.)
 
 # %%
 height, width = small_outlines.shape
