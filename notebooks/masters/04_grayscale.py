@@ -104,7 +104,7 @@ print("sum:", total[0])
 compare_guess(guess_wrapped, wrapped[0])
 
 # %% [markdown]
-# The result is 18 instead of 103, and NumPy does not warn you. A `uint8` holds at most 255. After 255 the values start again at 0. This is called *overflow*, or *wrap-around*. Here 30 + 60 + 220 = 310 becomes 310 − 256 = 54, and a third of 54 is 18.
+# The result is 18 instead of 103, and NumPy does not warn you. A `uint8` holds at most 255. After 255 the values start again at 0. This is called *[[term:overflow]]*, or *wrap-around*. Here 30 + 60 + 220 = 310 becomes 310 − 256 = 54, and a third of 54 is 18.
 #
 # We want to see the effect on a whole frame. For this we need the blue channel of every pixel. **Predict** the shape of `frame[0]`: is it the blue channel?
 
@@ -169,7 +169,7 @@ patches[:, 2:4, 1] = 255  # two of pure green,
 patches[:, 4:6, 2] = 255  # and two of pure red
 
 # %% [markdown]
-# The next cell draws them, and the results of three methods: the *average*; the *lightness* (the mean of the largest and the smallest channel); and *luma*, which is explained below. **Predict** which colour looks brightest to *you*, and has the largest luma.
+# The next cell draws them, and the results of three methods: the *average*; the *[[term:lightness]]* (the mean of the largest and the smallest channel); and *luma*, which is explained below. **Predict** which colour looks brightest to *you*, and has the largest luma.
 
 # %% role="predict"
 guess_brightest = None  # your guess: "blue", "green" or "red"?
@@ -189,7 +189,7 @@ print("lightness", lightness_gray(patches)[0, ::2])
 print("luma     ", luma_patches[0, ::2])
 
 # %% [markdown]
-# For human eyes, green contributes most to the brightness, and blue contributes little. People measured this, and a television standard (ITU-R BT.601) defines three weights. The sum of the weighted channels is called **luma**:
+# For human eyes, green contributes most to the brightness, and blue contributes little. People measured this, and a television standard (ITU-R BT.601) defines three weights. The sum of the weighted channels is called **[[term:luma]]**:
 #
 # $$Y = 0.299\,R + 0.587\,G + 0.114\,B$$
 #
@@ -222,7 +222,7 @@ print("2**15:", 2**15)
 # %% [markdown]
 # The sum of the rounded weights is 32769, one more than 2¹⁵. But the weights of a weighted mean must add up to exactly 1; here, multiplied by 2¹⁵, they must add up to 32768. Otherwise the result is a little too large. OpenCV subtracts 1 from the smallest weight, the one of blue. So its weights are 3735, 19235 and 9798.
 #
-# `>> 15` (a shift by 15 bits) is a fast way to write `// 2**15`. Like `//`, it *truncates*: it drops the fraction. To *round* to the nearest integer, add half of 32768 (2¹⁴ = 16384) first. **Predict** both results for a sum that stands for 104.76.
+# `>> 15` (a shift by 15 bits) is a fast way to write `// 2**15`. Like `//`, it *[[term:truncate|truncates]]*: it drops the fraction. To *round* to the nearest integer, add half of 32768 (2¹⁴ = 16384) first. **Predict** both results for a sum that stands for 104.76.
 
 # %% role="predict"
 guess_both = None  # your guess: truncated and rounded, such as (7, 8)?
@@ -389,7 +389,7 @@ assert to_gray(pair)[0, 0] == to_gray(pair)[0, -1]
 # %% [markdown]
 # ## 9 · A pixel value is not an amount of light (6 minutes)
 #
-# A camera does not store the amount of light. It stores a *gamma-encoded* number: this encoding uses more gray levels for dark tones, because our eyes see small differences there. The sRGB standard defines the formula that calculates the amount of light from the number; `linear_light` uses it.
+# A camera does not store the amount of light. It stores a *[[term:gamma|gamma-encoded]]* number: this encoding uses more gray levels for dark tones, because our eyes see small differences there. The sRGB standard defines the formula that calculates the amount of light from the number; `linear_light` uses it.
 #
 # Does a pixel of 200 mean twice as much light as a pixel of 100? **Predict** how many times as much light it means.
 
@@ -402,7 +402,7 @@ print("fraction of full light at 50, 100, 200, 255:", light.round(3))
 compare_guess(guess_light, round(float(light[2] / light[1]), 1))
 
 # %% [markdown]
-# Here twice the number means 4.5 times the light. Luma is a weighted mean of the *numbers*. The *luminance* is a weighted mean of the *light*. To compare the two, we encode the luminance as a gray level again. For grays both give the same gray level, for pale colours nearly the same. For saturated (strong) colours they differ:
+# Here twice the number means 4.5 times the light. Luma is a weighted mean of the *numbers*. The *[[term:luminance]]* is a weighted mean of the *light*. To compare the two, we encode the luminance as a gray level again. For grays both give the same gray level, for pale colours nearly the same. For saturated (strong) colours they differ:
 
 # %%
 by_light = linear_light_gray(patches)

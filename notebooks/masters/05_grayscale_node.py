@@ -51,7 +51,7 @@ figure_texts = {
 # %% [markdown]
 # ## 1 · A callback is a function that ROS calls (10 minutes)
 #
-# **Ask.** Until now you called `wait` and waited for an image. A node does not wait. It subscribes to a topic and passes a function, its *callback*. ROS calls this function for every message that arrives. This is the way of an image through a grayscale node:
+# **Ask.** Until now you called `wait` and waited for an image. A node does not wait. It subscribes to a topic and passes a function, its *[[term:callback]]*. ROS calls this function for every message that arrives. This is the way of an image through a grayscale node:
 #
 # ```mermaid
 # flowchart LR
@@ -99,7 +99,7 @@ assert not ros_available() or 10 <= len(stamps) <= 25 * cameras
 # %% [markdown]
 # ROS called the function about twenty times, although your cell only slept. (If another lesson is still open, it publishes the drive too. Then there are two cameras, and you see about forty calls.)
 #
-# How can this be? The callback ran in a background *thread*. A thread is a part of a program that runs at the same time as the other parts. Your cells run in the main thread. In the background thread, an *executor* waits for messages and calls the callbacks, again and again. This is called *spinning*.
+# How can this be? The callback ran in a background *[[term:thread]]*. A thread is a part of a program that runs at the same time as the other parts. Your cells run in the main thread. In the background thread, an *[[term:executor]]* waits for messages and calls the callbacks, again and again. This is called *[[term:spin|spinning]]*.
 #
 # ```mermaid
 # flowchart LR
@@ -117,7 +117,7 @@ assert not ros_available() or 10 <= len(stamps) <= 25 * cameras
 #
 # ## 2 · A class in ten lines (10 minutes)
 #
-# In Python, a node is written as a *class*. If you have never written a class, this section is for you. It does not use ROS. A class describes objects: which values they have, and what they can do. Here is a bell. Whoever wants to know when it rings gives it a callback.
+# In Python, a node is written as a *[[term:class]]*. If you have never written a class, this section is for you. It does not use ROS. A class describes objects: which values they have, and what they can do. Here is a bell. Whoever wants to know when it rings gives it a callback.
 
 # %%
 class Bell:
@@ -134,7 +134,7 @@ class Bell:
 
 
 # %% [markdown]
-# - `class Bell:` begins the class. The functions inside it are its *methods*.
+# - `class Bell:` begins the class. The functions inside it are its *[[term:method|methods]]*.
 # - `Bell("front door")` will create an object. Python then calls the method `__init__`.
 # - `self` is the object itself. Python passes it as the first argument of every method; you do not write it in the call.
 # - `self.name` is a value that belongs to the object, an *attribute*. Each bell has its own name and its own list of callbacks.
@@ -167,7 +167,7 @@ assert rung == ["front door", "front door"]
 # %% [markdown]
 # You never called `on_ring`. The bell called it, once for each ring. In the same way, ROS calls your callback once for each message.
 #
-# A class can extend another class. `CountingBell(Bell)` *inherits* from `Bell`: it has everything that `Bell` has, and more. `super().__init__(name)` runs the `__init__` of `Bell` first, which sets the name and the list. A method can be a callback too: `self.on_ring`.
+# A class can extend another class. `CountingBell(Bell)` *[[term:inherit|inherits]]* from `Bell`: it has everything that `Bell` has, and more. `super().__init__(name)` runs the `__init__` of `Bell` first, which sets the name and the list. A method can be a callback too: `self.on_ring`.
 
 # %%
 class CountingBell(Bell):
@@ -294,10 +294,10 @@ if ros_available():
 
 # %% [markdown]
 # **The code, explained**
-# 1. `GrayNode` inherits from ROS's class `Node`. `"gray_by_hand"` is the node's name. Other programs see it in the *ROS graph*: the network of all running nodes and topics. The *context* holds the state of ROS in one program; a script does not need to pass one.
-# 2. The node creates a *publisher* for messages of the type `Image` on `~/gray`. ROS replaces `~` by the node's name: `/gray_by_hand/gray`. So a node with another name publishes on another topic.
-# 3. The node creates a *subscription* to the camera's topic. The callback is the method `on_image`, without parentheses.
-# 4. The node *logs* one line of information when it starts. A node does not use `print`: a log line also has a time, a level (`INFO`, `WARN`, `ERROR`) and the node's name.
+# 1. `GrayNode` inherits from ROS's class `Node`. `"gray_by_hand"` is the node's name. Other programs see it in the *[[term:ROS graph]]*: the network of all running nodes and topics. The *[[term:context]]* holds the state of ROS in one program; a script does not need to pass one.
+# 2. The node creates a *[[term:publisher]]* for messages of the type `Image` on `~/gray`. ROS replaces `~` by the node's name: `/gray_by_hand/gray`. So a node with another name publishes on another topic.
+# 3. The node creates a *[[term:subscription]]* to the camera's topic. The callback is the method `on_image`, without parentheses.
+# 4. The node *[[term:log|logs]]* one line of information when it starts. A node does not use `print`: a log line also has a time, a level (`INFO`, `WARN`, `ERROR`) and the node's name.
 # 5. `image_to_array` converts the message to an array with the channels blue, green, red, whatever the message's encoding is.
 # 6. If an image cannot be converted, the node logs the error and skips the image. One wrong message must not end the node.
 # 7. This is the only line that processes the image. It does not use ROS.

@@ -8,12 +8,12 @@
 # %% [markdown]
 # # ROS 2 packages
 #
-# A node in a notebook stops when the notebook stops. A *script* is a program of its own. On a robot, nodes belong to *packages*. A package is a folder with a fixed structure; you can build it, install it and start its nodes by name. Here you build two packages, `image_gray_processor` and `image_edge_detection`, and run their nodes outside this notebook.
+# A node in a notebook stops when the notebook stops. A *script* is a program of its own. On a robot, nodes belong to *[[term:package|packages]]*. A package is a folder with a fixed structure; you can build it, install it and start its nodes by name. Here you build two packages, `image_gray_processor` and `image_edge_detection`, and run their nodes outside this notebook.
 #
 # **You will be able to**
 # - read a node that is a complete script, from `rclpy.init` to `shutdown`, and run it in a terminal,
-# - explain each file of an `ament_python` package (a ROS 2 package in Python; *ament* is the build system of ROS 2),
-# - build a *workspace* (a folder with packages) with `colcon`, source it, and start its nodes in a terminal,
+# - explain each file of an `ament_python` package (a ROS 2 package in Python; *[[term:ament]]* is the build system of ROS 2),
+# - build a *[[term:workspace]]* (a folder with packages) with `colcon`, source it, and start its nodes in a terminal,
 # - recognise two common mistakes: a workspace that is not sourced, and a dependency that `rosdep` does not know,
 # - explain what changes on the real robot, and go on with a robot and a node of your own.
 #
@@ -109,7 +109,7 @@ if ros_available():
 # python scripts/image_gray_processor.py
 # ```
 #
-# 1. `cd` (change directory) goes into a folder. JupyterLab sets `JUPYTER_SERVER_ROOT` to the folder of your lessons. It is an *environment variable*: a named text that every program receives when it starts.
+# 1. `cd` (change directory) goes into a folder. JupyterLab sets `JUPYTER_SERVER_ROOT` to the folder of your lessons. It is an *[[term:environment variable]]*: a named text that every program receives when it starts.
 # 2. The second line selects the Python of the course. (If bash, the program that runs in a terminal, answers *No such file or directory*, use the path of your own virtual environment.)
 # 3. The third line runs the script. The terminal is busy now, because the node spins. The node prints its log there.
 #
@@ -211,7 +211,7 @@ for name in ("package.xml", "setup.py", "setup.cfg", "resource/image_gray_proces
 # | `setup.cfg` | says that these programs are installed into `lib/<package>`, where `ros2 run` looks for them |
 # | `resource/image_gray_processor` | an empty file, the *marker* by which ROS finds the package |
 # | `image_gray_processor/image_gray_processor.py` | the node |
-# | `launch/…launch.py` | the *launch file*: it tells `ros2 launch` which node to start, with which topic and which parameters |
+# | `launch/…launch.py` | the *[[term:launch file]]*: it tells `ros2 launch` which node to start, with which topic and which parameters |
 # | `test/` | a test of the node's function, without ROS |
 #
 # Here is `setup.py`:
@@ -222,7 +222,7 @@ print((package / "setup.py").read_text(encoding="utf-8"))
 # %% [markdown]
 # - `packages` are the folders with Python code.
 # - `data_files` are the other files: the marker, `package.xml` and the launch files. They are installed into `share`.
-# - `console_scripts` makes an *executable*, a program that you can start. The text reads `NAME = MODULE:FUNCTION`: the executable `image_gray_processor` calls the function `main` of the node's file.
+# - `console_scripts` makes an *[[term:executable]]*, a program that you can start. The text reads `NAME = MODULE:FUNCTION`: the executable `image_gray_processor` calls the function `main` of the node's file.
 #
 # And here is the node's file:
 
@@ -242,7 +242,7 @@ assert "console_scripts" in setup and "data_files" in setup
 #
 # ## 3 · Planned failure: a dependency that cannot be found (6 minutes)
 #
-# On a robot, the command `rosdep install` reads `package.xml` and installs the dependencies with the package manager of the robot's Linux. It identifies each dependency by a name, the *rosdep key*. If `package.xml` contains another name, rosdep stops:
+# On a robot, the command `rosdep install` reads `package.xml` and installs the dependencies with the package manager of the robot's Linux. It identifies each dependency by a name, the *[[term:rosdep|rosdep key]]*. If `package.xml` contains another name, rosdep stops:
 #
 # ```
 # ERROR: the following packages/stacks could not have their rosdep keys resolved
@@ -279,7 +279,7 @@ print((package / "package.xml").read_text(encoding="utf-8"))
 #
 # ## 4 · Build (10 minutes)
 #
-# `colcon` is the build tool of ROS 2. It finds the packages in `src`, builds them, and installs them into the folder `install`. Now our workspace has two folders, `scripts` and `src`. **Predict** how many more folders it has after the build.
+# The build tool of ROS 2 is [[term:colcon]]. It finds the packages in `src`, builds them, and installs them into the folder `install`. Now our workspace has two folders, `scripts` and `src`. **Predict** how many more folders it has after the build.
 
 # %% role="predict"
 guess_folders = None  # your guess: how many new folders?
@@ -349,14 +349,14 @@ assert not found and (not ros_available() or "AMENT_PREFIX_PATH" in where)
 # %% [markdown]
 # This is the second **planned failure**. `ros2 run` reports the same mistake as *Package 'image_gray_processor' not found*. ROS searches the folders in the environment variable `AMENT_PREFIX_PATH`, and our folder is not in it.
 #
-# **Repair it**: *source* the workspace. To source a file is to run its commands in the current terminal. Type into the second terminal:
+# **Repair it**: *[[term:source]]* the workspace. To source a file is to run its commands in the current terminal. Type into the second terminal:
 #
 # ```sh
 # source install/setup.bash
 # ament_index packages image_gray_processor
 # ```
 #
-# These commands add your workspace to the variable. Your workspace is now an *overlay*, and the ROS installation is the *underlay*: ROS searches the overlay first. You must source the workspace in *every* terminal that uses its packages.
+# These commands add your workspace to the variable. Your workspace is now an *overlay*, and the ROS installation is the *[[term:underlay]]*: ROS searches the overlay first. You must source the workspace in *every* terminal that uses its packages.
 
 # %%
 sourced = "source install/setup.bash && "
@@ -773,11 +773,11 @@ if stop_now and edge_node is not None:
 #
 # (Each `ros2 run` needs a terminal of its own, and each terminal must be sourced.) With a real Kachaka robot, these things change too:
 #
-# - **Topic names.** The camera's topic is `/kachaka/front_camera/image_raw`. A robot with another name has another *namespace*: the first part of the topic name (here `/kachaka`). Do not change the name in the code. Use *remapping* instead: start the node with `--ros-args -r /kachaka/front_camera/image_raw:=/my_robot/front_camera/image_raw`.
-# - **Topics without messages.** The robot's *bridge* is the program that publishes the robot's data in ROS. It publishes images only while the topic has a subscriber, and it publishes `camera_info` only together with an image.
+# - **Topic names.** The camera's topic is `/kachaka/front_camera/image_raw`. A robot with another name has another *[[term:namespace]]*: the first part of the topic name (here `/kachaka`). Do not change the name in the code. Use *[[term:remapping]]* instead: start the node with `--ros-args -r /kachaka/front_camera/image_raw:=/my_robot/front_camera/image_raw`.
+# - **Topics without messages.** The robot's *[[term:bridge]]* is the program that publishes the robot's data in ROS. It publishes images only while the topic has a subscriber, and it publishes `camera_info` only together with an image.
 # - **Wi-Fi.** The raw images need 221 Mbit/s, which is too much for many Wi-Fi networks. Remap to the topic that ends in `/compressed`. The nodes can read compressed images too; you do not have to change them.
 # - **Versions.** ROS 2 has a new *release* every year. The robot's bridge is made for the release *Humble*, and this course uses the release *Jazzy*. Do not mix two releases in one ROS graph: use a bridge that is built for Jazzy.
-# - **Other robots.** A node only finds nodes with the same *domain*, a number. By default, all robots and all laptops in a classroom use domain 0. Give each robot and its laptop a domain of their own: `export ROS_DOMAIN_ID=7`.
+# - **Other robots.** A node only finds nodes with the same *[[term:domain]]*, a number. By default, all robots and all laptops in a classroom use domain 0. Give each robot and its laptop a domain of their own: `export ROS_DOMAIN_ID=7`.
 # - **The charger.** While the robot is on its charger, its depth camera sends images of 0 × 0 pixels. A node must not stop because of them. Your nodes do not stop: `ImageProcessor` counts such an image as a failure and continues.
 #
 # ## Recap
