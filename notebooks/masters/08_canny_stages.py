@@ -311,7 +311,7 @@ def my_sobel(gray):
     return gradients(gray)
 
 
-# %% role="mistake" name="rows and columns swapped" says="The two gradients are swapped. Return grad_row (the change down a column) first, then grad_col."
+# %% role="mistake" name="rows and columns swapped" says="The two gradients are swapped. grad_row, the change down a column, comes first; grad_col, the change along a row, comes second."
 def my_sobel(gray):
     grad_row, grad_col = solution(gray)
     return grad_col, grad_row
@@ -443,6 +443,11 @@ def my_sobel(gray):
 def my_sobel(gray):
     grad_row, grad_col = gradients(gray.astype(np.int8))
     return grad_row.astype(np.int32), grad_col.astype(np.int32)
+
+
+# %% role="mistake" name="the mean of the products" says="Your responses are nine times too small, as if the mean of the nine products was taken. Take their sum."
+def my_sobel(gray):
+    return tuple(np.trunc(part / 9).astype(np.int32) for part in solution(gray))
 
 
 # %% [markdown]
@@ -724,6 +729,20 @@ def keep_peaks(magnitude):
 # %% role="mistake" name="the peaks alone" says="You returned only the peaks. Return a row as long as magnitude, with 0 for all other pixels."
 def keep_peaks(magnitude):
     return solution(magnitude)[solution(magnitude) > 0]
+
+
+# %% role="mistake" name="the first peak alone" says="Only the first peak was kept, as if the loop ends there. A row can have several peaks: go on to the end of the row."
+def keep_peaks(magnitude):
+    peaks = solution(magnitude)
+    peaks[np.flatnonzero(peaks)[0] + 1 :] = 0
+    return peaks
+
+
+# %% role="mistake" name="the first pixel alone" says="Only the first pixel was computed, as if return is inside the loop. Write it after the loop."
+def keep_peaks(magnitude):
+    peaks = solution(magnitude)
+    peaks[1:] = 0
+    return peaks
 
 
 # %% [markdown]

@@ -467,12 +467,12 @@ def near(mask, tolerance):
     return combined(mask, tolerance, lambda row, col: row == 0 or col == 0)
 
 
-# %% role="mistake" name="a circle" says="The distance was measured as in a circle. The neighbourhood is a square: at most tolerance rows and at most tolerance columns."
+# %% role="mistake" name="a circle" says="Pixels in the corners of the square are missing, as if the distance was measured in a circle. Use the whole square: at most tolerance rows and at most tolerance columns."
 def near(mask, tolerance):
     return combined(mask, tolerance, lambda row, col: row**2 + col**2 <= tolerance**2)
 
 
-# %% role="mistake" name="the sum of rows and columns" says="The distances in rows and in columns were added. The neighbourhood is a square: at most tolerance rows and at most tolerance columns."
+# %% role="mistake" name="the sum of rows and columns" says="The corners of the square are missing, as if the distances in rows and in columns were added. Use the whole square: at most tolerance rows and at most tolerance columns."
 def near(mask, tolerance):
     return combined(mask, tolerance, lambda row, col: abs(row) + abs(col) <= tolerance)
 
@@ -555,6 +555,16 @@ def near(mask, tolerance):
 # %% role="mistake" name="an empty slice for tolerance 0" says="With tolerance 0 the slice [tolerance:-tolerance] is empty. Cut with tolerance : tolerance + height instead."
 def near(mask, tolerance):
     return combined(mask, tolerance) if tolerance else mask[:0, :0]
+
+
+# %% role="mistake" name="the last slice alone" says="Your result is only the last shifted slice. Combine all slices: result = result | slice."
+def near(mask, tolerance):
+    return combined(mask, tolerance, lambda row, col: row == col == tolerance)
+
+
+# %% role="mistake" name="half the square" says="Only pixels above and on the left were looked at. The square reaches tolerance pixels in each direction: it has 2 * tolerance + 1 rows and columns."
+def near(mask, tolerance):
+    return combined(mask, tolerance, lambda row, col: row <= 0 and col <= 0)
 
 
 # %% [markdown]
@@ -868,7 +878,7 @@ def f1_score(edges, outlines, tolerance):
     return f1_of(*counts(edges, outlines, tolerance, cross))
 
 
-# %% role="mistake" name="a circle" says="The distance was measured as in a circle. The neighbourhood is a square: at most tolerance rows and at most tolerance columns."
+# %% role="mistake" name="a circle" says="Pixels in the corners of the square are missing, as if the distance was measured in a circle. Use the whole square: at most tolerance rows and at most tolerance columns."
 def f1_score(edges, outlines, tolerance):
     def circle(mask, tolerance):
         return window(mask, tolerance, lambda row, col: row**2 + col**2 <= tolerance**2)
@@ -876,7 +886,7 @@ def f1_score(edges, outlines, tolerance):
     return f1_of(*counts(edges, outlines, tolerance, circle))
 
 
-# %% role="mistake" name="the sum of rows and columns" says="The distances in rows and in columns were added. The neighbourhood is a square: at most tolerance rows and at most tolerance columns."
+# %% role="mistake" name="the sum of rows and columns" says="The corners of the square are missing, as if the distances in rows and in columns were added. Use the whole square: at most tolerance rows and at most tolerance columns."
 def f1_score(edges, outlines, tolerance):
     def diamond(mask, tolerance):
         return window(mask, tolerance, lambda row, col: abs(row) + abs(col) <= tolerance)
