@@ -81,7 +81,7 @@ def _exercise_files(source, lesson, with_solutions):
         if not path.is_file():
             raise HandoutError(
                 f"{lesson.name} has exercises, but {folder}/{path.name} is missing beside it;"
-                f" build the lessons again: imgproc-course build"
+                f" build the lessons again: imgproc-course build{' --with-solutions' * (folder == SOLUTIONS)}"
             )
         files[f"{folder}/{path.name}"] = path.read_bytes()
     return files

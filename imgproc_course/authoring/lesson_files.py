@@ -12,6 +12,7 @@ from imgproc_course.exercises.check_files import (
     DAMAGED,
     FORMAT,
     PLAIN_FIELDS,
+    RESULT_FIELDS,
     SOLUTIONS,
     CheckFileError,
     read_lesson_file,
@@ -113,8 +114,7 @@ def _pairs(mistake, case):
 
 
 def _result_entry(result, call, tolerance, values):
-    entry = {"error": result.error, "timed_out": result.timed_out, "changed": result.changed}
-    entry = {name: value for name, value in entry.items() if value}
+    entry = {name: value for name in RESULT_FIELDS if (value := getattr(result, name))}
     if result.value is not None:
         is_right = result.value == call.result.value
         form = result.value if is_right or tolerance else _by_digest(result.value)

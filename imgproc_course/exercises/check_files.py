@@ -47,6 +47,7 @@ PLAIN_FIELDS = (
     "hints",
     "another_way",
 )
+RESULT_FIELDS = ("error", "message", "timed_out", "changed")  # of a mistake's call, beside its value
 CASE_FIELDS = ("id", "title", "points", "hint", "tolerance")
 DAMAGED = (ValueError, KeyError, TypeError, AttributeError, IndexError, RecursionError, SyntaxError)
 
@@ -145,10 +146,8 @@ class CheckFile:
 
     def _result(self, entry):
         value = self.values[entry["value"]] if "value" in entry else None
-        changed = tuple(entry.get("changed", ()))
-        return CallResult(
-            value, entry.get("error", ""), timed_out=entry.get("timed_out", False), changed=changed
-        )
+        fields = {name: entry[name] for name in RESULT_FIELDS if name in entry}
+        return CallResult(value, **fields | {"changed": tuple(entry.get("changed", ()))})
 
 
 def damaged(path, error):

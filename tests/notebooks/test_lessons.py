@@ -12,16 +12,19 @@ import subprocess
 import sys
 import sysconfig
 from pathlib import Path
+from types import SimpleNamespace
 
 import nbformat
 import pytest
 
 from imgproc_course.authoring.build import build_solved
 from imgproc_course.authoring.execute import execute
+from imgproc_course.authoring.lesson_files import lesson_files
 from imgproc_course.authoring.masters import read_master
 from imgproc_course.authoring.validation import validate_exercise
 from imgproc_course.exercises import read_exercises
-from imgproc_course.exercises.checking import run_cases
+from imgproc_course.exercises.check_files import read_check_file
+from imgproc_course.exercises.checking import run_cases, run_check
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 MASTERS = sorted((NOTEBOOKS / "masters").glob("[0-9][0-9]_*.py"))
@@ -109,6 +112,26 @@ def test_every_known_mistake_is_caught_under_its_own_name(exercise):
         caught[mistake.name] = result.mistake and result.mistake.name
         assert mistake.says in repr(result)
     assert caught == {mistake.name: mistake.name for mistake in exercise.mistakes}
+
+
+@pytest.mark.parametrize("path", by_lesson(MASTERS))
+def test_the_checks_that_a_lesson_carries_say_what_the_master_says(path, tmp_path):
+    """For the stub, the solution and each known mistake."""
+    exercises = read_exercises(path)
+    carried = SimpleNamespace(name=path.stem, exercises=exercises, handed_out={})
+    for name, text in lesson_files(carried).items():
+        (tmp_path / name).parent.mkdir(exist_ok=True)
+        (tmp_path / name).write_text(text)
+        assert len(text) < 500_000
+    for exercise in exercises:
+        data = read_check_file(tmp_path / "checks" / f"{path.stem}.json").exercise(exercise.id)
+        answers = {"stub": exercise.stub, "solution": exercise.solution}
+        functions = [exercise.function_of(source, label) for label, source in answers.items()]
+        functions += [
+            exercise.function_of(mistake.source, mistake.name, prepared=True) for mistake in exercise.mistakes
+        ]
+        for function in functions:
+            assert repr(run_check(data, function)) == repr(run_cases(exercise, function))
 
 
 # ---------------------------------------------------------------- without ROS
