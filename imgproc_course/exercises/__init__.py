@@ -16,6 +16,7 @@ from imgproc_course.exercises.declaration import (
 )
 from imgproc_course.exercises.guesses import GuessComparison, compare_guess
 from imgproc_course.exercises.help_steps import hint, solution
+from imgproc_course.exercises.overview import Overview, overview
 
 __all__ = [
     "Case",
@@ -26,6 +27,7 @@ __all__ = [
     "GuessComparison",
     "MasterError",
     "Mistake",
+    "Overview",
     "array_of",
     "canonical",
     "check",
@@ -34,6 +36,7 @@ __all__ = [
     "exercise",
     "find_exercise",
     "hint",
+    "overview",
     "read_exercises",
     "run_cases",
     "solution",

@@ -1,0 +1,41 @@
+# ---
+# jupyter:
+#   imgproc_course:
+#     title: Image processing in ROS 2
+#     minutes: 2
+# ---
+
+# %% [markdown]
+# # Image processing in ROS 2
+#
+# A robot drives through a living room, and its camera sends ten images per second. In this course you learn what a program can do with them: from the bytes of a message to a node that finds edges, live. Everything runs on your computer; you need no robot.
+#
+# If this is your first visit, open [[start_here]].
+#
+# The table shows all lessons, what each needs, and how many of its exercises you have passed. Click a lesson to open it. To see your progress, click into the next cell and press **Shift + Enter**.
+
+# %% tags=["keep-output"]
+from imgproc_course.exercises import overview
+
+overview()
+
+# %% [markdown]
+# ## Beside the lessons
+#
+# - [Glossary](glossary.ipynb): every term of the course in one or two sentences, with the lesson that introduces it.
+# - [Cheat sheet](cheat_sheet.html): two pages to print: arrays, message fields, the stages of Canny, ROS commands.
+# - Stuck in an exercise? `hint("<exercise>")` shows the next of three hints. `solution("<exercise>")` opens after three tries.
+#
+# ## The way of an image
+#
+# This is what happens to every image in the course. A *topic* is a named stream of messages; a *node* is a program that subscribes to topics and publishes on topics.
+#
+# ```mermaid
+# flowchart LR
+#     accTitle: The way of an image
+#     accDescr: The camera publishes messages on a topic. A node subscribes to the topic, converts and processes each image, and publishes the result on another topic, which the live view shows.
+#     camera["camera<br/>(or the recording)"] -->|publishes| raw(["topic<br/>/kachaka/front_camera/image_raw"])
+#     raw -->|"subscribes"| node["your node<br/>convert → process"]
+#     node -->|publishes| edges(["topic<br/>~/edges"])
+#     edges -->|subscribes| view["live view<br/>in the notebook"]
+# ```
