@@ -23,6 +23,8 @@ from imgproc_course.authoring.validation import validate_exercise
 from imgproc_course.exercises.check_files import CHECKS, SOLUTIONS
 from imgproc_course.exercises.declaration import MasterError
 
+INDEX = "index"
+
 
 @dataclass
 class BuildResult:
@@ -112,7 +114,7 @@ def _write_lesson_files(files, folder, *, with_solutions):
 
 
 def _build_each(masters_dir, lessons_dir, names, progress, *, solved):
-    for path in find_masters(masters_dir, names):
+    for path in _masters_to_build(masters_dir, names):
         start = time.monotonic()
         progress(f"{path.stem} ...")
         try:
@@ -129,6 +131,14 @@ def _build_each(masters_dir, lessons_dir, names, progress, *, solved):
         sizes = f"{kilobytes:.0f} kB, checks {check_kilobytes:.0f} kB"
         progress(f"{path.stem}: {sizes}, {time.monotonic() - start:.0f} s")
         yield path, twins, files, ""
+
+
+def _masters_to_build(folder, names=()):
+    """The masters of lessons, then the master of the index, which lists the lessons that were built."""
+    index = Path(folder) / f"{INDEX}.py"
+    lessons = [name for name in names if name != INDEX]
+    paths = find_masters(folder, lessons) if lessons or not names else []
+    return [*paths, index] if index.is_file() and (not names or INDEX in names) else paths
 
 
 def read_valid_master(path):
@@ -277,7 +287,7 @@ def _read_stored(path):
 
 
 def _orphans(masters_dir, lessons_dir):
-    masters, folder = {path.stem for path in find_masters(masters_dir)}, Path(lessons_dir)
+    masters, folder = {path.stem for path in _masters_to_build(masters_dir)}, Path(lessons_dir)
     pages = {GLOSSARY_PAGE} if (Path(masters_dir) / GLOSSARY).exists() else set()
     paths = [path for path in sorted(folder.glob("*.ipynb")) if path.stem not in masters]
     paths = [path for path in paths if path.name not in pages]

@@ -119,6 +119,6 @@ def glossary_notebook(terms, references):
     for number, term in enumerate(terms, 1):
         text = references.in_prose(f"### {term.name}\n\n{term.definition}\n\n→ [[{term.lesson}]]")
         cells.append(new_markdown_cell(text, id=f"glossary-{number}"))
-    metadata = {"page": "glossary", "title": "Glossary", "version": version("imgproc-course")}
+    metadata = {"lesson": "glossary", "title": "Glossary", "version": version("imgproc-course")}
     kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
     return new_notebook(cells=cells, metadata={"kernelspec": kernel, "imgproc_course": metadata})

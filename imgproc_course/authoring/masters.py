@@ -194,11 +194,12 @@ class Master:
 
     @property
     def name(self):
-        return LESSON_FILE.fullmatch(self.path.stem)["name"]
+        return lesson_name(self.path.stem)
 
     @property
     def number(self):
-        return LESSON_FILE.fullmatch(self.path.stem)["number"]
+        match = LESSON_FILE.fullmatch(self.path.stem)
+        return match["number"] if match else ""  # the index has none
 
     @property
     def handed_out(self):
@@ -277,8 +278,9 @@ def read_master(path):
     exercises = tuple(_resolved(exercise, references) for exercise in read_exercises(path))
     title = str(script.front_matter.get("title", ""))
     cells = list(_lesson_cells(path, script, exercises, references))
-    if cells and cells[0].kind == "markdown":
-        cells[0] = _numbered(cells[0], path.name[:2])
+    match = LESSON_FILE.fullmatch(path.stem)
+    if match and cells and cells[0].kind == "markdown":
+        cells[0] = _numbered(cells[0], match["number"])
     master = Master(path, title, script.front_matter.get("minutes", 0), tuple(cells), exercises)
     problems = master_problems(master)
     if problems:

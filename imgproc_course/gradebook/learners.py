@@ -137,6 +137,8 @@ def _display_names(submissions):
 def _add(learner, submission):
     """A later submission replaces an earlier one, unless only the earlier one has answers to grade."""
     lesson = submission.lesson
+    if submission.content.is_page:
+        return
     if lesson is None:
         learner.unidentified.append(submission)
         return

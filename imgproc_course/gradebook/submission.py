@@ -50,6 +50,8 @@ class Finding:
     exercise: str
     text: str
 
+PAGES = ("index", "glossary")  # a learner who submits a whole folder submits these too
+
 
 @dataclass
 class SubmissionContent:
@@ -62,6 +64,7 @@ class SubmissionContent:
     findings  list of Finding
     claims    exercise ids whose stored outputs say that every check passes
     reason    why the notebook cannot be read, or ""
+    is_page   it is a page of the course that has no answers, such as the index
     """
 
     lesson: str | None = None
@@ -71,6 +74,7 @@ class SubmissionContent:
     findings: list = field(default_factory=list)
     claims: list = field(default_factory=list)
     reason: str = ""
+    is_page: bool = False
 
     def add(self, text, exercise="", kind="message"):
         """Add a finding."""
@@ -177,6 +181,7 @@ def read_submission(data, catalog, reader, name=""):
     cells = [cell for cell in notebook["cells"] if cell is not None]
     content.lesson = _recognize(notebook, cells, catalog, name, content)
     if content.lesson is None:
+        content.is_page = notebook["lesson"] in PAGES
         claim = (
             f"; it says that it is {sanitize_line(notebook['lesson'], 80)!r}" if notebook["lesson"] else ""
         )

@@ -13,7 +13,7 @@ c = get_config()  # noqa: F821 - Jupyter, which runs this file, defines it
 c.Application.log_level = "WARN"  # Jupyter prints its address at every level
 if "IMGPROC_COURSE_LESSONS" in os.environ:
     c.ServerApp.root_dir = os.environ["IMGPROC_COURSE_LESSONS"]
-c.LabApp.default_url = "/lab/tree/00_start_here.ipynb"
+c.LabApp.default_url = "/lab/tree/index.ipynb"
 
 # This computer alone: no other computer can open the lessons, and JupyterLab asks no server for news.
 c.ServerApp.ip = "127.0.0.1"
