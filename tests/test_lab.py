@@ -72,7 +72,7 @@ def configured(monkeypatch, tmp_path):
 def test_it_serves_this_computer_alone_and_asks_nobody_for_news(configured, tmp_path):
     server, lab_app = configured()
     assert (server.ip, server.port, server.root_dir) == ("127.0.0.1", 8888, str(tmp_path))
-    assert lab_app.default_url == "/lab/tree/00_start_here.ipynb"
+    assert lab_app.default_url == "/lab/tree/index.ipynb"
     assert lab_app.news_url is None
     assert lab_app.check_for_updates_class.__name__ == "NeverCheckForUpdate"
     assert server.kernel_websocket_connection_class.__name__ == "PromptWebsocketConnection"
@@ -311,7 +311,7 @@ def folders(tmp_path_factory):
     folder = tmp_path_factory.mktemp("course") / "my_lessons"
     folder.mkdir()
     lesson = {"cells": [], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}
-    (folder / "00_start_here.ipynb").write_text(json.dumps(lesson))
+    (folder / "index.ipynb").write_text(json.dumps(lesson))
     return folder, tmp_path_factory.mktemp("home")
 
 
@@ -326,10 +326,10 @@ def test_it_listens_on_the_loopback_alone(server):
     assert server.listening() == {"127.0.0.1"}
 
 
-def test_it_opens_at_the_first_lesson(server):
-    assert f"{server.url}lab/tree/00_start_here.ipynb?token={server.token}" in server.output()
+def test_it_opens_at_the_index(server):
+    assert f"{server.url}lab/tree/index.ipynb?token={server.token}" in server.output()
     contents = json.loads(server.get("api/contents"))["content"]
-    assert [entry["name"] for entry in contents] == ["00_start_here.ipynb"]
+    assert [entry["name"] for entry in contents] == ["index.ipynb"]
 
 
 def test_its_kernel_is_this_environments(server):
@@ -373,7 +373,7 @@ def test_a_second_one_names_the_first_and_takes_another_port(server, folders):
             "This starts a second one. If a lesson is open in both, the last save wins.",
             f"Port {port} is not free; JupyterLab uses port {second_port} instead.",
         ]
-        assert json.loads(second.get("api/contents"))["content"][0]["name"] == "00_start_here.ipynb"
+        assert json.loads(second.get("api/contents"))["content"][0]["name"] == "index.ipynb"
     finally:
         second.stop()
 

@@ -172,6 +172,18 @@ def test_equal_answers_are_graded_once(light, key_path, submissions, tmp_path):
     assert "3 lessons graded (1 now)" in summary.text
 
 
+def test_a_whole_folder_with_the_index_and_the_glossary_is_graded(light, submissions, grade):
+    alone = notebook(light, answers_of(light, "right"))
+    write(submissions / "ada" / "20_light.ipynb", alone)
+    expected = grade(submissions)
+    for page in ("index", "glossary"):
+        made = notebook(light)
+        made["metadata"]["imgproc_course"]["lesson"] = page
+        made["cells"] = []
+        write(submissions / "ada" / f"{page}.ipynb", made)
+    assert grade(submissions)["learners"] == expected["learners"]
+
+
 def test_pages_of_learners_who_are_gone_are_removed(light, submissions, grade, tmp_path):
     write(submissions / "ada.ipynb", notebook(light))
     write(submissions / "bob.ipynb", notebook(light))
