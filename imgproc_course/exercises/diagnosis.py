@@ -133,6 +133,8 @@ def _advice_on_type(expected, actual, tolerance):
         return _advice_on_keys(expected, actual)
     if kind in ("tuple", "list") and actual_kind in ("tuple", "list", "ndarray"):
         return _advice_on_items(expected, actual, tolerance)
+    if kind in ("tuple", "list"):
+        return f"You return {_noun(actual)}, and the task asks for {_noun(expected)}."
     if kind == "ndarray":
         return _advice_on_missing_array(expected, actual)
     if kind == "str":
@@ -304,6 +306,11 @@ def _advice_on_shape(expected, actual, arguments, names):
             f"Your result still has a third axis, of length {actual_shape[2]}. The task asks for one value"
             f" for each pixel."
         )
+    if len(actual_shape) < len(shape) and given and len(given[0]) == len(shape):
+        return (
+            "Your result has fewer axes than the input: a function with axis=..., or an index such as image[0],"
+            " takes one away."
+        )
     return _advice_on_size(shape, actual_shape) if len(shape) == len(actual_shape) >= 2 else ""
 
 
@@ -473,6 +480,8 @@ def _place(calls):
     if not wrong:
         return Diagnosis()
     flat = [mask.any(axis=2) if mask.ndim == 3 else mask for mask, _ in wrong]
+    if all(values.shape[0] > 2 and not mask[0].any() and not values[1:].any() for mask, values in wrong):
+        return Diagnosis("Only the first row is right; all others are 0. Does return stand inside the loop?")
     line = next((name for name, place in _LINES.items() if _lie_in(flat, place)), "")
     if line:
         return Diagnosis(f"All wrong values lie in {line}.")

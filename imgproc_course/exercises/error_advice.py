@@ -156,8 +156,8 @@ def _reshape(match, _source):
     count = 1
     for part in shape:
         count *= part
-    if count < 0:
-        return f"{size} values cannot be divided into rows of this size."
+    if count < 0 or "newaxis" in match[2]:
+        return f"{size} values cannot be divided evenly in this way. Is there padding at the end of the rows?"
     product = " × ".join(map(str, shape))
     if size == 3 * count:
         return f"{size} values are 3 times as many as {product}. Are the three channels missing in the shape?"
@@ -281,7 +281,7 @@ _ADVICE = (
         "^(?:list|string) index out of range",
         "Python counts from 0: the last index is len(...) - 1.",
     ),
-    ("ValueError", r"cannot reshape array of size (\d+) into shape \(([-\d, ]+)\)", _reshape),
+    ("ValueError", r"cannot reshape array of size (\d+) into shape \(([-\d, newaxis]+)\)", _reshape),
     ("IndexError", r"only integers, slices|arrays used as indices", _WHOLE_INDEX),
     (
         "TypeError",

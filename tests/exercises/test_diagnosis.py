@@ -58,6 +58,7 @@ TYPES = [
         "You return one array of 3 axes, and the task asks for two arrays",
     ),
     ((GRAY, MASK), [GRAY, MASK], "only the list around them is not: write them without square brackets"),
+    ((GRAY, MASK), {"a": GRAY, "b": MASK}, "You return a dict, and the task asks for 2 values (a tuple)."),
     ((GRAY, MASK), (GRAY, MASK, 3), "You return 3 values (a tuple), and the task asks for 2."),
     ({"gray": GRAY}, GRAY, 'You return an array, and the task asks for a dict: {"gray": ...}.'),
     ({"gray": GRAY}, {"grey": GRAY}, "The key 'gray' is missing; you wrote 'grey'."),
@@ -91,6 +92,7 @@ SHAPES = [
     (COLOUR, COLOUR[..., 0], "The axis of the channels is missing: each pixel has 3 values."),
     (COLOUR, COLOUR.reshape(4, 15), "reshape to (height, width, 3)"),
     (COLOUR, np.moveaxis(COLOUR, 2, 0), "The channels come first in your result."),
+    (GRAY, GRAY.max(axis=0), "Your result has fewer axes than the input"),
     (GRAY, np.stack([GRAY] * 3, axis=2), "Your result still has a third axis, of length 3."),
 ]
 VALUES = [
@@ -113,6 +115,11 @@ VALUES = [
     (SIGNED, SIGNED - MASK, "Some values are one too small"),
 ]
 PLACES = [
+    (
+        GRAY,
+        changed(GRAY, np.s_[1:], 0),
+        "Only the first row is right; all others are 0. Does return stand inside",
+    ),
     (GRAY, changed(GRAY, np.s_[:, -1]), "All wrong values lie in the last column."),
     (GRAY, changed(GRAY, np.s_[0]), "All wrong values lie in the first row."),
     (

@@ -42,6 +42,7 @@ ADVICE = {
     'np.frombuffer(b"abc")': "Without dtype np.frombuffer reads float64, eight bytes for each value",
     "number % (number - 5)": "number - 5 is 0 for this input. Test for 0 before you divide.",
     "SimpleNamespace(width=3).channels": "A message has no field channels",
+    "a.reshape(4, -1)": "30 values cannot be divided evenly in this way.",
     "a.reshape(6, 6)": "30 values are too few for 6 × 6 = 36.",
     'np.array(b"abc").reshape(3, 1)': "np.frombuffer(data, np.uint8) reads them as numbers",
     "a[1.5]": "An index is a whole number, and / makes a float.",
