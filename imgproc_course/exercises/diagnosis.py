@@ -308,8 +308,8 @@ def _advice_on_shape(expected, actual, arguments, names):
         )
     if len(actual_shape) < len(shape) and given and len(given[0]) == len(shape):
         return (
-            "Your result has fewer axes than the input: a function with axis=..., or an index such as image[0],"
-            " takes one away."
+            "Your result has fewer axes than the input: a function with axis=..., or an index such as"
+            " image[0], takes one away."
         )
     return _advice_on_size(shape, actual_shape) if len(shape) == len(actual_shape) >= 2 else ""
 
