@@ -8,7 +8,7 @@
 # %% [markdown]
 # # Noise removal
 #
-# Every sensor adds *noise*: small or large errors in the gray levels. A *filter* removes noise. It computes each pixel of a new image from the pixel at the same place in the old image and its neighbours. Which filter helps depends on the kind of noise.
+# Every sensor adds [[term:noise]]: small or large errors in the gray levels. A *filter* removes noise. It computes each pixel of a new image from the pixel at the same place in the old image and its neighbours. Which filter helps depends on the kind of noise.
 #
 # **You will be able to**
 # - distinguish Gaussian noise from impulse noise by the errors of the pixels,
@@ -176,7 +176,7 @@ assert (np.correlate(impulse, kernel[::-1], mode="same") == convolved).all()
 # %% [markdown]
 # ## 3 · Planned failure: a mean filter against impulse noise (6 minutes)
 #
-# Some sensor errors are not small: a broken pixel is black or white. This is **impulse noise**, also called *salt-and-pepper* noise. Here is a row of 50 with a single white pixel.
+# Some sensor errors are not small: a broken pixel is black or white. This is **[[term:impulse noise]]**, also called *salt-and-pepper* noise. Here is a row of 50 with a single white pixel.
 #
 # **Predict** how many of the nine values are wrong after the mean of three.
 
@@ -191,7 +191,7 @@ print("mean  ", smeared_row)
 compare_guess(guess_wrong, (smeared_row != 50).sum())
 
 # %% [markdown]
-# One wrong pixel became three wrong pixels. **Repair it**: do not average. Sort the three values and take the middle one: the **median**. A single *outlier* (a value far from all others) is the smallest or the largest of the three, so it is never in the middle.
+# One wrong pixel became three wrong pixels. **Repair it**: do not average. Sort the three values and take the middle one: the **[[term:median]]**. A single *outlier* (a value far from all others) is the smallest or the largest of the three, so it is never in the middle.
 
 # %%
 def median_of_three(row):
@@ -319,7 +319,7 @@ assert response.sum() == 160 and response[2, 2] == 160 * 4 / 16 == 40
 #
 # ## 5 · Two kinds of noise (3 minutes)
 #
-# Now we add random noise to a camera frame. The *seed* of the random numbers is fixed, so everybody gets the same noise. Impulse noise makes 5 % of the pixels black or white. **Gaussian noise** adds a random error to every pixel. The errors have a *normal distribution*: small errors are common, large ones are rare. Here their standard deviation is 20 gray levels.
+# Now we add random noise to a camera frame. The [[term:seed]] of the random numbers is fixed, so everybody gets the same noise. Impulse noise makes 5 % of the pixels black or white. **Gaussian noise** adds a random error to every pixel. The errors have a *normal distribution*: small errors are common, large ones are rare. Here their standard deviation is 20 gray levels.
 
 # %%
 salted = add_salt_and_pepper(gray, 0.05, seed=1)
@@ -852,7 +852,7 @@ def median3(gray):
 # %% [markdown]
 # ## 9 · Your turn: PSNR (12 minutes)
 #
-# Write `my_psnr(clean, other)` with the formula of section 6. Remember what `uint8` does to a difference. For equal images the result is infinity, `float("inf")`. Compute it yourself, with NumPy only.
+# Write `my_psnr(clean, other)` with the formula of section 6. Remember what [[term:uint8]] does to a negative difference. For equal images the result is infinity, `float("inf")`. Compute it yourself, with NumPy only.
 #
 # | Input | Output | Example call |
 # |---|---|---|

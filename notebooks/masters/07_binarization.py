@@ -8,7 +8,7 @@
 # %% [markdown]
 # # Binarization
 #
-# Is this pixel print or paper? Is it marker or wall, obstacle or floor? Often a robot needs a yes or a no for each pixel. **Binarization** splits the pixels into the *foreground*, the part you are interested in, and the *background*, everything else. It compares each gray level with a *threshold*. In this lesson you learn how to choose the threshold.
+# Is this pixel print or paper? Is it marker or wall, obstacle or floor? Often a robot needs a yes or a no for each pixel. **Binarization** splits the pixels into the *foreground*, the part you are interested in, and the *background*, everything else. It compares each gray level with a [[term:threshold]]. In this lesson you learn how to choose the threshold.
 #
 # **You will be able to**
 # - make a binary image with a threshold, and choose a threshold from a histogram,
@@ -344,7 +344,7 @@ assert np.abs((block_means - 5)[6:9] - 65).max() < 5
 # %% [markdown]
 # ## 6 · Your turn: Otsu from the pixels (16 minutes)
 #
-# Section 3 counted the pixels in a histogram. Find the same threshold without a histogram: write `otsu(gray)`, which tries every `t` from 0 to 255 and selects the pixels of the two classes with masks, as for the eight pixels.
+# Section 3 counted the pixels in a histogram. Find the same threshold without a histogram: write `otsu(gray)`, which tries every `t` from 0 to 255 and selects the pixels of the two classes with [[term:mask|masks]], as for the eight pixels.
 #
 # - A pixel equal to `t` belongs to class 0.
 # - If a class is empty, it has no mean: the between-class variance is 0.
