@@ -11,7 +11,6 @@ import contextlib
 import errno
 import hashlib
 import json
-import os
 import re
 from dataclasses import dataclass, field
 from pathlib import Path
@@ -21,6 +20,7 @@ import imgproc_course
 from imgproc_course.authoring.atomic_write import stage_file
 from imgproc_course.authoring.learner_files import files_for_learners, without_outputs
 from imgproc_course.authoring.lesson_names import lesson_name
+from imgproc_course.exercises.progress import one_at_a_time
 
 CHECKOUT = Path(imgproc_course.__file__).resolve().parents[1]
 STATE = ".course.json"
@@ -101,7 +101,7 @@ def update_lessons(source=None, target=None, version=None):
         )
     try:
         target.mkdir(exist_ok=True)
-        with _one_at_a_time(target / LOCK):
+        with one_at_a_time(target / LOCK):
             return _update(source, target, lessons, version or imgproc_course.__version__)
     except OSError as error:
         raise LessonsError(_failure_text(target, error)) from error
@@ -292,21 +292,6 @@ class StagedFiles:
             old_path.rename(path)
         for temporary, path, _ in self._files:
             temporary.replace(path)
-
-
-@contextlib.contextmanager
-def _one_at_a_time(path):
-    """A lock: if two starts run at once, the second waits until the first has copied everything."""
-    with path.open("a+b") as file:
-        if os.name == "nt":
-            import msvcrt
-
-            msvcrt.locking(file.fileno(), msvcrt.LK_LOCK, 1)
-        else:
-            import fcntl
-
-            fcntl.flock(file, fcntl.LOCK_EX)
-        yield
 
 
 def _failure_text(target, error):
