@@ -117,7 +117,7 @@ assert not ros_available() or 10 <= len(stamps) <= 25 * cameras
 #
 # ## 2 · A class in ten lines (10 minutes)
 #
-# In Python, a node is written as a *[[term:class]]*. If you have never written a class, this section is for you. It does not use ROS. A class describes objects: which values they have, and what they can do. Here is a bell. Whoever wants to know when it rings gives it a callback.
+# In Python, a node is written as a *[[term:class]]*. If you have never written a class, this section is for you. It does not use ROS. A class describes objects: which values they have, and what they can do. Here is a bell. If you want to know when it rings, you give it a callback.
 
 # %%
 class Bell:
@@ -140,7 +140,7 @@ class Bell:
 # - `self.name` is a value that belongs to the object, an *attribute*. Each bell has its own name and its own list of callbacks.
 # - `callback(self.name)` calls a function that somebody else wrote. The bell does not know what the function does.
 #
-# The next cell makes a bell and subscribes a function. `on_ring` stands there *without* parentheses: we pass the function itself, and do not call it. Then the bell rings twice. **Predict** how many names are in the list at the end.
+# The next cell makes a bell and subscribes a function. Look at `on_ring`: it is written *without* parentheses, because we pass the function itself and do not call it. Then the bell rings twice. **Predict** how many names are in the list at the end.
 
 # %% role="predict"
 guess_rings = None  # your guess: how many names are in the list?
@@ -325,7 +325,7 @@ assert (array == frame).all() and msg.encoding == "bgr8"
 #
 # ## 4 · Planned failure: rclpy.spin in a notebook (8 minutes)
 #
-# Step 6: most ROS tutorials end with `rclpy.spin(node)`. In a script this is right: the node runs until you press Ctrl-C.
+# Step 6: most ROS tutorials end with `rclpy.spin(node)`. In a script this is right: the node runs until you press Ctrl-C. (In [[ros2_packages]] you read and run such a script.)
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
@@ -688,7 +688,7 @@ def process(frame):
 #
 # - turn the image upside down: `gray[::-1]`,
 # - invert it: `255 - gray`,
-# - draw a white border around it: `gray[:20] = 255` sets the first twenty rows,
+# - make the first twenty rows white: `gray[:20] = 255`,
 # - publish the red channel alone, as a gray image: `{"gray": frame[..., 2]}`. Red objects become bright.
 
 # %%

@@ -60,7 +60,7 @@ figure_texts = {
 # %% [markdown]
 # ## 1 · A node as a script (13 minutes)
 #
-# The course has both nodes as scripts of about fifty lines, as you find them in many tutorials. The next cell makes a folder, `ros2_ws`, beside this notebook. It copies the scripts and the packages of the course into it, and prints the first script:
+# The course has both nodes as short scripts, as you find them in many tutorials. The next cell makes a folder, `ros2_ws`, beside this notebook. It copies the scripts and the packages of the course into it, and prints the first script:
 
 # %%
 workspace = Path("ros2_ws").absolute()
@@ -109,7 +109,7 @@ if ros_available():
 # python scripts/image_gray_processor.py
 # ```
 #
-# 1. `cd` (change directory) goes into a folder. JupyterLab sets `JUPYTER_SERVER_ROOT` to the folder of your lessons. It is an *[[term:environment variable]]*: a named text that every program receives when it starts.
+# 1. `cd` (change directory) goes into a folder. JupyterLab sets `JUPYTER_SERVER_ROOT` to the folder of your lessons. It is an *[[term:environment variable]]*: a named text that a program receives when it starts.
 # 2. The second line selects the Python of the course. (If bash, the program that runs in a terminal, answers *No such file or directory*, use the path of your own virtual environment.)
 # 3. The third line runs the script. The terminal is busy now, because the node spins. The node prints its log there.
 #
@@ -188,7 +188,7 @@ assert script_node is None or script_node.returncode == 0
 # ros2 pkg create image_edge_detection --build-type ament_python --node-name image_edge_detection --dependencies rclpy sensor_msgs cv_bridge
 # ```
 #
-# `--node-name` is the name of the first node, and `--dependencies` are the other packages that the node needs. The course does not have the command `ros2`; it contains both packages with all their files.
+# `--node-name` is the name of the first node, and `--dependencies` are the other packages that the node needs. (Our packages use the course's own converter in place of `cv_bridge`, so the list in their files is a little different.) The course does not have the command `ros2`; it contains both packages with all their files.
 #
 # A *workspace* is a folder with packages in its folder `src`. (*Source code* is the code that you write; `src` is short for source.) Our folder `ros2_ws` is a workspace. These are the files of its first package:
 
@@ -238,7 +238,7 @@ assert "cv2.cvtColor" in code and "ImageProcessor" in code and "def main" in cod
 assert "console_scripts" in setup and "data_files" in setup
 
 # %% [markdown]
-# The node consists of a function and an `ImageProcessor`, as in [[grayscale_node]]. On a robot, speed is important, so the function calls OpenCV. Section 6 checks that its result is the same gray image that you computed by hand in [[grayscale]].
+# The node consists of a function and an `ImageProcessor`, as in [[grayscale_node]]. On a robot, speed is important, so the function calls OpenCV. Section 6 compares its result with the gray image that you computed by hand in [[grayscale]].
 #
 # ## 3 · Planned failure: a dependency that cannot be found (6 minutes)
 #
