@@ -326,7 +326,7 @@ print("white    ", (row > block_means - 5).astype(int))
 # %%
 adaptive_result = adaptive_threshold(rug, 31, 5)
 show([global_result, adaptive_result],
-     ["global threshold (Otsu)", "adaptive threshold: mean of 31 × 31, minus 5"],
+     ["global threshold (Otsu)", "adaptive: mean of 31 × 31, minus 5"],
      columns=1, text=figure_texts["adaptive"])
 
 # %%
