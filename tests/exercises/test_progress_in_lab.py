@@ -33,7 +33,8 @@ QUIET = {"stdout": subprocess.DEVNULL, "stderr": subprocess.DEVNULL}
 def folder(write_master, tmp_path):
     """A learner's folder with a notebook and its checks."""
     folder = tmp_path / "my_lessons"
-    hints = 'exercise("test-double", function="double", hints=("A?", "B.", "c()"))\nSIDE = 3'
+    texts = 'hints=("A?", "B.", "c()"), explanation="It widens.", another_way="You can also write +."'
+    hints = f'exercise("test-double", function="double", {texts})\nSIDE = 3'
     path = write_master(exercise=f'# %% role="exercise"\n{hints}')
     for name, text in lesson_files(read_master(path)).items():
         (folder / name).parent.mkdir(parents=True, exist_ok=True)

@@ -102,7 +102,7 @@ def executable_of(install, package):
     found = sorted(Path(install).glob(f"{package}/lib/{package}/{package}"))
     return str(found[0]) if found else None
 
-# %% name="absolute path" origin="new" sentence="resolve() puts the current folder before the path: leave install as it was given." must_say=["resolve|absolute|current folder|working (folder|directory)", "install|given|leave|as it|without"] kind="value" passes=true
+# %% name="absolute path" origin="new" sentence="resolve() puts the current folder before the path: leave install as it was given." must_say=["resolve|absolute|current folder|working (folder|directory)", "install|given|leave|as it|without"] kind="value"
 def executable_of(install, package):
     from pathlib import Path
 
