@@ -13,11 +13,11 @@ from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
 from imgproc_course.authoring.atomic_write import write_file
 from imgproc_course.authoring.execute import execute, normalize, output_texts, refuse_traces
-from imgproc_course.authoring.glossary import GLOSSARY
+from imgproc_course.authoring.glossary import GLOSSARY, GLOSSARY_PAGE
 from imgproc_course.authoring.lesson_files import lesson_file_differences, lesson_files
 from imgproc_course.authoring.lesson_names import lesson_name
 from imgproc_course.authoring.masters import find_masters, read_master
-from imgproc_course.authoring.pages import GLOSSARY_PAGE, build_pages, page_differences
+from imgproc_course.authoring.pages import build_pages, page_differences
 from imgproc_course.authoring.rules import RAISING_TAGS, VARYING_TAG
 from imgproc_course.authoring.validation import validate_exercise
 from imgproc_course.exercises.check_files import CHECKS, SOLUTIONS

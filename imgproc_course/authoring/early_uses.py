@@ -55,16 +55,15 @@ def early_uses(masters, terms):
 
 def _terms_in(cell, pattern, owners):
     """(the words, the term) of each use in a cell; the words are "" in a link to the term."""
-    anchors = {term.anchor: term for term in owners.values()}
+    addresses = {term.address: term for term in owners.values()}
     text = cell.source if cell.kind == "markdown" else "\n".join(_captions(cell.source))
     for match in pattern.finditer(_CODE_OR_FORMULA.sub(" ", text)):
         if match["form"]:
             yield match["form"], owners[match["form"].casefold()]
             continue
-        page, _, anchor = match["address"].partition("#")
-        if page == "glossary.ipynb":
-            yield "", anchors[anchor]
-        elif not _LESSON.match(page):
+        if match["address"] in addresses:
+            yield "", addresses[match["address"]]
+        elif not _LESSON.match(match["address"]):
             for inner in pattern.finditer(match["text"]):
                 yield inner["form"], owners[inner["form"].casefold()]
 

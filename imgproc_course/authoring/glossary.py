@@ -7,6 +7,7 @@ spellings = ["structuring elements"]     other forms of the word, and words that
 ordinary = true                          also an ordinary English word, which `early_uses` does not look for
 """
 
+import re
 import tomllib
 from dataclasses import dataclass
 from functools import lru_cache
@@ -18,6 +19,7 @@ from nbformat.v4 import new_markdown_cell, new_notebook
 from imgproc_course.exercises.percent_script import MasterError
 
 GLOSSARY = "glossary.toml"
+GLOSSARY_PAGE = "glossary.ipynb"
 _KEYS = {"lesson", "definition", "spellings", "ordinary"}
 _INTRODUCTION = """\
 # Glossary
@@ -45,9 +47,13 @@ class Term:
     ordinary: bool = False
 
     @property
-    def anchor(self):
-        """The fragment of its heading, as JupyterLab makes it."""
-        return self.name.replace(" ", "-")
+    def address(self):
+        """The target of a link to its entry; JupyterLab finds a cell that it has not drawn only by its id."""
+        return f"{GLOSSARY_PAGE}#cell-id={self.cell_id}"
+
+    @property
+    def cell_id(self):
+        return f"term-{re.sub('[^a-z0-9]+', '-', self.name.casefold())}"
 
 
 def read_glossary(path):
@@ -116,9 +122,9 @@ def glossary_notebook(terms, references):
     MasterError : a term whose lesson does not exist, or an unknown reference in a definition
     """
     cells = [new_markdown_cell(_INTRODUCTION, id="glossary")]
-    for number, term in enumerate(terms, 1):
+    for term in terms:
         text = references.in_prose(f"### {term.name}\n\n{term.definition}\n\n→ [[{term.lesson}]]")
-        cells.append(new_markdown_cell(text, id=f"glossary-{number}"))
+        cells.append(new_markdown_cell(text, id=term.cell_id))
     metadata = {"lesson": "glossary", "title": "Glossary", "version": version("imgproc-course")}
     kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
     return new_notebook(cells=cells, metadata={"kernelspec": kernel, "imgproc_course": metadata})

@@ -4,10 +4,8 @@ from pathlib import Path
 
 import nbformat
 
-from imgproc_course.authoring.glossary import GLOSSARY, glossary_notebook, read_glossary
+from imgproc_course.authoring.glossary import GLOSSARY, GLOSSARY_PAGE, glossary_notebook, read_glossary
 from imgproc_course.authoring.references import References
-
-GLOSSARY_PAGE = "glossary.ipynb"
 
 
 def build_pages(masters_dir):

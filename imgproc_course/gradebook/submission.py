@@ -50,6 +50,7 @@ class Finding:
     exercise: str
     text: str
 
+
 PAGES = ("index", "glossary")  # a learner who submits a whole folder submits these too
 
 

@@ -54,7 +54,7 @@ def test_the_glossary_is_a_notebook_in_alphabetical_order(glossary, write_master
     assert headings[1:] == ["### edge", "### edge detector", "### median filter", "### view", "### Zoom"]
     assert page.cells[-1].source == (
         "### Zoom\n\nTo enlarge, as in [lesson 01, Doubling](01_blur.ipynb). See [median"
-        " filters](glossary.ipynb#median-filter).\n\n→ [lesson 01, Doubling](01_blur.ipynb)"
+        " filters](glossary.ipynb#cell-id=term-median-filter).\n\n→ [lesson 01, Doubling](01_blur.ipynb)"
     )
 
 
@@ -103,7 +103,8 @@ def test_build_writes_the_glossary_and_reports_a_difference(glossary, tmp_path):
 
 EARLY = """
 # %% [markdown]
-# An edge and its view. `rank filter` and $edge detector$, [lesson 02, edge detector](02_sharpen.ipynb).
+# Rank filtering, an Edge and its view.
+# `rank filter` and $edge detector$, [lesson 02, edge detector](02_sharpen.ipynb).
 
 # %%
 caption = "an edge detector"
@@ -127,7 +128,7 @@ def test_words_before_their_introduction_are_found(glossary, write_master):
     ]
     uses = early_uses(masters, terms)
     assert [(use.lesson, use.cell, use.words) for use in uses] == [
-        ("first", "first-7", "edge"),
+        ("first", "first-7", "Edge"),
         ("first", "first-8", "median filter"),
         ("first", "first-9", "edge detector"),
     ]

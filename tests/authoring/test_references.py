@@ -13,7 +13,7 @@ SECTIONS = """
 # %% [markdown]
 # ## 1 · One
 #
-# ## 12 · Not two
+# ## 21 · Not two
 
 # %%
 seed = 1
@@ -43,15 +43,21 @@ def test_in_prose_references_are_links(references):
     section = "[section 2 of lesson 03](03_blur.ipynb#cell-id=blur-9)"
     assert references.in_prose("In [[blur#2]].") == f"In {section}."
     assert references.in_prose("One. [[blur#2]] is two.") == f"One. {section.replace('[s', '[S')} is two."
-    assert references.in_prose("A [[term:gray level]]") == "A [gray level](glossary.ipynb#gray-level)"
-    assert references.in_prose("[[term:Gray levels|Levels]]") == "[Levels](glossary.ipynb#gray-level)"
+    assert (
+        references.in_prose("A [[term:gray level]]")
+        == "A [gray level](glossary.ipynb#cell-id=term-gray-level)"
+    )
+    assert (
+        references.in_prose("[[term:Gray levels|Levels]]")
+        == "[Levels](glossary.ipynb#cell-id=term-gray-level)"
+    )
     code = "`[[blur]]` and ``x[[`rows`]]``, [[1, 2], [3, 4]]"
     assert references.in_prose(code) == code
 
 
 def test_in_code_only_comments_and_strings_hold_references(references):
-    source = 'rows = table[[blur]]  # as in [[blur]]\nprint("see [[blur#2]]")\n'
-    expected = 'rows = table[[blur]]  # as in lesson 03\nprint("see section 2 of lesson 03")\n'
+    source = 'rows = table[[blur]]  # as in [[blur]]\nprint("[[blur]]", "[[blur]]")\n'
+    expected = 'rows = table[[blur]]  # as in lesson 03\nprint("lesson 03", "lesson 03")\n'
     assert references.in_code(source) == expected
     assert references.in_code("!ls  # [[blur]]") == "!ls  # lesson 03"
     assert references.in_text("[[blur]] shows [[term:gray level|levels]].") == "Lesson 03 shows levels."
