@@ -279,7 +279,7 @@ assert (np.rint(decimal) != to_gray(colours)).sum() > 1 and np.abs(np.rint(decim
 
 # %%
 tiny = frame[386:391, 449:454]
-show([tiny, to_gray(tiny)], ["blue, green, red", "luma"],
+show([tiny, to_gray(tiny)], ["blue, green, red", "luma"], columns=1,
      encoding=["bgr8", "mono8"], text=figure_texts["tiny"])
 
 # %%
