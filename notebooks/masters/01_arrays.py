@@ -8,7 +8,7 @@
 # %% [markdown]
 # # Arrays
 #
-# An image in a computer is a table of numbers. In Python, the library *NumPy* stores such tables as *arrays*. You know lists; an array is like a list of rows, but it can do much more: select a part, compute with all numbers at once, compare all of them with a threshold. Every later lesson uses these few operations. Here you learn them on images that are small enough to read.
+# An image in a computer is a table of numbers. In Python, the library *NumPy* stores such tables as *arrays*. You know lists; an array is like a list of rows, but it can do much more: select a part, compute with all numbers at once, compare all of them with a [[term:threshold]]. Every later lesson uses these few operations. Here you learn them on images that are small enough to read.
 #
 # **You will be able to**
 # - read and change single pixels, rows, columns and channels,
@@ -54,7 +54,7 @@ figure_texts = {
         "Three short rows of numbers, one above the other, each shifted by one column.",
     ),
     "steps": (
-        "Gray where neighbours are equal, bright where the gray level jumps up, dark where it jumps down: the outlines of things.",
+        "Gray where neighbours are equal, bright where the intensity jumps up, dark where it jumps down: the outlines of things.",
         "The room as a gray relief: bright and dark lines at the left and right outlines of the person, the chair and the boxes.",
     ),
     "padded": (
@@ -949,7 +949,7 @@ assert frame.mean(axis=2).shape == (720, 1280)
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `gray`: an image, (height, width) uint8 | the mean gray level of each row, (height,) float64 | `row_means(tiny)[2]` is 112.0 |
+# | `gray`: an image, (height, width) uint8 | the mean [[term:gray level]] of each row, (height,) float64 | `row_means(tiny)[2]` is 112.0 |
 
 # %% role="exercise"
 exercise(
@@ -1044,7 +1044,7 @@ def row_means(gray):
 # %% [markdown]
 # ## 10 · Neighbours: a loop, and the same with slices (8 minutes)
 #
-# Most methods of image processing compare a pixel with its neighbours. Here is one row. We want, for each pixel, the sum of its left neighbour, itself, and its right neighbour. With a loop:
+# Most methods of [[term:image processing]] compare a pixel with its neighbours. Here is one row. We want, for each pixel, the sum of its left neighbour, itself, and its right neighbour. With a loop:
 
 # %%
 row = np.array([10, 10, 10, 200, 200, 200])
@@ -1087,7 +1087,7 @@ assert zeros[0, 0] == 0 and repeated[0, 0] == tiny[0, 0]
 # %% [markdown]
 # ### Your turn: differences
 #
-# Where the gray level jumps from one pixel to the next, there is an edge. Write `differences(gray)`.
+# Where the gray level jumps from one pixel to the next, there is an [[term:edge]]. Write `differences(gray)`.
 #
 # | Input | Output | Example call |
 # |---|---|---|

@@ -359,7 +359,7 @@ assert error_after < error_before / 2
 #
 # | library | what it is | used for |
 # |---|---|---|
-# | `rclpy` | the Python library of ROS 2 | steps 1 and 4: nodes, topics, messages |
+# | `rclpy` | the Python library of ROS 2 | steps 1 and 4: [[term:node|nodes]], topics, messages |
 # | `cv_bridge` | the converter between ROS messages and arrays | steps 2 and 4 |
 # | OpenCV (`cv2`) | the most widely used library for image processing | step 3, and windows for step 4 |
 # | NumPy (`np`) | the library for arrays | all computation with pixels |

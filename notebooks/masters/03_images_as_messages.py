@@ -14,7 +14,7 @@
 # - name the fields of a `sensor_msgs/Image` (ROS's message type for images) and explain each field,
 # - turn the bytes of a message into an array by hand, and back,
 # - recognise two common mistakes in an image (red and blue swapped; the rows cut wrongly) and repair them,
-# - explain why some subscriptions receive nothing from a camera, and repair them.
+# - explain why some [[term:subscription|subscriptions]] receive nothing from a camera, and repair them.
 #
 # **Time** about 110 minutes, with two places for a break. **You need** [[arrays]]: shape, dtype, slices with a step, `astype`.
 #
@@ -1278,7 +1278,7 @@ assert not ros_available() or live_frame.shape == (720, 1280, 3)
 assert not ros_available() or live_frame.dtype == np.uint8
 
 # %% [markdown]
-# **QoS.** Each publisher and each subscription has policies for the *Quality of Service* (QoS). They decide how messages are delivered:
+# **QoS.** Each [[term:publisher]] and each subscription has policies for the *Quality of Service* (QoS). They decide how messages are delivered:
 #
 # | QoS policy | question | a camera driver uses | meaning |
 # |---|---|---|---|
