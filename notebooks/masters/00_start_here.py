@@ -8,7 +8,7 @@
 # %% [markdown]
 # # Start here
 #
-# A small robot drives through a living room. Its camera is 20 cm above the floor and takes ten images per second. One image of such a stream is called a *frame*. The robot *publishes* (sends) every frame on a ROS 2 *topic*: a named stream of messages. Any program can *subscribe* to a topic, and then receives its messages. Here each message contains one frame. The name of this topic is `/kachaka/front_camera/image_raw`.
+# A small robot drives through a living room. Its camera is 20 cm above the floor and takes ten images per second. One image of such a stream is called a *[[term:frame]]*. The robot *[[term:publish|publishes]]* (sends) every frame on a ROS 2 *[[term:topic]]*: a named stream of messages. Any program can *[[term:subscribe]]* to a topic, and then receives its messages. Here each message contains one frame. The name of this topic is `/kachaka/front_camera/image_raw`.
 #
 # At the end of this lesson, these frames arrive in this notebook, and your own function processes each of them. You need no robot. The drive is a recording that a computer rendered for this course; everything else is real ROS 2. (ROS 2, the Robot Operating System, is a collection of libraries and tools for robot programs.)
 #
@@ -23,7 +23,7 @@
 # %% [markdown]
 # ## 1 · How a lesson works (6 minutes)
 #
-# A lesson is a *notebook*: a list of cells. Text cells like this one are for reading. Code cells contain Python. Click into the next cell and press **Shift + Enter** to run it. Its output appears below it.
+# A lesson is a *[[term:notebook]]*: a list of cells. Text cells like this one are for reading. Code cells contain Python. Click into the next cell and press **Shift + Enter** to run it. Its output appears below it.
 
 # %%
 print("hello")
@@ -39,7 +39,7 @@ print("hello")
 #
 # Run the cells from top to bottom, because a cell uses results of the cells above it. If you begin in the middle, first choose **Run → Run All Above Selected Cell** in the menu. Otherwise Python does not know the names of the cells above, and you see a `NameError`.
 #
-# The *kernel* is the Python process that runs the cells.
+# The *[[term:notebook kernel|kernel]]* is the Python process that runs the cells.
 #
 # | you want to | do this |
 # |---|---|
@@ -52,7 +52,7 @@ print("hello")
 #
 # This file is your own copy: an update of the course never overwrites it.
 #
-# The words in bold guide you. **Ask** begins with a question. **Try**, **Look** and **Check** mean: run the cell and compare. Before a result, you often write down a guess; section 3 shows how. Some cells show only their first line, such as `# Check: the numbers in this section`. They contain lines with `assert`: each of them tests that a number in the text is right. You can run these cells without reading them.
+# The words in bold guide you. **Ask** begins with a question. **Try**, **Look** and **Check** mean: run the cell and compare. Before a result, you often write down a guess; section 3 shows how. Some cells show only their first line, such as `# Check: the numbers in this section`. They contain lines with [[term:assert|`assert`]]: each of them tests that a number in the text is right. You can run these cells without reading them.
 #
 # ## 2 · Is your computer ready? (3 minutes)
 #
@@ -86,7 +86,7 @@ figure_texts = {
 # %% [markdown]
 # ## 3 · An image from the recording (4 minutes)
 #
-# We begin without ROS. `open_recording` opens the recording of the drive, and `frame(0)` is its first frame. An image is an *array*: a table of numbers. Its smallest part is a *pixel*: one small square of one colour. The `shape` of an array says how many rows, columns and so on it has. Its `dtype` (data type) says what kind of numbers it contains.
+# We begin without ROS. `open_recording` opens the recording of the drive, and `frame(0)` is its first frame. An image is an *[[term:array]]*: a table of numbers. Its smallest part is a *[[term:pixel]]*: one small square of one colour. The `shape` of an array says how many rows, columns and so on it has. Its `dtype` (data type) says what kind of numbers it contains.
 #
 # **Predict.** The image is 1280 pixels wide and 720 pixels high. Which of these two numbers comes first in its shape? Write your guess instead of `None`, and run the cell. Then run the cell below it, which compares your guess with the result. A wrong guess costs nothing, and you can leave `None`.
 
@@ -105,7 +105,7 @@ print("shape:", frame.shape, "  dtype:", frame.dtype)
 compare_guess(guess_first, frame.shape[0])
 
 # %% [markdown]
-# Rows come first: 720 rows, 1280 columns, and 3 numbers for each pixel. The three numbers belong to three *channels*: blue, green and red. Each number is an *intensity*: 0 means no light of this colour, 255 means the most light. The dtype `uint8` holds whole numbers from 0 to 255.
+# Rows come first: 720 rows, 1280 columns, and 3 numbers for each pixel. The three numbers belong to three *[[term:channel|channels]]*: blue, green and red. Each number is an *[[term:intensity]]*: 0 means no light of this colour, 255 means the most light. The dtype `uint8` holds whole numbers from 0 to 255.
 
 # %%
 show(frame, "the robot's first frame", text=figure_texts["frame"])
@@ -139,7 +139,7 @@ else:
 print("shape:", received.shape, "  dtype:", received.dtype)
 
 # %% [markdown]
-# This frame went through every step. It was read from the recording and converted to a *message* (one unit of data on a topic). The same middleware as on a robot sent it to this notebook. (The *middleware* is the software that carries messages from one program to another.) Here the message was received and converted back to an array.
+# This frame went through every step. It was read from the recording and converted to a *[[term:message]]* (one unit of data on a topic). The same middleware as on a robot sent it to this notebook. (The *[[term:middleware]]* is the software that carries messages from one program to another.) Here the message was received and converted back to an array.
 #
 # **Look.** Here are the frames live. The view calls the function `darken` for every frame, with the value of the slider. Move the slider while the view runs. With a mouse, drag it; with the keyboard, use the arrow keys.
 #
@@ -318,5 +318,7 @@ hint("start-count", step=1)
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|
 # | *frame*, from the recording or the topic | (720, 1280, 3) | uint8 | 0 to 255 | intensity of blue, green, red |
+#
+# All words in *italics* are collected in the [glossary](glossary.ipynb), and some of them are links to it.
 #
 # **Next:** [[arrays]]. Before you go on, choose **File → Close and Shut Down Notebook**.

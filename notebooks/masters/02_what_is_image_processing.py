@@ -8,11 +8,11 @@
 # %% [markdown]
 # # What is image processing?
 #
-# *Image processing* improves the quality of an image, or extracts information from it. A robot needs both. Its camera gives it 2.8 million numbers, ten times per second. None of these numbers says "floor", "person" or "stop".
+# *[[term:image processing|Image processing]]* improves the quality of an image, or extracts information from it. A robot needs both. Its camera gives it 2.8 million numbers, ten times per second. None of these numbers says "floor", "person" or "stop".
 #
 # **You will be able to**
 # - name four uses of images on a home robot, with an example of each,
-# - recognise four basic operations (grayscale, edge detection, noise removal, binarization) by what they do to the numbers,
+# - recognise four basic operations (grayscale, edge detection, noise removal, [[term:binarization]]) by what they do to the numbers,
 # - explain why a grayscale image is not a binary image,
 # - name the four steps of a program that processes a robot's images, and the libraries that it needs.
 #
@@ -88,9 +88,9 @@ assert frame.size == 2_764_800 and recording.rate == 10
 # %% [markdown]
 # ## Part one: what a robot needs to know
 #
-# The recording contains more than the frames. For each frame it also has two images with the right answers, the *ground truth*:
-# - a *label image*: the number in each pixel says what this pixel shows (1 is floor, for example),
-# - a *depth image*: the number in each pixel says how far away the thing is that this pixel shows, measured straight ahead of the camera.
+# The recording contains more than the frames. For each frame it also has two images with the right answers, the *[[term:ground truth]]*:
+# - a *[[term:label image]]*: the number in each pixel says what this pixel shows (1 is floor, for example),
+# - a *[[term:depth image]]*: the number in each pixel says how far away the thing is that this pixel shows, measured straight ahead of the camera.
 #
 # A robot does not have the ground truth. It has to find the answers itself. Here we use the ground truth to see what the robot looks for.
 #
@@ -124,7 +124,7 @@ assert round(floor_share * 100) == 36
 # %% [markdown]
 # ### 2 · Object detection: who is there? (4 minutes)
 #
-# A detector returns a *bounding box*: the smallest rectangle around an object, given by its first and last row and its first and last column. Here we compute the person's bounding box from the label image. A real detector has to find the person in the frame.
+# A detector returns a *[[term:bounding box]]*: the smallest rectangle around an object, given by its first and last row and its first and last column. Here we compute the person's bounding box from the label image. A real detector has to find the person in the frame.
 
 # %%
 person = labels == 16
@@ -148,7 +148,7 @@ assert (top, bottom, left, right) == (102, 394, 584, 690)
 # %% [markdown]
 # ### 3 · Position estimation: where am I? (7 minutes)
 #
-# The black and white square is a *marker*. OpenCV knows its pattern: it finds the four corners of the marker in the image, and reads its number.
+# The black and white square is a *[[term:marker]]*. OpenCV knows its pattern: it finds the four corners of the marker in the image, and reads its number.
 
 # %%
 patterns = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50)
@@ -165,7 +165,7 @@ print("top left corner (column, row):", top_left)
 print("bottom left corner:           ", bottom_left)
 
 # %% [markdown]
-# We know the real size of the marker: each side is 0.25 m. How far away is it? An object at twice the distance looks half as large. How large it looks in pixels also depends on the lens, on its *focal length*. The focal length of this camera is 705 pixels. Then:
+# We know the real size of the marker: each side is 0.25 m. How far away is it? An object at twice the distance looks half as large. How large it looks in pixels also depends on the lens, on its *[[term:focal length]]*. The focal length of this camera is 705 pixels. (Together with the *[[term:principal point]]*, the image point straight ahead of the camera, it is called the camera's *[[term:intrinsics]]*.) Then:
 #
 # $$\text{distance} = \text{focal length} \cdot \frac{\text{real size}}{\text{size in pixels}}$$
 #
@@ -182,7 +182,7 @@ print("focal length:", focal_length, "  side:", side)
 compare_guess(guess_marker, round(float(distance), 2), "m")
 
 # %% [markdown]
-# The recording contains the true positions of camera and marker, so we can compute the true distance: 3.6 m. Our result has an error of less than five percent. The library function `cv2.solvePnP` is better: it uses all four corners, and it also corrects how the lens bends straight lines (the *distortion*). It gives the *pose* of the marker: its position and its orientation. If a robot knows where in the room the marker stands, it can compute its own position from the pose of the marker.
+# The recording contains the true positions of camera and marker, so we can compute the true distance: 3.6 m. Our result has an error of less than five percent. The library function `cv2.solvePnP` is better: it uses all four corners, and it also corrects how the lens bends straight lines (the *[[term:distortion]]*). It gives the *[[term:pose]]* of the marker: its position and its orientation. If a robot knows where in the room the marker stands, it can compute its own position from the pose of the marker.
 
 # %%
 # Check: the numbers in this section
@@ -266,7 +266,7 @@ assert gray.shape == (720, 1280) and np.unique(gray).size == 246
 assert together == 0.005
 
 # %% [markdown]
-# Almost no pixel is fully white or black: a gray image has up to 256 intensities (gray levels). **Repair it**: to get two values from 256, choose a *threshold*, and compare every pixel with it. That is the next operation.
+# Almost no pixel is fully white or black: a gray image has up to 256 intensities ([[term:gray level|gray levels]]). **Repair it**: to get two values from 256, choose a *[[term:threshold]]*, and compare every pixel with it. That is the next operation.
 #
 # ### 7 · Binarization: above the threshold or not (4 minutes)
 
@@ -281,7 +281,7 @@ show([gray, binary], ["gray: 246 values", "binary: two"],
 # %% [markdown]
 # ### 8 · Edge detection: where the intensity jumps (4 minutes)
 #
-# An *edge* is a place where the intensity changes strongly from one pixel to the next. We detect edges with the method of John Canny; the lesson [[canny_stages]] explains it, and the two numbers 50 and 150 in the next cell. An edge image also has only two values: 255 (white) for an edge, 0 for no edge.
+# An *[[term:edge]]* is a place where the intensity changes strongly from one pixel to the next. We detect edges with the *[[term:Canny edge detector]]*; the lesson [[canny_stages]] explains it, and the two numbers 50 and 150 in the next cell. An edge image also has only two values: 255 (white) for an edge, 0 for no edge.
 #
 # **Predict.** Are more or fewer of its pixels white than in the binary image above?
 
@@ -307,7 +307,7 @@ assert round(edge_share * 100) == 4 and binary_share > 0.3
 # %% [markdown]
 # ### 9 · Noise removal: the same image with fewer errors (5 minutes)
 #
-# Sensors make errors, called *noise*. Here we set 5 % of the pixels to black or white. This is *impulse noise*, also called salt-and-pepper noise.
+# Sensors make errors, called *[[term:noise]]*. Here we set 5 % of the pixels to black or white. This is *[[term:impulse noise]]*, also called salt-and-pepper noise.
 
 # %%
 # with the same seed, you always get the same random numbers
@@ -318,7 +318,7 @@ noisy[random_values < 0.025] = 0
 noisy[random_values > 0.975] = 255
 
 # %% [markdown]
-# A *median filter* replaces each pixel by the median of the 3 × 3 pixels around it. (The median is the value in the middle when you sort them.) So single wrong values disappear. The image keeps its shape and its colours.
+# A *median filter* replaces each pixel by the median of the 3 × 3 pixels around it. (The [[term:median]] is the value in the middle when you sort them.) So single wrong values disappear. The image keeps its shape and its colours.
 
 # %%
 cleaned = cv2.medianBlur(noisy, 3)

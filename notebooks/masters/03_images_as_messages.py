@@ -8,7 +8,7 @@
 # %% [markdown]
 # # Images as messages
 #
-# A robot's camera sends *messages*. A message with an image has a few fields that describe the image, and one long sequence of bytes. (A *byte* is a number from 0 to 255.) The fields say how to read the bytes. If you ignore these fields, you read the bytes wrongly.
+# A robot's camera sends *messages*. A message with an image has a few fields that describe the image, and one long sequence of bytes. (A *[[term:byte]]* is a number from 0 to 255.) The fields say how to read the bytes. If you ignore these fields, you read the bytes wrongly.
 #
 # **You will be able to**
 # - name the fields of a `sensor_msgs/Image` (ROS's message type for images) and explain each field,
@@ -112,7 +112,7 @@ assert message.step == message.width * bytes_per_pixel == 3840
 # %% [markdown]
 # ## 2 · Find a pixel by hand (10 minutes)
 #
-# **Ask.** At which position in `data` is the pixel of row 1, column 2? We use an image that is small enough to read: five rows of five pixels. Its encoding is `mono8`: one channel, one byte per pixel. With one channel, the value of a pixel is its *intensity*, also called its *gray level*: 0 is black and 255 is white.
+# **Ask.** At which position in `data` is the pixel of row 1, column 2? We use an image that is small enough to read: five rows of five pixels. Its [[term:encoding]] is `mono8`: one channel, one byte per pixel. With one channel, the value of a pixel is its *intensity*, also called its *gray level*: 0 is black and 255 is white.
 
 # %%
 tiny = np.array([[10, 11, 12, 13, 14],
@@ -468,7 +468,7 @@ def decode_rgb8(message):
 # %% [markdown]
 # ## 4 · Planned failure: a padded row (10 minutes)
 #
-# Many cameras start every row at a multiple of, for example, 16 bytes. They fill the rest of the row with bytes that have no meaning: *padding*. Then `step` is larger than width × bytes per pixel.
+# Many cameras start every row at a multiple of, for example, 16 bytes. They fill the rest of the row with bytes that have no meaning: *[[term:padded rows|padding]]*. Then `step` is larger than width × bytes per pixel.
 #
 # **Try.** This image has five columns, but a step of eight: the last three bytes of each row (here 99) are padding.
 
@@ -695,7 +695,7 @@ def decode_padded(message):
 #
 # ## 5 · Which byte comes first? (8 minutes)
 #
-# A depth camera measures distances. It needs numbers above 255, so a pixel takes two bytes. The encoding is `16UC1` (16 bits, unsigned, 1 channel) or `mono16`. One of the two bytes is the *more significant* one: it counts 256 times as much as the other. Two bytes can be stored in two orders. *Big-endian* stores the more significant byte first, *little-endian* the less significant one.
+# A depth camera measures distances. It needs numbers above 255, so a pixel takes two bytes. The encoding is `16UC1` (16 bits, unsigned, 1 channel) or `mono16`. One of the two bytes is the *more significant* one: it counts 256 times as much as the other. Two bytes can be stored in two orders. *[[term:big-endian|Big-endian]]* stores the more significant byte first, *little-endian* the less significant one.
 #
 # **Predict.** The bytes are 1 and 2. In big-endian order they mean 1 × 256 + 2 = 258. What do they mean in little-endian order?
 
@@ -1208,7 +1208,7 @@ def decode(message):
 #
 # ## 8 · The header: time and camera (3 minutes)
 #
-# A moving robot must know when an image was taken: `header.stamp` is this time. `header.frame_id` names the coordinate frame of the camera. (Here *frame* means a coordinate system, not an image of a stream.) A *node* is a program that takes part in ROS. A node that publishes a processed image copies the header, so that a subscriber knows when the camera took the image.
+# A moving robot must know when an image was taken: `header.stamp` (the *[[term:stamp]]*) is this time. `header.frame_id` names the coordinate frame of the camera. (Here *frame* means a coordinate system, not an image of a stream.) A *[[term:node]]* is a program that takes part in ROS. A node that publishes a processed image copies the header, so that a subscriber knows when the camera took the image.
 
 # %%
 stamps = recording.stamps  # in nanoseconds, one for each frame
@@ -1224,7 +1224,7 @@ assert np.median(np.diff(stamps)) == 100_000_000
 # %% [markdown]
 # ## 9 · Raw or compressed? (5 minutes)
 #
-# The robot publishes each image twice: raw (not compressed) on the topic `image_raw`, and as a JPEG on the topic `image_raw/compressed`. **Predict** how many times smaller the JPEG is.
+# The robot publishes each image twice: raw (not compressed) on the topic `image_raw`, and as a [[term:JPEG]] on the topic `image_raw/compressed`. **Predict** how many times smaller the JPEG is.
 
 # %% role="predict"
 guess_smaller = None  # your guess: how many times smaller?
@@ -1239,7 +1239,7 @@ compare_guess(guess_smaller, round(raw_bytes / jpeg_bytes, 1))
 # %% [markdown]
 # (Ten frames per second, eight bits per byte: that gives the Mbit/s, millions of bits per second.)
 #
-# Many Wi-Fi networks cannot carry 221 Mbit/s reliably. ROS 2 cuts a large message into packets and sends them with UDP, a network protocol. A UDP packet holds at most 65,507 bytes, so a raw image needs 43 packets, and the JPEG needs three. Also, cameras do not send lost packets again: if one of the 43 packets is lost, the whole image is lost. So over Wi-Fi, subscribe to the compressed topic. This has a disadvantage: JPEG changes the pixels a little each time an image is compressed.
+# Many Wi-Fi networks cannot carry 221 Mbit/s reliably. ROS 2 cuts a large message into packets and sends them with [[term:UDP]], a network protocol. A UDP packet holds at most 65,507 bytes, so a raw image needs 43 packets, and the JPEG needs three. Also, cameras do not send lost packets again: if one of the 43 packets is lost, the whole image is lost. So over Wi-Fi, subscribe to the compressed topic. This has a disadvantage: JPEG changes the pixels a little each time an image is compressed.
 
 # %%
 once = compressed_to_array(compressed, "bgr8")
@@ -1278,15 +1278,15 @@ assert not ros_available() or live_frame.shape == (720, 1280, 3)
 assert not ros_available() or live_frame.dtype == np.uint8
 
 # %% [markdown]
-# **QoS.** Each [[term:publisher]] and each subscription has policies for the *Quality of Service* (QoS). They decide how messages are delivered:
+# **QoS.** Each [[term:publisher]] and each subscription has policies for the *Quality of Service* ([[term:QoS]]). They decide how messages are delivered:
 #
 # | QoS policy | question | a camera driver uses | meaning |
 # |---|---|---|---|
-# | reliability | is a lost message sent again? | *best effort* | no: the next image is more useful than an old one |
-# | durability | does a late subscription receive earlier messages? | *volatile* | no: only messages that are sent from now on |
+# | reliability | is a lost message sent again? | *[[term:best effort]]* | no: the next image is more useful than an old one |
+# | durability | does a late subscription receive earlier messages? | *[[term:volatile]]* | no: only messages that are sent from now on |
 # | history and depth | how many messages wait until the program takes them? | *keep last*, depth 5 | the last five; older ones are dropped |
 #
-# The opposite of best effort is *reliable*: a lost message is sent again.
+# The opposite of best effort is *[[term:reliable]]*: a lost message is sent again.
 #
 # **Planned failure.** A camera publishes with best effort. A subscription can request *reliable* delivery. Many tutorials do this without saying so: they pass `10` instead of QoS policies, which means reliable, with a queue of 10 messages. **Predict** how many frames such a subscription receives from the camera in two seconds. (The camera sends ten per second.)
 

@@ -117,6 +117,7 @@ print(figure_texts, dict(caption="A median filter."))
 EXPLAINED = """
 # %% [markdown]
 # A [[term:median filter|filter]], then a median filter. A [[term:edge detector]].
+# The [whole glossary](glossary.ipynb).
 """
 
 
