@@ -26,7 +26,7 @@ from imgproc_course.ros.node_log import NodeLog
 from imgproc_course.ros.node_parameters import NodeParameters
 from imgproc_course.ros.output_publishers import OutputPublishers
 from imgproc_course.ros.process_function import SkippedImageError, call_process
-from imgproc_course.ros.session import spin_once
+from imgproc_course.ros.session import RosSession, spin_once
 from imgproc_course.ros.stream_statistics import SILENCE, ProcessingStatistics, StreamMonitor
 from imgproc_course.ros.subscriber import QOS
 from imgproc_course.ros.windows import OutputWindows
@@ -59,7 +59,8 @@ class ImageProcessor(Node):
     The node publishes its `statistics()` once per second on `~/statistics` (std_msgs/String, JSON), if that
     topic has a subscriber. The parameter `display` shows the images in OpenCV windows.
 
-    No image stops the node: a failure is counted, and logged with its cause at most every 5 s.
+    No image stops the node: a failure is counted, and logged with its cause at most every 5 s. In a
+    RosSession, the node replaces the one of the same name.
 
     Raises
     ------
@@ -68,6 +69,7 @@ class ImageProcessor(Node):
     """
 
     def __init__(self, name, process, outputs, *, parameters=(), check=None, **node_options):
+        RosSession().remove_namesake(name, node_options.get("namespace"), node_options.get("context"))
         super().__init__(name, **node_options)
         self._process = process
         self._statistics = ProcessingStatistics()

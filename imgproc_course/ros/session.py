@@ -19,8 +19,10 @@ from rclpy.context import Context
 from rclpy.exceptions import InvalidHandle
 from rclpy.executors import ExternalShutdownException, SingleThreadedExecutor
 from rclpy.impl.implementation_singleton import rclpy_implementation
+from rclpy.logging import LoggingSeverity, set_logger_level
 from rclpy.node import Node
 
+from imgproc_course.ros import notebook_spin
 from imgproc_course.ros.profile import remove_stale_segments
 
 RCLError = rclpy_implementation.RCLError  # rclpy exports it nowhere else
@@ -135,7 +137,11 @@ class RosSession:
         return f"<RosSession: {f'domain {self.context.get_domain_id()}' if self.running else 'stopped'}>"
 
     def add_node(self, node):
-        """Spins your node too. Create it with `context=session.context`; the session destroys it on stop."""
+        """Spins your node too. Create it with `context=session.context`; the session destroys it on stop.
+
+        It replaces the node of the same name and namespace that was added before: that one is destroyed
+        first, so a cell that runs again does not leave two nodes.
+        """
         spinner = self._running_spinner()
         self.run(lambda: spinner.add(node))
         return node
@@ -145,6 +151,17 @@ class RosSession:
         spinner = self._spinner
         if self.running:
             self.run(lambda: spinner.destroy(node))
+
+    def remove_namesake(self, name, namespace=None, context=None):
+        """Destroys the session's node of this name, before another one is created in the same context.
+
+        ROS mixes up two nodes that have one name at the same time: when the first is destroyed, the second
+        has no services and no publishers in the graph any more, and its log does not go to /rosout.
+        """
+        if self.running and context is self.context:
+            spinner = self._spinner
+            full_name = f"/{(namespace or '').strip('/')}/{name}".replace("//", "/")
+            self.run(lambda: spinner.remove_namesakes(full_name))
 
     def resolve_topic(self, topic):
         """The full name of a topic, after the remapping of the command line.
@@ -226,6 +243,8 @@ class _Spinner:
 
     def __init__(self):
         self.context = _new_context()
+        # ROS warns about two nodes of one name in a process, but here the second replaces the first.
+        set_logger_level("rcl.logging_rosout", LoggingSeverity.ERROR)
         self.executor = SingleThreadedExecutor(context=self.context)
         self.node = Node(f"imgproc_course_{os.getpid()}", context=self.context)
         self.executor.add_node(self.node)
@@ -236,6 +255,7 @@ class _Spinner:
         self._tasks = collections.deque()
         self._shutdown_callbacks = {}
         self._may_log = Throttle()
+        notebook_spin.install(self.context, self._take_back)
         # A daemon thread, so that a callback that never returns cannot keep the interpreter alive.
         self.thread = threading.Thread(target=self._spin, name="imgproc_course ROS session", daemon=True)
         self.thread.start()
@@ -266,8 +286,20 @@ class _Spinner:
                 self._shutdown_callbacks[id(owner)] = callback
 
     def add(self, node):
-        self._nodes.append(node)
-        self.executor.add_node(node)
+        if node not in self._nodes:
+            self.remove_namesakes(node.get_fully_qualified_name())
+            self._nodes.append(node)
+            self.executor.add_node(node)
+
+    def _take_back(self, node):
+        with self._lock:
+            if node in self._nodes and not self.closed:
+                self.executor.add_node(node)
+
+    def remove_namesakes(self, full_name):
+        for node in self._nodes[1:]:
+            if _full_name(node) in (None, full_name):
+                self.destroy(node)
 
     def destroy(self, node):
         if node in self._nodes:
@@ -298,6 +330,7 @@ class _Spinner:
                 log.exception("a ROS callback failed; the graph continues")
 
     def _close(self):
+        notebook_spin.uninstall()
         with self._lock:
             callbacks, self._shutdown_callbacks = list(self._shutdown_callbacks.values()), {}
         for callback in callbacks:
@@ -326,6 +359,14 @@ def spin_once(executor, timeout_sec=None):
         if executor.context.ok():
             raise
         raise ExternalShutdownException from error
+
+
+def _full_name(node):
+    """The node's namespace and name; None if it was destroyed."""
+    try:
+        return node.get_fully_qualified_name()
+    except InvalidHandle:
+        return None
 
 
 def _new_context():

@@ -341,7 +341,7 @@ if ros_available():
 assert not ros_available() or node.get_name() == "gray_by_hand"
 
 # %% [markdown]
-# The line on a red background, if you see one, is the node's log. A script writes its log to the terminal; a notebook shows it under a cell.
+# The line on a red background is the node's log. A script writes its log to the terminal. A notebook shows it below the cell that runs when the line arrives, and this can be a later cell.
 #
 # `rclpy.spin` uses such an executor too. The next cell spins for three seconds; `rclpy.spin(node)` does the same without a limit. **Predict**: while a cell spins, can you run another cell?
 
@@ -684,19 +684,15 @@ def process(frame):
 # %% [markdown]
 # ## 7 · Practice: your node, live (12 minutes)
 #
-# Run your own `process` in a node and watch its images. In the second of the next two cells, replace `make_gray` by `process` and run the cell. Then change `process` in your answer cell. After each change, run the answer cell and then the second cell again. The second cell removes the old node before it starts the new one. Ideas:
+# Run your own `process` in a node and watch its images. In the next cell, replace `make_gray` by `process` and run the cell. Then change `process` in your answer cell. After each change, run the answer cell and then the next cell again. The new node replaces the old one of the same name. Ideas:
 #
 # - turn the image upside down: `gray[::-1]`,
 # - invert it: `255 - gray`,
 # - make the first twenty rows white: `gray[:20] = 255`,
 # - publish the red channel alone, as a gray image: `{"gray": frame[..., 2]}`. Red objects become bright.
 
-# %%
-my_node = None
-
 # %% tags=["nbval-ignore-output"]
 if ros_available():
-    session.remove_node(my_node)  # the previous run's node, if any
     my_node = session.add_node(
         ImageProcessor("my_node", make_gray, ["gray"], context=session.context)
     )

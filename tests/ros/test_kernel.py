@@ -65,8 +65,9 @@ class Notebook:
         while self.client.get_iopub_msg(timeout=60)["msg_type"] != "stream":
             pass
         self.manager.interrupt_kernel()
-        while self.client.get_shell_msg(timeout=60)["parent_header"]["msg_id"] != request:
+        while (reply := self.client.get_shell_msg(timeout=60))["parent_header"]["msg_id"] != request:
             pass
+        assert reply["content"]["ename"] == "KeyboardInterrupt"
 
     def close(self):
         self.client.stop_channels()
@@ -121,4 +122,41 @@ def test_interrupting_a_waiting_cell_leaves_the_graph_running(notebook, extra):
     # Short sleeps: a long one would miss a signal that comes between the print and the sleep.
     notebook.interrupt("import time\nprint('waits', flush=True)\nfor _ in range(1200): time.sleep(0.05)")
     assert notebook.run(READ) == ("(720, 1280, 3)\n", "")
+    assert notebook.run(ALIVE) == ("1 1 1\n", "")
+
+
+SPIN = """
+import rclpy
+from rclpy.node import Node
+from std_msgs.msg import Empty
+from imgproc_course.ros import *
+session = RosSession.current()
+node = Node("spun", context=session.context)
+node.create_subscription(Empty, "/spun/in", lambda msg: calls.append(1), 1)
+calls = []
+"""
+CALLS = """
+import time
+publisher = session.node.create_publisher(Empty, "/spun/in", 1)
+end = time.monotonic() + 20
+while not calls and time.monotonic() < end:
+    publisher.publish(Empty())
+    time.sleep(0.01)
+print(bool(calls))
+"""
+
+
+@pytest.mark.parametrize("call", ["", "session.add_node(node)", "rclpy.init()"])
+def test_rclpys_spin_blocks_until_the_interrupt_and_the_session_lives_on(notebook, call):
+    notebook.run(SPIN)
+    notebook.run(OPEN)
+    notebook.run(SUBSCRIBE)
+    start = time.monotonic()
+    # A thread prints, so that the interrupt comes while the cell spins.
+    cell = f"import threading\nthreading.Timer(1, lambda: print('spins', flush=True)).start()\n{call}\n"
+    notebook.interrupt(cell + "rclpy.spin(node)\nprint('spin has returned')")
+    assert 1 < time.monotonic() - start < 30
+    assert notebook.run(READ) == ("(720, 1280, 3)\n", "")
+    notebook.run("session.add_node(node)")
+    assert notebook.run(CALLS) == ("True\n", "")
     assert notebook.run(ALIVE) == ("1 1 1\n", "")

@@ -140,6 +140,57 @@ def test_a_node_of_the_learners_is_spun_and_destroyed_with_the_session(session, 
     assert ros_threads() == []
 
 
+def test_adding_a_node_of_the_same_name_replaces_it(session, wait_until, capfd, caplog):
+    import numpy as np
+
+    from imgproc_course.ros import ImageProcessor, ImageSubscriber, NumericParameter, open_camera
+
+    def add(value, namespace=""):
+        return session.add_node(
+            ImageProcessor(
+                "mine",
+                lambda frame, low: {"gray": np.full((2, 2), value, np.uint8)} if value else None,
+                ["gray"],
+                parameters=[NumericParameter("low", 1, 0, 9, "a number")],
+                namespace=namespace,
+                context=session.context,
+            )
+        )
+
+    open_camera(speed=3.0)
+    images = ImageSubscriber("/mine/gray", encoding="mono8")
+    elsewhere = add(9, "/elsewhere")
+    nodes = [add(value) for value in (1, 2, 3)]
+    assert session.add_node(nodes[2]) is nodes[2]
+    wait_until(lambda: session.node.count_publishers("/mine/gray") == 1)
+    assert {int(images.wait(20)[0, 0]) for _ in range(8)} == {3}
+    assert session.node.get_node_names_and_namespaces().count(("mine", "/")) == 1
+    services = session.node.get_service_names_and_types_by_node("mine", "/")
+    assert sum(name == "/mine/set_parameters" for name, _ in services) == 1
+    broken = add(None)
+    with pytest.raises(TimeoutError):
+        images.wait(1)
+    assert broken.statistics()["failed"] and elsewhere.get_parameter("low").value == 1
+    assert "rosout" not in capfd.readouterr().err and caplog.records == []
+
+
+def test_adding_a_plain_node_of_the_same_name_replaces_it(session, wait_until, capfd):
+    from rclpy.node import Node
+    from std_msgs.msg import Int32
+
+    received = []
+    session.node.create_subscription(Int32, "/by_hand/number", lambda msg: received.append(msg.data), 5)
+    for number in (1, 2, 3):
+        node = Node("by_hand", context=session.context)
+        publisher = node.create_publisher(Int32, "~/number", 5)
+        node.create_timer(0.02, lambda p=publisher, n=number: p.publish(Int32(data=n)))
+        session.add_node(node)
+    wait_until(lambda: session.node.count_publishers("/by_hand/number") == 1)
+    received.clear()
+    wait_until(lambda: len(received) > 5)
+    assert set(received) == {3} and "rosout" not in capfd.readouterr().err
+
+
 def test_destroying_a_subscription_while_spinning_is_safe(session, wait_until, caplog):
     from sensor_msgs.msg import Image
 

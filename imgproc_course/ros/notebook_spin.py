@@ -1,0 +1,58 @@
+"""Makes `rclpy.spin(node)` in a cell behave as in a script: it blocks, and Interrupt ends it.
+
+Without this, the call needs rclpy.init(), and rclpy's handler of the interrupt signal then shuts down every
+context of the process, also the session's.
+"""
+
+import sys
+
+import rclpy
+from rclpy.executors import SingleThreadedExecutor
+from rclpy.signals import uninstall_signal_handlers
+
+INTERRUPT_PERIOD = 0.1  # seconds; without rclpy's handler, a signal does not end a wait
+
+_default_global_executor = rclpy.get_global_executor
+
+
+class InterruptibleExecutor(SingleThreadedExecutor):
+    """Spins in a cell. Afterwards, a node of the session is spun by the session again.
+
+    Parameters
+    ----------
+    context : rclpy Context
+    take_back : function(node), called when this executor stops spinning the node
+    """
+
+    def __init__(self, context, take_back):
+        super().__init__(context=context)
+        self._take_back = take_back
+
+    def spin_once(self, timeout_sec=None):
+        super().spin_once(INTERRUPT_PERIOD if timeout_sec is None else timeout_sec)
+
+    def remove_node(self, node):
+        super().remove_node(node)
+        self._take_back(node)
+
+
+def install(context, take_back):
+    """In a notebook, lets rclpy.spin, spin_once and spin_until_future_complete use such an executor."""
+    shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
+    if getattr(shell, "kernel", None) is None:
+        return
+    executors = []
+
+    def global_executor():
+        uninstall_signal_handlers()  # rclpy.init() installs them
+        chosen_context = rclpy.utilities.get_default_context() if rclpy.ok() else context
+        if not executors or executors[0].context is not chosen_context:
+            executors[:] = [InterruptibleExecutor(chosen_context, take_back)]
+        return executors[0]
+
+    rclpy.get_global_executor = global_executor
+
+
+def uninstall():
+    """Gives rclpy its own executor back."""
+    rclpy.get_global_executor = _default_global_executor
