@@ -262,6 +262,11 @@ def count_pixels(frame):
     return frame.shape[0] * frame.shape[2]
 
 
+# %% role="mistake" exercise="start-count" name="rows times rows" says="That is rows × rows. The columns are the second number of the shape: frame.shape[1]."
+def count_pixels(frame):
+    return frame.shape[0] * frame.shape[0]
+
+
 # %% role="mistake" exercise="start-count" name="the size of the lesson's frame" says="921600 = 720 × 1280 is right only for the robot's frame. Another image has another size: take the rows and the columns from frame.shape."
 def count_pixels(frame):
     return 720 * 1280

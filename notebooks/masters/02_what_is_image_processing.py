@@ -409,7 +409,7 @@ exercise(
     function="name_operation",
     time_limit=5,
     refused=(),
-    hint="Ask in this order: does after have three dimensions? Does it have more than two different values? Is the share of white pixels small?",
+    hint="Ask in this order: does after have three dimensions? Does it have more than two different values? Is the share of white pixels small? Return one of the four names exactly as the task writes it.",
     hints=(
         "Which of the four results still has colours? And which of the other three has more than two different values?",
         "Three questions are enough. First: does after have three dimensions? Then it is noise removal. Second: does it have more than two different values? Then it is grayscale. Third: is the share of white pixels less than a fifth? Then it is edges; otherwise it is binarization.",
@@ -564,6 +564,22 @@ def name_operation(before, after):
 def name_operation(before, after):
     operation = solution(before, after)
     return "binary" if operation == "binarization" else operation
+
+
+# %% role="mistake" exercise="tour-name" name="other name: edge" says="Your function returns \"edge\". The name in this exercise is \"edges\": use the four texts exactly as the task gives them."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "edge" if operation == "edges" else operation
+
+
+# %% role="mistake" exercise="tour-name" name="other name: noise_removal" says="Your function returns \"noise_removal\". The name in this exercise is \"noise removal\", two words with a space: use the four texts exactly as the task gives them."
+def name_operation(before, after):
+    return solution(before, after).replace("noise ", "noise_")
+
+
+# %% role="mistake" exercise="tour-name" name="other name: noise-removal" says="Your function returns \"noise-removal\". The name in this exercise is \"noise removal\", two words with a space: use the four texts exactly as the task gives them."
+def name_operation(before, after):
+    return solution(before, after).replace("noise ", "noise-")
 
 
 # %% role="mistake" exercise="tour-name" name="capital letters" says="The names begin with a capital letter. Python distinguishes capital and small letters: write all four names in small letters."

@@ -1188,6 +1188,12 @@ def decode(message):
     return solution(message) & np.uint16(255) if message.encoding == "mono16" else solution(message)
 
 
+# %% role="mistake" exercise="messages-decode" name="bytes added" says="The two bytes of a mono16 pixel were only added. The more significant byte counts 256 times as much: multiply it by 256 before you add the other byte."
+def decode(message):
+    pixels = solution(message)
+    return (pixels >> 8) + (pixels & 255) if message.encoding == "mono16" else pixels
+
+
 # %% role="mistake" exercise="messages-decode" name="always little-endian" says="The bytes of the big-endian message were read in the wrong order. is_bigendian says which byte comes first: 1 means the more significant one."
 def decode(message):
     return solution(message).byteswap() if message.is_bigendian else solution(message)
