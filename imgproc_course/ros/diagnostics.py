@@ -20,6 +20,7 @@ def explain_missing_messages(
     failed=0,
     last_error=None,
     incompatible_qos=None,
+    publisher_error=None,
     own_topics=(),
 ):
     """The cause and the remedy, in one line.
@@ -34,6 +35,7 @@ def explain_missing_messages(
     failed : messages that arrived in this time and could not be converted
     last_error : why the last of those failed
     incompatible_qos : the mismatch of QoS that ROS has reported, with the remedy; None
+    publisher_error : what went wrong last in the publishing node, with its name, if that is known
     own_topics : topics that the subscriber itself publishes; they are not proposed
     """
     start = f"no image arrived on {topic} in {seconds:g} s: "
@@ -48,6 +50,8 @@ def explain_missing_messages(
         return start + _wrong_type(publishers[0].topic_type, expected_type, topic)
     if not matched:
         return start + (incompatible_qos or _not_matched(of_expected_type[0], qos))
+    if publisher_error:
+        return start + publisher_error
     return start + _silent_publisher(of_expected_type, topic, received)
 
 

@@ -102,6 +102,11 @@ class ImageProcessor(Node):
         """
         return self._statistics.as_dict()
 
+    @property
+    def last_error(self):
+        """The cause of the latest failure in one line, or None."""
+        return self._statistics.last_error
+
     def spin(self, should_stop=lambda: False):
         """Runs the node in the main thread, and shows the windows between two callbacks.
 

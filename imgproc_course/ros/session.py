@@ -14,6 +14,7 @@ import os
 import sys
 import threading
 import time
+import traceback
 
 from rclpy.context import Context
 from rclpy.exceptions import InvalidHandle
@@ -163,6 +164,15 @@ class RosSession:
             full_name = f"/{(namespace or '').strip('/')}/{name}".replace("//", "/")
             self.run(lambda: spinner.remove_namesakes(full_name))
 
+    def error_of_publisher(self, topic):
+        """What went wrong last in your node that publishes the topic, in one line with its name; or None."""
+        for node in self._spinner.nodes() if self.running else ():
+            if topic in (publisher.topic_name for publisher in node.publishers):
+                # Only an ImageProcessor knows its own error.
+                error = getattr(node, "last_error", None) or self._spinner.last_callback_error
+                return f"{node.get_fully_qualified_name()} publishes it, but {error}" if error else None
+        return None
+
     def resolve_topic(self, topic):
         """The full name of a topic, after the remapping of the command line.
 
@@ -249,6 +259,7 @@ class _Spinner:
         self.node = Node(f"imgproc_course_{os.getpid()}", context=self.context)
         self.executor.add_node(self.node)
         self.closed = False
+        self.last_callback_error = None
         self._nodes = [self.node]
         self._lock = threading.RLock()
         self._leaving = threading.Event()
@@ -291,6 +302,9 @@ class _Spinner:
             self._nodes.append(node)
             self.executor.add_node(node)
 
+    def nodes(self):
+        return [node for node in self._nodes[1:] if _full_name(node)]
+
     def _take_back(self, node):
         with self._lock:
             if node in self._nodes and not self.closed:
@@ -325,7 +339,10 @@ class _Spinner:
             raise
         except InvalidHandle:
             pass  # something was destroyed between the wait and its callback; the next round is in order
-        except Exception:  # callbacks are other people's code, and the graph must live on
+        except Exception as error:  # callbacks are other people's code, and the graph must live on
+            line = traceback.extract_tb(error.__traceback__)[-1]
+            text = traceback.format_exception_only(error)[-1].strip()
+            self.last_callback_error = f"a callback failed in line {line.lineno} ({line.line}): {text}"
             if self._may_log():
                 log.exception("a ROS callback failed; the graph continues")
 

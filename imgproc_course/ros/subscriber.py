@@ -173,6 +173,20 @@ class ImageSubscriber:
         """The message of a frame that arrives after this call; raises the same errors as `wait`."""
         return self._wait(timeout)[1]
 
+    def wait_for_incompatible_qos(self, timeout=20.0):
+        """Waits until ROS reports a publisher whose QoS policies do not match; returns `incompatible_qos`.
+
+        Raises
+        ------
+        TimeoutError : ROS reported none in `timeout` seconds
+        """
+        with self._change:
+            if not self._change.wait_for(lambda: self.incompatible_qos or self._stopped, timeout):
+                raise TimeoutError(
+                    f"ROS reported no incompatible QoS policy on {self.topic} in {timeout:g} s"
+                )
+            return self.incompatible_qos
+
     def _wait(self, timeout):
         if self.session.is_spinning_thread():
             raise RuntimeError(
@@ -198,6 +212,7 @@ class ImageSubscriber:
                 failed=self.failed - failed_before,
                 last_error=self.last_error,
                 incompatible_qos=self.incompatible_qos,
+                publisher_error=self.session.error_of_publisher(self.topic),
             )
         )
 
@@ -304,7 +319,9 @@ class ImageSubscriber:
         )
         text = f"{self.topic} is published with an incompatible QoS policy: {remedy}"
         if text != self.incompatible_qos:
-            self.incompatible_qos = text
+            with self._change:
+                self.incompatible_qos = text
+                self._change.notify_all()
             log.warning("%s", text)
 
     def _forget_old_arrivals(self):

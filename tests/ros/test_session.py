@@ -168,7 +168,7 @@ def test_adding_a_node_of_the_same_name_replaces_it(session, wait_until, capfd, 
     services = session.node.get_service_names_and_types_by_node("mine", "/")
     assert sum(name == "/mine/set_parameters" for name, _ in services) == 1
     broken = add(None)
-    with pytest.raises(TimeoutError):
+    with pytest.raises(TimeoutError, match=r"1 s: /mine publishes it, but process must return a dict"):
         images.wait(1)
     assert broken.statistics()["failed"] and elsewhere.get_parameter("low").value == 1
     assert "rosout" not in capfd.readouterr().err and caplog.records == []

@@ -203,6 +203,13 @@ def reason(subscriber, seconds=0.3):
     return str(error.value).removeprefix(start)
 
 
+def test_waiting_for_a_report_of_incompatible_qos_ends_with_it(send, subscribe):
+    reliable = subscribe(TOPIC, qos="reliable")
+    assert 'use qos="sensor_data"' in reliable.wait_for_incompatible_qos()
+    with pytest.raises(TimeoutError, match=r"no incompatible QoS policy on /images/image_raw in 0\.1 s"):
+        subscribe(TOPIC).wait_for_incompatible_qos(0.1)
+
+
 def test_no_publisher_but_a_similar_topic(send, subscribe, session):
     session.node.create_publisher(type(broken_image()), "/images/other", 5)
     text = reason(subscribe("/images/image_rw"))
@@ -225,6 +232,23 @@ def test_the_publisher_is_silent(send, subscribe, session, wait_until):
     text = reason(subscriber)
     assert text.startswith(f"/{session.node.get_name()} publishes it, but no image came; the node is paused")
     assert f"subscribe to {TOPIC}/compressed" in text
+
+
+def test_a_callback_of_the_publishing_node_has_failed(subscribe, session, wait_until):
+    from rclpy.node import Node
+    from sensor_msgs.msg import Image
+
+    def fail():
+        raise NameError("name 'grey' is not defined")
+
+    subscriber = subscribe("/by_hand/gray")
+    node = session.add_node(Node("by_hand", context=session.context))
+    node.create_publisher(Image, "~/gray", subscriber.qos)
+    wait_until(lambda: subscriber.matched == 1)
+    assert "a callback failed" not in reason(subscriber)
+    node.create_timer(0.01, fail)
+    assert reason(subscriber).startswith("/by_hand publishes it, but a callback failed in line ")
+    assert reason(subscriber).endswith("NameError: name 'grey' is not defined")
 
 
 def test_the_publisher_has_become_silent(send, subscribe, session):
