@@ -275,15 +275,6 @@ class _LocalTime(click.ParamType):
         return time.astimezone().replace(tzinfo=None) if time.tzinfo else time
 
 
-def _masters_folder(masters):
-    from imgproc_course.exercises.declaration import masters_folders
-
-    folders = [masters] if masters else masters_folders()
-    if not folders:
-        raise click.ClickException("there are no masters here; give their folder: --masters FOLDER")
-    return folders[0]
-
-
 @main.command()
 @click.argument("lessons", nargs=-1, metavar="[LESSON]...")
 @click.option("--seed", help="Secret seed of the inputs.  [default: a new one, saved beside the key]")
@@ -291,7 +282,8 @@ def _masters_folder(masters):
 @click.option(
     "--masters",
     type=_FOLDER,
-    help="Folder of the masters.  [default: IMGPROC_COURSE_MASTERS, or the course's own]",
+    default=CHECKOUT / "notebooks" / "masters",
+    help="Folder of the masters.  [default: the course's own]",
 )
 @click.option("--force", "--replace", "replace", is_flag=True, help="Replace an existing key.")
 @click.option("--unsafe", is_flag=True, help="Run the masters' solutions without a sandbox.")
@@ -307,10 +299,9 @@ def key(lessons, seed, out, masters, replace, unsafe):
 
     seed_file = out.with_name(f"{out.name}.seed")
     try:
-        folder = _masters_folder(masters)
         is_seed_saved = seed is None
         seed = read_or_make_seed(seed_file) if is_seed_saved else seed
-        answer_key = make_key(folder, seed, out, lessons, unsafe=unsafe, replace=replace)
+        answer_key = make_key(masters, seed, out, lessons, unsafe=unsafe, replace=replace)
     except (MasterError, KeyFolderError, SandboxError) as error:
         raise click.ClickException(str(error)) from error
     except OSError as error:

@@ -11,7 +11,6 @@ from imgproc_course.exercises.declaration import (
     MasterError,
     Mistake,
     exercise,
-    find_exercise,
     read_exercises,
 )
 from imgproc_course.exercises.guesses import GuessComparison, compare_guess
@@ -34,7 +33,6 @@ __all__ = [
     "compare",
     "compare_guess",
     "exercise",
-    "find_exercise",
     "hint",
     "overview",
     "read_exercises",

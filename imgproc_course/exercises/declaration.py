@@ -4,8 +4,6 @@
 """
 
 import ast
-import difflib
-import os
 import re
 import zlib
 from dataclasses import dataclass
@@ -17,7 +15,6 @@ import numpy as np
 from imgproc_course.exercises.percent_script import ROLES, MasterError, read_script
 
 PUBLIC_SEED = 20_240_501  # what `check` draws its inputs from; a teacher's key has a seed of its own
-MASTERS_VARIABLE = "IMGPROC_COURSE_MASTERS"
 
 _ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)+")
 
@@ -349,58 +346,3 @@ def _text(cell, key, place):
     if not isinstance(value, str) or not value.strip():
         raise MasterError(f'{place}: a {cell.role} cell needs {key}="..." in its header')
     return value
-
-
-def masters_folders():
-    """The folders that hold masters: those of IMGPROC_COURSE_MASTERS, then the checkout's notebooks/masters.
-
-    Returns
-    -------
-    list of Path
-
-    Raises
-    ------
-    MasterError : the variable names a folder that does not exist
-    """
-    folders = [Path(part) for part in os.environ.get(MASTERS_VARIABLE, "").split(os.pathsep) if part]
-    for folder in folders:
-        if not folder.is_dir():
-            raise MasterError(
-                f"{MASTERS_VARIABLE} names {str(folder)!r}, which is not a folder; give full paths"
-            )
-    checkout = Path(__file__).resolve().parents[2] / "notebooks" / "masters"
-    return [*folders, *([checkout] if checkout.is_dir() else [])]
-
-
-def find_exercise(id):
-    """The exercise with this id, from the first master that declares it.
-
-    Parameters
-    ----------
-    id : str
-
-    Returns
-    -------
-    Exercise
-
-    Raises
-    ------
-    MasterError : no folder of masters, or no such exercise (the message names the nearest id)
-    """
-    folders = masters_folders()
-    if not folders:
-        raise MasterError(
-            "no masters found: the exercises are in notebooks/masters of the course's checkout;"
-            f" start the lesson with environment/lab, or set {MASTERS_VARIABLE} to your own masters' folder"
-        )
-    paths = [path for folder in folders for path in sorted(folder.glob("*.py"))]
-    for path in paths:
-        # A master without this id is not read: it may be half written.
-        if str(id) in path.read_text(encoding="utf-8"):
-            declaration = next((entry for entry in read_exercises(path) if entry.id == id), None)
-            if declaration is not None:
-                return declaration
-    ids = [entry.id for path in paths for entry in read_exercises(path)]
-    nearest = difflib.get_close_matches(str(id), ids, n=1)
-    advice = f"did you mean {nearest[0]!r}?" if nearest else f"there are: {', '.join(ids) or 'none'}"
-    raise MasterError(f"there is no exercise {id!r}; {advice}")

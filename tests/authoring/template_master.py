@@ -19,7 +19,7 @@ def template():
 
 
 @pytest.fixture
-def write_master(tmp_path, monkeypatch):
+def write_master(tmp_path):
     """Writes the template with pieces of it replaced, or text added, and lets `check` find it."""
 
     def write(*replacements, add="", name="90_template"):
@@ -31,7 +31,6 @@ def write_master(tmp_path, monkeypatch):
         folder.mkdir(exist_ok=True)
         path = folder / f"{name}.py"
         path.write_text(text + add, encoding="utf-8")
-        monkeypatch.setenv("IMGPROC_COURSE_MASTERS", str(folder))
         return path
 
     return write

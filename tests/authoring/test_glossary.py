@@ -1,8 +1,13 @@
+import sys
+from pathlib import Path
+
 import nbformat
 import pytest
 
+sys.path.append(str(Path(__file__).parents[1] / "notebooks"))
+from early_uses import early_uses
+
 from imgproc_course.authoring.build import build, compare_lessons
-from imgproc_course.authoring.early_uses import early_uses
 from imgproc_course.authoring.glossary import read_glossary
 from imgproc_course.authoring.masters import read_master
 from imgproc_course.authoring.pages import build_pages

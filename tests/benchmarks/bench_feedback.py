@@ -28,7 +28,7 @@ import click
 from rich.console import Console
 from rich.table import Table
 
-from imgproc_course.exercises import CheckResult, find_exercise, run_cases
+from imgproc_course.exercises import CheckResult, read_exercises, run_cases
 from imgproc_course.exercises.cell_runs import CellRuns
 from imgproc_course.exercises.percent_script import read_script
 
@@ -144,9 +144,15 @@ def judge(answer, result, text):
     return "false" if says_false or result.mistake is not None else "silent"
 
 
+@cache
+def _exercises():
+    masters = sorted((ROOT / "notebooks" / "masters").glob("[0-9]*.py"))
+    return {exercise.id: exercise for path in masters for exercise in read_exercises(path)}
+
+
 def measure(path, is_listed):
     """The counts of one exercise: right, false, silent, and the silent ones that pass."""
-    exercise = find_exercise(path.stem)
+    exercise = _exercises()[path.stem]
     counts = {"answers": 0, "right": 0, "false": 0, "silent": 0, "passing": 0}
     for answer in wrong_answers.read_wrong_answers(path):
         result, text = feedback_on(exercise, answer)

@@ -2,7 +2,7 @@ import pytest
 
 
 @pytest.fixture
-def write_master(tmp_path, monkeypatch):
+def write_master(tmp_path):
     """Writes a master of one exercise, `test-double`, with parts replaced, and lets `check` find it."""
 
     parts = {
@@ -45,7 +45,6 @@ def write_master(tmp_path, monkeypatch):
         text = "\n\n".join({**parts, **changed}.values()) + "\n"
         path = tmp_path / f"{name}.py"
         path.write_text(text, encoding="utf-8")
-        monkeypatch.setenv("IMGPROC_COURSE_MASTERS", str(tmp_path))
         return path
 
     return write

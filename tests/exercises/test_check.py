@@ -10,7 +10,7 @@ import numpy as np
 import pytest
 
 from imgproc_course.authoring.lesson_files import lesson_files
-from imgproc_course.exercises import check, find_exercise, read_exercises, run_cases
+from imgproc_course.exercises import check, read_exercises, run_cases
 
 
 @pytest.fixture
@@ -292,8 +292,8 @@ def test_feedback_is_the_same_each_time():
     assert first._repr_html_() == second._repr_html_()
 
 
-def test_large_arrays_are_drawn_with_the_first_differing_pixel_named():
-    exercise = find_exercise("test-double")
+def test_large_arrays_are_drawn_with_the_first_differing_pixel_named(tmp_path):
+    (exercise,) = read_exercises(tmp_path / "80_doubling.py")
     result = run_cases(exercise, wraps, cases=exercise.hidden)
     html = result._repr_html_()
     assert 'src="data:image/png;base64,' in html
@@ -304,8 +304,8 @@ def test_large_arrays_are_drawn_with_the_first_differing_pixel_named():
     assert f"row {row}, col {col}" in repr(result)
 
 
-def test_hidden_cases_draw_from_another_seed():
-    exercise = find_exercise("test-double")
+def test_hidden_cases_draw_from_another_seed(tmp_path):
+    (exercise,) = read_exercises(tmp_path / "80_doubling.py")
     public = run_cases(exercise, wraps, cases=exercise.hidden).results[0].failed_call.arguments[0]
     secret = run_cases(exercise, wraps, cases=exercise.hidden, seed=99).results[0].failed_call.arguments[0]
     assert not np.array_equal(public, secret)

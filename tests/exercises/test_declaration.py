@@ -7,7 +7,6 @@ from imgproc_course.exercises.declaration import (
     PUBLIC_SEED,
     MasterError,
     exercise,
-    find_exercise,
     read_exercises,
 )
 
@@ -144,22 +143,3 @@ def test_arguments_of_a_declaration_are_checked():
     ):
         with pytest.raises(MasterError):
             exercise(**arguments)
-
-
-def test_for_an_unknown_exercise_the_nearest_is_named(write_master):
-    write_master()
-    assert find_exercise("test-double").id == "test-double"
-    with pytest.raises(MasterError, match="did you mean 'test-double'"):
-        find_exercise("test-duoble")
-
-
-def test_a_half_written_master_does_not_block_another(write_master):
-    path = write_master()
-    path.with_name("70_half.py").write_text('# %% role="exercise"\nexercise(', encoding="utf-8")
-    assert find_exercise("test-double").id == "test-double"
-
-
-def test_a_missing_folder_of_masters_is_named(monkeypatch, tmp_path):
-    monkeypatch.setenv("IMGPROC_COURSE_MASTERS", str(tmp_path / "nowhere"))
-    with pytest.raises(MasterError, match=r"IMGPROC_COURSE_MASTERS names .*nowhere.*not a folder"):
-        find_exercise("test-double")

@@ -214,6 +214,5 @@ def test_no_master_is_read(monkeypatch):
 
     monkeypatch.setattr("imgproc_course.exercises.declaration.read_script", refuse)
     monkeypatch.setattr("imgproc_course.exercises.declaration.read_exercises", refuse)
-    monkeypatch.setattr("imgproc_course.exercises.declaration.find_exercise", refuse)
     assert check("test-double", right).passed
     assert repr(hint("test-double")) and repr(solution("test-double"))

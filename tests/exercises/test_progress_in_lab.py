@@ -89,7 +89,7 @@ def test_a_notebook_of_a_server_keeps_progress(folder, tmp_path):
         kernel = post(f"{url}api/sessions", session)["kernel"]["id"]
         client = BlockingKernelClient(connection_file=str(runtime / f"kernel-{kernel}.json"))
         client.load_connection_file()
-        client.start_channels()
+        client.start_channels(hb=False)  # on a busy machine a starting kernel misses heartbeats
         client.wait_for_ready(timeout=60)
         reply = client.execute_interactive(CODE, timeout=60, output_hook=lambda message: None)
         client.stop_channels()

@@ -9,7 +9,7 @@ from pathlib import Path
 
 import pytest
 
-from imgproc_course.exercises import MasterError, find_exercise, read_exercises
+from imgproc_course.exercises import MasterError, read_exercises
 from imgproc_course.exercises.checking import run_cases
 
 _spec = importlib.util.spec_from_file_location("wrong_answers", Path(__file__).with_name("wrong_answers.py"))
@@ -19,7 +19,9 @@ _spec.loader.exec_module(wrong_answers)
 MASTERS = Path(__file__).parents[2] / "notebooks" / "masters"
 FILES = sorted(wrong_answers.FOLDER.glob("*.py"))
 EXERCISES = {
-    declared.id for path in sorted(MASTERS.glob("[0-9][0-9]_*.py")) for declared in read_exercises(path)
+    declared.id: declared
+    for path in sorted(MASTERS.glob("[0-9][0-9]_*.py"))
+    for declared in read_exercises(path)
 }
 KINDS = {
     "value",
@@ -53,12 +55,12 @@ def passes(declared, answer):
 
 
 def test_every_exercise_has_a_file():
-    assert {path.stem for path in FILES} == EXERCISES
+    assert {path.stem for path in FILES} == EXERCISES.keys()
 
 
 @each_file
 def test_the_exercise_exists(path):
-    assert find_exercise(path.stem).id == path.stem
+    assert path.stem in EXERCISES
 
 
 @each_file
@@ -96,7 +98,7 @@ def test_only_a_cell_of_that_kind_does_not_parse(path):
 
 @each_file
 def test_no_wrong_answer_earns_all_points(path):
-    declared = find_exercise(path.stem)
+    declared = EXERCISES[path.stem]
     answers = wrong_answers.read_wrong_answers(path)
     passing = {answer.name for answer in answers if passes(declared, answer)}
     known = {answer.name for answer in answers if answer.passes}

@@ -177,9 +177,8 @@ def test_a_lesson_of_another_version_is_reported(lesson):
     assert note.startswith("it was made from version '0.0.1' of the lesson, not from version ")
 
 
-def test_the_checks_beside_the_lesson_are_used_and_no_master(lesson, tmp_path, monkeypatch):
+def test_the_checks_beside_the_lesson_are_used_and_no_master(lesson, tmp_path):
     path = lesson()
-    monkeypatch.setenv("IMGPROC_COURSE_MASTERS", str(tmp_path / "nowhere"))
     (tmp_path / "masters" / "90_template.py").unlink()
     assert check_lesson(path).ready
     (tmp_path / "checks" / "template.json").write_text('{"template-double": ')

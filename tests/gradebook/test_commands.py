@@ -64,13 +64,9 @@ def test_a_key_in_a_checkout_that_does_not_ignore_it_is_a_warning(run, tmp_path)
     assert "Warning" not in run(*words).output
 
 
-def test_other_masters_are_found_by_the_variable(run, tmp_path, monkeypatch):
-    monkeypatch.setenv("IMGPROC_COURSE_MASTERS", str(MASTERS))
-    assert "Key of 1 lessons" in run("key", "21", "--out", "k", "--seed", "x").output
-    monkeypatch.setenv("IMGPROC_COURSE_MASTERS", str(tmp_path / "nowhere"))
-    wrong = run("key", "--out", "k2", "--seed", "x")
-    assert wrong.exit_code == 1 and "which is not a folder" in wrong.output
-    assert "no masters in" in run("key", "--masters", tmp_path, "--out", "k2", "--seed", "x").output
+def test_a_folder_without_masters_is_refused(run, tmp_path):
+    wrong = run("key", "--masters", tmp_path, "--out", "k", "--seed", "x")
+    assert wrong.exit_code == 1 and "no masters in" in wrong.output
 
 
 # ---------------------------------------------------------------- grade

@@ -1,9 +1,12 @@
 """The words of the lessons: explained before they are used, and lessons named, not numbered."""
 
 import re
+import sys
 from pathlib import Path
 
-from imgproc_course.authoring.early_uses import early_uses
+sys.path.append(str(Path(__file__).parent))
+from early_uses import early_uses
+
 from imgproc_course.authoring.glossary import GLOSSARY, read_glossary
 from imgproc_course.authoring.masters import find_masters, read_master
 
