@@ -634,7 +634,9 @@ def inputs(rng):
 
 # %% role="hidden" title="other images" points=1
 def inputs(rng):
-    return [(rng.integers(0, 5, (6, 5), dtype=np.uint8), level) for level in (2, 1, 4)]
+    gray = rng.integers(0, 5, (3, 7), dtype=np.uint8)
+    gray[0, :2] = 0, 4  # some of the 21 pixels are bright, not all: never a whole number of percent
+    return [(gray, level) for level in (2, 1, 4)]
 
 
 # %% role="mistake" name="counted" says="You counted the bright pixels. Percent is 100 times their share: the mean of the mask times 100."
