@@ -401,6 +401,13 @@ def black_and_white(rng):
     return image
 
 
+def twelve_pixels(rng):
+    """Whole-number means, and sums in uint8, give a wrong threshold here, for each offset."""
+    offset = rng.integers(0, 41)
+    levels = np.array([10, 31, 43, 78, 87, 88, 89, 89, 112, 120, 142, 185]) + offset
+    return rng.permutation(levels.astype(np.uint8)).reshape(3, 4)
+
+
 def one_gray_level(rng):
     return np.full((4, 5), rng.integers(50, 200), dtype=np.uint8)
 
@@ -467,10 +474,10 @@ def inputs(rng):
     return (one_gray_level(rng),)
 
 
-# %% role="hidden" title="peaks that touch" points=1 hint="A pixel equal to t belongs to class 0."
+# %% role="hidden" title="peaks that touch, and twelve pixels" points=1 hint="A pixel equal to t belongs to class 0. Keep the means as floats."
 def inputs(rng):
     image = np.where(rng.random((40, 40)) < 0.5, 95, 150) + rng.normal(0, 22, size=(40, 40))
-    return (np.clip(image, 0, 255).astype(np.uint8),)
+    return [(np.clip(image, 0, 255).astype(np.uint8),), (twelve_pixels(rng),)]
 
 
 # %% role="hidden" title="one or two gray levels" points=1 hint="Try every t from 0 to 255. Many thresholds separate two values equally well: return the smallest. With one gray level the result is 0."

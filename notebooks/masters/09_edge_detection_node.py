@@ -638,6 +638,15 @@ def unguarded_f1(hits, edge_count, detected, outline_count):
     return float(share(2 * precision * recall, precision + recall))
 
 
+def few_pixels(rng):
+    """Two outline pixels; one edge pixel on an outline, two at most 3 away in rows and columns, one far away."""
+    row, col = rng.integers(0, 5, size=2)
+    outlines, edges = np.zeros((14, 26), dtype=bool), np.zeros((14, 26), dtype=np.uint8)
+    outlines[row + 5, [col + 4, col + 18]] = True
+    edges[[row + 5, row + 7, row + 8, row], [col + 18, col + 6, col + 21, col + 11]] = 255
+    return edges, outlines, 3
+
+
 def no_edges(rng):
     return np.zeros((6, 7), dtype=np.uint8), rng.random((6, 7)) < 0.3, 2
 
@@ -731,7 +740,7 @@ def inputs(rng):
 def inputs(rng):
     outlines = rng.random((20, 24)) < 0.06
     edges = np.where(rng.random((20, 24)) < 0.06, 255, 0).astype(np.uint8)
-    return edges, outlines, 1
+    return [(edges, outlines, 1), few_pixels(rng)]
 
 
 # %% role="hidden" title="no edges, no outlines, no true positives" points=1 hint="Do not divide by zero: without edges, without outlines and without true positives the result is 0.0."
