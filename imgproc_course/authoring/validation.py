@@ -44,8 +44,8 @@ def validate_exercise(exercise):
     for mistake in exercise.mistakes:
         problems += _mistake_problems(exercise, mistake)
     problems += [
-        f"{exercise.id}: the mistake {name!r} earns all points; add a call that catches it for every seed to a"
-        " case with points"
+        f"{exercise.id}: the mistake {name!r} earns all points; add a call that catches it, for every seed,"
+        " to a case with points"
         for name in _mistakes_with_all_points(exercise)
     ]
     for case in exercise.cases:

@@ -513,7 +513,9 @@ def inputs(rng):
 
 # %% role="hidden" title="any frame" points=1 hint="Blue comes first. Which of OpenCV's conversion codes starts with BGR?"
 def inputs(rng):
-    return (rng.integers(0, 256, size=(30, 40, 3), dtype=np.uint8),)
+    frame = rng.integers(0, 256, size=(30, 40, 3), dtype=np.uint8)
+    frame[0, :2] = [128, 1, 78], [65, 168, 127]  # colours for which decimal weights give another gray level
+    return (frame,)
 
 
 # %% role="mistake" name="the array without its dictionary" says="You return the image itself. The node also needs the name of its topic: return a dictionary, {\"gray\": image}."
