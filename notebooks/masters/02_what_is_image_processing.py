@@ -281,7 +281,7 @@ show([gray, binary], ["gray: 246 values", "binary: two"],
 # %% [markdown]
 # ### 8 · Edge detection: where the intensity jumps (4 minutes)
 #
-# An *[[term:edge]]* is a place where the intensity changes strongly from one pixel to the next. We detect edges with the *[[term:Canny edge detector]]*; the lesson [[canny_stages]] explains it, and the two numbers 50 and 150 in the next cell. An edge image also has only two values: 255 (white) for an edge, 0 for no edge.
+# An *[[term:edge]]* is a place where the intensity changes strongly from one pixel to the next. We detect edges with the *[[term:Canny edge detector]]*; [[canny_stages]] explains it, and the two numbers 50 and 150 in the next cell. An edge image also has only two values: 255 (white) for an edge, 0 for no edge.
 #
 # **Predict.** Are more or fewer of its pixels white than in the binary image above?
 
@@ -696,6 +696,8 @@ def name_operation(before, after):
 # | binarization | (720, 1280) | uint8 | two, in areas | black 0, white 255 |
 # | edges | (720, 1280) | uint8 | two, in lines | no edge 0, edge 255 |
 # | noise removal | (720, 1280, 3) | uint8 | up to 256 per channel | intensity of blue, green, red |
+#
+# **Next:** [[images_as_messages]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise the camera of this lesson continues to publish.
 
 # %%
 # Check: the table above

@@ -744,6 +744,8 @@ def luma(bgr):
 # | widened | (720, 1280, 3) | uint32 | 0 to 255 | gray level |
 # | weighted sum, before `>> 15` | (720, 1280) | uint32 | 0 to 8,355,840 | 1/32768 of a gray level |
 # | *gray* | (720, 1280) | uint8 | 0 to 255 | gray level (luma) |
+#
+# **Next:** [[grayscale_node]].
 
 # %%
 # Check: the numbers in the table

@@ -716,6 +716,8 @@ assert not ros_available() or my_image.shape == (720, 1280)
 # | `msg.data` | (2764800,) | uint8 | 0 to 255 | byte |
 # | *frame*, `bgr8` | (720, 1280, 3) | uint8 | 0 to 255 | gray level of blue, green, red |
 # | *gray*, published as `mono8` | (720, 1280) | uint8 | 0 to 255 | gray level |
+#
+# **Next:** [[noise_removal]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise the camera of this lesson continues to publish.
 
 # %%
 # Check: the numbers in the table

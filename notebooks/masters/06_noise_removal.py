@@ -1136,12 +1136,12 @@ def my_psnr(clean, other):
     return psnr_with(mse) if mse == 0 else 255**2 / mse
 
 
-# %% role="mistake" name="rounded to one digit" says="The result is rounded to one digit after the point. Return the whole number and leave round() out; rounding is for printing."
+# %% role="mistake" name="rounded to one digit" says="The result is rounded to one digit after the point. Return the number with all its digits: leave round() out; rounding is for printing."
 def my_psnr(clean, other):
     return round(psnr_with(mse_of(clean, other)), 1)
 
 
-# %% role="mistake" name="rounded to two digits" says="The result is rounded to two digits after the point. Return the whole number and leave round() out; rounding is for printing."
+# %% role="mistake" name="rounded to two digits" says="The result is rounded to two digits after the point. Return the number with all its digits: leave round() out; rounding is for printing."
 def my_psnr(clean, other):
     return round(psnr_with(mse_of(clean, other)), 2)
 

@@ -1213,6 +1213,8 @@ print("your F1:", round(my_f1, 2), "  F1 of the best values:", round(tuned, 2))
 # | *view* | (720, 3840, 3) | uint8 | 0 to 255 | frame, gray image and edges side by side |
 # | outlines | (720, 1280) | bool | False, True | no and yes |
 # | precision, recall, F1 | one number each | float64 | 0 to 1 | share |
+#
+# **Next:** [[ros2_packages]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise the camera of this lesson continues to publish.
 
 # %%
 # Check: the numbers in the table
