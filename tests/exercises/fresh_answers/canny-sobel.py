@@ -1,4 +1,4 @@
-# %% name="zeros in the padding" origin="fresh" sentence="np.pad without mode adds zeros; repeat the outermost pixels with mode=\"edge\"." must_say=["edge|replicate|repeat|zeros?|outermost"] must_not_say=["swap|order|uint8"] kind="value"
+# %% name="zeros in the padding" origin="fresh" sentence="np.pad without mode adds zeros; repeat the outermost pixels with mode=\"edge\"." must_say=["edge|replicate|repeat|zeros?|outermost"] must_not_say=["swap|\\border|uint8"] kind="value"
 def my_sobel(gray):
     kernel = np.array([[-1, 0, 1], [-2, 0, 2], [-1, 0, 1]])
     height, width = gray.shape

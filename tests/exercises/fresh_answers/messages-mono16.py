@@ -21,7 +21,7 @@ def decode_mono16(message):
         return (first << 8) + second
     return (second << 8) + first
 
-# %% name="uint8 values converted" origin="fresh" sentence="Each pixel is two bytes: read the data as 16-bit numbers, astype only changes the type of each byte." must_say=["two bytes|2 bytes|u2|16|bytes"] kind="error"
+# %% name="uint8 values converted" origin="fresh" sentence="Each pixel is two bytes: read the data as 16-bit numbers, astype only changes the type of each byte." must_say=["two bytes|2 bytes|u2|\\b16|bytes"] kind="error"
 def decode_mono16(message):
     flat = np.frombuffer(message.data, dtype=np.uint8)
     flat = flat.astype(np.uint16)

@@ -12,7 +12,7 @@ def count_pixels(frame):
             number = number + pixel[0]
     return int(number)
 
-# %% name="index one too far" origin="fresh" sentence="The shape (rows, columns, 3) has the indices 0, 1 and 2: rows are shape[0], columns shape[1]; your shape[3] does not exist." must_say=["index|indices|shape\\[|(from|with|at) 0"] kind="error"
+# %% name="index one too far" origin="fresh" sentence="The shape (rows, columns, 3) has the indices 0, 1 and 2: rows are shape[0], columns shape[1]; your shape[3] does not exist." must_say=["indices|shape\\[|(from|with|at) 0|index [0-3]"] kind="error"
 def count_pixels(frame):
     rows = frame.shape[1]
     columns = frame.shape[2]

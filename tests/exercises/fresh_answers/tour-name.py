@@ -6,7 +6,7 @@ def name_operation(before, after):
         return "edges"
     return "grayscale"
 
-# %% name="noise_removal with underscore" origin="fresh" sentence="The text must be exactly \"noise removal\", with a space." must_say=["noise removal|exactly|space|spell|underscore|text"] must_not_say=["ndim"] kind="value"
+# %% name="noise_removal with underscore" origin="fresh" sentence="The text must be exactly \"noise removal\", with a space." must_say=["exactly|space|spell|underscore"] must_not_say=["ndim"] kind="value"
 def name_operation(before, after):
     if after.ndim == 3:
         return "noise_removal"
