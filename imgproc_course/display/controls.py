@@ -3,6 +3,7 @@
 import difflib
 import html
 import inspect
+import json
 import math
 
 import ipywidgets as widgets
@@ -14,6 +15,19 @@ PAIRS = (
     ("min", "max"),
     ("threshold1", "threshold2"),
 )
+# ipywidgets 8.1 gives the handles of a slider no name that a screen reader could read. The page may draw the
+# sliders after this script has begun.
+NAME_HANDLES = """
+const nameHandles = tries => {
+    const handles = element.closest(".widget-vbox")?.querySelectorAll(".noUi-handle") ?? [];
+    if (handles.length < names.length && tries > 0) setTimeout(() => nameHandles(tries - 1), 100);
+    else handles.forEach((handle, k) => {
+        handle.setAttribute("aria-label", names[k]);
+        handle.style.borderColor = "var(--jp-ui-font-color2)";  // white on white in the light theme
+    });
+};
+nameHandles(100);
+"""
 
 
 class Controls:
@@ -58,7 +72,8 @@ class Controls:
         self._write_code()
         # Beside the image while that leaves the sliders long enough to move by hand, else below it.
         column = widgets.Layout(flex="1 1 420px", max_width="640px")
-        self.box = widgets.VBox([*self._widgets.values(), reset, self._code], layout=column)
+        children = [*self._widgets.values(), reset, self._code, self._handle_names()]
+        self.box = widgets.VBox(children, layout=column)
 
     @property
     def values(self):
@@ -102,6 +117,17 @@ class Controls:
             value = self._widgets[keyword].value
             values.update(zip(names, value, strict=True) if len(names) == 2 else [(names[0], value)])
         return values
+
+    def _handle_names(self):
+        """A widget without size that names each handle of the sliders."""
+        names = []
+        for keyword, parameters in self._names.items():
+            if hasattr(self._widgets[keyword], "readout_format"):  # a slider
+                is_pair = len(parameters) == 2
+                names += [f"{keyword}: {name}" for name in parameters] if is_pair else [keyword]
+        script = f"const names = {json.dumps(names)};{NAME_HANDLES}"
+        output = {"output_type": "display_data", "data": {"application/javascript": script}, "metadata": {}}
+        return widgets.Output(outputs=(output,) if names else (), layout=widgets.Layout(display="none"))
 
     def _parameters_of(self, keyword, range_, function):
         """Names of the one or two parameters that a keyword sets."""

@@ -2,6 +2,7 @@
 
 import base64
 import html
+import itertools
 from typing import NamedTuple
 
 import cv2
@@ -26,6 +27,7 @@ MOST_NUMBERED = 12
 # Drawn with more pixels than shown, so that text stays sharp on a dense screen.
 DENSITY = 1.5
 LARGEST_PNG = 100_000
+SMALLEST_SCALE = 0.8  # of the images of a line in a narrow window; in a narrower one, the line breaks
 
 CHANNEL_ORDERS = {"bgr": (2, 1, 0), "rgb": (0, 1, 2), "bgra": (2, 1, 0, 3), "rgba": (0, 1, 2, 3)}
 OPENCV_ORDERS = {1: "gray", 3: "bgr", 4: "bgra"}  # of the generic 8UC1, 8UC3, 8UC4
@@ -154,8 +156,7 @@ def show_figure(figure, *, alt=None, caption=None, text=None):
     caption, alt = split_text(text, caption, alt)
     if not isinstance(alt, str) or not alt.strip():
         raise ValueError(f"alt must say in words what the figure shows, got {alt!r}")
-    kind, data, width = _encode(figure)
-    display(_Output(kind, data, width, alt, caption))
+    display(_Output(_encode(figure), alt, caption))
     _close(figure)
 
 
@@ -172,19 +173,25 @@ def split_text(text, caption=None, alt=None):
 
 
 class _Output:
-    """A figure as a notebook stores it, as HTML: JupyterLab supports an alternative text in no other form."""
+    """A figure as a notebook stores it, as HTML: JupyterLab supports an alternative text in no other form.
 
-    def __init__(self, kind, data, width, alt, caption):
-        source = f"data:image/{kind};base64,{base64.b64encode(data).decode()}"
+    Each part is an image of its own, so that the images of a line stand one below the other in a narrow window.
+    """
+
+    def __init__(self, lines, alt, caption):
+        alts = itertools.chain([html.escape(alt)], itertools.repeat(""))
+        blocks = [[_img_tag(part, next(alts), len(line)) for part in line] for line in lines]
+        if len(blocks) == len(blocks[0]) == 1:
+            images = blocks[0][0]
+        else:
+            style = "display: flex; flex-wrap: wrap; align-items: flex-start"
+            images = "".join(f'<div style="{style}">{"".join(block)}</div>' for block in blocks)
         figcaption = (
             f'<figcaption style="max-width: {FIGURE_WIDTH}px">{html.escape(caption)}</figcaption>'
             if caption
             else ""
         )
-        self.html = (
-            f'<figure style="margin: 0"><img alt="{html.escape(alt)}" width="{width}" '
-            f'style="max-width: 100%; height: auto" src="{source}">{figcaption}</figure>'
-        )
+        self.html = f'<figure style="margin: 0">{images}{figcaption}</figure>'
         self.text = caption or alt
 
     def _repr_mimebundle_(self, include=None, exclude=None):
@@ -192,6 +199,17 @@ class _Output:
 
     def __repr__(self):
         return self.text
+
+
+def _img_tag(part, alt, count):
+    """The HTML of one of the `count` images of a line."""
+    kind, data, width = part
+    style = "max-width: 100%; height: auto"
+    if count > 1:
+        narrowest = round(SMALLEST_SCALE * width)
+        style = f"flex: {width} 1 {narrowest}px; min-width: 0; max-width: min(100%, {width}px); height: auto"
+    source = f"data:image/{kind};base64,{base64.b64encode(data).decode()}"
+    return f'<img alt="{alt}" width="{width}" style="{style}" src="{source}">'
 
 
 # ---------------------------------------------------------------- check what is given
@@ -343,6 +361,12 @@ def _describe(image):
 # ---------------------------------------------------------------- draw
 
 
+class _PanelFigure(Figure):
+    """A figure of several images; `panels` are their places: (left, top, width, height) of each, by lines."""
+
+    panels = ()
+
+
 def _lay_out(images, numbered, scale, limits, cmap, columns):
     barred = [_is_scaled(image) or (limits is not None and image.order == "gray") for image in images]
     bar = BAR_GAP + BAR_WIDTH + BAR_LABELS if any(barred) else 0
@@ -355,11 +379,12 @@ def _lay_out(images, numbered, scale, limits, cmap, columns):
     widths = [LEFT + boxes[k][0] + RIGHT + (bar if has_bar[k] else 0) for k in range(len(images))]
     total_width = max(sum(widths[k] for k in line) for line in lines)
     heights = [TOP + max(boxes[k][1] for k in line) + BOTTOM for line in lines]
-    figure = Figure(figsize=(total_width / 100, sum(heights) / 100), dpi=100 * DENSITY)
+    figure = _PanelFigure(figsize=(total_width / 100, sum(heights) / 100), dpi=100 * DENSITY)
     FigureCanvasAgg(figure)
-    axes = []
+    axes, figure.panels = [], []
     for number, line in enumerate(lines):
         left, top = 0, sum(heights[:number])
+        figure.panels.append([])
         for k in line:
             box = _place(figure, left + LEFT, top + TOP, *boxes[k])
             axes.append(
@@ -369,6 +394,7 @@ def _lay_out(images, numbered, scale, limits, cmap, columns):
                 place = _place(figure, left + LEFT + boxes[k][0] + BAR_GAP, top + TOP, BAR_WIDTH, boxes[k][1])
                 arrays = [images[j].array for j in line if barred[j]]
                 _draw_bar(figure, place, scale, cmap, arrays)
+            figure.panels[-1].append((left, top, widths[k], heights[number]))
             left += widths[k]
     return figure, axes
 
@@ -509,18 +535,38 @@ def _draw_bar(figure, place, scale, cmap, arrays):
 
 
 def _encode(figure):
-    """Kind, bytes and CSS width: PNG if it is small, as for numbers and edges; JPEG for photographs."""
+    """Lines of images: kind, bytes and CSS width of each. A figure without panels is one image."""
     canvas = FigureCanvasAgg(figure)
     canvas.draw()
     bgr = cv2.cvtColor(np.asarray(canvas.buffer_rgba()), cv2.COLOR_RGBA2BGR)
-    width = round(figure.get_size_inches()[0] * 100)
+    width, height = (round(side * 100) for side in figure.get_size_inches())
+    panels = getattr(figure, "panels", ())
+    if sum(map(len, panels)) < 2:
+        return [[_encode_image(bgr, width, LARGEST_PNG)]]
+    largest_png = LARGEST_PNG // sum(map(len, panels))
+    return [
+        [_encode_image(_part(bgr, panel, (width, height)), panel[2], largest_png) for panel in line]
+        for line in panels
+    ]
+
+
+def _part(bgr, panel, size):
+    """The pixels of a panel, whose place is given in CSS pixels of a figure of this size."""
+    left, top, width, height = panel
+    col_scale, row_scale = bgr.shape[1] / size[0], bgr.shape[0] / size[1]
+    rows = slice(round(top * row_scale), round((top + height) * row_scale))
+    return bgr[rows, round(left * col_scale) : round((left + width) * col_scale)]
+
+
+def _encode_image(bgr, width, largest_png):
+    """Kind, bytes and CSS width: PNG if it is small, as for numbers and edges; JPEG for photographs."""
     quick_png = _png(bgr, 1)
-    jpeg = _jpeg(bgr) if quick_png.size > LARGEST_PNG else None
+    jpeg = _jpeg(bgr) if quick_png.size > largest_png else None
     # The smallest PNG of a photograph takes a second to make. Over all figures of the lessons it has at least
     # two thirds of the bytes of a quick PNG: if the quick one is more than twice too large, do not try.
-    if jpeg is None or quick_png.size <= 2 * max(LARGEST_PNG, jpeg.size):
+    if jpeg is None or quick_png.size <= 2 * max(largest_png, jpeg.size):
         png = _png(bgr, 9)
-        if jpeg is None or png.size <= LARGEST_PNG or png.size < jpeg.size:
+        if jpeg is None or png.size <= largest_png or png.size < jpeg.size:
             return "png", png.tobytes(), width
     return "jpeg", jpeg.tobytes(), width
 

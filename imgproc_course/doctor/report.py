@@ -5,7 +5,12 @@ import re
 from dataclasses import dataclass
 
 MARKS = {"ok": "✓", "warning": "!", "failure": "✗"}
-HTML_COLOURS = {"ok": "#1a7f37", "warning": "#9a6700", "failure": "#cf222e"}
+# JupyterLab's colours that have a contrast of at least 4.5 in its light and in its dark theme.
+HTML_COLOURS = {
+    "ok": "var(--jp-success-color0, #1b5e20)",
+    "warning": "var(--jp-content-font-color1, inherit)",
+    "failure": "var(--jp-error-color1, #c62828)",
+}
 TERMINAL_COLOURS = {"ok": "green", "warning": "yellow", "failure": "bold red"}
 # A path of two or more folders, except those in /dev and the topics of the course.
 PATH = re.compile(

@@ -25,8 +25,12 @@ def shown(monkeypatch):
 
 
 def pixels(output):
-    """(rows, cols, 3) uint8 of the stored image, red first, at the density it was drawn with."""
-    data = re.search(r'src="data:image/\w+;base64,([^"]+)"', output.html)[1]
+    """(rows, cols, 3) uint8 of the first stored image, red first, at the density it was drawn with."""
+    return stored_image(output.html)
+
+
+def stored_image(tag):
+    data = re.search(r'src="data:image/\w+;base64,([^"]+)"', tag)[1]
     return cv2.imdecode(np.frombuffer(base64.b64decode(data), np.uint8), cv2.IMREAD_COLOR)[:, :, ::-1]
 
 
@@ -314,3 +318,23 @@ GRAY = np.zeros((4, 4), np.uint8)
 def test_what_cannot_be_shown_is_an_error_that_names_the_remedy(arguments, error):
     with pytest.raises(ValueError, match=error):
         draw(**arguments)
+
+
+def test_the_images_of_a_line_are_stored_one_by_one(shown):
+    levels = [np.full((3, 3), level, np.uint8) for level in (0, 100, 250, 30, 60)]
+    show(levels, alt="five levels", columns=3)
+    lines = shown[0].html.split("<div ")[1:]
+    assert [line.count("<img") for line in lines] == [3, 2]
+    assert re.findall(r'alt="([^"]*)"', shown[0].html) == ["five levels", "", "", "", ""]
+    images = [stored_image(tag) for tag in shown[0].html.split("<img")[1:]]
+    # In the middle of each image, right of its number, is the level of its pixels.
+    assert [image[83, 100, 0] for image in images] == [0, 100, 250, 30, 60]
+    assert {image.shape[0] for image in images} == {312}  # 1.5 times 28 + 3 × 46 + 42
+
+
+def test_one_image_and_its_overlay_stay_one_image(shown):
+    figure, axes = draw(np.zeros((3, 3), np.uint8))
+    axes[0].annotate("", (0, 0), (2, 2), arrowprops={"color": "red"})
+    show_figure(figure, alt="an arrow")
+    assert shown[0].html.count("<img") == 1
+    assert "flex" not in shown[0].html
