@@ -4,10 +4,13 @@ import importlib.util
 import os
 import shutil
 import signal
+import sys
 import zlib
+from pathlib import Path
 
 import pytest
 
+sys.path.insert(0, str(Path(__file__).parent))  # for accessibility.py
 # One domain for each pytest-xdist worker, and others for a second run at the same time; set before anything
 # imports rclpy. ROS allows 0 to 101: 20 runs of 4 workers, from domain 20 on.
 _worker = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))

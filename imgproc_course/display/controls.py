@@ -72,7 +72,7 @@ class Controls:
         self._write_code()
         # Beside the image while that leaves the sliders long enough to move by hand, else below it.
         column = widgets.Layout(flex="1 1 420px", max_width="640px")
-        children = [*self._widgets.values(), reset, self._code, self._handle_names()]
+        children = [*self._widgets.values(), self._handle_names(), reset, self._code]
         self.box = widgets.VBox(children, layout=column)
 
     @property

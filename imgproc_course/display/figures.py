@@ -175,7 +175,7 @@ def split_text(text, caption=None, alt=None):
 class _Output:
     """A figure as a notebook stores it, as HTML: JupyterLab supports an alternative text in no other form.
 
-    Each part is an image of its own, so that the images of a line stand one below the other in a narrow window.
+    Each part is an image of its own, so that the images of a line stand below each other in a narrow window.
     """
 
     def __init__(self, lines, alt, caption):

@@ -14,6 +14,7 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import nbformat
+from accessibility import violations
 from playwright.sync_api import sync_playwright
 
 ROOT = Path(__file__).parents[2]
@@ -255,6 +256,18 @@ class NotebookPage:
         self.page.wait_for_function(
             "selector => document.querySelector(selector)?.naturalWidth > 0", arg=selector
         )
+
+    def set_theme(self, name):
+        """Switches JupyterLab to its "Light" or "Dark" theme."""
+        theme = f"JupyterLab {name}"
+        self.page.evaluate(
+            "theme => window.jupyterapp.commands.execute('apputils:change-theme', {theme})", theme
+        )
+        self.page.wait_for_function("theme => document.body.dataset.jpThemeName === theme", arg=theme)
+
+    def violations(self):
+        """What axe-core finds in texts and outputs; JupyterLab's own elements are not the course's."""
+        return violations(self.page, ".jp-RenderedMarkdown, .jp-OutputArea-output")
 
     def outputs(self, number):
         """Text of each output of one code cell."""

@@ -9,6 +9,7 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from accessibility import violations
 from PIL import Image
 from submissions import SEED, answers_of, notebook, write
 
@@ -248,6 +249,9 @@ def test_the_pages_in_a_browser(pages):
             page.goto(path.as_uri())
             assert page.evaluate("document.documentElement.scrollWidth") <= 1000
             assert page.evaluate("getComputedStyle(document.querySelector('main')).maxWidth") == "992px"
+            for theme in ("light", "dark"):
+                page.emulate_media(color_scheme=theme)
+                assert violations(page) == []
         page.set_viewport_size({"width": 400, "height": 900})
         for path in pages.values():
             page.goto(path.as_uri())

@@ -1,0 +1,16 @@
+"""What axe-core finds on a page: texts without contrast, controls without a name, images without a text."""
+
+from axe_playwright_python.sync_playwright import Axe
+
+SEVERE = ("serious", "critical")
+
+
+def violations(page, selector="body"):
+    """One line for each element of a Playwright page, below `selector`, that some learners cannot use."""
+    results = Axe().run(page, context=selector, options={"resultTypes": ["violations"]})
+    return [
+        f"{violation['id']}: {node['html'][:200]}"
+        for violation in results.response["violations"]
+        if violation["impact"] in SEVERE
+        for node in violation["nodes"]
+    ]
