@@ -13,11 +13,11 @@ from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
 from imgproc_course.authoring.atomic_write import write_file
 from imgproc_course.authoring.execute import execute, normalize, output_texts, refuse_traces
-from imgproc_course.authoring.glossary import GLOSSARY, GLOSSARY_PAGE
+from imgproc_course.authoring.glossary import GLOSSARY_PAGE
 from imgproc_course.authoring.lesson_files import lesson_file_differences, lesson_files
 from imgproc_course.authoring.lesson_names import lesson_name
 from imgproc_course.authoring.masters import find_masters, read_master
-from imgproc_course.authoring.pages import build_pages, page_differences
+from imgproc_course.authoring.pages import build_pages, page_differences, pages_without_source
 from imgproc_course.authoring.rules import RAISING_TAGS, VARYING_TAG
 from imgproc_course.authoring.validation import validate_exercise
 from imgproc_course.exercises.check_files import CHECKS, SOLUTIONS
@@ -288,9 +288,8 @@ def _read_stored(path):
 
 def _orphans(masters_dir, lessons_dir):
     masters, folder = {path.stem for path in _masters_to_build(masters_dir)}, Path(lessons_dir)
-    pages = {GLOSSARY_PAGE} if (Path(masters_dir) / GLOSSARY).exists() else set()
     paths = [path for path in sorted(folder.glob("*.ipynb")) if path.stem not in masters]
-    paths = [path for path in paths if path.name not in pages]
+    paths = [path for path in paths if path.name != GLOSSARY_PAGE] + pages_without_source(masters_dir, folder)
     names = {lesson_name(master) for master in masters}
     for subfolder in (CHECKS, SOLUTIONS):
         paths += [path for path in sorted(folder.glob(f"{subfolder}/*.json")) if path.stem not in names]

@@ -1,9 +1,10 @@
-"""The pages beside the lessons, built from sources beside the masters: the glossary."""
+"""The pages beside the lessons, built from sources beside the masters: glossary and cheat sheet."""
 
 from pathlib import Path
 
 import nbformat
 
+from imgproc_course.authoring.cheat_sheet import CHEAT_SHEET, cheat_sheet_page
 from imgproc_course.authoring.glossary import GLOSSARY, GLOSSARY_PAGE, glossary_notebook, read_glossary
 from imgproc_course.authoring.references import References
 
@@ -23,11 +24,23 @@ def build_pages(masters_dir):
     ------
     MasterError : a source with an error
     """
-    glossary = Path(masters_dir) / GLOSSARY
-    terms = read_glossary(glossary)
-    if not terms:
-        return {}
-    return {GLOSSARY_PAGE: nbformat.writes(glossary_notebook(terms, References(glossary))) + "\n"}
+    masters_dir, pages = Path(masters_dir), {}
+    glossary, cheat_sheet = masters_dir / GLOSSARY, masters_dir / CHEAT_SHEET
+    if terms := read_glossary(glossary):
+        pages[GLOSSARY_PAGE] = nbformat.writes(glossary_notebook(terms, References(glossary))) + "\n"
+    if cheat_sheet.exists():
+        pages[CHEAT_SHEET] = cheat_sheet_page(cheat_sheet)
+    return pages
+
+
+def pages_without_source(masters_dir, folder):
+    """The pages of a folder whose sources do not exist, as a list of Path."""
+    sources = {GLOSSARY_PAGE: GLOSSARY, CHEAT_SHEET: CHEAT_SHEET}
+    return [
+        Path(folder) / page
+        for page, source in sources.items()
+        if (Path(folder) / page).exists() and not (Path(masters_dir) / source).exists()
+    ]
 
 
 def page_differences(pages, folder):
