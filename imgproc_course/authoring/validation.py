@@ -1,14 +1,17 @@
 """Validate an exercise before any learner is graded by it."""
 
 from imgproc_course.exercises.canonical import VALUE_BYTES, array_of, canonical
+from imgproc_course.exercises.check_data import check_data_of
 from imgproc_course.exercises.checking import run_cases
+from imgproc_course.exercises.declaration import PUBLIC_SEED
 from imgproc_course.exercises.running import call
 
 _ANOTHER_SEED = 1  # an instructor's key draws other inputs than the lesson
 
 
 def validate_exercise(exercise):
-    """Check that the solution passes, and that the stub and each mistake are recognized.
+    """Check that the solution passes, that the stub and each mistake are recognized, and that each mistake
+    costs points.
 
     Parameters
     ----------
@@ -40,6 +43,11 @@ def validate_exercise(exercise):
         )
     for mistake in exercise.mistakes:
         problems += _mistake_problems(exercise, mistake)
+    problems += [
+        f"{exercise.id}: the mistake {name!r} earns all points; add a call that catches it, for every seed,"
+        " to a case with points"
+        for name in _mistakes_with_all_points(exercise)
+    ]
     for case in exercise.cases:
         problems += _size_problems(exercise, case)
     return problems
@@ -56,6 +64,24 @@ def _mistake_problems(exercise, mistake):
             f"{exercise.id}: the mistake {mistake.name!r} {confusion};"
             " add a public case that tells the two apart"
         )
+
+
+def _mistakes_with_all_points(exercise):
+    """The names of the mistakes that pass every case with points."""
+    cases = tuple(case for case in exercise.cases if case.points)
+    if exercise.practice:
+        return []
+    checks = [check_data_of(exercise, cases, seed) for seed in (PUBLIC_SEED, _ANOTHER_SEED)]
+    passing = {mistake.name for data in checks for mistake in data.mistakes if _passes(mistake, data.cases)}
+    return [mistake.name for mistake in exercise.mistakes if mistake.name in passing]
+
+
+def _passes(mistake, cases):
+    return all(
+        result.matches(expected.result, case.tolerance)
+        for case in cases
+        for expected, result in zip(case.calls, mistake.results[case.id], strict=True)
+    )
 
 
 def _is_empty_stub(exercise):

@@ -2,7 +2,7 @@
 # jupyter:
 #   imgproc_course:
 #     title: Arrays
-#     minutes: 50
+#     minutes: 55
 # ---
 
 # %% [markdown]
@@ -16,7 +16,7 @@
 # - select pixels with a mask, and count them,
 # - replace a loop over all pixels by one line with slices.
 #
-# **Time** about 50 minutes; take a break after section 5. **You need** [[start_here]]. If you know NumPy, do only the exercises: each is called "Your turn".
+# **Time** about 55 minutes; take a break after section 5. **You need** [[start_here]]. If you know NumPy, do only the exercises: each is called "Your turn".
 
 # %% role="given" exercise=["arrays-crop", "arrays-mirror", "arrays-red", "arrays-share", "arrays-two-levels", "arrays-paint", "arrays-row-means", "arrays-differences"]
 import numpy as np
@@ -528,7 +528,7 @@ one = np.array([1], dtype=np.uint8)
 compare_guess(guess_zero, (zero - one)[0])
 
 # %% [markdown]
-# After 0 the numbers begin again at 255, and NumPy does not warn you. If a result may be negative or above 255, convert to a larger dtype *first*: this is called to *widen*. The lesson [[grayscale]] shows what happens to an image if you forget it.
+# After 0 the numbers begin again at 255, and NumPy does not warn you. If a result may be negative or above 255, convert to a larger dtype *first*: this is called to *widen*. In [[grayscale]] you see what happens to an image if you forget it.
 
 # %%
 print(zero.astype(np.int16) - one)
@@ -634,7 +634,9 @@ def inputs(rng):
 
 # %% role="hidden" title="other images" points=1
 def inputs(rng):
-    return [(rng.integers(0, 5, (6, 5), dtype=np.uint8), level) for level in (2, 1, 4)]
+    gray = rng.integers(0, 5, (3, 7), dtype=np.uint8)
+    gray[0, :2] = 0, 4  # some of the 21 pixels are bright, not all: never a whole number of percent
+    return [(gray, level) for level in (2, 1, 4)]
 
 
 # %% role="mistake" name="counted" says="You counted the bright pixels. Percent is 100 times their share: the mean of the mask times 100."
@@ -1070,7 +1072,7 @@ print((left + middle + right).tolist())
 # %% [markdown]
 # The same numbers, in one line. `row[2:]` begins two numbers later, so it holds the *right* neighbours of `row[1:-1]`. With rows and columns it works in the same way: `gray[1:-1, 2:]` holds the right neighbours of `gray[1:-1, 1:-1]`.
 #
-# The result has two numbers less than the row. If it shall have the same length, we first add a border: this is called *padding*. `np.pad` adds zeros, or repeats the outermost pixels.
+# The result has two numbers fewer than the row. To get the same length, we first add a border: this is called *padding*. `np.pad` adds zeros, or repeats the outermost pixels.
 
 # %%
 zeros = np.pad(tiny, 1)

@@ -281,7 +281,7 @@ show([gray, binary], ["gray: 246 values", "binary: two"],
 # %% [markdown]
 # ### 8 · Edge detection: where the intensity jumps (4 minutes)
 #
-# An *[[term:edge]]* is a place where the intensity changes strongly from one pixel to the next. We detect edges with the *[[term:Canny edge detector]]*; the lesson [[canny_stages]] explains it, and the two numbers 50 and 150 in the next cell. An edge image also has only two values: 255 (white) for an edge, 0 for no edge.
+# An *[[term:edge]]* is a place where the intensity changes strongly from one pixel to the next. We detect edges with the *[[term:Canny edge detector]]*; [[canny_stages]] explains it, and the two numbers 50 and 150 in the next cell. An edge image also has only two values: 255 (white) for an edge, 0 for no edge.
 #
 # **Predict.** Are more or fewer of its pixels white than in the binary image above?
 
@@ -433,6 +433,35 @@ def to_gray(before):
     return cv2.cvtColor(before, cv2.COLOR_BGR2GRAY)
 
 
+def gray_with_white(rng):
+    before = rng.integers(20, 200, size=(8, 10, 3), dtype=np.uint8)
+    before[3, 2:5] = 255
+    return before, to_gray(before)
+
+
+def gray_with_even_first_row(rng):
+    before = rng.integers(20, 200, size=(8, 10, 3), dtype=np.uint8)
+    before[0] = 120
+    return before, to_gray(before)
+
+
+def lines(rng):
+    before = room_image(rng)
+    return before, cv2.Canny(to_gray(before), 50, 150)
+
+
+def many_lines(rng):
+    stripes = np.tile(np.repeat([30, 220], 7), 6)[rng.integers(0, 7) :][:72].astype(np.uint8)
+    before = np.dstack([np.tile(stripes, (40, 1))] * 3)
+    return before, cv2.Canny(to_gray(before), 50, 150)
+
+
+def areas_mostly_black(rng):
+    before = room_image(rng)
+    gray = to_gray(before)
+    return before, np.where(gray > np.quantile(gray, 0.57), 255, 0).astype(np.uint8)
+
+
 # %% role="answer" exercise="tour-name"
 def name_operation(before, after):
     raise NotImplementedError("your turn: delete this line and write the function")
@@ -468,8 +497,7 @@ def inputs(rng):
 
 # %% role="case" exercise="tour-name" title="an image of lines" points=0
 def inputs(rng):
-    before = room_image(rng)
-    return before, cv2.Canny(to_gray(before), 50, 150)
+    return lines(rng)
 
 
 # %% role="case" exercise="tour-name" title="an image with less noise" points=0
@@ -486,9 +514,7 @@ def inputs(rng):
 
 # %% role="case" exercise="tour-name" title="a gray image with some white pixels" points=0
 def inputs(rng):
-    before = rng.integers(20, 200, size=(8, 10, 3), dtype=np.uint8)
-    before[3, 2:5] = 255
-    return before, to_gray(before)
+    return gray_with_white(rng)
 
 
 # %% role="case" exercise="tour-name" title="a gray image of only three rows" points=0
@@ -499,35 +525,28 @@ def inputs(rng):
 
 # %% role="case" exercise="tour-name" title="a gray image whose first row is all the same" points=0
 def inputs(rng):
-    before = rng.integers(20, 200, size=(8, 10, 3), dtype=np.uint8)
-    before[0] = 120
-    return before, to_gray(before)
+    return gray_with_even_first_row(rng)
 
 
 # %% role="case" exercise="tour-name" title="an image of areas, mostly black" points=0
 def inputs(rng):
-    before = room_image(rng)
-    gray = to_gray(before)
-    return before, np.where(gray > np.quantile(gray, 0.57), 255, 0).astype(np.uint8)
+    return areas_mostly_black(rng)
 
 
 # %% role="case" exercise="tour-name" title="an image of many lines" points=0
 def inputs(rng):
-    stripes = np.tile(np.repeat([30, 220], 7), 6)[rng.integers(0, 7) :][:72].astype(np.uint8)
-    before = np.dstack([np.tile(stripes, (40, 1))] * 3)
-    return before, cv2.Canny(to_gray(before), 50, 150)
+    return many_lines(rng)
 
 
-# %% role="hidden" exercise="tour-name" title="an image of lines" points=1 hint="The image has two values, but few white pixels. Which of the four operations gives lines?"
+# %% role="hidden" exercise="tour-name" title="images of lines, and an image of areas" points=1 hint="These images have only two values. Lines have less than a fifth of white pixels, areas have more."
+def inputs(rng):
+    return [lines(rng), many_lines(rng), areas_mostly_black(rng)]
+
+
+# %% role="hidden" exercise="tour-name" title="an image with less noise, and gray images" points=1 hint="Only one of the four operations keeps the colours, and only a gray image has more than two different values."
 def inputs(rng):
     before = room_image(rng)
-    return before, cv2.Canny(to_gray(before), 50, 150)
-
-
-# %% role="hidden" exercise="tour-name" title="an image with less noise" points=1 hint="Only one of the four operations keeps the colours."
-def inputs(rng):
-    before = room_image(rng)
-    return before, cv2.medianBlur(before, 3)
+    return [(before, cv2.medianBlur(before, 3)), gray_with_white(rng), gray_with_even_first_row(rng)]
 
 
 # %% role="mistake" exercise="tour-name" name="gray taken for binary" says="A gray image has up to 256 values, a binary image has two. Count the different values with np.unique."
@@ -677,6 +696,8 @@ def name_operation(before, after):
 # | binarization | (720, 1280) | uint8 | two, in areas | black 0, white 255 |
 # | edges | (720, 1280) | uint8 | two, in lines | no edge 0, edge 255 |
 # | noise removal | (720, 1280, 3) | uint8 | up to 256 per channel | intensity of blue, green, red |
+#
+# **Next:** [[images_as_messages]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise the camera of this lesson continues to publish.
 
 # %%
 # Check: the table above

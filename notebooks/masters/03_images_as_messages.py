@@ -1374,6 +1374,8 @@ assert (shift_channels(bgr, 3)[:, 3:, 2] == bgr[:, :-3, 2]).all()
 # | rows of `step` bytes | (720, 3840) | uint8 | 0 to 255 | byte |
 # | *frame*, `rgb8` or `bgr8` | (720, 1280, 3) | uint8 | 0 to 255 | gray level of a channel |
 # | depth, `16UC1` | (360, 640) | uint16 | 0 to 65,535 | millimetre |
+#
+# **Next:** [[grayscale]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise the camera of this lesson continues to publish.
 
 # %%
 # Check: the table above

@@ -503,7 +503,9 @@ def inputs(rng):
 
 # %% role="hidden" title="a larger image" points=1 hint="Is every value rounded, not truncated? Add half before you shift."
 def inputs(rng):
-    return (rng.integers(0, 256, size=(48, 64, 3), dtype=np.uint8),)
+    image = rng.integers(0, 256, size=(48, 64, 3), dtype=np.uint8)
+    image[0, :3] = [71, 244, 53], [128, 1, 78], [240, 159, 93]  # colours for which decimal weights give another gray level
+    return (image,)
 
 
 # %% role="hidden" title="black, white and pure colours" points=1 hint="White must stay 255 and black 0."
@@ -742,6 +744,8 @@ def luma(bgr):
 # | widened | (720, 1280, 3) | uint32 | 0 to 255 | gray level |
 # | weighted sum, before `>> 15` | (720, 1280) | uint32 | 0 to 8,355,840 | 1/32768 of a gray level |
 # | *gray* | (720, 1280) | uint8 | 0 to 255 | gray level (luma) |
+#
+# **Next:** [[grayscale_node]].
 
 # %%
 # Check: the numbers in the table

@@ -513,7 +513,9 @@ def inputs(rng):
 
 # %% role="hidden" title="any frame" points=1 hint="Blue comes first. Which of OpenCV's conversion codes starts with BGR?"
 def inputs(rng):
-    return (rng.integers(0, 256, size=(30, 40, 3), dtype=np.uint8),)
+    frame = rng.integers(0, 256, size=(30, 40, 3), dtype=np.uint8)
+    frame[0, :2] = [128, 1, 78], [65, 168, 127]  # colours for which decimal weights give another gray level
+    return (frame,)
 
 
 # %% role="mistake" name="the array without its dictionary" says="You return the image itself. The node also needs the name of its topic: return a dictionary, {\"gray\": image}."
@@ -714,6 +716,8 @@ assert not ros_available() or my_image.shape == (720, 1280)
 # | `msg.data` | (2764800,) | uint8 | 0 to 255 | byte |
 # | *frame*, `bgr8` | (720, 1280, 3) | uint8 | 0 to 255 | gray level of blue, green, red |
 # | *gray*, published as `mono8` | (720, 1280) | uint8 | 0 to 255 | gray level |
+#
+# **Next:** [[noise_removal]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise the camera of this lesson continues to publish.
 
 # %%
 # Check: the numbers in the table

@@ -886,6 +886,19 @@ def mse_of(clean, other):
 def psnr_with(mse, peak=255**2):
     return float("inf") if mse == 0 else float(10 * np.log10(peak / mse))
 
+
+def same_pixels_in_another_order(rng):
+    clean = rng.integers(0, 256, size=(6, 6), dtype=np.uint8)
+    clean[0, 0], clean[-1, -1] = 0, 255
+    return clean, clean[::-1, ::-1].copy()
+
+
+def one_pixel_differs(rng):
+    clean = rng.integers(0, 255, size=(4, 5), dtype=np.uint8)
+    other = clean.copy()
+    other[rng.integers(0, 4), rng.integers(0, 5)] += 1
+    return clean, other
+
 # %% role="answer"
 def my_psnr(clean, other):
     raise NotImplementedError("your turn: delete this line and write the function")
@@ -918,17 +931,12 @@ def inputs(rng):
 
 # %% role="case" title="the same pixels in another order" points=0 hint="Here some differences are larger than 200, and plus and minus cancel in their sum. Square each difference in float, then take the mean."
 def inputs(rng):
-    clean = rng.integers(0, 256, size=(6, 6), dtype=np.uint8)
-    clean[0, 0], clean[-1, -1] = 0, 255
-    return clean, clean[::-1, ::-1].copy()
+    return same_pixels_in_another_order(rng)
 
 
 # %% role="case" title="one pixel differs by 1" points=0 hint="Only equal images have an infinite PSNR: compare the MSE with 0."
 def inputs(rng):
-    clean = rng.integers(0, 255, size=(4, 5), dtype=np.uint8)
-    other = clean.copy()
-    other[rng.integers(0, 4), rng.integers(0, 5)] += 1
-    return clean, other
+    return one_pixel_differs(rng)
 
 
 # %% role="case" title="equal images" points=0 hint="For equal images the MSE is 0: return float(\"inf\") before you divide by it."
@@ -937,10 +945,10 @@ def inputs(rng):
     return clean, clean.copy()
 
 
-# %% role="hidden" title="other equal images" points=1 hint="Do not divide by zero: return infinity if the mean squared error is 0."
+# %% role="hidden" title="equal images, and images with very small or very large differences" points=1 hint="Return infinity if the mean squared error is 0, and only then. Compute the squares of large differences in float."
 def inputs(rng):
     clean = rng.integers(0, 256, size=(6, 6), dtype=np.uint8)
-    return clean, clean.copy()
+    return [(clean, clean.copy()), one_pixel_differs(rng), same_pixels_in_another_order(rng)]
 
 
 # %% role="mistake" name="subtracted in uint8" says="The difference was computed in uint8, before you widened, and wrapped around: 100 - 110 gave 246. Convert both images first, with astype(float), or one pixel with int(...), then subtract."
@@ -1128,12 +1136,12 @@ def my_psnr(clean, other):
     return psnr_with(mse) if mse == 0 else 255**2 / mse
 
 
-# %% role="mistake" name="rounded to one digit" says="The result is rounded to one digit after the point. Return the whole number and leave round() out; rounding is for printing."
+# %% role="mistake" name="rounded to one digit" says="The result is rounded to one digit after the point. Return the number with all its digits: leave round() out; rounding is for printing."
 def my_psnr(clean, other):
     return round(psnr_with(mse_of(clean, other)), 1)
 
 
-# %% role="mistake" name="rounded to two digits" says="The result is rounded to two digits after the point. Return the whole number and leave round() out; rounding is for printing."
+# %% role="mistake" name="rounded to two digits" says="The result is rounded to two digits after the point. Return the number with all its digits: leave round() out; rounding is for printing."
 def my_psnr(clean, other):
     return round(psnr_with(mse_of(clean, other)), 2)
 

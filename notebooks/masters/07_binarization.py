@@ -395,6 +395,23 @@ def counts_of(gray):
     return np.bincount(gray.ravel(), minlength=256)
 
 
+def black_and_white(rng):
+    image = np.full((5, 6), 255, dtype=np.uint8)
+    image[: rng.integers(1, 4)] = 0
+    return image
+
+
+def twelve_pixels(rng):
+    """Whole-number means, and sums in uint8, give a wrong threshold here, for each offset."""
+    offset = rng.integers(0, 41)
+    levels = np.array([10, 31, 43, 78, 87, 88, 89, 89, 112, 120, 142, 185]) + offset
+    return rng.permutation(levels.astype(np.uint8)).reshape(3, 4)
+
+
+def one_gray_level(rng):
+    return np.full((4, 5), rng.integers(50, 200), dtype=np.uint8)
+
+
 # %% role="answer"
 def otsu(gray):
     raise NotImplementedError("your turn: delete this line and write the function")
@@ -435,6 +452,7 @@ def inputs(rng):
 def inputs(rng):
     is_wide = rng.random((24, 24)) < 0.7
     image = np.where(is_wide, rng.normal(90, 32, size=(24, 24)), rng.normal(170, 12, size=(24, 24)))
+    image[0, 0] = 0
     return (np.clip(image, 0, 255).astype(np.uint8),)
 
 
@@ -447,31 +465,27 @@ def inputs(rng):
 
 # %% role="case" title="the first and the last threshold" points=0 hint="Try every t from 0 to 255, and leave no t out."
 def inputs(rng):
-    corner = rng.integers(1, 4)
-    black_and_white = np.full((5, 6), 255, dtype=np.uint8)
-    black_and_white[:corner] = 0
-    nearly_white = np.full((5, 6), 255, dtype=np.uint8)
-    nearly_white[:corner] = 254
-    return [(black_and_white,), (nearly_white,)]
+    image = black_and_white(rng)
+    return [(image,), (np.where(image == 0, 254, image).astype(np.uint8),)]
 
 
 # %% role="case" title="one gray level" points=0 hint="No t splits this image into two classes, so every variance is 0, and the smallest t is 0."
 def inputs(rng):
-    return (np.full((4, 5), rng.integers(50, 200), dtype=np.uint8),)
+    return (one_gray_level(rng),)
 
 
-# %% role="hidden" title="peaks that touch" points=1 hint="A pixel equal to t belongs to class 0."
+# %% role="hidden" title="peaks that touch, and twelve pixels" points=1 hint="A pixel equal to t belongs to class 0. Keep the means as floats."
 def inputs(rng):
     image = np.where(rng.random((40, 40)) < 0.5, 95, 150) + rng.normal(0, 22, size=(40, 40))
-    return (np.clip(image, 0, 255).astype(np.uint8),)
+    return [(np.clip(image, 0, 255).astype(np.uint8),), (twelve_pixels(rng),)]
 
 
-# %% role="hidden" title="only two values" points=1 hint="Many thresholds separate two values equally well: return the smallest."
+# %% role="hidden" title="one or two gray levels" points=1 hint="Try every t from 0 to 255. Many thresholds separate two values equally well: return the smallest. With one gray level the result is 0."
 def inputs(rng):
     low, high = rng.integers(0, 100), rng.integers(150, 256)
     image = np.full((6, 6), high, dtype=np.uint8)
     image[: rng.integers(1, 5)] = low
-    return (image,)
+    return [(image,), (black_and_white(rng),), (one_gray_level(rng),)]
 
 
 # %% role="mistake" name="the smallest variance instead of the largest" says="Your threshold has the smallest between-class variance, which is the same as the largest variance inside the classes. Look for the largest between-class variance instead."

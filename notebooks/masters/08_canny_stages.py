@@ -1758,6 +1758,8 @@ assert (cat_edges == cv2.Canny(cat, 50, 150)).all()
 # | thinned | (720, 1280) | int32 | 0 to 1530 | Sobel response |
 # | weak, strong | (720, 1280) | bool | False, True | yes or no |
 # | edges | (720, 1280) | uint8 | 0 and 255 | no and yes |
+#
+# **Next:** [[edge_detection_node]].
 
 # %%
 fields = ["grad_row", "grad_col", "magnitude", "thinned",

@@ -24,6 +24,14 @@ def test_a_valid_exercise_has_no_problem(write_master):
             '\n# %% role="mistake" name="twin" says="x"\ndef double(pixels):\n    return pixels + pixels\n',
             "the mistake 'twin' is taken for 'uint8 wraps'",
         ),
+        (
+            [],
+            '\n# %% role="case" title="No pixels" points=0\n'
+            "def inputs(rng):\n    return (np.zeros((0, 3), np.uint8),)\n"
+            '\n# %% role="mistake" name="empty" says="x"\n'
+            "def double(pixels):\n    return solution(pixels) if pixels.size else None\n",
+            "the mistake 'empty' earns all points",
+        ),
         ([('    raise NotImplementedError("your turn")', "    return pixels")], "", "stub returns a value"),
         (
             [("    return np.minimum(", "    import cv2\n    return np.minimum(")],
@@ -46,3 +54,15 @@ def test_a_valid_exercise_has_no_problem(write_master):
 def test_an_invalid_exercise_is_named(write_master, replacements, added, message):
     problems = problems_of(write_master(*replacements, add=added))
     assert any(message in problem for problem in problems), problems
+
+
+def test_a_mistake_costs_points_for_another_seed_too(write_master):
+    """This mistake is wrong only where the first pixel is as in the public case of the lesson's seed."""
+    (exercise,) = read_exercises(write_master())
+    first_pixel = exercise.arguments(exercise.public[0])[0][0][0, 0]
+    mistake = (
+        '\n# %% role="mistake" name="once" says="x"\n'
+        f"def double(pixels):\n    return None if pixels[0, 0] == {first_pixel} else solution(pixels)\n"
+    )
+    (problem,) = problems_of(write_master(add=mistake))
+    assert "the mistake 'once' earns all points" in problem

@@ -1,6 +1,7 @@
-"""The table of learners' wrong answers is well formed, and every answer in it is wrong.
+"""The tables of learners' wrong answers are well formed, and every answer in them is wrong.
 
-The table was written without the feedback code, so that it can measure the feedback.
+The tables were written without the feedback code, so that they can measure the feedback; the fresh answers
+also without the known mistakes and the hints of the exercises.
 """
 
 import importlib.util
@@ -17,7 +18,8 @@ wrong_answers = importlib.util.module_from_spec(_spec)
 _spec.loader.exec_module(wrong_answers)
 
 MASTERS = Path(__file__).parents[2] / "notebooks" / "masters"
-FILES = sorted(wrong_answers.FOLDER.glob("*.py"))
+TABLES = {"table": wrong_answers.FOLDER, "fresh": wrong_answers.FRESH_FOLDER}
+FILES = [path for folder in TABLES.values() for path in sorted(folder.glob("*.py"))]
 EXERCISES = {
     declared.id: declared
     for path in sorted(MASTERS.glob("[0-9][0-9]_*.py"))
@@ -40,7 +42,7 @@ KINDS = {
     "too-slow",
 }
 
-each_file = pytest.mark.parametrize("path", FILES, ids=[path.stem for path in FILES])
+each_file = pytest.mark.parametrize("path", FILES, ids=[f"{path.parent.name}/{path.stem}" for path in FILES])
 
 
 def passes(declared, answer):
@@ -54,8 +56,9 @@ def passes(declared, answer):
     return run_cases(declared, function, cases=cases).passed
 
 
-def test_every_exercise_has_a_file():
-    assert {path.stem for path in FILES} == EXERCISES.keys()
+@pytest.mark.parametrize("name", TABLES)
+def test_every_exercise_has_a_file(name):
+    assert {path.stem for path in TABLES[name].glob("*.py")} == EXERCISES.keys()
 
 
 @each_file
@@ -68,9 +71,10 @@ def test_the_fields_are_well_formed(path):
     answers = wrong_answers.read_wrong_answers(path)
     names = [answer.name for answer in answers]
     assert len(set(names)) == len(names)
-    assert sum(answer.origin == "new" for answer in answers) >= 12
+    is_fresh = path.parent == wrong_answers.FRESH_FOLDER
+    assert is_fresh or sum(answer.origin == "new" for answer in answers) >= 12
     for answer in answers:
-        assert answer.origin in {"walk", "new"}, answer.name
+        assert answer.origin in ({"fresh"} if is_fresh else {"walk", "new"}), answer.name
         assert answer.kind in KINDS, answer.name
         assert answer.passes in {True, False}, answer.name
         assert answer.sentence.endswith((".", "!")) and answer.source.strip(), answer.name

@@ -1,9 +1,12 @@
-"""The table of learners' wrong answers: a file for each exercise in the folder beside this module.
+"""The tables of learners' wrong answers: in each of two folders a file for each exercise.
+
+The answers of `wrong_answers` helped to improve the feedback. Those of `fresh_answers` were written from the
+tasks alone, and the feedback was not changed after them.
 
 Each cell of a file is one answer. Its first line describes the mistake, in fields with JSON values:
 
 - ``name``: the mistake in a few words;
-- ``origin``: ``walk`` (seen when the course was walked) or ``new``;
+- ``origin``: ``walk`` (seen when the course was walked), ``new`` or ``fresh``;
 - ``sentence``: what a good teacher would say to it;
 - ``must_say``: patterns, each of which a right sentence about this mistake matches, in whatever case;
 - ``must_not_say``: patterns that would be false here;
@@ -18,6 +21,7 @@ from pathlib import Path
 from typing import Any, NamedTuple
 
 FOLDER = Path(__file__).parent / "wrong_answers"
+FRESH_FOLDER = Path(__file__).parent / "fresh_answers"
 
 _CELL = re.compile(r"^# %% ", re.MULTILINE)
 _FIELD = re.compile(r"\s*(\w+)=")

@@ -1,0 +1,71 @@
+# %% name="last of equal thresholds" origin="fresh" sentence="The largest variance is kept with >=, so the last of several equal thresholds wins: use >, the smallest is asked." must_say=["smallest|>=|first|last|equal|several"] must_not_say=["class 0 contains|count"] kind="value"
+def otsu(gray):
+    best = 0
+    best_variance = 0.0
+    for t in range(256):
+        dark = gray[gray <= t]
+        bright = gray[gray > t]
+        if dark.size == 0 or bright.size == 0:
+            continue
+        variance = dark.size / gray.size * bright.size / gray.size * (dark.mean() - bright.mean()) ** 2
+        if variance >= best_variance:
+            best_variance = variance
+            best = t
+    return best
+
+# %% name="pixel equal to t in class 1" origin="fresh" sentence="A pixel equal to t belongs to class 0: use <= t and > t." must_say=["<=|equal|class 0|belong|> ?t"] must_not_say=["smallest of"] kind="value"
+def otsu(gray):
+    best = 0
+    best_variance = 0
+    for t in range(256):
+        class0 = gray[gray < t]
+        class1 = gray[gray >= t]
+        if len(class0) > 0 and len(class1) > 0:
+            w0 = len(class0) / gray.size
+            w1 = len(class1) / gray.size
+            variance = w0 * w1 * (class0.mean() - class1.mean()) ** 2
+            if variance > best_variance:
+                best_variance = variance
+                best = t
+    return best
+
+# %% name="no weights" origin="fresh" sentence="You forgot the weights w0 and w1 in the formula." must_say=["weight|w0|w_0|share"] must_not_say=["equal to t|empty"] kind="value"
+def otsu(gray):
+    best = 0
+    best_variance = 0
+    for t in range(256):
+        class0 = gray[gray <= t]
+        class1 = gray[gray > t]
+        if class0.size > 0 and class1.size > 0:
+            variance = (class0.mean() - class1.mean()) ** 2
+            if variance > best_variance:
+                best_variance = variance
+                best = t
+    return best
+
+# %% name="returns the variance" origin="fresh" sentence="You return the largest variance; the task asks for its threshold t." must_say=["threshold|variance|t\\b"] must_not_say=["equal to t|empty"] kind="value"
+def otsu(gray):
+    largest = 0
+    for t in range(256):
+        class0 = gray[gray <= t]
+        class1 = gray[gray > t]
+        if class0.size == 0 or class1.size == 0:
+            variance = 0
+        else:
+            w0 = class0.size / gray.size
+            w1 = class1.size / gray.size
+            variance = w0 * w1 * (class0.mean() - class1.mean()) ** 2
+        if variance > largest:
+            largest = variance
+    return int(largest)
+
+# %% name="empty class gives nan" origin="fresh" sentence="An empty class has no mean, so its variance is nan, and argmax finds the nan: set it to 0." must_say=["empty|nan|no mean|no pixels"] kind="value"
+def otsu(gray):
+    variances = []
+    for t in range(256):
+        class0 = gray[gray <= t]
+        class1 = gray[gray > t]
+        w0 = class0.size / gray.size
+        w1 = class1.size / gray.size
+        variances.append(w0 * w1 * (class0.mean() - class1.mean()) ** 2)
+    return int(np.argmax(variances))
