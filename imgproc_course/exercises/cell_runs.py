@@ -16,8 +16,8 @@ from imgproc_course.exercises.running import code_of
 _MOST_RUNS = 500
 _SIMILAR = 0.8
 _FAILED = (
-    "The last run of your cell failed. {error}\nPython still has the older {name}(), and that is not what"
-    " you see. Repair the cell, run it, then run this one."
+    "The last run of your cell failed. {error}\nPython still has the older {name}(), not the one on the"
+    " screen. Repair the cell, run it, then run this one."
 )
 
 

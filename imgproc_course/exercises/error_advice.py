@@ -208,6 +208,8 @@ def _no_attribute(match, _source):
         return f"An array has no .{name}: its rows are .shape[0], its columns .shape[1]."
     if kind == "numpy.ndarray" and name in ("append", "extend", "add"):
         return "An array cannot grow. Make it in its full size, or collect the values in a list."
+    if kind == "numpy.ndarray" and name == "reverse":
+        return "An array has no .reverse(). A slice with the step -1 goes backwards: ::-1."
     if name == "join":
         return 'join is a method of the text that stands between the parts: "/".join(parts).'
     if kind in ("list", "tuple") and name in ("shape", "astype", "dtype", "mean", "sum", "max", "min"):
@@ -224,6 +226,11 @@ def _not_callable(match, _source):
         return (
             f"A {match[1]} is not a function: round brackets call. Its parts are taken with square brackets,"
             " as in shape[0]."
+        )
+    if match[1] == "str":
+        return (
+            "Round brackets call a function, and this is a text. Does it come from a loop over a dict? The"
+            " loop gives the keys; the value of a key is d[key], with the name of the dict for d."
         )
     return (
         f"Round brackets call a function, and this is a value of type {match[1]}. Leave the brackets out;"

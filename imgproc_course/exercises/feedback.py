@@ -186,6 +186,8 @@ def _footer(result):
     count = exercise.hidden_count
     if not count:
         return text
+    if points == exercise.points and not result.passed:
+        text += " But a check fails, and grading takes points for that on other inputs."
     checks = "1 more check" if count == 1 else f"{count} more checks"
     return f"{text} Grading runs {checks} on other inputs, worth {exercise.hidden_points}."
 
@@ -236,7 +238,7 @@ def _warning_and_output(call):
 def as_text(result):
     """A CheckResult as plain text."""
     _, headline = _headline(result)
-    lines = [f"{headline}.", result.why_older, *_refusals(result), *result.remarks]
+    lines = [f"{headline}.", result.why_older, *_refusals(result), *_notes(result), *result.remarks]
     shown = result.shown
     for case_result in result.results:
         lines.append(f"{'✓' if case_result.passed else '✗'} {case_result.case.title}")
@@ -245,7 +247,6 @@ def as_text(result):
         lines.append(_indent(_explain_case(result, case_result)))
         if case_result.failed_call is shown and shown is not None:
             lines += [_indent(text) for text in _details_as_text(result, shown)]
-    lines += _notes(result)
     lines += [_footer(result), _another_way(result)]
     return "\n".join(line for line in lines if line)
 
@@ -271,7 +272,8 @@ def as_html(result):
     """A CheckResult as HTML that reads well in a light and in a dark JupyterLab."""
     state, headline = _headline(result)
     body = [f'<div style="font-weight: 600; color: {_COLOURS[state]}">{html.escape(headline)}</div>']
-    body += [_paragraph(text) for text in (result.why_older, *_refusals(result), *result.remarks)]
+    remarks = (result.why_older, *_refusals(result), *_notes(result), *result.remarks)
+    body += [_paragraph(text) for text in remarks]
     shown = result.shown
     for case_result in result.results:
         mark, colour = ("✓", _COLOURS["passed"]) if case_result.passed else ("✗", _COLOURS["failed"])
@@ -283,7 +285,6 @@ def as_html(result):
         is_shown = case_result.failed_call is shown and shown is not None
         details = "".join(_details_as_html(result, shown)) if is_shown else ""
         body.append(f'<div style="margin: 0 0 6px 18px">{explanation}{details}</div>')
-    body += [_paragraph(note) for note in _notes(result)]
     body.append(f'<div style="margin-top: 4px">{html.escape(_footer(result))}</div>')
     body.append(_paragraph(_another_way(result)))
     return f'<div style="border-left: 4px solid {_COLOURS[state]}; padding: 4px 10px">{"".join(body)}</div>'

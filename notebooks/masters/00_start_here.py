@@ -179,7 +179,7 @@ assert frame.max() == 255 and darken(frame, percent=50).max() == 127
 # | `hint("start-count")` | shows a hint. Run it again for the next one; there are three. |
 # | `solution("start-count")` | shows a solution and explains it, after three honest tries. `solution("start-count", give_up=True)` shows it at once. |
 #
-# Hints and solutions never change your points. This exercise is for practice: it gives no points, but it shows how every exercise works.
+# If a check cell shows `NameError: name 'count_pixels' is not defined`, the cell with your function has not run since the kernel started: run it first. Hints and solutions never change your points. This exercise is for practice: it gives no points, but it shows how every exercise works.
 
 # %% role="exercise"
 exercise(

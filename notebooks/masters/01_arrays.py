@@ -261,11 +261,11 @@ show([small, small[::-1], small[:, ::-1]], ["small", "[::-1]", "[:, ::-1]"],
 # **Predict.** Here is a row of five numbers: 1, 2, 3, 4, 5. What is `row[::-2]`?
 
 # %% role="predict"
-guess_row = None  # your guess: a list of numbers, for example [1, 2]
+guess_row = None  # your guess: the numbers, for example (1, 2)
 
 # %%
 row = np.array([1, 2, 3, 4, 5])
-compare_guess(guess_row, row[::-2].tolist())
+compare_guess(guess_row, tuple(row[::-2].tolist()))
 
 # %%
 # Check: the numbers in this section
@@ -820,7 +820,7 @@ first_row[0] = 255
 compare_guess(guess_view, original[0, 0])
 
 # %% [markdown]
-# The array changed, although we wrote to `first_row`. Also `b = a` copies nothing: it only gives the array a second name. If you want to change numbers and keep the original, write `.copy()` first. (`astype`, `np.where` and every calculation make new arrays.)
+# The array changed, although we wrote to `first_row`. Also `b = a` copies nothing: it only gives the array a second name. If you want to change numbers and keep the original, write `.copy()` first. (`astype`, `np.where` and a calculation such as `a + 1` make new arrays.)
 
 # %%
 safe = tiny[0].copy()
@@ -1018,6 +1018,11 @@ def row_means(gray):
     return gray.sum(axis=1, dtype=np.uint8) / gray.shape[1]
 
 
+# %% role="mistake" name="Python's sum in uint8" says="sum(row) adds uint8 numbers, and wraps around after 255: the means are too small. Use row.mean(), which widens by itself, or gray.mean(axis=1) for all rows at once."
+def row_means(gray):
+    return [np.add.reduce(row, dtype=np.uint8) / len(row) for row in gray]
+
+
 # %% role="mistake" name="an axis of length 1 is kept" says="Your result has the shape (rows, 1). One axis must remain: the shape is (rows,), so leave keepdims out."
 def row_means(gray):
     return gray.mean(axis=1, keepdims=True)
@@ -1056,7 +1061,7 @@ for column in range(1, len(row) - 1):
 print(sums)
 
 # %% [markdown]
-# The loop begins at column 1 and stops before the last column, because the two pixels at the ends have only one neighbour. Now without a loop: we take the row three times, each time *shifted* by one column.
+# The loop begins at column 1 and stops before the last column, because the two pixels at the ends have only one neighbour. Now without a loop: we take the row three times, each time *shifted* by one column. (`np.stack` puts the three rows one above the other, for the figure.)
 
 # %%
 left, middle, right = row[:-2], row[1:-1], row[2:]
@@ -1192,6 +1197,7 @@ def differences(gray):
 
 # %%
 steps = np.diff(frame[..., 1].astype(np.int16), axis=1)  # of the green channel
+# limits: -40 and less is black, 40 and more is white
 print("shape:", steps.shape, "  range:", steps.min(), "to", steps.max())
 show(steps, "differences", limits=(-40, 40), text=figure_texts["steps"])
 

@@ -495,3 +495,15 @@ def test_the_colours_have_contrast_in_both_themes(theme, function):
     colours = theme_colours(theme)
     assert all(contrast(colours[name], colours["--jp-layout-color0"]) >= 4.5 for name, _ in used), used
     assert all(contrast((*bytes.fromhex(fallback[1:]), 1.0), (255, 255, 255)) >= 4.5 for _, fallback in used)
+
+
+def test_a_failing_check_without_points_is_no_full_success(write_master):
+    write_master(
+        case='# %% role="case" title="Bright" points=0\ndef inputs(rng):\n'
+        "    return (np.uint8([[200, 100]]),)"
+    )
+    text = repr(check("test-double", lambda pixels: pixels * 2))
+    assert "✗ Bright" in text and "✓ Dark" in text
+    assert "Points here: 1 of 1. But a check fails, and grading takes points for that" in text
+    assert "But a check fails" not in repr(check("test-double", right))
+    assert "But a check fails" not in repr(check("test-double", lambda pixels: pixels * 3))
