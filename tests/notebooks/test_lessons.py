@@ -17,17 +17,17 @@ from types import SimpleNamespace
 import nbformat
 import pytest
 
-from imgproc_course.authoring.build import build_solved
+from imgproc_course.authoring.build import INDEX, build_solved
 from imgproc_course.authoring.execute import execute
 from imgproc_course.authoring.lesson_files import lesson_files
-from imgproc_course.authoring.masters import read_master
+from imgproc_course.authoring.masters import find_masters, read_master
 from imgproc_course.authoring.validation import validate_exercise
 from imgproc_course.exercises import read_exercises
 from imgproc_course.exercises.check_files import read_check_file
 from imgproc_course.exercises.checking import run_cases, run_check
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
-MASTERS = sorted((NOTEBOOKS / "masters").glob("*.py"))  # of the lessons and of the index
+MASTERS = [*find_masters(NOTEBOOKS / "masters"), NOTEBOOKS / "masters" / f"{INDEX}.py"]
 # Variables of the tests' environment that would change a lesson's outputs.
 OURS = (
     "MPLBACKEND",
