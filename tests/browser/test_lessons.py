@@ -1,4 +1,4 @@
-"""Every lesson, opened and run as a learner does: no error, live views change, sliders move."""
+"""Every lesson, opened and run as a learner does: no error, readable, live views change, sliders move."""
 
 import shutil
 from pathlib import Path
@@ -38,4 +38,8 @@ def test_lesson_runs_without_an_error_in_the_browser(lesson: Path, lab, open_not
             page.page.wait_for_timeout(200)
             readouts.add(page.readout())
         assert len(readouts) > 1
+        page.page.locator(".noUi-handle[aria-label]").first.wait_for()
+    for theme in ("Dark", "Light"):
+        page.set_theme(theme)
+        assert page.violations() == []
     page.screenshot(lesson.stem, VIEW if views.count() else "figure img, .jp-Cell")
