@@ -26,8 +26,30 @@ const nameHandles = tries => {
         handle.style.borderColor = "var(--jp-ui-font-color2)";  // white on white in the light theme
     });
 };
-nameHandles(100);
+nameHandles(6000);  // ten minutes: the cell may stand outside the visible part
 """
+
+
+def labelled(slider, names):
+    """A slider of ipywidgets whose handles have names, which a screen reader reads.
+
+    Parameters
+    ----------
+    slider : ipywidgets slider
+    names : list of str, one for each handle
+
+    Returns
+    -------
+    ipywidgets.VBox, to display in place of the slider
+    """
+    return widgets.VBox([slider, _handle_names(names)])
+
+
+def _handle_names(names):
+    """A widget without size that names each handle of the sliders in its box."""
+    script = f"const names = {json.dumps(names)};{NAME_HANDLES}"
+    output = {"output_type": "display_data", "data": {"application/javascript": script}, "metadata": {}}
+    return widgets.Output(outputs=(output,) if names else (), layout=widgets.Layout(display="none"))
 
 
 class Controls:
@@ -125,9 +147,7 @@ class Controls:
             if hasattr(self._widgets[keyword], "readout_format"):  # a slider
                 is_pair = len(parameters) == 2
                 names += [f"{keyword}: {name}" for name in parameters] if is_pair else [keyword]
-        script = f"const names = {json.dumps(names)};{NAME_HANDLES}"
-        output = {"output_type": "display_data", "data": {"application/javascript": script}, "metadata": {}}
-        return widgets.Output(outputs=(output,) if names else (), layout=widgets.Layout(display="none"))
+        return _handle_names(names)
 
     def _parameters_of(self, keyword, range_, function):
         """Names of the one or two parameters that a keyword sets."""

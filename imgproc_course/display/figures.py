@@ -179,7 +179,8 @@ class _Output:
     """
 
     def __init__(self, lines, alt, caption):
-        alts = itertools.chain([html.escape(alt)], itertools.repeat(""))
+        # JupyterLab 4.6 writes "Image" in place of an empty alternative text.
+        alts = itertools.chain([html.escape(alt)], itertools.repeat("continued"))
         blocks = [[_img_tag(part, next(alts), len(line)) for part in line] for line in lines]
         if len(blocks) == len(blocks[0]) == 1:
             images = blocks[0][0]

@@ -27,7 +27,8 @@ import ipywidgets
 from IPython.display import display
 from matplotlib.patches import Rectangle
 
-from imgproc_course.display import draw, live_view, show, show_figure, tune
+from imgproc_course.display import draw, labelled, live_view
+from imgproc_course.display import show, show_figure, tune
 from imgproc_course.exercises import check, compare_guess
 from imgproc_course.imaging import add_gaussian_noise, canny, to_gray
 from imgproc_course.recording import open_recording
@@ -182,7 +183,7 @@ if ros_available():
         value=(50, 150), min=0, max=1020, description="low, high",
         continuous_update=False, layout={"width": "640px"})
     thresholds.observe(set_thresholds, names="value")  # called when it moves
-    display(thresholds)
+    display(labelled(thresholds, ["low", "high"]))  # for screen readers
     views = ImageSubscriber("/edges_by_hand/view", encoding="bgr8")
     view = live_view(views, width=960, text=figure_texts["live"])
 else:

@@ -106,8 +106,8 @@ def test_a_failure_leaves_the_old_key(copy, tmp_path):
     ("old", "new", "message"),
     [
         (
-            ', function="apply", practice=True',
-            ', function="apply"',
+            'function="apply",\n    practice=True,',
+            'function="apply",',
             "case-attacked-apply-1.*cannot be sent.*practice=True",
         ),
         ('refused=("cv2", ', 'refused=("numpy", ', "refuses numpy"),

@@ -14,6 +14,8 @@ from contextlib import suppress
 import psutil
 import pytest
 
+from imgproc_course.authoring.lesson_files import lesson_files
+from imgproc_course.authoring.masters import read_master
 from imgproc_course.autograder import nbval_process
 from imgproc_course.autograder.outcomes import TEXTS, Outcome
 from imgproc_course.autograder.pool import Limits, SandboxError, autograde, grade_one
@@ -21,7 +23,6 @@ from imgproc_course.autograder.results import from_json, to_json
 from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.exercises import read_exercises
 from imgproc_course.exercises.checking import run_cases as check_answer
-from imgproc_course.exercises.declaration import MASTERS_VARIABLE
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("pool")]
 LESSON = "attacked"
@@ -178,8 +179,11 @@ ONLY_IN_JUPYTER = ("ends", "top-level await", "magics")
 
 
 @pytest.mark.parametrize("name", [name for name in SAMPLES if name not in ONLY_IN_JUPYTER])
-def test_check_in_the_lesson_agrees(results, masters, name, monkeypatch):
-    monkeypatch.setenv(MASTERS_VARIABLE, str(masters))
+def test_check_in_the_lesson_agrees(results, masters, name, monkeypatch, tmp_path):
+    for file, text in lesson_files(read_master(masters / "10_attacked.py"), with_solutions=False).items():
+        (tmp_path / file).parent.mkdir(exist_ok=True)
+        (tmp_path / file).write_text(text)
+    monkeypatch.setenv("IMGPROC_COURSE_CHECKS", str(tmp_path / "checks"))
     (declared, *_) = read_exercises(masters / "10_attacked.py")
     space = declared.namespace()
     with suppress(NameError, SyntaxError):

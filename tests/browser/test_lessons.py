@@ -38,7 +38,9 @@ def test_lesson_runs_without_an_error_in_the_browser(lesson: Path, lab, open_not
             page.page.wait_for_timeout(200)
             readouts.add(page.readout())
         assert len(readouts) > 1
-        page.page.locator(".noUi-handle[aria-label]").first.wait_for()
+        page.page.wait_for_function(
+            "[...document.querySelectorAll('.noUi-handle')].every(handle => handle.ariaLabel)"
+        )
     for theme in ("Dark", "Light"):
         page.set_theme(theme)
         assert page.violations() == []

@@ -39,6 +39,8 @@ class ImageEdgeDetection(Node):
         except (CvBridgeError, cv2.error) as error:
             self.get_logger().error(f"An image was not processed: {error}")
             return
+        if not rclpy.ok():
+            return  # Ctrl-C ended ROS while this image was processed
         if self.no_window:
             three = np.hstack([frame, cv2.merge([gray] * 3), cv2.merge([edges] * 3)])
             self.view.publish(self.bridge.cv2_to_imgmsg(three, "bgr8", header=msg.header))

@@ -36,6 +36,8 @@ class ImageGrayProcessor(Node):
         except (CvBridgeError, cv2.error) as error:
             self.get_logger().error(f"An image was not processed: {error}")
             return
+        if not rclpy.ok():
+            return  # Ctrl-C ended ROS while this image was processed
         if self.no_window:
             self.view.publish(self.bridge.cv2_to_imgmsg(gray, "mono8", header=msg.header))
         else:
