@@ -147,14 +147,11 @@ def stop(process):
     process.wait(timeout=20)
 
 
-# %%
+# %% tags=["nbval-ignore-output"]
 if ros_available():
     time.sleep(1)
     if script_images.matched == 0:  # no publisher: the script does not run yet
         script_node = start("exec python scripts/image_gray_processor.py")
-
-# %% tags=["nbval-ignore-output"]
-if ros_available():
     script_image = script_images.wait(timeout=30)
     print("from another process:", script_image.shape, script_image.dtype)
     text = figure_texts["script"]
