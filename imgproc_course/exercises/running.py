@@ -1,7 +1,7 @@
 """Call a function that somebody else wrote: on copies of its arguments, and within a time limit.
 
-Such a function may raise anything, so `except Exception` is right here. The declaration of an exercise, which
-runs a master's code, is the only other module of this package that catches every exception.
+Such a function may raise anything, so `except Exception` is right here. In this package it stands only where
+the code of a learner or of a master runs.
 """
 
 import contextlib
