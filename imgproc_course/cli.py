@@ -373,7 +373,7 @@ def grade(submissions, keys, out, workers, kernel, deadline, unsafe, fresh, plat
 
     A submission that was graded before, with the same key and the same answers, is not graded again: after an
     interruption, the same command continues. Exit codes: 0 all graded, 3 some could not be graded (they get
-    0 points and a reason), 1 nothing was graded, 130 interrupted.
+    0 points and a reason) or a page is incomplete, 1 nothing was graded, 130 interrupted.
     """
     from imgproc_course.autograder.answer_key import KeyFolderError
     from imgproc_course.autograder.sandbox.bubblewrap import SandboxError
@@ -400,7 +400,7 @@ def grade(submissions, keys, out, workers, kernel, deadline, unsafe, fresh, plat
         click.echo("\nStopped. Finished grades are saved: run the same command again to continue.", err=True)
         raise SystemExit(130) from None
     click.echo(report.text)
-    if report.not_graded:
+    if report.not_graded or report.failed_pages:
         raise SystemExit(_COULD_NOT_GRADE)
 
 

@@ -1,13 +1,4 @@
-"""Grade a folder of submissions, from the submitted files to the pages that learners get back.
-
-The folder of grades contains:
-    grades.json        everything, as grades.schema.json describes it
-    grades.csv         one row per learner and lesson, for a spreadsheet
-    summary.html       the teacher's page
-    learners/*.html    one page per learner, to give back
-    exports/*.csv      for Moodle, Canvas, and programs that read nbgrader's table
-    results/*.json     every result, by a digest of key and answers: an interrupted run continues from here
-"""
+"""Grade a folder of submissions, from the submitted files to the pages that learners get back."""
 
 import contextlib
 import shutil
@@ -18,11 +9,10 @@ from imgproc_course.autograder.pool import open_scheduler
 from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.gradebook.answer_keys import load_keys
 from imgproc_course.gradebook.collect import collect
-from imgproc_course.gradebook.grades_json import count_not_graded, grades_of, grades_text
+from imgproc_course.gradebook.grades_folder import write_grades
+from imgproc_course.gradebook.grades_json import count_not_graded, grades_of
 from imgproc_course.gradebook.learners import read_all
-from imgproc_course.gradebook.lms_export import exports, grades_csv
 from imgproc_course.gradebook.lms_import import TableError, fill_table, read_tables
-from imgproc_course.gradebook.report import learner_page, summary_page
 from imgproc_course.gradebook.result_store import (
     GradesFolderError,
     ResultStore,
@@ -36,10 +26,11 @@ _MAX_LINES = 12  # of a run's summary, before the last lines
 
 @dataclass(frozen=True)
 class GradingSummary:
-    """What to print after a run: `text`, and how many submissions could not be graded."""
+    """What to print after a run: `text`; how many submissions could not be graded, and pages not written."""
 
     text: str
     not_graded: int
+    failed_pages: int
 
 
 def grade_submissions(
@@ -94,8 +85,8 @@ def grade_submissions(
     grades = grades_of(
         learners, answer_keys, store, sandbox=not unsafe, deadline=deadline, ignored=collection.ignored
     )
-    _write(out, grades, learners, answer_keys, store)
-    return _summary(grades, graded_now, out, _fill_tables(platform_tables, grades, out))
+    failed_pages = write_grades(out, grades, learners, answer_keys, store)
+    return _summary(grades, graded_now, out, _fill_tables(platform_tables, grades, out), failed_pages)
 
 
 def _require_separate_folder(submissions, keys, out):
@@ -120,32 +111,7 @@ def _fill_tables(platform_tables, grades, out):
     return lines
 
 
-def _write(out, grades, learners, answer_keys, store):
-    write_grades_file(out / "grades.json", grades_text(grades))
-    write_grades_file(out / "grades.csv", grades_csv(grades))
-    tables = exports(grades)
-    for name, text in tables.items():
-        write_grades_file(out / "exports" / name, text)
-    _remove_others(out / "exports", "*.csv", tables)
-    for learner, entry in zip(learners, grades["learners"], strict=True):
-        results = {
-            lesson: store.result(submission.answers_digest)
-            for lesson, submission in learner.submissions.items()
-            if submission.answers_digest
-        }
-        write_grades_file(out / "learners" / learner.page, learner_page(entry, results, answer_keys))
-    _remove_others(out / "learners", "*.html", {learner.page for learner in learners})
-    write_grades_file(out / "summary.html", summary_page(grades))
-
-
-def _remove_others(folder, pattern, names):
-    """Remove the files of an earlier run: pages of learners who are gone would be given back by mistake."""
-    for path in folder.glob(pattern):
-        if path.name not in names:
-            path.unlink()
-
-
-def _summary(grades, graded_now, out, table_lines):
+def _summary(grades, graded_now, out, table_lines, failed_pages):
     lessons = [lesson for learner in grades["learners"] for lesson in learner["lessons"]]
     graded = sum(lesson["status"] == "graded" for lesson in lessons)
     late = sum(lesson["late"] for lesson in lessons)
@@ -160,6 +126,7 @@ def _summary(grades, graded_now, out, table_lines):
                 lines.append(f"  {learner['name']}: {lesson['file']}: {lesson['reason']}")
     if len(lines) > _MAX_LINES:
         lines[_MAX_LINES - 1 :] = [f"  and {len(lines) - _MAX_LINES + 1} more"]
+    lines += [f"The page of {name} is incomplete ({reason})." for name, reason in failed_pages.items()]
     if not grades["sandbox"]:
         lines.append("Graded without a sandbox; grades.json records it.")
     lines += table_lines
@@ -168,4 +135,4 @@ def _summary(grades, graded_now, out, table_lines):
     lines += [
         f"Points: {out}/grades.csv   Your page: {out}/summary.html   Pages to give back: {out}/learners/"
     ]
-    return GradingSummary("\n".join(lines), not_graded)
+    return GradingSummary("\n".join(lines), not_graded, len(failed_pages))

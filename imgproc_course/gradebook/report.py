@@ -62,14 +62,15 @@ def _page(name, **content):
 # ---------------------------------------------------------------- a learner's page
 
 
-def learner_page(entry, results, answer_keys):
+def learner_page(entry, results, answer_keys, *, incomplete=False):
     """The page of one learner.
 
     Parameters
     ----------
     entry : dict, the learner's part of grades.json
-    results : {lesson: GradedSubmission}
+    results : {lesson: GradedSubmission}; of a lesson without a result, the page shows only the points
     answer_keys : AnswerKeys
+    incomplete : bool, the page says that its details are missing
 
     Returns
     -------
@@ -78,7 +79,7 @@ def learner_page(entry, results, answer_keys):
     lessons = [
         _lesson_view(lesson, results.get(lesson["lesson"]), answer_keys) for lesson in entry["lessons"]
     ]
-    return _page("learner.html", learner=entry, lessons=lessons)
+    return _page("learner.html", learner=entry, lessons=lessons, incomplete=incomplete)
 
 
 def _lesson_view(lesson, result, answer_keys):
@@ -188,12 +189,13 @@ def _values_view(case, key_exercise):
 # ---------------------------------------------------------------- the teacher's page
 
 
-def summary_page(grades):
+def summary_page(grades, failed_pages=()):
     """The teacher's page.
 
     Parameters
     ----------
     grades : dict, the content of grades.json
+    failed_pages : {learner's name: why their page lacks its details}
 
     Returns
     -------
@@ -207,6 +209,7 @@ def summary_page(grades):
     return _page(
         "summary.html",
         grades=grades,
+        failed_pages=dict(failed_pages),
         lessons=_lesson_rows(graded, names),
         submission_count=len(submissions),
         graded_count=len(graded),

@@ -162,6 +162,35 @@ def test_a_file_that_could_not_be_read_has_no_points_on_the_page(pages):
     assert "not graded" in row
 
 
+# ---------------------------------------------------------------- a page that cannot be written
+
+
+def test_a_value_that_no_page_can_show_costs_its_own_page_the_details_and_nobody_else_anything(
+    light, key_path, submissions, tmp_path
+):
+    for name in ("ada", "bob", "zoe"):
+        answers = answers_of(light, 0)
+        answers["light-double"] += f"\n# {name}"
+        write(submissions / f"{name}.ipynb", notebook(light, answers))
+    out = tmp_path / "grades"
+    grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
+    before = {path.name.split("-")[0]: path.read_text() for path in (out / "learners").iterdir()}
+    for path in (out / "results").glob("*.answers.json"):
+        if "# ada" in path.read_text():
+            stored = path.with_name(path.name.replace(".answers", ""))
+    content = json.loads(stored.read_text())
+    call = next(case["failed_call"] for case in content["exercises"][0]["cases"] if case["failed_call"])
+    call["actual"] = {"type": "ndarray", "dtype": "nonsense", "shape": [2], "data": "!!"}
+    stored.write_text(json.dumps(content))
+    summary = grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
+    assert (summary.failed_pages, summary.not_graded) == (1, 0)
+    assert "The page of ada is incomplete (" in summary.text
+    after = {path.name.split("-")[0]: path.read_text() for path in (out / "learners").iterdir()}
+    assert (after["bob"], after["zoe"]) == (before["bob"], before["zoe"])
+    assert "details of this page could not be written" in after["ada"] and "of 6</small>" in after["ada"]
+    assert "The page of <b><bdi>ada</bdi></b>" in (out / "summary.html").read_text()
+
+
 # ---------------------------------------------------------------- one cause for every check
 
 ALIKE = {
