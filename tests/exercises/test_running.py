@@ -2,6 +2,7 @@
 
 import contextlib
 import threading
+import time
 import warnings
 
 import numpy as np
@@ -35,6 +36,14 @@ def test_the_returned_value_is_stored_as_a_form():
 def test_an_endless_loop_is_stopped(function):
     result = run(function, 1)
     assert result.timed_out and not result.stuck and not result.finished
+
+
+def test_a_function_that_waits_for_the_processor_is_not_stopped():
+    assert run(lambda seconds: time.sleep(seconds) or "done", 0.3, seconds=0.2).value["value"] == "done"
+
+
+def test_a_function_that_waits_for_ever_is_stopped():
+    assert run(time.sleep, 600, seconds=0.1).timed_out
 
 
 @pytest.mark.parametrize("function", [endless, endless_and_catching])
