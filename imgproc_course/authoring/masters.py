@@ -125,7 +125,7 @@ Folded cells
       `show(wrapped, text=figure_texts["wrapped"])`.
 
 Tags (`tags=["..."]`, any code cell)
-    nbval-ignore-output        its output varies (a live image); it or the next code cell contains an assert
+    nbval-ignore-output        its output varies (a live image); the next code cell holds asserts
     nbval-raises-exception     the lesson's planned failure: the cell raises, and the error is stored
     keep-output                learners' copies keep this output; they keep no other (the course's index)
     long                       more than 12 lines of code, on purpose

@@ -110,8 +110,8 @@ def _cell_problems(cell, next_cell):
         yield "a tag hides this cell; every cell of a lesson is visible"
     if re.search(r"^\s*#\s*(NBVAL_|PYTEST_VALIDATE)", cell.source, re.M):
         yield f'write instructions for nbval as a tag (tags=["{VARYING_TAG}"]), not as a comment'
-    if cell.varies and not _asserts(cell) and not (next_cell and _asserts(next_cell)):
-        yield f"tagged {VARYING_TAG}: it must contain an assert, or the next code cell must"
+    if cell.varies and not (next_cell and _asserts(next_cell)):
+        yield f"tagged {VARYING_TAG}: the next code cell must begin with '{CHECK_LINE}' and hold its asserts"
     if cell.role and _parse(cell.source) is None:
         yield f"a {cell.role} cell must be plain Python; it takes no magics"
     if cell.role == "check" and not re.search(
@@ -197,7 +197,7 @@ def _is_compared(guess, cell):
 
 def _assert_problems(master):
     for cell in master.cells:
-        if cell.kind == "code" and not cell.folded and not cell.varies and _asserts(cell):
+        if cell.kind == "code" and not cell.folded and _asserts(cell):
             yield f"{cell.id}: move its asserts into a cell that begins with '{CHECK_LINE}'"
 
 

@@ -319,10 +319,11 @@ class ImageSubscriber:
         )
         text = f"{self.topic} is published with an incompatible QoS policy: {remedy}"
         if text != self.incompatible_qos:
+            # First: a cell that waits for the report must not end before the line is in its output.
+            log.warning("%s", text)
             with self._change:
                 self.incompatible_qos = text
                 self._change.notify_all()
-            log.warning("%s", text)
 
     def _forget_old_arrivals(self):
         oldest = time.monotonic() - RATE_WINDOW

@@ -155,7 +155,10 @@ if ros_available():
     edge_frames = ImageSubscriber("/edges_by_hand/edges", encoding="mono8")
     edges = edge_frames.wait(timeout=10)
     print("received", edges.shape, edges.dtype, np.unique(edges))
-    assert edges.shape == (720, 1280) and set(np.unique(edges)) <= {0, 255}
+
+# %%
+# Check: the node publishes edges
+assert not ros_available() or (edges.shape == (720, 1280) and set(np.unique(edges)) <= {0, 255})
 
 # %% [markdown]
 # ## 2 · Change the thresholds and observe (12 minutes)
@@ -189,6 +192,9 @@ if ros_available():
 else:
     view = live_view(recording, three_images, width=960,
                      text=figure_texts["live"], thresholds=(0, 1020))
+
+# %%
+# Check: the live view runs
 assert view.running
 
 # %% [markdown]
@@ -261,14 +267,22 @@ if ros_available():
     wrong_values = [Parameter("low", value=150), Parameter("high", value=50)]
     result = node.set_parameters_atomically(wrong_values)
     print("accepted:", result.successful, "  reason:", result.reason)
-    assert not result.successful and "low" in result.reason
 
 # %%
 # Check: the results in this section
 assert different == 0
+assert not ros_available() or (not result.successful and "low" in result.reason)
 
 # %% [markdown]
-# **This is a good place for a pause.** From here on, the lesson does not need the node. When you come back, choose **Run → Run All Above Selected Cell**.
+# From here on, the lesson does not need the node. The next cell stops the live view and the node, so that your computer has time for the computations below. (To use them again, run the cells of sections 1 and 2 again.)
+
+# %%
+view.stop()
+if ros_available():
+    session.remove_node(node)
+
+# %% [markdown]
+# **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 #
 # ## 4 · Which edges are right? (12 minutes)
 #
@@ -1112,6 +1126,9 @@ for s, sigma in enumerate(tqdm(sigmas, desc="blurs")):
         for j, high in enumerate(highs):
             if low <= high:
                 f1_maps[s, i, j] = mean_score(tuning, low, high, sigma)
+
+# %%
+# Check: F1 is a share
 assert 0 < f1_maps.max() <= 1 and len(sigmas) == 4
 
 # %% [markdown]
