@@ -8,6 +8,7 @@ import click
 
 CHECKOUT = Path(__file__).resolve().parents[1]
 _FOLDER = click.Path(path_type=Path, file_okay=False)
+_FILE = click.Path(path_type=Path, dir_okay=False)
 _COULD_NOT_GRADE = 3
 
 
@@ -308,7 +309,10 @@ def key(lessons, seed, out, masters, replace, unsafe):
         raise click.ClickException(f"the key cannot be written: {error}") from error
     exercises = [exercise for lesson in answer_key.lessons.values() for exercise in lesson.exercises]
     count = sum(not exercise.practice for exercise in exercises)
-    click.echo(f"Key of {len(answer_key.lessons)} lessons and {count} exercises: {out}/")
+    click.echo(f"Key in {out}/: lessons {len(answer_key.lessons)}, exercises with points {count}.")
+    without_points = [lesson.name for lesson in answer_key.lessons.values() if not lesson.points]
+    if without_points:
+        click.echo(f"Lessons without points: {', '.join(without_points)}.")
     if is_seed_saved:
         click.echo(f"Its secret seed is saved in {seed_file}: you need it to make the same key again.")
     else:
@@ -355,6 +359,26 @@ def _would_be_committed(path):
     "--deadline", type=_LocalTime(), help="Mark later submissions as late. In local time: 2026-12-01T23:59."
 )
 @click.option(
+    "--late",
+    metavar="POLICY",
+    help='What lateness costs: "10% a day", or "10% a day, 3 days" and then all points.',
+)
+@click.option(
+    "--extensions", type=_FILE, help="CSV of learners' own deadlines: learner, lesson (or empty), deadline."
+)
+@click.option(
+    "--decisions",
+    type=_FILE,
+    help="CSV of your decisions by hand.  [default: decisions.csv in the folder of grades]",
+)
+@click.option(
+    "--regrade",
+    multiple=True,
+    metavar="NAME",
+    help="Grade a learner, a lesson or an exercise again; repeat the option for more.",
+)
+@click.option("--anonymous", is_flag=True, help="Show an id instead of the name on every page.")
+@click.option(
     "--unsafe",
     is_flag=True,
     help="Run the learners' code without a sandbox: it can read and change your files.",
@@ -363,12 +387,12 @@ def _would_be_committed(path):
 @click.option(
     "--platform-table",
     "platform_tables",
-    type=click.Path(path_type=Path, dir_okay=False),
+    type=_FILE,
     multiple=True,
     help="Gradebook of Canvas or grading worksheet of Moodle, as exported: it is returned with points.",
 )
 @click.option("--scheduler", metavar="ADDRESS", help="Grade on a Dask cluster: tcp://10.0.0.5:8786.")
-def grade(submissions, keys, out, workers, kernel, deadline, unsafe, fresh, platform_tables, scheduler):
+def grade(submissions, keys, out, **options):
     """Grade everything in SUBMISSIONS: a folder, or the zip file of a learning platform.
 
     A submission that was graded before, with the same key and the same answers, is not graded again: after an
@@ -382,18 +406,7 @@ def grade(submissions, keys, out, workers, kernel, deadline, unsafe, fresh, plat
     from imgproc_course.gradebook.result_store import GradesFolderError
 
     try:
-        report = grade_submissions(
-            submissions,
-            keys,
-            out,
-            deadline=deadline,
-            fresh=fresh,
-            scheduler=scheduler,
-            platform_tables=platform_tables,
-            kernel=kernel,
-            unsafe=unsafe,
-            workers=workers,
-        )
+        report = grade_submissions(submissions, keys, out, **options)
     except (CollectError, KeyFolderError, SandboxError, GradesFolderError, ValueError) as error:
         raise click.ClickException(str(error)) from error
     except KeyboardInterrupt:

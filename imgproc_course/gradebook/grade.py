@@ -7,18 +7,28 @@ from pathlib import Path
 
 from imgproc_course.autograder.pool import open_scheduler
 from imgproc_course.autograder.sandbox import bubblewrap
+from imgproc_course.gradebook.anonymity import anonymous_id
 from imgproc_course.gradebook.answer_keys import load_keys
 from imgproc_course.gradebook.collect import collect
+from imgproc_course.gradebook.deadlines import Deadlines, read_late_policy
 from imgproc_course.gradebook.grades_folder import write_grades
 from imgproc_course.gradebook.grades_json import count_not_graded, grades_of
 from imgproc_course.gradebook.learners import read_all
 from imgproc_course.gradebook.lms_import import TableError, fill_table, read_tables
+from imgproc_course.gradebook.report import count_of
 from imgproc_course.gradebook.result_store import (
     GradesFolderError,
     ResultStore,
+    answers_to_regrade,
     grade_missing,
     make_private_folder,
     write_grades_file,
+)
+from imgproc_course.gradebook.teacher_tables import (
+    DECISIONS_TEMPLATE,
+    by_learner,
+    read_decisions,
+    read_extensions,
 )
 
 _MAX_LINES = 12  # of a run's summary, before the last lines
@@ -39,6 +49,11 @@ def grade_submissions(
     out,
     *,
     deadline=None,
+    late=None,
+    extensions=None,
+    decisions=None,
+    regrade=(),
+    anonymous=False,
     fresh=False,
     scheduler=None,
     platform_tables=(),
@@ -53,6 +68,11 @@ def grade_submissions(
     keys : sequence of Path
     out : Path of the folder of grades
     deadline : datetime, local, or None
+    late : str, what lateness costs, as `read_late_policy` reads it, or None
+    extensions : Path of a table with other deadlines of learners, or None
+    decisions : Path of the table of the teacher's decisions; None: out/decisions.csv, made if it is missing
+    regrade : sequence of str, learners, lessons and exercises that are graded again
+    anonymous : bool, pages show an id instead of the learner's name
     fresh : bool, grade again what was graded before
     scheduler : str, address of a Dask scheduler, or None
     platform_tables : sequence of Path, tables that platforms exported, to be filled with points
@@ -71,19 +91,36 @@ def grade_submissions(
     answer_keys = load_keys(keys)
     _require_separate_folder(submissions, keys, out)
     platform_tables = read_tables(platform_tables)
+    if late and not deadline:
+        raise ValueError("--late needs the deadline: --deadline 2026-12-01T23:59")
+    policy = read_late_policy(late) if late else None
+    extensions = read_extensions(extensions, answer_keys) if extensions else []
     unsafe, kernel = options.get("unsafe", False), options.get("kernel", "fast")
     if not unsafe and scheduler is None:
         bubblewrap.require_sandbox()
     make_private_folder(out)
+    decisions = read_decisions(decisions or _decisions_file(out), answer_keys)
     store = ResultStore(out / "results", {"kernel": kernel, "unsafe": unsafe})
     with contextlib.ExitStack() as stack:
         if scheduler is not None:
             options["executor"] = stack.enter_context(open_scheduler(scheduler))
         collection = stack.enter_context(collect(submissions, tuple(answer_keys.lessons)))
-        learners = read_all(collection, answer_keys, store, deadline=deadline, quiet=quiet)
-        graded_now = grade_missing(learners, answer_keys, store, fresh=fresh, quiet=quiet, **options)
+        learners = read_all(collection, answer_keys, store, quiet=quiet)
+        names = {anonymous_id(learner.name, answer_keys): learner.name for learner in learners}
+        names |= {learner.name: learner.name for learner in learners}
+        deadlines = Deadlines(deadline, policy, by_learner(extensions, names))
+        decisions = by_learner(decisions, names)
+        again = answers_to_regrade(regrade, learners, names, answer_keys, fresh=fresh)
+        graded_now = grade_missing(learners, answer_keys, store, again=again, quiet=quiet, **options)
     grades = grades_of(
-        learners, answer_keys, store, sandbox=not unsafe, deadline=deadline, ignored=collection.ignored
+        learners,
+        answer_keys,
+        store,
+        sandbox=not unsafe,
+        deadlines=deadlines,
+        decisions=decisions,
+        ignored=collection.ignored,
+        anonymous=anonymous,
     )
     failed_pages = write_grades(out, grades, learners, answer_keys, store)
     return _summary(grades, graded_now, out, _fill_tables(platform_tables, grades, out), failed_pages)
@@ -95,6 +132,14 @@ def _require_separate_folder(submissions, keys, out):
     for path in (submissions.resolve(), *(Path(key).resolve() for key in keys)):
         if folder == path or folder.is_relative_to(path):
             raise GradesFolderError(f"{out}: lies in {path}; name a folder outside it, --out grades")
+
+
+def _decisions_file(out):
+    """The table in the folder of grades. It is never written again, so decisions survive every run."""
+    path = out / "decisions.csv"
+    if not path.exists():
+        write_grades_file(path, DECISIONS_TEMPLATE)
+    return path
 
 
 def _fill_tables(platform_tables, grades, out):
@@ -117,7 +162,8 @@ def _summary(grades, graded_now, out, table_lines, failed_pages):
     late = sum(lesson["late"] for lesson in lessons)
     not_graded = count_not_graded(grades)
     lines = [
-        f"{len(grades['learners'])} learners, {graded} lessons graded ({graded_now} now), {late} late,"
+        f"{count_of(len(grades['learners']), 'learner')}, {count_of(graded, 'lesson')} graded"
+        f" ({graded_now} now), {late} late,"
         f" {not_graded} could not be graded."
     ]
     for learner in grades["learners"]:

@@ -9,13 +9,19 @@ from pathlib import Path
 
 from imgproc_course.autograder.outcomes import Outcome
 from imgproc_course.autograder.results import to_json
+from imgproc_course.gradebook.anonymity import anonymous_id
+from imgproc_course.gradebook.deadlines import Deadlines
+from imgproc_course.gradebook.final_points import decided_lesson, settle_lesson
 from imgproc_course.gradebook.submission import Finding
+from imgproc_course.gradebook.teacher_tables import plain_number
 
 FORMAT = 3
 SCHEMA = Path(__file__).with_name("grades.schema.json")
 
 
-def grades_of(learners, answer_keys, store, *, sandbox, deadline=None, ignored=()):
+def grades_of(
+    learners, answer_keys, store, *, sandbox, deadlines=None, decisions=None, ignored=(), anonymous=False
+):
     """The content of grades.json.
 
     Parameters
@@ -24,20 +30,36 @@ def grades_of(learners, answer_keys, store, *, sandbox, deadline=None, ignored=(
     answer_keys : AnswerKeys
     store : ResultStore
     sandbox : bool, whether answers ran in a sandbox
-    deadline : datetime or None
+    deadlines : Deadlines, or None for no deadline
+    decisions : {learner's name: list of Decision}, or None
     ignored : list of str, files that are not notebooks
+    anonymous : bool, the pages are named after an id instead of the learner
 
     Returns
     -------
     dict, see grades.schema.json
+
+    Raises
+    ------
+    TeacherTableError : a decision on an exercise that was not graded
     """
+    deadlines, decisions = deadlines or Deadlines(), decisions or {}
+    entries = [
+        _learner_entry(learner, answer_keys, store, deadlines, decisions.get(learner.name, ()))
+        for learner in learners
+    ]
+    if anonymous:
+        for entry in entries:
+            entry["page"] = f"learners/{anonymous_id(entry['name'], answer_keys)}.html"
     return {
         "format": FORMAT,
         "course": version("imgproc-course"),
         "sandbox": sandbox,
-        "deadline": deadline.isoformat() if deadline else None,
+        "deadline": deadlines.deadline.isoformat() if deadlines.deadline else None,
+        "late_policy": deadlines.policy.text if deadlines.policy else None,
+        "anonymous_pages": anonymous,
         "keys": [_key_entry(key) for key in answer_keys.keys],
-        "learners": [_learner_entry(learner, answer_keys, store) for learner in learners],
+        "learners": entries,
         "ignored": list(ignored),
     }
 
@@ -52,7 +74,12 @@ def count_not_graded(grades):
     count = 0
     for learner in grades["learners"]:
         for lesson in learner["lessons"]:
-            outcomes = {case["outcome"] for exercise in lesson["exercises"] for case in exercise["cases"]}
+            outcomes = {
+                case["outcome"]
+                for exercise in lesson["exercises"]
+                for case in exercise["cases"]
+                if not (exercise["decision"] or lesson["decision"])
+            }
             count += lesson["status"] != "graded" or Outcome.NOT_GRADED in outcomes
     return count
 
@@ -92,26 +119,32 @@ def _key_entry(key):
     return {"digest": key.digest, "lessons": lessons}
 
 
-def _learner_entry(learner, answer_keys, store):
+def _learner_entry(learner, answer_keys, store, deadlines, decisions):
+    submissions = [*learner.submissions.values(), *learner.unidentified]
     lessons = [
-        _lesson_entry(learner.submissions[name], learner.earlier.get(name, ()), answer_keys, store)
-        for name in sorted(learner.submissions, key=lambda name: _place(answer_keys.lessons[name]))
+        _lesson_entry(learner, submission, answer_keys, store, deadlines) for submission in submissions
     ]
-    lessons += [_lesson_entry(submission, (), answer_keys, store) for submission in learner.unidentified]
+    for name in {decision.lesson for decision in decisions} - learner.submissions.keys():
+        lessons.append(decided_lesson(lessons, answer_keys.lessons[name]))
+    for lesson in lessons:
+        about = [decision for decision in decisions if decision.lesson == lesson["lesson"]]
+        settle_lesson(lesson, about, deadlines.policy)
+    order = {name: _place(lesson) for name, lesson in answer_keys.lessons.items()}
     return {
         "name": learner.name,
         "page": f"learners/{learner.page}",
-        "points": sum(lesson["points"] for lesson in lessons),
+        "points": plain_number(sum(lesson["points"] for lesson in lessons)),
         "max_points": sum(lesson["max_points"] for lesson in lessons),
-        "lessons": lessons,
+        "lessons": sorted(lessons, key=lambda lesson: order.get(lesson["lesson"], ("~", lesson["file"]))),
     }
 
 
-def _lesson_entry(submission, earlier, answer_keys, store):
+def _lesson_entry(learner, submission, answer_keys, store, deadlines):
     content = submission.content
     lesson = (submission.key or answer_keys).lessons.get(submission.lesson)
     result = store.result(submission.answers_digest) if submission.answers_digest else None
     findings = [*content.findings, *(_contradicted_outputs(content, result) if result else ())]
+    earlier = learner.earlier.get(submission.lesson, ()) if submission.lesson else ()
     return {
         "lesson": submission.lesson,
         "title": lesson.title if lesson else "",
@@ -121,22 +154,26 @@ def _lesson_entry(submission, earlier, answer_keys, store):
         "max_points": lesson.points if lesson else 0,
         "version": content.version,
         "key": submission.key.digest if submission.key else None,
-        **_file_entry(submission),
+        **_file_entry(learner, submission, deadlines),
         "findings": [
             {"kind": finding.kind, "exercise": finding.exercise, "text": finding.text} for finding in findings
         ],
         "exercises": _exercise_entries(result) if result else [],
-        "earlier": [_file_entry(replaced) | {"reason": replaced.content.reason} for replaced in earlier],
+        "earlier": [
+            _file_entry(learner, replaced, deadlines) | {"reason": replaced.content.reason}
+            for replaced in earlier
+        ],
     }
 
 
-def _file_entry(submission):
-    file = submission.file
+def _file_entry(learner, submission, deadlines):
+    file, lesson = submission.file, submission.lesson
     return {
         "file": file.source,
         "sha256": submission.file_digest or None,
         "submitted_at": file.submitted_at.isoformat() if file.submitted_at else None,
-        "late": submission.late,
+        "late": deadlines.is_late(learner.name, lesson, file),
+        "days_late": deadlines.days_late(learner.name, lesson, file),
         "platform": file.platform,
         "platform_id": file.platform_id,
     }

@@ -24,7 +24,6 @@ class Submission:
     file            the file as it was collected
     file_digest     SHA-256 of its bytes, "" if they could not be read
     content         what the file holds
-    late            submitted late; False if there is no deadline
     answers_digest  identifies its answers together with their key; "" if it cannot be read
     has_answers     True if it holds the answer to an exercise
     key             the key that it is graded with, or None
@@ -33,7 +32,6 @@ class Submission:
     file: SubmittedFile
     file_digest: str
     content: SubmissionContent
-    late: bool
     answers_digest: str = ""
     has_answers: bool = False
     key: Key | None = None
@@ -65,7 +63,7 @@ class Learner:
         return f"{slug}-{hashlib.sha256(self.name.encode()).hexdigest()[:10]}.html"
 
 
-def read_all(collection, answer_keys, store, *, deadline=None, quiet=None):
+def read_all(collection, answer_keys, store, *, quiet=None):
     """Read every submitted file, assign it to its learner, and choose the submission that counts.
 
     Parameters
@@ -73,7 +71,6 @@ def read_all(collection, answer_keys, store, *, deadline=None, quiet=None):
     collection : Collection
     answer_keys : AnswerKeys
     store : Store, keeps the answers until they are graded
-    deadline : datetime, local and without a time zone, or None
     quiet : bool or None, as tqdm's `disable`
 
     Returns
@@ -83,21 +80,20 @@ def read_all(collection, answer_keys, store, *, deadline=None, quiet=None):
     submissions = []
     with NotebookReader() as reader:
         for file in tqdm(collection.files, desc="reading", unit=" files", disable=quiet, leave=False):
-            submissions.append(_read(file, answer_keys, store, deadline, reader))
+            submissions.append(_read(file, answer_keys, store, reader))
     return _learners(submissions)
 
 
-def _read(file, answer_keys, store, deadline, reader):
-    late = file.late or bool(deadline and file.submitted_at and file.submitted_at > deadline)
+def _read(file, answer_keys, store, reader):
     try:
         data = file.read()
     except CollectError as error:
         content = SubmissionContent(
             lesson=lesson_by_name(file.source, answer_keys.lessons), reason=str(error)
         )
-        return Submission(file, "", content, late)
+        return Submission(file, "", content)
     content = read_submission(data, answer_keys, reader, file.source)
-    submission = Submission(file, digest_of(data), content, late)
+    submission = Submission(file, digest_of(data), content)
     if content.reason:
         return submission
     submission.key = answer_keys.key_for(content.lesson, content.version)

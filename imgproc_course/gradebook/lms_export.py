@@ -1,7 +1,8 @@
 """Tables of points: for a spreadsheet, and in the formats of Moodle, Canvas and nbgrader.
 
 grades.csv
-    one row per learner and lesson; UTF-8 with a byte order mark, by which spreadsheets recognize it
+    one row per learner and lesson: the final points, the autograder's, and what makes the difference; UTF-8
+    with a byte order mark, by which spreadsheets recognize it
 exports/moodle-<lesson>.csv, for submissions from Moodle
     the offline grading worksheet of one assignment, for "Upload grading worksheet": Identifier
     ("Participant 123"), Full name, Grade, Last modified (grade), Feedback comments. Moodle finds the columns
@@ -19,6 +20,8 @@ exports/nbgrader.csv
 
 If none of these fits, fill the table that the platform exports (`grade --platform-table`).
 
+A platform has one maximum per assignment: if an exercise is excused, the others' points are scaled to it.
+
 No cell begins like a formula: an apostrophe is put before one that would.
 """
 
@@ -27,6 +30,8 @@ import io
 
 from imgproc_course.autograder.sanitize import spreadsheet_text
 from imgproc_course.gradebook.grades_json import lesson_names
+from imgproc_course.gradebook.report import count_of
+from imgproc_course.gradebook.teacher_tables import plain_number
 
 COLUMNS = (
     "learner",
@@ -41,6 +46,11 @@ COLUMNS = (
     "findings",
     "file",
     "platform_id",
+    "autograded_points",
+    "days_late",
+    "late_deduction",
+    "decisions",
+    "page",
 )
 
 
@@ -75,7 +85,40 @@ def _grades_row(learner, lesson):
         "; ".join(texts),
         lesson["file"],
         lesson["platform_id"],
+        lesson["autograded_points"],
+        lesson["days_late"],
+        lesson["late_deduction"],
+        "; ".join(_decision_texts(lesson)),
+        learner["page"],
     )
+
+
+def _decision_texts(lesson):
+    """What the teacher decided about a lesson and its exercises, in words."""
+    for entry, name in [(lesson, ""), *((exercise, exercise["id"]) for exercise in lesson["exercises"])]:
+        decision = entry["decision"]
+        if decision:
+            points = "" if decision["points"] is None else f"{decision['points']} points"
+            words = ("excused" if decision["excused"] else points, decision["comment"])
+            yield f"{name or 'the lesson'}: {', '.join(filter(None, words))}"
+
+
+def platform_points(lesson):
+    """A lesson's points as a platform takes them, whose maximum does not change if an exercise is excused.
+
+    Parameters
+    ----------
+    lesson : dict, the lesson's entry of a learner
+
+    Returns
+    -------
+    int or float; None if the whole lesson is excused
+    """
+    excused = [each for each in lesson["exercises"] if each["decision"] and each["decision"]["excused"]]
+    if (lesson["decision"] and lesson["decision"]["excused"]) or (excused and not lesson["max_points"]):
+        return None
+    maximum = lesson["max_points"] + sum(case["max_points"] for each in excused for case in each["cases"])
+    return plain_number(lesson["points"] * maximum / lesson["max_points"]) if excused else lesson["points"]
 
 
 def _finding_text(finding):
@@ -138,10 +181,23 @@ def _moodle_rows(grades, name):
     for learner in grades["learners"]:
         for lesson in learner["lessons"]:
             if lesson["lesson"] == name and lesson["platform"] == "moodle":
-                comment = f"{lesson['points']} of {lesson['max_points']} points"
-                comment += f"; not graded: {lesson['reason']}" if lesson["reason"] else ""
-                number = f"Participant {lesson['platform_id']}"
-                yield number, learner["name"], lesson["points"], "", comment
+                points = platform_points(lesson)
+                yield (
+                    f"Participant {lesson['platform_id']}",
+                    learner["name"],
+                    "" if points is None else points,
+                    "",
+                    _comment(lesson),
+                )
+
+
+def _comment(lesson):
+    """The feedback comment: the points, what lateness cost, what the teacher decided."""
+    parts = [f"{lesson['points']} of {lesson['max_points']} points"]
+    if lesson["late_deduction"]:
+        parts.append(f"{lesson['late_deduction']} deducted, {count_of(lesson['days_late'], 'day')} late")
+    parts += [f"not graded: {lesson['reason']}"] if lesson["status"] != "graded" else []
+    return "; ".join([*parts, *_decision_texts(lesson)])
 
 
 def _canvas(learners, lessons):
@@ -152,10 +208,17 @@ def _canvas(learners, lessons):
     maxima = (lesson["max_points"] for lesson in lessons.values())
     rows = [("    Points Possible", "", "", "", "", *maxima)]
     for learner in learners:
-        points = {lesson["lesson"]: lesson["points"] for lesson in learner["lessons"]}
+        points = {lesson["lesson"]: platform_points(lesson) for lesson in learner["lessons"]}
         number = int(_lesson_from(learner, "canvas")["platform_id"])
-        rows.append((learner["name"], number, "", "", "", *(points.get(name, "") for name in lessons)))
+        rows.append((learner["name"], number, "", "", "", *(_canvas_cell(points, name) for name in lessons)))
     return _text(columns, rows)
+
+
+def _canvas_cell(points, name):
+    """Canvas writes EX for an excused assignment."""
+    if name not in points:
+        return ""
+    return "EX" if points[name] is None else points[name]
 
 
 def _nbgrader(grades, lessons):
@@ -167,9 +230,12 @@ def _nbgrader(grades, lessons):
         maximum = float(lesson["max_points"])
         for learner in grades["learners"]:
             submission = next((entry for entry in learner["lessons"] if entry["lesson"] == name), None)
-            score = float(submission["points"]) if submission else 0.0
+            score = float(platform_points(submission) or 0) if submission else 0.0
+            penalty = float(submission["late_deduction"]) if submission else 0.0
             timestamp = ((submission["submitted_at"] or "") if submission else "").replace("T", " ")
-            rows.append((name, due, timestamp, learner["name"], "", "", "", score, 0.0, score, maximum))
+            rows.append(
+                (name, due, timestamp, learner["name"], "", "", "", score + penalty, penalty, score, maximum)
+            )
     return _text(columns, rows)
 
 

@@ -15,7 +15,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from imgproc_course.authoring.lesson_names import lesson_name, lessons_named
-from imgproc_course.gradebook.lms_export import lessons_of
+from imgproc_course.gradebook.lms_export import lessons_of, platform_points
 
 _IDENTITIES = {"SIS Login ID", "SIS User ID", "Integration ID", "Email address", "ID number", "Username"}
 _WITH_NUMBER = re.compile(r"(.+?) \(\d+\)", re.S)
@@ -136,8 +136,11 @@ def fill_table(table, grades):
         matched.add(learner["name"])
         for column, lesson in columns.items():
             graded = _graded_lesson(learner, lesson)
-            if graded is not None and column < len(row):
-                row[column] = str(graded["points"])
+            points = platform_points(graded) if graded else None
+            if points is None and graded and table.platform == "canvas":
+                points = "EX"  # how Canvas writes that an assignment is excused
+            if points is not None and column < len(row):
+                row[column] = str(points)
                 filled += 1
     lines = [f"{table.path.name}: {filled} points filled in."]
     missing = _learners_without_row(grades, matched, set(columns.values()))

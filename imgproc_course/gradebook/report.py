@@ -1,4 +1,4 @@
-"""The pages: one per learner, to give back, and the teacher's summary.
+"""The page of a learner, to give back; and what it shares with the teacher's pages.
 
 Each page is one file that loads nothing: it contains its style, and its Content-Security-Policy allows that
 style (by its hash), images drawn by `answer_images`, and nothing else. The template escapes every text, and
@@ -7,7 +7,6 @@ characters that a reader would not see are made visible before.
 
 import base64
 import hashlib
-import statistics
 from functools import lru_cache
 from pathlib import Path
 
@@ -17,8 +16,8 @@ from imgproc_course.autograder.outcomes import TEXTS, Outcome
 from imgproc_course.autograder.sanitize import sanitize_text
 from imgproc_course.exercises.answer_images import answer_images
 from imgproc_course.exercises.values import answer_parts, differing_elements
-from imgproc_course.gradebook.grades_json import lesson_names
 from imgproc_course.gradebook.report_values import value_of
+from imgproc_course.gradebook.teacher_tables import plain_number
 
 TEMPLATES = Path(__file__).with_name("pages")
 _CELL_ADVICE = (
@@ -28,7 +27,6 @@ _NAME_ADVICE = (
     "The autograder runs the given cell of the exercise and your answer cell, and nothing else of the"
     " notebook: everything that your function needs must be in one of the two."
 )
-_BIN_COUNT = 10
 
 
 @lru_cache(maxsize=1)
@@ -42,6 +40,8 @@ def _environment():
     )
     environment.finalize = lambda value: sanitize_text(value, 20_000) if type(value) is str else value
     environment.filters["capital"] = _capital
+    environment.filters["count"] = count_of
+    environment.filters["numbered"] = lambda name: (name, "number")
     environment.filters["percent"] = lambda pair: round(100 * pair[0] / pair[1]) if pair[1] else 0
     return environment
 
@@ -51,7 +51,13 @@ def _capital(text):
     return text[:1].upper() + text[1:] if text.split(" ", 1)[0].isalpha() else text
 
 
-def _page(name, **content):
+def count_of(number, noun):
+    """A number with its noun: "1 learner", "2 learners"; only for nouns whose plural ends in s."""
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
+def render_page(name, **content):
+    """A page: the template `name` of pages/ with its content."""
     style = (TEMPLATES / "style.css").read_text(encoding="utf-8")
     digest = base64.b64encode(hashlib.sha256(style.encode()).digest()).decode("ascii")
     policy = f"default-src 'none'; style-src 'sha256-{digest}'; img-src data:"
@@ -62,7 +68,7 @@ def _page(name, **content):
 # ---------------------------------------------------------------- a learner's page
 
 
-def learner_page(entry, results, answer_keys, *, incomplete=False):
+def learner_page(entry, results, answer_keys, *, late_policy="", incomplete=False):
     """The page of one learner.
 
     Parameters
@@ -70,6 +76,7 @@ def learner_page(entry, results, answer_keys, *, incomplete=False):
     entry : dict, the learner's part of grades.json
     results : {lesson: GradedSubmission}; of a lesson without a result, the page shows only the points
     answer_keys : AnswerKeys
+    late_policy : str, as the teacher wrote it
     incomplete : bool, the page says that its details are missing
 
     Returns
@@ -79,7 +86,9 @@ def learner_page(entry, results, answer_keys, *, incomplete=False):
     lessons = [
         _lesson_view(lesson, results.get(lesson["lesson"]), answer_keys) for lesson in entry["lessons"]
     ]
-    return _page("learner.html", learner=entry, lessons=lessons, incomplete=incomplete)
+    return render_page(
+        "learner.html", learner=entry, lessons=lessons, late_policy=late_policy, incomplete=incomplete
+    )
 
 
 def _lesson_view(lesson, result, answer_keys):
@@ -88,21 +97,23 @@ def _lesson_view(lesson, result, answer_keys):
     views, ids = [], set()
     for exercise in result.exercises if result else ():
         notes = [finding["text"] for finding in findings if finding["exercise"] == exercise.id]
-        views.append(_exercise_view(exercise, notes, key.exercise(exercise.id)))
+        entry = next(entry for entry in lesson["exercises"] if entry["id"] == exercise.id)
+        views.append(_exercise_view(exercise, entry, notes, key.exercise(exercise.id)))
         ids.add(exercise.id)
     return lesson | {
         "exercises": views,
-        "notes": [_finding_text(finding) for finding in findings if finding["exercise"] not in ids],
+        "notes": [finding_text(finding) for finding in findings if finding["exercise"] not in ids],
         "file": lesson["file"].rpartition("/")[2],
+        "before_late": plain_number(lesson["points"] + lesson["late_deduction"]),
     }
 
 
-def _finding_text(finding):
+def finding_text(finding):
     """A finding outside its exercise: of the whole lesson, or of a practice exercise, which no page lists."""
     return f"{finding['exercise']}: {finding['text']}" if finding["exercise"] else finding["text"]
 
 
-def _exercise_view(exercise, notes, key_exercise):
+def _exercise_view(exercise, entry, notes, key_exercise):
     advice, replaces_hints = _advice_on(exercise)
     show_values = advice != _CELL_ADVICE
     cases = []
@@ -117,8 +128,10 @@ def _exercise_view(exercise, notes, key_exercise):
     return {
         "title": exercise.title,
         "function": key_exercise.function,
-        "points": exercise.points,
-        "max_points": exercise.max_points,
+        "points": entry["points"],
+        "max_points": entry["max_points"],
+        "autograded_points": exercise.points,
+        "decision": entry["decision"],
         "notes": [*notes, *messages],
         "advice": advice,
         "mistake": exercise.mistake,
@@ -184,138 +197,3 @@ def _values_view(case, key_exercise):
         images += answer_images(argument, name, expected, actual, wrong)
         argument = None
     return {"values": rows, "images": images, "printed": call.printed.strip()}
-
-
-# ---------------------------------------------------------------- the teacher's page
-
-
-def summary_page(grades, failed_pages=()):
-    """The teacher's page.
-
-    Parameters
-    ----------
-    grades : dict, the content of grades.json
-    failed_pages : {learner's name: why their page lacks its details}
-
-    Returns
-    -------
-    str, HTML
-    """
-    submissions = [(learner, lesson) for learner in grades["learners"] for lesson in learner["lessons"]]
-    submitted = {lesson["lesson"] for _, lesson in submissions}
-    names = [name for name in lesson_names(grades) if name in submitted]
-    graded = [(learner, lesson) for learner, lesson in submissions if lesson["status"] == "graded"]
-    percentages = [_percentage(learner) for learner in grades["learners"] if learner["max_points"]]
-    return _page(
-        "summary.html",
-        grades=grades,
-        failed_pages=dict(failed_pages),
-        lessons=_lesson_rows(graded, names),
-        submission_count=len(submissions),
-        graded_count=len(graded),
-        late_count=sum(lesson["late"] for _, lesson in submissions),
-        refused=[(learner, lesson) for learner, lesson in submissions if lesson["status"] != "graded"],
-        bins=_histogram(percentages),
-        mean=round(statistics.fmean(percentages)) if percentages else 0,
-        median=round(statistics.median(percentages)) if percentages else 0,
-        checks=_check_rows(graded),
-        mistakes=_mistake_counts(graded),
-        to_look_at=list(_findings_to_look_at(submissions)),
-        names=names,
-    )
-
-
-def _percentage(entry):
-    return 100 * entry["points"] / entry["max_points"]
-
-
-def _histogram(percentages):
-    """[{low, high, count, height}] of ten bins; the last one includes 100."""
-    counts = [0] * _BIN_COUNT
-    for percentage in percentages:
-        counts[min(int(percentage * _BIN_COUNT / 100), _BIN_COUNT - 1)] += 1
-    highest = max(counts) or 1
-    width = 100 // _BIN_COUNT
-    return [
-        {"low": k * width, "high": (k + 1) * width, "count": count, "height": round(100 * count / highest)}
-        for k, count in enumerate(counts)
-    ]
-
-
-def _lesson_rows(graded, names):
-    lessons_by_name = {name: [] for name in names}
-    for _, lesson in graded:
-        lessons_by_name[lesson["lesson"]].append(lesson)
-    for name, lessons in lessons_by_name.items():
-        if not lessons:
-            continue
-        percentages = [_percentage(lesson) for lesson in lessons if lesson["max_points"]]
-        yield {
-            "name": name,
-            "title": lessons[0]["title"],
-            "count": len(lessons),
-            "max_points": lessons[0]["max_points"],
-            "mean": round(statistics.fmean(percentages)) if percentages else 0,
-            "median": round(statistics.median(percentages)) if percentages else 0,
-            "full": sum(lesson["points"] == lesson["max_points"] for lesson in lessons),
-        }
-
-
-def _check_rows(graded):
-    """One row per check, those that most learners fail first."""
-    rows = {}
-    for _, lesson in graded:
-        for exercise in lesson["exercises"]:
-            for case in exercise["cases"]:
-                row = rows.setdefault(
-                    (lesson["lesson"], exercise["id"], case["id"]),
-                    {
-                        "lesson": lesson["lesson"],
-                        "exercise": exercise["title"],
-                        "title": case["title"],
-                        "hidden": case["hidden"],
-                        "passed": 0,
-                        "attempted": 0,
-                        "count": 0,
-                    },
-                )
-                row["count"] += 1
-                row["passed"] += case["outcome"] == Outcome.PASSED
-                row["attempted"] += case["outcome"] not in (Outcome.NOT_ATTEMPTED, Outcome.MISSING)
-    for row in rows.values():
-        row["share"] = round(100 * row["passed"] / row["count"])
-    return sorted(rows.values(), key=lambda row: (row["share"], row["title"]))
-
-
-def _mistake_counts(graded):
-    """[((lesson, exercise's title, mistake, explanation), count)], the most frequent mistake first."""
-    counts = {}
-    for _, lesson in graded:
-        for exercise in lesson["exercises"]:
-            if exercise["mistake"]:
-                mistake = (exercise["mistake"], exercise["mistake_explanation"])
-                entry = (lesson["lesson"], exercise["title"], *mistake)
-                counts[entry] = counts.get(entry, 0) + 1
-    return sorted(counts.items(), key=lambda item: (-item[1], item[0]))
-
-
-def _findings_to_look_at(submissions):
-    """(learner, lesson, list of texts) of each submission that the teacher should look at."""
-    for learner, lesson in submissions:
-        texts = [
-            _finding_text(finding)
-            for finding in lesson["findings"]
-            # The table of learners already shows how often a lesson was submitted, and the results show
-            # what is wrong with an answer.
-            if finding["kind"] != "answer"
-            and not (lesson["earlier"] and finding["text"].startswith("submitted "))
-        ]
-        for exercise in lesson["exercises"]:
-            outcomes = sorted({Outcome(case["outcome"]) for case in exercise["cases"]})
-            texts += [
-                f"{exercise['id']}: {TEXTS[outcome].label}"
-                for outcome in outcomes
-                if TEXTS[outcome].needs_attention
-            ]
-        if texts:
-            yield learner, lesson, texts

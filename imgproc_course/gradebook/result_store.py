@@ -1,12 +1,14 @@
 """The folder of results: every result is stored at once, so an interrupted run continues where it stopped."""
 
 import json
+from dataclasses import replace
 from importlib.metadata import version
 from pathlib import Path
 
 from tqdm import tqdm
 
 from imgproc_course.authoring.atomic_write import write_file
+from imgproc_course.authoring.lesson_names import lesson_name
 from imgproc_course.autograder.pool import autograde
 from imgproc_course.autograder.results import from_json, to_json
 from imgproc_course.gradebook.learners import digest_of_answers
@@ -87,7 +89,56 @@ class ResultStore:
             return None
 
 
-def grade_missing(learners, answer_keys, store, *, fresh=False, quiet=None, **options):
+def answers_to_regrade(targets, learners, names, answer_keys, *, fresh=False):
+    """What is graded again though it has a result.
+
+    Parameters
+    ----------
+    targets : sequence of str: names or anonymous ids of learners, lessons, ids of exercises
+    learners : list of Learner
+    names : {name or anonymous id: the learner's name}
+    answer_keys : AnswerKeys
+    fresh : bool, everything
+
+    Returns
+    -------
+    {digest of answers: set of exercise ids, or None for all exercises}
+
+    Raises
+    ------
+    ValueError : a target is none of them
+    """
+    lessons = {exercise.id: name for name, exercise in _graded_exercises(answer_keys)}
+    again = {}
+    for target in targets:
+        lesson = lessons.get(target) or lesson_name(target)
+        if target not in names and lesson not in answer_keys.lessons:
+            text = f"--regrade {target[:60]!r}: no learner, lesson or exercise has this name"
+            raise ValueError(f"{text}; the lessons are {', '.join(answer_keys.lessons)}")
+        for digest in _digests(learners, names.get(target), lesson):
+            everything = target not in lessons or again.get(digest, set()) is None
+            again[digest] = None if everything else again.get(digest, set()) | {target}
+    return dict.fromkeys(_digests(learners)) if fresh else again
+
+
+def _graded_exercises(answer_keys):
+    for key in answer_keys.keys:
+        for name, lesson in key.lessons.items():
+            yield from ((name, exercise) for exercise in lesson.exercises if not exercise.practice)
+
+
+def _digests(learners, name=None, lesson=None):
+    """The digests of all answers; of one learner, or else of one lesson."""
+    digests = {
+        submission.answers_digest
+        for learner in learners
+        for submission in learner.submissions.values()
+        if (learner.name == name if name else lesson in (None, submission.lesson))
+    }
+    return sorted(digests - {""})
+
+
+def grade_missing(learners, answer_keys, store, *, again=None, quiet=None, **options):
     """Grade what has no result yet. Equal answers are graded once.
 
     Parameters
@@ -95,7 +146,7 @@ def grade_missing(learners, answer_keys, store, *, fresh=False, quiet=None, **op
     learners : list of Learner
     answer_keys : AnswerKeys
     store : ResultStore
-    fresh : bool, grade again what has a result
+    again : as `answers_to_regrade` returns it, or None
     quiet : bool or None, as tqdm's `disable`
     options : as `autograde` takes them
 
@@ -107,9 +158,10 @@ def grade_missing(learners, answer_keys, store, *, fresh=False, quiet=None, **op
     ------
     SandboxError : there is no sandbox here
     """
-    submissions = [submission for learner in learners for submission in learner.submissions.values()]
-    digests = sorted({submission.answers_digest for submission in submissions} - {""})
-    missing = [digest for digest in digests if fresh or store.result(digest) is None]
+    again = again or {}
+    digests = _digests(learners)
+    stored = {digest: store.result(digest) for digest in digests}
+    missing = [digest for digest in digests if digest in again or stored[digest] is None]
     with tqdm(
         total=len(digests),
         initial=len(digests) - len(missing),
@@ -118,15 +170,24 @@ def grade_missing(learners, answer_keys, store, *, fresh=False, quiet=None, **op
         disable=quiet,
     ) as bar:
         for key in answer_keys.keys:
-            for result in autograde(_submissions_of_key(missing, key, store), key, **options):
+            exercises = {digest: again.get(digest) if stored[digest] else None for digest in missing}
+            for result in autograde(_submissions_of_key(exercises, key, store), key, **options):
+                if exercises[result.name]:
+                    result = _with_old_exercises(result, stored[result.name], exercises[result.name])
                 store.keep_result(result.name, result)
                 bar.update()
     return len(missing)
 
 
-def _submissions_of_key(digests, key, store):
+def _submissions_of_key(exercises, key, store):
     """(digest, lesson, answers) of the answers that are graded with that key."""
-    for digest in digests:
+    for digest, ids in exercises.items():
         key_digest, lesson, answers = store.answers(digest)
         if key_digest == key.digest:
-            yield digest, lesson, answers
+            yield digest, lesson, {id: source for id, source in answers.items() if not ids or id in ids}
+
+
+def _with_old_exercises(result, stored, ids):
+    """A new result, with the stored results of the exercises that were not graded again."""
+    exercises = zip(result.exercises, stored.exercises, strict=True)
+    return replace(result, exercises=tuple(new if new.id in ids else old for new, old in exercises))

@@ -23,6 +23,7 @@ from imgproc_course.gradebook.submission_reader import MOST_CHARACTERS, function
 SECONDS = 60  # for reading one notebook
 MEMORY = 2 << 30  # bytes, of the process that reads notebooks
 _READER = Path(__file__).with_name("submission_reader.py")
+_LONGEST_PREDICTION = 1_000  # characters
 _GRADER_COMMENTS = ("# NBVAL_", "# PYTEST_VALIDATE_")
 
 
@@ -64,6 +65,7 @@ class SubmissionContent:
     states    {exercise id: AnswerState}, one for every exercise of the lesson
     findings  list of Finding
     claims    exercise ids whose stored outputs say that every check passes
+    predictions  {cell id: source}, what the learner predicted
     reason    why the notebook cannot be read, or ""
     is_page   it is a page of the course that has no answers, such as the index
     """
@@ -74,6 +76,7 @@ class SubmissionContent:
     states: dict = field(default_factory=dict)
     findings: list = field(default_factory=list)
     claims: list = field(default_factory=list)
+    predictions: dict = field(default_factory=dict)
     reason: str = ""
     is_page: bool = False
 
@@ -188,6 +191,11 @@ def read_submission(data, catalog, reader, name=""):
         )
         content.reason = f"it is not one of the lessons {', '.join(catalog.lessons)}{claim}"
         return content
+    content.predictions = {
+        cell["id"]: cell["source"][:_LONGEST_PREDICTION]
+        for cell in cells
+        if cell["id"].startswith(f"predict-{content.lesson}-") and cell["source"]
+    }
     lesson = catalog.describe(content.lesson, content.version)
     _inspect_notebook(notebook, cells, lesson, content)
     for exercise in lesson.exercises:

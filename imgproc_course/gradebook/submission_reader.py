@@ -14,7 +14,7 @@ import sys
 
 MOST_CHARACTERS = 200_000  # of one source; grading refuses a longer answer
 MOST_CELLS = 5_000
-_COURSE_IDS = ("answer-", "check-", "given-")
+_COURSE_IDS = ("answer-", "check-", "given-", "predict-")
 _MOST_FUNCTIONS = 200  # function names that are returned per cell
 _MOST_OUTPUT = 2_000  # characters of a check cell's output
 _MOST_NAME = 200  # characters of a name or an id

@@ -37,7 +37,7 @@ def run(tmp_path, monkeypatch):
 def test_a_key_without_a_seed_keeps_one_and_makes_the_same_key_again(run, tmp_path):
     made = run("key", "21", "--masters", MASTERS, "--out", "k")
     assert made.exit_code == 0, made.output
-    assert "Key of 1 lessons and 1 exercises: k/" in made.output and "k.seed" in made.output
+    assert "Key in k/: lessons 1, exercises with points 1." in made.output and "k.seed" in made.output
     seed = (tmp_path / "k.seed").read_text().strip()
     assert len(seed) == 32 and (tmp_path / "k.seed").stat().st_mode & 0o777 == 0o600
     first = load_key(tmp_path / "k").digest
@@ -76,7 +76,7 @@ def test_exit_codes(run, light, key_path, tmp_path):
     write(tmp_path / "in" / "ada.ipynb", notebook(light, answers_of(light, "right")))
     good = run("grade", "in", "--key", key_path, "--out", "out")
     assert good.exit_code == 0, good.output
-    assert "1 learners, 1 lessons graded (1 now), 0 late, 0 could not be graded." in good.output
+    assert "1 learner, 1 lesson graded (1 now), 0 late, 0 could not be graded." in good.output
     write(tmp_path / "in" / "bob.ipynb", b"{")
     some = run(
         "grade", "in", "--key", key_path, "--out", "out", "--deadline", "2026-11-01T00:00", "--workers", 1

@@ -22,7 +22,7 @@ def tables(light, key_path, tmp_path_factory):
     write(submissions / '=cmd|" ,x\n;y' / "x.ipynb", right)
     out = folder / "grades"
     grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
-    return {path.name: path.read_bytes() for path in [out / "grades.csv", *(out / "exports").iterdir()]}
+    return {path.name: path.read_bytes() for path in [out / "grades.csv", *(out / "exports").glob("*.csv")]}
 
 
 def rows(data, encoding="utf-8"):

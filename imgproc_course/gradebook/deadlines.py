@@ -1,0 +1,91 @@
+"""Deadlines: who is late, by how many days, and what that costs.
+
+    --deadline 2026-12-01T23:59 --late "10% a day, 3 days"
+
+Each day that has begun after the deadline costs 10 % of the points that the lesson got; after three days the
+lesson gets none. Without the second part the deduction grows to 100 %. A learner can have another deadline.
+"""
+
+import math
+import re
+from dataclasses import dataclass, field
+from datetime import datetime, timedelta
+
+_POLICY = re.compile(r"(\d{1,3}(?:\.\d{1,2})?) ?% (?:a|per) day(?:, ?(\d{1,4}) days?)?", re.I)
+
+
+@dataclass(frozen=True)
+class LatePolicy:
+    """What lateness costs: `percent` of the points per day; after `days` days (None: no such limit) all."""
+
+    percent: float
+    days: int | None
+    text: str
+
+    def factor(self, days_late):
+        """The share of the points that is left, 0 to 1."""
+        if self.days is not None and days_late > self.days:
+            return 0.0
+        return max(0.0, 1 - self.percent * days_late / 100)
+
+
+def read_late_policy(text):
+    """Read a late policy.
+
+    Parameters
+    ----------
+    text : str, "10% a day" or "10% a day, 3 days"
+
+    Returns
+    -------
+    LatePolicy
+
+    Raises
+    ------
+    ValueError : something else is written there
+    """
+    match = _POLICY.fullmatch(text.strip())
+    if not match or not 0 < float(match[1]) <= 100:
+        raise ValueError(f'{text[:60]!r} is no late policy; write "10% a day" or "10% a day, 3 days"')
+    return LatePolicy(float(match[1]), int(match[2]) if match[2] else None, text.strip())
+
+
+@dataclass(frozen=True)
+class Deadlines:
+    """The deadline, the late policy, and the extensions of learners.
+
+    deadline    datetime, local, or None
+    policy      LatePolicy or None
+    extensions  {learner's name: list of Extension}
+    """
+
+    deadline: datetime | None = None
+    policy: LatePolicy | None = None
+    extensions: dict = field(default_factory=dict)
+
+    def due(self, learner, lesson):
+        """(the deadline of a learner's lesson or None, whether it is an extension)."""
+        for wanted in (lesson, ""):
+            for extension in self.extensions.get(learner, ()):
+                if extension.lesson == wanted:
+                    return extension.deadline, True
+        return self.deadline, False
+
+    def days_late(self, learner, lesson, file):
+        """How many days have begun after the deadline when a file was submitted; 0 if it was in time.
+
+        Parameters
+        ----------
+        learner : str
+        lesson : str or None
+        file : SubmittedFile
+        """
+        due, _ = self.due(learner, lesson)
+        if due is None or file.submitted_at is None or file.submitted_at <= due:
+            return 0
+        return math.ceil((file.submitted_at - due) / timedelta(days=1))
+
+    def is_late(self, learner, lesson, file):
+        """Whether a file is late: by its time, or as the platform says if there is no extension."""
+        _, extended = self.due(learner, lesson)
+        return self.days_late(learner, lesson, file) > 0 or (file.late and not extended)

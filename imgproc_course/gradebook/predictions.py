@@ -1,0 +1,64 @@
+"""The learners' predictions, collected for the teacher to read.
+
+A prediction is the source of a predict cell, `guess_share = 0.3  # your guess: how many percent?`. It is only
+read as text: nothing of it is run or evaluated here.
+"""
+
+from imgproc_course.gradebook.report import render_page
+
+_LONGEST = 200  # characters of a guess
+
+
+def predictions_page(learners, lessons, names):
+    """The teacher's page of all predictions.
+
+    Parameters
+    ----------
+    learners : list of Learner
+    lessons : {name: KeyLesson}
+    names : {learner's name: the name to show}
+
+    Returns
+    -------
+    str, HTML; "" if nobody has predicted anything
+    """
+    views = []
+    for name, lesson in sorted(lessons.items(), key=lambda item: (item[1].number, item[0])):
+        questions = _questions(learners, name, names)
+        if questions:
+            views.append({"title": lesson.title, "name": name, "questions": questions})
+    return render_page("predictions.html", lessons=views) if views else ""
+
+
+def _questions(learners, lesson, names):
+    """[{id, question, guesses}] of a lesson; guesses: [(text, [names])], the most frequent one first."""
+    questions = {}
+    for learner in learners:
+        submission = learner.submissions.get(lesson)
+        for id, source in submission.content.predictions.items() if submission else ():
+            guess, question = _guess_and_question(source)
+            if guess:
+                asked = questions.setdefault(id, {"questions": {}, "guesses": {}})
+                asked["questions"][question] = asked["questions"].get(question, 0) + bool(question)
+                asked["guesses"].setdefault(guess, []).append(names[learner.name])
+    return [
+        {
+            "id": id,
+            # A learner can have changed the question too: most have not.
+            "question": max(asked["questions"], key=asked["questions"].get),
+            "guesses": sorted(asked["guesses"].items(), key=lambda item: (-len(item[1]), item[0])),
+        }
+        for id, asked in sorted(questions.items(), key=lambda item: (len(item[0]), item[0]))
+    ]
+
+
+def _guess_and_question(source):
+    """What stands between "=" and "#" in `guess_share = 0.3  # your guess: ...`, and after the "#"."""
+    line = next((line for line in source.splitlines() if line.startswith("guess")), source)
+    _, _, right = line.partition("=")
+    guess, _, question = right.rpartition("# your guess:")
+    guess, question = (guess, question) if guess else (right, "")
+    guess = guess.strip()
+    return ("" if guess in ("None", "...", '""', "''", "?") else guess[:_LONGEST]), question.strip()[
+        :_LONGEST
+    ]
