@@ -19,7 +19,7 @@ _LARGEST = 10_000_000  # bytes
 DECISION_COLUMNS = ("learner", "lesson", "exercise", "points", "comment")
 _EXTENSION_COLUMNS = ("learner", "lesson", "deadline")
 DECISIONS_TEMPLATE = f"""\ufeff{",".join(DECISION_COLUMNS)}
-"# One row per decision. Empty exercise: the whole lesson. Points: a number, or excused, or empty for a comment."
+"# One row per decision. Empty exercise: the whole lesson. Points: a number, excused, or empty for a comment."
 """
 
 
