@@ -1,105 +1,155 @@
 """Read what a check cell showed. It came from a learner's process and may be anything.
 
-`is_form` accepts canonical forms only (see `exercises.canonical`), and only those that `exercises.compare`
-can take: right types, a known dtype, data of the right length, limited depth.
+`read_form` accepts canonical forms only (see `exercises.canonical`), and makes each of them anew from the
+keys that its type has: right types, a known dtype, data of the right length, limited size and depth. So
+whoever compares, describes or draws a form meets only what `canonical` itself could have written.
 """
 
 import base64
 import binascii
 import re
+import sys
 
 import numpy as np
 
+from imgproc_course.exercises.canonical import MOST_CHARACTERS, MOST_INT_BITS, PLAIN_TYPES, SCALARS
 from imgproc_course.exercises.running import CallResult
 
-MAX_DEPTH = 12
-_MAX_CHANGED, _MAX_PRINTED = 20, 2000  # names and characters of a call that are kept
-_MAX_BASE64 = 64 << 20  # characters
-_SCALAR = re.compile(r"numpy\.(bool|(u?int|float)(8|16|32|64)|longlong|ulonglong)_?")
-_DTYPES = frozenset(np.dtype(code).name for code in "?bBhHiIlLqQefd")
+_MOST_DEPTH = 10  # one more than `canonical` writes
+_MOST_FORMS = 50_000  # in one value; `canonical` stops at 20,000 items, and an item of a dict is two
+_MOST_BYTES = 1 << 40  # of an array that is given by its digest
+_MOST_CALLS = 1_000
+_MOST_CHANGED, _MOST_PRINTED, _MOST_MESSAGE, _MOST_NAME = 20, 2_000, 2_000, 300  # names, characters
+_SCALARS = {f"numpy.{scalar.__name__}": np.dtype(scalar) for scalar in SCALARS}
+_DTYPES = {np.dtype(code).name: np.dtype(code) for code in "?bBhHiIlLqQefd"}
+_CONTAINERS = ("tuple", "list", "dict")
 _SPECIAL = ("nan", "inf", "-inf")
 _DIGEST = re.compile(r"[0-9a-f]{64}")
 
 
-def is_form(form, depth=0):
-    """Whether a value from a learner's process is a canonical form that `compare` can take."""
-    if not isinstance(form, dict) or depth > MAX_DEPTH or not _is_text(form.get("type")):
-        return False
-    kind = form["type"]
-    if form.get("too_large") is True or form.get("opaque") is True:
-        return len(kind) < 300 and ("shape" not in form or _is_array(form, opaque=True))
-    if "fields" in form:
-        fields = form["fields"]
-        if not isinstance(fields, dict) or not all(_is_text(name) for name in fields):
-            return False
-        return all(is_form(field, depth + 1) for field in fields.values())
-    if kind in ("tuple", "list"):
-        items = form.get("items")
-        return isinstance(items, list) and all(is_form(item, depth + 1) for item in items)
-    if kind == "dict":
-        items = form.get("items")
-        return isinstance(items, list) and all(
-            isinstance(pair, list) and len(pair) == 2 and all(is_form(part, depth + 1) for part in pair)
-            for pair in items
-        )
-    if kind == "ndarray":
-        return _is_array(form)
-    if kind == "bytes":
-        return _is_count(form.get("length")) and _has_data(form, form["length"])
-    return _is_plain(kind, form.get("value"))
+class _NotAForm(ValueError):
+    """What a check cell showed is no canonical form. It never leaves this module."""
 
 
-def _is_text(value):
-    """Whether it is text that can be written to a file; lone surrogates cannot."""
-    return isinstance(value, str) and not any("\ud800" <= character <= "\udfff" for character in value)
+def read_form(data):
+    """Make a canonical form from what a learner's process sent.
 
+    Parameters
+    ----------
+    data : any value that JSON can hold
 
-def _is_plain(kind, value):
-    if kind == "None":
-        return value is None
-    if kind == "str":
-        return _is_text(value)
-    scalar = _SCALAR.fullmatch(kind)
-    kind = kind.removeprefix("numpy.") if scalar else kind
-    if kind.startswith("bool"):
-        return isinstance(value, bool)
-    if kind.startswith("float"):
-        return value in _SPECIAL if isinstance(value, str) else _is_number(value)
-    return (kind == "int" or scalar is not None) and isinstance(value, int) and not isinstance(value, bool)
-
-
-def _is_number(value):
-    return isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) < 2**1024
-
-
-def _is_count(value):
-    return isinstance(value, int) and not isinstance(value, bool) and 0 <= value < 2**40
-
-
-def _is_array(form, *, opaque=False):
-    shape, dtype = form.get("shape"), form.get("dtype")
-    if not isinstance(shape, list) or len(shape) > 32 or not all(_is_count(length) for length in shape):
-        return False
-    if opaque:
-        return _is_text(dtype) and len(dtype) < 300
-    if not isinstance(dtype, str) or dtype not in _DTYPES:
-        return False
-    size = np.dtype(dtype).itemsize
-    for length in shape:
-        size *= length
-    return _has_data(form, size)
-
-
-def _has_data(form, size):
-    """Whether the form has data of so many bytes, or a digest."""
-    if "data" not in form:
-        return isinstance(form.get("digest"), str) and _DIGEST.fullmatch(form["digest"]) is not None
-    if not isinstance(form["data"], str) or len(form["data"]) > _MAX_BASE64:
-        return False
+    Returns
+    -------
+    dict, a canonical form that shares no container with `data`; or None if it is no canonical form
+    """
     try:
-        return len(base64.b64decode(form["data"], validate=True)) == size
-    except (ValueError, binascii.Error):
-        return False
+        return _FormReader().read(data, 0)
+    except _NotAForm:
+        return None
+
+
+class _FormReader:
+    def __init__(self):
+        self._forms_left = _MOST_FORMS
+
+    def read(self, data, depth):
+        self._forms_left -= 1
+        _require(isinstance(data, dict) and depth <= _MOST_DEPTH and self._forms_left >= 0)
+        kind = _text(data.get("type"), _MOST_NAME)
+        if data.get("too_large") is True:
+            _require(kind in ("int", "str", *_CONTAINERS))
+            return {"type": kind, "too_large": True}
+        if kind == "ndarray":
+            return _array(data)
+        if data.get("opaque") is True:
+            _require(kind not in PLAIN_TYPES and kind not in _SCALARS)
+            return {"type": kind, "opaque": True}
+        if kind in _CONTAINERS:
+            return {"type": kind, "items": self._items(kind, data.get("items"), depth)}
+        if kind == "bytes":
+            length = _length(data.get("length"))
+            return {"type": kind, "length": length} | _data(data, length)
+        if kind == "None":
+            return {"type": kind}
+        if kind in PLAIN_TYPES or kind in _SCALARS:
+            return {"type": kind, "value": _plain(kind, data.get("value"))}
+        return {"type": kind, "fields": self._fields(data.get("fields"), depth)}
+
+    def _items(self, kind, items, depth):
+        _require(isinstance(items, list))
+        if kind != "dict":
+            return [self.read(item, depth + 1) for item in items]
+        _require(all(isinstance(pair, list) and len(pair) == 2 for pair in items))
+        return [[self.read(part, depth + 1) for part in pair] for pair in items]
+
+    def _fields(self, fields, depth):
+        _require(isinstance(fields, dict))
+        return {_text(name, _MOST_NAME): self.read(field, depth + 1) for name, field in fields.items()}
+
+
+def _require(condition):
+    if not condition:
+        raise _NotAForm
+
+
+def _text(value, most_characters):
+    """A text that is not too long and can be written to a file; lone surrogates cannot."""
+    _require(isinstance(value, str) and len(value) <= most_characters)
+    _require(not any("\ud800" <= character <= "\udfff" for character in value))
+    return value
+
+
+def _plain(kind, value):
+    if kind == "str":
+        return _text(value, 6 * MOST_CHARACTERS)  # a lone surrogate is written as six characters
+    dtype = _SCALARS.get(kind)
+    if kind == "bool" or (dtype and dtype.kind == "b"):
+        _require(isinstance(value, bool))
+    elif kind == "float" or (dtype and dtype.kind == "f"):
+        if isinstance(value, str):
+            _require(value in _SPECIAL)
+            return value
+        _require(isinstance(value, (int, float)) and not isinstance(value, bool))
+        _require(abs(value) <= sys.float_info.max)
+        return float(value)
+    else:
+        _require(isinstance(value, int) and not isinstance(value, bool))
+        limits = np.iinfo(dtype) if dtype else None
+        _require(limits.min <= value <= limits.max if limits else value.bit_length() <= MOST_INT_BITS)
+    return value
+
+
+def _length(value):
+    _require(isinstance(value, int) and not isinstance(value, bool) and 0 <= value < _MOST_BYTES)
+    return value
+
+
+def _array(data):
+    shape, name = data.get("shape"), _text(data.get("dtype"), _MOST_NAME)
+    _require(isinstance(shape, list) and len(shape) <= 64)  # NumPy's limit
+    form = {"type": "ndarray", "dtype": name, "shape": [_length(length) for length in shape]}
+    size = _DTYPES[name].itemsize if name in _DTYPES else 1
+    for length in shape:
+        size *= max(length, 1)  # NumPy refuses a shape whose other lengths are too large, beside a 0 as well
+    _require(size < _MOST_BYTES)
+    if data.get("opaque") is True:
+        return form | {"opaque": True}
+    _require(name in _DTYPES)
+    return form | _data(data, 0 if 0 in shape else size)
+
+
+def _data(data, size):
+    """The data of a form, of so many bytes; or its digest."""
+    if "data" not in data:
+        digest = _text(data.get("digest"), 64)
+        _require(_DIGEST.fullmatch(digest))
+        return {"digest": digest}
+    encoded = _text(data["data"], (size + 2) // 3 * 4)
+    try:
+        _require(len(base64.b64decode(encoded, validate=True)) == size)
+    except binascii.Error as error:
+        raise _NotAForm from error
+    return {"data": encoded}
 
 
 def read_answer(payload):
@@ -119,8 +169,8 @@ def read_answer(payload):
     refused = payload.get("refused")
     if not isinstance(refused, list) or not all(isinstance(name, str) for name in refused):
         return None
-    calls = read_calls(payload["calls"])
-    return None if None in calls else (calls, refused)
+    calls = read_calls(payload["calls"][:_MOST_CALLS])
+    return None if None in calls else (calls, [name[:_MOST_NAME] for name in refused])
 
 
 def read_calls(entries):
@@ -138,10 +188,13 @@ def _read_call(entry):
         return None
     if not isinstance(printed, str):
         return None
-    fields = {"changed": tuple(changed[:_MAX_CHANGED]), "printed": printed[:_MAX_PRINTED]}
+    changed = tuple(name[:_MOST_NAME] for name in changed[:_MOST_CHANGED])
+    fields = {"changed": changed, "printed": printed[:_MOST_PRINTED]}
     if "error" in entry:
         texts = [entry.get(name) for name in ("error", "message", "line")]
         if not entry["error"] or not all(isinstance(text, str) for text in texts):
             return None
-        return CallResult(error=texts[0], message=texts[1], line=texts[2], **fields)
-    return CallResult(value=entry["value"], **fields) if is_form(entry.get("value")) else None
+        error, message, line = (text[:_MOST_MESSAGE] for text in texts)
+        return CallResult(error=error, message=message, line=line, **fields)
+    value = read_form(entry.get("value"))
+    return None if value is None else CallResult(value=value, **fields)

@@ -16,7 +16,7 @@ from tqdm import tqdm
 
 from imgproc_course.authoring.atomic_write import write_folder
 from imgproc_course.authoring.masters import find_masters, read_master
-from imgproc_course.autograder.answer_forms import is_form, read_answer
+from imgproc_course.autograder.answer_forms import read_answer, read_form
 from imgproc_course.autograder.answer_key import (
     FORMAT,
     HANDED_OUT,
@@ -287,7 +287,7 @@ def _comparison_problem(call):
 
 def _is_comparable(form):
     """Whether the form holds the whole value, not only its type."""
-    if not is_form(form) or form.get("opaque") or form.get("too_large"):
+    if read_form(form) is None or form.get("opaque") or form.get("too_large"):
         return False
     entries = [*form.get("items", ()), *form.get("fields", {}).values()]
     parts = [part for entry in entries for part in (entry if isinstance(entry, list) else [entry])]

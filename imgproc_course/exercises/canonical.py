@@ -15,9 +15,12 @@ import numpy as np
 VALUE_BYTES = 65_536  # a larger array is given by its digest
 _MOST_ITEMS = 20_000  # of all containers together
 _MOST_DEPTH = 8
-_MOST_CHARACTERS = 10_000
-_MOST_INT_BITS = 4_096
+MOST_CHARACTERS = 10_000  # of a text
+MOST_INT_BITS = 4_096
 _MOST_NAME_CHARACTERS = 100
+
+# Types whose forms have keys of their own, beside NumPy's scalars.
+PLAIN_TYPES = ("None", "bool", "int", "float", "str", "bytes", "tuple", "list", "dict", "ndarray")
 
 # Read through `type` itself: a metaclass may redefine __qualname__ and __module__.
 _QUALNAME = type.__dict__["__qualname__"]
@@ -74,7 +77,7 @@ class _Writer:
             return {"type": "bool", "value": value}
         if kind is int:
             return (
-                _too_large("int") if value.bit_length() > _MOST_INT_BITS else {"type": "int", "value": value}
+                _too_large("int") if value.bit_length() > MOST_INT_BITS else {"type": "int", "value": value}
             )
         if kind is float:
             return {"type": "float", "value": _number(value)}
@@ -84,20 +87,19 @@ class _Writer:
             return {"type": "bytes", "length": len(value), **self._data(value)}
         if kind is np.ndarray:
             return self._array(value)
-        if kind in _SCALARS:
+        if kind in SCALARS:
             return {"type": f"numpy.{kind.__name__}", "value": _number(value.item())}
         if kind in (tuple, list, dict):
             return self._container(value, depth)
         names = tuple(value.__dict__) if kind is types.SimpleNamespace else _message_fields(kind)
+        name = type_name(value)
+        form = {"type": f"__main__.{name}" if name in PLAIN_TYPES else name}  # a class of that name
         if names and depth < _MOST_DEPTH:
-            return {
-                "type": type_name(value),
-                "fields": {name: self._field(value, name, depth) for name in names},
-            }
-        return {"type": type_name(value), "opaque": True}
+            return form | {"fields": {name: self._field(value, name, depth) for name in names}}
+        return form | {"opaque": True}
 
     def _text(self, value):
-        if len(value) > _MOST_CHARACTERS:
+        if len(value) > MOST_CHARACTERS:
             return _too_large("str", length=len(value))
         return {"type": "str", "value": value.encode("utf-8", "backslashreplace").decode("utf-8")}
 
@@ -133,7 +135,7 @@ class _Writer:
         return self.write(np.array(value) if type(value) is array.array else value, depth + 1)
 
 
-_SCALARS = frozenset(
+SCALARS = frozenset(
     {np.bool_, np.float16, np.float32, np.float64, *(np.dtype(code).type for code in "bBhHiIlLqQ")}
 )
 

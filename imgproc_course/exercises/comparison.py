@@ -130,10 +130,12 @@ def describe(form):
 
 
 def kind_of(form):
-    """The kind of a form: NumPy's scalars count as "int", "float" or "bool"; messages are "message"."""
+    """The kind of a form: its type; "int", "float" or "bool" for NumPy's scalars; "message"; "opaque"."""
     kind = form["type"]
     if "fields" in form:
         return "message"
+    if form.get("opaque") and kind != "ndarray":
+        return "opaque"
     if not kind.startswith("numpy."):
         return kind
     scalar = kind.removeprefix("numpy.")
@@ -141,6 +143,8 @@ def kind_of(form):
 
 
 def _key(form):
+    if form["type"] == "tuple" and "items" in form:
+        return f"({', '.join(map(_key, form['items']))})"
     return repr(form.get("value", form["type"]))
 
 
@@ -149,7 +153,10 @@ def _readable(value):
 
 
 def _float(value):
-    return float(value)  # "nan", "inf" and "-inf" too
+    try:
+        return float(value)  # "nan", "inf" and "-inf" too
+    except OverflowError:  # an integer of more than 1024 bits
+        return float("inf") if value > 0 else float("-inf")
 
 
 def _close(expected, actual, tolerance):

@@ -14,6 +14,9 @@ from tqdm import tqdm
 
 from imgproc_course.autograder.pool import Limits, autograde
 from imgproc_course.autograder.results import GradedSubmission
+from imgproc_course.exercises.answer_images import answer_images
+from imgproc_course.exercises.values import answer_parts, differing_elements
+from imgproc_course.gradebook.report_values import value_of
 
 MASTERS = Path(__file__).parent / "masters"
 LESSON = "attacked"
@@ -984,6 +987,7 @@ def double(pixels):
     return pixels
 FORM = {form}
 check_cell.running.call = lambda *a, **k: running.CallResult(value=FORM)
+check_cell.shorten_form = lambda form: form
 """
 for _number, _name, _form in (
     (
@@ -1010,8 +1014,61 @@ for _number, _name, _form in (
         {"type": "ndarray", "dtype": "uint8", "shape": [3, 4], "digest": "as expected"},
     ),
     (118, "a form that nests without end", {"type": "list", "items": [{"type": "dict", "items": [[1]]}]}),
+    (201, "an opaque list with items that are none", {"type": "list", "opaque": True, "items": 7}),
+    (202, "an opaque number of NumPy's", {"type": "numpy.uint8", "opaque": True}),
+    (203, "too large, and yet with fields", {"type": "image", "too_large": True, "fields": {"data": 7}}),
+    (
+        204,
+        "an empty array whose shape overflows",
+        {"type": "ndarray", "dtype": "uint8", "shape": [1 << 39, 1 << 39, 0], "data": ""},
+    ),
+    (
+        205,
+        "an opaque array with a flag for a shape",
+        {"type": "ndarray", "opaque": True, "shape": True, "dtype": "x"},
+    ),
+    (
+        206,
+        "a message whose data are a message",
+        {
+            "type": "sensor_msgs.msg.Image",
+            "fields": {
+                "height": {"type": "int", "value": 2**4000},
+                "step": {"type": "int", "value": -1},
+                "data": {"type": "bytes", "fields": {"data": {"type": "None"}}, "data": 5, "dtype": "uint8"},
+            },
+        },
+    ),
+    (
+        207,
+        "a dict with keys that are dicts",
+        {"type": "dict", "items": [[{"type": "dict", "items": []}] * 2] * 2},
+    ),
+    (208, "a number beyond every float", {"type": "float", "value": 2**1024 - 1}),
+    (209, "fields for an array", {"type": "ndarray", "fields": {"shape": {"type": "None"}}}),
+    (210, "sixty thousand lists", {"type": "list", "items": [{"type": "list", "items": []}] * 60_000}),
 ):
     attack(_number, _name, FORGED.format(form=repr(_form)), "hostile", "wrong", wrong=False)
+attack(
+    211,
+    "classes with the names of plain types",
+    """
+    def double(pixels):
+        kinds = ("list", "dict", "int", "float", "bytes", "ndarray", "str", "tuple")
+        return type(kinds[int(pixels.sum()) % len(kinds)], (), {"__module__": "__main__"})()
+    """,
+    wrong=False,
+)
+attack(
+    212,
+    "an exception of a megabyte in each of its texts",
+    """
+    def double(pixels):
+        raise type("E" * 1_000_000, (Exception,), {})("/ipykernel_" * 90_000)
+    """,
+    "raised",
+    wrong=False,
+)
 attack(
     119,
     "a metaclass that lies about its name",
@@ -1225,7 +1282,20 @@ class AttackResult:
             harm.append("the next submission")
         if exercise_of(self.result, "attacked-mean").points != 7:
             harm.append("its own other exercise")
+        try:
+            show_values(self.exercise)
+        except Exception as error:  # noqa: BLE001 - whatever a learner's value did to the page
+            harm.append(f"its page: {error!r}")
         return tuple(harm)
+
+
+def show_values(exercise):
+    """What a page does with the values of an exercise's failed calls."""
+    for call in (case.failed_call for case in exercise.cases if case.failed_call):
+        for name, expected, actual in answer_parts(call.expected, call.actual):
+            wrong = differing_elements(expected, actual, 0.0)
+            value_of(name, actual, wrong)
+            answer_images(None, name, expected, actual, wrong)
 
 
 def grade_attacks(key, *, quiet=True, **options):

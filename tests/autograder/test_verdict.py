@@ -7,10 +7,13 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from imgproc_course.autograder.answer_forms import is_form
+from imgproc_course.autograder.answer_forms import read_calls, read_form
 from imgproc_course.autograder.verdict import CaseRun, verdict_on
-from imgproc_course.exercises.canonical import canonical
+from imgproc_course.exercises.answer_images import answer_images
+from imgproc_course.exercises.canonical import PLAIN_TYPES, canonical
 from imgproc_course.exercises.comparison import compare
+from imgproc_course.exercises.values import answer_parts, differing_elements
+from imgproc_course.gradebook.report_values import value_of
 
 RIGHT = np.array([[1.0, 2.0], [3.0, 4.0]])
 JSON = st.recursive(
@@ -66,7 +69,10 @@ def passes(payload, expected, tolerance):
     ids=lambda value: type(value).__name__,
 )
 def test_every_canonical_form_is_accepted(value):
-    assert is_form(json.loads(json.dumps(canonical(value))))
+    form = canonical(value)
+    form.pop("summary", None)  # for readers of `check` only
+    form.pop("length", None) if form.get("too_large") else None
+    assert read_form(json.loads(json.dumps(form))) == form
 
 
 def test_the_tolerance_is_the_limit():
@@ -102,10 +108,93 @@ def test_no_other_json_passes_or_raises(payload):
 
 
 @given(NEARLY)
-def test_every_accepted_form_can_be_compared(form):
-    payload = {"calls": [{"value": form, "changed": [], "printed": ""}], "refused": []}
+def test_every_accepted_form_can_be_compared_and_shown(data):
+    form = read_form(data)
     for value in (RIGHT, 1, 0.5, "a", (1, RIGHT), {"a": 1}, b"b", None):
-        assert not passes(payload, value, 0.0) or compare(canonical(value), form) is None
+        if form is not None:
+            show(canonical(value), form)
+
+
+def nested(depth):
+    return {"type": "list", "items": [nested(depth - 1)] if depth else []}
+
+
+DATA = {"type": "bytes", "length": 1, "data": "AA=="}
+FORGED = [
+    {"type": "types.SimpleNamespace", "opaque": True, "fields": {"data": 7}, "items": 5, "shape": "x"},
+    {"type": "str", "too_large": True, "value": 3, "items": [1]},
+    {"type": "ndarray", "opaque": True, "dtype": "uint8", "shape": [3, 4], "data": 5, "fields": 6},
+    {"type": "ndarray", "dtype": "uint8", "shape": [2, 2], "digest": "0" * 64, "summary": "x"},
+    {"type": "ndarray", "dtype": "uint8", "shape": [1], "data": "AA==", "fields": {"height": 1}},
+    {"type": "image", "fields": {"height": DATA, "step": {"type": "str", "value": "1"}, "data": DATA}},
+    {
+        "type": "image",
+        "fields": {"height": {"type": "int", "value": -1}, "step": {"type": "int", "value": -1}},
+    },
+    {
+        "type": "image",
+        "fields": {"data": {"type": "image", "fields": {"data": DATA}}, "height": {"type": "None"}},
+    },
+    {"type": "dict", "items": [[{"type": "list", "items": []}, DATA], [{"type": "list", "items": []}, DATA]]},
+    {"type": "int", "value": 2**4000},
+    {"type": "float", "value": 10**308, "items": []},
+    nested(9),
+]
+
+
+def show(expected, actual):
+    """What a page and `check` do with two values."""
+    difference = compare(expected, actual)
+    for name, part, actual_part in answer_parts(expected, actual):
+        wrong = differing_elements(part, actual_part, 0.0)
+        if actual_part is not None:
+            value_of(name, actual_part, wrong)
+        answer_images(expected, name, part, actual_part, wrong)
+    return difference
+
+
+@pytest.mark.parametrize("data", FORGED, ids=lambda form: repr(form)[:60])
+def test_a_forged_form_is_made_anew_and_can_be_shown(data):
+    form = read_form(json.loads(json.dumps(data)))
+    assert form is not None
+    assert read_form(form) == form
+    for value in (RIGHT, np.zeros((20, 20)), 1, 0.5, "a", (1, RIGHT), {(1, 2): RIGHT}, b"b", None):
+        assert show(canonical(value), form) is not None
+
+
+def test_a_form_keeps_only_the_keys_of_its_type():
+    opaque, large, array, digest, *_ = map(read_form, FORGED)
+    assert opaque == {"type": "types.SimpleNamespace", "opaque": True}
+    assert large == {"type": "str", "too_large": True}
+    assert array == {"type": "ndarray", "dtype": "uint8", "shape": [3, 4], "opaque": True}
+    assert digest.keys() == {"type", "dtype", "shape", "digest"}
+
+
+@pytest.mark.parametrize("name", PLAIN_TYPES)
+def test_a_class_with_the_name_of_a_plain_type_is_described(name):
+    value = type(name, (), {"__module__": "__main__"})()
+    form = read_form(canonical(value))
+    assert (
+        show(canonical(1), form).message == f"expected the integer 1, got an object of type __main__.{name}"
+    )
+
+
+def test_scalars_without_a_form_of_their_own_are_described():
+    difference = show(canonical(0.5), read_form(canonical(np.complex64(1))))
+    assert difference.message == "expected the float 0.5, got an object of type numpy.complex64"
+
+
+def test_keys_of_a_dict_that_are_tuples_are_compared():
+    assert compare(canonical({(1, 2): 5}), canonical({(1, 2): 5})) is None
+    difference = compare(canonical({(1, 2): 5}), canonical({(3, 4): 5}))
+    assert difference.message == "expected a dict with the keys (1, 2), got a dict with the keys (3, 4)"
+
+
+def test_what_a_call_says_is_bounded():
+    texts = {"error": "E" * 9_000, "message": "m" * 9_000_000, "line": "l" * 9_000, "printed": "p" * 9_000}
+    (call,) = read_calls([texts | {"changed": ["n" * 9_000] * 90}])
+    lengths = [len(text) for text in (call.error, call.message, call.line, call.printed, *call.changed)]
+    assert lengths == [2_000, 2_000, 2_000, 2_000, *[300] * 20]
 
 
 @pytest.mark.parametrize(
@@ -121,10 +210,33 @@ def test_every_accepted_form_can_be_compared(form):
         {"type": "bytes", "length": 2, "data": "AA=="},
         {"type": "numpy.object_", "value": 1},
         {"type": "dict", "items": [[{"type": "None"}]]},
+        # Opaque or too large, with the type of a form that a reader would open.
+        {"type": "list", "opaque": True},
+        {"type": "numpy.uint8", "opaque": True},
+        {"type": "ndarray", "opaque": True},
+        {"type": "ndarray", "too_large": True},
+        {"type": "bytes", "too_large": True},
+        {"type": "SimpleNamespace", "too_large": True, "fields": {}},
+        # Shapes and dtypes that NumPy refuses.
+        {"type": "ndarray", "dtype": "uint8", "shape": [2**39, 2**39, 0], "data": ""},
+        {"type": "ndarray", "dtype": "float64", "shape": [2**39, 2**39], "digest": "0" * 64},
+        {"type": "ndarray", "dtype": "uint8", "shape": [1] * 65, "data": "AA=="},
+        {"type": "ndarray", "dtype": "U9", "shape": [0], "data": ""},
+        {"type": "ndarray", "dtype": "x" * 301, "shape": [0], "opaque": True},
+        # Numbers outside their type.
+        {"type": "numpy.uint8", "value": 256},
+        {"type": "int", "value": 2**4096},
+        {"type": "float", "value": 2**1024 - 1},
+        {"type": "str", "value": "a" * 60_001},
+        # Too many parts, and too deep.
+        {"type": "tuple", "items": [{"type": "None"}] * 50_000},
+        {"type": "SimpleNamespace", "fields": {str(k): {"type": "None"} for k in range(50_000)}},
+        nested(11),
     ],
+    ids=lambda form: repr(form)[:60],
 )
 def test_a_malformed_form_is_rejected(form):
-    assert not is_form(form)
+    assert read_form(form) is None
 
 
 def test_a_verdict_names_the_first_call_that_failed():
