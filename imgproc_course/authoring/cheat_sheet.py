@@ -20,7 +20,7 @@ from imgproc_course.authoring.references import References
 from imgproc_course.exercises.percent_script import MasterError
 
 CHEAT_SHEET = "cheat_sheet.html"
-_EXAMPLE = re.compile(r'File "example: (.*)", line 1')
+_EXAMPLE = re.compile(r'File "example: ([^"]*)", line 1')
 
 
 def cheat_sheet_page(template):

@@ -21,11 +21,12 @@ from imgproc_course.authoring.lesson_names import LESSON_FILE
 from imgproc_course.exercises.percent_script import MasterError, read_script
 
 _IN_PROSE = re.compile(
-    r"(?P<code>(?P<ticks>`+).+?(?<!`)(?P=ticks)(?!`))|\[\[(?P<target>[A-Za-z][^\[\]]*)\]\]", re.S
+    r"(?P<code>(?<!`)(?P<ticks>`{1,3})(?!`).+?(?<!`)(?P=ticks)(?!`))|\[\[(?P<target>[A-Za-z][^\[\]]*)\]\]",
+    re.S,
 )
 _IN_CODE = re.compile(r"\[\[(?P<target>(?:term:[^\[\]]+|[a-z][a-z0-9_]+(?:#\d+)?(?:\|[^\[\]]+)?))\]\]")
 _TITLE = re.compile(r"^#\s+title:\s*(.+?)\s*$", re.M)
-_AT_START = re.compile(r"(?:\A|\n\s*\n|[.!?] )\Z")
+_AT_START = re.compile(r"(?:\A|\n[^\S\n]*\n|[.!?] )\Z")
 _WITH_WORDS = {tokenize.COMMENT, tokenize.STRING, getattr(tokenize, "FSTRING_MIDDLE", tokenize.STRING)}
 
 

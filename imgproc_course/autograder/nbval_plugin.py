@@ -33,7 +33,7 @@ from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.autograder.screening import reason_not_to_run
 from imgproc_course.autograder.verdict import CaseRun, verdict_on
 
-_NBVAL_COMMENT = re.compile(r"^(\s*#+\s*)(NBVAL_\w+|PYTEST_VALIDATE_\w+)(\s*)$", re.M)
+_NBVAL_COMMENT = re.compile(r"^([^\S\n]*#+[^\S\n]*)(NBVAL_\w+|PYTEST_VALIDATE_\w+)([^\S\n]*)$", re.M)
 
 
 class ExerciseKernel:

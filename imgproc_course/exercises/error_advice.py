@@ -38,8 +38,8 @@ def advice_on(error, message, line="", parameters=None, function=""):
     call = f"{function}({', '.join(parameters)})" if parameters is not None else ""
     if call and message.startswith(f"{function}()") and "positional argument" in message:
         return f"check calls {call}: begin your function with def {call}: and use these arguments."
-    for kind, pattern, advice in _ADVICE:
-        match = re.search(pattern, message) if error in kind.split() else None
+    for kinds, pattern, advice in _COMPILED:
+        match = pattern.search(message) if error in kinds else None
         if match:
             return advice(match, source) if callable(advice) else match.expand(advice)
     return ""
@@ -381,7 +381,11 @@ _ADVICE = (
         "setting an array element with a sequence",
         "One element of an array holds one number, and here a whole list or array is stored in it.",
     ),
-    ("TypeError", "int\\(\\) argument .* not 'list'", "One number is needed here, and this is a whole list."),
+    (
+        "TypeError",
+        "^int\\(\\) argument .* not 'list'",
+        "One number is needed here, and this is a whole list.",
+    ),
     (
         "TypeError",
         "can only concatenate str",
@@ -406,7 +410,7 @@ _ADVICE = (
     ),
     (
         "ValueError",
-        "shapes .* not aligned|matmul",
+        "^shapes .* not aligned|matmul",
         "@ and np.dot multiply matrices. Value by value, arrays are multiplied with *.",
     ),
     (
@@ -421,3 +425,4 @@ _ADVICE = (
         "cv2.imread reads a file by its name, and this is an array already: use cv2.cvtColor.",
     ),
 )
+_COMPILED = [(kinds.split(), re.compile(pattern), advice) for kinds, pattern, advice in _ADVICE]

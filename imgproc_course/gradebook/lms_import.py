@@ -187,7 +187,7 @@ def _lesson_of_worksheet(table, grades, lessons):
 def _learner(table, row, learners):
     """The learner whose row it is, or None."""
     cell = row[table.number_column] if table.number_column < len(row) else ""
-    number = re.search(r"\d+$", cell.strip())
+    number = re.search(r"(?<!\d)\d+$", cell.strip())
     if number:
         for learner in learners:
             for lesson in learner["lessons"]:
