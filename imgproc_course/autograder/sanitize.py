@@ -23,6 +23,8 @@ def sanitize_text(text, max_length=300):
     str, printable, can be encoded as UTF-8
     """
     text = text if len(text) <= max_length else text[: max_length - 1] + "…"
+    if text.isprintable():  # nearly every text
+        return text
     return "".join(
         character if character in "\n\t" or character.isprintable() else _escape(character)
         for character in text

@@ -82,9 +82,10 @@ def table_rows(form, wrong=None):
     wrong = np.zeros(values.shape, bool) if wrong is None else wrong
     if values.ndim == 1:
         values, wrong = values[np.newaxis], wrong[np.newaxis]
+    wrong = wrong.any(axis=2) if values.ndim == 3 else wrong
     return tuple(
-        tuple((_element(value), bool(np.any(mark))) for value, mark in zip(row, marks, strict=True))
-        for row, marks in zip(values, wrong, strict=True)
+        tuple(zip(map(_element, row), marks, strict=True))
+        for row, marks in zip(values, wrong.tolist(), strict=True)
     )
 
 
@@ -105,8 +106,7 @@ def _bytes_of(form):
 
 
 def _element(value):
-    text = " ".join(_number(number) for number in np.atleast_1d(value))
-    return f"({text})" if np.ndim(value) else text
+    return f"({' '.join(map(_number, value))})" if np.ndim(value) else _number(value)
 
 
 def _number(value):

@@ -20,16 +20,19 @@ def without_names(grades):
     ----------
     grades : dict, the content of grades.json, made with `anonymous`
     """
-    grades = copy.deepcopy(grades)
-    grades["ignored"] = []
-    for learner in grades["learners"]:
-        name, learner["name"] = learner["name"], Path(learner["page"]).stem
-        for lesson in learner["lessons"]:
-            files = [lesson["file"], *(earlier["file"] for earlier in lesson["earlier"])]
-            texts = [*filter(None, files), *([name] if len(name) >= _SHORTEST else [])]
-            for holder, key in [(lesson, "reason"), *((finding, "text") for finding in lesson["findings"])]:
-                for text in texts:
-                    holder[key] = holder[key].replace(text, "…")
-            for file in (lesson, *lesson["earlier"]):
-                file["file"] = ""
-    return grades
+    return grades | {"ignored": [], "learners": [learner_without_name(entry) for entry in grades["learners"]]}
+
+
+def learner_without_name(entry):
+    """A copy of a learner's entry, as `without_names` has it."""
+    learner = copy.deepcopy(entry)
+    name, learner["name"] = learner["name"], Path(learner["page"]).stem
+    for lesson in learner["lessons"]:
+        files = [lesson["file"], *(earlier["file"] for earlier in lesson["earlier"])]
+        texts = [*filter(None, files), *([name] if len(name) >= _SHORTEST else [])]
+        for holder, key in [(lesson, "reason"), *((finding, "text") for finding in lesson["findings"])]:
+            for text in texts:
+                holder[key] = holder[key].replace(text, "…")
+        for file in (lesson, *lesson["earlier"]):
+            file["file"] = ""
+    return learner

@@ -15,18 +15,9 @@ def settle_lesson(entry, decisions, policy):
     entry : dict, with the points that the autograder gave; it is changed
     decisions : list of Decision, of this learner and lesson
     policy : LatePolicy or None
-
-    Raises
-    ------
-    TeacherTableError : a decision on an exercise that was not graded
     """
     by_exercise = {decision.exercise: decision for decision in decisions}
     whole_lesson = by_exercise.pop("", None)
-    ids = {exercise["id"] for exercise in entry["exercises"]}
-    for id, decision in by_exercise.items():
-        if id not in ids:
-            text = f"{decision.learner}'s {entry['lesson']} could not be graded, so it has no exercise {id}"
-            raise TeacherTableError(f"{decision.place}: {text}; leave the exercise empty")
     entry["autograded_points"] = entry["points"]
     for exercise in entry["exercises"]:
         exercise["autograded_points"] = exercise["points"]
@@ -43,6 +34,27 @@ def settle_lesson(entry, decisions, policy):
         points = plain_number(entry["points"] * policy.factor(entry["days_late"]))
         entry["late_deduction"] = plain_number(entry["points"] - points)
         entry["points"] = points
+
+
+def check_decisions(decisions, learners):
+    """Refuse decisions on single exercises of lessons that have none to decide on.
+
+    Parameters
+    ----------
+    decisions : {learner's name: list of Decision}
+    learners : list of Learner, not yet graded
+
+    Raises
+    ------
+    TeacherTableError : the lesson was not submitted, or cannot be read
+    """
+    for learner in learners:
+        for decision in decisions.get(learner.name, ()):
+            submission = learner.submissions.get(decision.lesson)
+            if decision.exercise and (submission is None or not submission.answers_digest):
+                problem = "was not submitted" if submission is None else "could not be graded"
+                text = f"{decision.learner}'s {decision.lesson} {problem}, so it has no exercises"
+                raise TeacherTableError(f"{decision.place}: {text}; leave the exercise empty")
 
 
 def _decide(entry, decision):

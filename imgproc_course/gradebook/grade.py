@@ -2,6 +2,7 @@
 
 import contextlib
 import shutil
+import threading
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -11,11 +12,12 @@ from imgproc_course.gradebook.anonymity import anonymous_id
 from imgproc_course.gradebook.answer_keys import load_keys
 from imgproc_course.gradebook.collect import collect
 from imgproc_course.gradebook.deadlines import Deadlines, read_late_policy
-from imgproc_course.gradebook.grades_folder import write_grades
-from imgproc_course.gradebook.grades_json import count_not_graded, grades_of
+from imgproc_course.gradebook.final_points import check_decisions
+from imgproc_course.gradebook.grades_folder import LearnerPages, write_grades
+from imgproc_course.gradebook.grades_json import count_not_graded, grades_of, learner_entry
 from imgproc_course.gradebook.learners import read_all
 from imgproc_course.gradebook.lms_import import TableError, fill_table, read_tables
-from imgproc_course.gradebook.report import count_of
+from imgproc_course.gradebook.report import count_of, prepare_templates
 from imgproc_course.gradebook.result_store import (
     GradesFolderError,
     ResultStore,
@@ -110,20 +112,30 @@ def grade_submissions(
         names |= {learner.name: learner.name for learner in learners}
         deadlines = Deadlines(deadline, policy, by_learner(extensions, names))
         decisions = by_learner(decisions, names)
+        check_decisions(decisions, learners)
         again = answers_to_regrade(regrade, learners, names, answer_keys, fresh=fresh)
-        graded_now = grade_missing(learners, answer_keys, store, again=again, quiet=quiet, **options)
+
+        def entry_of(learner):
+            about = decisions.get(learner.name, ())
+            return learner_entry(learner, answer_keys, store, deadlines, about, anonymous=anonymous)
+
+        pages = LearnerPages(
+            out, learners, answer_keys, store, entry_of=entry_of, late_policy=late, anonymous=anonymous
+        )
+        threading.Thread(target=prepare_templates, daemon=True).start()
+        graded_now = grade_missing(
+            learners, answer_keys, store, again=again, quiet=quiet, on_result=pages.result_stored, **options
+        )
     grades = grades_of(
-        learners,
+        pages.finish(),
         answer_keys,
-        store,
         sandbox=not unsafe,
         deadlines=deadlines,
-        decisions=decisions,
         ignored=collection.ignored,
         anonymous=anonymous,
     )
-    failed_pages = write_grades(out, grades, learners, answer_keys, store)
-    return _summary(grades, graded_now, out, _fill_tables(platform_tables, grades, out), failed_pages)
+    write_grades(out, grades, learners, answer_keys.lessons, pages.failed)
+    return _summary(grades, graded_now, out, _fill_tables(platform_tables, grades, out), pages.failed)
 
 
 def _require_separate_folder(submissions, keys, out):

@@ -14,7 +14,7 @@ results/*.json     every result, by a digest of key and answers: an interrupted 
 from pathlib import Path
 
 from imgproc_course.autograder.sanitize import sanitize_line
-from imgproc_course.gradebook.anonymity import without_names
+from imgproc_course.gradebook.anonymity import learner_without_name, without_names
 from imgproc_course.gradebook.changes import PREVIOUS, changes_page, read_grades
 from imgproc_course.gradebook.feedback_zips import feedback_zips
 from imgproc_course.gradebook.grades_json import grades_text
@@ -30,46 +30,102 @@ _OTHER_PAGES = {
 }
 
 
-def write_grades(out, grades, learners, answer_keys, store):
-    """Write everything but the results, which are stored while grading.
+class LearnerPages:
+    """Writes the learners' pages, each as soon as all its results are there: the workers grade on meanwhile.
+
+    Parameters
+    ----------
+    out : Path, the folder of grades
+    learners : list of Learner
+    answer_keys : AnswerKeys
+    store : ResultStore
+    entry_of : function (Learner) -> the learner's entry in grades.json
+    late_policy : str or None, as the teacher wrote it
+    anonymous : bool, the pages show ids instead of names
+
+    Attributes
+    ----------
+    entries : {learner's name: entry in grades.json}
+    failed : {learner's name as pages show it: why their page lacks its details}
+    """
+
+    def __init__(self, out, learners, answer_keys, store, *, entry_of, late_policy, anonymous):
+        self.entries, self.failed = {}, {}
+        self._out, self._learners, self._answer_keys, self._store = out, learners, answer_keys, store
+        self._entry_of, self._late_policy, self._anonymous = entry_of, late_policy, anonymous
+        self._missing, self._waiting = {}, {}
+        for learner in learners:
+            digests = {submission.answers_digest for submission in learner.submissions.values()} - {""}
+            self._missing[learner.name] = set(digests)
+            for digest in digests:
+                self._waiting.setdefault(digest, []).append(learner)
+
+    def result_stored(self, digest):
+        """Write the pages that waited only for this result."""
+        for learner in self._waiting.pop(digest, ()):
+            self._missing[learner.name].discard(digest)
+            if not self._missing[learner.name]:
+                self._write(learner)
+
+    def finish(self):
+        """Write all other pages, and remove those of an earlier run.
+
+        Returns
+        -------
+        list of dict, the entries of all learners in grades.json
+        """
+        for learner in self._learners:
+            if learner.name not in self.entries:
+                self._write(learner)
+        pages = {Path(entry["page"]).name for entry in self.entries.values()}
+        _remove_others(self._out / "learners", "*.html", pages)
+        return [self.entries[learner.name] for learner in self._learners]
+
+    def _write(self, learner):
+        entry = self.entries[learner.name] = self._entry_of(learner)
+        shown = learner_without_name(entry) if self._anonymous else entry
+        try:
+            page = self._page(learner, shown)
+        except Exception as error:  # noqa: BLE001 - a page shows values that other people's code returned
+            self.failed[shown["name"]] = sanitize_line(f"{type(error).__name__}: {error}", 200)
+            page = learner_page(shown, {}, self._answer_keys, late_policy=self._late_policy, incomplete=True)
+        write_grades_file(self._out / entry["page"], page)
+
+    def _page(self, learner, entry):
+        results = {
+            lesson: self._store.result(submission.answers_digest)
+            for lesson, submission in learner.submissions.items()
+            if submission.answers_digest
+        }
+        return learner_page(entry, results, self._answer_keys, late_policy=self._late_policy)
+
+
+def write_grades(out, grades, learners, lessons, failed_pages):
+    """Write everything but the learners' pages and the results.
 
     Parameters
     ----------
     out : Path
     grades : dict, the content of grades.json
     learners : list of Learner, in the order of grades["learners"]
-    answer_keys : AnswerKeys
-    store : ResultStore
-
-    Returns
-    -------
-    {learner's name: why their page lacks its details}
+    lessons : {name: KeyLesson}
+    failed_pages : {learner's name as pages show it: why their page lacks its details}
 
     Raises
     ------
     GradesFolderError : the disk is full or read-only
     """
     before, text = read_grades(out / "grades.json"), grades_text(grades)
+    changed = before is not None and grades_text(before) != text
     write_grades_file(out / "grades.json", text)
     write_grades_file(out / "grades.csv", grades_csv(grades))
     shown = without_names(grades) if grades["anonymous_pages"] else grades
-    failed_pages = {}
-    for learner, entry in zip(learners, shown["learners"], strict=True):
-        page, reason = _page_or_reason(learner, entry, answer_keys, store, grades["late_policy"])
-        write_grades_file(out / entry["page"], page)
-        if reason:
-            failed_pages[entry["name"]] = reason
-    _remove_others(out / "learners", "*.html", {Path(entry["page"]).name for entry in grades["learners"]})
-    names = {
-        entry["name"]: shown_entry["name"]
-        for entry, shown_entry in zip(grades["learners"], shown["learners"], strict=True)
-    }
-    if (
-        before and grades_text(before) != text
-    ):  # after the same grades again, the page of the change before stays
+    entries = zip(grades["learners"], shown["learners"], strict=True)
+    names = {entry["name"]: shown_entry["name"] for entry, shown_entry in entries}
+    if changed:  # else the page shows the last change
         write_grades_file(out / PREVIOUS, grades_text(before))
         write_grades_file(out / "changes.html", changes_page(before, grades, names))
-    _write_or_remove(out / "predictions.html", predictions_page(learners, answer_keys.lessons, names))
+    _write_or_remove(out / "predictions.html", predictions_page(learners, lessons, names))
     files = exports(grades) | feedback_zips(grades, lambda entry: (out / entry["page"]).read_bytes())
     for name, data in files.items():
         write_grades_file(out / "exports" / name, data)
@@ -77,7 +133,6 @@ def write_grades(out, grades, learners, answer_keys, store):
         _remove_others(out / "exports", pattern, files)
     other_pages = {name: title for name, title in _OTHER_PAGES.items() if (out / name).exists()}
     write_grades_file(out / "summary.html", summary_page(shown, failed_pages, other_pages))
-    return failed_pages
 
 
 def _write_or_remove(path, page):
@@ -85,20 +140,6 @@ def _write_or_remove(path, page):
         write_grades_file(path, page)
     else:
         path.unlink(missing_ok=True)
-
-
-def _page_or_reason(learner, entry, answer_keys, store, late_policy):
-    """(the learner's page, ""), or (a page without values, why): one learner's values harm no other page."""
-    try:
-        results = {
-            lesson: store.result(submission.answers_digest)
-            for lesson, submission in learner.submissions.items()
-            if submission.answers_digest
-        }
-        return learner_page(entry, results, answer_keys, late_policy=late_policy), ""
-    except Exception as error:  # noqa: BLE001 - a page shows values that other people's code returned
-        reason = sanitize_line(f"{type(error).__name__}: {error}", 200)
-        return learner_page(entry, {}, answer_keys, incomplete=True), reason
 
 
 def _remove_others(folder, pattern, names):

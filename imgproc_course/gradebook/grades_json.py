@@ -4,13 +4,12 @@ There is no time of day, no order of files and no chance in it: the same submiss
 """
 
 import json
+from dataclasses import asdict, replace
 from importlib.metadata import version
 from pathlib import Path
 
 from imgproc_course.autograder.outcomes import Outcome
-from imgproc_course.autograder.results import to_json
 from imgproc_course.gradebook.anonymity import anonymous_id
-from imgproc_course.gradebook.deadlines import Deadlines
 from imgproc_course.gradebook.final_points import decided_lesson, settle_lesson
 from imgproc_course.gradebook.submission import Finding
 from imgproc_course.gradebook.teacher_tables import plain_number
@@ -19,38 +18,22 @@ FORMAT = 3
 SCHEMA = Path(__file__).with_name("grades.schema.json")
 
 
-def grades_of(
-    learners, answer_keys, store, *, sandbox, deadlines=None, decisions=None, ignored=(), anonymous=False
-):
+def grades_of(entries, answer_keys, *, sandbox, deadlines, ignored=(), anonymous=False):
     """The content of grades.json.
 
     Parameters
     ----------
-    learners : list of Learner, all graded
+    entries : list of dict, what `learner_entry` returns for each learner
     answer_keys : AnswerKeys
-    store : ResultStore
     sandbox : bool, whether answers ran in a sandbox
-    deadlines : Deadlines, or None for no deadline
-    decisions : {learner's name: list of Decision}, or None
+    deadlines : Deadlines
     ignored : list of str, files that are not notebooks
     anonymous : bool, the pages are named after an id instead of the learner
 
     Returns
     -------
     dict, see grades.schema.json
-
-    Raises
-    ------
-    TeacherTableError : a decision on an exercise that was not graded
     """
-    deadlines, decisions = deadlines or Deadlines(), decisions or {}
-    entries = [
-        _learner_entry(learner, answer_keys, store, deadlines, decisions.get(learner.name, ()))
-        for learner in learners
-    ]
-    if anonymous:
-        for entry in entries:
-            entry["page"] = f"learners/{anonymous_id(entry['name'], answer_keys)}.html"
     return {
         "format": FORMAT,
         "course": version("imgproc-course"),
@@ -66,7 +49,11 @@ def grades_of(
 
 def grades_text(grades):
     """The text of grades.json: the same for the same grades."""
-    return json.dumps(grades, indent=1, sort_keys=True, ensure_ascii=True) + "\n"
+    # One line per learner: json's own indentation is several times slower.
+    learners = ",\n".join(json.dumps(learner, sort_keys=True) for learner in grades["learners"])
+    others = json.dumps(grades | {"learners": []}, sort_keys=True)
+    head, tail = others.split('"learners": []')
+    return f'{head}\n"learners": [\n{learners}\n]{tail}\n'
 
 
 def count_not_graded(grades):
@@ -119,7 +106,18 @@ def _key_entry(key):
     return {"digest": key.digest, "lessons": lessons}
 
 
-def _learner_entry(learner, answer_keys, store, deadlines, decisions):
+def learner_entry(learner, answer_keys, store, deadlines, decisions, *, anonymous=False):
+    """A learner's part of grades.json.
+
+    Parameters
+    ----------
+    learner : Learner, graded
+    answer_keys : AnswerKeys
+    store : ResultStore
+    deadlines : Deadlines
+    decisions : list of Decision, about this learner
+    anonymous : bool, the page is named after an id instead of the learner
+    """
     submissions = [*learner.submissions.values(), *learner.unidentified]
     lessons = [
         _lesson_entry(learner, submission, answer_keys, store, deadlines) for submission in submissions
@@ -129,10 +127,11 @@ def _learner_entry(learner, answer_keys, store, deadlines, decisions):
     for lesson in lessons:
         about = [decision for decision in decisions if decision.lesson == lesson["lesson"]]
         settle_lesson(lesson, about, deadlines.policy)
+    page = f"{anonymous_id(learner.name, answer_keys)}.html" if anonymous else learner.page
     order = {name: _place(lesson) for name, lesson in answer_keys.lessons.items()}
     return {
         "name": learner.name,
-        "page": f"learners/{learner.page}",
+        "page": f"learners/{page}",
         "points": plain_number(sum(lesson["points"] for lesson in lessons)),
         "max_points": sum(lesson["max_points"] for lesson in lessons),
         "lessons": sorted(lessons, key=lambda lesson: order.get(lesson["lesson"], ("~", lesson["file"]))),
@@ -181,9 +180,11 @@ def _file_entry(learner, submission, deadlines):
 
 def _exercise_entries(result):
     """The exercises without the values: those are on the learner's page and in the store."""
-    exercises = to_json(result)["exercises"]
-    for exercise in exercises:
-        for case in exercise["cases"]:
+    exercises = []
+    for exercise in result.exercises:
+        cases = tuple(replace(case, failed_call=None) for case in exercise.cases)
+        exercises.append(asdict(replace(exercise, cases=cases)) | {"points": exercise.points})
+        for case in exercises[-1]["cases"]:
             del case["failed_call"]
     return exercises
 

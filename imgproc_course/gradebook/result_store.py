@@ -138,7 +138,9 @@ def _digests(learners, name=None, lesson=None):
     return sorted(digests - {""})
 
 
-def grade_missing(learners, answer_keys, store, *, again=None, quiet=None, **options):
+def grade_missing(
+    learners, answer_keys, store, *, again=None, quiet=None, on_result=lambda digest: None, **options
+):
     """Grade what has no result yet. Equal answers are graded once.
 
     Parameters
@@ -148,6 +150,7 @@ def grade_missing(learners, answer_keys, store, *, again=None, quiet=None, **opt
     store : ResultStore
     again : as `answers_to_regrade` returns it, or None
     quiet : bool or None, as tqdm's `disable`
+    on_result : function (digest), called when a result is stored
     options : as `autograde` takes them
 
     Returns
@@ -176,6 +179,7 @@ def grade_missing(learners, answer_keys, store, *, again=None, quiet=None, **opt
                     result = _with_old_exercises(result, stored[result.name], exercises[result.name])
                 store.keep_result(result.name, result)
                 bar.update()
+                on_result(result.name)
     return len(missing)
 
 

@@ -22,7 +22,7 @@ def class_folder(masters, key_path, tmp_path_factory):
     light, sound = masters["light"], masters["sound"]
     right, half = notebook(light, answers_of(light, "right")), answers_of(light, "right")
     half["light-halves"] = answers_of(light, "raising")["light-halves"]
-    write(folder / "in" / "Ada, L." / "20_light.ipynb", right, DEADLINE - timedelta(minutes=1))
+    write(folder / "in" / "Ada" / "20_light.ipynb", right, DEADLINE - timedelta(minutes=1))
     write(folder / "in" / "Bob" / "20_light.ipynb", notebook(light, half), DEADLINE + timedelta(minutes=1))
     write(folder / "in" / "Bob" / "21_sound.ipynb", notebook(sound, answers_of(sound, "right")), DEADLINE)
     write(folder / "in" / "=Eve" / "20_light.ipynb", right, DEADLINE + timedelta(days=2, hours=1))
@@ -76,12 +76,12 @@ def test_an_excused_exercise_counts_neither_for_nor_against(grade):
 
 
 def test_a_decision_on_a_lesson_is_final_and_grades_what_could_not_be_read(grade):
-    rows = "Zoe;light;;5;on paper\n=Eve;light;;2;\nAda, L.;sound;;excused;ill\n"
+    rows = "Zoe;light;;5;on paper\n=Eve;light;;2;\nAda;sound;;excused;ill\n"
     lessons, _, summary = grade(HEADER.replace(",", ";") + rows, deadline=DEADLINE, late="50% a day")
     assert (lessons["Zoe"]["light"]["status"], lessons["Zoe"]["light"]["points"]) == ("graded", 5)
     assert summary.not_graded == 0
     assert (lessons["=Eve"]["light"]["points"], lessons["=Eve"]["light"]["late_deduction"]) == (2, 0)
-    assert (lessons["Ada, L."]["sound"]["points"], lessons["Ada, L."]["sound"]["max_points"]) == (0, 0)
+    assert (lessons["Ada"]["sound"]["points"], lessons["Ada"]["sound"]["max_points"]) == (0, 0)
 
 
 @pytest.mark.parametrize(
@@ -95,13 +95,14 @@ def test_a_decision_on_a_lesson_is_final_and_grades_what_could_not_be_read(grade
         ("Bob,light,,7,", "row 3: the points are '7'; expected 0 to 6"),
         ("Bob,light,,,", "row 3: it decides nothing"),
         ("Bob,light,,3,one,two", "row 3: 6 cells, expected 5; put a text with commas in quotes"),
+        ("Ada,sound,sound-mean,1,", "row 3: Ada's sound was not submitted, so it has no exercises"),
         (",light,,3,", "row 3: the cell learner is empty"),
         ("Zoe,light,light-double,1,", "row 3: Zoe's light could not be graded"),
         ("Ada,sound,,1,twice", "row 3: the same as "),
     ],
 )
 def test_a_bad_row_is_one_line_with_its_number(grade, row, message):
-    first = "Ada,sound,,1,once" if row.startswith("Ada") else "# a comment"
+    first = "Ada,sound,,1,once" if "twice" in row else "# a comment"
     with pytest.raises(TeacherTableError) as caught:
         grade(HEADER + first + "\n" + row + "\n")
     assert message in str(caught.value) and "\n" not in str(caught.value)
@@ -127,7 +128,7 @@ def test_decisions_in_the_folder_of_grades_survive_a_regrade_of_everything(class
 
 def test_lateness_costs_what_the_policy_says(grade, class_folder):
     lessons, learners, _ = grade(deadline=DEADLINE, late="10% a day, 2 days")
-    ada, bob, eve = (lessons[name]["light"] for name in ("Ada, L.", "Bob", "=Eve"))
+    ada, bob, eve = (lessons[name]["light"] for name in ("Ada", "Bob", "=Eve"))
     assert (ada["days_late"], ada["points"], ada["late_deduction"]) == (0, 6, 0)
     half = bob["autograded_points"]
     assert (bob["days_late"], bob["points"], bob["late_deduction"]) == (1, half * 0.9, round(half * 0.1, 2))
@@ -190,7 +191,7 @@ def test_the_regrade_of_an_exercise_keeps_the_results_of_the_others(class_folder
                 exercise["message"] = "of the run before"
             path.write_text(json.dumps(content))
     lessons = grade(regrade=["light-halves"])[0]
-    for name in ("Ada, L.", "Bob", "=Eve"):
+    for name in ("Ada", "Bob", "=Eve"):
         double, halves = lessons[name]["light"]["exercises"]
         assert (double["id"], double["message"]) == ("light-double", "of the run before")
         assert halves == expected[name]["light"]["exercises"][1]

@@ -3,7 +3,6 @@
 from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.autograder.sandbox.cgroups import ProcessGroup
 from imgproc_course.autograder.sandbox.fork_server_client import ForkedKernel, ForkServer
-from imgproc_course.autograder.sandbox.ipykernel_client import IPykernelClient
 
 KINDS = ("fast", "ipykernel")
 
@@ -43,6 +42,9 @@ class KernelFactory:
         """
         request = (tuple(refused), seconds)
         if self._kind == "ipykernel":
+            # Only this kind needs jupyter_client, whose import takes a quarter of a second.
+            from imgproc_course.autograder.sandbox.ipykernel_client import IPykernelClient
+
             return IPykernelClient(*request, self.limits, self._group, confined=self._confined)
         if self._spare_request == request and not self._spare.is_alive():
             self._drop_spare()
