@@ -11,9 +11,11 @@ socket as long as there are any.
 """
 
 import json
+import math
 import os
 import re
 import socket
+import time
 from pathlib import Path
 
 import nbval.plugin
@@ -28,11 +30,13 @@ from imgproc_course.autograder.results import (
     ungraded_exercise,
 )
 from imgproc_course.autograder.sandbox.bubblewrap import Limits
-from imgproc_course.autograder.sandbox.cell_run import MIME
+from imgproc_course.autograder.sandbox.cell_run import MIME, CellRun
 from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.autograder.screening import reason_not_to_run
 from imgproc_course.autograder.verdict import CaseRun, verdict_on
 
+# A kernel that ended like this may have been ended by something else than the answer.
+_RUN_AGAIN_AFTER = ("crashed", "memory")
 _NBVAL_COMMENT = re.compile(r"^([^\S\n]*#+[^\S\n]*)(NBVAL_\w+|PYTEST_VALIDATE_\w+)([^\S\n]*)$", re.M)
 
 
@@ -100,15 +104,18 @@ class ExerciseRun:
     is run again in a new kernel, after the given cells and the answer, and that run counts: a patch, a crash
     or a thread in one check costs no other check anything.
 
+    stop_at  time.monotonic() from which no further case is run
     runs     {case id: CaseRun}
     passed   ids of the cases that nbval let pass
+    faults   {case id: text} of the cases that the autograder itself failed to run
     """
 
-    def __init__(self, exercise, content, kernel_factory, next_request):
+    def __init__(self, exercise, content, kernel_factory, next_request, stop_at=math.inf):
         self._exercise, self._content = exercise, content
         self._kernel_factory, self._next_request = kernel_factory, next_request
         self._kernel, self._kernel_seconds, self._answer_run = None, 0.0, None
-        self.runs, self.passed = {}, set()
+        self._stop_at = stop_at
+        self.runs, self.passed, self.faults = {}, set(), {}
         cases = {case.id: case for case in exercise.cases}
         code = [cell for cell in content.notebook["cells"] if cell["cell_type"] == "code"]
         self._cases = {number: cases.get(cell["id"]) for number, cell in enumerate(code, 1)}
@@ -130,11 +137,25 @@ class ExerciseRun:
         -------
         CaseRun
         """
+        if time.monotonic() > self._stop_at:
+            run = CaseRun(check=CellRun(ended="budget"))
+        else:
+            run = self._run_in_a_kernel(case, sources_before, source)
+        if run.ended == "gone":
+            self.faults[case.id] = "the process that starts kernels ended, three times"
+        else:
+            self.runs[case.id] = run
+        return run
+
+    def _run_in_a_kernel(self, case, sources_before, source):
         run = self._run_in_same_kernel(case, source)
-        for _ in range(2):  # again if the fork server was ended
-            if run is None or run.ended == "gone":
+        if run is None:
+            run = self._run_in_new_kernel(case, sources_before, source)
+        if run.ended in _RUN_AGAIN_AFTER:
+            run = self._run_in_new_kernel(case, sources_before, source)
+        for _ in range(2):
+            if run.ended == "gone":
                 run = self._run_in_new_kernel(case, sources_before, source)
-        self.runs[case.id] = run
         return run
 
     def _run_in_same_kernel(self, case, source):
@@ -153,12 +174,11 @@ class ExerciseRun:
         )
         run = CaseRun()
         for source_before in sources_before:
-            run.answer = self._kernel.run(source_before)
+            run.answer = self._answer_run = self._kernel.run(source_before)
             if run.ended:
                 break
         else:
             self._run_check(run, case, source)
-        self._answer_run = run.answer
         if not run.passed:
             self.close()
         return run
@@ -214,7 +234,7 @@ class GradingPlugin:
         self._kernel_factory = KernelFactory(settings["kernel"], unsafe=settings["unsafe"], limits=limits)
         self._key = load_key(settings["key"])
         self._folder = Path(settings["folder"])
-        self._session, self._phases = None, []
+        self._session, self._phases, self._exception = None, [], None
 
     def serve(self, session):
         """Grade submissions until the socket is closed, then end this process."""
@@ -234,19 +254,19 @@ class GradingPlugin:
         sources = {exercise.id: job["answers"].get(exercise.id) for exercise in graded}
         reasons = {exercise.id: reason_not_to_run(exercise, sources[exercise.id]) for exercise in graded}
         to_run = [exercise for exercise in graded if reasons[exercise.id] is None]
-        results = []
+        results, stop_at = [], time.monotonic() + self._kernel_factory.limits.submission
         for exercise in graded:
             if reasons[exercise.id] is not None:
                 results.append(ungraded_exercise(exercise, *reasons[exercise.id]))
                 continue
             following = (to_run[to_run.index(exercise) + 1 :] or to_run)[0]
             next_request = (following.refused, seconds_of(following, following.cases[0]))
-            results.append(self._grade_exercise(exercise, sources[exercise.id], next_request))
+            results.append(self._grade_exercise(exercise, sources[exercise.id], next_request, stop_at))
         return GradedSubmission(job["submission"], lesson.name, lesson.version, tuple(results))
 
-    def _grade_exercise(self, exercise, source, next_request):
+    def _grade_exercise(self, exercise, source, next_request, stop_at):
         content = self._key.content(exercise.id)
-        exercise_run = ExerciseRun(exercise, content, self._kernel_factory, next_request)
+        exercise_run = ExerciseRun(exercise, content, self._kernel_factory, next_request, stop_at)
         ExerciseKernel.current = exercise_run
         path = self._folder / "exercise.ipynb"
         path.write_text(json.dumps(_with_answer(content.notebook, exercise, source)), encoding="utf-8")
@@ -254,7 +274,7 @@ class GradingPlugin:
             self._run_nbval(path, exercise, exercise_run)
         finally:
             exercise_run.close()
-        return graded_exercise(exercise, content, exercise_run.runs, exercise_run.passed)
+        return graded_exercise(exercise, content, exercise_run)
 
     def _run_nbval(self, path, exercise, exercise_run):
         case_ids = {case.id for case in exercise.cases}
@@ -264,16 +284,22 @@ class GradingPlugin:
             if item.cell.id in case_ids:
                 item.cell.outputs[0].data[MIME] = StoredVerdict(exercise_run, item.cell.id)
         for item, next_item in zip(items, [*items[1:], None], strict=True):
-            self._phases = []
+            self._phases, self._exception = [], None
             item.ihook.pytest_runtest_protocol(item=item, nextitem=next_item)
             if self._phases == ["setup passed", "call passed", "teardown passed"]:
                 exercise_run.passed.add(item.cell.id)
+            elif item.cell.id in case_ids - exercise_run.runs.keys():
+                exercise_run.faults.setdefault(item.cell.id, self._exception or "nbval did not run it")
             item.cell = None
         notebook.nb = None
 
     @pytest.hookimpl
     def pytest_runtest_logreport(self, report):
         self._phases.append(f"{report.when} {report.outcome}")
+
+    @pytest.hookimpl
+    def pytest_exception_interact(self, call):
+        self._exception = f"{call.excinfo.typename}: {call.excinfo.value}"
 
     @pytest.hookimpl(tryfirst=True)
     def pytest_runtestloop(self, session):

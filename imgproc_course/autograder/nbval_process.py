@@ -39,7 +39,11 @@ _lock = threading.Lock()
 
 
 class NbvalProcessEnded(Exception):
-    """The process ended or does not answer; start another one."""
+    """The process ended or does not answer; the message says what is known of it. Start another one."""
+
+
+class NbvalProcessNotStarted(SandboxError):
+    """The process ended while it started; the message says why."""
 
 
 def nbval_process_of_thread(key_path, digest, kernel, unsafe, limits):
@@ -122,7 +126,7 @@ class NbvalProcess:
             self._send(settings)
             self._receive(_START_SECONDS)
         except NbvalProcessEnded as error:
-            raise SandboxError(f"the nbval process did not start: {self._last_errors}") from error
+            raise NbvalProcessNotStarted(f"the nbval process did not start: {error}") from error
 
     def _start(self, folder, connection):
         command = [sys.executable, "-I", "-m", "pytest", "-c", str(folder / "pytest.ini")]
@@ -169,13 +173,14 @@ class NbvalProcess:
         return from_json(self._receive(self._patience(lesson)))
 
     def _patience(self, lesson):
-        """Seconds after which the process itself must be stuck: twice what all its kernels may take."""
+        """Seconds after which the process itself must be stuck: twice what its kernels may take."""
         deadlines = [
-            self._limits.deadline(exercise.time_limit * case.calls) + 10
+            self._limits.deadline(exercise.time_limit * case.calls)
             for exercise in self._key.lessons[lesson].exercises
             for case in exercise.cases
         ]
-        return 60 + 2 * sum(deadlines)
+        # The last case begins within the submission's time, and it may be run again.
+        return 60 + 2 * (self._limits.submission + 2 * max(deadlines, default=0))
 
     def _send(self, message):
         try:
@@ -183,20 +188,21 @@ class NbvalProcess:
             self._socket.sendall((json.dumps(message) + "\n").encode("ascii"))
         except OSError as error:
             self.stop()
-            raise NbvalProcessEnded from error
+            raise NbvalProcessEnded(self._last_errors or str(error)) from error
 
     def _receive(self, patience):
         deadline = time.monotonic() + patience
         poll = select.poll()
         poll.register(self._socket, select.POLLIN)
         while b"\n" not in self._buffer:
-            data = b""
-            if poll.poll(max(0.0, deadline - time.monotonic()) * 1000):
+            data, is_answering = b"", poll.poll(max(0.0, deadline - time.monotonic()) * 1000)
+            if is_answering:
                 with contextlib.suppress(OSError):
                     data = self._socket.recv(1 << 20)
             if not data:
                 self.stop(wait=False)
-                raise NbvalProcessEnded
+                fault = "it was killed" if is_answering else f"no answer within {patience:.0f} s"
+                raise NbvalProcessEnded(self._last_errors or fault)
             self._buffer += data
         line, _, self._buffer = self._buffer.partition(b"\n")
         return json.loads(line)

@@ -53,6 +53,8 @@ class OutcomeTexts:
     needs_attention: bool = False
 
 
+# Of the cases that are not run because those before them took too long.
+BUDGET_MESSAGE = "it was not run: the checks before it used all the time that one submission may use"
 TEXTS = {
     Outcome.PASSED: OutcomeTexts("passed"),
     Outcome.WRONG: OutcomeTexts("returns another value"),

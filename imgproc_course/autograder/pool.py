@@ -8,23 +8,29 @@
 Each thread or process that grades keeps one nbval process (`nbval_process`) and sends it one submission after
 another. nbval runs the answers in kernels inside the sandbox. The checks of an exercise share a kernel as
 long as they pass; every other result comes from a kernel of its own.
+
+A fault of the autograder (an exception, a process that was killed, a run without a result) costs nobody
+points: the submission is graded again in new processes, and if that fails too, the outcome is "not graded".
+An exercise that did not finish in time is graded again while nothing else runs, and that result counts.
 """
 
 import contextlib
 import itertools
 import os
 from collections import deque
-from concurrent.futures import Executor, ThreadPoolExecutor
+from concurrent.futures import Executor, Future, ThreadPoolExecutor, wait
+from dataclasses import replace
 from pathlib import Path
 
-from imgproc_course.autograder.answer_key import Key, load_key
+from imgproc_course.autograder.answer_key import Key, KeyFolderError, load_key
 from imgproc_course.autograder.nbval_process import (
     NbvalProcessEnded,
+    NbvalProcessNotStarted,
     nbval_process_of_thread,
     stop_nbval_processes,
 )
 from imgproc_course.autograder.outcomes import Outcome
-from imgproc_course.autograder.results import GradedSubmission, ungraded_exercise
+from imgproc_course.autograder.results import GradedSubmission, reproducible_text, ungraded_exercise
 from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.autograder.sandbox.bubblewrap import Limits, SandboxError
 from imgproc_course.autograder.sandbox.kernel_factory import KINDS
@@ -32,6 +38,7 @@ from imgproc_course.autograder.sandbox.kernel_factory import KINDS
 __all__ = ["Limits", "SandboxError", "autograde", "grade_one", "open_scheduler"]
 
 _QUEUE_PER_WORKER = 4  # submissions that are submitted before their results are taken
+_ATTEMPTS = 3  # to grade a submission, each in a new nbval process
 
 _pool_numbers = itertools.count(1)
 
@@ -70,7 +77,6 @@ def autograde(submissions, key, *, kernel="fast", unsafe=False, workers=None, ex
 
 
 def _grade_all(submissions, key, options, workers, executor):
-    futures = deque()
     with contextlib.ExitStack() as stack:
         if executor is None:
             executor = stack.enter_context(_threads(workers))
@@ -78,28 +84,84 @@ def _grade_all(submissions, key, options, workers, executor):
             raise TypeError(
                 f"executor: expected a concurrent.futures.Executor, got {type(executor).__name__}"
             )
+        queue = stack.enter_context(contextlib.closing(_Queue(executor, key, options)))
         submissions = iter(submissions)
         while True:
-            free_places = workers * _QUEUE_PER_WORKER - len(futures)
-            for name, lesson, answers in itertools.islice(submissions, free_places):
+            for name, lesson, answers in itertools.islice(
+                submissions, workers * _QUEUE_PER_WORKER - len(queue.waiting)
+            ):
                 _check_lesson(lesson, key)
-                submission = (name, lesson, dict(answers))
-                futures.append(executor.submit(grade_one, submission, str(key.path), key.digest, **options))
-            if not futures:
+                queue.add((name, lesson, dict(answers)))
+            if not queue.waiting:
                 return
-            yield futures.popleft().result()
+            yield queue.next_result()
+
+
+class _Queue:
+    """The submissions that an executor grades, in order; `waiting` holds (submission, Future)."""
+
+    def __init__(self, executor, key, options):
+        self._executor, self._key, self._options = executor, key, options
+        self.waiting = deque()
+
+    def add(self, submission):
+        self.waiting.append((submission, self._submit(submission)))
+
+    def _submit(self, submission):
+        try:
+            return self._executor.submit(
+                grade_one, submission, str(self._key.path), self._key.digest, **self._options
+            )
+        except RuntimeError as error:  # the executor has lost its workers
+            future = Future()
+            future.set_exception(error)
+            return future
+
+    def next_result(self):
+        """The GradedSubmission of the first one; an exercise out of time is graded again, alone."""
+        submission, future = self.waiting.popleft()
+        result = self._result(submission, future)
+        late = result.exercises_with(Outcome.TIME)
+        if not late:
+            return result
+        wait([future for _, future in self.waiting])
+        name, lesson, answers = submission
+        again = (name, lesson, {id: answers[id] for id in late})
+        alone = {exercise.id: exercise for exercise in self._result(again, self._submit(again)).exercises}
+        exercises = (alone[exercise.id] if exercise.id in late else exercise for exercise in result.exercises)
+        return replace(result, exercises=tuple(exercises))
+
+    def _result(self, submission, future):
+        for _ in range(2):
+            try:
+                return future.result()
+            except (SandboxError, KeyFolderError):  # a remedy is known, and nothing can be graded before
+                raise
+            except Exception as error:  # noqa: BLE001 - an executor and its workers may raise anything
+                fault = f"{type(error).__name__}: {error}"
+                future = self._submit(submission)
+        return _not_graded(self._key, *submission, fault)
+
+    def close(self):
+        """Forget what has not begun, and wait for what has."""
+        for _, future in self.waiting:
+            future.cancel()
+        wait([future for _, future in self.waiting])
 
 
 @contextlib.contextmanager
 def _threads(workers):
-    """A thread pool whose nbval processes are stopped at the end."""
+    """A thread pool whose nbval processes are stopped at the end.
+
+    They are stopped before the threads: a process ends at once with the thread that started it.
+    """
     prefix = f"autograde-{next(_pool_numbers)}-"
     executor = ThreadPoolExecutor(workers, thread_name_prefix=prefix)
     try:
         yield executor
     finally:
-        executor.shutdown(cancel_futures=True)
         stop_nbval_processes(prefix)
+        executor.shutdown()
 
 
 def _check_lesson(lesson, key):
@@ -127,16 +189,24 @@ def grade_one(submission, key, digest=None, *, kernel="fast", unsafe=False, limi
     KeyFolderError, ValueError : there is no such key, or another one
     """
     path = key.path if isinstance(key, Key) else Path(key)
-    for _ in range(2):
+    for attempt in range(1, _ATTEMPTS + 1):
         try:
-            return nbval_process_of_thread(path, digest, kernel, unsafe, limits).grade(*submission)
-        except NbvalProcessEnded:
-            continue  # again in a new process: an earlier submission must not cost this one anything
-    return _not_graded(load_key(path), *submission)
+            process = nbval_process_of_thread(path, digest, kernel, unsafe, limits)
+            result = process.grade(*submission)
+        except NbvalProcessNotStarted:
+            if attempt == _ATTEMPTS:
+                raise
+        except NbvalProcessEnded as error:  # an earlier submission must not cost this one anything
+            result = _not_graded(load_key(path), *submission, f"the nbval process ended: {error}")
+        else:
+            if not result.exercises_with(Outcome.NOT_GRADED):
+                return result
+            process.stop()
+    return result
 
 
-def _not_graded(key, name, lesson, _answers):
-    message = "the nbval process ended twice on this submission: look at it by hand"
+def _not_graded(key, name, lesson, _answers, fault):
+    message = reproducible_text(f"the autograder failed: {fault}")
     exercises = tuple(
         ungraded_exercise(exercise, Outcome.NOT_GRADED, message)
         for exercise in key.lessons[lesson].exercises

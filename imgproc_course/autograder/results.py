@@ -11,7 +11,7 @@ import re
 from dataclasses import asdict, dataclass
 
 from imgproc_course.autograder.answer_key import known_mistake
-from imgproc_course.autograder.outcomes import TEXTS, Outcome
+from imgproc_course.autograder.outcomes import BUDGET_MESSAGE, TEXTS, Outcome
 from imgproc_course.autograder.sanitize import sanitize_text
 from imgproc_course.autograder.verdict import CaseRun
 
@@ -115,6 +115,14 @@ class GradedSubmission:
     def max_points(self):
         return sum(exercise.max_points for exercise in self.exercises)
 
+    def exercises_with(self, outcome):
+        """The ids of the exercises of which at least one case has that outcome."""
+        return {
+            exercise.id
+            for exercise in self.exercises
+            if any(case.outcome == outcome for case in exercise.cases)
+        }
+
 
 # ---------------------------------------------------------------- JSON
 
@@ -168,18 +176,20 @@ def ungraded_exercise(exercise, outcome, message):
     return GradedExercise(exercise.id, exercise.title, exercise.points, cases, message=message)
 
 
-def graded_exercise(exercise, content, runs, passed):
+def graded_exercise(exercise, content, exercise_run):
     """The GradedExercise of an exercise that was run.
 
     Parameters
     ----------
     exercise : KeyExercise
     content : ExerciseContent
-    runs : {case id: CaseRun}
-    passed : set of the ids of the cases that nbval let pass
+    exercise_run : ExerciseRun, after all cases: its `runs`, `passed` and `faults`
     """
+    runs = exercise_run.runs
     cases = tuple(
-        _case_of_run(exercise, content, case, runs.get(case.id) or CaseRun(), case.id in passed)
+        _case_of_run(exercise, content, case, runs[case.id], case.id in exercise_run.passed)
+        if case.id in runs
+        else _faulty_case(case, exercise_run.faults[case.id])
         for case in exercise.cases
     )
     mistake = None
@@ -221,10 +231,19 @@ def _case_of_run(exercise, content, case, run, passed):
     return _graded_case(case, outcome, message, _failed_call(content, case, run.verdict))
 
 
+def _faulty_case(case, fault):
+    """The GradedCase of a case that the autograder itself failed to run."""
+    # An exception of ours may quote what the function returned: of a hidden case only its name is told.
+    fault = fault.partition(":")[0] if case.hidden else fault
+    return _graded_case(case, Outcome.NOT_GRADED, reproducible_text(f"the autograder failed: {fault}"))
+
+
 def _outcome_of_run(exercise, run):
     """(Outcome, message) of a case that did not pass."""
+    if run.ended == "budget":
+        return Outcome.TIME, BUDGET_MESSAGE
     if run.ended:
-        outcome = Outcome.CRASHED if run.ended == "gone" else Outcome(run.ended)
+        outcome = Outcome(run.ended)
         return outcome, TEXTS[outcome].message
     if run.check.error[0] == "NameError" and not run.check.answers:
         return _outcome_without_function(exercise, run)

@@ -9,6 +9,7 @@ from tqdm import tqdm
 
 from imgproc_course.authoring.atomic_write import write_file
 from imgproc_course.authoring.lesson_names import lesson_name
+from imgproc_course.autograder.outcomes import Outcome
 from imgproc_course.autograder.pool import autograde
 from imgproc_course.autograder.results import from_json, to_json
 from imgproc_course.gradebook.learners import digest_of_answers
@@ -63,6 +64,7 @@ class ResultStore:
 
     def __init__(self, folder, options):
         self._folder = Path(folder)
+        self._not_graded = {}
         self._options = options | {"version": version("imgproc-course"), "format": _FORMAT}
 
     def keep_answers(self, key, lesson, answers):
@@ -78,11 +80,19 @@ class ResultStore:
         return json.loads((self._folder / f"{digest}.answers.json").read_text(encoding="utf-8"))
 
     def keep_result(self, digest, result):
-        """Store a GradedSubmission."""
+        """Store a GradedSubmission. One that could not be graded is kept for this run: the next tries again.
+
+        The autograder's failure may be gone by then.
+        """
+        if result.exercises_with(Outcome.NOT_GRADED):
+            self._not_graded[digest] = result
+            return
         write_grades_file(self._folder / f"{digest}.json", json.dumps(to_json(result), sort_keys=True))
 
     def result(self, digest):
         """The GradedSubmission, or None if there is none yet or its file is damaged."""
+        if digest in self._not_graded:
+            return self._not_graded[digest]
         try:
             return from_json(json.loads((self._folder / f"{digest}.json").read_text(encoding="utf-8")))
         except (OSError, ValueError, KeyError, TypeError):

@@ -36,6 +36,8 @@ class Limits:
 
     A case's processor time is its exercise's time limit for each of its calls, plus `grace`. memory, scratch,
     file and output are bytes; grace and wall_grace are seconds; wall_factor multiplies the processor time.
+    `submission` is the wall time, in seconds, after which no further case of a submission is run: an endless
+    loop costs seven seconds a case, an endless sleep forty, and an honest lesson is graded in one or two.
     """
 
     memory: int = 2 << 30
@@ -46,6 +48,7 @@ class Limits:
     grace: float = 2.0
     wall_factor: float = 4.0
     wall_grace: float = 8.0
+    submission: float = 120.0
 
     def for_system(self, seconds):
         """The limits that the operating system enforces on a kernel that may use so many seconds."""
