@@ -31,6 +31,7 @@ from imgproc_course.autograder.results import (
 )
 from imgproc_course.autograder.sandbox.bubblewrap import Limits
 from imgproc_course.autograder.sandbox.cell_run import MIME, CellRun
+from imgproc_course.autograder.sandbox.inside import confine
 from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.autograder.screening import reason_not_to_run
 from imgproc_course.autograder.verdict import CaseRun, verdict_on
@@ -326,6 +327,8 @@ def _with_answer(notebook, exercise, source):
 
 
 def pytest_configure(config):
+    # If the other side ended before this line, the socket is closed, and reading the settings fails.
+    confine.die_with_parent()
     nbval.plugin.RunningKernel = ExerciseKernel
     connection = socket.socket(fileno=int(os.environ.pop(SOCKET_VARIABLE)))
     config.pluginmanager.register(GradingPlugin(connection), "imgproc_course_grading")

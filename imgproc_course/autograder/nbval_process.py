@@ -2,6 +2,9 @@
 
 An nbval process is a pytest with nbval and `nbval_plugin`. It is started so that nothing on this machine and
 nothing in a submission can configure it. It never runs learners' code: kernels do (`sandbox`).
+
+When the thread that started it ends, also because its process was killed, the system ends the nbval process,
+then the sandbox with its kernels.
 """
 
 import atexit
@@ -12,16 +15,15 @@ import select
 import socket
 import subprocess
 import sys
-import tempfile
 import threading
 import time
 from dataclasses import asdict
-from pathlib import Path
 
 from imgproc_course.autograder.answer_key import load_key
 from imgproc_course.autograder.results import from_json
 from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.autograder.sandbox.bubblewrap import Limits, SandboxError
+from imgproc_course.autograder.temporary_folder import TemporaryFolder
 
 SOCKET_VARIABLE = "IMGPROC_NBVAL_SOCKET"  # environment variable with the descriptor of the socket
 _START_SECONDS = 120
@@ -103,8 +105,8 @@ class NbvalProcess:
         if not unsafe:
             bubblewrap.require_sandbox()
         self._limits = limits or Limits()
-        self._folder = tempfile.TemporaryDirectory(prefix="nbval-")
-        folder = Path(self._folder.name)
+        self._folder = TemporaryFolder()
+        folder = self._folder.path
         (folder / "pytest.ini").write_text("[pytest]\n", encoding="utf-8")
         (folder / "work").mkdir()
         self._errors, self._last_errors = (folder / "errors").open("w+b"), ""
@@ -136,11 +138,12 @@ class NbvalProcess:
         for name in _PLUGINS:
             command += ["-p", name]
         command += ["--nbval", str(folder / "work")]
-        inherited = ("PATH", "LANG", "TMPDIR", "HOME")
+        inherited = ("PATH", "LANG", "HOME")
         environment = {name: os.environ[name] for name in inherited if name in os.environ}
         environment |= {
             "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
             "OPENBLAS_NUM_THREADS": "1",
+            "TMPDIR": str(folder),
             SOCKET_VARIABLE: str(connection.fileno()),
         }
         return subprocess.Popen(
@@ -235,5 +238,4 @@ class NbvalProcess:
         errors = self._errors.read().decode(errors="replace").strip().splitlines()
         self._last_errors = " | ".join(errors[-3:])[:500]
         self._errors.close()
-        with contextlib.suppress(OSError):
-            self._folder.cleanup()
+        self._folder.remove()

@@ -14,7 +14,7 @@ from imgproc_course.gradebook.collect import collect
 from imgproc_course.gradebook.deadlines import Deadlines, read_late_policy
 from imgproc_course.gradebook.final_points import check_decisions
 from imgproc_course.gradebook.grades_folder import LearnerPages, write_grades
-from imgproc_course.gradebook.grades_json import count_not_graded, grades_of, learner_entry
+from imgproc_course.gradebook.grades_json import count_not_graded, faults_of, grades_of, learner_entry
 from imgproc_course.gradebook.learners import read_all
 from imgproc_course.gradebook.lms_import import TableError, fill_table, read_tables
 from imgproc_course.gradebook.report import count_of, prepare_templates
@@ -23,7 +23,7 @@ from imgproc_course.gradebook.result_store import (
     ResultStore,
     answers_to_regrade,
     grade_missing,
-    make_private_folder,
+    open_grades_folder,
     write_grades_file,
 )
 from imgproc_course.gradebook.teacher_tables import (
@@ -100,10 +100,10 @@ def grade_submissions(
     unsafe, kernel = options.get("unsafe", False), options.get("kernel", "fast")
     if not unsafe and scheduler is None:
         bubblewrap.require_sandbox()
-    make_private_folder(out)
-    decisions = read_decisions(decisions or _decisions_file(out), answer_keys)
-    store = ResultStore(out / "results", {"kernel": kernel, "unsafe": unsafe})
     with contextlib.ExitStack() as stack:
+        stack.enter_context(open_grades_folder(out))
+        decisions = read_decisions(decisions or _decisions_file(out), answer_keys)
+        store = ResultStore(out / "results", {"kernel": kernel, "unsafe": unsafe})
         if scheduler is not None:
             options["executor"] = stack.enter_context(open_scheduler(scheduler))
         collection = stack.enter_context(collect(submissions, tuple(answer_keys.lessons)))
@@ -126,16 +126,17 @@ def grade_submissions(
         graded_now = grade_missing(
             learners, answer_keys, store, again=again, quiet=quiet, on_result=pages.result_stored, **options
         )
-    grades = grades_of(
-        pages.finish(),
-        answer_keys,
-        sandbox=not unsafe,
-        deadlines=deadlines,
-        ignored=collection.ignored,
-        anonymous=anonymous,
-    )
-    write_grades(out, grades, learners, answer_keys.lessons, pages.failed)
-    return _summary(grades, graded_now, out, _fill_tables(platform_tables, grades, out), pages.failed)
+        grades = grades_of(
+            pages.finish(),
+            answer_keys,
+            sandbox=not unsafe,
+            deadlines=deadlines,
+            ignored=collection.ignored,
+            anonymous=anonymous,
+        )
+        write_grades(out, grades, learners, answer_keys.lessons, pages.failed)
+        table_lines = _fill_tables(platform_tables, grades, out)
+    return _summary(grades, graded_now, out, table_lines, pages.failed)
 
 
 def _require_separate_folder(submissions, keys, out):
@@ -182,6 +183,8 @@ def _summary(grades, graded_now, out, table_lines, failed_pages):
         for lesson in learner["lessons"]:
             if lesson["status"] != "graded":
                 lines.append(f"  {learner['name']}: {lesson['file']}: {lesson['reason']}")
+            elif fault := next(faults_of(lesson), None):
+                lines.append(f"  {learner['name']}: {lesson['file']}: {fault}; run the command again")
     if len(lines) > _MAX_LINES:
         lines[_MAX_LINES - 1 :] = [f"  and {len(lines) - _MAX_LINES + 1} more"]
     lines += [f"The page of {name} is incomplete ({reason})." for name, reason in failed_pages.items()]

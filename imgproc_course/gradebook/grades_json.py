@@ -58,17 +58,16 @@ def grades_text(grades):
 
 def count_not_graded(grades):
     """How many submissions could not be graded, or have a case that could not be graded."""
-    count = 0
-    for learner in grades["learners"]:
-        for lesson in learner["lessons"]:
-            outcomes = {
-                case["outcome"]
-                for exercise in lesson["exercises"]
-                for case in exercise["cases"]
-                if not (exercise["decision"] or lesson["decision"])
-            }
-            count += lesson["status"] != "graded" or Outcome.NOT_GRADED in outcomes
-    return count
+    lessons = [lesson for learner in grades["learners"] for lesson in learner["lessons"]]
+    return sum(lesson["status"] != "graded" or any(True for _ in faults_of(lesson)) for lesson in lessons)
+
+
+def faults_of(lesson):
+    """What the autograder failed to do for a lesson, and nobody decided by hand: texts, one per case."""
+    for exercise in lesson["exercises"]:
+        for case in exercise["cases"]:
+            if case["outcome"] == Outcome.NOT_GRADED and not (exercise["decision"] or lesson["decision"]):
+                yield f"{exercise['id']}: {case['message'] or exercise['message']}"
 
 
 def lesson_names(grades):

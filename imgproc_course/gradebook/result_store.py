@@ -1,5 +1,7 @@
 """The folder of results: every result is stored at once, so an interrupted run continues where it stopped."""
 
+import contextlib
+import fcntl
 import json
 from dataclasses import replace
 from importlib.metadata import version
@@ -39,18 +41,30 @@ def write_grades_file(path, data):
         raise GradesFolderError(f"{path}: cannot be written ({error.strerror})") from error
 
 
-def make_private_folder(folder):
-    """Make a folder that only its owner can open.
+@contextlib.contextmanager
+def open_grades_folder(folder):
+    """Make a folder that only its owner can open, and lock it; a context manager.
+
+    Unfinished files that a killed run left in it are removed.
 
     Raises
     ------
-    GradesFolderError : it cannot be made
+    GradesFolderError : it cannot be made, or another run is writing into it
     """
-    try:
-        folder.mkdir(parents=True, exist_ok=True)
-        folder.chmod(0o700)
-    except OSError as error:
-        raise GradesFolderError(f"{folder}: cannot be made ({error.strerror})") from error
+    with contextlib.ExitStack() as stack:
+        try:
+            folder.mkdir(parents=True, exist_ok=True)
+            folder.chmod(0o700)
+            lock = stack.enter_context((folder / ".lock").open("w", encoding="ascii"))
+            fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)
+            for path in folder.rglob(".writing-*.tmp"):
+                path.unlink(missing_ok=True)
+        except BlockingIOError as error:
+            message = f"{folder}: another run is writing into it; wait for its end, or name another --out"
+            raise GradesFolderError(message) from error
+        except OSError as error:
+            raise GradesFolderError(f"{folder}: cannot be made ({error.strerror})") from error
+        yield
 
 
 class ResultStore:

@@ -112,19 +112,23 @@ class NotebookReader:
         -------
         (dict as `submission_reader.read_notebook` returns it, ""), or (None, the reason)
         """
-        if self._process is None:
-            self._start()
-        try:
+        for _ in range(2):  # somebody else may have ended the process
             line = self._reply(data)
-        except OSError:
-            line = b""
-        if not line.endswith(b"\n"):
+            if line.endswith(b"\n"):
+                reply = json.loads(line)
+                return reply.get("notebook"), reply.get("reason", "")
             self.close()
-            return None, "reading it takes more time or memory than a notebook needs"
-        reply = json.loads(line)
-        return reply.get("notebook"), reply.get("reason", "")
+        return None, "reading it takes more time or memory than a notebook needs"
 
     def _reply(self, data):
+        """The process's line; b"" or a part of it if the process ended or takes too long."""
+        if self._process is None:
+            self._start()
+        with contextlib.suppress(OSError):
+            return self._exchange(data)
+        return b""
+
+    def _exchange(self, data):
         stdin, stdout = self._process.stdin, self._process.stdout
         stdin.write(b"%d\n" % len(data))
         stdin.write(data)

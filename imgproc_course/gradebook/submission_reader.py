@@ -7,9 +7,11 @@ starts quickly, and no module of a learner can take the place of ours.
 """
 
 import ast
+import ctypes
 import hashlib
 import json
 import resource
+import signal
 import sys
 
 MOST_CHARACTERS = 200_000  # of one source; grading refuses a longer answer
@@ -18,6 +20,7 @@ _COURSE_IDS = ("answer-", "check-", "given-", "predict-")
 _MOST_FUNCTIONS = 200  # function names that are returned per cell
 _MOST_OUTPUT = 2_000  # characters of a check cell's output
 _MOST_NAME = 200  # characters of a name or an id
+_PR_SET_PDEATHSIG = 1
 _UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
 
 
@@ -233,4 +236,6 @@ def serve(requests, replies):
 if __name__ == "__main__":
     memory = int(sys.argv[1])
     resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
+    if sys.platform.startswith("linux"):
+        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)  # end with the process that started this
     serve(sys.stdin.buffer, sys.stdout.buffer)

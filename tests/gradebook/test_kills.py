@@ -1,0 +1,41 @@
+"""A process of ours that is killed costs nobody a point, and a killed run leaves nothing."""
+
+import random
+import shutil
+
+import pytest
+from kills import COMMAND, GUARD, KINDS, Run, write_submissions
+
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("kills")]
+
+
+def results_in(out):
+    return len([path for path in (out / "results").glob("*.json") if "answers" not in path.name])
+
+
+def test_kills_of_every_process_change_no_byte_and_leave_nothing(light, key_path, submissions, tmp_path):
+    write_submissions(submissions, light, 12)
+    calm, killed = tmp_path / "calm", tmp_path / "killed"
+    run = Run(submissions, key_path, calm)
+    run.start()
+    assert run.finish()[0] == 0
+    run = Run(submissions, key_path, killed)
+    rng = random.Random(7)
+    run.start()
+    for kind in [kind for kind in KINDS if kind not in (COMMAND, GUARD)]:
+        while not run.kill(kind, rng):
+            assert run.process.poll() is None
+    while results_in(killed) < 2:
+        run.processes(COMMAND)
+    assert run.kill(COMMAND, rng) and results_in(killed) < 12
+    run.process.communicate()
+    assert run.survivors(10) == []
+    assert list(run.temporary.glob("imgproc-course-*"))
+    (killed / "results" / ".writing-0.tmp").touch()
+    run.start()
+    while not run.kill(GUARD, rng):
+        assert run.process.poll() is None
+    assert run.finish()[0] == 0
+    assert (killed / "grades.json").read_bytes() == (calm / "grades.json").read_bytes()
+    assert list(run.temporary.iterdir()) == list(killed.rglob(".writing-*")) == []
+    shutil.rmtree(run.temporary)
