@@ -53,12 +53,10 @@ def _questions(learners, lesson, names):
 
 
 def _guess_and_question(source):
-    """What stands between "=" and "#" in `guess_share = 0.3  # your guess: ...`, and after the "#"."""
+    """(guess, question) of `guess_share = 0.3  # your guess: how many?`: "0.3", "guess_share: how many?"."""
     line = next((line for line in source.splitlines() if line.startswith("guess")), source)
-    _, _, right = line.partition("=")
-    guess, _, question = right.rpartition("# your guess:")
-    guess, question = (guess, question) if guess else (right, "")
-    guess = guess.strip()
-    return ("" if guess in ("None", "...", '""', "''", "?") else guess[:_LONGEST]), question.strip()[
-        :_LONGEST
-    ]
+    name, _, right = line.partition("=")
+    guess, _, question = right.partition("# your guess:")
+    guess, question = guess.strip(), question.strip()
+    guess = "" if guess in _NO_GUESS else guess[:_LONGEST]
+    return guess, f"{name.strip()}: {question}"[:_LONGEST] if question else ""

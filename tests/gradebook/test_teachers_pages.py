@@ -90,7 +90,7 @@ def test_one_learner_and_one_lesson_are_not_plural(light, submissions, key_path,
 
 def test_predictions_are_collected_as_text(graded):
     text = (graded[1] / "predictions.html").read_text(encoding="utf-8")
-    assert "how many?</caption>" in text
+    assert "guess_sum: how many?</caption>" in text
     row = text.partition("<code>12</code>")[2].partition("</tr>")[0]
     assert "<bdi>Ada_B Lovelace</bdi>" in row and "<bdi>eve</bdi>" in row
     assert "<code>&lt;script&gt;alert(1)&lt;/script&gt;</code>" in text and "<script" not in text
