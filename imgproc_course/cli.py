@@ -92,8 +92,13 @@ def start(jupyter_options):
     show_default=True,
     help="Stamp of each image: the time of sending, or the recorded stamp.",
 )
+@click.option("--switch", is_flag=True, help="Switch the camera for all programs that use it.")
 def play(**options):
-    """Publish the recorded drive as the robot publishes its camera images, until Ctrl-C."""
+    """Publish the recorded drive as the robot publishes its camera images, until Ctrl-C.
+
+    There is one camera for all your programs in a ROS domain. If one of them, such as an open lesson, has
+    started it already, this command joins it.
+    """
     from imgproc_course.ros import ros_problem
 
     problem = ros_problem()
@@ -103,7 +108,7 @@ def play(**options):
 
     try:
         code = play_recording(**options)
-    except ValueError as error:
+    except (ValueError, RuntimeError) as error:
         raise click.ClickException(str(error)) from error
     raise SystemExit(code)
 

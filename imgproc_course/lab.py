@@ -14,6 +14,7 @@ from jupyter_server.serverapp import ServerApp, list_running_servers
 from nbformat.sign import NotebookNotary
 from traitlets import TraitError, default, validate
 
+from imgproc_course.ros_domain import choose_domain
 from imgproc_course.working_copies import CHECKOUT, update_lessons
 
 CONFIGURATION = Path(__file__).with_name("jupyter_config")
@@ -128,9 +129,11 @@ def keep_topics_local(say=print_now):
     """
     if not any(os.environ.get(name) for name in DISCOVERY_VARIABLES):
         os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
+        domain = choose_domain()
+        others = "" if domain == "0" else f", in domain {domain}, which is yours alone"
         say(
-            "ROS topics stay on this machine. To subscribe to a robot's topics, start with its domain: "
-            "ROS_DOMAIN_ID=7 environment/lab"
+            f"ROS topics stay on this machine{others}. To subscribe to a robot's topics, start with its "
+            "domain: ROS_DOMAIN_ID=7 environment/lab"
         )
 
 

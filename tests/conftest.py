@@ -1,21 +1,39 @@
 """Common to all tests: a DDS domain for each worker on loopback, and the reasons to skip."""
 
+import contextlib
 import importlib.util
 import os
 import shutil
 import signal
 import sys
-import zlib
+import tempfile
 from pathlib import Path
 
 import pytest
 
 sys.path.insert(0, str(Path(__file__).parent))  # for accessibility.py
-# One domain for each pytest-xdist worker, and others for a second run at the same time; set before anything
-# imports rclpy. ROS allows 0 to 101: 20 runs of 4 workers, from domain 20 on.
-_worker = int(os.environ.get("PYTEST_XDIST_WORKER", "gw0").removeprefix("gw"))
-_run = zlib.crc32(os.environ.get("PYTEST_XDIST_TESTRUNUID", str(os.getpid())).encode())
-os.environ["ROS_DOMAIN_ID"] = str(20 + _run % 20 * 4 + _worker % 4)
+
+
+def _take_domain():
+    """A ROS domain, from 20 to 101, that no other run of the tests uses: each locks a file."""
+    with contextlib.suppress(ImportError):  # Windows has no fcntl
+        import fcntl
+
+        folder = Path(tempfile.gettempdir()) / "imgproc_course-tests"
+        folder.mkdir(exist_ok=True)
+        for domain in range(20, 102):
+            file = os.open(folder / f"domain-{domain}", os.O_WRONLY | os.O_CREAT, 0o666)
+            with contextlib.suppress(BlockingIOError):
+                fcntl.flock(file, fcntl.LOCK_EX | fcntl.LOCK_NB)
+                return domain  # the file stays open, and locked, until this process ends
+            os.close(file)
+    return 20
+
+
+# Before anything imports rclpy. Only the first load of this file in a process takes a domain.
+if not hasattr(sys, "_ros_domain_of_tests"):
+    sys._ros_domain_of_tests = _take_domain()
+os.environ["ROS_DOMAIN_ID"] = str(sys._ros_domain_of_tests)
 os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
 os.environ.pop("ROS_LOCALHOST_ONLY", None)
 os.environ.setdefault("MPLBACKEND", "agg")

@@ -139,13 +139,13 @@ def test_play_passes_its_options_on(call, monkeypatch):
     monkeypatch.setattr("imgproc_course.ros.player.play", lambda **options: calls.append(options) or 0)
     assert call("play").exit_code == 0
     options = ["--speed", "3", "--once", "--recording", "my_bag", "--topic", "/cam", "--stamps", "recorded"]
-    options += ["--camera-topic", "/back"]
+    options += ["--camera-topic", "/back", "--switch"]
     assert call("play", *options).exit_code == 0
     default_topics = {"topic": "/kachaka/front_camera/image_raw", "camera_topic": None, "stamps": "now"}
     given_topics = {"topic": "/cam", "camera_topic": "/back", "stamps": "recorded"}
     assert calls == [
-        {"recording": "drive", "speed": 1.0, "loop": True, **default_topics},
-        {"recording": "my_bag", "speed": 3.0, "loop": False, **given_topics},
+        {"recording": "drive", "speed": 1.0, "loop": True, "switch": False, **default_topics},
+        {"recording": "my_bag", "speed": 3.0, "loop": False, "switch": True, **given_topics},
     ]
 
 
@@ -194,9 +194,8 @@ def test_play_prints_its_rate_and_ends_with_ctrl_c():
     )
     try:
         first_line = player.stdout.readline()
-        assert first_line.startswith("drive at 30 Hz in domain ")
+        assert first_line.startswith("started: drive at 30 Hz in domain ")
         assert f"{topic}, {topic}/compressed" in first_line
-        time.sleep(0.3)
         player.send_signal(signal.SIGINT)
         out, errors = player.communicate(timeout=60)
     finally:

@@ -48,10 +48,9 @@ def test_on_a_machine_that_is_set_up_nothing_fails(report):
 
 
 @pytest.mark.ros
-def test_frames_arrive_in_this_process_and_from_another(report):
+def test_frames_arrive_from_the_camera(report):
     diagnoses = {diagnosis.name: diagnosis for diagnosis in report.diagnoses}
-    assert diagnoses["topic"].observation == "frames arrive, published in this process"
-    assert diagnoses["two programs"].observation == "frames arrive from imgproc-course play, another process"
+    assert diagnoses["topic"].observation == "frames arrive from the camera, a process of its own"
 
 
 def test_it_reports_versions_and_the_recording(report):
@@ -364,26 +363,23 @@ def test_a_disk_that_is_nearly_full(monkeypatch):
 @pytest.mark.ros
 def test_a_topic_that_stays_silent(monkeypatch):
     monkeypatch.setattr(
-        camera_checks,
-        "_why_no_frames",
-        lambda *_, **__: "nothing came on /doctor_1/image_raw in 5 s; restart the kernel",
+        camera_checks, "_why_no_frames", lambda topic: f"nothing came on {topic} in 5 s; restart the kernel"
     )
-    monkeypatch.setattr(camera_checks.subprocess, "Popen", _Player)
-    diagnoses = diagnoses_of(camera_checks.check_topics)
-    assert diagnoses["topic"].verdict == "failure"
-    assert diagnoses["topic"].observation == "nothing came on /doctor_1/image_raw in 5 s"
-    assert diagnoses["topic"].remedy == "restart the kernel"
-    assert diagnoses["two programs"].verdict == "warning"
+    diagnosis = diagnoses_of(camera_checks.check_topics)["topic"]
+    assert diagnosis.verdict == "failure"
+    assert diagnosis.observation == "nothing came on /kachaka/front_camera/image_raw in 5 s"
+    assert diagnosis.remedy.startswith("restart the kernel; see the lines on DDS profile")
 
 
-class _Player:
-    def __init__(self, *_, **__):
-        pass
+@pytest.mark.ros
+def test_the_camera_that_runs_is_checked_and_not_changed():
+    from imgproc_course.ros import RosSession, open_camera
 
-    def terminate(self):
-        pass
-
-    kill = wait = lambda self, *_: None
+    with open_camera(topic="/elsewhere", speed=3.0) as camera:
+        (diagnosis,) = camera_checks.check_topics()
+        assert (diagnosis.verdict, camera.rate, camera.running) == ("ok", 30.0, True)
+    assert RosSession().running  # it ran before
+    RosSession().stop()
 
 
 @pytest.mark.ros
@@ -395,16 +391,6 @@ def test_the_topic_check_names_an_invalid_domain_too(monkeypatch):
     (diagnosis,) = camera_checks.check_topics()
     assert diagnosis.verdict == "failure"
     assert "ROS_DOMAIN_ID" in diagnosis.observation
-
-
-@pytest.mark.ros
-def test_the_session_keeps_running_if_it_ran_before():
-    from imgproc_course.ros import RosSession
-
-    RosSession().stop()
-    list(camera_checks._topic_in_this_process())
-    assert RosSession().running
-    RosSession().stop()
 
 
 def test_without_ros_no_topic_is_tried(monkeypatch):

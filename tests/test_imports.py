@@ -36,6 +36,7 @@ CALLERS = {
     "lab.py",
     "lab_websocket.py",
     "working_copies.py",
+    "ros_domain.py",
     "__init__.py",
     "jupyter_config",
 }

@@ -1,10 +1,6 @@
 """The doctor's checks of the images: the recording, free disk space, and topics that deliver."""
 
-import contextlib
-import os
 import shutil
-import subprocess
-import sys
 from pathlib import Path
 
 from imgproc_course.doctor.report import failure, ok, warning
@@ -37,18 +33,16 @@ def check_disk():
 
 
 def check_topics():
-    """Plays the drive on topics of its own, in this process and in another one, and waits for frames."""
+    """Waits for frames of the camera that runs; if none runs, the doctor starts it and ends it again."""
     from imgproc_course.ros import RosSession, ros_available
 
     if not ros_available():
         return
     was_running = RosSession().running
     try:
-        yield from _topic_in_this_process()
-        yield from _topic_of_another_process()
-    except (
-        ValueError
-    ) as error:  # a node did not start: the error names the environment variable that is wrong
+        yield _diagnosis_of_topic(_why_no_frames_of_the_camera())
+    # A node or the robot process did not start; the error names the environment variable that is wrong.
+    except (ValueError, RuntimeError) as error:
         observation, _, remedy = str(error).partition("; ")
         yield failure("topic", observation, remedy or "correct it, then restart the kernel")
     finally:
@@ -56,41 +50,26 @@ def check_topics():
             RosSession().stop()
 
 
-def _topic_in_this_process():
-    from imgproc_course.ros import open_camera
-
-    topic = f"/doctor_{os.getpid()}/image_raw"
-    with open_camera(topic=topic) as camera:
-        problem = _why_no_frames(camera.topic)
+def _diagnosis_of_topic(problem):
     if problem is None:
-        yield ok("topic", "frames arrive, published in this process")
-    else:
-        observation, _, remedy = problem.partition("; ")
-        yield failure("topic", observation, remedy or "restart the kernel and run the doctor again")
+        return ok("topic", "frames arrive from the camera, a process of its own")
+    observation, _, remedy = problem.partition("; ")
+    also = "see the lines on DDS profile, shared memory and loopback; a firewall may block the frames"
+    return failure("topic", observation, f"{remedy}; {also}" if remedy else also)
 
 
-def _topic_of_another_process():
-    topic = f"/doctor_{os.getpid()}/elsewhere/image_raw"
-    command = [sys.executable, "-c", "from imgproc_course.cli import main; main()", "play", "--topic", topic]
-    player = subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-    try:
-        problem = _why_no_frames(topic, timeout=15.0)
-    finally:
-        player.terminate()
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            player.wait(5)
-        player.kill()
-    if problem is None:
-        yield ok("two programs", "frames arrive from imgproc-course play, another process")
-    else:
-        yield warning(
-            "two programs",
-            "frames published by another process do not arrive (within one notebook they do)",
-            "see the lines on DDS profile, shared memory and loopback; a firewall may block them",
-        )
+def _why_no_frames_of_the_camera():
+    from imgproc_course.ros import RosSession, open_camera
+    from imgproc_course.ros.robot_process import running_robot
+
+    robot = running_robot(RosSession.current().context.get_domain_id())
+    if robot is not None and robot.get("running"):
+        return _why_no_frames(robot["topic"])  # whatever it plays
+    with open_camera() as camera:
+        return _why_no_frames(camera.topic)
 
 
-def _why_no_frames(topic, timeout=5.0):
+def _why_no_frames(topic, timeout=15.0):
     """Why no frames arrive, in one line; None if they do."""
     from imgproc_course.ros import ImageSubscriber
 

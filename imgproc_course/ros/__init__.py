@@ -7,15 +7,18 @@ ROS, `ros_available()` is False, and everything that needs a graph raises RosMis
 from imgproc_course.ros.availability import RosMissingError, class_stub, import_problem, run_processor_stub
 from imgproc_course.ros.numeric_parameter import NumericParameter
 from imgproc_course.ros.profile import DdsProfile, choose_profile
+from imgproc_course.ros_domain import choose_domain
 
 # Before rclpy is imported: the middleware reads its profile only once in a process.
 _profile = choose_profile()
+choose_domain()
 _problem = import_problem()
 
 if _problem is None:
     from imgproc_course.ros.camera import Camera, open_camera
     from imgproc_course.ros.node_process import run_processor
     from imgproc_course.ros.processor import ImageProcessor
+    from imgproc_course.ros.robot_process import RobotInUseError
     from imgproc_course.ros.session import RosSession
     from imgproc_course.ros.subscriber import ImageSubscriber
 else:
@@ -23,6 +26,7 @@ else:
         class_stub(name, _problem)
         for name in ("Camera", "ImageProcessor", "ImageSubscriber", "RosSession", "open_camera")
     )
+    RobotInUseError = RosMissingError  # so that `except RobotInUseError` is no mistake
     run_processor = run_processor_stub(_problem)
 
 
@@ -47,6 +51,7 @@ __all__ = [
     "ImageProcessor",
     "ImageSubscriber",
     "NumericParameter",
+    "RobotInUseError",
     "RosMissingError",
     "RosSession",
     "dds_profile",

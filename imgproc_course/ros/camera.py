@@ -1,25 +1,20 @@
-"""A camera for a notebook: publishes the recorded drive, or a webcam, as the robot publishes its camera."""
+"""A camera for a notebook: the recorded drive, or a webcam, published as the robot publishes its camera."""
 
-import atexit
 import difflib
+import importlib
 import numbers
+import os
 import threading
-import time
+import weakref
+from pathlib import Path
 
-from builtin_interfaces.msg import Time
-from rclpy.event_handler import PublisherEventCallbacks
-from rclpy.qos import qos_profile_sensor_data
-from sensor_msgs.msg import CameraInfo, CompressedImage, Image
-from std_msgs.msg import Header
-
-from imgproc_course.recording import open_recording
-from imgproc_course.ros.image_sources import RecordedImages, Webcam
+from imgproc_course.ros.robot_process import RobotConnection, running_robot, shareable
 from imgproc_course.ros.session import RosSession, log
+from imgproc_course.ros.subscriber import weak_callback
 
 TOPIC = "/kachaka/front_camera/image_raw"
-UNKNOWN_NODE_NAME = "_NODE_NAME_UNKNOWN_"  # rclpy's name for a node whose name has not arrived yet
 SOURCES = ("recording", "webcam", "topic")
-CHECK_PERIOD = 1.0  # seconds between two checks for other publishers of the topic
+ROBOT_MODULE = "imgproc_course.ros.camera_publisher"  # imported only in the process that publishes
 
 
 def open_camera(
@@ -31,8 +26,13 @@ def open_camera(
     recording="drive",
     camera_topic=None,
     stamps="now",
+    switch=False,
 ):
-    """Publishes images on a topic, with the topics, headers and QoS of the robot's own camera.
+    """Opens this machine's camera, which has the topics, headers and QoS of the robot's own camera.
+
+    There is one camera for all your notebooks and programs in a ROS domain, as there is one on a robot. It
+    publishes in a process of its own. The first `open_camera` starts it, each other joins it wherever its
+    recording is, and it ends with the last program that uses it.
 
     Parameters
     ----------
@@ -44,6 +44,7 @@ def open_camera(
     recording : "drive", or the path of your own recording
     camera_topic : which topic of the recording is played; None as in `open_recording`
     stamps : "now", or "recorded" for the stamps of the recording (they jump back when it starts again)
+    switch : if other programs use the camera in another way: True switches it for all of them
 
     Returns
     -------
@@ -53,18 +54,17 @@ def open_camera(
     ------
     ValueError : an unknown source or stamps, a bad speed or topic name
     RecordingError : the recording cannot be opened, or has no images on that topic
-    RuntimeError : no webcam answers
-
-    If this process already has a camera on the same topic, the new camera replaces it.
+    RobotInUseError : other programs use the camera in another way; the text names them
+    RuntimeError : no webcam answers, or the camera's process does not start
     """
     _check_arguments(source, speed, stamps)
-    if source == "topic":
-        return Camera(topic)
-    if source == "webcam":
-        images = Webcam()
-    else:
-        images = RecordedImages(open_recording(recording, camera_topic=camera_topic), speed, loop, stamps)
-    return Camera(topic, images)
+    session = RosSession.current()
+    request = {"source": source, "topic": session.resolve_topic(topic)}
+    if source == "recording":
+        own_path = str(recording) if recording == "drive" else str(Path(recording).absolute())
+        request |= {"recording": own_path, "camera_topic": camera_topic, "speed": float(speed)}
+        request |= {"loop": bool(loop), "stamps": stamps}
+    return Camera(request, switch)
 
 
 def _check_arguments(source, speed, stamps):
@@ -82,85 +82,91 @@ def _check_arguments(source, speed, stamps):
         raise ValueError(f"stamps must be 'now' or 'recorded', got {stamps!r}")
 
 
+def camera_topics(topic):
+    """The topics beside the raw images: (compressed, (camera info, camera info of the compressed images))."""
+    return f"{topic}/compressed", (f"{topic.rpartition('/')[0]}/camera_info", f"{topic}/camera_info")
+
+
 class Camera:
-    """A camera that publishes until it is stopped: see `open_camera`.
+    """This program's use of the camera, until it is stopped: see `open_camera`.
+
+    It ends with the RosSession too, and when no reference to it is left; but the newest one is kept.
 
     Attributes
     ----------
     topic, compressed_topic : sensor_msgs/Image (rgb8) and sensor_msgs/CompressedImage of the same images
     info_topics : the camera info beside the raw image, and beside the compressed one
     rate : the intended images per second; None for a robot, and for a webcam that does not know its rate
-    played : images that were due so far
+    played : images that were due since the camera was started
     published : raw images that were sent; without a subscriber none is sent
     last_error : why the camera stopped by itself, in one line; None otherwise
+    other_users : the other programs that use it: a list of `<program> (pid <pid>)`
     """
 
-    _cameras = {}  # noqa: RUF012  topic -> the camera of this process that publishes it
+    _newest = None  # keeps a camera that is bound to no name
 
-    def __init__(self, topic=TOPIC, images=None):
-        self._images = images
-        self._stopping = threading.Event()
-        self._thread = None
-        self._has_warned = False
-        self.rate = getattr(images, "rate", None)
-        self.played = self.published = 0
-        self.last_error = None
-        self.topic = topic
-        if images is not None:
-            self._session = RosSession.current()
-            self.topic = self._session.resolve_topic(topic)
-        self.compressed_topic = f"{self.topic}/compressed"
-        self.info_topics = (f"{self.topic.rpartition('/')[0]}/camera_info", f"{self.topic}/camera_info")
-        if images is not None:
-            self._replace_previous()
-            self._create_publishers()
-            self._session.on_shutdown(self, self.stop)
-            atexit.register(self.stop)  # registered last, so it runs first: before the recording is closed
-            self._thread = threading.Thread(target=self._play, name=f"camera on {self.topic}", daemon=True)
-            self._thread.start()
+    def __init__(self, request, switch=False):
+        self._ended = threading.Event()
+        self._connection = _connect(request, switch, weak_callback(self._on_event))
+        self._status = {"topic": request["topic"]}
+        if self._connection is not None:
+            session = RosSession.current()
+            session.on_shutdown(self._connection, self._connection.leave)
+            weakref.finalize(self, self._connection.leave_soon).atexit = False
+            Camera._newest = self
 
-    def _replace_previous(self):
-        previous = self._cameras.get(self.topic)
-        if previous is not None:
-            previous.stop()
-            log.warning("replaced the camera that published %s", self.topic)
-        self._cameras[self.topic] = self
+    def _on_event(self, text, status):
+        if text and Camera._newest in (self, None):  # once for the whole program
+            log.warning("%s", text)
+        if status["running"]:
+            self._ended.clear()
+        else:
+            self._ended.set()
 
-    def _create_publishers(self):
-        self._node = node = self._session.node
-        # Without rclpy's default callbacks: on a mismatch of QoS it is the subscriber that gives the reason.
-        events = PublisherEventCallbacks(use_default_callbacks=False)
+    def _now(self):
+        if self._connection is not None:
+            self._status = self._connection.ask()
+        return self._status
 
-        def publisher(message_type, topic):
-            return node.create_publisher(message_type, topic, qos_profile_sensor_data, event_callbacks=events)
+    @property
+    def topic(self):
+        return self._now()["topic"]
 
-        self._raw = publisher(Image, self.topic)
-        self._compressed = publisher(CompressedImage, self.compressed_topic)
-        self._infos = [publisher(CameraInfo, topic) for topic in self.info_topics]
+    @property
+    def compressed_topic(self):
+        return camera_topics(self.topic)[0]
+
+    @property
+    def info_topics(self):
+        return camera_topics(self.topic)[1]
+
+    rate = property(lambda self: self._now().get("rate"))
+    played = property(lambda self: self._now().get("played", 0))
+    published = property(lambda self: self._now().get("published", 0))
+    last_error = property(lambda self: self._now().get("last_error"))
+
+    @property
+    def other_users(self):
+        return [str(user) for user in self._now().get("users", ()) if user.pid != os.getpid()]
 
     @property
     def running(self):
         """Whether the camera publishes: False after `stop`, and after the end of a recording without loop."""
-        return self._thread is not None and self._thread.is_alive()
+        return self._connection is not None and not self._connection.left and self._now()["running"]
 
     def stop(self):
-        """Stops publishing and removes the publishers. A second call does nothing."""
-        self._stopping.set()
-        if self._thread is None:
-            return
-        if self._thread is not threading.current_thread():
-            self._thread.join()
-        if self._cameras.get(self.topic) is self:
-            del self._cameras[self.topic]
-        self._session.on_shutdown(self, None)
-        atexit.unregister(self.stop)
-        node, publishers = self._node, [self._raw, self._compressed, *self._infos]
-        self._session.post(lambda: [node.destroy_publisher(publisher) for publisher in publishers])
+        """Stops using the camera; it ends with its last user. A second call does nothing."""
+        if self._connection is not None:
+            self._connection.leave()
+            RosSession().on_shutdown(self._connection, None)
+            self._ended.set()
+        if Camera._newest is self:
+            Camera._newest = None
 
     def wait(self, timeout=None):
         """Waits for the end of a recording without loop. Returns True if it has ended."""
-        if self._thread is not None:
-            self._thread.join(timeout)
+        if self.running:
+            self._ended.wait(timeout)
         return not self.running
 
     def __enter__(self):
@@ -171,64 +177,39 @@ class Camera:
 
     def __repr__(self):
         rate = "" if self.rate is None else f" at {self.rate:g} Hz"
-        state = "" if self._images is None else "" if self.running else ", stopped"
+        state = ", stopped" if rate and not self.running else ""
         return f"<Camera {self.topic}{rate}{state}>"
 
     def subscribers(self):
-        """How many subscribers the raw and the compressed topic have: {topic: count}."""
-        if not self.running:
-            return {}
-        pairs = ((self.topic, self._raw), (self.compressed_topic, self._compressed))
-        return {topic: publisher.get_subscription_count() for topic, publisher in pairs}
+        """How many subscribers the raw and the compressed topic have, in all programs: {topic: count}."""
+        return self._now()["subscribers"] if self.running else {}
 
-    def _play(self):
-        next_check = time.monotonic() + CHECK_PERIOD
-        try:
-            for due, image in self._images:
-                if self._raw.get_subscription_count():
-                    image.message  # noqa: B018  decoded before it is due, so that it is sent on time
-                if self._stopping.wait(max(0.0, due - time.monotonic())):
-                    return
-                self._publish(image)
-                self.played += 1
-                if time.monotonic() > next_check:
-                    next_check += CHECK_PERIOD
-                    self._warn_about_other_publishers()
-        except (ValueError, OSError, RuntimeError) as error:
-            # If the context was shut down meanwhile (Ctrl-C), this is a normal end and not a failure.
-            if not self._stopping.is_set() and self._node.context.ok():
-                self.last_error = str(error)
-                log.warning("the camera on %s stopped: %s", self.topic, error)
-        finally:
-            self._images.close()
 
-    def _publish(self, image):
-        if self._raw.get_subscription_count():
-            image.message  # noqa: B018  decoded before the stamp is taken, if a subscriber is new
-        stamp = image.stamp if image.stamp is not None else self._node.get_clock().now().nanoseconds
-        seconds, nanoseconds = divmod(stamp, 1_000_000_000)
-        header = Header(stamp=Time(sec=seconds, nanosec=nanoseconds), frame_id=image.frame_id)
-        # Decoding and copying an image costs milliseconds: done only for subscribers, as on the robot.
-        if self._raw.get_subscription_count():
-            image.message.header = header
-            self._raw.publish(image.message)
-            self.published += 1
-        if self._compressed.get_subscription_count():
-            self._compressed.publish(image.compressed(header))
-        for info in self._infos:
-            if info.get_subscription_count():
-                info.publish(image.camera_info(header))
+def _connect(request, switch, on_event):
+    """A connection to the robot process, or None if nothing of ours publishes the topic of another node."""
+    if not shareable():
+        return _OwnRobot(request, on_event)
+    domain = RosSession.current().context.get_domain_id()
+    if request["source"] == "topic":
+        robot = running_robot(domain)
+        if robot is None or robot["topic"] != request["topic"]:
+            return None
+    return RobotConnection(domain, ROBOT_MODULE, request, switch=switch, on_event=on_event)
 
-    def _warn_about_other_publishers(self):
-        if self._has_warned:
-            return
-        publishers = self._node.get_publishers_info_by_topic(self.topic)
-        other_nodes = {info.node_name for info in publishers} - {self._node.get_name(), UNKNOWN_NODE_NAME}
-        if other_nodes:
-            self._has_warned = True
-            log.warning(
-                "%s is also published by %s, in another process: subscribers receive the images of both; "
-                "stop one, or give each process its own ROS_DOMAIN_ID (0 to 101)",
-                self.topic,
-                ", ".join(sorted(other_nodes)),
-            )
+
+class _OwnRobot:
+    """The robot of this program alone, in place of a RobotConnection where programs cannot share one."""
+
+    def __init__(self, request, on_event):
+        self.left = False
+        self._body = importlib.import_module(ROBOT_MODULE).open_body(request)
+        self._body.start(lambda: on_event(None, self._body.status()))
+
+    def ask(self):
+        return self._body.status()
+
+    def leave(self):
+        self.left = True
+        self._body.stop()
+
+    leave_soon = leave

@@ -1,4 +1,4 @@
-"""The camera in a process of its own: `imgproc-course play` runs it until Ctrl-C."""
+"""The camera for a terminal: `imgproc-course play` starts or joins it, until Ctrl-C."""
 
 import signal
 import threading
@@ -12,11 +12,11 @@ _STOP_SIGNALS = (signal.SIGINT, signal.SIGTERM)
 
 
 def play(*, recording="drive", status_seconds=STATUS_SECONDS, **options):
-    """Publishes a recording until Ctrl-C, SIGTERM, or its end (without loop). Runs in the main thread.
+    """Uses the camera until Ctrl-C, SIGTERM, or its end (without loop). Runs in the main thread.
 
     Parameters
     ----------
-    recording, and `topic`, `camera_topic`, `speed`, `loop`, `stamps` : as in `open_camera`
+    recording, and `topic`, `camera_topic`, `speed`, `loop`, `stamps`, `switch` : as in `open_camera`
     status_seconds : seconds between two status lines
 
     Returns
@@ -25,7 +25,7 @@ def play(*, recording="drive", status_seconds=STATUS_SECONDS, **options):
 
     Raises
     ------
-    ValueError : as `open_camera`
+    ValueError, RuntimeError : as `open_camera`
     """
     stopping = threading.Event()
     previous_handlers = {number: signal.signal(number, lambda *_: stopping.set()) for number in _STOP_SIGNALS}
@@ -33,12 +33,7 @@ def play(*, recording="drive", status_seconds=STATUS_SECONDS, **options):
         with open_camera(recording=recording, **options) as camera:
             print(_first_line(camera, recording), flush=True)
             _print_status(camera, stopping, status_seconds)
-            if camera.last_error is None:
-                reason = "" if camera.published else " (the raw topic had no subscriber)"
-                print(
-                    f"stopped after {camera.played} images; {camera.published} raw images sent{reason}",
-                    flush=True,
-                )
+            print(_last_line(camera), flush=True)
             return 0 if camera.last_error is None else 1
     finally:
         RosSession().stop()
@@ -46,10 +41,30 @@ def play(*, recording="drive", status_seconds=STATUS_SECONDS, **options):
             signal.signal(number, handler)
 
 
+def publish(topic, speed):
+    """Publishes the drive as a camera of its own, on a topic of its own, until the process is killed."""
+    from imgproc_course.ros.camera_publisher import CameraPublisher, open_images
+
+    images = open_images("drive", speed=speed)
+    CameraPublisher(topic, images).start()
+    threading.Event().wait()
+
+
 def _first_line(camera, recording):
     domain = RosSession.current().context.get_domain_id()
     topics = ", ".join((camera.topic, camera.compressed_topic, *camera.info_topics))
-    return f"{recording} at {camera.rate:g} Hz in domain {domain}: {topics} (Ctrl-C stops)"
+    others = camera.other_users
+    how = f"joined the camera of {', '.join(others)}" if others else "started"
+    return f"{how}: {recording} at {camera.rate:g} Hz in domain {domain}: {topics} (Ctrl-C stops)"
+
+
+def _last_line(camera):
+    if camera.last_error is not None:
+        return f"stopped by an error: {camera.last_error}"
+    if camera.running and camera.other_users:
+        return f"left; the camera goes on for {', '.join(camera.other_users)}"
+    reason = "" if camera.published else " (the raw topic had no subscriber)"
+    return f"stopped after {camera.played} images; {camera.published} raw images sent{reason}"
 
 
 def _print_status(camera, stopping, period):

@@ -26,7 +26,7 @@ START_TIMEOUT = 60.0  # seconds that a process may take to start, or to end
 # Memory varies by the working arrays of one image (Canny's: 9 MiB), depending on the moment of the sample.
 # A leak of one image in 200 would add 250 MB in 10 minutes.
 MEMORY_SLACK = 20 << 20
-_PLAY = "import sys; from imgproc_course.ros.player import play; sys.exit(play(topic={!r}, speed={!r}))"
+_PLAY = "from imgproc_course.ros.player import publish; publish({!r}, {!r})"
 _RUN = "import sys; sys.path.insert(0, {!r}); from {name}.{name} import main; sys.exit(main())"
 
 

@@ -109,16 +109,16 @@ class ImageSubscriber:
         if on_image is not None:
             self._replace_previous()
         self._subscription = subscription = self._subscribe()
-        self.session.on_shutdown(subscription, _weak(self.stop))
+        self.session.on_shutdown(subscription, weak_callback(self.stop))
         self._finalizer = weakref.finalize(self, _unsubscribe, self.session, self.session.node, subscription)
         self._finalizer.atexit = False  # the session destroys the subscription then
 
     def _subscribe(self):
         # Weak references, so that an unused subscriber is deleted, and its subscription with it.
         events = SubscriptionEventCallbacks(
-            incompatible_qos=_weak(self._on_incompatible_qos), matched=_weak(self._on_matched)
+            incompatible_qos=weak_callback(self._on_incompatible_qos), matched=weak_callback(self._on_matched)
         )
-        on_message = _weak(self._on_message)
+        on_message = weak_callback(self._on_message)
         try:
             return self.session.node.create_subscription(
                 self.message_type,
@@ -339,7 +339,7 @@ def _qos_profile(qos):
     return QOS[qos]
 
 
-def _weak(method):
+def weak_callback(method):
     """A function that calls the method as long as its object exists."""
     reference = weakref.WeakMethod(method)
 

@@ -17,6 +17,21 @@ def session():
         yield running
 
 
+@pytest.fixture(scope="module")
+def shared_camera():
+    """The drive at 30 Hz during all tests of a module: their programs join this camera, which is quick."""
+    from imgproc_course.ros.camera import ROBOT_MODULE, TOPIC
+    from imgproc_course.ros.robot_process import RobotConnection
+
+    request = {"source": "recording", "topic": TOPIC, "recording": "drive", "camera_topic": None}
+    request |= {"speed": 3.0, "loop": True, "stamps": "now"}
+    connection = RobotConnection(
+        int(os.environ["ROS_DOMAIN_ID"]), ROBOT_MODULE, request, switch=False, on_event=print
+    )
+    yield
+    connection.leave()
+
+
 @pytest.fixture
 def wait_until():
     """Waits for a condition that other threads or processes fulfil; fails after a timeout."""

@@ -6,7 +6,7 @@ from queue import Empty
 import pytest
 from jupyter_client.manager import KernelManager
 
-pytestmark = pytest.mark.ros
+pytestmark = [pytest.mark.ros, pytest.mark.usefixtures("shared_camera")]
 
 OPEN = "from imgproc_course.ros import *\ncamera = open_camera(speed=3.0)"
 SUBSCRIBE = """
@@ -21,7 +21,7 @@ READ = "print(subscriber.wait(20).shape)"
 ALIVE = """
 import threading
 print(sum('ROS session' in t.name for t in threading.enumerate()),
-      sum('camera on' in t.name for t in threading.enumerate()),
+      RosSession.current().node.count_publishers("/kachaka/front_camera/image_raw"),
       RosSession.current().node.count_subscribers("/kachaka/front_camera/image_raw"))
 """
 

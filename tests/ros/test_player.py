@@ -8,7 +8,7 @@ pytestmark = pytest.mark.ros
 
 PLAY = "import sys\nfrom imgproc_course.ros.player import play\nsys.exit(play({}))"
 FIRST = (
-    "drive at {} Hz in domain {}: /kachaka/front_camera/image_raw, "
+    "started: drive at {} Hz in domain {}: /kachaka/front_camera/image_raw, "
     "/kachaka/front_camera/image_raw/compressed, "
     "/kachaka/front_camera/camera_info, /kachaka/front_camera/image_raw/camera_info (Ctrl-C stops)\n"
 )
@@ -37,6 +37,22 @@ def test_without_loop_it_ends_by_itself(run_python):
     assert (
         out.splitlines()[-1] == "stopped after 90 images; 0 raw images sent (the raw topic had no subscriber)"
     )
+
+
+def test_it_joins_a_camera_that_runs_and_leaves_it_running(start_python):
+    from imgproc_course.ros.robot_process import User
+
+    first = start_python(PLAY.format("speed=3.0"))
+    assert first.stdout.readline().startswith("started: drive at 30 Hz")
+    second = start_python(PLAY.format("speed=3.0"))
+    name = User("python -c", first.pid)
+    assert second.stdout.readline().startswith(f"joined the camera of {name}: drive at 30 Hz")
+    second.send_signal(signal.SIGINT)
+    out, err = second.communicate(timeout=20)
+    assert (second.returncode, out, err) == (0, f"left; the camera goes on for {name}\n", "")
+    third = start_python(PLAY.format("switch=True"))
+    assert third.stdout.readline().startswith(f"joined the camera of {name}: drive at 10 Hz")
+    assert first.stderr.readline().startswith(f"{User('python -c', third.pid)} has switched the robot: ")
 
 
 def test_the_status_line_without_subscribers(start_python):

@@ -4,7 +4,7 @@ import threading
 
 import pytest
 
-pytestmark = pytest.mark.ros
+pytestmark = [pytest.mark.ros, pytest.mark.usefixtures("shared_camera")]
 
 RECEIVES = """
 from imgproc_course.ros import ImageSubscriber, RosSession, open_camera
@@ -284,7 +284,7 @@ def test_after_rclpys_own_signal_handlers_it_can_be_started_again(run_python):
         "    while session.running: time.sleep(0.01)\n"
         "RosSession.current()\n"
         "print(camera.running, subscriber.stopped)\n"
-        "with open_camera() as camera, ImageSubscriber(camera.topic) as subscriber:\n"
+        "with open_camera(speed=3.0) as camera, ImageSubscriber(camera.topic) as subscriber:\n"
         "    print(subscriber.wait(20).shape)"
     )
     assert (code, err) == (0, "")

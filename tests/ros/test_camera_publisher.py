@@ -50,26 +50,21 @@ class FakeRecording:
 
 
 @pytest.fixture
-def open_camera(session, monkeypatch):
-    """open_camera, whose cameras end with the test; recording="fake" is a FakeRecording."""
-    from imgproc_course.ros import camera as module
+def start_camera(session):
+    """Starts a publisher of a FakeRecording, or of other images; it stops with the test."""
+    started = []
 
-    real = module.open_recording
-    opened = []
-    monkeypatch.setattr(
-        module,
-        "open_recording",
-        lambda path, camera_topic: (
-            FakeRecording() if path == "fake" else real(path, camera_topic=camera_topic)
-        ),
-    )
+    def start(topic=TOPIC, *, images=None, speed=1.0, loop=True, stamps="now"):
+        from imgproc_course.ros.camera_publisher import CameraPublisher
+        from imgproc_course.ros.image_sources import RecordedImages
 
-    def make(*arguments, **options):
-        opened.append(module.open_camera(*arguments, **options))
-        return opened[-1]
+        images = images or RecordedImages(FakeRecording(), speed, loop, stamps)
+        started.append(CameraPublisher(topic, images))
+        started[-1].start()
+        return started[-1]
 
-    yield make
-    for camera in opened:
+    yield start
+    for camera in started:
         camera.stop()
 
 
@@ -91,12 +86,13 @@ def stamp_of(msg):
 
 
 @pytest.mark.ros
-def test_the_pixels_are_those_of_the_recording(open_camera, wait_until):
+def test_the_pixels_are_those_of_the_recording(start_camera, wait_until):
     from imgproc_course.recording import open_recording
     from imgproc_course.ros import ImageSubscriber
+    from imgproc_course.ros.camera_publisher import open_images
 
     frames = {}
-    open_camera(stamps="recorded", speed=3.0)
+    start_camera(images=open_images("drive", stamps="recorded", speed=3.0))
     with ImageSubscriber(TOPIC, lambda frame, msg: frames.update({stamp_of(msg): frame})) as subscriber:
         wait_until(lambda: len(frames) >= 5)
     with open_recording("drive") as drive:
@@ -107,23 +103,26 @@ def test_the_pixels_are_those_of_the_recording(open_camera, wait_until):
 
 
 @pytest.mark.ros
-def test_another_of_the_recordings_cameras_can_be_played(open_camera):
+def test_another_of_the_recordings_cameras_can_be_played(start_camera):
     from imgproc_course.recording import NotRecordedError, open_recording
     from imgproc_course.ros import ImageSubscriber
+    from imgproc_course.ros.camera_publisher import open_images
 
     with open_recording("drive", camera_topic="/truth/labels") as labels:
         recorded_frames = {labels.frame(k).tobytes() for k in range(len(labels))}
-    with open_camera(camera_topic="/truth/labels") as camera, ImageSubscriber(camera.topic) as subscriber:
+    start_camera(images=open_images("drive", camera_topic="/truth/labels"))
+    with ImageSubscriber(TOPIC) as subscriber:
         assert subscriber.wait(20).tobytes() in recorded_frames
     with pytest.raises(NotRecordedError, match="holds no images on /back, but on: "):
-        open_camera(camera_topic="/back")
+        open_images("drive", camera_topic="/back")
 
 
 @pytest.mark.ros
-def test_all_four_topics_carry_the_robots_encoding_and_one_header(open_camera, collect, wait_until):
+def test_all_four_topics_carry_the_robots_encoding_and_one_header(start_camera, collect, wait_until):
     from sensor_msgs.msg import CameraInfo, CompressedImage, Image
 
     from imgproc_course.recording import open_recording
+    from imgproc_course.ros.camera_publisher import open_images
 
     raw = collect(TOPIC, Image)
     compressed = collect(f"{TOPIC}/compressed", CompressedImage)
@@ -131,8 +130,7 @@ def test_all_four_topics_carry_the_robots_encoding_and_one_header(open_camera, c
         collect("/kachaka/front_camera/camera_info", CameraInfo),
         collect(f"{TOPIC}/camera_info", CameraInfo),
     ]
-    camera = open_camera(speed=3.0)
-    assert (camera.topic, camera.compressed_topic) == (TOPIC, f"{TOPIC}/compressed")
+    start_camera(images=open_images("drive", speed=3.0))
     wait_until(lambda: all(len(messages) > 8 for messages in (raw, compressed, *infos)))
     image = raw[-1]
     assert (image.encoding, image.height, image.width, image.step) == ("rgb8", 720, 1280, 3840)
@@ -150,11 +148,14 @@ def test_all_four_topics_carry_the_robots_encoding_and_one_header(open_camera, c
 
 
 @pytest.mark.ros
-def test_the_publishers_offer_sensor_data_qos(open_camera, session, wait_until):
+def test_the_publishers_offer_sensor_data_qos(start_camera, session, wait_until):
     from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
 
-    camera = open_camera(recording="fake")
-    for topic in (camera.topic, camera.compressed_topic, *camera.info_topics):
+    from imgproc_course.ros.camera import camera_topics
+
+    camera = start_camera()
+    compressed_topic, info_topics = camera_topics(camera.topic)
+    for topic in (camera.topic, compressed_topic, *info_topics):
         wait_until(lambda topic=topic: session.node.count_publishers(topic) == 1)
         (publisher,) = session.node.get_publishers_info_by_topic(topic)
         assert publisher.qos_profile.reliability is ReliabilityPolicy.BEST_EFFORT
@@ -162,29 +163,29 @@ def test_the_publishers_offer_sensor_data_qos(open_camera, session, wait_until):
 
 
 @pytest.mark.ros
-def test_stamps_are_now_unless_the_recorded_ones_are_asked_for(open_camera, collect, session, wait_until):
+def test_stamps_are_now_unless_the_recorded_ones_are_asked_for(start_camera, collect, session, wait_until):
     from sensor_msgs.msg import Image
 
     before = session.node.get_clock().now().nanoseconds
     now = collect("/now", Image)
-    open_camera(recording="fake", topic="/now")
+    start_camera("/now")
     wait_until(lambda: len(now) >= 3)
     stamps = [stamp_of(msg) for msg in now]
     assert before < stamps[0] and stamps == sorted(set(stamps))
     recorded = collect("/recorded", Image)
-    open_camera(recording="fake", topic="/recorded", stamps="recorded", speed=4)
+    start_camera("/recorded", stamps="recorded", speed=4)
     wait_until(lambda: len(recorded) >= 9)
     stamps_by_value = {int(msg.data[0]): stamp_of(msg) for msg in recorded}
     assert stamps_by_value == dict(enumerate(FakeRecording().stamps.tolist()))
 
 
 @pytest.mark.ros
-def test_without_loop_each_image_comes_once_and_then_the_camera_has_ended(open_camera, collect, wait_until):
+def test_without_loop_each_image_comes_once_and_then_the_camera_has_ended(start_camera, collect, wait_until):
     from sensor_msgs.msg import Image
 
     raw = collect(TOPIC, Image)
-    camera = open_camera(recording="fake", loop=False, speed=0.25)
-    assert camera.wait(60)
+    camera = start_camera(loop=False, speed=0.25)
+    wait_until(lambda: not camera.running, seconds=60)
     wait_until(lambda: raw and raw[-1].data[0] == 3)
     values = [int(msg.data[0]) for msg in raw]
     assert values == [0, 1, 2, 3][-len(values) :] and len(values) >= 3
@@ -193,17 +194,17 @@ def test_without_loop_each_image_comes_once_and_then_the_camera_has_ended(open_c
 
 
 @pytest.mark.ros
-def test_nothing_is_decoded_without_a_subscriber(open_camera, collect, wait_until):
+def test_nothing_is_decoded_without_a_subscriber(start_camera, collect, wait_until):
     from sensor_msgs.msg import Image
 
-    camera = open_camera(recording="fake", speed=10)
+    camera = start_camera(speed=10)
     recording = camera._images._recording
     wait_until(lambda: camera.played > 6)
     assert (recording.decoded, camera.published) == ([], 0)
-    assert camera.subscribers() == {TOPIC: 0, f"{TOPIC}/compressed": 0}
+    assert camera.status()["subscribers"] == {TOPIC: 0, f"{TOPIC}/compressed": 0}
     raw = collect(TOPIC, Image)
     wait_until(lambda: raw)
-    assert recording.decoded and camera.subscribers()[TOPIC] == 1
+    assert recording.decoded and camera.status()["subscribers"][TOPIC] == 1
 
 
 def due_times(speed=1.0, loop=True, count=12, clock=lambda: 100.0, **recording):
@@ -274,12 +275,11 @@ def test_a_recording_of_depth_cannot_be_played_as_a_camera(encoding):
 
 
 @pytest.mark.ros
-def test_a_recording_of_raw_images_without_camera_info_can_be_played(session, collect, wait_until):
+def test_a_recording_of_raw_images_without_camera_info_can_be_played(start_camera, collect, wait_until):
     from sensor_msgs.msg import CameraInfo, CompressedImage, Image
 
     from imgproc_course.messages import compressed_to_array
     from imgproc_course.recording import NotRecordedError
-    from imgproc_course.ros.camera import Camera
     from imgproc_course.ros.image_sources import RecordedImages
 
     class RawRecording(FakeRecording):
@@ -291,61 +291,52 @@ def test_a_recording_of_raw_images_without_camera_info_can_be_played(session, co
             return Image(encoding="rgb8")
 
     images, infos = collect("/own/compressed", CompressedImage), collect("/camera_info", CameraInfo)
-    with Camera("/own", RecordedImages(RawRecording(), 1.0, True, "now")):
-        wait_until(lambda: images and infos)
+    start_camera("/own", images=RecordedImages(RawRecording(), 1.0, True, "now"))
+    wait_until(lambda: images and infos)
     assert compressed_to_array(images[0], "bgr8").shape == (2, 3, 3)
     assert images[0].header.frame_id == "camera_front"
     assert (infos[0].height, infos[0].width, infos[0].k[0]) == (2, 3, 0.0)
 
 
 @pytest.mark.ros
-def test_opening_it_again_replaces_the_previous_camera_and_logs_it(open_camera, session, wait_until, caplog):
-    first = open_camera(recording="fake")
-    second = open_camera(recording="fake")
-    assert (first.running, second.running) == (False, True)
-    assert [record.message for record in caplog.records] == [f"replaced the camera that published {TOPIC}"]
-    wait_until(lambda: session.node.count_publishers(TOPIC) == 1)
-    first.stop()
-    assert second.running
-    third = open_camera(recording="fake", topic="/elsewhere")
-    assert second.running and third.running
-
-
-@pytest.mark.ros
-def test_it_stops_twice_and_with_its_block_and_with_the_session(open_camera, session, wait_until):
-    with open_camera(recording="fake") as camera:
-        assert camera.running
+def test_it_stops_twice_and_with_the_session(start_camera, session, wait_until):
+    camera = start_camera()
+    camera.stop()
     camera.stop()
     wait_until(lambda: session.node.count_publishers(TOPIC) == 0)
-    camera = open_camera(recording="fake")
+    camera = start_camera()
     session.stop()
     assert (camera.running, camera.last_error) == (False, None)
-    assert open_camera(recording="fake").running
 
 
 @pytest.mark.ros
-def test_another_publisher_of_the_topic_is_logged_once(
-    open_camera, start_python, wait_until, caplog, monkeypatch
+def test_a_publisher_of_the_topic_that_stays_is_logged_once(
+    start_camera, session, wait_until, caplog, monkeypatch
 ):
-    from imgproc_course.ros import camera as module
+    from rclpy.context import Context
+    from rclpy.node import Node
+    from sensor_msgs.msg import Image
 
-    monkeypatch.setattr(module, "CHECK_PERIOD", 0.05)
-    other_process = start_python(
-        "import time\nfrom imgproc_course.ros import open_camera\ncamera = open_camera()\n"
-        "print(camera._node.get_name())\ntime.sleep(60)"
-    )
-    name = other_process.stdout.readline().strip()
-    camera = open_camera(recording="fake", speed=10)
+    from imgproc_course.ros import camera_publisher as module
+
+    monkeypatch.setattr(module, "CHECK_PERIOD", 0.0)  # a check after each image
+    context = Context()
+    context.init()
+    robot = Node("kachaka_bridge", context=context)
+    robot.create_publisher(Image, TOPIC, 1)
+    camera = start_camera(speed=10)
     wait_until(lambda: caplog.records)
     played = camera.played
-    wait_until(lambda: camera.played > played + 10)
+    wait_until(lambda: camera.played > played + 2 * module.CHECKS)
+    robot.destroy_node()
+    context.try_shutdown()
     (record,) = caplog.records
-    assert record.message.startswith(f"{TOPIC} is also published by {name}, in another process: ")
-    assert "ROS_DOMAIN_ID" in record.message
+    assert record.message.startswith(f"{TOPIC} is also published by kachaka_bridge, which is no camera of ")
+    assert played >= module.CHECKS and "ROS_DOMAIN_ID" in record.message
 
 
 @pytest.mark.ros
-def test_a_recording_that_cannot_be_read_on_is_logged(open_camera, collect, wait_until, monkeypatch, caplog):
+def test_a_recording_that_cannot_be_read_on_is_logged(start_camera, collect, wait_until, monkeypatch, caplog):
     from sensor_msgs.msg import Image
 
     def breaks(self, k, encoding="bgr8"):
@@ -353,18 +344,21 @@ def test_a_recording_that_cannot_be_read_on_is_logged(open_camera, collect, wait
 
     monkeypatch.setattr(FakeRecording, "frame", breaks)
     collect(TOPIC, Image)
-    camera = open_camera(recording="fake")
+    camera = start_camera()
     wait_until(lambda: not camera.running)
     assert camera.last_error == "the file ends in the middle of an image"
     assert caplog.records[-1].message == f"the camera on {TOPIC} stopped: {camera.last_error}"
 
 
 @pytest.mark.ros
-def test_a_topic_that_a_robot_publishes_is_used_unchanged(open_camera):
+def test_a_topic_that_a_robot_publishes_is_used_unchanged(session):
+    from imgproc_course.ros import open_camera
+
     camera = open_camera("topic", topic="/er_kachaka/front_camera/image_raw")
     assert camera.topic == "/er_kachaka/front_camera/image_raw"
     assert camera.compressed_topic == "/er_kachaka/front_camera/image_raw/compressed"
     assert (camera.rate, camera.running, camera.subscribers()) == (None, False, {})
+    assert (camera.wait(), camera.played, camera.other_users) == (True, 0, [])
     camera.stop()
 
 
@@ -394,16 +388,18 @@ class FakeCapture:
 
 
 @pytest.mark.ros
-def test_a_webcam_is_published_like_the_robots_camera(open_camera, collect, wait_until, monkeypatch, caplog):
+def test_a_webcam_is_published_like_the_robots_camera(start_camera, collect, wait_until, monkeypatch, caplog):
     import cv2
     from sensor_msgs.msg import CameraInfo, CompressedImage, Image
+
+    from imgproc_course.ros.image_sources import Webcam
 
     monkeypatch.setattr(cv2, "VideoCapture", FakeCapture)
     raw, compressed = collect(TOPIC, Image), collect(f"{TOPIC}/compressed", CompressedImage)
     infos = collect(f"{TOPIC}/camera_info", CameraInfo)
     CLOSED.clear()
-    camera = open_camera("webcam")
-    assert camera.rate == 15.0
+    camera = start_camera(images=Webcam())
+    assert camera.status()["rate"] == 15.0
     wait_until(lambda: raw and compressed and infos)
     assert (raw[0].encoding, bytes(raw[0].data), raw[0].header.frame_id) == (
         "rgb8",
@@ -417,13 +413,15 @@ def test_a_webcam_is_published_like_the_robots_camera(open_camera, collect, wait
 
 
 @pytest.mark.ros
-def test_a_missing_webcam_is_an_error_with_the_remedy(open_camera, monkeypatch):
+def test_a_missing_webcam_is_an_error_with_the_remedy(monkeypatch):
     import cv2
+
+    from imgproc_course.ros.image_sources import Webcam
 
     monkeypatch.setattr(FakeCapture, "isOpened", lambda self: False)
     monkeypatch.setattr(cv2, "VideoCapture", FakeCapture)
     with pytest.raises(RuntimeError, match=r"no webcam answers .*open_camera\(\) for the recorded drive"):
-        open_camera("webcam")
+        Webcam()
 
 
 @pytest.mark.ros
@@ -433,26 +431,3 @@ def test_without_a_webcam_only_the_error_appears(capfd):
     with pytest.raises(RuntimeError, match=r"camera 97\)"):
         Webcam(97)
     assert capfd.readouterr().err == ""  # OpenCV would print lines of its own
-
-
-@pytest.mark.ros
-@pytest.mark.parametrize(
-    "options, message",
-    [
-        ({"source": "robot"}, "unknown source 'robot'; use 'recording', 'webcam' or 'topic'"),
-        ({"source": "wecbam"}, "did you mean 'webcam'?"),
-        ({"speed": 0}, "speed must be a positive number, got 0"),
-        ({"speed": -1.0}, "speed must be a positive number, got -1.0"),
-        ({"speed": float("nan")}, "speed must be a positive number, got nan"),
-        ({"speed": float("inf")}, "speed must be a positive number, got inf"),
-        ({"speed": "fast"}, "speed must be a positive number, got 'fast'"),
-        ({"source": "webcam", "speed": 2.0}, "only a recording can change its speed"),
-        ({"stamps": "then"}, "stamps must be 'now' or 'recorded', got 'then'"),
-        ({"topic": "two words"}, "'two words' is not a topic name"),
-        ({"recording": "/no/such/bag"}, "/no/such/bag"),
-    ],
-)
-def test_bad_arguments_are_refused_in_one_line(open_camera, options, message):
-    with pytest.raises(ValueError) as error:
-        open_camera(**options)
-    assert message in str(error.value) and "\n" not in str(error.value)

@@ -1,0 +1,196 @@
+"""What the robot process publishes: a recording or a webcam, as the robot's camera publishes its images."""
+
+import threading
+import time
+
+from builtin_interfaces.msg import Time
+from rclpy.event_handler import PublisherEventCallbacks
+from rclpy.qos import qos_profile_sensor_data
+from sensor_msgs.msg import CameraInfo, CompressedImage, Image
+from std_msgs.msg import Header
+
+from imgproc_course.recording import open_recording
+from imgproc_course.ros.camera import camera_topics
+from imgproc_course.ros.image_sources import RecordedImages, Webcam
+from imgproc_course.ros.robot_process import serve
+from imgproc_course.ros.session import RosSession, log
+
+UNKNOWN_NODE_NAME = "_NODE_NAME_UNKNOWN_"  # rclpy's name for a node whose name has not arrived yet
+CHECK_PERIOD = 1.0  # seconds between two checks for other publishers of the topic
+CHECKS = 25  # that find others before the warning: ROS lists those of a killed process for 20 seconds more
+
+
+def open_body(request):
+    """The body that a request of `open_camera` asks for; it publishes after its `start`.
+
+    Raises
+    ------
+    RecordingError, ValueError, RuntimeError : as `open_camera`
+    """
+    source, topic = request["source"], request["topic"]
+    if source == "topic":
+        return OtherPublisher(topic)
+    if source == "webcam":
+        return CameraPublisher(topic, Webcam(), f"a webcam on {topic}")
+    options = {name: request[name] for name in ("camera_topic", "speed", "loop", "stamps")}
+    images = open_images(request["recording"], **options)
+    description = f"playing {request['recording']} at {images.rate:g} Hz on {topic}"
+    return CameraPublisher(topic, images, description)
+
+
+def open_images(recording, *, camera_topic=None, speed=1.0, loop=True, stamps="now"):
+    """The images of a recording; the parameters are those of `open_camera`."""
+    return RecordedImages(open_recording(recording, camera_topic=camera_topic), speed, loop, stamps)
+
+
+class OtherPublisher:
+    """Publishes nothing: another node, such as a real robot's bridge, publishes the topic."""
+
+    running = True
+
+    def __init__(self, topic):
+        self._topic = topic
+        self.description = f"a camera that another node publishes on {topic}"
+
+    def start(self, on_end):
+        pass
+
+    def stop(self):
+        self.running = False
+
+    def status(self):
+        return {"running": False, "topic": self._topic}
+
+
+class CameraPublisher:
+    """Publishes images on the four topics of a camera, until it is stopped or the images end.
+
+    Parameters
+    ----------
+    topic : full name of the topic of raw images
+    images : RecordedImages or Webcam; closed at the end
+    description : what is published, for people
+
+    Attributes
+    ----------
+    running : whether it publishes: False after `stop`, and after the end of the images
+    """
+
+    def __init__(self, topic, images, description=""):
+        self.topic, self.description = topic, description
+        self._images = images
+        self._stopping = threading.Event()
+        self._thread = threading.Thread(target=self._play, name=f"camera on {topic}", daemon=True)
+        self._checks_with_others = 0
+        self._on_end = None
+        self.running = False
+        self.played = self.published = 0
+        self.last_error = None
+
+    def start(self, on_end=lambda: None):
+        """Creates the publishers and begins to publish; calls `on_end` if the images end."""
+        self._on_end = on_end
+        self._session = RosSession.current()
+        self._create_publishers()
+        self._session.on_shutdown(self, self.stop)
+        self.running = True
+        self._thread.start()
+
+    def _create_publishers(self):
+        self._node = node = self._session.node
+        # Without rclpy's default callbacks: on a mismatch of QoS it is the subscriber that gives the reason.
+        events = PublisherEventCallbacks(use_default_callbacks=False)
+
+        def publisher(message_type, topic):
+            return node.create_publisher(message_type, topic, qos_profile_sensor_data, event_callbacks=events)
+
+        compressed_topic, info_topics = camera_topics(self.topic)
+        self._raw = publisher(Image, self.topic)
+        self._compressed = publisher(CompressedImage, compressed_topic)
+        self._infos = [publisher(CameraInfo, topic) for topic in info_topics]
+
+    def stop(self):
+        """Stops publishing and removes the publishers. A second call does nothing."""
+        if self._stopping.is_set():
+            return
+        self._stopping.set()
+        if self._thread is not threading.current_thread():
+            self._thread.join()
+        self._session.on_shutdown(self, None)
+        node, publishers = self._node, [self._raw, self._compressed, *self._infos]
+        self._session.post(lambda: [node.destroy_publisher(publisher) for publisher in publishers])
+
+    def status(self):
+        """What a `Camera` shows of it: a dict."""
+        return {
+            "running": self.running,
+            "topic": self.topic,
+            "rate": self._images.rate,
+            "played": self.played,
+            "published": self.published,
+            "last_error": self.last_error,
+            "subscribers": self._subscribers() if self.running else {},
+        }
+
+    def _subscribers(self):
+        pairs = ((self.topic, self._raw), (camera_topics(self.topic)[0], self._compressed))
+        return {topic: publisher.get_subscription_count() for topic, publisher in pairs}
+
+    def _play(self):
+        next_check = time.monotonic() + CHECK_PERIOD
+        try:
+            for due, image in self._images:
+                if self._raw.get_subscription_count():
+                    image.message  # noqa: B018  decoded before it is due, so that it is sent on time
+                if self._stopping.wait(max(0.0, due - time.monotonic())):
+                    return
+                self._publish(image)
+                self.played += 1
+                if time.monotonic() > next_check:
+                    next_check += CHECK_PERIOD
+                    self._warn_about_other_publishers()
+        except (ValueError, OSError, RuntimeError) as error:
+            # If the context was shut down meanwhile (Ctrl-C), this is a normal end and not a failure.
+            if not self._stopping.is_set() and self._node.context.ok():
+                self.last_error = str(error)
+                log.warning("the camera on %s stopped: %s", self.topic, error)
+        finally:
+            self._images.close()
+            self.running = False
+            if not self._stopping.is_set():
+                self._on_end()
+
+    def _publish(self, image):
+        if self._raw.get_subscription_count():
+            image.message  # noqa: B018  decoded before the stamp is taken, if a subscriber is new
+        stamp = image.stamp if image.stamp is not None else self._node.get_clock().now().nanoseconds
+        seconds, nanoseconds = divmod(stamp, 1_000_000_000)
+        header = Header(stamp=Time(sec=seconds, nanosec=nanoseconds), frame_id=image.frame_id)
+        # Decoding and copying an image costs milliseconds: done only for subscribers, as on the robot.
+        if self._raw.get_subscription_count():
+            image.message.header = header
+            self._raw.publish(image.message)
+            self.published += 1
+        if self._compressed.get_subscription_count():
+            self._compressed.publish(image.compressed(header))
+        for info in self._infos:
+            if info.get_subscription_count():
+                info.publish(image.camera_info(header))
+
+    def _warn_about_other_publishers(self):
+        publishers = self._node.get_publishers_info_by_topic(self.topic)
+        other_nodes = {info.node_name for info in publishers} - {self._node.get_name(), UNKNOWN_NODE_NAME}
+        self._checks_with_others = self._checks_with_others + 1 if other_nodes else 0
+        if self._checks_with_others == CHECKS:
+            log.warning(
+                "%s is also published by %s, which is no camera of yours: subscribers receive the images of "
+                'both; use open_camera("topic", switch=True), or another ROS_DOMAIN_ID (0 to 101)',
+                self.topic,
+                ", ".join(sorted(other_nodes)),
+            )
+
+
+def main(arguments):
+    """What the robot process runs."""
+    serve(arguments, open_body)
+    RosSession().stop()
