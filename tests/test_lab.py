@@ -211,11 +211,25 @@ def no_discovery_variables(monkeypatch):
     monkeypatch.delenv("ROS_AUTOMATIC_DISCOVERY_RANGE", raising=False)
 
 
-def test_topics_stay_on_this_machine_by_default(no_discovery_variables, lines):
+@pytest.mark.parametrize(
+    ("user", "domain", "words"),
+    [
+        (0, "0", ""),
+        (1000, "0", ""),
+        (1007, "7", ", in domain 7, which is yours alone"),
+        (1101, "101", ", in domain 101, which is yours alone"),
+        (1102, "0", ""),
+    ],
+)
+def test_topics_stay_on_this_machine_by_default_and_each_user_has_a_domain(
+    no_discovery_variables, monkeypatch, lines, user, domain, words
+):
+    monkeypatch.setattr(os, "getuid", lambda: user)
     lab.keep_topics_local(lines.append)
     assert os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] == "LOCALHOST"
+    assert os.environ["ROS_DOMAIN_ID"] == domain
     assert lines == [
-        "ROS topics stay on this machine. To subscribe to a robot's topics, start with its domain: "
+        f"ROS topics stay on this machine{words}. To subscribe to a robot's topics, start with its domain: "
         "ROS_DOMAIN_ID=7 environment/lab"
     ]
 

@@ -1,6 +1,7 @@
 """The camera for a terminal: `imgproc-course play` starts or joins it, until Ctrl-C."""
 
 import signal
+import sys
 import threading
 import time
 
@@ -42,9 +43,10 @@ def play(*, recording="drive", status_seconds=STATUS_SECONDS, **options):
 
 
 def publish(topic, speed):
-    """Publishes the drive as a camera of its own, on a topic of its own, until the process is killed."""
+    """Publishes the drive as a camera of its own, on a topic of its own, until SIGTERM."""
     from imgproc_course.ros.camera_publisher import CameraPublisher, open_images
 
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit())
     images = open_images("drive", speed=speed)
     CameraPublisher(topic, images).start()
     threading.Event().wait()

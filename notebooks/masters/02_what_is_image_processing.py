@@ -697,7 +697,7 @@ def name_operation(before, after):
 # | edges | (720, 1280) | uint8 | two, in lines | no edge 0, edge 255 |
 # | noise removal | (720, 1280, 3) | uint8 | up to 256 per channel | intensity of blue, green, red |
 #
-# **Next:** [[images_as_messages]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise the camera of this lesson continues to publish.
+# **Next:** [[images_as_messages]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the camera.
 
 # %%
 # Check: the table above

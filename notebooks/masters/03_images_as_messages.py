@@ -1319,7 +1319,7 @@ if ros_available():
 
 # %%
 # Check: nothing arrived
-assert not ros_available() or reliable.received == 0, "frames arrived: is there another camera?"
+assert not ros_available() or reliable.received == 0
 
 # %% [markdown]
 # **Repair it**: do not request more than the camera offers. In ROS, a `QoSProfile` holds the policies. This one is what camera drivers use. It is also the default of this course's subscriber, with the short name `qos="sensor_data"`.
@@ -1378,7 +1378,7 @@ assert (shift_channels(bgr, 3)[:, 3:, 2] == bgr[:, :-3, 2]).all()
 # | *frame*, `rgb8` or `bgr8` | (720, 1280, 3) | uint8 | 0 to 255 | gray level of a channel |
 # | depth, `16UC1` | (360, 640) | uint16 | 0 to 65,535 | millimetre |
 #
-# **Next:** [[grayscale]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise the camera of this lesson continues to publish.
+# **Next:** [[grayscale]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the camera.
 
 # %%
 # Check: the table above

@@ -1232,7 +1232,7 @@ print("your F1:", round(my_f1, 2), "  F1 of the best values:", round(tuned, 2))
 # | outlines | (720, 1280) | bool | False, True | no and yes |
 # | precision, recall, F1 | one number each | float64 | 0 to 1 | share |
 #
-# **Next:** [[ros2_packages]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise the camera of this lesson continues to publish.
+# **Next:** [[ros2_packages]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the camera.
 
 # %%
 # Check: the numbers in the table

@@ -91,7 +91,7 @@ for name in ("cv2.waitKey(1)", "rclpy.init()", "rclpy.spin(node)", "KeyboardInte
     assert name in source
 
 # %% [markdown]
-# Now run it. First, this notebook starts the camera and subscribes to the script's topic:
+# Now run it. First, this notebook starts the camera (or joins it) and subscribes to the script's topic:
 
 # %%
 script_node = None
@@ -774,7 +774,7 @@ if stop_now and edge_node is not None:
 # - **Topics without messages.** The robot's *[[term:bridge]]* is the program that publishes the robot's data in ROS. It publishes images only while the topic has a subscriber, and it publishes `camera_info` only together with an image.
 # - **Wi-Fi.** The raw images need 221 Mbit/s, which is too much for many Wi-Fi networks. Remap to the topic that ends in `/compressed`. The nodes can read compressed images too; you do not have to change them.
 # - **Versions.** ROS 2 has a new *release* every year. The robot's bridge is made for the release *Humble*, and this course uses the release *Jazzy*. Do not mix two releases in one ROS graph: use a bridge that is built for Jazzy.
-# - **Other robots.** A node only finds nodes with the same *[[term:domain]]*, a number. By default, all robots and all laptops in a classroom use domain 0. Give each robot and its laptop a domain of their own: `export ROS_DOMAIN_ID=7`.
+# - **Other robots.** A node only finds nodes with the same *[[term:domain]]*, a number. By default, all robots and almost all laptops in a classroom use domain 0. Give each robot and its laptop a domain of their own: `export ROS_DOMAIN_ID=7`.
 # - **The charger.** While the robot is on its charger, its depth camera sends images of 0 × 0 pixels. A node must not stop because of them. Your nodes do not stop: `ImageProcessor` counts such an image as a failure and continues.
 #
 # ## Recap

@@ -20,6 +20,7 @@ STOP = "RosSession.current().stop()"
 READ = "print(subscriber.wait(20).shape)"
 ALIVE = """
 import threading
+frame = subscriber.wait(20)  # now this kernel has discovered the camera
 print(sum('ROS session' in t.name for t in threading.enumerate()),
       RosSession.current().node.count_publishers("/kachaka/front_camera/image_raw"),
       RosSession.current().node.count_subscribers("/kachaka/front_camera/image_raw"))

@@ -233,8 +233,10 @@ def test_a_forked_child_keeps_no_camera_alive(start_program):
     child = int(program.evaluate("__import__('os').fork() or __import__('time').sleep(600)"))
     (robot,) = robot_processes()
     program.kill()
-    robot.wait(60)
-    psutil.Process(child).kill()
+    try:
+        robot.wait(60)
+    finally:
+        psutil.Process(child).kill()
 
 
 def test_it_stops_twice_and_with_its_block_and_with_the_session(start_program, wait_until):
