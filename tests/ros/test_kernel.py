@@ -17,10 +17,10 @@ def on_image(frame, msg):
 subscriber = ImageSubscriber("/kachaka/front_camera/image_raw", on_image)
 """
 STOP = "RosSession.current().stop()"
-READ = "print(subscriber.wait(20).shape)"
+READ = "print(subscriber.wait(60).shape)"
 ALIVE = """
 import threading
-frame = subscriber.wait(20)  # now this kernel has discovered the camera
+frame = subscriber.wait(60)  # now this kernel has discovered the camera
 print(sum('ROS session' in t.name for t in threading.enumerate()),
       RosSession.current().node.count_publishers("/kachaka/front_camera/image_raw"),
       RosSession.current().node.count_subscribers("/kachaka/front_camera/image_raw"))
@@ -38,9 +38,9 @@ class Notebook:
     def connect(self):
         self.client = self.manager.client()
         self.client.start_channels()
-        self.client.wait_for_ready(timeout=60)
+        self.client.wait_for_ready(timeout=150)
 
-    def run(self, code, seconds=60):
+    def run(self, code, seconds=150):
         """Runs a cell; returns its (stdout, stderr), and fails on an error."""
         request = self.client.execute(code)
         printed = {"stdout": "", "stderr": ""}
