@@ -6,6 +6,7 @@ read as text: nothing of it is run or evaluated here.
 
 from imgproc_course.gradebook.report import render_page
 
+_NO_GUESS = ("None", "...", '""', "''", "?")
 _LONGEST = 200  # characters of a guess
 
 
