@@ -16,6 +16,7 @@ PACKAGE = ROOT / "imgproc_course"
 ARROWS = {
     "messages": set(),
     "imaging": set(),
+    "geometry": set(),
     "recording": {"messages"},
     "ros": {"messages", "recording"},
     "display": {"messages", "ros"},

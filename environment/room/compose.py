@@ -1,0 +1,144 @@
+"""Textures of the baked colours and light, and the map of the free floor.
+
+    python compose.py BAKED OUT [--quality 88]      needs bpy (see README.md); a minute
+
+Reads what bake.py wrote; OUT is imgproc_course/simulation/room.
+"""
+
+import argparse
+import shutil
+from pathlib import Path
+
+import bpy
+import cv2
+import numpy as np
+from bake import COLOR_SIZE
+from denoise import denoise
+from scene import drive
+
+SPECULAR = 0.04  # what a rough dielectric adds to its diffuse reflection
+# Against the recorded drive, class by class: the floor is a little too light without its polish.
+GAIN = {"floor": 0.95}
+EXPOSURE = {"day": 1.0, "evening": 1.0}
+QUALITY = {"signs": 94}
+BALL_LABEL = 9
+CELL = 0.01  # metres
+BODY_HEIGHTS = (0.02, 0.22)  # metres: the robot with its camera
+FLOOR_LABELS = (1, 14)  # floor and rug
+
+
+def without_buried(light, buried):
+    """Texels inside other bodies, and beside them, take the light of the nearest that is not."""
+    dark = cv2.dilate(buried.astype(np.uint8), np.ones((3, 3), np.uint8))
+    _, owner = cv2.distanceTransformWithLabels(dark, cv2.DIST_L2, 3, labelType=cv2.DIST_LABEL_PIXEL)
+    flat = light.reshape(-1, 3)
+    lit = np.nonzero(dark.ravel() == 0)[0]
+    nearest = np.zeros(owner.max() + 1, np.int64)
+    nearest[owner.ravel()[lit]] = lit
+    return flat[nearest[owner.ravel()]].reshape(light.shape)
+
+
+def ball_texels(geometry, size):
+    mask = np.zeros(size[::-1], np.uint8)
+    for corners in geometry["movers_uv"][geometry["movers_label"] == BALL_LABEL]:
+        cv2.fillConvexPoly(mask, np.round(corners * size).astype(np.int32), 1)
+    return cv2.dilate(mask, np.ones((7, 7))) > 0
+
+
+def texture(baked, geometry, atlas, lighting):
+    """Linear colours times light, (H, W, 3) float32, first row at the bottom."""
+    albedo = np.load(baked / f"{atlas}_albedo.npy").astype(np.float32) + SPECULAR
+    light = np.minimum(np.load(baked / f"{atlas}_{lighting}.npy").astype(np.float32), 40)
+    buried = baked / f"{atlas}_buried.npy"
+    if buried.exists():
+        inside = cv2.resize(
+            np.load(buried).astype(np.float32), light.shape[1::-1], interpolation=cv2.INTER_AREA
+        )
+        light = without_buried(light, inside > 0)
+    light = cv2.resize(denoise(light), albedo.shape[1::-1], interpolation=cv2.INTER_LINEAR)
+    light *= GAIN.get(atlas, 1.0) * EXPOSURE[lighting]
+    if atlas == "movers":  # the ball turns: its light is the renderer's
+        ball = ball_texels(geometry, albedo.shape[1::-1])
+        light[ball], albedo[ball] = 0.8, albedo[ball] - 0.035
+    return np.maximum(albedo * light, 0)
+
+
+def save(linear, path, quality):
+    """Through the scene's film-like tone curve, as JPEG."""
+    image = bpy.data.images.new("texture", linear.shape[1], linear.shape[0], float_buffer=True)
+    image.colorspace_settings.name = "Linear Rec.709"
+    pixels = np.ones((*linear.shape[:2], 4), np.float32)
+    pixels[..., :3] = linear
+    image.pixels.foreach_set(pixels.ravel())
+    bpy.context.scene.render.image_settings.file_format = "PNG"
+    bpy.context.scene.render.image_settings.color_mode = "RGB"
+    bpy.context.scene.render.image_settings.color_depth = "8"
+    image.save_render(str(path.with_suffix(".png")), scene=bpy.context.scene)
+    bpy.data.images.remove(image)
+    cv2.imwrite(str(path), cv2.imread(str(path.with_suffix(".png"))), [cv2.IMWRITE_JPEG_QUALITY, quality])
+    path.with_suffix(".png").unlink()
+
+
+def occupied(geometry, shape, origin):
+    """Cells of which something between the heights of the robot's body stands above."""
+    grid = np.zeros(shape, np.uint8)
+    low, high = BODY_HEIGHTS
+    for atlas in ("room", "furniture", "signs"):
+        for triangle, label in zip(geometry[f"{atlas}_vertices"], geometry[f"{atlas}_label"], strict=True):
+            if label in FLOOR_LABELS or triangle[:, 2].min() > high or triangle[:, 2].max() < low:
+                continue
+            edges = np.linalg.norm(triangle - np.roll(triangle, 1, 0), axis=1)
+            count = max(2, int(edges.max() / (CELL / 2)) + 1)
+            s, t = np.meshgrid(np.linspace(0, 1, count), np.linspace(0, 1, count))
+            inside = s + t <= 1 + 1e-9
+            points = (
+                triangle[0]
+                + s[inside][:, None] * (triangle[1] - triangle[0])
+                + t[inside][:, None] * (triangle[2] - triangle[0])
+            )
+            points = points[(points[:, 2] > low) & (points[:, 2] < high)]
+            cells = ((points[:, :2] - origin) / CELL).astype(int).clip(0, np.array(shape[::-1]) - 1)
+            grid[cells[:, 1], cells[:, 0]] = 1
+    return grid
+
+
+def free_space(geometry):
+    """Distance in millimetres of each cell to the nearest that cannot be reached from the start, uint16."""
+    origin = np.array([drive.X0 - 0.1, drive.Y0 - 0.1])
+    shape = tuple(
+        np.ceil([(drive.Y1 + 0.1 - origin[1]) / CELL, (drive.X1 + 0.1 - origin[0]) / CELL]).astype(int)
+    )
+    grid = occupied(geometry, shape, origin)
+    start = tuple(int(v) for v in (np.array([0.0, 0.0]) - origin) / CELL)
+    cv2.floodFill(grid, np.zeros((shape[0] + 2, shape[1] + 2), np.uint8), start, 2)
+    distance = cv2.distanceTransform((grid == 2).astype(np.uint8), cv2.DIST_L2, cv2.DIST_MASK_PRECISE)
+    return np.round(distance * CELL * 1000).astype(np.uint16), origin
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
+    parser.add_argument("baked", type=Path)
+    parser.add_argument("out", type=Path)
+    parser.add_argument("--quality", type=int, default=88, help="of the JPEG files")
+    parser.add_argument("--lighting", nargs="*", default=["day", "evening"])
+    parser.add_argument("--atlas", nargs="*", default=list(COLOR_SIZE))
+    arguments = parser.parse_args()
+    baked, out = arguments.baked, arguments.out
+    out.mkdir(parents=True, exist_ok=True)
+    geometry = dict(np.load(baked / "geometry.npz"))
+    distance, origin = free_space(geometry)
+    np.savez_compressed(out / "free_space.npz", distance=distance, origin=origin, cell=CELL)
+    for name in ("geometry.npz", "scene.json"):
+        shutil.copyfile(baked / name, out / name)
+    bpy.ops.wm.read_factory_settings(use_empty=True)
+    drive.settings(4, 2)
+    for lighting in arguments.lighting:
+        for atlas in arguments.atlas:
+            path = out / f"{atlas}_{lighting}.jpg"
+            quality = QUALITY.get(atlas, arguments.quality)
+            save(texture(baked, geometry, atlas, lighting), path, quality)
+            print(f"{path.name}: {path.stat().st_size // 1024} kB", flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,102 @@
+"""Poses: rigid transforms, a rotation and a position."""
+
+import math
+from dataclasses import dataclass
+
+import numpy as np
+
+
+@dataclass(frozen=True, eq=False)
+class Pose:
+    """Where a frame stands in another: `pose.apply(points)` takes points from the frame to the other.
+
+    rotation : (3, 3), its columns the frame's axes
+    position : (3,), metres
+    """
+
+    rotation: np.ndarray
+    position: np.ndarray
+
+    @classmethod
+    def from_vector(cls, vector):
+        """Of [x, y, z, qx, qy, qz, qw], as geometry_msgs/Pose orders it.
+
+        Raises
+        ------
+        ValueError : not 7 finite numbers, or a quaternion of length 0
+        """
+        vector = np.asarray(vector, float)
+        if vector.shape != (7,) or not np.isfinite(vector).all():
+            raise ValueError(f"a pose is 7 finite numbers, x y z qx qy qz qw, got {vector.tolist()}")
+        x, y, z, w = vector[3:]
+        squared = x * x + y * y + z * z + w * w
+        if squared < 1e-12:
+            raise ValueError("a pose needs a quaternion of length 1, got 0 0 0 0; no rotation is 0 0 0 1")
+        s = 2 / squared
+        rotation = [
+            [1 - s * (y * y + z * z), s * (x * y - z * w), s * (x * z + y * w)],
+            [s * (x * y + z * w), 1 - s * (x * x + z * z), s * (y * z - x * w)],
+            [s * (x * z - y * w), s * (y * z + x * w), 1 - s * (x * x + y * y)],
+        ]
+        return cls(np.array(rotation), vector[:3].copy())
+
+    @classmethod
+    def planar(cls, x, y, yaw, z=0.0):
+        """Of a body on the floor that is turned left by yaw."""
+        return cls(rotation_about("z", yaw), np.array([x, y, z], float))
+
+    @property
+    def vector(self):
+        """[x, y, z, qx, qy, qz, qw], rounded to 1e-9, qw not negative."""
+        r = self.rotation
+        squares = [
+            1 + r[0, 0] - r[1, 1] - r[2, 2],
+            1 - r[0, 0] + r[1, 1] - r[2, 2],
+            1 - r[0, 0] - r[1, 1] + r[2, 2],
+            1 + r[0, 0] + r[1, 1] + r[2, 2],
+        ]
+        products = {
+            (0, 1): r[1, 0] + r[0, 1],
+            (0, 2): r[2, 0] + r[0, 2],
+            (1, 2): r[2, 1] + r[1, 2],
+            (0, 3): r[2, 1] - r[1, 2],
+            (1, 3): r[0, 2] - r[2, 0],
+            (2, 3): r[1, 0] - r[0, 1],
+        }
+        k = int(np.argmax(squares))
+        largest = 2 * math.sqrt(squares[k])
+        q = [largest / 4 if i == k else products[min(i, k), max(i, k)] / largest for i in range(4)]
+        sign = -1 if q[3] < 0 else 1
+        return np.round([*self.position, *(sign * v for v in q)], 9) + 0.0
+
+    def __matmul__(self, other):
+        return Pose(product(self.rotation, other.rotation), self.apply(other.position))
+
+    def inverse(self):
+        return Pose(self.rotation.T, -rotate(self.rotation.T, self.position))
+
+    def apply(self, points):
+        """Points (..., 3) of the frame, in the other frame."""
+        return rotate(self.rotation, points) + self.position
+
+
+def rotate(rotation, vectors):
+    """Vectors (..., 3) turned by a rotation (3, 3)."""
+    vectors = np.asarray(vectors)
+    x, y, z = vectors[..., 0], vectors[..., 1], vectors[..., 2]
+    return np.stack([row[0] * x + row[1] * y + row[2] * z for row in rotation], -1)
+
+
+def product(first, second):
+    """The rotation that turns by `second`, then by `first`: first · second, (3, 3)."""
+    return rotate(first, second.T).T
+
+
+def rotation_about(axis, angle):
+    """(3, 3) rotation about "x", "y" or "z", rounded to 1e-12: processors differ in sines."""
+    c, s = round(math.cos(angle), 12), round(math.sin(angle), 12)
+    if axis == "x":
+        return np.array([[1, 0, 0], [0, c, -s], [0, s, c]], float)
+    if axis == "y":
+        return np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]], float)
+    return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]], float)
