@@ -134,18 +134,21 @@ class LiveView:
         self._make_widgets()
 
     def _make_widgets(self):
-        button_layout = widgets.Layout(width="110px")
+        button_layout = widgets.Layout(width="110px", flex="none")  # a narrow window does not cut its text
         self._start = widgets.Button(description="Start", icon="play", layout=button_layout)
         self._stop = widgets.Button(description="Stop", icon="stop", layout=button_layout)
         self._snapshot_button = widgets.Button(description="Snapshot", icon="camera", layout=button_layout)
         self._start.on_click(lambda _: self.start())
         self._stop.on_click(lambda _: self.stop())
         self._snapshot_button.on_click(lambda _: self.snapshot())
-        self._status = widgets.Label(value="waiting for the first frame")
+        self._status = widgets.Label(value="waiting for the first frame", layout=widgets.Layout(flex="none"))
         box = self._screen.box
         if self._controls:
             box = widgets.HBox([box, self._controls.box], layout=widgets.Layout(flex_flow="row wrap"))
-        bar = widgets.HBox([self._start, self._stop, self._snapshot_button, self._status])
+        bar = widgets.HBox(
+            [self._start, self._stop, self._snapshot_button, self._status],
+            layout=widgets.Layout(flex_flow="row wrap"),
+        )
         self._box = widgets.VBox([bar, box])
         # With a number here, the browser counts the views of this widget: 0 means that no page shows it.
         self._screen.image._view_count = 0

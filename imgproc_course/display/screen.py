@@ -42,7 +42,7 @@ class Screen:
     def __init__(self, encoding, width, limits, alt, caption):
         self.encoding, self.limits, self._fixed_width = encoding, limits, width
         self._size = None
-        common = {"max_width": "100%", "margin": "2px"}
+        common = {"max_width": "calc(100% - 4px)", "margin": "2px"}
         self.image = NamedImage(
             format="jpeg", layout=widgets.Layout(object_fit="contain", **common), tooltip=alt
         )

@@ -42,7 +42,10 @@ class CellRun:
         if self.is_read:
             self.error = f"{kind}: {error}. {advice_on(kind, str(error))}".rstrip()
         else:
-            self.error = f"Python cannot read it: {kind}, {error.msg}, in line {error.lineno}."
+            advice = advice_on(kind, error.msg, f"line {error.lineno}: {(error.text or '').strip()}")
+            self.error = (
+                f"Python cannot read it: {kind}, {error.msg}, in line {error.lineno}. {advice}".rstrip()
+            )
 
     def definitions(self):
         """The names of the functions that the cell defines at its top level, also if it does not parse."""

@@ -10,9 +10,10 @@ from imgproc_course.exercises.check_files import find_check_data
 from imgproc_course.exercises.comparison import Difference, compare
 from imgproc_course.exercises.declaration import PUBLIC_SEED
 from imgproc_course.exercises.dependencies import Dependencies, find_dependencies
-from imgproc_course.exercises.diagnosis import Diagnosis, diagnose, remarks_on_source
+from imgproc_course.exercises.diagnosis import Diagnosis, diagnose
 from imgproc_course.exercises.progress import ExerciseProgress, digest_of, note_progress
 from imgproc_course.exercises.running import CallResult, code_of, overwrite_freed_memory
+from imgproc_course.exercises.source_remarks import remarks_on_source
 
 _NONE = {"type": "None"}
 
@@ -180,7 +181,8 @@ def run_check(exercise, function):
     dependencies = find_dependencies(function, exercise.refused, set(exercise.provided))
     has_passed = all(result.passed for result in results)
     mistake = None if has_passed else _known_mistake(exercise.mistakes, calls)
-    remarks = () if has_passed else remarks
+    errors = {case_call.result.error for case_call in calls}
+    remarks = () if has_passed else tuple(remarks_on_source(function, errors))
     result = CheckResult(exercise, True, results, mistake, dependencies, remarks=remarks)
     return replace(result, diagnosis=_diagnosis(result, calls))
 

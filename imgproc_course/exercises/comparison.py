@@ -96,9 +96,8 @@ def _first_difference(expected, actual):
     rest, actual_rest = (
         repr(text[start : start + _CONTEXT]) if text[start:] else "the end" for text in texts
     )
-    return (
-        f"; they differ from character {start + 1} on, after {before!r}: expected {rest}, got {actual_rest}"
-    )
+    place = f"character {start + 1} on, after {before!r}" if start else "the first character on"
+    return f"; they differ from {place}: expected {rest}, got {actual_rest}"
 
 
 def _difference(kind, path, expected, actual):

@@ -4,9 +4,6 @@ A sentence is given only if it is true of the values in every call: a wrong name
 more than none.
 """
 
-import ast
-import inspect
-import textwrap
 from dataclasses import dataclass
 
 import numpy as np
@@ -83,33 +80,6 @@ def diagnose(calls, shown, names=()):
     if "shape" in kinds:
         return Diagnosis(_advice_on_shape(*wrong, shown.arguments, names), is_whole=True)
     return Diagnosis(_advice_on_type(*wrong, shown.case.tolerance), is_whole=True)
-
-
-def remarks_on_source(function):
-    """What is certain from the source of a function alone, as a list of sentences."""
-    try:
-        tree = ast.parse(textwrap.dedent(inspect.getsource(function))).body[0]
-    except (OSError, TypeError, SyntaxError):
-        return []
-    remarks = []
-    for node in ast.walk(tree):
-        if isinstance(node, ast.BoolOp) and isinstance(node.op, ast.Or):
-            texts = [value for value in node.values[1:] if isinstance(value, ast.Constant) and value.value]
-            if texts and isinstance(node.values[0], ast.Compare):
-                remarks.append(
-                    f"{ast.unparse(node)} is always true, because {ast.unparse(texts[0])} alone counts as"
-                    f" True. Compare with each of them, or write: in (..., ...)."
-                )
-    body = getattr(tree, "body", [])
-    if any(_is_stub_line(statement) for statement in body[:-1]):
-        remarks.append(
-            "The line with raise NotImplementedError is still there, and ends the function: delete it."
-        )
-    return remarks
-
-
-def _is_stub_line(statement):
-    return isinstance(statement, ast.Raise) and "NotImplementedError" in ast.unparse(statement)
 
 
 def side_by_side(expected, actual):
@@ -331,7 +301,20 @@ def _advice_on_size(shape, actual_shape):
             f"Your result is too wide: {actual_shape[1]} columns instead of {shape[1]}. Keep only the"
             f" columns that the task asks for, without any padding."
         )
-    return ""
+    changes = [_surplus(rows, "row"), _surplus(cols, "column")]
+    if not any(changes):
+        return ""
+    return (
+        f"Your result has {' and '.join(text for text in changes if text)}. A slice start:stop begins with"
+        " the index start and ends before stop; both are places, and neither is a length."
+    )
+
+
+def _surplus(count, noun):
+    """`2 rows too many`, `1 column too few`, or "" """
+    if count == 0:
+        return ""
+    return f"{abs(count)} {noun}{'s' * (abs(count) != 1)} too {'many' if count > 0 else 'few'}"
 
 
 # ---------------------------------------------------------------- values

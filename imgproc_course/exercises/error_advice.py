@@ -70,7 +70,10 @@ def _ambiguous(_match, source):
             "A chained comparison such as low < a < high does not work with an array. Write two comparisons"
             " with & between them, each in parentheses: (low < a) & (a < high)."
         )
-    if any(isinstance(node, ast.BoolOp) for node in nodes):
+    parts = [part for node in nodes if isinstance(node, ast.BoolOp) for part in node.values]
+    if parts and all(isinstance(part, ast.Name) for part in parts):
+        return "An array is neither True nor False. To ask whether it has any values, write array.size > 0."
+    if parts:
         return (
             "`and` and `or` need a single True or False, and an array has many. Between arrays write & or |,"
             " with each comparison in parentheses."
@@ -106,18 +109,34 @@ def _article(type_name):
 
 
 def _broadcast(match, _source):
-    shapes = [tuple(map(int, re.findall(r"\d+", shape))) for shape in re.findall(r"\([\d,]*\)", match.string)]
+    found = re.findall(r"\([\d,]*\)", match.string)
+    # a += b names the shape of a twice
+    shapes = list(dict.fromkeys(tuple(map(int, re.findall(r"\d+", shape))) for shape in found))
     advice = "Arithmetic with two arrays works value by value, and needs equal shapes."
+    if any(0 in shape for shape in shapes):
+        return (
+            f"{advice} One of these is empty. A slice is empty if it ends before it begins; a negative index,"
+            " such as row - 1 in row 0, counts from the end."
+        )
     if len(shapes) != 2 or len(shapes[0]) != len(shapes[1]):
         return advice
     gaps = [abs(a - b) for a, b in zip(*shapes, strict=True)]
+    if (3, 3) in shapes and max(max(shape) for shape in shapes) == 3:
+        return (
+            f"{advice} Here the window is smaller than the kernel. It must be array[row : row + 3,"
+            " col : col + 3], and inside the array: loop over the rows and columns of the image, not of the"
+            " padded array."
+        )
     if min(max(shapes)) > 3 and (3, 3) in shapes:
         return (
             f"{advice} A kernel is smaller than the image: it slides over it, and each pixel is computed from"
             " the products with its own 3 × 3 neighbours."
         )
     if max(gaps) <= 2:
-        return f"{advice} These two differ by {max(gaps)}: look where each slice begins and ends."
+        return (
+            f"{advice} These two differ by {max(gaps)}: look where each slice begins and ends, and how wide"
+            " the padding is."
+        )
     return advice
 
 
@@ -127,8 +146,9 @@ def _index_outside(match, _source):
     if axis == "2":
         return f"{advice} Axis 2 of a colour image holds its channels."
     return (
-        f"{advice} Does your function read neighbours of a pixel? Pad the image first (np.pad): then"
-        f" pixels at the border have neighbours too. An array is indexed rows first: array[row, col]."
+        f"{advice} Does the loop end at the shape of this array, or at that of another, such as a padded one?"
+        " If it reads neighbours of a pixel, pad the image (np.pad): then pixels at the border have"
+        " neighbours too. An array is indexed rows first: array[row, col]."
     )
 
 
@@ -146,7 +166,36 @@ def _unpack(match, source):
     )
 
 
-def _reshape(match, _source):
+def _short_tuple(_match, source):
+    number = re.search(r"\.shape\[(\d+)\]", source)
+    start = "The tuple has fewer parts."
+    if number and int(number[1]) > 2:
+        return (
+            f"{start} Python counts from 0: shape[0] is the number of rows, shape[1] of columns, and shape[2]"
+            " of channels, if the image has colours."
+        )
+    return (
+        f"{start} The shape of a gray image has two numbers, (rows, columns), and only a colour image has a"
+        " third: ask for len(image.shape) or image.ndim first."
+    )
+
+
+def _not_iterable(match, source):
+    if source.startswith("for "):
+        return (
+            "Each value of this loop is a single number, and several names stand for it. For all pixels write"
+            " two loops, one inside the other: for row in range(height): and for col in range(width):"
+        )
+    return f"Several names stand on the left, and the value on the right is a single {match[1]}."
+
+
+def _syntax(_match, source):
+    if re.search(r"[&|]\s*not\b", source):
+        return "After & and | write ~ for not: a & ~b."
+    return ""
+
+
+def _reshape(match, source):
     size, shape = int(match[1]), [int(part) for part in re.findall(r"-?\d+", match[2])]
     if size == 1:
         return (
@@ -161,15 +210,28 @@ def _reshape(match, _source):
     product = " × ".join(map(str, shape))
     if size == 3 * count:
         return f"{size} values are 3 times as many as {product}. Are the three channels missing in the shape?"
+    if size == 2 * count:
+        return (
+            f"{size} values are twice as many as {product}. If a pixel has two bytes (16 bits), read both as"
+            " one number: np.frombuffer with a 16-bit dtype, such as '<u2'. If not, is there padding at the"
+            " end of the rows?"
+        )
     if size > count:
         return (
             f"{size} values are too many for {product} = {count}. Is there padding at the end of the rows?"
             f" Crop each row, rows[:, :n], before you reshape; rows[:n] keeps the first rows."
         )
-    return (
-        f"{size} values are too few for {product} = {count}. Was too much cropped, or is this the shape of"
-        f" another image?"
-    )
+    return f"{size} values are too few for {product} = {count}. {_why_too_few(size, count, shape, source)}"
+
+
+def _why_too_few(size, count, shape, source):
+    if "step" in source:
+        return "step is the number of bytes of a row; the columns of an image are its pixels, width."
+    if count == 3 * size:
+        return "Is this one value for each pixel? A colour pixel has 3 values (bytes), a row width * 3."
+    if shape[-1] == 3:
+        return "Was too much cropped, or has a pixel not 3 values? In a message, encoding says how many."
+    return "Was too much cropped, or is this the shape of another image?"
 
 
 def _zero_division(_match, source):
@@ -269,13 +331,8 @@ def _text_operator(match, _source):
 
 # (error types, pattern of the message, advice: a template for the match, or a function of match and source)
 _ADVICE = (
-    ("ValueError", "truth value of an array", _ambiguous),
-    (
-        "IndexError",
-        "^tuple index out of range",
-        "The tuple has fewer parts. The shape of a gray image has two numbers, (rows, columns), and only a"
-        " colour image has a third: ask for len(image.shape) or image.ndim first.",
-    ),
+    ("ValueError", "truth value of an (?:empty )?array", _ambiguous),
+    ("IndexError", "^tuple index out of range", _short_tuple),
     ("TypeError", r"(?:unhashable type|use): '([\w.]+)'", _unhashable),
     ("ValueError", "could not be broadcast|could not broadcast", _broadcast),
     (
@@ -347,6 +404,8 @@ _ADVICE = (
         " np.log10.",
     ),
     ("TypeError", r"unsupported operand type\(s\) for (\S+): '([\w.]+)' and '([\w.]+)'", _text_operator),
+    ("TypeError", r"cannot unpack non-iterable ([\w.]+) object", _not_iterable),
+    ("SyntaxError", "invalid syntax", _syntax),
     ("ValueError", r"(?:too many|not enough) values to unpack \(expected (\d+)", _unpack),
     (
         "TypeError UFuncTypeError",
@@ -379,7 +438,8 @@ _ADVICE = (
     (
         "ValueError",
         "setting an array element with a sequence",
-        "One element of an array holds one number, and here a whole list or array is stored in it.",
+        "One element of an array holds one number, and here a whole list or array is stored in it. Make one"
+        " number of it first, for example with .sum().",
     ),
     (
         "TypeError",
@@ -393,7 +453,7 @@ _ADVICE = (
     ),
     (
         "ValueError",
-        "zero-size array",
+        "zero-size array|of an empty sequence",
         "The array has no values here: an empty array has no maximum and no minimum.",
     ),
     (

@@ -169,7 +169,9 @@ assert round(np.median(depth) / 1000, 1) == 3.6
 #
 # By hand for eight pixels, 10, 20, 20, 30, 180, 190, 200, 210, and $t = 195$: six of eight pixels are in class 0, and their mean is 75. Two of eight are in class 1, and their mean is 205. So
 #
-# $$\sigma_B^2(195) = \tfrac{6}{8} \cdot \tfrac{2}{8} \cdot (75 - 205)^2 = 0.75 \cdot 0.25 \cdot 16900 = 3168.75$$
+# $$\sigma_B^2(195) = \tfrac{6}{8} \cdot \tfrac{2}{8} \cdot (75 - 205)^2$$
+#
+# $$= 0.75 \cdot 0.25 \cdot 16900 = 3168.75$$
 #
 # Why multiply by the shares? Without them, the method would like to put a single very dark pixel alone into a class: then the means differ most.
 #

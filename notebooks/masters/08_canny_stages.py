@@ -353,13 +353,13 @@ def my_sobel(gray):
     return np.clip(grad_row, 0, 255), np.clip(grad_col, 0, 255)
 
 
-# %% role="mistake" name="the same kernel for both" says="Both results are grad_col, computed with the same kernel. grad_row needs the transposed kernel, kernel.T."
+# %% role="mistake" name="the same kernel for both" says="Both results are grad_col: both are computed with the same kernel, or both names stand for one array. grad_row needs the transposed kernel, kernel.T, and an array of its own."
 def my_sobel(gray):
     _, grad_col = solution(gray)
     return grad_col, grad_col
 
 
-# %% role="mistake" name="the transposed kernel for both" says="Both results are grad_row, computed with the same transposed kernel. grad_col needs the kernel as it is, not transposed."
+# %% role="mistake" name="the transposed kernel for both" says="Both results are grad_row: both are computed with the same transposed kernel, or both names stand for one array. grad_col needs the kernel as it is, not transposed, and an array of its own."
 def my_sobel(gray):
     grad_row, _ = solution(gray)
     return grad_row, grad_row

@@ -184,7 +184,8 @@ def three_images(frame, low=50, high=150):
 if ros_available():
     thresholds = ipywidgets.IntRangeSlider(
         value=(50, 150), min=0, max=1020, description="low, high",
-        continuous_update=False, layout={"width": "640px"})
+        continuous_update=False,
+        layout={"width": "640px", "max_width": "95%"})
     thresholds.observe(set_thresholds, names="value")  # called when it moves
     display(labelled(thresholds, ["low", "high"]))  # for screen readers
     views = ImageSubscriber("/edges_by_hand/view", encoding="bgr8")
@@ -496,6 +497,11 @@ def near(mask, tolerance):
 def near(mask, tolerance):
     rows, cols = mask.any(axis=1, keepdims=True), mask.any(axis=0, keepdims=True)
     return combined(rows | np.zeros_like(mask), tolerance) | combined(cols | np.zeros_like(mask), tolerance)
+
+
+# %% role="mistake" name="range(tolerance)" says="Your square has only tolerance rows and columns, as with range(tolerance). It needs 2 * tolerance + 1 of each: tolerance on both sides of the pixel, and the pixel itself."
+def near(mask, tolerance):
+    return combined(mask, tolerance, lambda row, col: row < 0 and col < 0)
 
 
 # %% role="mistake" name="range one too short" says="The square is one row and one column too small, as with range(2 * tolerance). It has 2 * tolerance + 1 rows and columns."

@@ -206,8 +206,8 @@ for name in ("package.xml", "setup.py", "setup.cfg", "resource/image_gray_proces
 # | `package.xml` | name, version, licence, and the *dependencies*: the other packages that this package needs (section 3) |
 # | `setup.py` | says which files are installed, and which programs you can start |
 # | `setup.cfg` | says that these programs are installed into `lib/<package>`, where `ros2 run` looks for them |
-# | `resource/image_gray_processor` | an empty file, the *marker* by which ROS finds the package |
-# | `image_gray_processor/image_gray_processor.py` | the node |
+# | `resource/…` | an empty file with the name of the package, the *marker* by which ROS finds the package |
+# | `…/image_gray_processor.py` | the node |
 # | `launch/…launch.py` | the *[[term:launch file]]*: it tells `ros2 launch` which node to start, with which topic and which parameters |
 # | `test/` | a test of the node's function, without ROS |
 #
@@ -657,6 +657,11 @@ def executable_of(install, package):
 # %% role="mistake" name="the name of the file only" says="You return only the name of the file. The task asks for its whole path, which begins with install."
 def executable_of(install, package):
     return package
+
+
+# %% role="mistake" name="the word install" says="Your path begins with the word install. It must begin with the value of the argument install: in an f-string write {install}, with braces."
+def executable_of(install, package):
+    return f"install/{package}/lib/{package}/{package}"
 
 
 # %% role="mistake" name="the path without install" says="Your path does not begin with install: put install and a / before it."

@@ -67,6 +67,9 @@ FOCUSED = """() => {
     node.focus();
     return [node.ariaLabel || node.innerText || node.closest("label, .jupyter-widgets")?.innerText, differs];
 }"""
+# The texts and classes of the boxes and labels that are wider than their place.
+CUT_OFF = """() => [...document.querySelectorAll(".jp-Cell :is(.widget-box, .widget-label, .jupyter-button)")]
+    .filter(node => node.scrollWidth > node.clientWidth).map(node => [node.className, node.innerText])"""
 # In the order of the Tab key; a number is the value that stands beside a slider.
 CONTROLS = ["thresholds: low", "thresholds: high", "20 – 50", "offset", "9", "inside", "Reset"]
 
@@ -124,3 +127,6 @@ def test_sliders_and_buttons_work_with_the_keyboard_alone(outputs, open_notebook
     page.page.locator("button.jupyter-button", has_text="Stop").focus()
     page.page.keyboard.press("Space")
     page.page.get_by_text("stopped after").wait_for()
+    page.page.set_viewport_size({"width": 900, "height": 1000})
+    page.page.wait_for_timeout(500)
+    assert page.page.evaluate(CUT_OFF) == []

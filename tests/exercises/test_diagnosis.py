@@ -8,7 +8,7 @@ import pytest
 
 from imgproc_course.exercises.canonical import canonical
 from imgproc_course.exercises.comparison import compare
-from imgproc_course.exercises.diagnosis import diagnose, remarks_on_source
+from imgproc_course.exercises.diagnosis import diagnose
 
 RNG = np.random.default_rng(7)
 GRAY = RNG.integers(20, 200, (5, 6), dtype=np.uint8)
@@ -177,28 +177,6 @@ def test_a_fixed_number_is_named():
 def test_numpy_scalars_count_as_numbers():
     assert say(0.5, np.float64(1.0)).text == "Your number is twice the expected number, in every check."
     assert say(80, np.float64(80)).text.startswith("The value is right; only its type is not")
-
-
-def compares_with_or(message):
-    if message == "rgb8" or "bgr8":  # noqa: SIM222 - the mistake
-        return 3
-    return 1
-
-
-def raises_first(frame):
-    raise NotImplementedError("your turn")
-    return frame.size
-
-
-def test_what_is_certain_from_the_source():
-    (remark,) = remarks_on_source(compares_with_or)
-    assert remark.startswith(
-        "message == 'rgb8' or 'bgr8' is always true, because 'bgr8' alone counts as True."
-    )
-    assert remarks_on_source(raises_first) == [
-        "The line with raise NotImplementedError is still there, and ends the function: delete it."
-    ]
-    assert remarks_on_source(call_of) == remarks_on_source(len) == []
 
 
 def test_a_value_that_cannot_be_compared_is_not_called_fixed():

@@ -33,7 +33,7 @@ ADVICE = {
     "{a: 1}": "Write the key as text, in quotes.",
     "{a}": "Curly brackets without a key and a colon make a set",
     "a * kernel": "it slides over it, and each pixel",
-    "a[1:] - a[:-2]": "These two differ by 1: look where each slice begins and ends.",
+    "a[1:] - a[:-2]": "These two differ by 1: look where each slice begins and ends,",
     "a[5, 0]": "so 4 is the last index of axis 0.",
     "colour[0, 0, 3]": "so 2 is the last index of axis 2. Axis 2 of a colour image holds its channels.",
     "values[3]": "the last index is len(...) - 1",

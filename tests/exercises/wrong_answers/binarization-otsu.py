@@ -278,3 +278,30 @@ def otsu(gray):
         if variance > best:
             best, best_t = variance, t
     return best_t
+
+# %% name="between_class_variance of section 3" origin="walk" sentence="between_class_variance is defined in another cell: copy it into the answer cell, and leave out every t with an empty class, because its mean is nan." must_say=["between_class_variance", "copy|definition"] kind="other-cell"
+def otsu(gray):
+    counts = np.bincount(gray.ravel(), minlength=256)
+    variances = []
+    for t in range(256):
+        variances.append(between_class_variance(counts, t))
+    return int(np.argmax(variances))
+
+# %% name="np.argmax of a numpy int" origin="walk" sentence="The list begins with the darkest gray level, not with 0, so the position of the maximum is not t." must_say=["begin|position|darkest"] must_not_say=["\\bnp\\.int|dtype"] kind="value"
+def otsu(gray):
+    variances = []
+    for t in range(gray.min(), gray.max()):
+        below, above = gray[gray <= t], gray[gray > t]
+        variances.append(below.size * above.size * (below.mean() - above.mean()) ** 2)
+    return np.argmax(variances)
+
+# %% name="if below and above" origin="walk" sentence="below and above are arrays, and an array is neither True nor False: ask for their size, if below.size and above.size." must_say=["size|values"] kind="error"
+def otsu(gray):
+    best_t, best_variance = 0, 0
+    for t in range(256):
+        below, above = gray[gray <= t], gray[gray > t]
+        if below and above:
+            variance = below.size * above.size * (below.mean() - above.mean()) ** 2
+            if variance > best_variance:
+                best_t, best_variance = t, variance
+    return best_t

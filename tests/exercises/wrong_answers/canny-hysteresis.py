@@ -285,3 +285,58 @@ def grow(weak, strong):
         near = np.any([p[y : y + h, x : x + w] for y in range(3) for x in range(3)], axis=0)
         edges = edges | (weak & near)
     return np.where(edges, 255, 0).astype(np.uint8)
+
+# %% name="grow_once does not see the change" origin="walk" sentence="edges never changes in the loop, so grow_once gives the same result for ever: write edges = larger in the loop." must_say=["change|never ends|endless"] must_not_say=["corner"] kind="too-slow"
+def grow_once(edges, weak):
+    height, width = edges.shape
+    padded = np.pad(edges, 1)
+    near_edge = np.zeros_like(edges)
+    for row in range(3):
+        for col in range(3):
+            near_edge |= padded[row : row + height, col : col + width]
+    return edges | (weak & near_edge)
+
+
+def grow(weak, strong):
+    edges = strong
+    larger = grow_once(edges, weak)
+    while larger.sum() != edges.sum():
+        larger = grow_once(edges, weak)
+    return np.where(edges, 255, 0).astype(np.uint8)
+
+# %% name="return in the while loop at once" origin="walk" sentence="edges.sum() == edges.sum() is always true, so the loop ends after one step: keep the number of edge pixels before the step." must_say=["itself|always true"] must_not_say=["corner"] kind="value"
+def grow_once(edges, weak):
+    height, width = edges.shape
+    padded = np.pad(edges, 1)
+    near_edge = np.zeros_like(edges)
+    for row in range(3):
+        for col in range(3):
+            near_edge |= padded[row : row + height, col : col + width]
+    return edges | (weak & near_edge)
+
+
+def grow(weak, strong):
+    edges = strong
+    while True:
+        edges = grow_once(edges, weak)
+        if edges.sum() == edges.sum():
+            return np.where(edges, 255, 0).astype(np.uint8)
+
+# %% name="while edges != larger" origin="walk" sentence="edges != larger is an array, and while needs one True or False: write (edges != larger).any()." must_say=["any\\(\\)"] must_not_say=["corner"] kind="error"
+def grow_once(edges, weak):
+    height, width = edges.shape
+    padded = np.pad(edges, 1)
+    near_edge = np.zeros_like(edges)
+    for row in range(3):
+        for col in range(3):
+            near_edge |= padded[row : row + height, col : col + width]
+    return edges | (weak & near_edge)
+
+
+def grow(weak, strong):
+    edges = strong
+    larger = grow_once(edges, weak)
+    while edges != larger:
+        edges = larger
+        larger = grow_once(edges, weak)
+    return np.where(edges, 255, 0).astype(np.uint8)

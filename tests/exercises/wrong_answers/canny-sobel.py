@@ -201,3 +201,67 @@ def my_sobel(gray):
     p = np.pad(gray.astype(np.int32), 1, mode="edge")
     grad_col = (p[:-2, 2:] + 2 * p[1:-1, 2:] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[1:-1, :-2] + p[2:, :-2])
     grad_row = (p[2:, :-2] + 2 * p[2:, 1:-1] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[:-2, 1:-1] + p[:-2, 2:])
+
+# %% name="only one loop" origin="walk" sentence="gray.shape holds two numbers, and a loop over it gives one number after the other: write two loops, for row in range(height): and in it for col in range(width):." must_say=["two loops|range\\("] must_not_say=["pad"] kind="error"
+def my_sobel(gray):
+    kernel = np.array([[-1, 0, 1], [-2, 0, 2], [-1, 0, 1]])
+    padded = np.pad(gray.astype(np.int32), 1, mode="edge")
+    grad_row = np.zeros(gray.shape, dtype=np.int32)
+    grad_col = np.zeros(gray.shape, dtype=np.int32)
+    for row, col in gray.shape:
+        window = padded[row:row + 3, col:col + 3]
+        grad_col[row, col] = (window * kernel).sum()
+        grad_row[row, col] = (window * kernel.T).sum()
+    return grad_row, grad_col
+
+# %% name="loops over the padded image" origin="walk" sentence="The loops go over the padded image, so the last windows are too small: loop over the rows and columns of gray." must_say=["loop over|rows and columns of (the image|gray)", "padded"] must_not_say=["how wide the padding"] kind="error"
+def my_sobel(gray):
+    kernel = np.array([[-1, 0, 1], [-2, 0, 2], [-1, 0, 1]])
+    padded = np.pad(gray.astype(np.int32), 1, mode="edge")
+    height, width = padded.shape
+    grad_row = np.zeros(gray.shape, dtype=np.int32)
+    grad_col = np.zeros(gray.shape, dtype=np.int32)
+    for row in range(height):
+        for col in range(width):
+            window = padded[row:row + 3, col:col + 3]
+            grad_col[row, col] = (window * kernel).sum()
+            grad_row[row, col] = (window * kernel.T).sum()
+    return grad_row, grad_col
+
+# %% name="window without the end of the slice" origin="walk" sentence="Your window has 2 × 2 pixels, because a slice ends before its stop: write row : row + 3 and col : col + 3." must_say=["row \\+ 3", "window"] must_not_say=["how wide the padding"] kind="error"
+def my_sobel(gray):
+    kernel = np.array([[-1, 0, 1], [-2, 0, 2], [-1, 0, 1]])
+    padded = np.pad(gray.astype(np.int32), 1, mode="edge")
+    grad_row = np.zeros(gray.shape, dtype=np.int32)
+    grad_col = np.zeros(gray.shape, dtype=np.int32)
+    for row in range(gray.shape[0]):
+        for col in range(gray.shape[1]):
+            window = padded[row:row + 2, col:col + 2]
+            grad_col[row, col] = (window * kernel).sum()
+            grad_row[row, col] = (window * kernel.T).sum()
+    return grad_row, grad_col
+
+# %% name="products not summed" origin="walk" sentence="window * kernel has nine values, and one element of grad_col holds one: add them, (window * kernel).sum()." must_say=["sum"] kind="error"
+def my_sobel(gray):
+    kernel = np.array([[-1, 0, 1], [-2, 0, 2], [-1, 0, 1]])
+    padded = np.pad(gray.astype(np.int32), 1, mode="edge")
+    grad_row = np.zeros(gray.shape, dtype=np.int32)
+    grad_col = np.zeros(gray.shape, dtype=np.int32)
+    for row in range(gray.shape[0]):
+        for col in range(gray.shape[1]):
+            window = padded[row:row + 3, col:col + 3]
+            grad_col[row, col] = window * kernel
+            grad_row[row, col] = window * kernel.T
+    return grad_row, grad_col
+
+# %% name="the same array twice" origin="walk" sentence="grad_row = grad_col = np.zeros(...) gives one array two names, so the second result overwrites the first: make two arrays." must_say=["one array|two arrays"] must_not_say=["^(?!.*(one|two) array).*computed with the same transposed"] kind="value"
+def my_sobel(gray):
+    kernel = np.array([[-1, 0, 1], [-2, 0, 2], [-1, 0, 1]])
+    padded = np.pad(gray.astype(np.int32), 1, mode="edge")
+    grad_row = grad_col = np.zeros(gray.shape, dtype=np.int32)
+    for row in range(gray.shape[0]):
+        for col in range(gray.shape[1]):
+            window = padded[row:row + 3, col:col + 3]
+            grad_col[row, col] = (window * kernel).sum()
+            grad_row[row, col] = (window * kernel.T).sum()
+    return grad_row, grad_col

@@ -364,3 +364,84 @@ def suppress(magnitude, sector):
             if m > a and (m > b or (s in (0, 2) and m == b)):
                 out[y, x] = m
     return out
+
+# %% name="padded magnitude and unpadded sector" origin="walk" sentence="The loops run over the padded shape, and sector is not padded: loop over the shape of magnitude, and add 1 to the indices of padded only." must_say=["padded", "loop|shape"] kind="error"
+def suppress(magnitude, sector):
+    padded = np.pad(magnitude, 1)
+    thinned = np.zeros_like(magnitude)
+    height, width = padded.shape
+    for row in range(1, height):
+        for col in range(1, width):
+            value = padded[row, col]
+            if sector[row, col] == 0:
+                keep = value > padded[row, col - 1] and value >= padded[row, col + 1]
+            elif sector[row, col] == 1:
+                keep = value > padded[row - 1, col - 1] and value > padded[row + 1, col + 1]
+            elif sector[row, col] == 2:
+                keep = value > padded[row - 1, col] and value >= padded[row + 1, col]
+            else:
+                keep = value > padded[row - 1, col + 1] and value > padded[row + 1, col - 1]
+            if keep:
+                thinned[row, col] = value
+    return thinned
+
+# %% name="if for elif" origin="walk" sentence="The else belongs to the last if only, so it overwrites the neighbours of sectors 0 and 1: write elif." must_say=["elif"] must_not_say=["swap|exchanged"] kind="value"
+def suppress(magnitude, sector):
+    padded = np.pad(magnitude, 1)
+    thinned = np.zeros_like(magnitude)
+    height, width = magnitude.shape
+    for row in range(height):
+        for col in range(width):
+            value = magnitude[row, col]
+            if sector[row, col] == 0:
+                first, second = padded[row + 1, col], padded[row + 1, col + 2]
+            if sector[row, col] == 1:
+                first, second = padded[row, col], padded[row + 2, col + 2]
+            if sector[row, col] == 2:
+                first, second = padded[row, col + 1], padded[row + 2, col + 1]
+            else:
+                first, second = padded[row, col + 2], padded[row + 2, col]
+            if sector[row, col] in (0, 2):
+                keep = value > first and value >= second
+            else:
+                keep = value > first and value > second
+            if keep:
+                thinned[row, col] = value
+    return thinned
+
+# %% name="keep not reset" origin="walk" sentence="keep stays True after the first pixel that is kept: set it to False at the beginning of each pixel." must_say=["\\bkeep\\b|False|reset"] must_not_say=["swap|exchanged"] kind="value"
+def suppress(magnitude, sector):
+    padded = np.pad(magnitude, 1)
+    thinned = np.zeros_like(magnitude)
+    keep = False
+    height, width = magnitude.shape
+    for row in range(height):
+        for col in range(width):
+            value = magnitude[row, col]
+            s = sector[row, col]
+            if s == 0 and value > padded[row + 1, col] and value >= padded[row + 1, col + 2]:
+                keep = True
+            if s == 1 and value > padded[row, col] and value > padded[row + 2, col + 2]:
+                keep = True
+            if s == 2 and value > padded[row, col + 1] and value >= padded[row + 2, col + 1]:
+                keep = True
+            if s == 3 and value > padded[row, col + 2] and value > padded[row + 2, col]:
+                keep = True
+            if keep:
+                thinned[row, col] = value
+    return thinned
+
+# %% name="index of the loop variable sector" origin="walk" sentence="for sector in range(4) writes over the argument sector: give the variable of the loop another name, or leave this loop out." must_say=["argument sector|another name"] kind="error"
+def suppress(magnitude, sector):
+    padded = np.pad(magnitude, 1)
+    thinned = np.zeros_like(magnitude)
+    height, width = magnitude.shape
+    for row in range(height):
+        for col in range(width):
+            for sector in range(4):
+                value = magnitude[row, col]
+                if sector[row, col] == 0:
+                    keep = value > padded[row + 1, col] and value >= padded[row + 1, col + 2]
+                    if keep:
+                        thinned[row, col] = value
+    return thinned

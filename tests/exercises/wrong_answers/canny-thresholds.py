@@ -139,3 +139,33 @@ def double_threshold(thinned, low, high):
     thinned[strong] = 0
     weak = thinned > low
     return weak, strong
+
+# %% name="not for ~" origin="walk" sentence="Python reads `not` only before a whole condition: between arrays write & ~strong." must_say=["~"] must_not_say=["order"] kind="syntax"
+def double_threshold(thinned, low, high):
+    strong = thinned > high
+    weak = thinned > low & not strong
+    return weak, strong
+
+# %% name="no parentheses" origin="walk" sentence="Python computes low & ~strong before the comparison: put thinned > low in parentheses." must_say=["parenthes"] must_not_say=["order of|swapped"] kind="value"
+def double_threshold(thinned, low, high):
+    strong = thinned > high
+    weak = thinned > low & ~strong
+    return weak, strong
+
+# %% name="loop over rows" origin="walk" sentence="The loop gives the values of the pixels, and strong[value] takes a value for a position: compare the whole array, thinned > high." must_say=["positions?|value for|whole array"] must_not_say=["Does the loop read"] kind="error"
+def double_threshold(thinned, low, high):
+    weak = np.zeros(thinned.shape, dtype=bool)
+    strong = np.zeros(thinned.shape, dtype=bool)
+    for row in thinned:
+        for value in row:
+            if value > high:
+                strong[value] = True
+            elif value > low:
+                weak[value] = True
+    return weak, strong
+
+# %% name="strong minus weak" origin="walk" sentence="Masks cannot be subtracted: write above_low & ~strong." must_say=["~"] kind="error"
+def double_threshold(thinned, low, high):
+    above_low = thinned > low
+    strong = thinned > high
+    return above_low - strong, strong

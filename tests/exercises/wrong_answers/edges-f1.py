@@ -504,3 +504,23 @@ def f1_score(edges, outlines, tolerance):
     if precision + recall == 0:
         return 0.0
     return float(2 * precision * recall / (precision + recall))
+
+# %% name="edges without > 0 into near" origin="walk" sentence="edges holds 0 and 255, so sums count 255 for each edge pixel: make a mask first, edges > 0." must_say=["255", "mask|> 0"] must_not_say=["harmonic"] kind="value"
+def near(mask, tolerance):
+    height, width = mask.shape
+    padded = np.pad(mask, tolerance)
+    result = np.zeros_like(mask)
+    for row in range(2 * tolerance + 1):
+        for col in range(2 * tolerance + 1):
+            result = result | padded[row : row + height, col : col + width]
+    return result
+
+
+def f1_score(edges, outlines, tolerance):
+    if edges.sum() == 0 or outlines.sum() == 0:
+        return 0.0
+    precision = (edges & near(outlines, tolerance)).sum() / edges.sum()
+    recall = (outlines & near(edges, tolerance)).sum() / outlines.sum()
+    if precision + recall == 0:
+        return 0.0
+    return 2 * precision * recall / (precision + recall)

@@ -170,3 +170,23 @@ def near(mask, tolerance):
     p = np.pad(mask, tolerance)
     steps = range(2 * tolerance + 1)
     result = np.any([p[y : y + h, x : x + w] for y in steps for x in steps], axis=0)
+
+# %% name="range of tolerance" origin="walk" sentence="range(tolerance) gives only tolerance shifts: a square around the pixel needs 2 * tolerance + 1." must_say=["2 \\* tolerance \\+ 1|2 rows"] must_not_say=["border"] kind="value"
+def near(mask, tolerance):
+    height, width = mask.shape
+    padded = np.pad(mask, tolerance)
+    result = np.zeros_like(mask)
+    for row in range(tolerance):
+        for col in range(tolerance):
+            result |= padded[row : row + height, col : col + width]
+    return result
+
+# %% name="plus instead of or, in int" origin="walk" sentence="+ counts the True pixels, and a count is no bool: combine with |, or compare with > 0." must_say=["bool"] kind="dtype"
+def near(mask, tolerance):
+    height, width = mask.shape
+    padded = np.pad(mask, tolerance)
+    result = np.zeros(mask.shape)
+    for row in range(2 * tolerance + 1):
+        for col in range(2 * tolerance + 1):
+            result = result + padded[row : row + height, col : col + width]
+    return result

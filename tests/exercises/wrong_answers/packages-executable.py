@@ -111,3 +111,7 @@ def executable_of(install, package):
 # %% name="quotes not closed" origin="new" sentence="Python cannot read this line: the text is opened with a quote and never closed." must_say=["quot|string|text", "syntax|closed|terminated|Python"] kind="syntax"
 def executable_of(install, package):
     return f"{install}/{package}/lib/{package}/{package}
+
+# %% name="workspace name in front" origin="walk" sentence="The path begins with the word install, and the argument install is not used: write {install} in the f-string." must_say=["argument|\\{install\\}"] must_not_say=["\\blib\\b .*missing"] kind="value"
+def executable_of(install, package):
+    return f"install/{package}/lib/{package}/{package}"

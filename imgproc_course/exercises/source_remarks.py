@@ -1,0 +1,125 @@
+"""What is certain about a function from its source alone, in sentences that are true whatever it computes."""
+
+import ast
+import inspect
+import textwrap
+from itertools import pairwise
+
+_ARRAY_MAKERS = ("array", "zeros", "zeros_like", "empty", "empty_like", "ones", "full", "copy", "astype")
+_ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
+
+
+def remarks_on_source(function, errors=()):
+    """What is certain from the source of a function alone.
+
+    Parameters
+    ----------
+    function : callable
+    errors : collection of str, the types of the errors that its calls raised
+
+    Returns
+    -------
+    list of str, sentences; empty if the source is not known
+    """
+    try:
+        source = textwrap.dedent(inspect.getsource(function))
+        tree = ast.parse(source).body[0]
+    except (OSError, TypeError, SyntaxError):
+        return []
+    remarks = [text for node in ast.walk(tree) for text in _remarks_on_node(node, source)]
+    if isinstance(tree, ast.FunctionDef):
+        remarks += _remarks_on_function(tree)
+    if "IndexError" in errors:
+        remarks += [text for node in ast.walk(tree) for text in _values_as_indices(node)]
+    return list(dict.fromkeys(remarks))
+
+
+def _remarks_on_node(node, source):
+    if isinstance(node, ast.BoolOp) and isinstance(node.op, ast.Or):
+        texts = [value for value in node.values[1:] if isinstance(value, ast.Constant) and value.value]
+        if texts and isinstance(node.values[0], ast.Compare):
+            yield (
+                f"{ast.unparse(node)} is always true, because {ast.unparse(texts[0])} alone counts as"
+                f" True. Compare with each of them, or write: in (..., ...)."
+            )
+    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.MatMult):
+        yield "a @ b is the product of two matrices. To multiply value by value, write a * b."
+    if isinstance(node, ast.Compare):
+        yield from _remarks_on_comparison(node, source)
+    if isinstance(node, ast.Assign) and len(node.targets) > 1 and _makes_array(node.value):
+        first, second, *_ = (ast.unparse(target) for target in node.targets)
+        yield (
+            f"{first} = {second} = ... gives two names to one array: what you write into {first} is in"
+            f" {second} too. Make two arrays, each on a line of its own."
+        )
+    for body in (getattr(node, "body", None), getattr(node, "orelse", None)):
+        if isinstance(body, list):
+            yield from _else_of_last_if(body)
+
+
+def _makes_array(node):
+    return isinstance(node, ast.Call) and ast.unparse(node.func).rpartition(".")[2] in _ARRAY_MAKERS
+
+
+def _remarks_on_comparison(node, source):
+    if len(node.ops) == 1 and ast.dump(node.left) == ast.dump(node.comparators[0]):
+        yield f"{ast.unparse(node)} compares a value with itself."
+    line = source.splitlines()[node.lineno - 1].encode()
+    for part in (node.left, *node.comparators):
+        is_mask = isinstance(part, ast.BinOp) and isinstance(part.op, ast.BitAnd | ast.BitOr)
+        if is_mask and line[part.col_offset - 1 : part.col_offset] != b"(" and part.lineno == node.lineno:
+            yield (
+                f"Python computes {ast.unparse(part)} first, before the comparison. Put each comparison in"
+                " parentheses: (a > b) & ~c."
+            )
+
+
+def _else_of_last_if(body):
+    """An else after several ifs about one value belongs to the last of them only."""
+    for first, last in pairwise(body):
+        tests = [getattr(statement, "test", None) for statement in (first, last)]
+        if (
+            isinstance(first, ast.If)
+            and isinstance(last, ast.If)
+            and all(isinstance(test, ast.Compare) and isinstance(test.ops[0], ast.Eq) for test in tests)
+            and ast.dump(tests[0].left) == ast.dump(tests[1].left)
+            and not isinstance(first.body[-1], _ENDS)
+            and last.orelse
+            and not first.orelse
+        ):
+            yield (
+                f"The else belongs to the last if only, so it also runs if {ast.unparse(tests[0])}. Write"
+                " elif in place of every if but the first."
+            )
+
+
+def _remarks_on_function(tree):
+    if any(_is_stub_line(statement) for statement in tree.body[:-1]):
+        yield "The line with raise NotImplementedError is still there, and ends the function: delete it."
+    parameters = {argument.arg for argument in tree.args.args}
+    for node in ast.walk(tree):
+        target = getattr(node, "target", None) if isinstance(node, ast.For) else None
+        if isinstance(target, ast.Name) and target.id in parameters:
+            yield (
+                f"The loop for {target.id} in ... writes over the argument {target.id}. Give the variable"
+                " of the loop another name."
+            )
+
+
+def _is_stub_line(statement):
+    return isinstance(statement, ast.Raise) and "NotImplementedError" in ast.unparse(statement)
+
+
+def _values_as_indices(node):
+    """A loop over an array gives its values; an index that is one of them is mostly outside."""
+    if not isinstance(node, ast.For) or not isinstance(node.iter, ast.Name):
+        return
+    if not isinstance(node.target, ast.Name):
+        return
+    value, array = node.target.id, node.iter.id
+    indices = (ast.walk(inner.slice) for inner in ast.walk(node) if isinstance(inner, ast.Subscript))
+    if any(isinstance(part, ast.Name) and part.id == value for index in indices for part in index):
+        yield (
+            f"for {value} in {array} gives the values of {array}, not their positions. For positions write a"
+            f" loop over range({array}.shape[0])."
+        )
