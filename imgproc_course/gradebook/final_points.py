@@ -4,7 +4,7 @@ A decision on an exercise replaces its points; an excused exercise counts neithe
 on the whole lesson is final: it replaces its points, and lateness costs nothing more.
 """
 
-from imgproc_course.gradebook.teacher_tables import TeacherTableError, plain_number
+from imgproc_course.gradebook.teacher_tables import plain_number
 
 
 def settle_lesson(entry, decisions, policy):
@@ -34,27 +34,6 @@ def settle_lesson(entry, decisions, policy):
         points = plain_number(entry["points"] * policy.factor(entry["days_late"]))
         entry["late_deduction"] = plain_number(entry["points"] - points)
         entry["points"] = points
-
-
-def check_decisions(decisions, learners):
-    """Refuse decisions on single exercises of lessons that have none to decide on.
-
-    Parameters
-    ----------
-    decisions : {learner's name: list of Decision}
-    learners : list of Learner, not yet graded
-
-    Raises
-    ------
-    TeacherTableError : the lesson was not submitted, or cannot be read
-    """
-    for learner in learners:
-        for decision in decisions.get(learner.name, ()):
-            submission = learner.submissions.get(decision.lesson)
-            if decision.exercise and (submission is None or not submission.answers_digest):
-                problem = "was not submitted" if submission is None else "could not be graded"
-                text = f"{decision.learner}'s {decision.lesson} {problem}, so it has no exercises"
-                raise TeacherTableError(f"{decision.place}: {text}; leave the exercise empty")
 
 
 def _decide(entry, decision):

@@ -8,13 +8,10 @@ from pathlib import Path
 
 from imgproc_course.autograder.pool import open_scheduler
 from imgproc_course.autograder.sandbox import bubblewrap
-from imgproc_course.gradebook.anonymity import anonymous_id
 from imgproc_course.gradebook.answer_keys import load_keys
 from imgproc_course.gradebook.collect import collect
-from imgproc_course.gradebook.deadlines import Deadlines, read_late_policy
-from imgproc_course.gradebook.final_points import check_decisions
 from imgproc_course.gradebook.grades_folder import LearnerPages, write_grades
-from imgproc_course.gradebook.grades_json import count_not_graded, faults_of, grades_of, learner_entry
+from imgproc_course.gradebook.grades_json import count_not_graded, faults_of, grades_of
 from imgproc_course.gradebook.learners import read_all
 from imgproc_course.gradebook.lms_import import TableError, fill_table, read_tables
 from imgproc_course.gradebook.report import count_of, prepare_templates
@@ -26,12 +23,8 @@ from imgproc_course.gradebook.result_store import (
     open_grades_folder,
     write_grades_file,
 )
-from imgproc_course.gradebook.teacher_tables import (
-    DECISIONS_TEMPLATE,
-    by_learner,
-    read_decisions,
-    read_extensions,
-)
+from imgproc_course.gradebook.teacher_rules import TeacherRules
+from imgproc_course.gradebook.teacher_tables import DECISIONS_TEMPLATE
 
 _MAX_LINES = 12  # of a run's summary, before the last lines
 
@@ -93,35 +86,23 @@ def grade_submissions(
     answer_keys = load_keys(keys)
     _require_separate_folder(submissions, keys, out)
     platform_tables = read_tables(platform_tables)
-    if late and not deadline:
-        raise ValueError("--late needs the deadline: --deadline 2026-12-01T23:59")
-    policy = read_late_policy(late) if late else None
-    extensions = read_extensions(extensions, answer_keys) if extensions else []
     unsafe, kernel = options.get("unsafe", False), options.get("kernel", "fast")
     if not unsafe and scheduler is None:
         bubblewrap.require_sandbox()
     with contextlib.ExitStack() as stack:
         stack.enter_context(open_grades_folder(out))
-        decisions = read_decisions(decisions or _decisions_file(out), answer_keys)
+        decisions = decisions or _decisions_file(out)
+        rules = TeacherRules(
+            answer_keys, deadline=deadline, late=late, extensions=extensions, decisions=decisions
+        )
         store = ResultStore(out / "results", {"kernel": kernel, "unsafe": unsafe})
         if scheduler is not None:
             options["executor"] = stack.enter_context(open_scheduler(scheduler))
         collection = stack.enter_context(collect(submissions, tuple(answer_keys.lessons)))
         learners = read_all(collection, answer_keys, store, quiet=quiet)
-        names = {anonymous_id(learner.name, answer_keys): learner.name for learner in learners}
-        names |= {learner.name: learner.name for learner in learners}
-        deadlines = Deadlines(deadline, policy, by_learner(extensions, names))
-        decisions = by_learner(decisions, names)
-        check_decisions(decisions, learners)
-        again = answers_to_regrade(regrade, learners, names, answer_keys, fresh=fresh)
-
-        def entry_of(learner):
-            about = decisions.get(learner.name, ())
-            return learner_entry(learner, answer_keys, store, deadlines, about, anonymous=anonymous)
-
-        pages = LearnerPages(
-            out, learners, answer_keys, store, entry_of=entry_of, late_policy=late, anonymous=anonymous
-        )
+        rules.assign(learners)
+        again = answers_to_regrade(regrade, learners, rules.names, answer_keys, fresh=fresh)
+        pages = LearnerPages(out, learners, answer_keys, store, rules, anonymous=anonymous)
         threading.Thread(target=prepare_templates, daemon=True).start()
         graded_now = grade_missing(
             learners, answer_keys, store, again=again, quiet=quiet, on_result=pages.result_stored, **options
@@ -130,7 +111,7 @@ def grade_submissions(
             pages.finish(),
             answer_keys,
             sandbox=not unsafe,
-            deadlines=deadlines,
+            deadlines=rules.deadlines,
             ignored=collection.ignored,
             anonymous=anonymous,
         )

@@ -17,7 +17,7 @@ from imgproc_course.autograder.sanitize import sanitize_line
 from imgproc_course.gradebook.anonymity import learner_without_name, without_names
 from imgproc_course.gradebook.changes import PREVIOUS, changes_page, read_grades
 from imgproc_course.gradebook.feedback_zips import feedback_zips
-from imgproc_course.gradebook.grades_json import grades_text
+from imgproc_course.gradebook.grades_json import grades_text, learner_entry
 from imgproc_course.gradebook.lms_export import exports, grades_csv
 from imgproc_course.gradebook.predictions import predictions_page
 from imgproc_course.gradebook.report import learner_page
@@ -39,8 +39,7 @@ class LearnerPages:
     learners : list of Learner
     answer_keys : AnswerKeys
     store : ResultStore
-    entry_of : function (Learner) -> the learner's entry in grades.json
-    late_policy : str or None, as the teacher wrote it
+    rules : TeacherRules
     anonymous : bool, the pages show ids instead of names
 
     Attributes
@@ -49,10 +48,10 @@ class LearnerPages:
     failed : {learner's name as pages show it: why their page lacks its details}
     """
 
-    def __init__(self, out, learners, answer_keys, store, *, entry_of, late_policy, anonymous):
+    def __init__(self, out, learners, answer_keys, store, rules, *, anonymous=False):
         self.entries, self.failed = {}, {}
         self._out, self._learners, self._answer_keys, self._store = out, learners, answer_keys, store
-        self._entry_of, self._late_policy, self._anonymous = entry_of, late_policy, anonymous
+        self._rules, self._anonymous = rules, anonymous
         self._missing, self._waiting = {}, {}
         for learner in learners:
             digests = {submission.answers_digest for submission in learner.submissions.values()} - {""}
@@ -82,13 +81,14 @@ class LearnerPages:
         return [self.entries[learner.name] for learner in self._learners]
 
     def _write(self, learner):
-        entry = self.entries[learner.name] = self._entry_of(learner)
+        entry = learner_entry(learner, self._answer_keys, self._store, self._rules, anonymous=self._anonymous)
+        self.entries[learner.name] = entry
         shown = learner_without_name(entry) if self._anonymous else entry
         try:
             page = self._page(learner, shown)
         except Exception as error:  # noqa: BLE001 - a page shows values that other people's code returned
             self.failed[shown["name"]] = sanitize_line(f"{type(error).__name__}: {error}", 200)
-            page = learner_page(shown, {}, self._answer_keys, late_policy=self._late_policy, incomplete=True)
+            page = learner_page(shown, {}, self._answer_keys, self._rules.deadlines, incomplete=True)
         write_grades_file(self._out / entry["page"], page)
 
     def _page(self, learner, entry):
@@ -97,7 +97,7 @@ class LearnerPages:
             for lesson, submission in learner.submissions.items()
             if submission.answers_digest
         }
-        return learner_page(entry, results, self._answer_keys, late_policy=self._late_policy)
+        return learner_page(entry, results, self._answer_keys, self._rules.deadlines)
 
 
 def write_grades(out, grades, learners, lessons, failed_pages):

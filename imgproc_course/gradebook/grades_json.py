@@ -105,7 +105,7 @@ def _key_entry(key):
     return {"digest": key.digest, "lessons": lessons}
 
 
-def learner_entry(learner, answer_keys, store, deadlines, decisions, *, anonymous=False):
+def learner_entry(learner, answer_keys, store, rules, *, anonymous=False):
     """A learner's part of grades.json.
 
     Parameters
@@ -113,10 +113,10 @@ def learner_entry(learner, answer_keys, store, deadlines, decisions, *, anonymou
     learner : Learner, graded
     answer_keys : AnswerKeys
     store : ResultStore
-    deadlines : Deadlines
-    decisions : list of Decision, about this learner
+    rules : TeacherRules, assigned
     anonymous : bool, the page is named after an id instead of the learner
     """
+    deadlines, decisions = rules.deadlines, rules.decisions.get(learner.name, ())
     submissions = [*learner.submissions.values(), *learner.unidentified]
     lessons = [
         _lesson_entry(learner, submission, answer_keys, store, deadlines) for submission in submissions

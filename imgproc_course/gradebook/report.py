@@ -74,7 +74,7 @@ def render_page(name, **content):
 # ---------------------------------------------------------------- a learner's page
 
 
-def learner_page(entry, results, answer_keys, *, late_policy="", incomplete=False):
+def learner_page(entry, results, answer_keys, deadlines=None, *, incomplete=False):
     """The page of one learner.
 
     Parameters
@@ -82,7 +82,7 @@ def learner_page(entry, results, answer_keys, *, late_policy="", incomplete=Fals
     entry : dict, the learner's part of grades.json
     results : {lesson: GradedSubmission}; of a lesson without a result, the page shows only the points
     answer_keys : AnswerKeys
-    late_policy : str, as the teacher wrote it
+    deadlines : Deadlines, or None; a page with a deduction says what the late policy is
     incomplete : bool, the page says that its details are missing
 
     Returns
@@ -92,6 +92,7 @@ def learner_page(entry, results, answer_keys, *, late_policy="", incomplete=Fals
     lessons = [
         _lesson_view(lesson, results.get(lesson["lesson"]), answer_keys) for lesson in entry["lessons"]
     ]
+    late_policy = deadlines.policy.text if deadlines and deadlines.policy else ""
     return render_page(
         "learner.html", learner=entry, lessons=lessons, late_policy=late_policy, incomplete=incomplete
     )

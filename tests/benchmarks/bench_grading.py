@@ -1,17 +1,23 @@
-"""Grade the same answers to the same checks with our autograder and with nbgrader's, in one run.
+"""Grade the same submissions with our command and with nbgrader's, each as a teacher types it, in one run.
 
-There are twenty generated submissions, right and wrong ones. nbgrader has an environment of its own
+One worker is compared with one nbgrader process, and two workers with two processes that share the
+submissions. `imgproc-course grade --fresh` always writes the pages of feedback; so it is compared with
+`nbgrader autograde` alone, and with `autograde` and `generate_feedback`. The time is that of whole commands,
+with their start. No two submissions are alike. nbgrader has an environment of its own
 (environment/requirements-nbgrader.txt; the first run makes it in ~/.cache or $NBGRADER_VENV). With
 `--growth 1000` the benchmark then grades so many submissions and prints time and memory on the way.
 
     .venv/bin/python tests/benchmarks/bench_grading.py [--lesson NAME] [--submissions 20] [--growth 1000]
 """
 
+import json
 import os
+import resource
 import subprocess
 import sys
 import tempfile
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import click
@@ -22,15 +28,18 @@ from platformdirs import user_cache_path
 from rich.console import Console
 from rich.table import Table
 
-from imgproc_course.authoring.masters import find_masters
+from imgproc_course.authoring.masters import find_masters, read_master
 from imgproc_course.autograder.make_answer_key import make_key, sample_answers
 from imgproc_course.autograder.pool import autograde
 from imgproc_course.exercises import array_of, read_exercises
 from imgproc_course.exercises.input_encoding import decode
 
 ROOT = Path(__file__).parents[2]
+sys.path.insert(0, str(ROOT / "tests" / "gradebook"))
+from submissions import notebook, write  # noqa: E402
+
 MASTERS = ROOT / "notebooks" / "masters"
-BUDGET = 10.0  # times faster than nbgrader, per submission
+BUDGET = 10.0  # times faster than nbgrader: one worker against one process, autograde alone
 
 
 def nbgrader_venv():
@@ -52,7 +61,7 @@ def answers_of(lesson, count):
     samples = {exercise.id: list(sample_answers(exercise).values()) for exercise in exercises}
     for k in range(count):
         answers = {
-            id: sources[0 if k % 2 else (k // 2 + shift) % len(sources)]
+            id: f"{sources[0 if k % 2 else (k // 2 + shift) % len(sources)]}\n# student{k:04d}"
             for shift, (id, sources) in enumerate(samples.items())
         }
         yield f"student{k:04d}", lesson, answers
@@ -186,16 +195,60 @@ def nbgrader_points(venv, folder):
 # ---------------------------------------------------------------- measuring
 
 
-def side_by_side(venv, folder, key, lesson, count):
-    """(our seconds, nbgrader's seconds, our points, nbgrader's points) for the same submissions."""
+def measured(function):
+    """(wall seconds, processor seconds of the processes that it started)"""
+    start, used = time.perf_counter(), resource.getrusage(resource.RUSAGE_CHILDREN)
+    function()
+    seconds, now = time.perf_counter() - start, resource.getrusage(resource.RUSAGE_CHILDREN)
+    return seconds, now.ru_utime + now.ru_stime - used.ru_utime - used.ru_stime
+
+
+def write_submissions(folder, lesson, submissions):
+    """Write the submissions as learners hand them in: one folder each, with the lesson."""
+    (path,) = find_masters(MASTERS, [lesson])
+    master = read_master(path)
+    for name, _, answers in submissions:
+        write(folder / name / f"{path.stem}.ipynb", notebook(master, answers))
+
+
+def grade_with_ours(folder, key, workers):
+    """Run our command; returns {student: points}."""
+    command = [str(Path(sys.executable).with_name("imgproc-course")), "grade", str(folder / "submissions")]
+    command += ["--key", str(key.path), "--out", str(folder / "grades"), "--workers", str(workers), "--fresh"]
+    completed = subprocess.run(command, capture_output=True, text=True)
+    if completed.returncode not in (0, 3):
+        raise SystemExit(completed.stderr)
+    grades = json.loads((folder / "grades" / "grades.json").read_text(encoding="utf-8"))
+    return {learner["name"]: learner["points"] for learner in grades["learners"]}
+
+
+def in_parallel(venv, courses, *arguments):
+    """Run one nbgrader command in several courses at once."""
+    with ThreadPoolExecutor(len(courses)) as threads:
+        list(threads.map(lambda course: run_nbgrader(venv, course, *arguments), courses))
+
+
+def side_by_side(venv, folder, key, lesson, count, workers):
+    """Grade the same submissions with both, whole commands after another.
+
+    Returns
+    -------
+    ({name of the command: (wall seconds, processor seconds)}, our points, nbgrader's points)
+    """
     submissions = list(answers_of(lesson, count))
-    prepare_nbgrader(venv, folder, key, lesson, submissions)
-    start = time.perf_counter()
-    points = {result.name: result.points for result in autograde(submissions, key)}
-    middle = time.perf_counter()
-    run_nbgrader(venv, folder, "autograde", "ps1")
-    end = time.perf_counter()
-    return middle - start, end - middle, points, nbgrader_points(venv, folder)
+    write_submissions(folder / "submissions", lesson, submissions)
+    courses = [folder / f"course-{number}" for number in range(workers)]
+    for number, course in enumerate(courses):
+        prepare_nbgrader(venv, course, key, lesson, submissions[number::workers])
+    points, seconds = {}, {}
+    seconds["grade"] = measured(lambda: points.update(grade_with_ours(folder, key, workers)))
+    seconds["autograde"] = measured(lambda: in_parallel(venv, courses, "autograde", "ps1"))
+    feedback = measured(lambda: in_parallel(venv, courses, "generate_feedback", "ps1"))
+    seconds["feedback"] = tuple(map(sum, zip(seconds["autograde"], feedback, strict=True)))
+    nbgrader = {}
+    for course in courses:
+        nbgrader |= nbgrader_points(venv, course)
+    return seconds, points, nbgrader
 
 
 def growth(key, lesson, count):
@@ -230,29 +283,37 @@ def main(lesson, submissions, many):
         folder = Path(folder)
         key = make_key(MASTERS, "benchmark", folder / "key", [lesson])
         (name,) = key.lessons
-        budget_met = not submissions or compare_speed(folder / "nbgrader", key, name, submissions)
+        ratios = [
+            compare_speed(folder / str(workers), key, name, submissions, workers)
+            for workers in (1, 2)
+            if submissions
+        ]
         if many:
             growth(key, name, many)
-    raise SystemExit(0 if budget_met else 1)
+    if ratios:
+        print(f"budget {BUDGET:g}: {'met' if ratios[0] >= BUDGET else 'MISSED'}")
+    raise SystemExit(0 if not ratios or ratios[0] >= BUDGET else 1)
 
 
-def compare_speed(folder, key, name, count):
-    """Print both autograders side by side; returns whether the budget is met."""
-    seconds, nbgrader_seconds, points, points_in_nbgrader = side_by_side(
-        nbgrader_venv(), folder, key, name, count
-    )
-    differing = sorted(student for student in points if points[student] != points_in_nbgrader.get(student))
-    ratio = nbgrader_seconds / seconds
-    table = Table("autograder", "s", "ms per submission", "×", title=f"{name}, {count} submissions")
-    table.add_row(
-        "nbgrader autograde", f"{nbgrader_seconds:.1f}", f"{nbgrader_seconds / count * 1000:.0f}", "1"
-    )
-    our_row = (f"{seconds:.1f}", f"{seconds / count * 1000:.0f}", f"{ratio:.1f}")
-    table.add_row("imgproc-course, sandboxed", *our_row)
+def compare_speed(folder, key, name, count, workers):
+    """Print both side by side; returns how many times as fast as `nbgrader autograde` our command is."""
+    seconds, points, nbgrader = side_by_side(nbgrader_venv(), folder, key, name, count, workers)
+    differing = sorted(student for student in points if points[student] != nbgrader.get(student))
+    title = f"{name}, {count} submissions, {workers} at once"
+    table = Table("whole command", "s", "processor s", "ms per submission", "ours is faster ×", title=title)
+    rows = {
+        "nbgrader autograde": "autograde",
+        "nbgrader autograde + generate_feedback": "feedback",
+        f"imgproc-course grade --workers {workers}, with pages": "grade",
+    }
+    ours = seconds["grade"][0]
+    for label, command in rows.items():
+        wall, processor = seconds[command]
+        cells = (f"{wall:.1f}", f"{processor:.1f}", f"{wall / count * 1000:.0f}", f"{wall / ours:.1f}")
+        table.add_row(label, *cells)
     Console(width=110).print(table)
     print(f"points agree for {count - len(differing)} of {count}; differ: {differing}")
-    print(f"{ratio:.1f} times faster; budget {BUDGET:g}: {'met' if ratio >= BUDGET else 'MISSED'}")
-    return ratio >= BUDGET
+    return seconds["autograde"][0] / ours
 
 
 if __name__ == "__main__":
