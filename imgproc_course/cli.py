@@ -396,6 +396,11 @@ def _would_be_committed(path):
     multiple=True,
     help="Gradebook of Canvas or grading worksheet of Moodle, as exported: it is returned with points.",
 )
+@click.option(
+    "--roster",
+    type=click.Path(path_type=Path, dir_okay=False),
+    help="Table of all learners, as Moodle or Canvas exports it: who handed in nothing is reported.",
+)
 @click.option("--scheduler", metavar="ADDRESS", help="Grade on a Dask cluster: tcp://10.0.0.5:8786.")
 def grade(submissions, keys, out, **options):
     """Grade everything in SUBMISSIONS: a folder, or the zip file of a learning platform.

@@ -20,7 +20,12 @@ def without_names(grades):
     ----------
     grades : dict, the content of grades.json, made with `anonymous`
     """
-    return grades | {"ignored": [], "learners": [learner_without_name(entry) for entry in grades["learners"]]}
+    return grades | {
+        "ignored": [],
+        "intake": [],
+        "roster": None,
+        "learners": [learner_without_name(entry) for entry in grades["learners"]],
+    }
 
 
 def learner_without_name(entry):

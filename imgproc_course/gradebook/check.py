@@ -11,7 +11,7 @@ from imgproc_course.exercises.check_data import AnswerError, CheckData
 from imgproc_course.exercises.check_files import NO_CHECKS, CheckFileError, checks_folders, read_check_file
 from imgproc_course.exercises.checking import CheckResult, run_check
 from imgproc_course.exercises.feedback import explain_call
-from imgproc_course.gradebook.collect import LARGEST, too_large
+from imgproc_course.gradebook.archives import LARGEST, too_large
 from imgproc_course.gradebook.lesson_description import LessonDescription
 from imgproc_course.gradebook.submission import (
     AnswerState,

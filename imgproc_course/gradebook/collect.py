@@ -5,44 +5,60 @@
     submissions/04_grayscale/ada.ipynb                        one folder per lesson
     submissions/Ada Lovelace_12345_assignsubmission_file_/*   Moodle ("Download all submissions")
     submissions/lovelaceada_LATE_123_456_04_grayscale-1.ipynb Canvas ("Download Submissions")
-    submissions/anything.zip                                  a platform's zip, or a learner's own
+    submissions/class.zip                                     a platform's zip, as it was downloaded
+    submissions/ada.zip                                       a learner's own zip: all of it is ada's
 
-A single such zip can also be given alone. Only regular files are read, as bytes. Links are not followed, a
+A single zip can also be given alone. Only regular files are read, as bytes. Links are not followed, a
 file with a second name (a hard link) is refused, nothing is unpacked to disk, and a name from outside never
 becomes a path.
+
+What arrives as one person's is theirs. Names inside a zip are believed only if every file in it has the form
+that Moodle or Canvas gives it, and the zip lies at the top; and then such a name never takes the place of a
+submission that arrived under that name by itself. Each sender has a budget of files and bytes.
 """
 
 import hashlib
 import os
-import re
 import stat
-import unicodedata
-import zipfile
-import zlib
+from collections import Counter, deque
 from dataclasses import dataclass, field
 from datetime import datetime
 from pathlib import Path, PurePosixPath
 
-from imgproc_course.authoring.lesson_names import is_lesson, lessons_named, without_lesson
+from imgproc_course.authoring.lesson_names import is_lesson, lesson_name
 from imgproc_course.autograder.sanitize import sanitize_line
-
-LARGEST = 50_000_000  # bytes of one notebook; a lesson full of images has a tenth of it
-LARGEST_ZIP = 4_000_000_000  # bytes of the zip file itself
-LARGEST_WITHIN = 8_000_000_000  # bytes of all files in a zip, unpacked
-MOST_FILES = 20_000
-DEEPEST = 12  # folders
-MOST_RATIO = 200  # unpacked size to packed size
-_MOODLE = re.compile(r"(?P<name>.+?)_(?P<id>\d+)_assignsubmission_[a-z]+_?(?P<file>.*)", re.S)
-_CANVAS = re.compile(
-    r"(?P<name>[^_]+)_(?:(?P<late>LATE)_)?(?P<id>\d+)_(?P<order>\d+)_(?P<file>.+)", re.S | re.I
+from imgproc_course.gradebook.archives import (
+    LARGEST,
+    LARGEST_ZIP,
+    Archives,
+    CollectError,
+    file_problem,
+    member_problem,
+    member_time,
+    open_collected,
+    read_bounded,
+    zip_problem,
 )
-_REPEATED = re.compile(r"(?P<stem>.+?)(?:-(?P<number>\d{1,6})|[ _]?\((?P<copy>\d{1,6})\))", re.S)
-_NO_OWNER = ""  # in place of a learner's name: a folder that holds the files of every learner
+from imgproc_course.gradebook.senders import (
+    is_lesson_file,
+    names_within,
+    platform_sender,
+    sender_of,
+    split_repetition,
+)
+
+MOST_SENDERS = 20_000
+MOST_NOTEBOOKS = 100  # of one sender; the course has 21 lessons
+LARGEST_SUBMISSION = 200_000_000  # bytes of one sender's notebooks together
+MOST_FOLDERS = 300  # of one sender
+DEEPEST = 12  # folders
+_MOST_LISTED = 20  # other files of one sender, by name
+_MOST_NAMES = 3  # different names in one zip: more look like a zip of several people
+_ALONE = 2  # certainty of a sender that the instructor or the platform named
+_IN_UNKNOWN_FOLDER = 1  # in a folder named like a lesson that no key has: perhaps it is a learner's folder
+_IN_ARCHIVE = 0
 _SKIPPED_FOLDERS = {".ipynb_checkpoints", "__MACOSX", "__pycache__", ".git"}
-
-
-class CollectError(ValueError):
-    """There is nothing to collect; one line that says what to do."""
+_ENVIRONMENTS = {".venv", "venv", "env", ".tox", "site-packages", "node_modules"}
 
 
 @dataclass(frozen=True)
@@ -53,9 +69,12 @@ class SubmittedFile:
     platform      "moodle", "canvas" or "";  platform_id: the platform's number of the learner, or ""
     source        where the file was found, for display
     group         the zip or folder that it came in; distinguishes learners who have the same name
-    submitted_at  datetime, local, of the file; None if unknown
+    submitted_at  datetime, local, of the file, or what a platform's zip says; None if unknown
     late          True if the platform says that it is late
     order         tuple; sorts the submissions of one lesson from the earliest to the latest
+    certainty     tuple; a file never takes the place of one whose sender is more certain
+    archived_at   datetime of the platform's zip that says `submitted_at`; None for other files
+    claims        names of people in the part of its path that the sender chose
     reason        why the file is not read, or ""
     location      what `read` needs to open it
     """
@@ -68,6 +87,9 @@ class SubmittedFile:
     submitted_at: datetime | None
     late: bool
     order: tuple
+    certainty: tuple = (_ALONE, 0)
+    archived_at: datetime | None = None
+    claims: frozenset = frozenset()
     reason: str = ""
     location: tuple = ()
 
@@ -85,19 +107,47 @@ class SubmittedFile:
         if self.reason:
             raise CollectError(self.reason)
         opener, *location = self.location
-        return opener.read(*location) if isinstance(opener, _Archives) else _read_file(opener, *location)
+        if isinstance(opener, Archives):
+            return opener.read(*location)
+        with open_collected(opener, *location, LARGEST) as file:
+            try:
+                return read_bounded(file)
+            except OSError as error:
+                raise CollectError(f"it cannot be read ({error.strerror})") from error
+
+
+@dataclass(frozen=True, order=True)
+class IntakeFinding:
+    """Something unusual about what arrived.
+
+    kind     "sender": whose it is can be doubted; "date": when it came can be doubted; "file": something
+             was not read or not looked at
+    learner  the sender
+    file     where
+    text     one line
+    """
+
+    kind: str
+    learner: str
+    file: str
+    text: str
 
 
 @dataclass
 class Collection:
-    """What was collected: `files`, sorted by source, and `ignored`, the names of all other files.
+    """What was collected.
+
+    files     list of SubmittedFile, sorted by source
+    ignored   names of other files, sorted; of each sender at most some
+    findings  list of IntakeFinding
 
     Use it as a context manager: a zip stays open until the end of the block.
     """
 
     files: list = field(default_factory=list)
     ignored: list = field(default_factory=list)
-    archives: object = field(default_factory=lambda: _Archives())
+    findings: list = field(default_factory=list)
+    archives: object = field(default_factory=Archives)
 
     def __enter__(self):
         return self
@@ -105,14 +155,21 @@ class Collection:
     def __exit__(self, *_error):
         self.archives.close()
 
+    def add_finding(self, kind, learner, parts, text):
+        """Add a finding once."""
+        finding = IntakeFinding(kind, learner, display_path(parts), text)
+        if finding not in self.findings:
+            self.findings.append(finding)
 
-def collect(path, lessons=()):
+
+def collect(path, lessons=(), people=()):
     """Find every submitted file.
 
     Parameters
     ----------
     path : Path of a folder, a zip or a notebook
     lessons : names of lessons, to distinguish them from names of learners
+    people : names of the learners of a roster: a zip with such a name is that person's own
 
     Returns
     -------
@@ -125,323 +182,309 @@ def collect(path, lessons=()):
     path = Path(path)
     if not path.exists():
         raise CollectError(f"{path}: does not exist; give the folder or the zip with the submissions")
-    collection, finder = Collection(), _Finder(tuple(lessons))
+    collection = Collection()
+    intake = _Intake(tuple(lessons), {name.casefold() for name in people}, collection)
     if path.is_dir():
-        _walk(path.resolve(), finder, collection)
+        intake.add_folder(path.resolve())
     else:
-        finder.add(path.resolve(), (path.name,), collection)
+        intake.add_file(path.resolve(), (path.name,), alone=True)
+    intake.finish()
     if not collection.files:
         raise CollectError(f"{path}: no notebooks (*.ipynb) and no zip in it; give the folder of submissions")
     collection.files.sort(key=lambda file: file.source)
     collection.ignored.sort()
+    collection.findings.sort()
     return collection
 
 
-def _walk(root, finder, collection):
-    folders, count = [(root, ())], 0
-    while folders:
-        folder, parts = folders.pop()
-        try:
-            entries = sorted(os.scandir(folder), key=lambda entry: entry.name)
-        except OSError as error:
-            collection.ignored.append(f"{_display_path(parts)}/ (cannot be read: {error.strerror})")
-            continue
-        for entry in entries:
-            count += 1
-            if count > MOST_FILES:
-                raise CollectError(f"{root}: more than {MOST_FILES} files; grade it in parts")
-            entry_parts = (*parts, entry.name)
-            if entry.name in _SKIPPED_FOLDERS or (entry.name.startswith(".") and not parts):
-                continue
-            if entry.is_dir(follow_symlinks=False):
-                if len(entry_parts) > DEEPEST:
-                    collection.ignored.append(
-                        f"{_display_path(entry_parts)}/ (more than {DEEPEST} folders deep)"
-                    )
-                else:
-                    folders.append((Path(entry.path), entry_parts))
-            else:
-                finder.add(Path(entry.path), entry_parts, collection)
-
-
-class _Finder:
+class _Intake:
     """Turns files, and the members of zips, into SubmittedFiles."""
 
-    def __init__(self, lessons):
-        self._lessons = lessons
+    def __init__(self, lessons, people, collection):
+        self._lessons, self._people, self._collection = lessons, people, collection
+        self._notebooks, self._bytes, self._unlisted = Counter(), Counter(), Counter()
 
-    def add(self, path, parts, collection):
-        """Add a file to the collection; of a zip, add its members."""
-        suffix = PurePosixPath(parts[-1].lower()).suffix
-        if suffix not in (".ipynb", ".zip"):
-            collection.ignored.append(_display_path(parts))
-            return
+    # ------------------------------------------------------------ folders
+
+    def add_folder(self, root):
+        """Add everything in the folder of submissions; zips last, when the other senders are known."""
+        entries = self._entries(root, ())
+        for entry in list(entries):
+            if is_lesson(entry.name, self._lessons) and _is_folder(entry):
+                entries.remove(entry)
+                entries += self._entries(Path(entry.path), (entry.name,))
+        if len(entries) > MOST_SENDERS:
+            raise CollectError(f"{root}: more than {MOST_SENDERS} submissions; grade it in parts")
+        for entry in sorted(entries, key=lambda entry: (_suffix(entry.name) == ".zip", entry.path)):
+            parts = Path(entry.path).relative_to(root).parts
+            if entry.name in _SKIPPED_FOLDERS or entry.name.startswith("."):
+                continue
+            if _is_folder(entry):
+                self._walk(Path(entry.path), parts)
+            else:
+                self.add_file(Path(entry.path), parts)
+
+    def _walk(self, top, top_parts):
+        """Add the notebooks in a sender's folder, the upper folders first."""
+        folders, count = deque([(top, top_parts)]), 0
+        while folders:
+            folder, parts = folders.popleft()
+            count += 1
+            if count > MOST_FOLDERS:
+                text = f"more than {MOST_FOLDERS} folders; the deeper ones were not looked at"
+                self._add_finding("file", top_parts, text)
+                return
+            for entry in self._entries(folder, parts):
+                entry_parts = (*parts, entry.name)
+                if not _is_folder(entry):
+                    self.add_file(Path(entry.path), entry_parts)
+                elif self._is_walked(entry, entry_parts):
+                    folders.append((Path(entry.path), entry_parts))
+
+    def _is_walked(self, entry, parts):
+        if entry.name in _SKIPPED_FOLDERS:
+            return False
+        if entry.name in _ENVIRONMENTS or os.access(f"{entry.path}/pyvenv.cfg", os.F_OK):
+            self._add_finding("file", parts, "an environment of installed packages; it was not looked at")
+        elif len(parts) > DEEPEST:
+            self._add_finding("file", parts, f"more than {DEEPEST} folders deep; it was not looked at")
+        elif entry.name.startswith("."):
+            self._ignore((*parts, ""))
+        else:
+            return True
+        return False
+
+    def _entries(self, folder, parts):
+        """The entries of a folder, sorted by name; of one that cannot be read none, and a finding."""
+        try:
+            return sorted(os.scandir(folder), key=lambda entry: entry.name)
+        except OSError as error:
+            reason = f"the folder cannot be read ({error.strerror})"
+            if not parts:
+                raise CollectError(f"{folder}: {reason}") from error
+            self._add_submission(self._sender(parts), parts, parts, reason=reason)
+            return []
+
+    def _sender(self, parts):
+        return sender_of(parts if len(parts) > 1 else (*parts, ""), self._lessons)
+
+    # ------------------------------------------------------------ files
+
+    def add_file(self, path, parts, *, alone=False):
+        """Add a file; of a zip, add its members. `alone`: it is all that there is."""
+        suffix = _suffix(parts[-1])
         try:
             status = path.lstat()
         except OSError as error:
-            reason = f"it cannot be read ({error.strerror})"
-            collection.files.append(self._submitted_file(parts, None, reason=reason))
+            status, reason = None, f"it cannot be read ({error.strerror})"
+        else:
+            reason = file_problem(status, LARGEST if suffix == ".ipynb" else LARGEST_ZIP)
+        if suffix not in (".ipynb", ".zip"):
+            if status and stat.S_ISLNK(status.st_mode):
+                self._add_finding("file", parts, "a link; links are not followed")
+            self._ignore(parts)
             return
-        modified = datetime.fromtimestamp(int(status.st_mtime))
-        reason = _file_problem(status, LARGEST if suffix == ".ipynb" else LARGEST_ZIP)
-        if reason or suffix == ".ipynb":
+        sender = sender_of(parts, self._lessons)
+        modified = datetime.fromtimestamp(int(status.st_mtime)) if status else None
+        if suffix == ".zip" and not reason:
             location = (str(path), status.st_dev, status.st_ino)
-            collection.files.append(self._submitted_file(parts, modified, reason=reason, location=location))
-            return
-        try:
-            self._add_members(path, parts, modified, collection)
-        except (zipfile.BadZipFile, OSError, ValueError, NotImplementedError, RuntimeError) as error:
-            reason = f"the zip cannot be read ({sanitize_line(str(error), 100)})"
-            collection.files.append(self._submitted_file(parts, modified, reason=reason))
+            reason = self._add_members(location, parts, sender, modified, alone)
+            if not reason:
+                return
+        self._add_submission(
+            sender,
+            parts,
+            parts[1:],
+            submitted_at=modified,
+            certainty=self._certainty(parts),
+            size=status.st_size if suffix == ".ipynb" and status else 0,
+            reason=reason,
+            location=(str(path), status.st_dev, status.st_ino) if status else (),
+        )
 
-    def _add_members(self, path, parts, modified, collection):
-        members = collection.archives.members(path)
-        reason = _zip_problem(members)
-        if reason:
-            collection.files.append(self._submitted_file(parts, modified, reason=reason))
-            return
-        member_parts = [PurePosixPath(member.filename.replace("\\", "/")).parts for member in members]
-        names = [tuple(part for part in inner if part not in ("/", "..", ".")) for inner in member_parts]
-        owner_of = self._owner_function(parts, names)
-        for number, (member, inner, name) in enumerate(zip(members, member_parts, names, strict=True)):
-            if _SKIPPED_FOLDERS & set(name) or not name or name[-1].startswith("._"):
+    def _certainty(self, parts):
+        unknown = len(parts) > 1 and is_lesson(parts[0], self._lessons)
+        unknown = unknown and lesson_name(parts[0]) not in self._lessons
+        return (_IN_UNKNOWN_FOLDER if unknown else _ALONE, 0)
+
+    # ------------------------------------------------------------ zips
+
+    def _add_members(self, location, parts, sender, modified, alone):
+        """Add the notebooks in a zip; returns why it cannot be read, or ""."""
+        archives = self._collection.archives
+        try:
+            members = archives.members(*location)
+        except CollectError as error:
+            return str(error)
+        problem = zip_problem(members)
+        if problem:
+            return problem
+        names = [_member_name(member) for member in members]
+        counted = [name for name in names if _is_counted(name)]
+        sender_in = self._senders_in(parts, counted, sender, alone)
+        certainty = self._certainty(parts)
+        if sender_in is not None:
+            certainty = (_IN_ARCHIVE, len({sender_in(name).name for name in counted}))
+        for number, (member, name) in enumerate(zip(members, names, strict=True)):
+            if not _is_counted(name):
                 continue
-            suffix = PurePosixPath(name[-1].lower()).suffix
-            if suffix not in (".ipynb", ".zip"):
-                collection.ignored.append(_display_path((*parts, *inner)))
+            member_sender = sender_in(name) if sender_in else sender
+            if _suffix(name[-1]) not in (".ipynb", ".zip"):
+                self._ignore((*parts, *name), member_sender)
                 continue
-            owner = owner_of(name)
-            # A learner can write any date into a zip. Only a platform's or an instructor's zip is trusted.
-            file = self._submitted_file(
-                (*owner, *name),
-                modified if any(owner) else _member_time(member, modified),
-                reason=_member_problem(member, inner, suffix),
-                location=(collection.archives, str(path), number),
-                source=(*parts, *inner),
-                group=_display_path(parts),
+            is_platforms = sender_in is not None and member_sender != sender
+            self._add_submission(
+                member_sender,
+                (*parts, *PurePosixPath(member.filename.replace("\\", "/")).parts),
+                name if not is_platforms else name[1:],
+                # A learner can write any date into a zip.
+                submitted_at=member_time(member, modified) if is_platforms else modified,
+                archived_at=modified if is_platforms else None,
+                certainty=certainty,
+                size=member.file_size,
+                reason=member_problem(member),
+                location=(archives, location, number),
+                group=display_path(parts),
                 number=number,
             )
-            collection.files.append(file)
+        if sender_in is None:
+            self._report_names(parts, counted, sender)
+        return ""
 
-    def _owner_function(self, parts, names):
-        """A function from a member's name to the folders in front of it that name its owner."""
-        stem = PurePosixPath(parts[-1]).stem
-        if len(parts) > 1 or _platform_name(stem):
-            return lambda name: (*parts[:-1], stem)
-        notebooks = [name for name in names if name and name[-1].lower().endswith(".ipynb")]
+    def _senders_in(self, parts, names, sender, alone):
+        """A function from a member's name to its Sender, or None if the whole zip is one person's."""
+        if alone and sender.platform == "":
+            return self._senders_in_zip_given_alone(parts, names, sender)
+        at_top = len(parts) == 1 or (len(parts) == 2 and lesson_name(parts[0]) in self._lessons)
+        senders = [platform_sender(name[0]) for name in names]
+        known = {file.learner.casefold() for file in self._collection.files} | self._people
+        if not at_top or sender.platform or sender.name.casefold() in known or not senders:
+            return None
+        has_form = all(sender is not None and not sender.doubt for sender in senders)
+        return (lambda name: sender_of(name, self._lessons)) if has_form else None
+
+    def _senders_in_zip_given_alone(self, parts, names, sender):
+        """The same for the only zip: it is the instructor's, who may have put all files into one folder."""
+        notebooks = [name for name in names if _suffix(name[-1]) == ".ipynb"]
         top_folders = {name[0] if len(name) > 1 else None for name in notebooks}
-        one_folder = (
-            len(top_folders) == 1 and None not in top_folders and not _platform_name(next(iter(top_folders)))
-        )
+        one_folder = len(top_folders) == 1 and None not in top_folders
+        one_folder = one_folder and platform_sender(next(iter(top_folders))) is None
         depth = 2 if one_folder else 1
 
-        def owner_of(name):
-            if len(name) <= depth and self._is_lesson(name[-1]):
-                return (stem,)
-            return (_NO_OWNER,) if one_folder else ()
+        def sender_in(name):
+            if len(name) <= depth and is_lesson_file(name[-1], self._lessons):
+                return sender
+            return sender_of(name[1:] if one_folder and len(name) > 1 else name, self._lessons)
 
-        return owner_of
+        return sender_in
 
-    def _is_lesson(self, name):
-        stem, _ = _repetition(PurePosixPath(name).stem)
-        return not _platform_name(name) and is_lesson(stem, self._lessons)
+    def _report_names(self, parts, names, sender):
+        """Report a zip that holds the names of several people, all of which count as its sender's."""
+        claims, has_form = set(), False
+        for name in names:
+            if _suffix(name[-1]) == ".ipynb":
+                claimed, platform_form = names_within(name, self._lessons)
+                claims |= claimed
+                has_form |= platform_form
+        if len(parts) > 2 or not (has_form or len(claims) > _MOST_NAMES):
+            return
+        shown = ", ".join(sorted(claims)[:_MOST_NAMES])
+        text = f"this zip names {shown}" + (" and others" if len(claims) > _MOST_NAMES else "")
+        text += f"; all of it counts as {sender.name}'s. If it holds submissions of several people, unpack it"
+        self._collection.add_finding("sender", sender.name, parts, text)
 
-    def _submitted_file(
-        self, parts, submitted_at, *, reason="", location=(), source=None, group="", number=0
+    # ------------------------------------------------------------ what was found
+
+    def _add_submission(
+        self, sender, parts, inner, *, size=0, reason="", submitted_at=None, number=0, **more
     ):
-        owner = _owner(parts, self._lessons)
-        _, repetition = _repetition(PurePosixPath(parts[-1]).stem)
+        """Add a file to the collection, if its sender's budget allows.
+
+        parts  where it was found;  inner: the part of this path that the sender chose
+        """
+        key = (sender.name, sender.platform_id, parts[0])  # a forged name uses up nobody else's budget
+        self._notebooks[key] += 1
+        if self._notebooks[key] > MOST_NOTEBOOKS:
+            text = f"more than {MOST_NOTEBOOKS} notebooks and zips; the others were not read"
+            self._collection.add_finding("file", sender.name, parts[:1], text)
+            return
+        self._bytes[key] += 0 if reason else size
+        if self._bytes[key] > LARGEST_SUBMISSION:
+            most = LARGEST_SUBMISSION // 1_000_000
+            reason = reason or f"with it, this submission has more than {most} MB of notebooks; submit fewer"
+        if sender.doubt:
+            self._collection.add_finding("sender", sender.name, parts, sender.doubt)
+        group = more.pop("group", "") or (
+            "" if sender.platform or len(parts) == 1 else sanitize_line(parts[0], 120)
+        )
+        _, repetition = split_repetition(PurePosixPath(parts[-1]).stem)
         moment = submitted_at.isoformat() if submitted_at else ""
-        if not group and not owner["platform"] and len(parts) > 1:
-            group = sanitize_line(parts[0], 120)
-        return SubmittedFile(
-            learner=sanitize_line(unicodedata.normalize("NFC", owner["name"]), 120),
-            platform=owner["platform"],
-            platform_id=owner["id"],
-            source=_display_path(source or parts),
+        file = SubmittedFile(
+            learner=sender.name,
+            platform=sender.platform,
+            platform_id=sender.platform_id,
+            source=display_path(parts),
             group=group,
             submitted_at=submitted_at,
-            late=owner["late"],
-            order=(owner["order"], moment, repetition, number, _display_path(source or parts)),
+            late=sender.late,
+            order=(sender.order, moment, repetition, number, display_path(parts)),
+            claims=names_within(inner, self._lessons)[0],
             reason=reason,
-            location=location,
+            **more,
         )
+        self._collection.files.append(file)
+
+    def _add_finding(self, kind, parts, text):
+        self._collection.add_finding(kind, self._sender(parts).name, parts, text)
+
+    def _ignore(self, parts, sender=None):
+        sender = sender or sender_of(parts, self._lessons)
+        self._unlisted[sender.name] += 1
+        if self._unlisted[sender.name] <= _MOST_LISTED:
+            self._collection.ignored.append(display_path(parts))
+
+    def finish(self):
+        """Report what can only be known now that everything is collected."""
+        files, findings = self._collection.files, self._collection.findings
+        senders = {file.learner for file in files}
+        people = {name.casefold() for name in senders} | self._people
+        for file in files:
+            claims = {name for name in file.claims if name.casefold() != file.learner.casefold()}
+            others = sorted(name for name in claims if name.casefold() in people)
+            if others:
+                text = f"it has the name of {', '.join(others[:_MOST_NAMES])}, but came from {file.learner}:"
+                text += f" it counts as {file.learner}'s"
+                findings.append(IntakeFinding("sender", file.learner, file.source, text))
+        for name, count in self._unlisted.items():
+            if count > _MOST_LISTED:
+                self._collection.ignored.append(f"{name}: {count - _MOST_LISTED} more files")
+            if name not in senders:
+                findings.append(IntakeFinding("file", name, "", "no notebook and no zip"))
 
 
-# ---------------------------------------------------------------- the owner of a file
+def _is_folder(entry):
+    try:
+        return entry.is_dir(follow_symlinks=False)
+    except OSError:
+        return False
 
 
-def _platform_name(name):
-    """(platform, match) of a name that Moodle or Canvas made, or None."""
-    moodle = _MOODLE.fullmatch(name)
-    if moodle:
-        return "moodle", moodle
-    canvas = _CANVAS.fullmatch(name)
-    return ("canvas", canvas) if canvas else None
+def _suffix(name):
+    return PurePosixPath(name.lower()).suffix
 
 
-def _owner(parts, lessons):
-    """The owner of a file: named by the first folder, or by the file itself if it is in no folder.
-
-    A folder with a lesson's name, and the one folder that holds everything, name no owner. Deeper folders
-    were named by the learner, who must not be able to submit as somebody else.
-    """
-    folders = list(parts[:-1])
-    if folders[:1] == [_NO_OWNER]:
-        folders = folders[2:]
-    folders = [part for part in folders if not is_lesson(part, lessons)]
-    platform_name = _platform_name(folders[0] if folders else parts[-1])
-    if platform_name:
-        platform, match = platform_name
-        groups = match.groupdict()
-        return {
-            "name": match["name"].strip() or "(no name)",
-            "id": match["id"][:20],
-            "platform": platform,
-            "late": bool(groups.get("late")),
-            "order": int((groups.get("order") or "0")[:18]),
-        }
-    name = folders[0] if folders else _without_lesson(PurePosixPath(parts[-1]).stem, lessons)
-    return {"name": name.strip() or "(no name)", "id": "", "platform": "", "late": False, "order": 0}
+def _member_name(member):
+    parts = PurePosixPath(member.filename.replace("\\", "/")).parts
+    return tuple(part for part in parts if part not in ("/", "..", "."))
 
 
-def _without_lesson(stem, lessons):
-    """A file's stem without the lesson's name.
-
-    student-1 and student-2 are two learners; ada_04_grayscale and ada_04_grayscale-1 are both ada's.
-    """
-    unnumbered, _ = _repetition(stem)
-    named = lessons_named(unnumbered, lessons)
-    stem = unnumbered if named and unnumbered.endswith(named[-1]) else stem
-    return without_lesson(stem, lessons) or stem
+def _is_counted(name):
+    return bool(name) and not _SKIPPED_FOLDERS & set(name) and not name[-1].startswith("._")
 
 
-def _repetition(stem):
-    """A stem without the mark of a repeated submission ("-1", " (2)"), and the mark's number (0 if none)."""
-    match = _REPEATED.fullmatch(stem)
-    return (match["stem"], int(match["number"] or match["copy"])) if match else (stem, 0)
-
-
-def _display_path(parts):
+def display_path(parts):
+    """The parts of a path as one printable line."""
     return sanitize_line("/".join(parts), 300)
-
-
-# ---------------------------------------------------------------- which files are not read
-
-
-def _file_problem(status, largest):
-    if stat.S_ISLNK(status.st_mode):
-        return "it is a link; links are not followed: submit the notebook itself"
-    if not stat.S_ISREG(status.st_mode):
-        return "it is not a regular file"
-    if status.st_nlink > 1:
-        return "it is a hard link: the same file has another name; submit a copy"
-    if status.st_size > largest:
-        return too_large(status.st_size, largest)
-    return ""
-
-
-def too_large(size, largest):
-    """Why a file of this size in bytes is not read, and what to do."""
-    return (
-        f"it has {size // 1_000_000} MB, at most {largest // 1_000_000} are read: clear its outputs"
-        " (Kernel > Restart Kernel and Clear Outputs), save it and submit it again"
-    )
-
-
-def _zip_problem(members):
-    if len(members) > MOST_FILES:
-        return f"the zip holds {len(members)} files; at most {MOST_FILES} are read"
-    size = sum(member.file_size for member in members)
-    if size > LARGEST_WITHIN:
-        return f"the zip holds {size // 1_000_000} MB; at most {LARGEST_WITHIN // 1_000_000} are read"
-    return ""
-
-
-def _member_problem(member, parts, suffix):
-    if suffix == ".zip":
-        return "it is a zip in a zip; submit the notebook itself"
-    if member.filename.startswith(("/", "\\")) or ".." in parts or re.match(r"[A-Za-z]:", member.filename):
-        return "its name leads out of the zip"
-    if stat.S_IFMT(member.external_attr >> 16) not in (0, stat.S_IFREG):
-        return "it is a link or a device in a zip; submit the notebook itself"
-    if member.flag_bits & 1:
-        return "it is locked with a password"
-    if member.file_size > LARGEST:
-        return too_large(member.file_size, LARGEST)
-    if member.file_size > MOST_RATIO * max(member.compress_size, 1) and member.file_size > 1_000_000:
-        return f"it unpacks to more than {MOST_RATIO} times its size"
-    return ""
-
-
-def _member_time(member, default):
-    try:
-        modified = datetime(*member.date_time)
-    except ValueError:
-        return default
-    return modified if modified.year > 1980 else default
-
-
-# ---------------------------------------------------------------- reading
-
-
-def _read_file(path, device, inode):
-    try:
-        descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
-    except OSError as error:
-        raise CollectError(f"it cannot be read ({error.strerror})") from error
-    with os.fdopen(descriptor, "rb") as file:
-        status = os.fstat(descriptor)
-        reason = _file_problem(status, LARGEST)
-        if not reason and (status.st_dev, status.st_ino) != (device, inode):
-            reason = "it was replaced by another file while it was collected"
-        if reason:
-            raise CollectError(reason)
-        try:
-            return _read_bounded(file)
-        except OSError as error:
-            raise CollectError(f"it cannot be read ({error.strerror})") from error
-
-
-class _Archives:
-    """Keeps the last zip open: its members are read one after another."""
-
-    def __init__(self):
-        self._path, self._archive = None, None
-
-    def members(self, path):
-        """The members of a zip, without its folders."""
-        if self._path != str(path):
-            self.close()
-            self._archive, self._path = zipfile.ZipFile(path), str(path)
-        return [member for member in self._archive.infolist() if not member.is_dir()]
-
-    def read(self, path, number):
-        """The bytes of one member."""
-        try:
-            with self._archive_open(path, number) as file:
-                return _read_bounded(file)
-        except (zipfile.BadZipFile, zlib.error, OSError, ValueError, EOFError, RuntimeError) as error:
-            if isinstance(error, CollectError):
-                raise
-            raise CollectError(f"it cannot be unpacked ({sanitize_line(str(error), 100)})") from error
-
-    def _archive_open(self, path, number):
-        member = self.members(path)[number]
-        return self._archive.open(member)
-
-    def close(self):
-        """Close the zip that is open, if any."""
-        if self._archive is not None:
-            self._archive.close()
-        self._path, self._archive = None, None
-
-
-def _read_bounded(file):
-    data = file.read(LARGEST + 1)
-    if len(data) > LARGEST:
-        raise CollectError(too_large(len(data), LARGEST))
-    return data
 
 
 def digest_of(data):

@@ -9,10 +9,11 @@ from pathlib import Path
 from imgproc_course.autograder.pool import open_scheduler
 from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.gradebook.answer_keys import load_keys
+from imgproc_course.gradebook.archives import CollectError
 from imgproc_course.gradebook.collect import collect
-from imgproc_course.gradebook.grades_folder import LearnerPages, write_grades
+from imgproc_course.gradebook.grades_folder import LearnerPages, set_pages_aside, write_grades
 from imgproc_course.gradebook.grades_json import count_not_graded, faults_of, grades_of
-from imgproc_course.gradebook.learners import read_all
+from imgproc_course.gradebook.learners import read_all, unproven_dates
 from imgproc_course.gradebook.lms_import import TableError, fill_table, read_tables
 from imgproc_course.gradebook.report import count_of, prepare_templates
 from imgproc_course.gradebook.result_store import (
@@ -23,6 +24,7 @@ from imgproc_course.gradebook.result_store import (
     open_grades_folder,
     write_grades_file,
 )
+from imgproc_course.gradebook.roster import read_roster, roster_report
 from imgproc_course.gradebook.teacher_rules import TeacherRules
 from imgproc_course.gradebook.teacher_tables import DECISIONS_TEMPLATE
 
@@ -52,6 +54,7 @@ def grade_submissions(
     fresh=False,
     scheduler=None,
     platform_tables=(),
+    roster=None,
     quiet=None,
     **options,
 ):
@@ -71,6 +74,7 @@ def grade_submissions(
     fresh : bool, grade again what was graded before
     scheduler : str, address of a Dask scheduler, or None
     platform_tables : sequence of Path, tables that platforms exported, to be filled with points
+    roster : Path of a table of all learners, or None
     quiet : True for no progress bars; None: no progress bars if stderr is no terminal
     options : kernel, unsafe, workers, limits, as `autograde` takes them
 
@@ -89,7 +93,9 @@ def grade_submissions(
     unsafe, kernel = options.get("unsafe", False), options.get("kernel", "fast")
     if not unsafe and scheduler is None:
         bubblewrap.require_sandbox()
+    roster = read_roster(roster) if roster else None
     with contextlib.ExitStack() as stack:
+        collection = stack.enter_context(_collect(submissions, answer_keys, roster, out))
         stack.enter_context(open_grades_folder(out))
         decisions = decisions or _decisions_file(out)
         rules = TeacherRules(
@@ -98,8 +104,7 @@ def grade_submissions(
         store = ResultStore(out / "results", {"kernel": kernel, "unsafe": unsafe})
         if scheduler is not None:
             options["executor"] = stack.enter_context(open_scheduler(scheduler))
-        collection = stack.enter_context(collect(submissions, tuple(answer_keys.lessons)))
-        learners = read_all(collection, answer_keys, store, quiet=quiet)
+        learners = read_all(collection, answer_keys, store, fresh=fresh, quiet=quiet)
         rules.assign(learners)
         again = answers_to_regrade(regrade, learners, rules.names, answer_keys, fresh=fresh)
         pages = LearnerPages(out, learners, answer_keys, store, rules, anonymous=anonymous)
@@ -107,17 +112,30 @@ def grade_submissions(
         graded_now = grade_missing(
             learners, answer_keys, store, again=again, quiet=quiet, on_result=pages.result_stored, **options
         )
+        if deadline:
+            collection.findings += unproven_dates(collection.files, deadline)
         grades = grades_of(
             pages.finish(),
             answer_keys,
             sandbox=not unsafe,
             deadlines=rules.deadlines,
-            ignored=collection.ignored,
+            collection=collection,
+            roster=roster_report(roster, learners) if roster is not None else None,
             anonymous=anonymous,
         )
         write_grades(out, grades, learners, answer_keys.lessons, pages.failed)
         table_lines = _fill_tables(platform_tables, grades, out)
     return _summary(grades, graded_now, out, table_lines, pages.failed)
+
+
+def _collect(submissions, answer_keys, roster, out):
+    people = [name for entry in roster or () for name in entry.names]
+    try:
+        return collect(submissions, tuple(answer_keys.lessons), people)
+    except CollectError as error:
+        moved = set_pages_aside(out) if submissions.exists() else None
+        where = f"; the pages of the last run are now in {moved}" if moved else ""
+        raise CollectError(f"{error}{where}") from error
 
 
 def _require_separate_folder(submissions, keys, out):

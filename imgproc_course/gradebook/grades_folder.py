@@ -11,6 +11,7 @@ exports/           for Moodle, Canvas, and programs that read nbgrader's table
 results/*.json     every result, by a digest of key and answers: an interrupted run continues from here
 """
 
+import shutil
 from pathlib import Path
 
 from imgproc_course.autograder.sanitize import sanitize_line
@@ -24,6 +25,7 @@ from imgproc_course.gradebook.report import learner_page
 from imgproc_course.gradebook.result_store import write_grades_file
 from imgproc_course.gradebook.summary import summary_page
 
+_GIVEN_BACK = ("learners", "exports")
 _OTHER_PAGES = {
     "predictions.html": "What the learners predicted",
     "changes.html": "What changed since the run before",
@@ -133,6 +135,26 @@ def write_grades(out, grades, learners, lessons, failed_pages):
         _remove_others(out / "exports", pattern, files)
     other_pages = {name: title for name, title in _OTHER_PAGES.items() if (out / name).exists()}
     write_grades_file(out / "summary.html", summary_page(shown, failed_pages, other_pages))
+
+
+def set_pages_aside(out):
+    """Move what an earlier run wrote to give back, so that nobody packs it as the result of this run.
+
+    Parameters
+    ----------
+    out : Path
+
+    Returns
+    -------
+    Path of the folder that holds it now, or None if there was nothing
+    """
+    aside = out / "last-run"
+    folders = [out / name for name in _GIVEN_BACK if (out / name).is_dir()]
+    for folder in folders:
+        shutil.rmtree(aside / folder.name, ignore_errors=True)
+        aside.mkdir(mode=0o700, exist_ok=True)
+        folder.rename(aside / folder.name)
+    return aside if folders else None
 
 
 def _write_or_remove(path, page):

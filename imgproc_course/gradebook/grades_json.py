@@ -18,7 +18,7 @@ FORMAT = 3
 SCHEMA = Path(__file__).with_name("grades.schema.json")
 
 
-def grades_of(entries, answer_keys, *, sandbox, deadlines, ignored=(), anonymous=False):
+def grades_of(entries, answer_keys, *, sandbox, deadlines, collection, roster=None, anonymous=False):
     """The content of grades.json.
 
     Parameters
@@ -27,7 +27,8 @@ def grades_of(entries, answer_keys, *, sandbox, deadlines, ignored=(), anonymous
     answer_keys : AnswerKeys
     sandbox : bool, whether answers ran in a sandbox
     deadlines : Deadlines
-    ignored : list of str, files that are not notebooks
+    collection : Collection that the learners' files come from
+    roster : dict as `roster_report` returns it, or None
     anonymous : bool, the pages are named after an id instead of the learner
 
     Returns
@@ -43,7 +44,9 @@ def grades_of(entries, answer_keys, *, sandbox, deadlines, ignored=(), anonymous
         "anonymous_pages": anonymous,
         "keys": [_key_entry(key) for key in answer_keys.keys],
         "learners": entries,
-        "ignored": list(ignored),
+        "ignored": collection.ignored,
+        "intake": [asdict(finding) for finding in sorted(collection.findings)],
+        "roster": roster,
     }
 
 

@@ -2,19 +2,28 @@
 
 import hashlib
 import json
+import os
 import re
+import time
+from collections import Counter
 from dataclasses import dataclass, field
 
 from tqdm import tqdm
 
 from imgproc_course.autograder.answer_key import Key
-from imgproc_course.gradebook.collect import CollectError, SubmittedFile, digest_of
+from imgproc_course.gradebook.archives import CollectError
+from imgproc_course.gradebook.collect import IntakeFinding, SubmittedFile, digest_of
 from imgproc_course.gradebook.submission import (
+    NOT_READ_IN_TIME,
     NotebookReader,
     SubmissionContent,
     lesson_by_name,
     read_submission,
 )
+
+NOTEBOOK_SECONDS = 5  # for reading one notebook; a usual one takes 0.02
+READING_SECONDS = 30  # for all notebooks of one sender
+_TOO_SLOW_TOGETHER = "reading the earlier notebooks of this submission took too much time; submit fewer"
 
 
 @dataclass
@@ -56,6 +65,11 @@ class Learner:
     earlier: dict = field(default_factory=dict)
     unidentified: list = field(default_factory=list)
 
+    def all_submissions(self):
+        """Every Submission, also those that do not count."""
+        earlier = [submission for submissions in self.earlier.values() for submission in submissions]
+        return [*self.submissions.values(), *earlier, *self.unidentified]
+
     @property
     def page(self):
         """The file name of the learner's page: safe on every system, and unique through a digest."""
@@ -63,43 +77,82 @@ class Learner:
         return f"{slug}-{hashlib.sha256(self.name.encode()).hexdigest()[:10]}.html"
 
 
-def read_all(collection, answer_keys, store, *, quiet=None):
+def read_all(collection, answer_keys, store, *, fresh=False, quiet=None):
     """Read every submitted file, assign it to its learner, and choose the submission that counts.
 
     Parameters
     ----------
     collection : Collection
     answer_keys : AnswerKeys
-    store : Store, keeps the answers until they are graded
+    store : ResultStore, keeps the answers until they are graded
+    fresh : bool, read again what took too much time before
     quiet : bool or None, as tqdm's `disable`
 
     Returns
     -------
-    list of Learner, sorted by name
+    list of Learner, sorted by name; findings about senders are added to the collection
     """
     submissions = []
-    with NotebookReader() as reader:
+    with NotebookReader(NOTEBOOK_SECONDS) as notebook_reader:
+        reader = _SubmissionReader(answer_keys, store, notebook_reader, fresh)
         for file in tqdm(collection.files, desc="reading", unit=" files", disable=quiet, leave=False):
-            submissions.append(_read(file, answer_keys, store, reader))
-    return _learners(submissions)
+            submissions.append(reader.read(file))
+    learners = _learners(submissions)
+    collection.findings += _replaced_by_name(submissions)
+    return learners
 
 
-def _read(file, answer_keys, store, reader):
-    try:
-        data = file.read()
-    except CollectError as error:
-        content = SubmissionContent(
-            lesson=lesson_by_name(file.source, answer_keys.lessons), reason=str(error)
-        )
-        return Submission(file, "", content)
-    content = read_submission(data, answer_keys, reader, file.source)
-    submission = Submission(file, digest_of(data), content)
-    if content.reason:
+class _SubmissionReader:
+    """Reads submitted files; each sender has a budget of time, and what took too much is remembered."""
+
+    def __init__(self, answer_keys, store, notebook_reader, fresh):
+        self._answer_keys, self._store, self._notebook_reader = answer_keys, store, notebook_reader
+        self._fresh = fresh
+        self._seconds = Counter()
+
+    def read(self, file):
+        """The Submission of a file."""
+        try:
+            data = file.read()
+        except CollectError as error:
+            return Submission(file, "", self._unread(file, str(error)))
+        digest = digest_of(data)
+        submission = Submission(file, digest, self._content(file, data, digest))
+        content = submission.content
+        if content.reason:
+            return submission
+        submission.key = self._answer_keys.key_for(content.lesson, content.version)
+        submission.answers_digest = self._store.keep_answers(submission.key, content.lesson, content.answers)
+        submission.has_answers, content.answers = bool(content.answers), {}
         return submission
-    submission.key = answer_keys.key_for(content.lesson, content.version)
-    submission.answers_digest = store.keep_answers(submission.key, content.lesson, content.answers)
-    submission.has_answers, content.answers = bool(content.answers), {}
-    return submission
+
+    def _content(self, file, data, digest):
+        sender = (file.learner, file.platform_id, file.group)
+        if self._seconds[sender] > READING_SECONDS:
+            return self._unread(file, _TOO_SLOW_TOGETHER)
+        if self._store.was_too_slow(digest) and not self._fresh:
+            self._seconds[sender] += NOTEBOOK_SECONDS
+            return self._unread(file, NOT_READ_IN_TIME)
+        start = time.monotonic()
+        content = read_submission(data, self._answer_keys, self._notebook_reader, file.source)
+        if content.reason == NOT_READ_IN_TIME:
+            content = self._read_again(file, data, digest)
+        self._seconds[sender] += time.monotonic() - start
+        return content
+
+    def _read_again(self, file, data, digest):
+        """Read in another process: an ended process or a busy machine is no fault of the notebook."""
+        before = os.times()
+        with NotebookReader(20 * NOTEBOOK_SECONDS, cpu_seconds=NOTEBOOK_SECONDS) as notebook_reader:
+            content = read_submission(data, self._answer_keys, notebook_reader, file.source)
+        cpu_seconds = sum(os.times()[2:4]) - sum(before[2:4])  # of ended processes, the reader's
+        if content.reason == NOT_READ_IN_TIME and cpu_seconds > 0.8 * NOTEBOOK_SECONDS:
+            self._store.remember_too_slow(digest)
+        return content
+
+    def _unread(self, file, reason):
+        lesson = lesson_by_name(file.source, self._answer_keys.lessons)
+        return SubmissionContent(lesson=lesson, reason=reason)
 
 
 def _learners(submissions):
@@ -131,7 +184,7 @@ def _display_names(submissions):
 
 
 def _add(learner, submission):
-    """A later submission replaces an earlier one, unless only the earlier one has answers to grade."""
+    """A later submission replaces an earlier one, unless the earlier one has a better claim (see `_rank`)."""
     lesson = submission.lesson
     if submission.content.is_page:
         return
@@ -142,13 +195,14 @@ def _add(learner, submission):
     if before is None:
         learner.submissions[lesson] = submission
         return
-    before_counts = _value(before) > _value(submission)
+    before_counts = _rank(before) > _rank(submission)
     learner.submissions[lesson] = before if before_counts else submission
     learner.earlier.setdefault(lesson, []).append(submission if before_counts else before)
 
 
-def _value(submission):
-    return not submission.content.reason, submission.has_answers
+def _rank(submission):
+    """First the most certain sender, then what can be read, then what has answers."""
+    return submission.file.certainty, not submission.content.reason, submission.has_answers
 
 
 def _report_repeated(learner):
@@ -158,6 +212,42 @@ def _report_repeated(learner):
         submission.content.add(
             f"submitted {len(earlier) + 1} times; this one counts: {submission.file.source}"
         )
+
+
+def _replaced_by_name(submissions):
+    """A finding for each file that arrived under a name of which there is a more certain submission."""
+    by_name = {}
+    for submission in submissions:
+        if submission.lesson:
+            by_name.setdefault((submission.file.learner, submission.lesson), []).append(submission.file)
+    for (name, lesson), files in by_name.items():
+        counting = max(files, key=lambda file: file.certainty)
+        for file in files:
+            if file.certainty < counting.certainty:
+                text = f"it names {name}, whose own submission of {lesson} counts: {counting.source}"
+                yield IntakeFinding("sender", file.group, file.source, text)
+
+
+def unproven_dates(files, deadline):
+    """A finding for each zip of a platform that was made after the deadline and says earlier dates.
+
+    Parameters
+    ----------
+    files : list of SubmittedFile
+    deadline : datetime, local
+
+    Yields
+    ------
+    IntakeFinding
+    """
+    counts = Counter(
+        file.group
+        for file in files
+        if file.archived_at and file.archived_at > deadline and file.submitted_at <= deadline
+    )
+    for group, count in counts.items():
+        text = f"{count} of its files are in time only by the dates in this zip, which its maker can choose"
+        yield IntakeFinding("date", "", group, text)
 
 
 def digest_of_answers(key, lesson, answers, conditions):

@@ -74,6 +74,25 @@ def read_tables(paths):
 
 
 def _read(path):
+    columns, rows, delimiter, byte_order_mark = read_csv(path)
+    return PlatformTable(path, _platform(path, columns), columns, tuple(rows), delimiter, byte_order_mark)
+
+
+def read_csv(path):
+    """Read a table that a platform or a spreadsheet exported.
+
+    Parameters
+    ----------
+    path : Path
+
+    Returns
+    -------
+    (columns, rows, delimiter, byte order mark), as `PlatformTable` describes them
+
+    Raises
+    ------
+    TableError : it cannot be read
+    """
     try:
         if path.stat().st_size > _LARGEST:
             raise TableError(f"{path}: larger than {_LARGEST // 1_000_000} MB; give the table as exported")
@@ -92,7 +111,7 @@ def _read(path):
     except csv.Error as error:
         raise TableError(f"{path}: it is not a CSV table ({error}); export it again") from error
     columns = tuple(column.strip() for column in rows[0]) if rows else ()
-    return PlatformTable(path, _platform(path, columns), columns, tuple(rows[1:]), delimiter, byte_order_mark)
+    return columns, rows[1:], delimiter, byte_order_mark
 
 
 def _platform(path, columns):

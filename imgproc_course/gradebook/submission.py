@@ -8,6 +8,7 @@ finding.
 
 import contextlib
 import json
+import resource
 import select
 import subprocess
 import sys
@@ -22,6 +23,7 @@ from imgproc_course.gradebook.submission_reader import MOST_CHARACTERS, function
 
 SECONDS = 60  # for reading one notebook
 MEMORY = 2 << 30  # bytes, of the process that reads notebooks
+NOT_READ_IN_TIME = "reading it takes more time or memory than a notebook needs"
 _READER = Path(__file__).with_name("submission_reader.py")
 _LONGEST_PREDICTION = 1_000  # characters
 _GRADER_COMMENTS = ("# NBVAL_", "# PYTEST_VALIDATE_")
@@ -96,10 +98,12 @@ class NotebookReader:
     ----------
     seconds : float, for reading one notebook
     memory : int, bytes
+    cpu_seconds : int, for all notebooks together, or None; on a busy machine they take longer
     """
 
-    def __init__(self, seconds=SECONDS, memory=MEMORY):
-        self._seconds, self._memory, self._process = seconds, memory, None
+    def __init__(self, seconds=SECONDS, memory=MEMORY, cpu_seconds=None):
+        self._seconds, self._memory, self._cpu_seconds = seconds, memory, cpu_seconds
+        self._process = None
 
     def read(self, data):
         """Read a notebook.
@@ -118,7 +122,7 @@ class NotebookReader:
                 reply = json.loads(line)
                 return reply.get("notebook"), reply.get("reason", "")
             self.close()
-        return None, "reading it takes more time or memory than a notebook needs"
+        return None, NOT_READ_IN_TIME
 
     def _reply(self, data):
         """The process's line; b"" or a part of it if the process ended or takes too long."""
@@ -149,6 +153,9 @@ class NotebookReader:
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
         )
+        if self._cpu_seconds:
+            limits = (self._cpu_seconds, self._cpu_seconds)
+            resource.prlimit(self._process.pid, resource.RLIMIT_CPU, limits)
 
     def close(self):
         """End the process."""

@@ -51,6 +51,8 @@ def summary_page(grades, failed_pages=(), other_pages=()):
         dishonest=[concern for concern in concerns if concern["list"] == "dishonest"],
         others=[concern for concern in concerns if concern["list"] == "other"],
         names=names,
+        senders=[finding for finding in grades["intake"] if finding["kind"] != "file"],
+        other_files=[finding for finding in grades["intake"] if finding["kind"] == "file"],
     )
 
 

@@ -8,6 +8,7 @@ of an answer are in tests/autograder/attacks.py.
 import io
 import json
 import os
+import socket
 import zipfile
 from dataclasses import dataclass
 from pathlib import Path
@@ -381,6 +382,110 @@ def _zip(folder, members):
     return path
 
 
+# ---------------------------------------------------------------- senders and budgets
+
+TOMORROW = (2099, 1, 1, 0, 0, 0)
+
+
+def _neighbour_of(folder):
+    return f"{folder.name}, neighbour"
+
+
+def _dated_zip(path, names, data):
+    path.parent.mkdir(parents=True, exist_ok=True)
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name in names:
+            archive.writestr(zipfile.ZipInfo(name, TOMORROW), data)
+
+
+@attack(201, "a zip with a folder of a neighbour's name", "it counts as 201")
+def _neighbours_name_in_zip(folder, light):
+    names = [f"{LESSON}.ipynb", f"{_neighbour_of(folder)}/{LESSON}.ipynb", f"{_neighbour_of(folder)}.ipynb"]
+    _dated_zip(folder.with_name(f"{folder.name}.zip"), names, json.dumps(wrong_notebook(light)))
+
+
+@attack(202, "a zip of Moodle's form with a neighbour's name", "whose own submission of light counts")
+def _forged_platform_zip(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
+    names = [f"{_neighbour_of(folder)}_{id}_assignsubmission_file_/{LESSON}.ipynb" for id in (7, 8)]
+    names += [f"somebody else {id}_{id}_assignsubmission_file_/{LESSON}.ipynb" for id in range(3)]
+    path = folder.with_name(f"{folder.name}, all submissions.zip")
+    _dated_zip(path, names, json.dumps(wrong_notebook(light)))
+
+
+@attack(203, "a zip of Moodle's form under the sender's own name", "it counts as 203")
+def _forged_platform_zip_of_a_known_sender(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
+    names = [f"{_neighbour_of(folder)}_7_assignsubmission_file_/{LESSON}.ipynb"]
+    _dated_zip(folder.with_name(f"{folder.name}.zip"), names, json.dumps(wrong_notebook(light)))
+
+
+@attack(
+    204,
+    "a display name with Moodle's mark in it",
+    "Moodle's mark more than once",
+    folder="204 a display name with Moodle's mark in it, neighbour_1_assignsubmission_file_"
+    "Eve_2_assignsubmission_file_",
+)
+def _mark_in_display_name(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
+
+
+@attack(205, "an environment of 20,001 files", "installed packages")
+def _environment(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
+    packages = folder / ".venv" / "lib"
+    packages.mkdir(parents=True)
+    for number in range(20_001):
+        (packages / f"{number}.ipynb").touch()
+
+
+@attack(206, "two hundred notebooks", "more than 100 notebooks")
+def _many_notebooks(folder, light):
+    for number in range(200):
+        write(folder / f"{number}.ipynb", b"{}")
+
+
+@attack(207, "a zip packed with LZMA", "unusual method")
+def _unusual_packing(folder, light):
+    folder.mkdir(parents=True)
+    with zipfile.ZipFile(folder / "work.zip", "w", zipfile.ZIP_LZMA) as archive:
+        archive.writestr(f"{LESSON}.ipynb", json.dumps(wrong_notebook(light)))
+
+
+@attack(208, "a zip with a table of contents of 10 MB", "table of contents has")
+def _huge_contents(folder, light):
+    _zip(folder, [(f"{number:05d}{'x' * 1000}.ipynb", b"") for number in range(10_000)])
+
+
+@attack(209, "a socket", "not a regular file")
+def _socket(folder, light):
+    folder.mkdir(parents=True)
+    descriptor = os.open(folder, os.O_RDONLY)  # the path of a socket has at most 107 bytes
+    with socket.socket(socket.AF_UNIX) as listener:
+        listener.bind(f"/proc/self/fd/{descriptor}/{LESSON}.ipynb")
+    os.close(descriptor)
+
+
+@attack(210, "a link to the folder of submissions, and links in a circle", "links are not followed")
+def _links_in_a_circle(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
+    (folder / "all").symlink_to(folder.parent)
+    (folder / "circle").symlink_to("circle")
+
+
+@attack(211, "a folder deeper than a path can be", "folders deep")
+def _deep_folders(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
+    descriptor = os.open(folder, os.O_RDONLY)
+    for _ in range(40):
+        os.mkdir("d" * 200, dir_fd=descriptor)
+        deeper = os.open("d" * 200, os.O_RDONLY, dir_fd=descriptor)
+        os.close(descriptor)
+        descriptor = deeper
+    os.close(descriptor)
+
+
 # ---------------------------------------------------------------- grading them all
 
 
@@ -418,20 +523,26 @@ def grade_attacks(light, key_path, folder, **options):
     for attack in FORM_ATTACKS:
         attack.put(folder / "submissions" / attack.folder_name, light)
         write(folder / "submissions" / attack.neighbour / f"{LESSON}.ipynb", honest)
-    learners = []
+    learners, intake = [], []
     for name in ("alone", "submissions"):
         out = folder / f"{name}-grades"
         grade_submissions(folder / name, [key_path], out, **({"workers": 1, "quiet": True} | options))
         grades = json.loads((out / "grades.json").read_text(encoding="utf-8"))
         learners.append({learner["name"]: learner for learner in grades["learners"]})
+        intake = grades["intake"]
     (alone,) = learners[0]["alone"]["lessons"]
-    return [_attacked(attack, learners[1], alone, folder) for attack in FORM_ATTACKS]
+    return [_attacked(attack, learners[1], alone, folder, intake) for attack in FORM_ATTACKS]
 
 
-def _attacked(attack, learners, alone, folder):
+def _attacked(attack, learners, alone, folder, intake):
     lessons = learners[attack.learner]["lessons"]
     texts = [lesson["reason"] for lesson in lessons if lesson["reason"]]
     texts += [finding["text"] for lesson in lessons for finding in lesson["findings"]]
+    texts += [
+        finding["text"]
+        for finding in intake
+        if attack.learner in (finding["learner"], finding["file"][: len(attack.learner)])
+    ]
     outcomes = {
         case["outcome"]
         for lesson in lessons

@@ -1,5 +1,6 @@
 """Which files are collected from folders and zips, who owns them, and which files are refused."""
 
+import contextlib
 import json
 import os
 import zipfile
@@ -8,15 +9,23 @@ from datetime import datetime
 import pytest
 from submissions import write
 
-from imgproc_course.gradebook import collect as collect_module
-from imgproc_course.gradebook.collect import CollectError, collect
+from imgproc_course.gradebook import archives
+from imgproc_course.gradebook.archives import CollectError
+from imgproc_course.gradebook.collect import collect
 
 LESSONS = ("light", "sound")
 
 
-def files_by_source(path):
-    with collect(path, LESSONS) as collection:
-        return {file.source: file for file in collection.files}
+@pytest.fixture
+def files_by_source():
+    """Collects a folder; what it returns can be read until the end of the test."""
+    with contextlib.ExitStack() as stack:
+
+        def collected(path):
+            collection = stack.enter_context(collect(path, LESSONS))
+            return {file.source: file for file in collection.files}
+
+        yield collected
 
 
 def make_zip(path, members, when=(2026, 11, 30, 12, 0, 0)):
@@ -57,7 +66,7 @@ def make_zip(path, members, when=(2026, 11, 30, 12, 0, 0)):
         ("ada/Bob_1_assignsubmission_file_/x.ipynb", "ada", "", "", False),
     ],
 )
-def test_the_owner_of_a_file(submissions, name, learner, id, platform, late):
+def test_the_owner_of_a_file(files_by_source, submissions, name, learner, id, platform, late):
     write(submissions / name, b"{}")
     (file,) = files_by_source(submissions).values()
     assert (file.learner, file.platform_id, file.platform, file.late) == (learner, id, platform, late)
@@ -71,8 +80,11 @@ def test_the_owner_of_a_file(submissions, name, learner, id, platform, late):
     [
         ("carol.zip", "20_light.ipynb", "carol", 12),  # her own zip: its dates are hers to write
         ("carol.zip", "my_lessons/20_light.ipynb", "carol", 12),
-        ("all.zip", "ada.ipynb", "ada", 11),
-        ("all.zip", "handed-in/ada/20_light.ipynb", "ada", 11),
+        ("all.zip", "ada.ipynb", "all", 12),
+        ("all.zip", "handed-in/ada/20_light.ipynb", "all", 12),
+        ("carol_20_light.zip", "20_light.ipynb", "carol", 12),
+        ("light/carol.zip", "bob/x.ipynb", "carol", 12),
+        ("light/moodle.zip", "Ada Lovelace_12345_assignsubmission_file_/x.ipynb", "Ada Lovelace", 11),
         ("moodle.zip", "Ada Lovelace_12345_assignsubmission_file_/x.ipynb", "Ada Lovelace", 11),
         ("canvas.zip", "lovelaceada_LATE_123_456_x.ipynb", "lovelaceada", 11),
         ("carol/work.zip", "bob_1_2_x.ipynb", "carol", 12),
@@ -80,7 +92,9 @@ def test_the_owner_of_a_file(submissions, name, learner, id, platform, late):
         ("carol_1_2_work.zip", "bob/x.ipynb", "carol", 12),
     ],
 )
-def test_the_owner_and_the_time_of_a_file_in_a_zip(submissions, zip_name, inner, learner, month):
+def test_the_owner_and_the_time_of_a_file_in_a_zip(
+    files_by_source, submissions, zip_name, inner, learner, month
+):
     path = submissions / zip_name
     path.parent.mkdir(exist_ok=True)
     make_zip(path, [(inner, b"{}")])
@@ -98,7 +112,7 @@ def test_a_zip_alone_is_a_folder_of_submissions(tmp_path):
         assert collection.ignored == ["all.zip/note.txt"]
 
 
-def test_links_and_devices_are_reported_and_not_followed(submissions, tmp_path):
+def test_links_and_devices_are_reported_and_not_followed(files_by_source, submissions, tmp_path):
     secret = write(tmp_path / "secret.ipynb", b"secret")
     (submissions / "ada").mkdir()
     (submissions / "ada" / "link.ipynb").symlink_to(secret)
@@ -115,7 +129,7 @@ def test_links_and_devices_are_reported_and_not_followed(submissions, tmp_path):
             file.read()
 
 
-def test_a_file_that_is_replaced_after_it_was_collected_is_not_read(submissions, tmp_path):
+def test_a_file_that_is_replaced_after_it_was_collected_is_not_read(files_by_source, submissions, tmp_path):
     path = write(submissions / "ada.ipynb", b"{}")
     (file,) = files_by_source(submissions).values()
     path.unlink()
@@ -129,7 +143,7 @@ def test_a_file_that_is_replaced_after_it_was_collected_is_not_read(submissions,
         file.read()
 
 
-def test_a_huge_file_is_not_read(submissions):
+def test_a_huge_file_is_not_read(files_by_source, submissions):
     path = submissions / "ada.ipynb"
     with path.open("wb") as file:
         file.truncate(200_000_000)
@@ -137,21 +151,21 @@ def test_a_huge_file_is_not_read(submissions):
     assert "200 MB" in file.reason and "clear its outputs" in file.reason
 
 
-def test_a_zip_bomb_is_not_unpacked(submissions):
+def test_a_zip_bomb_is_not_unpacked(files_by_source, submissions):
     make_zip(submissions / "ada_1_2_x.zip", [("bomb.ipynb", b"0" * 20_000_000), ("good.ipynb", b"{}")])
     by_name = files_by_source(submissions)
     assert "200 times" in by_name["ada_1_2_x.zip/bomb.ipynb"].reason
     assert by_name["ada_1_2_x.zip/good.ipynb"].read() == b"{}"
 
 
-def test_a_zip_with_false_sizes_is_read_up_to_the_limit(submissions, monkeypatch):
+def test_a_zip_with_false_sizes_is_read_up_to_the_limit(files_by_source, submissions, monkeypatch):
     path = make_zip(submissions / "ada_1_2_x.zip", [("a.ipynb", os.urandom(5_000))])
     data = bytearray(path.read_bytes())
     for signature, offset in ((b"PK\x03\x04", 22), (b"PK\x01\x02", 24)):
         at = data.index(signature) + offset
         data[at : at + 4] = (100).to_bytes(4, "little")
     path.write_bytes(data)
-    monkeypatch.setattr(collect_module, "LARGEST", 1_000)
+    monkeypatch.setattr(archives, "LARGEST", 1_000)
     (file,) = files_by_source(submissions).values()
     with pytest.raises(CollectError, match=r"unpacked|MB"):
         file.read()
@@ -160,7 +174,7 @@ def test_a_zip_with_false_sizes_is_read_up_to_the_limit(submissions, monkeypatch
 def test_a_file_larger_than_its_zip_says_is_read_up_to_the_limit(submissions, monkeypatch):
     make_zip(submissions / "ada_1_2_x.zip", [("a.ipynb", os.urandom(5_000_000))])
     with collect(submissions, LESSONS) as collection:
-        monkeypatch.setattr(collect_module, "LARGEST", 4_999_999)
+        monkeypatch.setattr(archives, "LARGEST", 4_999_999)
         with pytest.raises(CollectError, match="it has 5 MB, at most 4 are read"):
             collection.files[0].read()
 
@@ -175,14 +189,14 @@ def test_a_file_larger_than_its_zip_says_is_read_up_to_the_limit(submissions, mo
         ("inner.zip", "a zip in a zip"),
     ],
 )
-def test_names_in_a_zip(submissions, name, reason):
+def test_names_in_a_zip(files_by_source, submissions, name, reason):
     make_zip(submissions / "ada_1_2_x.zip", [(name, b"{}")])
     (file,) = files_by_source(submissions).values()
     assert reason in file.reason
     assert file.learner == "ada"
 
 
-def test_a_link_in_a_zip(submissions):
+def test_a_link_in_a_zip(files_by_source, submissions):
     info = zipfile.ZipInfo("x.ipynb")
     info.external_attr = 0o120777 << 16
     with zipfile.ZipFile(submissions / "ada_1_2_x.zip", "w") as archive:
@@ -191,16 +205,16 @@ def test_a_link_in_a_zip(submissions):
     assert "a link" in file.reason
 
 
-def test_a_zip_of_too_many_files_or_too_much(submissions, monkeypatch):
+def test_a_zip_of_too_many_files_or_too_much(files_by_source, submissions, monkeypatch):
     make_zip(submissions / "ada_1_2_x.zip", [(f"{number}.ipynb", b"{}") for number in range(30)])
-    monkeypatch.setattr(collect_module, "LARGEST_WITHIN", 59)
+    monkeypatch.setattr(archives, "LARGEST_WITHIN", 59)
     assert "the zip holds" in next(iter(files_by_source(submissions).values())).reason
-    monkeypatch.setattr(collect_module, "MOST_FILES", 29)
+    monkeypatch.setattr(archives, "MOST_MEMBERS", 29)
     (file,) = files_by_source(submissions).values()
     assert "30 files" in file.reason
 
 
-def test_a_broken_zip_is_one_file_with_a_reason(submissions):
+def test_a_broken_zip_is_one_file_with_a_reason(files_by_source, submissions):
     write(submissions / "ada_1_2_x.zip", b"PK\x03\x04 no zip")
     write(submissions / "bob.ipynb", b"{}")
     by_name = files_by_source(submissions)
@@ -218,7 +232,7 @@ def test_files_beside_a_notebook_are_listed_and_ignored(submissions):
         assert len(collection.ignored) == 5
 
 
-def test_control_characters_in_names_become_visible(submissions):
+def test_control_characters_in_names_become_visible(files_by_source, submissions):
     name = "=cmd|' ,\u202eadA\n<b>-p x::[1]"
     write(submissions / name / "x.ipynb", b"{}")
     write(submissions / os.fsdecode(b"\xff\xfe") / "x.ipynb", b"{}")
@@ -235,7 +249,7 @@ def test_folders_that_are_too_deep_are_ignored(submissions):
     write(submissions / "bob.ipynb", b"{}")
     with collect(submissions, LESSONS) as collection:
         assert [file.learner for file in collection.files] == ["bob"]
-        assert any("folders deep" in file for file in collection.ignored)
+        assert any("folders deep" in finding.text for finding in collection.findings)
 
 
 def test_no_submissions_is_an_error(submissions):

@@ -1,0 +1,128 @@
+"""A roster: the table of everybody who should submit, as Moodle or Canvas exports it, or written by hand.
+
+Canvas    Grades > Export: Student ("Lovelace, Ada"), ID, SIS Login ID, ...
+Moodle    grading worksheet: Identifier, Full name, Email address, ...; participants and gradebook:
+          First name, Last name (or Surname), ID number, Email address, ...
+by hand   a column `name`, or `student`, or `email`
+"""
+
+import re
+import unicodedata
+from dataclasses import dataclass
+
+from imgproc_course.autograder.sanitize import sanitize_line
+from imgproc_course.gradebook.lms_import import TableError, read_csv
+
+_FULL_NAME = ("student", "full name", "name", "learner", "student name")
+_FIRST_NAME = ("first name", "firstname")
+_LAST_NAME = ("last name", "lastname", "surname")
+_IDENTITIES = (
+    "email address",
+    "email",
+    "e-mail",
+    "username",
+    "id number",
+    "sis login id",
+    "sis user id",
+    "login",
+)
+_NUMBERS = {"id": "canvas", "identifier": "moodle"}
+_NO_PEOPLE = ("", "student, test", "points possible")
+
+
+@dataclass(frozen=True)
+class RosterEntry:
+    """One row: the `name` to show, all `names` by which a submission can arrive, the platform's `number`.
+
+    `number` is (platform, digits), or None.
+    """
+
+    name: str
+    names: tuple
+    number: tuple | None
+
+    def is_sender(self, file):
+        """Whether a SubmittedFile is this person's."""
+        number = (file.platform, file.platform_id)
+        if self.number == number:
+            return True
+        # In Canvas a person has one number; in Moodle another one in each assignment.
+        another = self.number and file.platform == self.number[0] == "canvas"
+        return not another and _squeezed(file.learner) in {_squeezed(name) for name in self.names}
+
+
+def read_roster(path):
+    """Read a roster.
+
+    Parameters
+    ----------
+    path : Path
+
+    Returns
+    -------
+    list of RosterEntry
+
+    Raises
+    ------
+    TableError : it cannot be read, or no column of it names people
+    """
+    columns, rows, _, _ = read_csv(path)
+    columns = [column.casefold() for column in columns]
+    known = (*_FULL_NAME, *_FIRST_NAME, *_LAST_NAME, *_IDENTITIES)
+    if not set(columns) & set(known):
+        shown = sanitize_line(", ".join(columns), 200) or "nothing"
+        raise TableError(
+            f"{path}: its columns are {shown}; expected one that"
+            " names people: Student (Canvas), Full name, or First name and Last name (Moodle), name, email"
+        )
+    entries = [_entry(dict(zip(columns, map(str.strip, row), strict=False))) for row in rows]
+    return [entry for entry in entries if entry is not None]
+
+
+def _entry(row):
+    full = next((row[column] for column in _FULL_NAME if row.get(column)), "")
+    first = next((row[column] for column in _FIRST_NAME if row.get(column)), "")
+    last = next((row[column] for column in _LAST_NAME if row.get(column)), "")
+    if not full:
+        full = f"{first} {last}".strip()
+    elif "," in full:
+        last, _, first = (part.strip() for part in full.partition(","))
+    elif not last:
+        first, _, last = full.rpartition(" ")
+    others = [row[column] for column in _IDENTITIES if row.get(column)]
+    others += [text.partition("@")[0] for text in others if "@" in text]
+    names = tuple(
+        dict.fromkeys(filter(None, (full, f"{first} {last}".strip(), f"{last} {first}".strip(), *others)))
+    )
+    if full.casefold() in _NO_PEOPLE and not (full == "" and others):
+        return None
+    numbers = ((_NUMBERS[column], re.search(r"\d+$", row.get(column, ""))) for column in _NUMBERS)
+    number = next(((platform, match[0]) for platform, match in numbers if match), None)
+    return RosterEntry(sanitize_line(full or others[0], 120), names, number)
+
+
+def _squeezed(name):
+    """A name by its letters and digits alone: Canvas writes lovelaceada for "Lovelace, Ada"."""
+    return "".join(filter(str.isalnum, unicodedata.normalize("NFC", name).casefold()))
+
+
+def roster_report(roster, learners):
+    """Who handed in nothing, and who is not in the roster.
+
+    Parameters
+    ----------
+    roster : list of RosterEntry
+    learners : list of Learner
+
+    Returns
+    -------
+    dict with `count` (of the roster), `missing` and `unknown` (lists of names)
+    """
+    unseen, unknown = list(roster), []
+    for learner in learners:
+        files = [submission.file for submission in learner.all_submissions()]
+        entries = [entry for entry in roster if any(entry.is_sender(file) for file in files)]
+        unseen = [entry for entry in unseen if entry not in entries]
+        if not entries:
+            unknown.append(learner.name)
+    return {"count": len(roster), "missing": [entry.name for entry in unseen], "unknown": unknown}
