@@ -9,6 +9,7 @@ A key is a folder that learners must not get:
     <lesson>/<exercise>.mistakes.json   what each known mistake does with them
     handed_out.json                     the ids of each lesson's cells, and the source of check and given
     cells
+    solutions.json                      {exercise id: source}: an answer that equals it is reported
 
 The seed is in none of these files. Public cases get inputs from this seed too, so that nothing in the
 course's repository gives an answer away. A key contains no pickle; an altered key can at most grade wrongly.
@@ -27,6 +28,7 @@ from imgproc_course.exercises.input_encoding import decode
 
 FORMAT = 3
 HANDED_OUT = "handed_out.json"
+SOLUTIONS = "solutions.json"
 
 
 class KeyFolderError(ValueError):

@@ -20,6 +20,7 @@ from imgproc_course.autograder.answer_forms import read_answer, read_form
 from imgproc_course.autograder.answer_key import (
     FORMAT,
     HANDED_OUT,
+    SOLUTIONS,
     KeyCase,
     KeyExercise,
     KeyFolderError,
@@ -103,6 +104,9 @@ def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False):
             files |= {} if exercise.practice else maker.files()
     lessons = [_lesson_entry(master, entries) for master in masters]
     files[HANDED_OUT] = _handed_out_cells(masters)
+    files[SOLUTIONS] = json.dumps(
+        {exercise.id: exercise.solution for _, exercise in exercises}, indent=1, sort_keys=True
+    )
     files["key.json"] = json.dumps({"format": FORMAT, "lessons": lessons}, indent=1, sort_keys=True) + "\n"
     try:
         write_folder(out, files, permissions=0o700)

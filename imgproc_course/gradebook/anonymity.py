@@ -24,6 +24,7 @@ def without_names(grades):
         "ignored": [],
         "intake": [],
         "roster": None,
+        "similar": [],
         "learners": [learner_without_name(entry) for entry in grades["learners"]],
     }
 

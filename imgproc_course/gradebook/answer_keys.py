@@ -2,7 +2,7 @@
 
 import json
 
-from imgproc_course.autograder.answer_key import HANDED_OUT, KeyFolderError, load_key
+from imgproc_course.autograder.answer_key import HANDED_OUT, SOLUTIONS, KeyFolderError, load_key
 from imgproc_course.gradebook.lesson_description import LessonDescription
 
 
@@ -25,6 +25,7 @@ class AnswerKeys:
             for name, lesson in key.lessons.items():
                 self.lessons.setdefault(name, lesson)
         self._cells = {key.digest: _read_handed_out(key.path) for key in self.keys}
+        self._solutions = {key.digest: _read_solutions(key.path) for key in self.keys}
 
     def key_for(self, lesson, version):
         """The key made from this version of a lesson, or the lesson's default key."""
@@ -40,6 +41,21 @@ class AnswerKeys:
         """The LessonDescription of a lesson, from the key for this version."""
         key = self.key_for(lesson, version)
         return LessonDescription.from_key(key.lessons[lesson], self._cells[key.digest].get(lesson, {}))
+
+    def known_code(self, lesson):
+        """What everybody knows of a lesson, as [{place: code handed out}, {exercise id: solution}]."""
+        handed_out, solutions = {}, {}
+        for key in self.keys:
+            if lesson in key.lessons:
+                cells = self._cells[key.digest].get(lesson, {})
+                handed_out |= {id: source for id, source in cells.items() if source}
+                exercises = key.lessons[lesson].exercises
+                handed_out |= {f"stub {exercise.id}": exercise.stub for exercise in exercises}
+                known = self._solutions[key.digest]
+                solutions |= {
+                    exercise.id: known[exercise.id] for exercise in exercises if exercise.id in known
+                }
+        return [handed_out, solutions]
 
     def key_of(self, digest):
         """The key with this digest."""
@@ -78,3 +94,14 @@ def _read_handed_out(folder):
         raise KeyFolderError(
             f"{folder}/{HANDED_OUT}: cannot be read ({error}); make the key again"
         ) from error
+
+
+def _read_solutions(folder):
+    """{exercise id: source}; empty if the key does not have them."""
+    try:
+        solutions = json.loads((folder / SOLUTIONS).read_text(encoding="utf-8"))
+        return {id: source for id, source in solutions.items() if isinstance(source, str)}
+    except FileNotFoundError:
+        return {}
+    except (OSError, ValueError, AttributeError) as error:
+        raise KeyFolderError(f"{folder}/{SOLUTIONS}: cannot be read ({error}); make the key again") from error

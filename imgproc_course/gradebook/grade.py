@@ -3,6 +3,7 @@
 import contextlib
 import shutil
 import threading
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -25,6 +26,7 @@ from imgproc_course.gradebook.result_store import (
     write_grades_file,
 )
 from imgproc_course.gradebook.roster import read_roster, roster_report
+from imgproc_course.gradebook.similarity import compare, report_copies, similar_entries
 from imgproc_course.gradebook.teacher_rules import TeacherRules
 from imgproc_course.gradebook.teacher_tables import DECISIONS_TEMPLATE
 
@@ -108,22 +110,25 @@ def grade_submissions(
         rules.assign(learners)
         again = answers_to_regrade(regrade, learners, rules.names, answer_keys, fresh=fresh)
         pages = LearnerPages(out, learners, answer_keys, store, rules, anonymous=anonymous)
+        comparison = stack.enter_context(ThreadPoolExecutor(1)).submit(compare, learners, answer_keys, store)
         threading.Thread(target=prepare_templates, daemon=True).start()
         graded_now = grade_missing(
             learners, answer_keys, store, again=again, quiet=quiet, on_result=pages.result_stored, **options
         )
         if deadline:
             collection.findings += unproven_dates(collection.files, deadline)
+        pairs, copies = comparison.result()
         grades = grades_of(
-            pages.finish(),
+            report_copies(pages.finish(), learners, copies),
             answer_keys,
             sandbox=not unsafe,
             deadlines=rules.deadlines,
             collection=collection,
             roster=roster_report(roster, learners) if roster is not None else None,
+            similar=similar_entries(pairs),
             anonymous=anonymous,
         )
-        write_grades(out, grades, learners, answer_keys.lessons, pages.failed)
+        write_grades(out, grades, learners, answer_keys.lessons, pages.failed, pairs)
         table_lines = _fill_tables(platform_tables, grades, out)
     return _summary(grades, graded_now, out, table_lines, pages.failed)
 

@@ -5,6 +5,7 @@ grades.csv         one row per learner and lesson, for a spreadsheet
 summary.html       the teacher's page
 learners/*.html    one page per learner, to give back
 predictions.html   what learners predicted
+similar.html       similar submissions, side by side
 changes.html       what changed since the grades that differed last, which are in grades.previous.json
 decisions.csv      the teacher's decisions; only read, once it is there
 exports/           for Moodle, Canvas, and programs that read nbgrader's table
@@ -23,12 +24,14 @@ from imgproc_course.gradebook.lms_export import exports, grades_csv
 from imgproc_course.gradebook.predictions import predictions_page
 from imgproc_course.gradebook.report import learner_page
 from imgproc_course.gradebook.result_store import write_grades_file
+from imgproc_course.gradebook.similarity import similarity_page
 from imgproc_course.gradebook.summary import summary_page
 
 _GIVEN_BACK = ("learners", "exports")
 _OTHER_PAGES = {
     "predictions.html": "What the learners predicted",
     "changes.html": "What changed since the run before",
+    "similar.html": "Similar submissions, side by side",
 }
 
 
@@ -102,7 +105,7 @@ class LearnerPages:
         return learner_page(entry, results, self._answer_keys, self._rules.deadlines)
 
 
-def write_grades(out, grades, learners, lessons, failed_pages):
+def write_grades(out, grades, learners, lessons, failed_pages, pairs):
     """Write everything but the learners' pages and the results.
 
     Parameters
@@ -112,6 +115,7 @@ def write_grades(out, grades, learners, lessons, failed_pages):
     learners : list of Learner, in the order of grades["learners"]
     lessons : {name: KeyLesson}
     failed_pages : {learner's name as pages show it: why their page lacks its details}
+    pairs : list of SimilarPair
 
     Raises
     ------
@@ -128,6 +132,7 @@ def write_grades(out, grades, learners, lessons, failed_pages):
         write_grades_file(out / PREVIOUS, grades_text(before))
         write_grades_file(out / "changes.html", changes_page(before, grades, names))
     _write_or_remove(out / "predictions.html", predictions_page(learners, lessons, names))
+    _write_or_remove(out / "similar.html", similarity_page(pairs, names))
     files = exports(grades) | feedback_zips(grades, lambda entry: (out / entry["page"]).read_bytes())
     for name, data in files.items():
         write_grades_file(out / "exports" / name, data)

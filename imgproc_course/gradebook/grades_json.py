@@ -18,7 +18,9 @@ FORMAT = 3
 SCHEMA = Path(__file__).with_name("grades.schema.json")
 
 
-def grades_of(entries, answer_keys, *, sandbox, deadlines, collection, roster=None, anonymous=False):
+def grades_of(
+    entries, answer_keys, *, sandbox, deadlines, collection, roster=None, similar=(), anonymous=False
+):
     """The content of grades.json.
 
     Parameters
@@ -28,6 +30,7 @@ def grades_of(entries, answer_keys, *, sandbox, deadlines, collection, roster=No
     sandbox : bool, whether answers ran in a sandbox
     deadlines : Deadlines
     collection : Collection that the learners' files come from
+    similar : list of dict as `similar_entries` returns it
     roster : dict as `roster_report` returns it, or None
     anonymous : bool, the pages are named after an id instead of the learner
 
@@ -47,6 +50,7 @@ def grades_of(entries, answer_keys, *, sandbox, deadlines, collection, roster=No
         "ignored": collection.ignored,
         "intake": [asdict(finding) for finding in sorted(collection.findings)],
         "roster": roster,
+        "similar": list(similar),
     }
 
 

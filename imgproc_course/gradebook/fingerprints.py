@@ -1,0 +1,137 @@
+"""Fingerprints of answers: what an answer is by its syntax, whatever its names, comments and spacing.
+
+`similarity` starts this file as a program with limits on time and memory, because the text that it parses is
+the learners'. It reads a line of JSON per submission, {exercise id: source}, and writes a line for each:
+{"shapes": {exercise id: [digest, number of tokens]},
+ "prints": {fingerprint: [exercise id, first line, last line]}}.
+Nothing is run. Only the standard library is imported.
+
+The fingerprints are those of winnowing: of the hashes of all sequences of K tokens, the least one in each
+window of W. Every sequence of W + K - 1 tokens that two answers share gives them a common fingerprint.
+Source: S. Schleimer, D. Wilkerson, A. Aiken, Winnowing: Local Algorithms for Document Fingerprinting (2003),
+the method of MOSS.
+"""
+
+import ast
+import hashlib
+import json
+import resource
+import signal
+import sys
+
+K, W = 16, 8  # tokens; a line of code has about ten
+LONGEST = 20_000  # characters of an answer; a longer one is not compared
+SECONDS = 5  # of processor time, for one submission; then the program ends
+_MEMORY = 1 << 30  # bytes
+_UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
+_FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+_IGNORED = (ast.expr_context, ast.Import, ast.ImportFrom, ast.Pass)
+_UNTOLD = {"annotation", "returns", "type_comment", "kind"}  # fields that change nothing
+
+
+def syntax_tokens(source):
+    """The tokens of a source: kinds of syntax, constants, and names that are not its own.
+
+    Returns
+    -------
+    list of (token, line); a name that the source binds is "V" and its number, by first occurrence.
+    Empty if the source does not parse or is longer than LONGEST
+    """
+    try:
+        tree = ast.parse(source) if len(source) <= LONGEST else ast.Module([], [])
+    except _UNPARSABLE:
+        return []
+    own, numbers, tokens, line = _own_names(tree), {}, [], 1
+    nodes = [tree]
+    while nodes:
+        node = nodes.pop()
+        if isinstance(node, str):
+            token = f"V{numbers.setdefault(node, len(numbers))}" if node in own else node
+            tokens.append((token, line))
+            continue
+        line = getattr(node, "lineno", line)
+        if isinstance(node, ast.Constant):
+            tokens.append((_constant(node.value), line))
+        elif not isinstance(node, _IGNORED) and not _is_text(node):
+            tokens.append((type(node).__name__, line))
+            nodes += reversed(list(_parts(node)))
+    return tokens
+
+
+def _constant(value):
+    return hex(value) if type(value) is int else repr(value)  # Python refuses to write huge decimals
+
+
+def _own_names(tree):
+    names = set()
+    for node in ast.walk(tree):
+        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            names.add(node.id)
+        elif isinstance(node, ast.arg):
+            names.add(node.arg)
+        elif isinstance(node, _FUNCTIONS):
+            names.add(node.name)
+        elif isinstance(node, ast.alias) and node.asname != "np":
+            names.add(node.asname or node.name)
+        elif isinstance(node, ast.ExceptHandler) and node.name:
+            names.add(node.name)
+    return names
+
+
+def _is_text(node):
+    """Whether a node is a docstring, or another statement that is only a text."""
+    return isinstance(node, ast.Expr) and isinstance(node.value, ast.Constant)
+
+
+def _parts(node):
+    for name, value in ast.iter_fields(node):
+        if name not in _UNTOLD:
+            for part in value if isinstance(value, list) else (value,):
+                if isinstance(part, (ast.AST, str)):
+                    yield part
+
+
+def shape_of(tokens):
+    """[digest, number] of tokens: equal for answers that differ in names, comments and spacing only."""
+    return [_digest(token for token, _ in tokens), len(tokens)]
+
+
+def winnowed(tokens):
+    """{fingerprint: (first line, last line)}; all names of the source's own are equal here."""
+    plain = ["V" if token[0] == "V" and token[1:].isdigit() else token for token, _ in tokens]
+    hashes = [_digest(plain[start : start + K]) for start in range(len(plain) - K + 1)]
+    prints = {}
+    for start in range(max(len(hashes) - W + 1, min(len(hashes), 1))):
+        window = range(start, min(start + W, len(hashes)))
+        least = min(window, key=lambda place: (hashes[place], -place))
+        prints.setdefault(hashes[least], (tokens[least][1], tokens[least + K - 1][1]))
+    return prints
+
+
+def _digest(tokens):
+    data = "\0".join(tokens).encode("utf-8", "surrogatepass")
+    return hashlib.blake2b(data, digest_size=8).hexdigest()
+
+
+def fingerprints(answers):
+    """The shapes and the fingerprints of a submission, as the module describes them.
+
+    Parameters
+    ----------
+    answers : {exercise id: source}
+    """
+    shapes, prints = {}, {}
+    for id, source in sorted(answers.items()):
+        tokens = syntax_tokens(source)
+        if tokens:
+            shapes[id] = shape_of(tokens)
+            for fingerprint, lines in winnowed(tokens).items():
+                prints.setdefault(fingerprint, [id, *lines])
+    return {"shapes": shapes, "prints": prints}
+
+
+if __name__ == "__main__":
+    resource.setrlimit(resource.RLIMIT_AS, (_MEMORY, _MEMORY))
+    for request in sys.stdin:
+        signal.setitimer(signal.ITIMER_VIRTUAL, SECONDS)  # nobody handles its signal, which ends the program
+        print(json.dumps(fingerprints(json.loads(request))), flush=True)

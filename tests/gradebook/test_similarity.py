@@ -1,0 +1,194 @@
+"""Similar submissions and copies of the solution are found, whatever the names; hostile text harms nobody."""
+
+import json
+
+import pytest
+from submissions import notebook, write
+
+from imgproc_course.gradebook import similarity
+from imgproc_course.gradebook.collect import collect
+from imgproc_course.gradebook.fingerprints import (
+    LONGEST,
+    K,
+    W,
+    fingerprints,
+    shape_of,
+    syntax_tokens,
+    winnowed,
+)
+from imgproc_course.gradebook.learners import read_all
+from imgproc_course.gradebook.result_store import ResultStore
+from imgproc_course.gradebook.similarity import compare, read_fingerprints, report_copies
+
+MINE = '''
+def double(pixels):
+    """Twice as bright."""
+    result = []
+    for row in pixels:
+        line = []
+        for value in row:
+            bright = int(value) + int(value)
+            if bright > LIMIT:
+                bright = LIMIT
+            line.append(bright)
+        result.append(line)
+    return np.array(result, dtype=np.uint8)
+'''
+RENAMED = """
+# entirely my own work <script>alert(1)</script>
+def double(img: np.ndarray) -> np.ndarray:
+    out = []
+    for r in img:   # every row
+        l = []
+        for v in r:
+            w = int(v) + int(v)
+            if w > LIMIT:
+                w = LIMIT
+            l.append(w)
+        out.append(l)
+    return np.array(out, dtype=np.uint8)
+"""
+OTHER = """
+def double(pixels):
+    table = np.zeros(256, dtype=np.uint8)
+    position = 0
+    while position < 256:
+        table[position] = min(2 * position, 255)
+        position += 1
+    flat = [table[element] for element in pixels.ravel().tolist()]
+    return np.asarray(flat).reshape(pixels.shape)
+"""
+HOSTILE = {
+    "deep": "x = " + "-" * 9_000 + "1",
+    "brackets": "(" * 9_000,
+    "a huge number": "x = 0x" + "f" * 19_000,
+    "a long number": "x = " + "9" * 19_000,
+    "surrogates": "x = '\ud800'",
+    "a null byte": "x = 1\x00",
+    "too long": "x = 1\n" * LONGEST,
+    "one long line": "x = " + "a.b" * 6_000,
+    "many strings": "x = " + "'a' " * 4_900,
+}
+
+
+def shape(source):
+    return shape_of(syntax_tokens(source))
+
+
+def test_names_comments_and_spacing_do_not_change_the_shape():
+    assert shape(MINE) == shape(RENAMED)
+    assert shape("import numpy as np\n" + MINE) == shape(MINE)
+    assert (
+        len(
+            {
+                shape(source)[0]
+                for source in (MINE, OTHER, MINE.replace(">", "<"), MINE.replace("uint8", "int8"))
+            }
+        )
+        == 4
+    )
+    assert shape("def f(a, b):\n    return a - b") == shape("def f(b, a):\n    return b - a")
+    assert shape("def f(a, b):\n    return a - b") != shape("def f(a, b):\n    return b - a")
+    assert shape("x = min(1, 2)") != shape("x = max(1, 2)")
+
+
+@pytest.mark.parametrize("start", range(12))
+def test_a_common_run_of_tokens_always_gives_a_common_fingerprint(start):
+    common = [(f"c{n}", 1) for n in range(W + K - 1)]
+    first = [(f"a{n}", 1) for n in range(start)] + common + [(f"b{n}", 1) for n in range(7)]
+    second = [(f"d{n}", 1) for n in range(11)] + common
+    assert winnowed(first).keys() & winnowed(second).keys()
+    assert not winnowed(first[:-7][: start + K - 1]).keys() & winnowed(second).keys()
+
+
+@pytest.mark.parametrize("name", HOSTILE)
+def test_hostile_text_costs_only_its_own_comparison(name):
+    hostile, mine = read_fingerprints([{"e": HOSTILE[name]}, {"e": MINE}])
+    assert mine == json.loads(json.dumps(fingerprints({"e": MINE})))
+    assert mine["shapes"]["e"] == shape(MINE)
+    assert hostile["shapes"].get("e", [0, 0])[1] < LONGEST
+
+
+def test_a_submission_that_ends_the_process_costs_only_its_own_comparison(tmp_path, monkeypatch):
+    program = tmp_path / "fingerprints.py"
+    ending = 'if "ended" in request:\n            import os; os.abort()\n        print('
+    source = similarity._PROGRAM.read_text(encoding="utf-8")
+    program.write_text(source.replace("print(", ending), encoding="utf-8")
+    monkeypatch.setattr(similarity, "_PROGRAM", program)
+    results = read_fingerprints([{"e": MINE}, {"e": "ended"}, {"e": OTHER}])
+    assert [result["shapes"].get("e") for result in results] == [shape(MINE), None, shape(OTHER)]
+
+
+@pytest.fixture
+def submit(light, submissions):
+    def write_answers(answers):
+        for name, source in answers.items():
+            write(submissions / f"{name}.ipynb", notebook(light, {"light-double": source}))
+        return submissions
+
+    return write_answers
+
+
+@pytest.mark.sandbox
+@pytest.mark.xdist_group("answer_key")
+def test_similar_submissions_stand_side_by_side_on_a_page(submit, grade, tmp_path):
+    answers = {
+        "ada": MINE,
+        "bob": RENAMED.replace("int(v) + int(v)", "2 * int(v)"),
+        "cy": OTHER,
+        "dora": "def double(",
+    }
+    grades = grade(submit(answers))
+    ((pair),) = grades["similar"]
+    assert (pair["lesson"], pair["learners"]) == ("light", ["ada", "bob"])
+    assert 50 <= pair["percent"] < 100
+    page = (tmp_path / "grades" / "similar.html").read_text(encoding="utf-8")
+    assert (
+        "<mark>    for row in pixels:</mark>" in page
+        and "<mark>    for r in img:   # every row</mark>" in page
+    )
+    assert "<mark># entirely my own work" not in page
+    assert "&lt;script&gt;" in page and "<script" not in page
+    assert 'href="similar.html"' in (tmp_path / "grades" / "summary.html").read_text(encoding="utf-8")
+    assert [learner["points"] for learner in grades["learners"]] == [3, 3, 3, 0]
+    grades = grade(submit({"bob": "def double(p):\n    return p"}))
+    assert grades["similar"] == [] and not (tmp_path / "grades" / "similar.html").exists()
+
+
+def compared(folder, answer_keys, tmp_path):
+    learners, store = learners_of(folder, answer_keys, tmp_path)
+    return compare(learners, answer_keys, store)
+
+
+def learners_of(folder, answer_keys, tmp_path):
+    (tmp_path / "results").mkdir(exist_ok=True)
+    store = ResultStore(tmp_path / "results", {})
+    with collect(folder, ("light", "sound")) as collection:
+        return read_all(collection, answer_keys, store, quiet=True), store
+
+
+def test_equal_answers_are_one_entry_and_common_ones_do_not_count(submit, answer_keys, tmp_path):
+    names = [f"learner {number:02d}" for number in range(30)]
+    folder = submit(dict.fromkeys(names[:3], MINE) | {"x": OTHER})
+    pairs, _ = compared(folder, answer_keys, tmp_path)
+    assert [(pair.share, pair.learners) for pair in pairs] == [(1.0, tuple(names[:3]))]
+    common = {name: MINE + f"\nx{n} = {n}\n" for n, name in enumerate(names)}
+    pairs, _ = compared(submit(common), answer_keys, tmp_path)
+    assert pairs == []
+
+
+def test_a_copy_of_the_solution_is_reported_unless_it_is_short(
+    submit, masters, answer_keys, tmp_path, monkeypatch
+):
+    solution = next(e.solution for e in masters["light"].exercises if e.id == "light-double")
+    folder = submit({"ada": "# mine\n" + solution.replace("pixels", "p"), "bob": MINE})
+    learners, store = learners_of(folder, answer_keys, tmp_path)
+    ada = learners[0].submissions["light"].answers_digest
+    assert compare(learners, answer_keys, store)[1][ada] == []  # whoever solves it may well write the same
+    monkeypatch.setattr(similarity, "SHORTEST_SOLUTION", 20)
+    copies = compare(learners, answer_keys, store)[1]
+    assert copies[ada] == ["light-double"] and sum(map(len, copies.values())) == 1
+    entries = [{"lessons": [{"lesson": "light", "findings": []}]} for _ in learners]
+    (first, second) = report_copies(entries, learners, copies)
+    assert "equals the course's solution" in first["lessons"][0]["findings"][0]["text"]
+    assert second["lessons"][0]["findings"] == []
