@@ -31,7 +31,7 @@ A whole one:
         "template-double",
         function="double",
         time_limit=5,
-        refused=("cv2",),
+        allowed=("scipy",),
         hints=(
             "What is 2 * 200, and where does uint8 end?",
             "Widen the array, multiply, limit it to LIMIT, and make it uint8 again.",

@@ -34,7 +34,7 @@ def validate_exercise(exercise):
         if not case_result.passed
     ]
     problems += [
-        f"{exercise.id}: the solution uses {module}, which the exercise refuses"
+        f"{exercise.id}: the solution uses {module}; name it in allowed=(...), or solve it without"
         for module in result.dependencies.refused
     ]
     if not _is_empty_stub(exercise):

@@ -161,16 +161,12 @@ def read_answer(payload):
 
     Returns
     -------
-    (calls, refused): list of CallResult, and list of str, the refused modules that the function uses; or None
-    if our check cells cannot have shown this
+    list of CallResult, or None if our check cells cannot have shown this
     """
     if not isinstance(payload, dict) or not isinstance(payload.get("calls"), list):
         return None
-    refused = payload.get("refused")
-    if not isinstance(refused, list) or not all(isinstance(name, str) for name in refused):
-        return None
     calls = read_calls(payload["calls"][:_MOST_CALLS])
-    return None if None in calls else (calls, [name[:_MOST_NAME] for name in refused])
+    return None if None in calls else calls
 
 
 def read_calls(entries):

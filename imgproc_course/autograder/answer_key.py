@@ -26,7 +26,7 @@ from imgproc_course.autograder.sandbox.inside.check_cell import MIME
 from imgproc_course.exercises.canonical import canonical
 from imgproc_course.exercises.input_encoding import decode
 
-FORMAT = 3
+FORMAT = 4
 HANDED_OUT = "handed_out.json"
 SOLUTIONS = "solutions.json"
 
@@ -68,7 +68,7 @@ class KeyExercise:
     title: str
     function: str
     points: int
-    refused: tuple
+    allowed: tuple
     time_limit: float
     practice: bool
     stub: str
@@ -216,7 +216,7 @@ def _read_lesson(entry):
 
 def _read_exercise(entry):
     fields = {
-        "refused": tuple(entry["refused"]),
+        "allowed": tuple(entry["allowed"]),
         "arguments": tuple(entry["arguments"]),
         "cases": tuple(KeyCase(**case) for case in entry["cases"]),
         "mistakes": tuple(KeyMistake(**mistake) for mistake in entry["mistakes"]),

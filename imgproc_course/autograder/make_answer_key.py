@@ -148,10 +148,6 @@ class _ExerciseKeyMaker:
         self._seed, self._kernel_factory = seed, kernel_factory
         self._inputs = {}
         if not exercise.practice:
-            if "numpy" in exercise.refused:
-                raise MasterError(
-                    f"{exercise.master.name}: {exercise.id} refuses numpy, which every answer needs"
-                )
             self._inputs = {case.id: self._encoded_inputs(case) for case in exercise.cases}
 
     def entry(self):
@@ -165,7 +161,7 @@ class _ExerciseKeyMaker:
             title=exercise.title,
             function=exercise.function,
             points=sum(case.points for case in cases),
-            refused=exercise.refused,
+            allowed=exercise.allowed,
             time_limit=exercise.time_limit,
             practice=exercise.practice,
             stub=exercise.stub,
@@ -219,25 +215,24 @@ class _ExerciseKeyMaker:
             if run.ended or run.error[0]:
                 raise MasterError(f"{subject} fails in grading: {run.ended} {': '.join(run.error)}".strip())
         payloads = runs[-1].answers
-        answer = read_answer(payloads[0]) if len(payloads) == 1 else None
-        if answer is None or answer[1]:
-            raise MasterError(f"{subject} shows no values, or uses a module that the exercise refuses")
-        calls = answer[0]
+        calls = read_answer(payloads[0]) if len(payloads) == 1 else None
+        if calls is None:
+            raise MasterError(f"{subject} shows no values")
         for call in calls:
             problem = _comparison_problem(call)
             if problem:
                 raise MasterError(f"{subject} returns nothing that can be compared: {problem}")
         if not verdict_on(payloads, [call.value for call in calls], case.tolerance).passed:
             raise MasterError(f"{subject} does not equal itself")
-        return {"calls": [call_to_json(call) for call in calls], "refused": []}
+        return {"calls": [call_to_json(call) for call in calls]}
 
     def _run_solution(self, case):
         exercise, inputs = self._exercise, self._inputs[case.id]
-        kernel = self._kernel_factory.start(exercise.refused, exercise.time_limit * len(inputs))
+        kernel = self._kernel_factory.start(exercise.allowed, exercise.time_limit * len(inputs))
         try:
             return [
                 *(kernel.run(source) for source in (*exercise.given, exercise.solution)),
-                kernel.deliver(inputs, exercise.time_limit, exercise.refused),
+                kernel.deliver(inputs, exercise.time_limit),
                 kernel.run(_check_source(exercise.function)),
             ]
         finally:

@@ -171,7 +171,7 @@ class ExerciseRun:
         self.close()
         self._kernel_seconds = seconds_of(self._exercise, case)
         self._kernel = self._kernel_factory.start(
-            self._exercise.refused, self._kernel_seconds, self._next_request
+            self._exercise.allowed, self._kernel_seconds, self._next_request
         )
         run = CaseRun()
         for source_before in sources_before:
@@ -187,7 +187,7 @@ class ExerciseRun:
     def _run_check(self, run, case, source):
         exercise = self._exercise
         inputs = self._content.inputs[case.id]
-        run.check = self._kernel.deliver(inputs, exercise.time_limit, exercise.refused)
+        run.check = self._kernel.deliver(inputs, exercise.time_limit)
         if not run.ended:
             run.check = self._kernel.run(source)
         if not run.ended:
@@ -261,7 +261,7 @@ class GradingPlugin:
                 results.append(ungraded_exercise(exercise, *reasons[exercise.id]))
                 continue
             following = (to_run[to_run.index(exercise) + 1 :] or to_run)[0]
-            next_request = (following.refused, seconds_of(following, following.cases[0]))
+            next_request = (following.allowed, seconds_of(following, following.cases[0]))
             results.append(self._grade_exercise(exercise, sources[exercise.id], next_request, stop_at))
         return GradedSubmission(job["submission"], lesson.name, lesson.version, tuple(results))
 

@@ -251,9 +251,6 @@ def _outcome_of_run(exercise, run):
         return Outcome.RAISED, _exception_text(*run.check.error)
     if run.verdict.calls is None or run.check.error[0]:
         return Outcome.HOSTILE, "its check cell showed something else than what the function returned"
-    if run.verdict.refused:
-        modules = reproducible_text(", ".join(run.verdict.refused))
-        return Outcome.REFUSED_MODULE, f"it uses {modules}, which this exercise refuses"
     return _outcome_of_verdict(exercise, run.verdict)
 
 

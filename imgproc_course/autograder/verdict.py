@@ -12,19 +12,17 @@ class Verdict:
     """What the comparison of one test case gave.
 
     calls        list of CallResult, or None if the check cell did not show exactly one well-formed answer
-    refused      names of the refused modules that the function uses
     failed_call  index of the first call that did not do what the key expects, or None
     difference   how that call's value differs, or None if there was no value to compare
     """
 
     calls: list | None = None
-    refused: tuple = ()
     failed_call: int | None = None
     difference: Difference | None = None
 
     @property
     def passed(self):
-        return self.calls is not None and not self.refused and self.failed_call is None
+        return self.calls is not None and self.failed_call is None
 
 
 @dataclass
@@ -60,12 +58,11 @@ def verdict_on(payloads, expected, tolerance):
     -------
     Verdict
     """
-    answer = read_answer(payloads[0]) if len(payloads) == 1 else None
-    if answer is None:
+    calls = read_answer(payloads[0]) if len(payloads) == 1 else None
+    if calls is None:
         return Verdict()
-    calls, refused = answer
     failed_call, difference = _first_failed_call(expected, calls, tolerance)
-    return Verdict(calls, tuple(refused), failed_call, difference)
+    return Verdict(calls, failed_call, difference)
 
 
 def _first_failed_call(expected, calls, tolerance):

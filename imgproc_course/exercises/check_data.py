@@ -71,7 +71,7 @@ class CheckData:
     stub: str
     given: tuple
     provided: tuple
-    refused: tuple
+    allowed: tuple
     time_limit: float
     practice: bool
     cases: tuple
@@ -169,7 +169,7 @@ def check_data_of(exercise, cases=None, seed=PUBLIC_SEED):
         stub=exercise.stub,
         given=exercise.given,
         provided=tuple(sorted(exercise.namespace())),
-        refused=exercise.refused,
+        allowed=exercise.allowed,
         time_limit=exercise.time_limit,
         practice=exercise.practice,
         cases=tuple(check_cases),

@@ -38,7 +38,7 @@ PLAIN_FIELDS = (
     "stub",
     "given",
     "provided",
-    "refused",
+    "allowed",
     "time_limit",
     "practice",
     "hidden_count",
@@ -99,7 +99,7 @@ class CheckFile:
             raise damaged(self.path, error) from error
 
     def _exercise(self, id):
-        entry = self.entries[id]
+        entry = {"allowed": []} | self.entries[id]
         fields = {name: entry[name] for name in PLAIN_FIELDS}
         fields = {name: tuple(value) if isinstance(value, list) else value for name, value in fields.items()}
         cases = tuple(self._case(id, entry, case) for case in entry["cases"])
@@ -134,7 +134,7 @@ class CheckFile:
             entry["function"],
             entry["title"],
             entry["time_limit"],
-            tuple(entry["refused"]),
+            tuple(entry.get("allowed", ())),
             case["tolerance"],
             entry["practice"],
             *("", "", (), "", ""),

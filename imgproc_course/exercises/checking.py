@@ -178,7 +178,7 @@ def run_check(exercise, function):
         if result.timed_out:
             break  # a learner waits for one time limit, not for one per call
     results = tuple(_case_result(case, calls) for case in exercise.cases)
-    dependencies = find_dependencies(function, exercise.refused, set(exercise.provided))
+    dependencies = find_dependencies(function, exercise.allowed, set(exercise.provided))
     has_passed = all(result.passed for result in results)
     mistake = None if has_passed else _known_mistake(exercise.mistakes, calls)
     errors = {case_call.result.error for case_call in calls}

@@ -16,6 +16,7 @@ from imgproc_course.exercises.percent_script import ROLES, MasterError, read_scr
 
 PUBLIC_SEED = 20_240_501  # what `check` draws its inputs from; a teacher's key has a seed of its own
 
+_MODULE = re.compile(r"(?!imgproc_course$)[A-Za-z_]\w*|imgproc_course\.\w+")
 _ID = re.compile(r"[a-z0-9]+(-[a-z0-9]+)+")
 
 
@@ -25,7 +26,7 @@ def exercise(
     function,
     title="",
     time_limit=5.0,
-    refused=(),
+    allowed=(),
     tolerance=0.0,
     practice=False,
     hint="",
@@ -46,7 +47,9 @@ def exercise(
     title : str, the exercise's name in reports; its id if omitted
     function : str, the name of the function that the learner writes
     time_limit : float, seconds, for one call of the function
-    refused : tuple of str, modules that the answer must not use: ("cv2", "imgproc_course.imaging")
+    allowed : tuple of str, modules that the answer may use beside NumPy and the standard library: ("scipy",
+        "imgproc_course.imaging"). matplotlib, IPython.display and imgproc_course.display are there for
+        looking
     tolerance : float >= 0, absolute, in the unit of the answer, for every case that declares none
     practice : bool, checked but not graded
     hint : str, shown if a case that fails has no hint of its own
@@ -73,8 +76,13 @@ def exercise(
         raise MasterError(
             f"exercise {id}: time_limit must be > 0 and tolerance >= 0, got {time_limit} and {tolerance}"
         )
-    if isinstance(refused, str):
-        raise MasterError(f"exercise {id}: refused={refused!r}, expected a tuple: ({refused!r},)")
+    if isinstance(allowed, str):
+        raise MasterError(f"exercise {id}: allowed={allowed!r}, expected a tuple: ({allowed!r},)")
+    if not all(isinstance(name, str) and _MODULE.fullmatch(name) for name in allowed):
+        raise MasterError(
+            f"exercise {id}: allowed={allowed!r}, expected whole modules, or packages of the course:"
+            ' ("scipy", "imgproc_course.imaging")'
+        )
     if isinstance(hints, str):
         raise MasterError(f"exercise {id}: hints={hints!r}, expected a tuple of texts, one for each step")
     return {
@@ -82,7 +90,7 @@ def exercise(
         "function": function,
         "title": title or id,
         "time_limit": float(time_limit),
-        "refused": tuple(refused),
+        "allowed": tuple(allowed),
         "tolerance": float(tolerance),
         "practice": bool(practice),
         "hint": hint,
@@ -125,7 +133,7 @@ class Exercise:
     function: str
     title: str
     time_limit: float
-    refused: tuple
+    allowed: tuple
     tolerance: float
     practice: bool
     hint: str

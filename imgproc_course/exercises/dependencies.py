@@ -1,4 +1,4 @@
-"""What an answer uses from outside its own cell: refused modules, and names that grading does not know.
+"""What an answer uses from outside its own cell: modules that are not allowed, names unknown to grading.
 
 Grading runs the answer cell alone. If a function works in the notebook only because another cell defined
 something, the learner reads it here, before submitting.
@@ -7,6 +7,7 @@ something, the learner reads it here, before submitting.
 import ast
 import builtins
 import dis
+import importlib.util
 import linecache
 import sys
 import types
@@ -19,7 +20,7 @@ from imgproc_course.exercises.running import code_of
 class Dependencies:
     """What an answer uses from outside its cell.
 
-    refused   modules, as the exercise names them, sorted
+    refused   modules that the exercise does not allow, sorted
     foreign   names that another cell defines, sorted
     origins   {foreign name: its import line, "function" for a function of another cell, or "value"}
     names     {refused module: the name by which the answer uses it}
@@ -31,7 +32,18 @@ class Dependencies:
     names: dict = field(default_factory=dict, compare=False)
 
 
-def find_dependencies(function, refused, provided):
+# What every answer may use: NumPy, and what shows something. Inside the sandbox nothing else exists.
+_FOR_ALL = (
+    "numpy",
+    "matplotlib",
+    "IPython",
+    "imgproc_course.display",
+    "imgproc_course.exercises",
+    "__main__",
+)
+
+
+def find_dependencies(function, allowed, provided):
     """What a function and its helper functions use.
 
     The compiled code is read, so `import cv2 as c` and `from cv2 import cvtColor` in other cells are found
@@ -40,7 +52,7 @@ def find_dependencies(function, refused, provided):
     Parameters
     ----------
     function : the learner's
-    refused : sequence of str, module names; their submodules are refused too
+    allowed : sequence of str, modules that the exercise allows beside NumPy and the standard library
     provided : set of str, names that every answer has (from the given cells)
 
     Returns
@@ -49,15 +61,15 @@ def find_dependencies(function, refused, provided):
     """
     if code_of(function) is None:
         return Dependencies()
-    walker = _Walker(tuple(refused), provided)
+    walker = _Walker((*_FOR_ALL, *allowed), provided)
     walker.visit(function)
     refused, foreign = tuple(sorted(walker.used_refused)), tuple(sorted(walker.foreign))
     return Dependencies(refused, foreign, walker.foreign, walker.used_refused)
 
 
 class _Walker:
-    def __init__(self, refused, provided):
-        self._refused = refused
+    def __init__(self, allowed, provided):
+        self._allowed = allowed
         self._provided = provided
         self._visited = set()
         self.used_refused = {}
@@ -73,13 +85,14 @@ class _Walker:
         for name in _imports(code):
             self._is_refused(name, name)
         for name in _global_names(code):
-            if name not in namespace:
-                # A built-in, or a name that will raise NameError. If it names a refused module, the learner
-                # should know that importing it would not help.
-                self._is_refused(name, name)
+            if name in self._provided or hasattr(builtins, name):
+                continue
+            if name not in namespace:  # it will raise NameError; would importing a module of that name help?
+                self._is_refused(name if importlib.util.find_spec(name) else None, name)
                 continue
             value = namespace[name]
-            if self._is_refused(_module_of(value), name) or name in self._provided or hasattr(builtins, name):
+            module = _module_of(value)
+            if module != namespace.get("__name__") and self._is_refused(module, name):
                 continue
             if cell_names is not None and name not in cell_names:
                 self.foreign[name] = _origin(name, value)
@@ -87,18 +100,24 @@ class _Walker:
                 self.visit(value)
 
     def _is_refused(self, module, used_name):
-        """Whether a module is refused; a refused one is recorded."""
+        """Whether a module is not allowed; such a one is recorded."""
         if not isinstance(module, str):
             return False
-        matches = {name for name in self._refused if module == name or module.startswith(name + ".")}
-        self.used_refused |= {match: self.used_refused.get(match, used_name) for match in matches}
-        return bool(matches)
+        top, *rest = module.split(".")
+        if top in sys.stdlib_module_names or any(
+            f"{module}.".startswith(f"{name}.") for name in self._allowed
+        ):
+            return False
+        name = f"{top}.{rest[0]}" if top == "imgproc_course" and rest else top
+        self.used_refused.setdefault(name, used_name)
+        return True
 
 
 def _module_of(value):
+    """The module that a value is, or that a function or class comes from; None for data."""
     if isinstance(value, types.ModuleType):
         return value.__name__
-    return getattr(value, "__module__", None)
+    return getattr(value, "__module__", None) if callable(value) else None
 
 
 def _origin(name, value):
@@ -132,14 +151,18 @@ _GLOBAL = ("LOAD_GLOBAL", "LOAD_NAME", "STORE_GLOBAL")
 
 
 def _imports(code):
+    """The modules that a function imports, but not inside try or with: there its own way counts."""
     for part in _codes(code):
         if _IMPORT not in part.co_code[::2]:  # a quick test: disassembling takes much longer
             continue
+        steps = dis.Bytecode(part)
         module = ""
-        for step in dis.get_instructions(part):
+        for step in steps:
+            if any(entry.start <= step.offset < entry.end for entry in steps.exception_entries):
+                continue
             if step.opname == "IMPORT_NAME":
                 module = step.argval
-                yield module
+                yield from () if module == "imgproc_course" else (module,)
             elif step.opname == "IMPORT_FROM":
                 yield f"{module}.{step.argval}"
 

@@ -198,7 +198,9 @@ def _run_answer(entry):
         return
     entry.result = result
     # Refused modules come first: they may be the cause of the errors below.
-    entry.notes += [f"it uses {name}, which this exercise refuses" for name in result.dependencies.refused]
+    entry.notes += [
+        f"it uses {name}, which this exercise does not allow" for name in result.dependencies.refused
+    ]
     failed = [case for case in result.results if not case.passed]
     if failed:
         call = failed[0].failed_call

@@ -408,7 +408,6 @@ exercise(
     title="Name the operation",
     function="name_operation",
     time_limit=5,
-    refused=(),
     hint="Ask in this order: does after have three dimensions? Does it have more than two different values? Is the share of white pixels small? Return one of the four names exactly as the task writes it.",
     hints=(
         "Which of the four results still has colours? And which of the other three has more than two different values?",

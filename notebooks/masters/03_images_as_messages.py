@@ -180,7 +180,6 @@ exercise(
     function="decode_mono8",
     practice=True,
     time_limit=5,
-    refused=("cv2", "imgproc_course.messages"),
     hint="data holds the rows one after the other, from top to bottom. Cut it into height rows of width bytes.",
     hints=(
         "data is one long row of bytes. How many bytes belong to the first row of the image?",
@@ -339,7 +338,6 @@ exercise(
     function="decode_rgb8",
     practice=True,
     time_limit=5,
-    refused=("cv2", "imgproc_course.messages"),
     hint="The three bytes of a pixel are side by side in data. Then comes the next pixel of the same row.",
     hints=(
         "In a gray image, a pixel is one byte. How many bytes is a pixel here, and where are they in data?",
@@ -550,7 +548,6 @@ exercise(
     function="decode_padded",
     practice=True,
     time_limit=5,
-    refused=("cv2", "imgproc_course.messages"),
     hint="A row has step bytes. The first width * 3 of them are pixels, the rest is padding.",
     hints=(
         "How many bytes does one row have in data? And how many of them are pixels, if a pixel takes three bytes?",
@@ -764,7 +761,6 @@ exercise(
     function="decode_mono16",
     practice=True,
     time_limit=5,
-    refused=("cv2", "imgproc_course.messages"),
     hint="A pixel is the more significant byte × 256 plus the other byte. is_bigendian says which of the two comes first.",
     hints=(
         "A pixel takes two bytes. Which of them counts 256 times as much as the other? Which field tells you?",
@@ -978,7 +974,6 @@ exercise(
     title="Decode a message by hand",
     function="decode",
     time_limit=5,
-    refused=("cv2", "imgproc_course.messages"),
     hint="First cut data into rows of step bytes. Then crop the padding. Then convert the remaining bytes to pixels.",
     hints=(
         "Which step is the same for all four encodings? And how many bytes does a pixel take in each of them?",

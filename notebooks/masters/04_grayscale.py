@@ -437,7 +437,6 @@ exercise(
     title="Luma with integers",
     function="luma",
     time_limit=5,
-    refused=("cv2", "imgproc_course.imaging"),
     hint="Widen, compute, round, narrow, in this order.",
     hints=(
         "Which channel is bgr[..., 0], and which weight belongs to it? And which dtype can hold 255 * 19235?",

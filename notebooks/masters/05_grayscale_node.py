@@ -457,7 +457,7 @@ exercise(
     title="The grayscale node's function",
     function="process",
     time_limit=5,
-    refused=(),
+    allowed=("cv2", "imgproc_course.imaging"),
     hint="cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY) computes it; put the result into a dictionary.",
     hints=(
         "What does make_gray in section 5 return: an array, or an array with a name? And which call of OpenCV"

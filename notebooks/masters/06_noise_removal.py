@@ -512,7 +512,6 @@ exercise(
     title="The 3 × 3 median",
     function="median3",
     time_limit=10,
-    refused=("cv2", "scipy", "skimage", "imgproc_course.imaging"),
     hint="For each pixel, sort the nine values of its 3 × 3 neighbourhood and take the fifth of them.",
     border_hint="Only values at the border of the image are wrong. Repeat the outermost rows and columns before you take the neighbours: np.pad(gray, 1, mode='edge').",
     hints=(
@@ -867,7 +866,7 @@ exercise(
     function="my_psnr",
     time_limit=5,
     tolerance=1e-6,
-    refused=("cv2", "skimage", "imgproc_course.imaging"),
+    allowed=("scipy",),
     hint="Go through the formula step by step: widen, subtract, square, mean, 255**2 divided by this mean, logarithm to base 10, times 10.",
     hints=(
         "Compute the four pixels of section 6 on paper: 100 and 110, 100 and 90. What are the two differences, and what does uint8 make of 100 - 110?",
@@ -1249,6 +1248,7 @@ exercise(
     "noise-choose",
     title="Choose a filter",
     function="best_filter",
+    allowed=("imgproc_course.imaging",),
     practice=True,
     time_limit=10,
     hint="Apply each filter to noisy, compute the PSNR of the result compared with clean, and keep the name with the highest PSNR.",

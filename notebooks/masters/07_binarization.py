@@ -364,7 +364,7 @@ exercise(
     title="Otsu's threshold",
     function="otsu",
     time_limit=10,
-    refused=("cv2", "skimage", "imgproc_course.imaging"),
+    allowed=("scipy",),
     hint="For each t from 0 to 255 compute the shares and the means of the two classes, gray <= t and gray > t. Keep the first t with the largest between-class variance.",
     hints=(
         "Take the eight pixels of section 3 and t = 25. Which pixels are in class 0? Which two shares and which two means do you need? How would you remember the best t while you try the next one?",

@@ -236,7 +236,6 @@ exercise(
     title="The Sobel filter",
     function="my_sobel",
     time_limit=5,
-    refused=("cv2", "scipy", "skimage", "imgproc_course.imaging"),
     hint="Widen to int32 and pad by one with mode='edge'. Then add the neighbours, each multiplied by its weight.",
     border_hint="Only the border is wrong. Repeat the outermost rows and columns with np.pad(..., 1, mode='edge'), and compute every pixel.",
     hints=(
@@ -573,7 +572,6 @@ exercise(
     function="keep_peaks",
     time_limit=5,
     practice=True,
-    refused=("cv2", "scipy", "skimage", "imgproc_course.imaging"),
     hint="Calculate one pixel by hand: its left neighbour, its own magnitude, its right neighbour. Are both comparisons of the rule true?",
     hints=(
         "The loop above prints three numbers for each pixel. Which two comparisons of these numbers decide whether the pixel is kept?",
@@ -828,7 +826,6 @@ exercise(
     title="Non-maximum suppression",
     function="suppress",
     time_limit=10,
-    refused=("cv2", "scipy", "skimage", "imgproc_course.imaging"),
     hint="Pad the magnitude with zeros. Two simple loops over rows and columns are fast enough. For each pixel, the sector says which two neighbours to compare with.",
     border_hint="Only the border is wrong. Outside the image the magnitude is 0: pad with np.pad(magnitude, 1), and compare every pixel.",
     hints=(
@@ -1173,7 +1170,7 @@ exercise(
     title="The double threshold",
     function="double_threshold",
     time_limit=5,
-    refused=("cv2", "skimage", "imgproc_course.imaging"),
+    allowed=("scipy",),
     hint="A comparison of an array with a number gives a bool array. Combine two bool arrays with & (and).",
     hints=(
         "A comparison such as thinned > high gives True or False for every pixel at once. Which two comparisons make a pixel weak?",
@@ -1425,7 +1422,6 @@ exercise(
     title="Hysteresis",
     function="grow",
     time_limit=10,
-    refused=("cv2", "scipy", "skimage", "imgproc_course.imaging"),
     hint="Start with the strong pixels. Grow by one step, again and again, until the number of edge pixels stops changing.",
     border_hint="Only pixels on the border are wrong. Pad with False, so that a pixel on the border has eight neighbours too, and visit every pixel.",
     hints=(

@@ -389,7 +389,6 @@ exercise(
     function="near",
     time_limit=10,
     practice=True,
-    refused=("cv2", "scipy", "skimage"),
     hint="Choose one pixel that is framed. Mark all pixels that are at most tolerance rows and at most tolerance columns away from it: is one of them True?",
     border_hint="Only pixels on the border are wrong. Outside the image there are no True pixels: pad the mask with False, and visit every pixel.",
     hints=(
@@ -609,7 +608,6 @@ exercise(
     title="F1 of edges against outlines",
     function="f1_score",
     time_limit=10,
-    refused=("cv2", "scipy", "skimage", "sklearn"),
     tolerance=1e-9,
     hint="Count pixels in this order: edge pixels, edge pixels near an outline, outline pixels, outline pixels near an edge. Print the four numbers.",
     hints=(

@@ -72,7 +72,7 @@ def test_feedback_from_a_file_is_that_from_the_master(stored, write_master, func
 def test_every_field_survives(stored, write_master):
     _, folder = stored()
     exercise = read_check_file(folder / CHECKS).exercise("template-double")
-    assert (exercise.function, exercise.names, exercise.refused) == ("double", ("pixels",), ("cv2",))
+    assert (exercise.function, exercise.names, exercise.allowed) == ("double", ("pixels",), ("scipy",))
     assert (exercise.hidden_count, exercise.hidden_points, exercise.points) == (1, 2, 1)
     assert (exercise.time_limit, exercise.practice) == (5.0, False)
     assert {"LIMIT", "np"} <= set(exercise.provided) and exercise.namespace()["LIMIT"] == 255
@@ -89,7 +89,7 @@ def test_an_argument_that_is_no_data_is_made_again(stored):
         ("return (rng.integers(100, 256, (3, 4), dtype=np.uint8),)", "return (make(rng), scale)"),
         (
             'exercise(\n    "template-double",\n    function="double",\n'
-            '    time_limit=5,\n    refused=("cv2",),',
+            '    time_limit=5,\n    allowed=("scipy",),',
             "def make(rng):\n    return rng.integers(0, 9, 4) + LIMIT\n\n"
             "def scale(values):\n    return values * 3\n\n"
             'exercise(\n    "template-double",\n    function="double",\n    practice=True,',

@@ -246,7 +246,7 @@ attack(
     """
     def double(pixels):
         import importlib, sys
-        sys.meta_path[:] = [f for f in sys.meta_path if "Refusing" not in type(f).__name__]
+        del sys.meta_path[0]
         sys.modules.pop("c" + "v2", None)
         return importlib.import_module("c" + "v2").add(pixels, pixels)
     """,
@@ -266,22 +266,7 @@ attack(
     """,
     "raised",
     "time",
-    unreported="cv2.abi3",
-    wrong=False,
-)
-attack(
-    24,
-    "a refused module of the standard library, from its compiled file",
-    """
-    def double(pixels):
-        import glob, importlib.machinery, os
-        found = [path for root in ("/usr/lib", "/python/lib") for path in glob.glob(f"{root}/**/colorsys*", recursive=True)
-                 if os.path.getsize(path)]
-        raise RuntimeError(f"found {found}")
-    """,
-    "raised",
-    "time",
-    unreported="colorsys",
+    unreported="cv2/",
     wrong=False,
 )
 attack(
@@ -290,7 +275,7 @@ attack(
     """
     def double(pixels):
         import sys
-        sys.meta_path[:] = [f for f in sys.meta_path if "Refusing" not in type(f).__name__]
+        del sys.meta_path[0]
         for name in [name for name in sys.modules if name.startswith("imgproc_course")]:
             del sys.modules[name]
         from imgproc_course.imaging import to_gray
@@ -300,6 +285,113 @@ attack(
     "refused module",
     wrong=False,
 )
+for _number, _name, _source in (
+    (
+        221,
+        "Pillow does the work",
+        """
+        from PIL import Image, ImageChops
+        def double(pixels):
+            image = Image.fromarray(pixels)
+            return np.asarray(ImageChops.add(image, image))
+        """,
+    ),
+    (
+        222,
+        "Pillow as matplotlib has it",
+        """
+        import matplotlib.image
+        def double(pixels):
+            image = matplotlib.image.PIL.Image.fromarray(pixels)
+            return np.asarray(image.point(lambda value: 2 * value))
+        """,
+    ),
+    (
+        223,
+        "OpenCV in a process of its own",
+        """
+        import json, subprocess, sys
+        CODE = "import json, sys; sys.path += json.loads(sys.argv[2]); import cv2, numpy as np;"
+        CODE += "a = np.array(json.loads(sys.argv[1]), np.uint8); print(json.dumps(cv2.add(a, a).tolist()))"
+        def double(pixels):
+            places = [*sys.path, "/course/extra/site-0", "/course/extra/site-1", "/usr/lib/python3/dist-packages"]
+            command = [sys.executable, "-c", CODE, json.dumps(pixels.tolist()), json.dumps(places)]
+            return np.array(json.loads(subprocess.check_output(command)), np.uint8)
+        """,
+    ),
+    (
+        224,
+        "the course's own package under its other path",
+        """
+        import sys
+        def double(pixels):
+            sys.path[:0] = ["/course/extra/course", "/course/allowed", "/course/extra"]
+            del sys.meta_path[0]
+            from imaging import box_blur
+            return box_blur(pixels, 1) * 2
+        """,
+    ),
+    (
+        225,
+        "what other modules have imported",
+        """
+        import sys
+        WANTED = ("cv2", "scipy", "skimage", "PIL", "imageio", "tifffile", "networkx", "sklearn", "panda3d")
+        def double(pixels):
+            found = [name for name in sys.modules if name.split(".")[0] in WANTED]
+            for name in found:
+                module = sys.modules[name]
+                if hasattr(module, "add"):
+                    return module.add(pixels, pixels)
+                if hasattr(module, "fromarray"):
+                    return np.asarray(module.fromarray(pixels).point(lambda value: 2 * value))
+            raise RuntimeError(f"found {found}")
+        """,
+    ),
+    (
+        226,
+        "an import inside a try, and what is taken if it fails",
+        """
+        try:
+            import cv2
+        except ImportError:
+            cv2 = None
+        def double(pixels):
+            return cv2.add(pixels, pixels) if cv2 else pixels
+        """,
+    ),
+    (
+        227,
+        "the finder that refuses is replaced",
+        """
+        import importlib, importlib.machinery, sys
+        sys.meta_path[:] = [importlib.machinery.PathFinder]
+        sys.path_importer_cache.clear()
+        def double(pixels):
+            for name in ("cv2", "skimage.util", "scipy.ndimage", "PIL.ImageChops"):
+                try:
+                    module = importlib.import_module(name)
+                except ImportError:
+                    continue
+                return module.add(pixels, pixels)
+            raise RuntimeError
+        """,
+    ),
+    (
+        228,
+        "the whole file system is searched for libraries",
+        """
+        import os
+        def double(pixels):
+            wanted = ("libopencv_core", "cv2.abi3", "_imaging.cpython", "_nd_image", "libvips", "libMagick")
+            found = [name for _, _, names in os.walk("/course") for name in names if name.startswith(wanted)]
+            if found:
+                return np.minimum(pixels.astype(int) * 2, 255).astype(np.uint8)
+            raise RuntimeError
+        """,
+    ),
+):
+    attack(_number, _name, _source, "refused module", "raised", "wrong", "time", wrong=False)
 attack(
     25,
     "a result is shown from inside",
@@ -318,7 +410,7 @@ attack(
     f"""
     def double(pixels):
         from IPython.display import display
-        display({{"{MIME}": {{"calls": [], "refused": []}}}}, raw=True)
+        display({{"{MIME}": {{"calls": []}}}}, raw=True)
         return pixels
     """,
     "hostile",
@@ -1133,10 +1225,10 @@ attack(
         libc = ctypes.CDLL(None, use_errno=True)
         libc.unshare(0x10000000 | 0x20000)
         found = []
-        for path in (b"/course/site-packages/cv2", b"/course/packages/imgproc_course/imaging", b"/tmp", b"/proc"):
+        for path in (b"/course/extra", b"/course/extra/course", b"/tmp", b"/proc"):
             if libc.umount2(path, 2) == 0 or libc.umount2(path, 0) == 0:
                 found.append(path)
-        found += [name for name in ("/course/site-packages/cv2", "/course/packages/imgproc_course/imaging") if os.listdir(name)]
+        found += os.listdir("/course/extra") + os.listdir("/course/packages/imgproc_course/imaging")
         raise RuntimeError(f"found {found}")
     """,
     "raised",

@@ -18,7 +18,7 @@ MASTERS = Path(__file__).parents[2] / "notebooks" / "masters"
 @pytest.fixture(scope="module", params=["fast", "ipykernel"])
 def kernel(request):
     with KernelFactory(request.param) as kernel_factory:
-        kernel = kernel_factory.start(("colorsys", "imgproc_course.imaging"), 60)
+        kernel = kernel_factory.start((), 60)
         yield kernel
         kernel.stop()
 
@@ -46,9 +46,16 @@ CELLS = [
     ("import matplotlib.pyplot as plt\nplt.plot([1, 2]);\nplt.show()", None, ("", "")),
     ("print(get_ipython().__class__.__mro__[1].__name__)", "InteractiveShell\n", ("", "")),
     ("print(__name__)", "__main__\n", ("", "")),
-    ("import colorsys\nprint('imported')", "imported\n", ("", "")),
-    ("colorsys.rgb_to_hsv", "", ("RefusedModule", "write this exercise without colorsys")),
-    ("from imgproc_course.imaging import to_gray", "", ("RefusedModule", None)),
+    ("import cv2\nfrom imgproc_course.imaging import to_gray\nprint('imported')", "imported\n", ("", "")),
+    ("cv2.add(1, 2)", "", ("RefusedModule", "write this exercise without cv2")),
+    (
+        "to_gray(np.ones((2, 2, 3)))",
+        "",
+        ("RefusedModule", "write this exercise without imgproc_course.imaging"),
+    ),
+    ("try:\n    import scipy\nexcept ImportError:\n    print('without')", "without\n", ("", "")),
+    ("from imgproc_course.display import show\nshow(np.ones((2, 2)), text=('a', 'b'))", "", ("", "")),
+    ("%matplotlib inline\nplt.imshow(np.ones((2, 2)))\nplt.show()", None, ("", "")),
     ("from imgproc_course.exercises import check\ncheck('x', print)", "", ("", "")),
     ("from imgproc_course.exercises import hint, solution\nhint('x'), solution('x')", None, ("", "")),
     ("from imgproc_course.autograder import pool", "", ("ImportError", None)),

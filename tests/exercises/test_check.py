@@ -418,8 +418,7 @@ def test_names_of_other_cells_say_where_they_come_from():
 def test_a_practice_exercise_speaks_of_no_grading(write_master):
     write_master(
         exercise=(
-            '# %% role="exercise"\nSIDE = 3\n'
-            'exercise("test-double", function="double", practice=True, refused=("cv2",))'
+            '# %% role="exercise"\nSIDE = 3\nexercise("test-double", function="double", practice=True)'
         ),
     )
 

@@ -18,9 +18,9 @@ def test_a_whole_exercise_is_read(write_master):
         "double",
         0.5,
     )
-    assert (exercise_read.title, exercise_read.refused, exercise_read.practice) == (
+    assert (exercise_read.title, exercise_read.allowed, exercise_read.practice) == (
         "test-double",
-        ("cv2",),
+        (),
         False,
     )
     assert [case.id for case in exercise_read.cases] == [
@@ -139,7 +139,7 @@ def test_arguments_of_a_declaration_are_checked():
         {"id": "a-b", "function": "f()"},
         {"id": "a-b", "function": "f", "time_limit": 0},
         {"id": "a-b", "function": "f", "tolerance": -1},
-        {"id": "a-b", "function": "f", "refused": "cv2"},
+        {"id": "a-b", "function": "f", "allowed": "cv2"},
     ):
         with pytest.raises(MasterError):
             exercise(**arguments)

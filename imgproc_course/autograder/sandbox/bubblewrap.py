@@ -1,8 +1,9 @@
 """The sandbox around learners' code: bubblewrap's command line, and why there may be no sandbox here.
 
-Inside are, all read-only: the system's libraries, Python, the installed packages, the packages of the course
-that lessons teach with, and `inside/`. There is no network, no home folder, no environment variable of the
-user, no key and no submission. `inside/confine.py` confines each kernel once more.
+Inside are, all read-only: the system's libraries, Python, `inside/`, and the installed packages that every
+answer may use; others, and packages of the course, for an exercise that allows them (`allowed_modules`).
+There is no network, no home folder, no environment variable of the user, no key, no master and no
+submission. `inside/confine.py` confines each kernel once more.
 """
 
 import os
@@ -14,12 +15,16 @@ from dataclasses import asdict, dataclass
 from functools import lru_cache
 from pathlib import Path
 
+from imgproc_course.autograder.sandbox.inside import confine
+
 SOURCE = Path(__file__).resolve().parents[2]  # the folder imgproc_course
 INSIDE = Path(__file__).resolve().parent / "inside"
-COURSE_PACKAGES = ("messages", "imaging", "recording", "display", "ros")  # what lessons teach with
+# What lessons teach with; a kernel has what its exercise allows of them.
+COURSE_PACKAGES = ("messages", "imaging", "geometry", "recording", "simulation", "ros")
 # Modules of `exercises` that check cells need; none of them knows an answer.
-EXERCISES_MODULES = ("canonical", "comparison", "dependencies", "input_encoding", "running")
+EXERCISES_MODULES = ("canonical", "comparison", "input_encoding", "running")
 SITE, COURSE, PYTHON = "/course/site-packages", "/course/packages", "/python"  # paths inside the sandbox
+EXTRA, ALLOWED = confine.EXTRA, confine.ALLOWED
 AUTOGRADER = f"{COURSE}/imgproc_course/autograder"
 _PYTHON_OPTIONS = ("-s", "-P", "-B")  # not -I: it ignores PYTHONHASHSEED
 _CAPABILITIES = ("SYS_ADMIN", "SETUID", "SETGID", "SETPCAP", "KILL", "CHOWN")
@@ -130,6 +135,8 @@ def sandbox_command(confined, *, shared=None):
         "/tmp",
         *_new_folder("/course"),
         *_new_folder("/course/nothing"),
+        *_new_folder(EXTRA),
+        *_new_folder(ALLOWED),
     ]
     if mount_point != base:
         command += _bind(str(base), str(mount_point))
@@ -186,25 +193,44 @@ def _system_folders():
 
 
 def _site_packages():
-    options = []
-    for folder, mount_point in zip(site_folders(), site_mount_points(), strict=True):
-        options += _bind(str(folder), mount_point)
+    from imgproc_course.autograder.sandbox.allowed_modules import base_paths
+
+    options = _new_folder(SITE)
+    for path in base_paths():
+        options += _bind(str(path), f"{SITE}/{path.name}")
+    options += _bind(str(INSIDE / "PIL"), f"{SITE}/PIL")
+    for folder in site_folders():
+        options += _bind(str(folder), extra_path(folder))
     # An installed copy of the course would contain the autograder, and a link to the checkout its path.
     for path in sorted(site_folders()[0].glob("*imgproc_course*")):
-        hidden = f"{SITE}/{path.name}"
-        options += _empty_folder(hidden) if path.is_dir() else _bind(os.devnull, hidden)
+        options += _empty_folder(extra_path(path)) if path.is_dir() else _bind(os.devnull, extra_path(path))
     return options
+
+
+def extra_path(path):
+    """Where an installed file or folder is inside the sandbox, out of reach of every kernel."""
+    for number, folder in enumerate(site_folders()):
+        if path.is_relative_to(folder):
+            return str(Path(f"{EXTRA}/site-{number}", path.relative_to(folder)))
+    raise ValueError(f"{path} is in no folder of installed packages")
+
+
+def course_package_paths(package):
+    """Where a package of the course is inside the sandbox, and where in a kernel that may use it."""
+    return f"{EXTRA}/course/{package}", f"{COURSE}/imgproc_course/{package}"
 
 
 def _course_packages():
     course = f"{COURSE}/imgproc_course"
-    options = [*_new_folder(COURSE), *_new_folder(course)]
+    options = [*_new_folder(COURSE), *_new_folder(course), *_new_folder(f"{EXTRA}/course")]
     options += _bind(str(SOURCE / "__init__.py"), f"{course}/__init__.py")
     for package in COURSE_PACKAGES:
         if (SOURCE / package).is_dir():
-            options += _bind(str(SOURCE / package), f"{course}/{package}")
-    options += _new_folder(f"{course}/exercises")
-    options += _bind(str(INSIDE / "exercises_stub.py"), f"{course}/exercises/__init__.py")
+            extra, mount_point = course_package_paths(package)
+            options += [*_bind(str(SOURCE / package), extra), *_new_folder(mount_point)]
+    for package in ("exercises", "display"):
+        options += _new_folder(f"{course}/{package}")
+        options += _bind(str(INSIDE / f"{package}_stub.py"), f"{course}/{package}/__init__.py")
     for module in EXERCISES_MODULES:
         options += _bind(str(SOURCE / "exercises" / f"{module}.py"), f"{course}/exercises/{module}.py")
     options += [*_new_folder(AUTOGRADER), *_new_folder(f"{AUTOGRADER}/sandbox")]
@@ -220,11 +246,6 @@ def site_folders():
     """The folders of installed packages, outside the sandbox."""
     folders = {sysconfig.get_path("purelib"), sysconfig.get_path("platlib")}
     return [Path(folder) for folder in sorted(folders) if Path(folder).is_dir()]
-
-
-def site_mount_points():
-    """Where `site_folders` are inside the sandbox, in the same order."""
-    return [SITE, *(f"{SITE}-{number}" for number in range(2, 1 + len(site_folders())))]
 
 
 def python_folder():
@@ -273,7 +294,7 @@ def environment():
 
 def search_path(confined):
     """Where Python looks for modules inside, after its own library."""
-    return [COURSE, *site_mount_points()] if confined else [str(SOURCE.parent)]
+    return [COURSE, ALLOWED, SITE] if confined else [str(SOURCE.parent)]
 
 
 def kernel_user():

@@ -13,8 +13,8 @@ import time
 from contextlib import suppress
 
 from imgproc_course.autograder.sandbox import bubblewrap
+from imgproc_course.autograder.sandbox.allowed_modules import module_access
 from imgproc_course.autograder.sandbox.cell_run import LOOK_SECONDS, CellRun
-from imgproc_course.autograder.sandbox.refused_modules import paths_of_module
 
 _CONTENT_TYPES = {
     "stream": {"name": str, "text": str},
@@ -34,7 +34,7 @@ class KernelEnded(Exception):
 class ForkedKernel:
     """A kernel that was forked from a `ForkServer`."""
 
-    def __init__(self, fork_server, refused, seconds, limits):
+    def __init__(self, fork_server, allowed, seconds, limits):
         self._fork_server, self._limits = fork_server, limits
         self._seconds, self._deadline = seconds, None
         self._next_look, self._has_looked = 0.0, False
@@ -43,15 +43,15 @@ class ForkedKernel:
         our_end, kernel_end = socket.socketpair()
         self._socket = our_end
         with kernel_end:
-            self._id = fork_server.fork(kernel_end.fileno(), refused, limits.for_system(seconds))
+            self._id = fork_server.fork(kernel_end.fileno(), allowed, limits.for_system(seconds))
 
     def run(self, code):
         """Run one cell; returns its CellRun."""
         return self._request({"code": code})
 
-    def deliver(self, inputs, seconds, refused):
+    def deliver(self, inputs, seconds):
         """Send the inputs of the next check (see `check_cell.deliver`); returns a CellRun, as for a cell."""
-        return self._request({"case": {"calls": inputs, "seconds": seconds, "refused": list(refused)}})
+        return self._request({"case": {"calls": inputs, "seconds": seconds}})
 
     def _request(self, request):
         run = CellRun()
@@ -212,13 +212,13 @@ class ForkServer:
         errors = self._process.stderr.read().decode(errors="replace")
         return " ".join(errors.split())[-400:] or f"exit code {self._process.returncode}"
 
-    def fork(self, descriptor, refused, limits):
+    def fork(self, descriptor, allowed, limits):
         """Fork a kernel.
 
         Parameters
         ----------
         descriptor : int, of the kernel's socket
-        refused : sequence of str, modules that it must not have
+        allowed : sequence of str, modules that it has beside those that every answer may use
         limits : dict, from `Limits.for_system`
 
         Returns
@@ -228,14 +228,14 @@ class ForkServer:
         if self._process is None or self._process.poll() is not None:
             self.start()
         self._fork_count += 1
-        hidden = [path for module in refused for path in paths_of_module(module)]  # while the server loads
+        access = module_access(tuple(allowed))  # while the server loads
         if not self._is_ready:
             self._await_ready()
         order = {
             "op": "fork",
             "id": self._fork_count,
-            "hidden": hidden,
-            "refused": list(refused),
+            "bound": access.bound,
+            "names": access.names,
             "limits": limits,
         }
         data = [json.dumps(order).encode()]

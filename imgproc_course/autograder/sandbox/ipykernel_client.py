@@ -15,8 +15,8 @@ from jupyter_client.kernelspec import KernelSpec, KernelSpecManager
 from jupyter_client.manager import KernelManager
 
 from imgproc_course.autograder.sandbox import bubblewrap
+from imgproc_course.autograder.sandbox.allowed_modules import module_access
 from imgproc_course.autograder.sandbox.cell_run import LOOK_SECONDS, CellRun
-from imgproc_course.autograder.sandbox.refused_modules import paths_of_module
 
 _SOCKETS = "/course/kernel"  # the shared folder as the sandbox sees it
 
@@ -31,7 +31,7 @@ class _SingleSpecManager(KernelSpecManager):
 class IPykernelClient:
     """An ipykernel for the checks of an exercise; `run`, `deliver` and `stop` are those of `ForkedKernel`."""
 
-    def __init__(self, refused, seconds, limits, group, *, confined):
+    def __init__(self, allowed, seconds, limits, group, *, confined):
         self._limits, self._seconds, self._group = limits, seconds, group
         self._deadline, self._next_look = None, 0.0
         self._cpu_limit = limits.for_system(seconds)["cpu"] + 2  # its start costs more than a fork
@@ -40,7 +40,7 @@ class IPykernelClient:
         shared.mkdir()
         shared.chmod(0o777)
         system_limits = limits.for_system(seconds) | {"cpu": self._cpu_limit}
-        self._start(shared, self._command(confined, shared, refused, system_limits))
+        self._start(shared, self._command(confined, shared, allowed, system_limits))
         self._deadline = None
 
     def _start(self, shared, command):
@@ -72,13 +72,13 @@ class IPykernelClient:
             self.stop()
             raise bubblewrap.SandboxError(f"ipykernel did not start in the sandbox: {error}") from error
 
-    def _command(self, confined, shared, refused, system_limits):
+    def _command(self, confined, shared, allowed, system_limits):
         shared_inside = _SOCKETS if confined else str(shared)
         settings = {
             "confined": confined,
             "user": bubblewrap.kernel_user() if confined else None,
-            "refused": list(refused),
-            "hidden": [path for module in refused for path in paths_of_module(module)],
+            "names": module_access(tuple(allowed)).names,
+            "bound": module_access(tuple(allowed)).bound,
             "limits": system_limits,
             "connection": f"{shared_inside}/kernel.json",
             "ip": f"{shared_inside}/ipc",
@@ -118,9 +118,9 @@ class IPykernelClient:
                 run.add(kind, content)
         return run
 
-    def deliver(self, inputs, seconds, refused):
+    def deliver(self, inputs, seconds):
         """Send the inputs of the next check, by a cell."""
-        text = json.dumps({"calls": inputs, "seconds": seconds, "refused": list(refused)})
+        text = json.dumps({"calls": inputs, "seconds": seconds})
         return self.run(
             "from imgproc_course.autograder.sandbox.inside import check_cell as _check_cell\n"
             f"_check_cell.deliver({text!r})\ndel _check_cell"

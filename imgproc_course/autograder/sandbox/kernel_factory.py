@@ -27,20 +27,20 @@ class KernelFactory:
             self._fork_server.start()
         self._spare, self._spare_request = None, None
 
-    def start(self, refused, seconds, next_request=None):
+    def start(self, allowed, seconds, next_request=None):
         """Start a new kernel.
 
         Parameters
         ----------
-        refused : sequence of str, modules that it must not have
+        allowed : sequence of str, modules that it has beside those that every answer may use
         seconds : float, processor time that the first case may use, and with it all that share the kernel
-        next_request : (refused, seconds) of the kernel that will be needed next, or None
+        next_request : (allowed, seconds) of the kernel that will be needed next, or None
 
         Returns
         -------
         ForkedKernel or IPykernelClient
         """
-        request = (tuple(refused), seconds)
+        request = (tuple(allowed), seconds)
         if self._kind == "ipykernel":
             # Only this kind needs jupyter_client, whose import takes a quarter of a second.
             from imgproc_course.autograder.sandbox.ipykernel_client import IPykernelClient

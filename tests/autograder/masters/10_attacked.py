@@ -23,7 +23,6 @@ exercise(
     title="Double",
     function="double",
     time_limit=0.5,
-    refused=("cv2", "imgproc_course.imaging", "colorsys"),
     hints=("What?", "How?", "The code."),
     explanation="Because.",
     another_way="Otherwise.",

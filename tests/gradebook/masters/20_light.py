@@ -23,7 +23,6 @@ exercise(
     title="Twice as bright",
     function="double",
     time_limit=1,
-    refused=("cv2",),
     hints=("What?", "How?", "The code."),
     explanation="Because.",
     another_way="Otherwise.",

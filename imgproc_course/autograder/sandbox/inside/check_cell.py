@@ -7,24 +7,16 @@ values are outside the sandbox.
 import base64
 import builtins
 import hashlib
-import importlib.machinery
 import inspect
 import json
 import signal
-import sys
-import types
 
 from imgproc_course.exercises import running
-from imgproc_course.exercises.dependencies import find_dependencies
 from imgproc_course.exercises.input_encoding import decode
 
 MIME = "application/vnd.imgproc-course.answer+json"
 MAX_DATA = 1_000_000  # bytes of one array; a larger one is replaced by its digest
-_case = {}  # "calls", "seconds", "refused"
-
-
-class RefusedModule(ImportError):
-    """The answer uses a module that its exercise refuses."""
+_case = {}  # "calls", "seconds"
 
 
 def deliver(case):
@@ -33,7 +25,7 @@ def deliver(case):
     Parameters
     ----------
     case : dict, or its JSON: "calls", a list of arguments for each call, written by `input_encoding.encode`;
-        "seconds" that a call may take; "refused", modules
+        "seconds" that a call may take
     """
     global _case
     _case = json.loads(case) if isinstance(case, str) else case
@@ -43,15 +35,13 @@ def emit(function):
     """Call a function with the inputs of this case, and show what it returned, as data."""
     from IPython.display import display
 
-    refused = tuple(_case["refused"])
     calls = []
     for encoded in _case["calls"]:
         result = _call(function, decode(encoded), _case["seconds"])
         calls.append(call_to_json(result))
         if result.timed_out:
             break
-    dependencies = find_dependencies(function, refused, set())
-    display({MIME: {"calls": calls, "refused": list(dependencies.refused)}}, raw=True)
+    display({MIME: {"calls": calls}}, raw=True)
 
 
 def _call(function, arguments, seconds):
@@ -104,50 +94,9 @@ def shorten_form(form):
     return {name: shorten_form(value) for name, value in form.items()}
 
 
-# ---------------------------------------------------------------- the process around an answer
-
-
-def prepare_process(refused):
-    """Prepare this process for an answer: refused modules are empty, and input() raises.
-
-    Parameters
-    ----------
-    refused : sequence of str, modules. Importing one gives an empty module that raises RefusedModule when it
-        is used, so an unused import costs nothing
-    """
-    # Look names up first: going through sys.modules would copy the memory pages that this fork shares.
-    if any(name in sys.modules for name in refused):
-        for name in [name for name in sys.modules if _is_refused(name, refused)]:
-            del sys.modules[name]
-    sys.meta_path.insert(0, _RefusingFinder(tuple(refused)))
+def refuse_input():
+    """Let input() raise in this process: nobody would answer."""
     builtins.input = _input
-
-
-def _is_refused(name, refused):
-    return any(name == module or name.startswith(module + ".") for module in refused)
-
-
-class _RefusingFinder:
-    def __init__(self, refused):
-        self._refused = refused
-
-    def find_spec(self, name, path=None, target=None):
-        if not _is_refused(name, self._refused):
-            return None
-        return importlib.machinery.ModuleSpec(name, self, is_package=True)
-
-    def create_module(self, spec):
-        return _EmptyModule(spec.name)
-
-    def exec_module(self, module):
-        pass
-
-
-class _EmptyModule(types.ModuleType):
-    def __getattr__(self, name):
-        if name.startswith("__"):
-            raise AttributeError(name)
-        raise RefusedModule(f"write this exercise without {self.__name__}")
 
 
 def _input(prompt=""):

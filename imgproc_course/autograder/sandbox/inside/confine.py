@@ -18,6 +18,7 @@ _NOSUID, _NODEV, _NOEXEC, _REC, _PRIVATE, _BIND = 2, 4, 8, 0x4000, 0x40000, 0x10
 _PR_CAPBSET_DROP, _PR_SET_NO_NEW_PRIVS, _PR_SET_DUMPABLE = 24, 38, 4
 _LAST_CAPABILITY = 63
 EMPTY_FOLDER = "/course/nothing"  # read-only
+EXTRA, ALLOWED = "/course/extra", "/course/allowed"  # all that an exercise may allow, and what it allows
 _libc = ctypes.CDLL(None, use_errno=True)
 
 
@@ -47,12 +48,12 @@ def _mount(source, target, kind, flags, data=""):
     _check(_libc.mount(*texts, ctypes.c_ulong(flags), data.encode() or None), f"mount {target}")
 
 
-def confine(hidden, limits, user):
+def confine(bound, limits, user):
     """Confine this process for good.
 
     Parameters
     ----------
-    hidden : list of str, paths that become empty here: the modules that the exercise refuses
+    bound : list of (path below EXTRA, where it appears): the modules that the exercise allows
     limits : dict, see `set_limits`; also "scratch", bytes that can be written to /tmp
     user : int or None, the user and group to become; None inside a user namespace, whose root has no rights
         outside
@@ -63,8 +64,7 @@ def confine(hidden, limits, user):
     """
     unshare(NEWNS | NEWIPC | NEWUTS)  # bubblewrap's network namespace is empty, and nothing stays in it
     _mount("", "/", "", _REC | _PRIVATE)
-    for path in hidden:
-        _hide(path)
+    _bind_allowed(bound)
     scratch = f"size={limits['scratch']},nr_inodes=2000"
     _mount("tmpfs", "/tmp", "tmpfs", _NOSUID | _NODEV, f"{scratch},mode=1777")
     _mount("tmpfs", "/dev/shm", "tmpfs", _NOSUID | _NODEV | _NOEXEC, f"{scratch},mode=1777")
@@ -79,11 +79,16 @@ def confine(hidden, limits, user):
     _drop_privileges(user)
 
 
-def _hide(path):
-    if os.path.isdir(path):
-        _mount(EMPTY_FOLDER, path, "", _BIND)
-    elif os.path.exists(path):
-        _mount("/dev/null", path, "", _BIND)
+def _bind_allowed(bound):
+    if bound:
+        _mount("tmpfs", ALLOWED, "tmpfs", _NOSUID | _NODEV, "size=1m,mode=755")
+    for path, target in bound:
+        if os.path.isdir(path):
+            os.makedirs(target, exist_ok=True)
+        else:
+            os.close(os.open(target, os.O_CREAT | os.O_WRONLY))
+        _mount(path, target, "", _BIND | _REC)
+    _mount(EMPTY_FOLDER, EXTRA, "", _BIND)
 
 
 def set_limits(limits):

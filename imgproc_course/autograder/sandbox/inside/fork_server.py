@@ -1,7 +1,7 @@
 """The process that forks kernels: it has the imports loaded, and never runs code of a learner's.
 
 `fork_server_client` starts it with a socket (SOCK_SEQPACKET). It takes these orders:
-    {"op": "fork", "id": 7, "hidden": [...], "refused": [...], "limits": {...}}, with the kernel's socket
+    {"op": "fork", "id": 7, "bound": [...], "names": [...], "limits": {...}}, with the kernel's socket
     {"op": "end", "id": 7, "patience": 1.0}   kill the kernel and all that it started; reply how it had ended
     {"op": "drop", "id": 7}                   the same without a reply
 It ends when its socket is closed.
@@ -29,14 +29,14 @@ def _load():
     import numpy.linalg
     import numpy.random
 
-    from imgproc_course.autograder.sandbox.inside import check_cell, shell
+    from imgproc_course.autograder.sandbox.inside import check_cell, refusal, shell
 
     cell_shell = shell.make_shell()
     cell_shell.user_ns["np"] = np
     _warm_up(cell_shell, shell, check_cell)
     # Answers may draw from NumPy's global generator; its state is the same in each fork.
     np.random.seed(0)  # noqa: NPY002 - the global generator is meant, not one of ours
-    return cell_shell, shell.serve, check_cell.prepare_process, check_cell.deliver
+    return cell_shell, shell.serve, check_cell.refuse_input, refusal.allow_modules, check_cell.deliver
 
 
 def _warm_up(cell_shell, shell, check_cell):
@@ -44,7 +44,7 @@ def _warm_up(cell_shell, shell, check_cell):
     shell.WRITER.descriptor = os.open(os.devnull, os.O_WRONLY)
     streams = sys.stdout, sys.stderr
     sys.stdout, sys.stderr = shell.OutputStream("stdout"), shell.OutputStream("stderr")
-    check_cell.deliver('{"calls": [{"tuple": [1.5]}], "seconds": 5, "refused": []}')
+    check_cell.deliver('{"calls": [{"tuple": [1.5]}], "seconds": 5}')
     for code in (
         "def f(x):\n    return np.zeros(3) + x",
         "from imgproc_course.autograder.sandbox.inside.check_cell import emit\n\nemit(f)",
@@ -67,13 +67,14 @@ def _run_kernel(control, descriptor, order, settings, loaded):
             # namespace, and the kernel that waits for the next check has the same user.
             os.setsid()
             confine.die_first()
-            confine.confine(order["hidden"], order["limits"], settings["user"])
+            confine.confine(order["bound"], order["limits"], settings["user"])
         else:
             confine.die_with_parent()
             confine.set_limits(order["limits"] | {"processes": 4096})
-        cell_shell, serve, prepare_process, deliver = loaded
+        cell_shell, serve, refuse_input, allow_modules, deliver = loaded
         random.seed(0)  # Python draws another seed in each fork
-        prepare_process(order["refused"])
+        refuse_input()
+        allow_modules(order["names"])
         exit_code = 71  # the learner's code ended it
         serve(cell_shell, descriptor, deliver)
         exit_code = 0
