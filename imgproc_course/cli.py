@@ -283,7 +283,12 @@ class _LocalTime(click.ParamType):
 
 @main.command()
 @click.argument("lessons", nargs=-1, metavar="[LESSON]...")
-@click.option("--seed", help="Secret seed of the inputs.  [default: a new one, saved beside the key]")
+@click.option(
+    "--seed",
+    help="Secret seed of the inputs, 32 random hexadecimal digits or more.  [default: a new one, saved beside"
+    " the key]",
+)
+@click.option("--redraw", is_flag=True, help="Make new inputs for a regrade; the old key is kept beside it.")
 @click.option("--out", type=_FOLDER, default=Path("key"), show_default=True, help="Folder for the key.")
 @click.option(
     "--masters",
@@ -293,21 +298,31 @@ class _LocalTime(click.ParamType):
 )
 @click.option("--force", "--replace", "replace", is_flag=True, help="Replace an existing key.")
 @click.option("--unsafe", is_flag=True, help="Run the masters' solutions without a sandbox.")
-def key(lessons, seed, out, masters, replace, unsafe):
+def key(lessons, seed, redraw, out, masters, replace, unsafe):
     """Make the answer key: run the solutions on inputs drawn from a secret seed.
 
     LESSON is a number or a name: 03 or 03_images_as_messages. Without LESSON, the key has all lessons.
     """
-    from imgproc_course.autograder.answer_key import KeyFolderError
-    from imgproc_course.autograder.make_answer_key import make_key, read_or_make_seed
+    from imgproc_course.autograder import key_seed
+    from imgproc_course.autograder.answer_key import KeyFolderError, load_key
+    from imgproc_course.autograder.make_answer_key import make_key
     from imgproc_course.autograder.sandbox.bubblewrap import SandboxError
     from imgproc_course.exercises.declaration import MasterError
 
-    seed_file = out.with_name(f"{out.name}.seed")
+    if redraw and seed is not None:
+        raise click.UsageError("--redraw draws a new seed: leave --seed out")
+    seed_file, is_seed_saved = key_seed.seed_file_of(out), seed is None
+
+    def make(seed, out):
+        key_seed.require_unguessable(seed)
+        return make_key(masters, seed, out, lessons, unsafe=unsafe, replace=replace)
+
     try:
-        is_seed_saved = seed is None
-        seed = read_or_make_seed(seed_file) if is_seed_saved else seed
-        answer_key = make_key(masters, seed, out, lessons, unsafe=unsafe, replace=replace)
+        if redraw:
+            click.echo(f"The old key is in {key_seed.redraw(out, make)}/, for the grades that it gave.")
+            answer_key = load_key(out)
+        else:
+            answer_key = make(key_seed.read_or_make_seed(seed_file) if is_seed_saved else seed, out)
     except (MasterError, KeyFolderError, SandboxError) as error:
         raise click.ClickException(str(error)) from error
     except OSError as error:

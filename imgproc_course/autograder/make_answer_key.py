@@ -5,7 +5,6 @@
 
 import hashlib
 import json
-import secrets
 from dataclasses import asdict
 from importlib.metadata import version
 from pathlib import Path
@@ -37,30 +36,6 @@ from imgproc_course.exercises.input_encoding import decode, encode
 
 _EMIT_IMPORT = "from imgproc_course.autograder.sandbox.inside.check_cell import emit"
 _PLACEHOLDER = "# the learner's answer"
-
-
-def read_or_make_seed(path):
-    """The secret seed in a file; if there is no such file, make a seed and store it there.
-
-    Parameters
-    ----------
-    path : Path of a text file that only its owner can read
-
-    Returns
-    -------
-    str; a new seed has 32 hexadecimal digits
-
-    Raises
-    ------
-    OSError : the file cannot be read or written
-    """
-    if path.exists():
-        return path.read_text(encoding="utf-8").strip()
-    seed = secrets.token_hex(16)
-    path.parent.mkdir(parents=True, exist_ok=True)
-    path.touch(mode=0o600)
-    path.write_text(f"{seed}\n", encoding="utf-8")
-    return seed
 
 
 def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False):

@@ -46,12 +46,54 @@ def test_a_key_without_a_seed_keeps_one_and_makes_the_same_key_again(run, tmp_pa
     assert load_key(tmp_path / "k").digest == first
     assert run("key", "21", "--masters", MASTERS, "--out", "k", "--force").exit_code == 0
     assert load_key(tmp_path / "k").digest == first
-    other = run("key", "21", "--masters", MASTERS, "--out", "k", "--force", "--seed", "another")
+    other = run(
+        "key",
+        "21",
+        "--masters",
+        MASTERS,
+        "--out",
+        "k",
+        "--force",
+        "--seed",
+        "5eed" + "0f1e2d3c4b5a69788796a5b4c3d2e1f0",
+    )
     assert "Its seed is not saved" in other.output
     assert load_key(tmp_path / "k").digest != first
     handed_out = json.loads((tmp_path / "k" / "handed_out.json").read_text())
     assert handed_out["sound"]["check-sound-mean-1"] == 'check("sound-mean", mean)'
     assert handed_out["sound"]["answer-sound-mean"] is None
+
+
+def test_a_redrawn_key_has_other_inputs_and_the_old_one_still_grades(run, light, key_path, tmp_path):
+    words = ("key", "20", "--masters", MASTERS, "--out", "k")
+    refused = run(*words, "--redraw")
+    assert refused.exit_code == 1 and "no key to redraw" in refused.output
+    assert run(*words).exit_code == 0
+    old, old_seed = load_key(tmp_path / "k").digest, (tmp_path / "k.seed").read_text()
+    write(tmp_path / "in" / "ada.ipynb", notebook(light, answers_of(light, "right")))
+    assert run("grade", "in", "--key", "k", "--out", "first").exit_code == 0
+    redrawn = run(*words, "--redraw")
+    assert redrawn.exit_code == 0 and "The old key is in k-1/" in redrawn.output
+    assert load_key(tmp_path / "k-1").digest == old != load_key(tmp_path / "k").digest
+    assert (tmp_path / "k-1.seed").read_text() == old_seed != (tmp_path / "k.seed").read_text()
+    public = f"{light.name}/{light.exercises[0].id}.inputs.json"
+    assert (tmp_path / "k" / public).read_text() != (tmp_path / "k-1" / public).read_text()
+    assert run("grade", "in", "--key", "k-1", "--out", "again").exit_code == 0
+    grades = [(tmp_path / name / "grades.json").read_bytes() for name in ("first", "again")]
+    assert grades[0] == grades[1]
+    assert run(*words, "--redraw").exit_code == 0 and (tmp_path / "k-2").is_dir()
+
+
+def test_a_seed_that_can_be_guessed_is_refused(run, tmp_path):
+    for seed in ("1", "2026", "correct horse battery staple", "0" * 64, "0123456789abcdef" * 2, "abc" * 20):
+        refused = run("key", "21", "--masters", MASTERS, "--out", "k", "--seed", seed)
+        assert refused.exit_code == 1 and "can be guessed" in refused.output
+    (tmp_path / "k.seed").write_text("12345")
+    refused = run("key", "21", "--masters", MASTERS, "--out", "k")
+    assert refused.exit_code == 1 and "can be guessed" in refused.output
+    assert not (tmp_path / "k").exists()
+    both = run("key", "21", "--masters", MASTERS, "--out", "k", "--seed", "1", "--redraw")
+    assert both.exit_code == 2 and "leave --seed out" in both.output
 
 
 def test_a_key_in_a_checkout_that_does_not_ignore_it_is_a_warning(run, tmp_path):
@@ -65,7 +107,7 @@ def test_a_key_in_a_checkout_that_does_not_ignore_it_is_a_warning(run, tmp_path)
 
 
 def test_a_folder_without_masters_is_refused(run, tmp_path):
-    wrong = run("key", "--masters", tmp_path, "--out", "k", "--seed", "x")
+    wrong = run("key", "--masters", tmp_path, "--out", "k")
     assert wrong.exit_code == 1 and "no masters in" in wrong.output
 
 
