@@ -3,10 +3,12 @@
 from imgproc_course.exercises.canonical import VALUE_BYTES, array_of, canonical
 from imgproc_course.exercises.check_data import check_data_of
 from imgproc_course.exercises.checking import run_cases
+from imgproc_course.exercises.comparison import compare, describe
 from imgproc_course.exercises.declaration import PUBLIC_SEED
 from imgproc_course.exercises.running import call
 
 _ANOTHER_SEED = 1  # an instructor's key draws other inputs than the lesson
+_SEEDS = (PUBLIC_SEED, _ANOTHER_SEED, 2, 3)
 
 
 def validate_exercise(exercise):
@@ -50,6 +52,7 @@ def validate_exercise(exercise):
     ]
     for case in exercise.cases:
         problems += _size_problems(exercise, case)
+        problems += _seed_problems(exercise, case, solution) if case.points else []
     return problems
 
 
@@ -82,6 +85,25 @@ def _passes(mistake, cases):
         for case in cases
         for expected, result in zip(case.calls, mistake.results[case.id], strict=True)
     )
+
+
+def _seed_problems(exercise, case, solution):
+    """Points need an answer that depends on inputs that only the key's seed gives."""
+    calls = [exercise.arguments(case, seed) for seed in _SEEDS]
+    arguments = [[canonical(value, limit=None) for call in drawn for value in call] for drawn in calls]
+    if all(drawn == arguments[0] for drawn in arguments):
+        return [f"{case.id}: inputs(rng) ignores rng, so its answer can be copied; draw the inputs from it"]
+    answers = [[canonical(solution(*call), limit=None) for call in drawn] for drawn in calls]
+    for constant in [answer for drawn in answers for answer in drawn]:
+        passed = [
+            all(compare(answer, constant, case.tolerance) is None for answer in drawn) for drawn in answers
+        ]
+        if sum(passed) > 1:
+            return [
+                f"{case.id}: a constant passes it with several seeds, {describe(constant)}; add a call whose"
+                " answer differs"
+            ]
+    return []
 
 
 def _is_empty_stub(exercise):

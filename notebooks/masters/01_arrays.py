@@ -621,10 +621,10 @@ def bright_percent(gray, level):
 check("arrays-share", bright_percent)
 
 
-# %% role="case" title="few gray levels" points=1
+# %% role="case" title="few gray levels, then many" points=1
 def inputs(rng):
     gray = np.array([[10, 50, 50, 90, 90], [10, 90, 90, 90, 200], [10, 10, 90, 90, 90]], dtype=np.uint8)
-    return (rng.permutation(gray), 50)
+    return [(rng.permutation(gray), 50), (rng.integers(0, 256, (6, 8), dtype=np.uint8), 90)]
 
 
 # %% role="case" title="another level" points=0
@@ -740,10 +740,10 @@ def two_levels(gray, level):
 check("arrays-two-levels", two_levels)
 
 
-# %% role="case" title="few gray levels" points=1
+# %% role="case" title="few gray levels, then many" points=1
 def inputs(rng):
     gray = np.array([[10, 50, 50, 90, 90], [10, 90, 140, 90, 200], [10, 10, 90, 90, 90]], dtype=np.uint8)
-    return (rng.permutation(gray), 50)
+    return [(rng.permutation(gray), 50), (rng.integers(0, 256, (4, 6), dtype=np.uint8), 90)]
 
 
 # %% role="case" title="another level" points=0

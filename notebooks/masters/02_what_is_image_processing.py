@@ -481,17 +481,18 @@ def name_operation(before, after):
 check("tour-name", name_operation)
 
 
-# %% role="case" exercise="tour-name" title="a gray image" points=1
+# %% role="case" exercise="tour-name" title="a gray image, and an image of lines" points=1
 def inputs(rng):
     before = room_image(rng)
-    return before, to_gray(before)
+    return [(before, to_gray(before)), lines(rng)]
 
 
-# %% role="case" exercise="tour-name" title="an image of areas" points=1
+# %% role="case" exercise="tour-name" title="an image of areas, and an image with less noise" points=1
 def inputs(rng):
     before = room_image(rng)
     gray = to_gray(before)
-    return before, np.where(gray > np.median(gray) - 1, 255, 0).astype(np.uint8)
+    areas = np.where(gray > np.median(gray) - 1, 255, 0).astype(np.uint8)
+    return [(before, areas), (before, cv2.medianBlur(before, 3))]
 
 
 # %% role="case" exercise="tour-name" title="an image of lines" points=0

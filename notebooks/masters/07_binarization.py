@@ -397,6 +397,12 @@ def counts_of(gray):
     return np.bincount(gray.ravel(), minlength=256)
 
 
+def print_on_paper(rng):
+    dark, bright = rng.integers(20, 60), rng.integers(160, 220)
+    image = np.where(rng.random((16, 20)) < 0.4, dark, bright) + rng.integers(-9, 10, size=(16, 20))
+    return image.astype(np.uint8)
+
+
 def black_and_white(rng):
     image = np.full((5, 6), 255, dtype=np.uint8)
     image[: rng.integers(1, 4)] = 0
@@ -439,15 +445,13 @@ check("binarization-otsu", otsu)
 
 # %% role="case" title="print on paper" points=1
 def inputs(rng):
-    dark, bright = rng.integers(20, 60), rng.integers(160, 220)
-    image = np.where(rng.random((16, 20)) < 0.4, dark, bright) + rng.integers(-9, 10, size=(16, 20))
-    return (image.astype(np.uint8),)
+    return [(print_on_paper(rng),), (print_on_paper(rng),)]
 
 
 # %% role="case" title="little print, much paper" points=1 hint="Multiply the squared difference of the means by the shares of both classes."
 def inputs(rng):
     image = np.where(rng.random((24, 24)) < 0.1, 60, 170) + rng.normal(0, 20, size=(24, 24))
-    return (np.clip(image, 0, 255).astype(np.uint8),)
+    return [(np.clip(image, 0, 255).astype(np.uint8),), (print_on_paper(rng),)]
 
 
 # %% role="case" title="a wide and a narrow peak" points=0

@@ -1466,6 +1466,13 @@ def as_image(edges):
     return np.where(edges, 255, 0).astype(np.uint8)
 
 
+def some_components(rng):
+    """Nobody can know this answer before: a constant passes the other call of a case."""
+    weak = rng.random((8, 9)) < 0.4
+    strong = weak & (rng.random((8, 9)) < 0.15)
+    return weak & ~strong, strong
+
+
 def snake(size):
     """A chain of pixels through a square image, and its first row."""
     chain = np.zeros((size, size), dtype=bool)
@@ -1511,7 +1518,7 @@ def inputs(rng):
     weak[0, 6:] = True  # a component without a strong pixel
     strong = np.zeros_like(weak)
     strong[0, 0] = True
-    return weak & ~strong, strong
+    return [(weak & ~strong, strong), some_components(rng)]
 
 
 # %% role="case" title="a long snake" points=1 hint="A fixed number of steps is not enough for a long chain. Repeat the step until nothing changes."
@@ -1519,7 +1526,7 @@ def inputs(rng):
     weak = snake(9)
     strong = np.zeros_like(weak)
     strong[0, rng.integers(0, 3)] = True
-    return weak & ~strong, strong
+    return [(weak & ~strong, strong), some_components(rng)]
 
 
 # %% role="case" title="a component at each border" points=1 hint="The left border of the image does not touch the right border, and the top does not touch the bottom."
@@ -1533,7 +1540,7 @@ def inputs(rng):
     strong = np.zeros_like(weak)
     strong[3, 0] = strong[0, 3] = True
     strong[1, 7] = True  # touches no weak pixel
-    return weak & ~strong, strong
+    return [(weak & ~strong, strong), some_components(rng)]
 
 
 # %% role="case" title="a chain of more than 400 steps" points=0 hint="A fixed number of steps, such as 100 or 400, is not enough for every image. Repeat the step until nothing changes."

@@ -666,6 +666,13 @@ def few_pixels(rng):
     return edges, outlines, 3
 
 
+def some_edges(rng, tolerance):
+    """Nobody can know this answer before: a constant passes the other calls of a case."""
+    outlines = rng.random((11, 13)) < 0.1
+    edges = np.where(rng.random((11, 13)) < 0.2, 255, 0).astype(np.uint8)
+    return edges, outlines, tolerance
+
+
 def no_edges(rng):
     return np.zeros((6, 7), dtype=np.uint8), rng.random((6, 7)) < 0.3, 2
 
@@ -727,7 +734,7 @@ def inputs(rng):
     edges = np.zeros((10, 12), dtype=np.uint8)
     edges[: rng.integers(4, 9), 5] = 255
     edges[:, 10] = 255
-    return edges, outlines, 2
+    return [(edges, outlines, 2), some_edges(rng, 2)]
 
 
 # %% role="case" title="single pixels, three tolerances" points=0 hint="The neighbourhood is a square, corners included: tolerance rows and tolerance columns in each direction. Outside the image there are no pixels."
@@ -764,7 +771,7 @@ def inputs(rng):
 
 # %% role="hidden" title="no edges, no outlines, no true positives" points=1 hint="Do not divide by zero: without edges, without outlines and without true positives the result is 0.0."
 def inputs(rng):
-    return [no_edges(rng), no_outlines(rng), far_edges(rng)]
+    return [no_edges(rng), no_outlines(rng), far_edges(rng), some_edges(rng, 0)]
 
 
 # %% role="mistake" name="precision alone" says="That is the precision. F1 also needs the recall: it is the harmonic mean of both."
