@@ -12,7 +12,7 @@ class Outcome(StrEnum):
     RAISED           an exception, of the function or of the cell that should define it
     NOT_ATTEMPTED    the answer is still the stub, or it raises NotImplementedError
     MISSING          there is no answer cell, or it does not define the function
-    REFUSED_MODULE   the answer uses a module that the exercise refuses
+    REFUSED_MODULE   the answer uses a module that the exercise does not allow
     TIME, MEMORY, OUTPUT   it used more than an answer may use
     CRASHED          the kernel's process ended
     HOSTILE          the kernel sent something that our check cells cannot have shown
@@ -67,8 +67,8 @@ TEXTS = {
         shows_values=False,
     ),
     Outcome.REFUSED_MODULE: OutcomeTexts(
-        "uses a module that this exercise refuses",
-        advice="The task is to write it by hand, without the modules that the exercise refuses.",
+        "uses a module that this exercise does not allow",
+        advice="The task is to write it by hand, without the modules that do it for you.",
         shows_values=False,
         needs_attention=True,
     ),

@@ -117,7 +117,16 @@ def _module_of(value):
     """The module that a value is, or that a function or class comes from; None for data."""
     if isinstance(value, types.ModuleType):
         return value.__name__
-    return getattr(value, "__module__", None) if callable(value) else None
+    if not callable(value):
+        return None
+    module, name = getattr(value, "__module__", None), getattr(value, "__name__", None)
+    if module is None and isinstance(value, types.BuiltinFunctionType):  # such as those of cv2
+        return next((key for key, module in list(sys.modules.items()) if _holds(module, name, value)), None)
+    return module
+
+
+def _holds(module, name, value):
+    return isinstance(module, types.ModuleType) and vars(module).get(name) is value
 
 
 def _origin(name, value):

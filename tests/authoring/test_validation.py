@@ -36,7 +36,7 @@ def test_a_valid_exercise_has_no_problem(write_master):
         (
             [("    return np.minimum(", "    import cv2\n    return np.minimum(")],
             "",
-            "the solution uses cv2, which the exercise refuses",
+            "the solution uses cv2; name it in allowed",
         ),
         (
             [("    return np.minimum(", "    return np.random.default_rng().random() + np.minimum(")],

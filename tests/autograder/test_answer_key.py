@@ -153,7 +153,7 @@ def test_a_folder_without_a_readable_key_is_reported(tmp_path, copy):
     with pytest.raises(KeyFolderError, match="cannot be read"):
         load_key(copy)
     (copy / "key.json").write_text('{"format": 99}')
-    with pytest.raises(KeyFolderError, match="a key of format 99, expected 3"):
+    with pytest.raises(KeyFolderError, match="a key of format 99, expected 4"):
         load_key(copy)
 
 

@@ -400,16 +400,16 @@ def test_an_array_that_is_filled_in_part_does_not_pass_by_chance():
 
 
 def test_names_of_other_cells_say_where_they_come_from():
-    namespace = {"np": np, "pixels": np.uint8([1]), "gamma": lambda values: values}
-    exec("from imgproc_course.imaging import psnr", namespace)
-    source = "def double(image):\n    return gamma(image), psnr, pixels, test_double\n"
+    namespace = {"np": np, "pixels": np.uint8([1]), "gamma": lambda values: values, "__name__": __name__}
+    exec("from statistics import median", namespace)
+    source = "def double(image):\n    return gamma(image), median, pixels, test_double\n"
     namespace["test_double"] = 3
     linecache.cache["<answer>"] = (len(source), None, source.splitlines(keepends=True), "<answer>")
     exec(compile(source, "<answer>", "exec"), namespace)
     text = repr(check("test-double", namespace["double"]))
     assert "double() uses pixels, which another cell defines." in text
     assert "Take pixels as the argument: def double(pixels):" in text
-    assert "Write its import line in the answer cell, too: from imgproc_course.imaging import psnr" in text
+    assert "Write its import line in the answer cell, too: from statistics import median" in text
     assert "Copy the definition of gamma into the answer cell." in text
     assert "Use the arguments of your function (pixels), or define test_double in the answer cell." in text
     assert "Points here: 0 of 3." in text

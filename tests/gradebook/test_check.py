@@ -285,7 +285,7 @@ def test_a_refused_module_is_reported_before_the_error_that_it_causes(lesson):
     source = "import cv2\ndef double(pixels): return cv2.add(pixels)"
     lesson_check = run(lesson(edit(ANSWER, source=source)))
     notes = lesson_check.exercises[0].notes
-    assert notes[0] == "it uses cv2, which this exercise refuses"
+    assert notes[0] == "it uses cv2, which this exercise does not allow"
     assert notes[1].startswith("1 of 1 checks fail: Bright pixels: double() raised")
 
 

@@ -231,7 +231,7 @@ def alike(light, key_path, tmp_path_factory):
     ("name", "cause", "advice"),
     [
         ("syntax", "SyntaxError: expected ':'", "run the cell in the lesson"),
-        ("refused", "cv2, which this exercise refuses.", "write it by hand"),
+        ("refused", "Write this exercise without cv2", "write it by hand"),
         ("endless", "double() used more than 1 s of processor time.", "loop whose condition stays true"),
         ("ending", "", "no os._exit()"),
         ("deleted", "Its answer cell (answer-light-double) is missing.", "<code>imgproc-course check</code>"),

@@ -15,6 +15,7 @@ from imgproc_course.autograder.sandbox.inside.seccomp import refuse_system_calls
 
 NEWNS, NEWUTS, NEWIPC, NEWPID = 0x20000, 0x4000000, 0x8000000, 0x20000000
 _NOSUID, _NODEV, _NOEXEC, _REC, _PRIVATE, _BIND = 2, 4, 8, 0x4000, 0x40000, 0x1000
+_READ_ONLY, _REMOUNT = 1, 32
 _PR_CAPBSET_DROP, _PR_SET_NO_NEW_PRIVS, _PR_SET_DUMPABLE = 24, 38, 4
 _LAST_CAPABILITY = 63
 EMPTY_FOLDER = "/course/nothing"  # read-only
@@ -88,6 +89,8 @@ def _bind_allowed(bound):
         else:
             os.close(os.open(target, os.O_CREAT | os.O_WRONLY))
         _mount(path, target, "", _BIND | _REC)
+    if bound:
+        _mount("", ALLOWED, "", _NOSUID | _NODEV | _REMOUNT | _READ_ONLY)
     _mount(EMPTY_FOLDER, EXTRA, "", _BIND)
 
 
