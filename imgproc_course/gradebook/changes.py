@@ -81,4 +81,4 @@ def _text(entry):
     text = f"{entry['points']} of {entry['max_points']}"
     if entry.get("late_deduction"):
         text += f", {entry['late_deduction']} deducted because late"
-    return text + (", decided by hand" if entry["decision"] else "")
+    return text + (", decided by hand" if entry.get("decision") else "")
