@@ -54,6 +54,7 @@ figure_texts = {
 # **Ask.** Until now you called `wait` and waited for an image. A node does not wait. It subscribes to a topic and passes a function, its *[[term:callback]]*. ROS calls this function for every message that arrives. This is the way of an image through a grayscale node:
 #
 # ```mermaid
+# %%{init: {"theme": "base", "themeVariables": {"primaryColor": "#e3eefc", "primaryTextColor": "#111", "lineColor": "#777", "tertiaryColor": "#ededed", "edgeLabelBackground": "#ededed"}}}%%
 # flowchart TB
 #     accTitle: The way of an image
 #     accDescr: The camera publishes the topic image_raw. The gray node subscribes to it and publishes the topic gray. This page subscribes to gray and shows the images.
@@ -100,6 +101,7 @@ assert not ros_available() or 10 <= len(stamps) <= 25
 # How can this be? The callback ran in a background *[[term:thread]]*. A thread is a part of a program that runs at the same time as the other parts. Your cells run in the main thread. In the background thread, an *[[term:executor]]* waits for messages and calls the callbacks, again and again. This is called *[[term:spin|spinning]]*.
 #
 # ```mermaid
+# %%{init: {"theme": "base", "themeVariables": {"primaryColor": "#e3eefc", "primaryTextColor": "#111", "lineColor": "#777", "tertiaryColor": "#ededed", "edgeLabelBackground": "#ededed"}}}%%
 # flowchart TB
 #     accTitle: Executor, callback and thread
 #     accDescr: The main thread runs your cells. At the same time, the executor in a background thread waits for a message from the topic, calls on_image, and waits for the next message.

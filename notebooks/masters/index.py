@@ -31,6 +31,7 @@ overview()
 # This is what happens to every image in the course. A *topic* is a named stream of messages; a *node* is a program that subscribes to topics and publishes on topics.
 #
 # ```mermaid
+# %%{init: {"theme": "base", "themeVariables": {"primaryColor": "#e3eefc", "primaryTextColor": "#111", "lineColor": "#777", "tertiaryColor": "#ededed", "edgeLabelBackground": "#ededed"}}}%%
 # flowchart TB
 #     accTitle: The way of an image
 #     accDescr: The camera publishes messages on a topic. A node subscribes to the topic, converts and processes each image, and publishes the result on another topic, which the live view shows.

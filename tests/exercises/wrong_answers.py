@@ -1,7 +1,7 @@
 """The tables of learners' wrong answers: in each of two folders a file for each exercise.
 
 The answers of `wrong_answers` helped to improve the feedback. Those of `fresh_answers` were written from the
-tasks alone, and the feedback was not changed after them.
+tasks alone, and measured once before the feedback was changed after them.
 
 Each cell of a file is one answer. Its first line describes the mistake, in fields with JSON values:
 
