@@ -276,6 +276,8 @@ assert (np.rint(decimal) != to_gray(colours)).sum() > 1 and np.abs(np.rint(decim
 # Only one pixel differs, by one gray level. (In an image with all kinds of colours, a few more differ.) But "equal for every pixel" is easier to check than "nearly equal". So the exercise asks for the integer weights.
 #
 # ## 5 · An image small enough to read (9 minutes)
+#
+# In the last line below, `f"..."` is an *f-string*: Python replaces each name in braces by its value.
 
 # %%
 tiny = frame[386:391, 449:454]

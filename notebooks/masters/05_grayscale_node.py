@@ -343,7 +343,7 @@ assert not ros_available() or node.get_name() == "gray_by_hand"
 # %% [markdown]
 # The line on a red background is the node's log. A script writes its log to the terminal. A notebook shows it below the cell that runs when the line arrives, and this can be a later cell.
 #
-# `rclpy.spin` uses such an executor too. The next cell spins for three seconds; `rclpy.spin(node)` does the same without a limit. **Predict**: while a cell spins, can you run another cell?
+# `rclpy.spin` uses such an executor too. The next cell spins for three seconds; `rclpy.spin(node)` does the same without a limit. (In the f-string, `{blocked:.0f}` writes the number without digits after the point; `:.2f` writes two digits.) **Predict**: while a cell spins, can you run another cell?
 
 # %% role="predict"
 guess_other_cells = None  # your guess: can another cell run, "yes" or "no"?

@@ -319,7 +319,7 @@ assert response.sum() == 160 and response[2, 2] == 160 * 4 / 16 == 40
 #
 # ## 5 · Two kinds of noise (3 minutes)
 #
-# Now we add random noise to a camera frame. The [[term:seed]] of the random numbers is fixed, so everybody gets the same noise. Impulse noise makes 5 % of the pixels black or white. **Gaussian noise** adds a random error to every pixel. The errors have a *normal distribution*: small errors are common, large ones are rare. Here their standard deviation is 20 gray levels.
+# Now we add random noise to a camera frame. The [[term:seed]] of the random numbers is fixed, so everybody gets the same noise. Impulse noise makes 5 % of the pixels black or white. **Gaussian noise** adds a random error to every pixel. The errors have a *normal distribution*: small errors are common, large ones are rare. Here their standard deviation is 20 gray levels. (In an f-string, `:.1%` writes a share in percent, `:.1f` writes one digit after the point, and `:10` fills up to ten characters.)
 
 # %%
 salted = add_salt_and_pepper(gray, 0.05, seed=1)

@@ -501,6 +501,7 @@ show(np.minimum(all_magnitudes, 500), "magnitude (L1), up to 500",
 # The figure below shows the direction as the *[[term:hue]]* of a colour, and the magnitude as its brightness. Hue is the place of a colour on the colour wheel: red, yellow, green, blue and back to red. It is an angle. OpenCV's *HSV* image has three channels: hue (in steps of two degrees), saturation (255 is a full colour), and value (the brightness).
 
 # %%
+# The angle of the gradient, in degrees
 angle = gradient_angle(stages.grad_row, stages.grad_col)
 degrees = np.round(angle) % 360  # whole degrees, 0 to 359
 hsv = np.zeros((720, 1280, 3), dtype=np.uint8)
