@@ -248,6 +248,8 @@ def _cell_metadata(cell):
         metadata |= {"editable": False, "deletable": False}
     elif cell.role in ("answer", "given", "predict"):
         metadata |= {"deletable": False}
+    if cell.role == "answer":  # survives merging and splitting, and tools that rewrite ids
+        metadata["imgproc_course"] = {"exercise": cell.exercise}
     return metadata
 
 

@@ -224,4 +224,4 @@ def _is_same_value(new, stored):
         return True
     if tolerance is None:  # an argument
         value, stored_value = (canonical(decode(form), limit=None) for form in (value, stored_value))
-    return compare(value, stored_value, tolerance or 0.0) is None
+    return compare(value, stored_value, tolerance or 0.0, exact_type=True) is None

@@ -75,14 +75,14 @@ def _mistakes_with_all_points(exercise):
     if exercise.practice:
         return []
     checks = [check_data_of(exercise, cases, seed) for seed in (PUBLIC_SEED, _ANOTHER_SEED)]
-    passing = {mistake.name for data in checks for mistake in data.mistakes if _passes(mistake, data.cases)}
+    passing = {mistake.name for data in checks for mistake in data.mistakes if _passes(mistake, data)}
     return [mistake.name for mistake in exercise.mistakes if mistake.name in passing]
 
 
-def _passes(mistake, cases):
+def _passes(mistake, data):
     return all(
-        result.matches(expected.result, case.tolerance)
-        for case in cases
+        result.matches(expected.result, case.tolerance, exact_type=data.exact_type)
+        for case in data.cases
         for expected, result in zip(case.calls, mistake.results[case.id], strict=True)
     )
 

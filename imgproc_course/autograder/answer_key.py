@@ -60,8 +60,10 @@ class KeyMistake:
 class KeyExercise:
     """One exercise in the key; a practice exercise has no cases and is not graded.
 
-    stub       the answer cell's source in the lesson
-    arguments  names of the function's arguments
+    stub        the answer cell's source in the lesson
+    arguments   names of the function's arguments
+    given       sources of the given cells; () in a key of an earlier version
+    exact_type  whether a right value in another type is wrong
     """
 
     id: str
@@ -75,6 +77,8 @@ class KeyExercise:
     arguments: tuple
     cases: tuple
     mistakes: tuple
+    given: tuple = ()
+    exact_type: bool = False
 
 
 @dataclass(frozen=True)
@@ -218,6 +222,7 @@ def _read_exercise(entry):
     fields = {
         "allowed": tuple(entry["allowed"]),
         "arguments": tuple(entry["arguments"]),
+        "given": tuple(entry.get("given", ())),
         "cases": tuple(KeyCase(**case) for case in entry["cases"]),
         "mistakes": tuple(KeyMistake(**mistake) for mistake in entry["mistakes"]),
     }

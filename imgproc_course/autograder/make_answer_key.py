@@ -143,6 +143,8 @@ class _ExerciseKeyMaker:
             arguments=tuple(argument_names(solution)),
             cases=cases,
             mistakes=tuple(KeyMistake(mistake.name, mistake.says) for mistake in mistakes),
+            given=exercise.given,
+            exact_type=exercise.exact_type,
         )
         return asdict(key_exercise)
 
@@ -197,7 +199,8 @@ class _ExerciseKeyMaker:
             problem = _comparison_problem(call)
             if problem:
                 raise MasterError(f"{subject} returns nothing that can be compared: {problem}")
-        if not verdict_on(payloads, [call.value for call in calls], case.tolerance).passed:
+        expected = [call.value for call in calls]
+        if not verdict_on(payloads, expected, case.tolerance, exact_type=True).passed:
             raise MasterError(f"{subject} does not equal itself")
         return {"calls": [call_to_json(call) for call in calls]}
 

@@ -35,6 +35,7 @@ from imgproc_course.autograder.sandbox.inside import confine
 from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.autograder.screening import reason_not_to_run
 from imgproc_course.autograder.verdict import CaseRun, verdict_on
+from imgproc_course.exercises.cell_syntax import parts_of
 
 # A kernel that ended like this may have been ended by something else than the answer.
 _RUN_AGAIN_AFTER = ("crashed", "memory")
@@ -63,7 +64,7 @@ class ExerciseKernel:
         message_id = f"cell-{self._cell_count}"
         case = self._exercise_run.case_of_cell(self._cell_count)
         if case is None:
-            self._sources_before.append(cell_input)
+            self._sources_before += parts_of(cell_input)
         else:
             self._run_case(case, cell_input, message_id)
         self._add_message(message_id, "status", execution_state="idle")
@@ -131,7 +132,7 @@ class ExerciseRun:
         Parameters
         ----------
         case : KeyCase
-        sources_before : list of str, the given cells and the answer cell
+        sources_before : list of str, the statements of the given cells and of the answer
         source : str, its check cell
 
         Returns
@@ -175,7 +176,10 @@ class ExerciseRun:
         )
         run = CaseRun()
         for source_before in sources_before:
-            run.answer = self._answer_run = self._kernel.run(source_before)
+            answer_run = self._kernel.run(source_before)
+            # A statement that fails costs only itself; the first error is the one to report.
+            if answer_run.ended or not run.answer.error[0]:
+                run.answer = self._answer_run = answer_run
             if run.ended:
                 break
         else:
@@ -191,7 +195,10 @@ class ExerciseRun:
         if not run.ended:
             run.check = self._kernel.run(source)
         if not run.ended:
-            run.verdict = verdict_on(run.check.answers, self._content.expected[case.id], case.tolerance)
+            expected = self._content.expected[case.id]
+            run.verdict = verdict_on(
+                run.check.answers, expected, case.tolerance, exact_type=exercise.exact_type
+            )
 
     def close(self):
         """End its kernel, if it has one."""

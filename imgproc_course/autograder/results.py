@@ -74,9 +74,9 @@ class GradedExercise:
 
     mistake              name of the known mistake that this answer makes, or ""
     mistake_explanation  what the learner is told about that mistake
-    message              about the answer cell itself: the exception that ended it (which costs nothing as
-                         long as the function is defined), or why it was not run; "" if there is nothing to
-    say cases                GradedCase of each test case, public ones first
+    message              about the answer cell itself: its first exception (which costs nothing as long as
+                         the function is defined), or why it was not run; "" if there is nothing to say
+    cases                GradedCase of each test case, public ones first
     """
 
     id: str
@@ -291,9 +291,11 @@ def _outcome_without_function(exercise, run):
 
 
 def _message_about_cell(runs):
-    """The exception that ended the answer cell: it costs nothing as long as the function is defined."""
+    """The first exception of the answer cell: it costs nothing as long as the function is defined."""
     run = next(iter(runs.values()), CaseRun())
-    return f"its cell ended with {_exception_text(*run.answer.error)}" if run.answer.error[0] else ""
+    return (
+        f"a statement in its cell fails: {_exception_text(*run.answer.error)}" if run.answer.error[0] else ""
+    )
 
 
 def _message_of_hidden(outcome, message):

@@ -43,7 +43,7 @@ class CaseRun:
         return not self.ended and not self.check.error[0] and self.verdict.passed
 
 
-def verdict_on(payloads, expected, tolerance):
+def verdict_on(payloads, expected, tolerance, *, exact_type=True):
     """Compare what a check cell showed with what the key expects.
 
     The comparison is `exercises.compare`, so `check` in a lesson and the autograder agree.
@@ -53,6 +53,7 @@ def verdict_on(payloads, expected, tolerance):
     payloads : list of what the check cell showed; exactly one is right
     expected : list of canonical forms, one per call
     tolerance : float >= 0, absolute
+    exact_type : bool, see `exercises.exercise`
 
     Returns
     -------
@@ -61,15 +62,15 @@ def verdict_on(payloads, expected, tolerance):
     calls = read_answer(payloads[0]) if len(payloads) == 1 else None
     if calls is None:
         return Verdict()
-    failed_call, difference = _first_failed_call(expected, calls, tolerance)
+    failed_call, difference = _first_failed_call(expected, calls, tolerance, exact_type)
     return Verdict(calls, failed_call, difference)
 
 
-def _first_failed_call(expected, calls, tolerance):
+def _first_failed_call(expected, calls, tolerance, exact_type):
     for number, form in enumerate(expected):
         if number >= len(calls) or calls[number].value is None or calls[number].changed:
             return number, None
-        difference = compare(form, calls[number].value, tolerance)
+        difference = compare(form, calls[number].value, tolerance, exact_type=exact_type)
         if difference is not None:
             return number, difference
     return (len(expected), None) if len(calls) > len(expected) else (None, None)

@@ -10,6 +10,7 @@ import re
 import sys
 from dataclasses import dataclass
 
+from imgproc_course.exercises.cell_syntax import plain_python
 from imgproc_course.exercises.error_advice import advice_on
 from imgproc_course.exercises.running import code_of
 
@@ -62,6 +63,10 @@ class CellRuns:
         """Record that a cell begins to run; returns the CellRun."""
         self._runs = [*self._runs[1 - _MOST_RUNS :], CellRun(source, cell_id or "")]
         return self._runs[-1]
+
+    def sources(self):
+        """The sources of the cells that ran to their end, the newest last."""
+        return [plain_python(run.source) for run in self._runs if not run.error]
 
     def why_older(self, exercise_id, name, function):
         """Why the function is older than the learner's cell, and what to do; "" if it is not.

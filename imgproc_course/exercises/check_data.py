@@ -12,12 +12,9 @@ from inspect import signature
 import numpy as np
 
 from imgproc_course.exercises import feedback
+from imgproc_course.exercises.cell_syntax import parts_of
 from imgproc_course.exercises.declaration import PUBLIC_SEED, MasterError
 from imgproc_course.exercises.running import CallResult, call
-
-
-class AnswerError(ValueError):
-    """An answer cell that does not run by itself; the message says why."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -61,6 +58,7 @@ class CheckData:
     mistakes       tuple of CheckMistake
     hidden_count   number of the cases that only grading runs
     hidden_points  their points
+    exact_type     whether a right value in another type is wrong
     The other fields are those of the declaration.
     """
 
@@ -81,6 +79,7 @@ class CheckData:
     border_hint: str
     hints: tuple
     another_way: str
+    exact_type: bool = False
 
     @property
     def points(self):
@@ -94,21 +93,23 @@ class CheckData:
             exec(compile(source, f"<given cell of {self.id}>", "exec", dont_inherit=True), names)
         return names
 
-    def function_of(self, source):
-        """The exercise's function as the source of an answer cell defines it, in a namespace of its own.
+    def run_answer(self, source):
+        """Run the source of an answer in a namespace of its own.
 
-        Raises
-        ------
-        AnswerError : the source fails, or does not define the function
+        As in grading, it runs statement by statement, and one that fails costs only itself.
+
+        Returns
+        -------
+        (the exercise's function or None, the first error as text or "")
         """
-        names = self.namespace()
-        try:
-            exec(compile(source, f"<answer to {self.id}>", "exec", dont_inherit=True), names)
-        except Exception as error:
-            raise AnswerError(f"{type(error).__name__}: {error}") from error
-        if not callable(names.get(self.function)):
-            raise AnswerError(f"it defines no function {self.function}()")
-        return names[self.function]
+        names, reason = self.namespace(), ""
+        for part in parts_of(source):
+            try:
+                exec(compile(part, f"<answer to {self.id}>", "exec", dont_inherit=True), names)
+            except Exception as error:  # noqa: BLE001 - the learner's code may raise anything
+                reason = reason or f"{type(error).__name__}: {error}"
+        function = names.get(self.function)
+        return (function if callable(function) else None), reason
 
     def call(self, function, arguments):
         """The CallResult of one call of an answer."""
@@ -179,6 +180,7 @@ def check_data_of(exercise, cases=None, seed=PUBLIC_SEED):
         border_hint=exercise.border_hint,
         hints=exercise.hints,
         another_way=exercise.another_way,
+        exact_type=exercise.exact_type,
     )
 
 

@@ -46,6 +46,7 @@ PLAIN_FIELDS = (
     "border_hint",
     "hints",
     "another_way",
+    "exact_type",
 )
 RESULT_FIELDS = ("error", "message", "timed_out", "changed")  # of a mistake's call, beside its value
 CASE_FIELDS = ("id", "title", "points", "hint", "tolerance")
@@ -99,7 +100,7 @@ class CheckFile:
             raise damaged(self.path, error) from error
 
     def _exercise(self, id):
-        entry = {"allowed": []} | self.entries[id]
+        entry = {"allowed": [], "exact_type": False} | self.entries[id]
         fields = {name: entry[name] for name in PLAIN_FIELDS}
         fields = {name: tuple(value) if isinstance(value, list) else value for name, value in fields.items()}
         cases = tuple(self._case(id, entry, case) for case in entry["cases"])

@@ -9,7 +9,7 @@ from imgproc_course.exercises.check_data import CheckCase, CheckData, CheckMista
 from imgproc_course.exercises.check_files import find_check_data
 from imgproc_course.exercises.comparison import Difference, compare
 from imgproc_course.exercises.declaration import PUBLIC_SEED
-from imgproc_course.exercises.dependencies import Dependencies, find_dependencies
+from imgproc_course.exercises.dependencies import Dependencies, find_dependencies, split_taken
 from imgproc_course.exercises.diagnosis import Diagnosis, diagnose
 from imgproc_course.exercises.progress import ExerciseProgress, digest_of, note_progress
 from imgproc_course.exercises.running import CallResult, code_of, overwrite_freed_memory
@@ -173,12 +173,18 @@ def run_check(exercise, function):
         result = exercise.call(function, expected.arguments)
         if result.error == "NotImplementedError":
             return CheckResult(exercise, attempted=False, remarks=remarks)
-        difference = compare(expected.result.value, result.value, case.tolerance) if result.finished else None
+        difference = None
+        if result.finished:
+            difference = compare(
+                expected.result.value, result.value, case.tolerance, exact_type=exercise.exact_type
+            )
         calls.append(CaseCall(case, expected.arguments, expected.result, result, difference))
         if result.timed_out:
             break  # a learner waits for one time limit, not for one per call
     results = tuple(_case_result(case, calls) for case in exercise.cases)
     dependencies = find_dependencies(function, exercise.allowed, set(exercise.provided))
+    if dependencies.foreign:
+        dependencies = split_taken(dependencies, RUNS.sources(), exercise.names)
     has_passed = all(result.passed for result in results)
     mistake = None if has_passed else _known_mistake(exercise.mistakes, calls)
     errors = {case_call.result.error for case_call in calls}
@@ -191,7 +197,8 @@ def _diagnosis(result, calls):
     shown = result.shown
     if shown is None or shown.difference is None or shown.result.changed:
         return Diagnosis()
-    return diagnose(calls, shown, result.exercise.names)
+    exercise = result.exercise
+    return diagnose(calls, shown, exercise.names, exact_type=exercise.exact_type)
 
 
 def _is_stub(exercise, function):

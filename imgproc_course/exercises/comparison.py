@@ -10,7 +10,7 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from imgproc_course.exercises.canonical import array_of
+from imgproc_course.exercises.canonical import array_of, canonical
 
 _LONGEST_TEXT = 500  # a longer text is cut
 _LONGEST_INTEGER = 30  # digits; of a longer one the first digits are told
@@ -41,36 +41,44 @@ class Difference:
     total: int = 0
 
 
-def compare(expected, actual, tolerance=0.0, path=""):
+def compare(expected, actual, tolerance=0.0, path="", *, exact_type=True):
     """The first difference between two canonical forms, or None.
 
     Numbers agree when |actual - expected| <= tolerance + rounding * |expected|; the rounding is 1e-9 for
     Python's floats and float64, 1e-5 for float32, 1e-2 for float16, and 0 for integers. NumPy's scalars count
     as Python's numbers, and an integer may stand for an expected float.
 
+    If the type need not be exact, right values may also come as a float for an integer, in another number
+    type of an array, as a list for a tuple, as a list (of lists) for an array, and the other way round. True
+    and False never stand for numbers: a mask selects pixels, and 0 and 1 do not. Whether numbers in float32
+    are right is decided with its rounding.
+
     Parameters
     ----------
     expected, actual : dict, from `canonical` with the same limit
     tolerance : float >= 0, absolute, in the unit of the answer
     path : str, the path of the two inside the whole answer
+    exact_type : bool
 
     Returns
     -------
     Difference or None
     """
+    if not exact_type:
+        actual = as_type_of(expected, actual)
     kind, actual_kind = kind_of(expected), kind_of(actual)
     if kind != actual_kind and not (kind == "float" and actual_kind == "int"):
         return _difference("type", path, expected, actual)
     if actual.get("too_large") or actual.get("opaque"):
         return Difference("type", path, f"got {describe(actual)}, which cannot be compared")
     if kind == "ndarray":
-        return _compare_arrays(expected, actual, tolerance, path)
+        return _compare_arrays(expected, actual, tolerance, path, exact_type)
     if kind in ("tuple", "list"):
-        return _compare_items(expected, actual, tolerance, path)
+        return _compare_items(expected, actual, tolerance, path, exact_type)
     if kind == "dict":
-        return _compare_dicts(expected, actual, tolerance, path)
+        return _compare_dicts(expected, actual, tolerance, path, exact_type)
     if kind == "message":
-        return _compare_fields(expected, actual, tolerance, path)
+        return _compare_fields(expected, actual, tolerance, path, exact_type)
     if kind == "bytes":
         same = _digest(expected) == _digest(actual)
     elif kind in ("int", "float"):
@@ -142,6 +150,59 @@ def kind_of(form):
     return "bool" if scalar.startswith("bool") else "float" if scalar.startswith("float") else "int"
 
 
+def as_type_of(expected, actual):
+    """The same values in the container of an expected form, where it can hold them; else the form as it is.
+
+    Parameters
+    ----------
+    expected, actual : canonical forms
+
+    Returns
+    -------
+    canonical form; the items inside are not changed
+    """
+    kind, actual_kind = kind_of(expected), kind_of(actual)
+    if kind in ("tuple", "list") and actual_kind in ("tuple", "list"):
+        return actual | {"type": kind}
+    if kind == "ndarray" and actual_kind in ("tuple", "list"):
+        return _array_form(actual, len(expected["shape"]))
+    if actual_kind == "ndarray":
+        return _numbers_form(expected, actual)
+    return actual
+
+
+def _array_form(form, depth):
+    """A list of numbers, or of lists of numbers, as an array of `depth` axes; as it is if it is none."""
+    numbers = _numbers(form, depth)
+    try:
+        array = np.array(numbers) if numbers else None
+    except (ValueError, OverflowError):  # rows of different lengths
+        return form
+    is_array = array is not None and array.ndim == depth and array.dtype.kind in "biuf"
+    return canonical(array, limit=None) if is_array else form
+
+
+def _numbers(form, depth):
+    """A list's numbers as nested lists; None if it holds anything else."""
+    if depth == 0 or "items" not in form or form["type"] == "dict":
+        is_number = depth == 0 and kind_of(form) in ("int", "float", "bool") and "value" in form
+        return form["value"] if is_number and not isinstance(form["value"], str) else None
+    numbers = [_numbers(item, depth - 1) for item in form["items"]]
+    return None if None in numbers else numbers
+
+
+def _numbers_form(expected, actual):
+    """An array of no axis as a number, or an array of one axis as a list of numbers, if that is expected."""
+    values = array_of(actual)
+    if values is None:
+        return actual
+    if kind_of(expected) in ("int", "float", "bool") and not values.ndim:
+        return canonical(values.item())
+    if kind_of(expected) in ("tuple", "list") and values.ndim == 1:
+        return canonical(values.tolist()) | {"type": kind_of(expected)}
+    return actual
+
+
 def _key(form):
     if form["type"] == "tuple" and "items" in form:
         return f"({', '.join(map(_key, form['items']))})"
@@ -164,7 +225,7 @@ def _float(value):
 def _close(expected, actual, tolerance):
     if kind_of(expected) == "int" and tolerance == 0:
         return expected["value"] == actual["value"]
-    rounding = _ROUNDING.get(expected["type"].removeprefix("numpy."), 0.0)
+    rounding = _rounding(*(form["type"].removeprefix("numpy.") for form in (expected, actual)))
     try:
         values = [np.float64(_float(form["value"])) for form in (expected, actual)]
     except OverflowError:  # an integer beyond all floats
@@ -177,6 +238,12 @@ def _near(expected, actual, tolerance, rounding):
         near = np.abs(actual - expected) <= tolerance + rounding * np.abs(expected)
     finite = np.isfinite(expected) & np.isfinite(actual)
     return np.where(finite, near, (expected == actual) | (np.isnan(expected) & np.isnan(actual)))
+
+
+def _rounding(kind, actual_kind):
+    """The relative rounding for an expected type of number; float32 instead of float64 rounds more."""
+    rounding = _ROUNDING.get(kind, 0.0)
+    return max(rounding, _ROUNDING["float32"]) if rounding and actual_kind == "float32" else rounding
 
 
 def differing(expected, actual, tolerance=0.0):
@@ -193,20 +260,21 @@ def differing(expected, actual, tolerance=0.0):
     """
     if expected.dtype.kind in "biu" and tolerance == 0:
         return expected != actual
-    rounding = _ROUNDING.get(expected.dtype.name, 0.0)
+    rounding = _rounding(expected.dtype.name, actual.dtype.name)
     return ~_near(expected.astype(np.float64), actual.astype(np.float64), tolerance, rounding)
 
 
-def _compare_arrays(expected, actual, tolerance, path):
+def _compare_arrays(expected, actual, tolerance, path, exact_type):
     if expected["shape"] != actual["shape"]:
         shape, actual_shape = tuple(expected["shape"]), tuple(actual["shape"])
         return Difference("shape", path, f"expected shape {shape}, got an array of shape {actual_shape}")
-    if expected["dtype"] != actual["dtype"]:
+    is_number = "bool" not in (expected["dtype"], actual["dtype"])
+    if expected["dtype"] != actual["dtype"] and (exact_type or not is_number):
         message = f"expected {expected['dtype']}, got an array of {actual['dtype']}"
         return Difference("dtype", path, message)
     expected_values, actual_values = array_of(expected), array_of(actual)
     if expected_values is None or actual_values is None:
-        if _digest(expected) == _digest(actual):
+        if expected["dtype"] == actual["dtype"] and _digest(expected) == _digest(actual):
             return None
         return Difference("value", path, "the values differ", total=int(np.prod(expected["shape"])))
     wrong = differing(expected_values, actual_values, tolerance)
@@ -234,30 +302,30 @@ def _digest(form):
     return form.get("digest") or hashlib.sha256(base64.b64decode(form["data"])).hexdigest()
 
 
-def _compare_items(expected, actual, tolerance, path):
+def _compare_items(expected, actual, tolerance, path, exact_type):
     if len(expected["items"]) != len(actual["items"]):
         return _difference("length", path, expected, actual)
     pairs = enumerate(zip(expected["items"], actual["items"], strict=True))
-    return _first(compare(*items, tolerance, f"{path}[{k}]") for k, items in pairs)
+    return _first(compare(*items, tolerance, f"{path}[{k}]", exact_type=exact_type) for k, items in pairs)
 
 
-def _compare_dicts(expected, actual, tolerance, path):
+def _compare_dicts(expected, actual, tolerance, path, exact_type):
     expected_items, actual_items = (
         {_key(key): value for key, value in form["items"]} for form in (expected, actual)
     )
     if expected_items.keys() != actual_items.keys():
         return _difference("keys", path, expected, actual)
     return _first(
-        compare(value, actual_items[key], tolerance, f"{path}[{key}]")
+        compare(value, actual_items[key], tolerance, f"{path}[{key}]", exact_type=exact_type)
         for key, value in expected_items.items()
     )
 
 
-def _compare_fields(expected, actual, tolerance, path):
+def _compare_fields(expected, actual, tolerance, path, exact_type):
     if expected["fields"].keys() != actual["fields"].keys():
         return _difference("type", path, expected, actual)
     return _first(
-        compare(value, actual["fields"][name], tolerance, f"{path}.{name}")
+        compare(value, actual["fields"][name], tolerance, f"{path}.{name}", exact_type=exact_type)
         for name, value in expected["fields"].items()
     )
 

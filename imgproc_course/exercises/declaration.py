@@ -28,6 +28,7 @@ def exercise(
     time_limit=5.0,
     allowed=(),
     tolerance=0.0,
+    exact_type=False,
     practice=False,
     hint="",
     border_hint="",
@@ -51,6 +52,8 @@ def exercise(
         "imgproc_course.imaging"). matplotlib, IPython.display and imgproc_course.display are there for
         looking
     tolerance : float >= 0, absolute, in the unit of the answer, for every case that declares none
+    exact_type : bool, a right value in another type is wrong: the task says so to the learner. Otherwise
+        `comparison` says which types stand for another one
     practice : bool, checked but not graded
     hint : str, shown if a case that fails has no hint of its own
     border_hint : str, shown instead if only values on the border of an image are wrong
@@ -92,6 +95,7 @@ def exercise(
         "time_limit": float(time_limit),
         "allowed": tuple(allowed),
         "tolerance": float(tolerance),
+        "exact_type": bool(exact_type),
         "practice": bool(practice),
         "hint": hint,
         "border_hint": border_hint,
@@ -142,6 +146,7 @@ class Exercise:
     explanation: str
     another_way: str
     master: Path
+    exact_type: bool = False
     given: tuple = ()
     preparation: str = ""
     stub: str = ""

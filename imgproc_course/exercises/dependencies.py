@@ -1,18 +1,18 @@
 """What an answer uses from outside its own cell: modules that are not allowed, names unknown to grading.
 
-Grading runs the answer cell alone. If a function works in the notebook only because another cell defined
-something, the learner reads it here, before submitting.
+Grading runs the answer cell, and what it reads of other cells if that can be taken along. If a function works
+in the notebook only because another cell did more, the learner reads it here, before submitting.
 """
 
-import ast
 import builtins
 import dis
 import importlib.util
 import linecache
 import sys
 import types
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 
+from imgproc_course.exercises.cell_syntax import bound_names, statements_of
 from imgproc_course.exercises.running import code_of
 
 
@@ -21,13 +21,15 @@ class Dependencies:
     """What an answer uses from outside its cell.
 
     refused   modules that the exercise does not allow, sorted
-    foreign   names that another cell defines, sorted
+    foreign   names that another cell defines, sorted; without those that grading takes along
+    taken     names that another cell defines, and that grading takes along (see `split_taken`), sorted
     origins   {foreign name: its import line, "function" for a function of another cell, or "value"}
     names     {refused module: the name by which the answer uses it}
     """
 
     refused: tuple = ()
     foreign: tuple = ()
+    taken: tuple = ()
     origins: dict = field(default_factory=dict, compare=False)
     names: dict = field(default_factory=dict, compare=False)
 
@@ -64,7 +66,51 @@ def find_dependencies(function, allowed, provided):
     walker = _Walker((*_FOR_ALL, *allowed), provided)
     walker.visit(function)
     refused, foreign = tuple(sorted(walker.used_refused)), tuple(sorted(walker.foreign))
-    return Dependencies(refused, foreign, walker.foreign, walker.used_refused)
+    return Dependencies(refused, foreign, (), walker.foreign, walker.used_refused)
+
+
+def split_taken(dependencies, sources, arguments):
+    """Tell the names that grading takes along from those that it cannot.
+
+    It takes along functions, classes and imports, and a value that a plain assignment gives and no loop or
+    camera changes: grading would make the same value again.
+
+    Parameters
+    ----------
+    dependencies : Dependencies, as `find_dependencies` gives it
+    sources : list of str, of the cells that ran
+    arguments : sequence of str, of the exercise's function; a variable with such a name is a mistake
+
+    Returns
+    -------
+    Dependencies, with `taken`
+    """
+    statements = [statement for source in sources for statement in statements_of(source)]
+    taken = {
+        name
+        for name, origin in dependencies.origins.items()
+        if name not in arguments and (origin != "value" or _is_made_again(name, statements))
+    }
+    origins = {name: origin for name, origin in dependencies.origins.items() if name not in taken}
+    return replace(dependencies, foreign=tuple(sorted(origins)), taken=tuple(sorted(taken)), origins=origins)
+
+
+def _is_made_again(name, statements, visiting=()):
+    """Whether a value comes from plain assignments alone."""
+    if any(
+        name in (statement.reads | statement.binds) for statement in statements if statement.kind == "other"
+    ):
+        return False
+    binding = [statement for statement in statements if name in statement.binds]
+    if not binding or name in visiting:
+        return hasattr(builtins, name)
+    latest = binding[-1]
+    if latest.kind == "import":
+        return not any(part in latest.source for part in _LIVE)
+    return all(_is_made_again(other, statements, (*visiting, name)) for other in latest.reads - {name})
+
+
+_LIVE = ("rclpy", "imgproc_course.ros", "imgproc_course.display")  # what they give differs from run to run
 
 
 class _Walker:
@@ -96,7 +142,7 @@ class _Walker:
                 continue
             if cell_names is not None and name not in cell_names:
                 self.foreign[name] = _origin(name, value)
-            elif isinstance(value, types.FunctionType) and value.__globals__ is namespace:
+            if isinstance(value, types.FunctionType) and value.__globals__ is namespace:
                 self.visit(value)
 
     def _is_refused(self, module, used_name):
@@ -191,28 +237,3 @@ def names_of_cell(filename):
     if not source:
         return None
     return bound_names(source)
-
-
-def bound_names(source):
-    """The names that a source binds at its top level; empty for a source that does not parse."""
-    try:
-        statements = ast.parse(source).body
-    except SyntaxError:
-        return set()
-    bound = set()
-    for statement in statements:
-        for node in _own_nodes(statement):
-            if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
-                bound.add(node.name)
-            elif isinstance(node, (ast.Import, ast.ImportFrom)):
-                bound |= {(alias.asname or alias.name).split(".")[0] for alias in node.names}
-            elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
-                bound.add(node.id)
-    return bound
-
-
-def _own_nodes(node):
-    yield node
-    if not isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Lambda)):
-        for child in ast.iter_child_nodes(node):
-            yield from _own_nodes(child)

@@ -5,6 +5,7 @@ more than none.
 """
 
 from dataclasses import dataclass
+from functools import partial
 
 import numpy as np
 
@@ -50,7 +51,7 @@ class Diagnosis:
     on_border: bool = False
 
 
-def diagnose(calls, shown, names=()):
+def diagnose(calls, shown, names=(), *, exact_type=True):
     """What is certain about a wrong answer.
 
     Parameters
@@ -58,6 +59,7 @@ def diagnose(calls, shown, names=()):
     calls : sequence of CaseCall, all calls of the answer
     shown : CaseCall, the failed one whose values the learner sees; its function returned, and changed nothing
     names : sequence of str, the names of the arguments
+    exact_type : bool, see `exercises.exercise`
 
     Returns
     -------
@@ -66,17 +68,19 @@ def diagnose(calls, shown, names=()):
     expected, actual = shown.expected.value, shown.result.value
     if kind_of(actual) == "None":
         return Diagnosis()
-    pairs = [pair for pair in side_by_side(expected, actual) if compare(*pair, shown.case.tolerance)]
-    kinds = {compare(*pair, shown.case.tolerance).kind for pair in pairs}
+    differ = partial(compare, tolerance=shown.case.tolerance, exact_type=exact_type)
+    pairs = [pair for pair in side_by_side(expected, actual) if differ(*pair)]
+    kinds = {differ(*pair).kind for pair in pairs}
     returned = [call for call in calls if call.result.finished]
     fixed = _constant(returned)
     if fixed:
         return Diagnosis(fixed)
     if kinds == {"value"}:
-        return _diagnose_values(returned, names)
+        advice = Diagnosis() if exact_type else _advice_on_other_dtypes(pairs, shown.case.tolerance)
+        return advice if advice.text else _diagnose_values(returned, names)
     if kinds == {"dtype"}:
         return _advice_on_dtypes(pairs, shown.case.tolerance)
-    wrong = next(pair for pair in pairs if compare(*pair, shown.case.tolerance).kind != "value")
+    wrong = next(pair for pair in pairs if differ(*pair).kind != "value")
     if "shape" in kinds:
         return Diagnosis(_advice_on_shape(*wrong, shown.arguments, names), is_whole=True)
     return Diagnosis(_advice_on_type(*wrong, shown.case.tolerance), is_whole=True)
@@ -205,6 +209,13 @@ def _advice_on_dtypes(pairs, tolerance):
         return Diagnosis()
     wrong = [text for text in texts if not text.startswith(_RIGHT)]
     return Diagnosis(" ".join(wrong or texts), is_whole=True)
+
+
+def _advice_on_other_dtypes(pairs, tolerance):
+    """The same where another dtype would be as good, and wrong values come with it."""
+    differences = [compare(*pair, tolerance) for pair in pairs]
+    is_other = all(difference and difference.kind == "dtype" for difference in differences)
+    return _advice_on_dtypes(pairs, tolerance) if is_other else Diagnosis()
 
 
 def _advice_on_dtype(expected, actual, tolerance):

@@ -137,6 +137,13 @@ def _notes(result):
         yield f"{exercise.function}() uses {foreign}, which another cell {verb}.{reason} {advice}"
 
 
+def _taken_along(result):
+    """What grading takes along from other cells, for an answer that passes."""
+    names, exercise = result.dependencies.taken, result.exercise
+    if names and not exercise.practice:
+        yield f"{exercise.function}() uses {', '.join(names)} of another cell. Grading takes that along."
+
+
 def _explain_case(result, case_result):
     call = case_result.failed_call
     if call is None:
@@ -238,7 +245,8 @@ def _warning_and_output(call):
 def as_text(result):
     """A CheckResult as plain text."""
     _, headline = _headline(result)
-    lines = [f"{headline}.", result.why_older, *_refusals(result), *_notes(result), *result.remarks]
+    remarks = (*_refusals(result), *_notes(result), *_taken_along(result), *result.remarks)
+    lines = [f"{headline}.", result.why_older, *remarks]
     shown = result.shown
     for case_result in result.results:
         lines.append(f"{'✓' if case_result.passed else '✗'} {case_result.case.title}")
@@ -272,8 +280,8 @@ def as_html(result):
     """A CheckResult as HTML that reads well in a light and in a dark JupyterLab."""
     state, headline = _headline(result)
     body = [f'<div style="font-weight: 600; color: {_COLOURS[state]}">{html.escape(headline)}</div>']
-    remarks = (result.why_older, *_refusals(result), *_notes(result), *result.remarks)
-    body += [_paragraph(text) for text in remarks]
+    remarks = (*_refusals(result), *_notes(result), *_taken_along(result), *result.remarks)
+    body += [_paragraph(text) for text in (result.why_older, *remarks)]
     shown = result.shown
     for case_result in result.results:
         mark, colour = ("✓", _COLOURS["passed"]) if case_result.passed else ("✗", _COLOURS["failed"])

@@ -67,12 +67,12 @@ class CallResult:
     def finished(self):
         return not self.error and not self.timed_out
 
-    def matches(self, other, tolerance):
+    def matches(self, other, tolerance, *, exact_type=True):
         """Whether two calls did the same: the same error with the same message, or equal values."""
         ends = [(call.error, call.message, call.timed_out, call.changed) for call in (self, other)]
         if ends[0] != ends[1]:
             return False
-        return not self.finished or compare(other.value, self.value, tolerance) is None
+        return not self.finished or compare(other.value, self.value, tolerance, exact_type=exact_type) is None
 
 
 def call(function, arguments, names, time_limit):

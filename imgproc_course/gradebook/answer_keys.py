@@ -34,8 +34,15 @@ class AnswerKeys:
 
     def answer_ids(self, lesson):
         """The ids of a lesson's answer cells, in any version, as a set."""
+        return {f"answer-{exercise.id}" for exercise in self._exercises(lesson)}
+
+    def functions(self, lesson):
+        """The names of the functions that a lesson asks for, in any version, as a set."""
+        return {exercise.function for exercise in self._exercises(lesson)}
+
+    def _exercises(self, lesson):
         versions = [key.lessons[lesson] for key in self.keys if lesson in key.lessons]
-        return {f"answer-{exercise.id}" for version in versions for exercise in version.exercises}
+        return [exercise for version in versions for exercise in version.exercises]
 
     def describe(self, lesson, version):
         """The LessonDescription of a lesson, from the key for this version."""

@@ -7,15 +7,15 @@ report the same findings. Here each answer can also be run against the public ch
 from dataclasses import dataclass, field
 from pathlib import Path
 
-from imgproc_course.exercises.check_data import AnswerError, CheckData
+from imgproc_course.exercises.check_data import CheckData
 from imgproc_course.exercises.check_files import NO_CHECKS, CheckFileError, checks_folders, read_check_file
 from imgproc_course.exercises.checking import CheckResult, run_check
 from imgproc_course.exercises.feedback import explain_call
 from imgproc_course.gradebook.archives import LARGEST, too_large
 from imgproc_course.gradebook.lesson_description import LessonDescription
+from imgproc_course.gradebook.notebook_reader import NotebookReader
 from imgproc_course.gradebook.submission import (
     AnswerState,
-    NotebookReader,
     SubmissionContent,
     read_submission,
 )
@@ -100,6 +100,10 @@ class CheckFileCatalog:
     def answer_ids(self, lesson):
         """The ids of a lesson's answer cells, as a set."""
         return {f"answer-{id}" for id in self.lessons[lesson].ids}
+
+    def functions(self, lesson):
+        """The names of the functions that a lesson asks for, as a set."""
+        return {entry.get("function", "") for entry in self.lessons[lesson].entries.values()}
 
     def describe(self, lesson, _version):
         """The LessonDescription of a lesson, in the version that its checks were built with."""
@@ -186,12 +190,13 @@ def run_answers(lesson_check):
 
 
 def _run_answer(entry):
-    try:
-        function = entry.exercise.function_of(entry.source)
-    except AnswerError as error:
+    function, error = entry.exercise.run_answer(entry.source)
+    if function is None:
         entry.state = AnswerState.BROKEN
-        entry.notes.append(f"its cell does not run by itself: {error}")
+        reason = error or f"it defines no function {entry.exercise.function}()"
+        entry.notes.append(f"its cell does not run by itself: {reason}")
         return
+    entry.notes += [f"a statement in its cell fails: {error}"] if error else []
     result = run_check(entry.exercise, function)
     if not result.attempted:
         entry.state = AnswerState.NOT_ATTEMPTED

@@ -13,9 +13,8 @@ from tqdm import tqdm
 from imgproc_course.autograder.answer_key import Key
 from imgproc_course.gradebook.archives import CollectError
 from imgproc_course.gradebook.collect import IntakeFinding, SubmittedFile, digest_of
+from imgproc_course.gradebook.notebook_reader import NOT_READ_IN_TIME, NotebookReader
 from imgproc_course.gradebook.submission import (
-    NOT_READ_IN_TIME,
-    NotebookReader,
     SubmissionContent,
     lesson_by_name,
     read_submission,

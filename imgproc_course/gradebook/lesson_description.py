@@ -2,19 +2,27 @@
 
 from dataclasses import dataclass
 
+from imgproc_course.exercises.cell_syntax import bound_names
+
 
 @dataclass(frozen=True)
 class ExerciseDescription:
-    """One exercise: its id, the function that the learner writes, and the stub in its answer cell."""
+    """One exercise: its id, the function to write, the stub in its answer cell, its given cells' sources."""
 
     id: str
     function: str
     stub: str
+    given: tuple = ()
 
     @property
     def answer_id(self):
         """The id of its answer cell."""
         return f"answer-{self.id}"
+
+    @property
+    def given_names(self):
+        """The names that an answer has without defining them, as a set."""
+        return {"np"}.union(*map(bound_names, self.given))
 
 
 @dataclass(frozen=True)
@@ -49,4 +57,7 @@ class LessonDescription:
 
 
 def _exercises(declared):
-    return tuple(ExerciseDescription(exercise.id, exercise.function, exercise.stub) for exercise in declared)
+    return tuple(
+        ExerciseDescription(exercise.id, exercise.function, exercise.stub, exercise.given)
+        for exercise in declared
+    )

@@ -1,31 +1,21 @@
 """Read a submission: where each answer is, and what is unusual about the notebook.
 
 `imgproc-course check` and `imgproc-course grade` both read submissions here, so that they find the same
-answers and report the same findings. Only the source of answer cells is taken. Everything else in a
-notebook (check cells, outputs, metadata, kernels, tags) is ignored; a change that matters becomes a
-finding.
+answers and report the same findings. Only sources are taken: of the answers, and of the definitions in other
+cells that the answers read. Everything else in a notebook (check cells, outputs, kernels, tags) is ignored; a
+change that matters becomes a finding.
 """
 
-import contextlib
-import json
-import resource
-import select
-import subprocess
-import sys
-import time
 from dataclasses import dataclass, field
 from enum import StrEnum
-from pathlib import Path
 
 from imgproc_course.authoring.lesson_names import lesson_name, lessons_named
 from imgproc_course.autograder.sanitize import sanitize_line
-from imgproc_course.gradebook.submission_reader import MOST_CHARACTERS, function_names, syntax_digest
+from imgproc_course.gradebook.answer_cells import find_answer_cell
+from imgproc_course.gradebook.submission_reader import MOST_CHARACTERS, syntax_digest
 
-SECONDS = 60  # for reading one notebook
-MEMORY = 2 << 30  # bytes, of the process that reads notebooks
-NOT_READ_IN_TIME = "reading it takes more time or memory than a notebook needs"
-_READER = Path(__file__).with_name("submission_reader.py")
 _LONGEST_PREDICTION = 1_000  # characters
+_MOST_NAMES = 8  # that a finding lists
 _GRADER_COMMENTS = ("# NBVAL_", "# PYTEST_VALIDATE_")
 
 
@@ -91,90 +81,6 @@ class SubmissionContent:
         return [finding.text for finding in self.findings if finding.exercise == exercise]
 
 
-class NotebookReader:
-    """The process that reads notebooks. It starts when it is needed, and again if a notebook has ended it.
-
-    Parameters
-    ----------
-    seconds : float, for reading one notebook
-    memory : int, bytes
-    cpu_seconds : int, for all notebooks together, or None; on a busy machine they take longer
-    """
-
-    def __init__(self, seconds=SECONDS, memory=MEMORY, cpu_seconds=None):
-        self._seconds, self._memory, self._cpu_seconds = seconds, memory, cpu_seconds
-        self._process = None
-
-    def read(self, data):
-        """Read a notebook.
-
-        Parameters
-        ----------
-        data : bytes
-
-        Returns
-        -------
-        (dict as `submission_reader.read_notebook` returns it, ""), or (None, the reason)
-        """
-        for _ in range(2):  # somebody else may have ended the process
-            line = self._reply(data)
-            if line.endswith(b"\n"):
-                reply = json.loads(line)
-                return reply.get("notebook"), reply.get("reason", "")
-            self.close()
-        return None, NOT_READ_IN_TIME
-
-    def _reply(self, data):
-        """The process's line; b"" or a part of it if the process ended or takes too long."""
-        if self._process is None:
-            self._start()
-        with contextlib.suppress(OSError):
-            return self._exchange(data)
-        return b""
-
-    def _exchange(self, data):
-        stdin, stdout = self._process.stdin, self._process.stdout
-        stdin.write(b"%d\n" % len(data))
-        stdin.write(data)
-        stdin.flush()
-        end, line = time.monotonic() + self._seconds, b""
-        while not line.endswith(b"\n"):
-            readable, _, _ = select.select([stdout], [], [], max(0.0, end - time.monotonic()))
-            chunk = stdout.read1(1 << 20) if readable else b""
-            if not chunk:
-                break
-            line += chunk
-        return line
-
-    def _start(self):
-        self._process = subprocess.Popen(
-            [sys.executable, "-I", "-S", "-B", str(_READER), str(self._memory)],
-            stdin=subprocess.PIPE,
-            stdout=subprocess.PIPE,
-            stderr=subprocess.DEVNULL,
-        )
-        if self._cpu_seconds:
-            limits = (self._cpu_seconds, self._cpu_seconds)
-            resource.prlimit(self._process.pid, resource.RLIMIT_CPU, limits)
-
-    def close(self):
-        """End the process."""
-        if self._process is None:
-            return
-        process, self._process = self._process, None
-        process.kill()
-        for stream in (process.stdin, process.stdout):
-            with contextlib.suppress(OSError):
-                stream.close()
-        process.wait()
-
-    def __enter__(self):
-        return self
-
-    def __exit__(self, *_error):
-        self.close()
-
-
 def read_submission(data, catalog, reader, name=""):
     """Read a submission and inspect it.
 
@@ -209,9 +115,12 @@ def read_submission(data, catalog, reader, name=""):
     }
     lesson = catalog.describe(content.lesson, content.version)
     _inspect_notebook(notebook, cells, lesson, content)
+    answers = {}
     for exercise in lesson.exercises:
-        content.states[exercise.id] = _inspect_answer(exercise, cells, lesson, content)
+        answers[exercise] = find_answer_cell(exercise, cells, lesson)
+        content.states[exercise.id] = _inspect_answer(exercise, answers[exercise], content)
         _compare_given(exercise, cells, lesson, content)
+    _compose_answers(answers, notebook["cells"], reader, content)
     return content
 
 
@@ -228,20 +137,49 @@ def lesson_by_name(name, lessons):
 
 
 def _recognize(notebook, cells, catalog, name, content):
-    """The lesson by its metadata if its answer cells agree, by its answer cells, or by its file name."""
-    ids = {cell["id"] for cell in cells}
+    """The lesson by its metadata if its answer cells agree, by those cells, by its name, or its functions."""
+    marks = {cell["id"] for cell in cells} | {f"answer-{cell['exercise']}" for cell in cells}
     metadata_lesson = lesson_name(notebook["lesson"] or "")
     claim = metadata_lesson if metadata_lesson in catalog.lessons else None
-    if claim and ids & catalog.answer_ids(claim):
+    if claim and marks & catalog.answer_ids(claim):
         return claim
-    counts = {lesson: len(ids & catalog.answer_ids(lesson)) for lesson in catalog.lessons}
-    best = max(counts, key=counts.get, default=None)
-    if best is None or not counts[best]:
-        return claim or (None if metadata_lesson else lesson_by_name(name, catalog.lessons))
-    if claim:
-        text = f"it says that it is {claim}, but its answer cells are those of {best}"
-        content.add(f"{text}; it is graded as {best}")
-    return best
+    named = None if metadata_lesson else lesson_by_name(name, catalog.lessons)
+    by_marks = _most({lesson: marks & catalog.answer_ids(lesson) for lesson in catalog.lessons})
+    if by_marks:
+        if (claim or named) not in (None, by_marks):
+            says = "it says" if claim else "its name says"
+            text = f"{says} that it is {claim or named}, but its answer cells are those of {by_marks}"
+            content.add(f"{text}; it is graded as {by_marks}")
+        return by_marks
+    if claim or metadata_lesson:
+        return claim
+    return _recognize_unmarked(
+        named, {name for cell in cells for name in cell["functions"]}, catalog, content
+    )
+
+
+def _recognize_unmarked(named, functions, catalog, content):
+    """The lesson of a notebook without any mark: by the file's name first, then by its functions."""
+    common = {lesson: functions & catalog.functions(lesson) for lesson in catalog.lessons}
+    by_functions = _most(common)
+    if named is None and by_functions:
+        content.add(f"it was recognized as {by_functions} by its functions: {_listed(common[by_functions])}")
+    if named and by_functions not in (None, named) and not common[named]:
+        text = f"its name says that it is {named}, but it defines functions of {by_functions}"
+        content.add(f"{text} ({_listed(common[by_functions])}); it is graded as {named}, by its name")
+    return named or by_functions
+
+
+def _most(sets):
+    """The key whose set is the largest; None if all are empty, or two are equally large."""
+    sizes = sorted(((len(values), key) for key, values in sets.items()), reverse=True)
+    if not sizes or not sizes[0][0] or (len(sizes) > 1 and sizes[0][0] == sizes[1][0]):
+        return None
+    return sizes[0][1]
+
+
+def _listed(functions):
+    return ", ".join(f"{sanitize_line(name, 60)}()" for name in sorted(functions)[:_MOST_NAMES])
 
 
 def _inspect_notebook(notebook, cells, lesson, content):
@@ -260,104 +198,157 @@ def _inspect_notebook(notebook, cells, lesson, content):
 # ---------------------------------------------------------------- answers
 
 
-def _inspect_answer(exercise, cells, lesson, content):
+def _inspect_answer(exercise, answer, content):
     """Take an exercise's answer, add what is unusual about it, and return its AnswerState."""
-    positions = [position for position, cell in enumerate(cells) if cell["id"] == exercise.answer_id]
-    if not positions:
-        place = _place_of_definition(exercise, cells, lesson)
-        text = f"its answer cell ({exercise.answer_id}) is missing"
-        if place:
-            text += f"; {exercise.function}() is defined in another cell ({place}), which is not graded"
-        content.add(text, exercise.id)
+    if answer is None:
+        content.add(f"its answer cell ({exercise.answer_id}) is missing", exercise.id)
         return AnswerState.MISSING
-    code = [position for position in positions if cells[position]["type"] == "code"]
-    if len(positions) > 1:
-        text = f"its answer cell ({exercise.answer_id}) occurs {len(positions)} times"
-        content.add(f"{text}; the first code cell of them is graded", exercise.id)
-    if not code:
-        kind = sanitize_line(cells[positions[0]]["type"], 20) or "nameless"
-        content.add(f"its answer cell is a {kind} cell; make it a code cell (key Y)", exercise.id)
+    cell = answer.cell
+    if not answer.is_answer and not answer.own:  # the stub, without its mark
+        content.answers[exercise.id] = cell["source"]
+        return AnswerState.NOT_ATTEMPTED
+    if not answer.is_answer and cell["type"] != "code":
+        content.add(f"its answer cell is a {_kind(cell)} cell; make it a code cell (key Y)", exercise.id)
         return AnswerState.BROKEN
-    cell = cells[code[0]]
     if cell["source"] is None:
         content.add("the source of its answer cell is not text", exercise.id)
         return AnswerState.BROKEN
     content.answers[exercise.id] = cell["source"]
-    if cell["grader_tags"] or any(comment in cell["source"] for comment in _GRADER_COMMENTS):
+    tags = cell.get("grader_tags")
+    if tags or any(comment in cell["source"] for comment in _GRADER_COMMENTS):
         text = "its answer cell has tags or comments that direct a grader; they are ignored"
         content.add(text, exercise.id, "odd")
-    state = _inspect_source(exercise, cell, cells, lesson, content)
-    if state in (AnswerState.ANSWERED, AnswerState.NOT_ATTEMPTED):
-        _inspect_next_cell(exercise, cells[code[0] + 1 : code[0] + 2], lesson, content)
-    return AnswerState.BROKEN if len(code) > 1 else state
+    state = _inspect_source(exercise, answer, content)
+    if state is AnswerState.ANSWERED:
+        _report_place(exercise, answer, content)
+    return state
 
 
-def _inspect_source(exercise, cell, cells, lesson, content):
-    source, syntax = cell["source"], cell["answer"]
+def _inspect_source(exercise, answer, content):
+    source = answer.cell["source"]
     if len(source) > MOST_CHARACTERS:
         text = f"its answer is longer than {MOST_CHARACTERS} characters, the most that are graded"
         content.add(text, exercise.id, "answer")
         return AnswerState.BROKEN
-    if _is_stub(source, syntax, exercise.stub):
+    if answer.is_elsewhere:
+        return AnswerState.ANSWERED
+    if _is_stub(answer.cell, exercise):
         return AnswerState.NOT_ATTEMPTED
-    if not _has_code(source):
-        _add_undefined("its answer cell is empty", exercise, cells, lesson, content)
+    problem = _problem(exercise, answer.cell)
+    if problem:
+        content.add(problem, exercise.id, "answer")
         return AnswerState.BROKEN
-    if syntax["error"]:
-        line, text, message = syntax["error"]
+    return AnswerState.ANSWERED if answer.is_answer else AnswerState.NOT_ATTEMPTED
+
+
+def _is_stub(cell, exercise):
+    if cell["source"].strip() == exercise.stub.strip():
+        return True
+    digest = cell["answer"]["digest"]
+    return digest is not None and digest == syntax_digest(exercise.stub)
+
+
+def _problem(exercise, cell):
+    """Why a marked cell cannot get its points, "" if it can."""
+    if not _has_code(cell["source"]):
+        return "its answer cell is empty"
+    if cell["answer"]["error"]:
+        line, text, message = cell["answer"]["error"]
         text = f"line {line} of its answer cell is not Python: {sanitize_line(text, 80)}"
-        text += f" ({sanitize_line(message, 100)})"
-        content.add(text, exercise.id, "answer")
-        return AnswerState.BROKEN
-    if syntax["names"] is not None and exercise.function not in syntax["names"]:
-        text = f"its answer cell does not define {exercise.function}()"
-        _add_undefined(text, exercise, cells, lesson, content)
-        return AnswerState.BROKEN
-    return AnswerState.ANSWERED
-
-
-def _is_stub(source, syntax, stub):
-    same_text = source.strip() == stub.strip()
-    return same_text or (syntax["digest"] is not None and syntax["digest"] == syntax_digest(stub))
+        return text + f" ({sanitize_line(message, 100)})"
+    names = cell["answer"]["names"]
+    if names is not None and exercise.function not in names:
+        return f"its answer cell does not define {exercise.function}()"
+    return ""
 
 
 def _has_code(source):
     return any(line.strip() and not line.strip().startswith("#") for line in source.splitlines())
 
 
-def _add_undefined(text, exercise, cells, lesson, content):
-    place = _place_of_definition(exercise, cells, lesson)
-    if place:
-        text += (
-            f"; cell {place} defines {exercise.function}(), which is not graded: was the answer cell split?"
+def _report_place(exercise, answer, content):
+    """Report an answer that does not stand where it was handed out, or not there alone."""
+    name = f"{exercise.function}()"
+    if answer.is_elsewhere:
+        text = f"graded from another cell ({_place(answer.cell)}), which defines {name}: "
+        content.add(text + _state_of_marked(exercise, answer.own), exercise.id)
+    elif answer.cell["type"] != "code":
+        text = (
+            f"its answer cell is a {_kind(answer.cell)} cell; its text is graded (key Y makes it code again)"
         )
-        text += " Join the two (Edit > Merge Cells)"
-    content.add(text, exercise.id, "message" if place else "answer")
+        content.add(text, exercise.id)
+    if answer.others:
+        places = ", ".join(map(_place, answer.others[:_MOST_NAMES]))
+        text = (
+            f"{len(answer.others) + 1} cells define {name}: {_place(answer.cell)} is graded, and not {places}"
+        )
+        content.add(text, exercise.id)
 
 
-def _inspect_next_cell(exercise, next_cells, lesson, content):
-    """Report functions in a learner's cell directly below the answer: perhaps the answer needs them."""
-    for cell in next_cells:
-        if lesson.cells and cell["id"] not in lesson.cells and cell.get("functions"):
-            names = ", ".join(f"{sanitize_line(name, 60)}()" for name in cell["functions"][:3])
-            text = f"a cell below its answer cell defines {names}; only the answer cell is graded"
-            content.add(text, exercise.id)
+def _state_of_marked(exercise, own):
+    """What is wrong with the cell that is marked as the answer cell."""
+    text = f"its answer cell ({exercise.answer_id})"
+    if not own:
+        return f"{text} is missing"
+    if own[0]["type"] != "code":
+        return f"{text} is a {_kind(own[0])} cell"
+    if own[0]["source"] is None:
+        return f"{text} holds no text"
+    return _problem(exercise, own[0]) or f"{text} holds the stub"
 
 
-def _place_of_definition(exercise, cells, lesson):
-    """The id of a cell that defines the exercise's function where it is not graded; "" if there is none."""
-    for cell in cells:
-        own = cell["id"].startswith("answer-") or _defines(lesson, cell["id"], exercise.function)
-        if not own and exercise.function in cell.get("functions", ()):
-            return sanitize_line(cell["id"], 80) or "without an id"
-    return ""
+def _place(cell):
+    return sanitize_line(cell["id"], 80) or f"cell number {cell['number'] + 1}"
 
 
-def _defines(lesson, id, function):
-    """Whether the lesson as it was handed out defines a function in this cell."""
-    if not lesson.cells:
-        return id.startswith("given-")
-    return function in function_names(lesson.cells.get(id) or "")
+def _kind(cell):
+    return sanitize_line(cell["type"], 20) or "nameless"
+
+
+def _compose_answers(answers, all_cells, reader, content):
+    """Replace each answer by the source that is graded: with what it reads from other cells."""
+    answered = {
+        exercise: answer.cell
+        for exercise, answer in answers.items()
+        if content.states[exercise.id] is AnswerState.ANSWERED
+    }
+    if not answered:
+        return
+    preferred = {exercise.function: cell["number"] for exercise, cell in answered.items()}
+    requests = [
+        [cell["number"], exercise.function, sorted(exercise.given_names), preferred]
+        for exercise, cell in answered.items()
+    ]
+    composed = reader.compose(requests)
+    if composed is None:
+        content.add(
+            "what its answers read from other cells takes too much time or memory to find", kind="odd"
+        )
+        return
+    functions = {exercise.function: exercise.id for exercise in answered}
+    for exercise, (source, taken) in zip(answered, composed, strict=True):
+        content.answers[exercise.id] = source
+        if len(source) > MOST_CHARACTERS:
+            text = (
+                f"its answer and what it reads from other cells are longer than {MOST_CHARACTERS} characters"
+            )
+            content.add(text, exercise.id, "answer")
+            content.states[exercise.id] = AnswerState.BROKEN
+        elif taken:
+            content.add(_taken_text(taken, all_cells, functions), exercise.id)
+
+
+def _taken_text(taken, cells, functions):
+    names = [
+        f"{sanitize_line(name, 60)}{'()' if kind == 'function' else ''}"
+        + (f" (your answer to {functions[name]})" if name in functions else "")
+        for name, kind, _ in taken
+    ]
+    places = dict.fromkeys(_place(cells[number]) for _, _, number in taken)
+    rest = f" and {len(names) - _MOST_NAMES} more" if len(names) > _MOST_NAMES else ""
+    where = "another cell" if len(places) == 1 else "other cells"
+    listed, listed_places = (", ".join(list(texts)[:_MOST_NAMES]) for texts in (names, places))
+    return f"its answer reads {listed}{rest} of {where} ({listed_places}), which is graded with it"
 
 
 # ---------------------------------------------------------------- cells of the lesson
@@ -365,13 +356,15 @@ def _defines(lesson, id, function):
 
 def _compare_given(exercise, cells, lesson, content):
     """Report check and given cells that were changed or removed, and collect what check cells claim."""
-    cells_by_id = {}
+    cells_by_id, cells_by_source = {}, {}
     for cell in cells:
         cells_by_id.setdefault(cell["id"], cell)
+        cells_by_source.setdefault((cell.get("source") or "").strip(), cell)
     for id, source in sorted(lesson.cells.items()):
         if source is None or not id.startswith((f"check-{exercise.id}-", f"given-{exercise.id}-")):
             continue
-        change = _change(cells_by_id.get(id), source)
+        cell = cells_by_id.get(id) or cells_by_source.get(source.strip())  # some tools rewrite ids
+        change = _change(cell, source)
         if change:
             role = "check cell" if id.startswith("check-") else "given cell"
             content.add(f"its {role} ({id}) {change}; grading uses its own", exercise.id)

@@ -1,27 +1,37 @@
 """Reads notebooks of learners, in a process of its own that may fail without harm.
 
-`submission.NotebookReader` starts this file as a program with a limit on memory, sends it the bytes of a
-notebook and receives plain data: the id and type of each cell, and the source of the cells that belong to
-the course. Nothing in a notebook is run or followed. The program imports the standard library only: it
-starts quickly, and no module of a learner can take the place of ours.
+`notebook_reader.NotebookReader` starts this file as a program with a limit on memory, sends it the bytes of a
+notebook and receives plain data: the id and type of each cell, and the sources of code. It also composes the
+source by which an answer is graded. Nothing in a notebook is run or followed. The program imports the
+standard library only, and `cell_syntax`, which does the same: it starts quickly, and no module of a learner
+can take the place of ours.
 """
 
 import ast
 import ctypes
 import hashlib
 import json
+import re
 import resource
 import signal
 import sys
+from pathlib import Path
+
+if __name__ == "__main__":
+    sys.path.append(str(Path(__file__).parents[1] / "exercises"))
+    import cell_syntax
+else:
+    from imgproc_course.exercises import cell_syntax
 
 MOST_CHARACTERS = 200_000  # of one source; grading refuses a longer answer
 MOST_CELLS = 5_000
+MOST_CODE = 2_000_000  # characters of all cells that are not the course's; what comes after is not searched
 _COURSE_IDS = ("answer-", "check-", "given-", "predict-")
-_MOST_FUNCTIONS = 200  # function names that are returned per cell
+_MOST_FUNCTIONS = 200  # functions that are returned per cell
 _MOST_OUTPUT = 2_000  # characters of a check cell's output
 _MOST_NAME = 200  # characters of a name or an id
+_CODE_BEGINS = re.compile(r"^(def|async def|class) \w|^\w+ *= *(lambda|\w)", re.M)
 _PR_SET_PDEATHSIG = 1
-_UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
 
 
 class UnreadableError(ValueError):
@@ -40,10 +50,12 @@ def read_notebook(data):
     dict with
 
     lesson, version, kernel : str, or None if the notebook does not name them
-    cells : list of dict, None in the place of anything that is not a cell. Each has `id`, `type`, and of code
-        cells `functions` (names defined at the top level). A cell of the course has `source`
-        (str, at most one character more than MOST_CHARACTERS; None if it is not text) and `grader_tags`; an
-        answer cell also has `answer` (see `_parsed_answer`), a check cell `output`
+    cells : list of dict, None in the place of anything that is not a cell. Each has `number`, `id`, `type`,
+        `exercise` (the id in its metadata, or "") and `functions` (see `cell_syntax.function_definitions`; of
+        a cell that is no code only if its text is). A code cell and a cell of the course have `source` (str,
+        at most one character more than MOST_CHARACTERS; None if it is not text, or after MOST_CODE). A cell
+        of the course has `grader_tags`, an answer cell also `answer` (see `_parsed_answer`), a check cell
+        `output`
 
     Raises
     ------
@@ -69,7 +81,7 @@ def read_notebook(data):
         "lesson": _text(about.get("lesson")),
         "version": _text(about.get("version")),
         "kernel": _text(_dict(metadata.get("kernelspec")).get("name")),
-        "cells": [_cell(cell) for cell in cells],
+        "cells": _cells(cells),
     }
 
 
@@ -110,24 +122,56 @@ def _joined(text):
     return text if isinstance(text, str) else None
 
 
-def _cell(cell):
-    """A cell as `read_notebook` describes it; None for anything that is not a cell."""
-    if not isinstance(cell, dict):
-        return None
-    content = {"id": _text(cell.get("id")) or "", "type": _text(cell.get("cell_type")) or ""}
+def _cells(cells):
+    contents, code_left = [], MOST_CODE
+    for number, cell in enumerate(cells):
+        content = _cell(cell, number, code_left) if isinstance(cell, dict) else None
+        contents.append(content)
+        if content and "answer" not in content:
+            code_left -= len(content.get("source") or "")
+    return contents
+
+
+def _cell(cell, number, code_left):
+    """A cell as `read_notebook` describes it."""
+    about = _dict(_dict(cell.get("metadata")).get("imgproc_course"))
+    content = {
+        "number": number,
+        "id": _text(cell.get("id")) or "",
+        "type": _text(cell.get("cell_type")) or "",
+        "exercise": _text(about.get("exercise")) or "",
+        "functions": {},
+    }
     source = _joined(cell.get("source"))
     if source is not None:
         source = source[: MOST_CHARACTERS + 1]
-    if content["type"] == "code":
-        content["functions"] = function_names(source or "")
-    if content["id"].startswith(_COURSE_IDS):
+    is_answer = content["id"].startswith("answer-") or bool(content["exercise"])
+    if is_answer or content["id"].startswith(_COURSE_IDS):
         content["source"] = source
         content["grader_tags"] = _grader_tags(cell)
-    if content["id"].startswith("answer-") and source is not None:
+    elif content["type"] == "code":
+        content["source"] = source if len(source or "") <= code_left else None
+    if is_answer and source is not None:
         content["answer"] = _parsed_answer(source)
+    if _may_define(content, source):
+        content["functions"] = _functions(source)
+    if content["functions"]:
+        content["source"] = source
     if content["id"].startswith("check-"):
         content["output"] = _output_text(cell)
     return content
+
+
+def _may_define(content, source):
+    """Whether to look for functions: in code, and in another cell if a line of it begins like code."""
+    if content["type"] == "code":
+        return bool(content["source"])
+    return source is not None and len(source) <= MOST_CHARACTERS and bool(_CODE_BEGINS.search(source))
+
+
+def _functions(source):
+    functions = cell_syntax.function_definitions(cell_syntax.plain_python(source))
+    return {name[:_MOST_NAME]: digest for name, digest in list(functions.items())[:_MOST_FUNCTIONS]}
 
 
 def _grader_tags(cell):
@@ -140,16 +184,6 @@ def _grader_tags(cell):
     return grader_tags[:10] + [name for name in ("nbgrader", "points", "otter") if name in metadata]
 
 
-def function_names(source):
-    """The names of the functions that a source defines at its top level; empty if it does not parse."""
-    try:
-        tree = ast.parse(source)
-    except _UNPARSABLE:
-        return []
-    kinds = (ast.FunctionDef, ast.AsyncFunctionDef)
-    return [node.name[:_MOST_NAME] for node in tree.body if isinstance(node, kinds)][:_MOST_FUNCTIONS]
-
-
 def syntax_digest(source):
     """SHA-256 of a source's syntax tree: equal for sources that differ only in comments and spacing.
 
@@ -159,7 +193,7 @@ def syntax_digest(source):
     """
     try:
         return _tree_digest(ast.parse(source))
-    except _UNPARSABLE:
+    except cell_syntax.UNPARSABLE:
         return None
 
 
@@ -182,30 +216,14 @@ def _parsed_answer(source):
     names : list of str, what the source binds at its top level; None if that is unknown
     """
     try:
-        tree = ast.parse(source)
+        tree = ast.parse(cell_syntax.plain_python(source))
     except SyntaxError as error:
         text = (error.text or "").strip()[:_MOST_NAME]
         return {"error": [error.lineno or 1, text, error.msg[:_MOST_NAME]], "digest": None, "names": None}
     except (ValueError, RecursionError, MemoryError):
         return {"error": None, "digest": None, "names": None}
-    return {"error": None, "digest": _tree_digest(tree), "names": _bound_names(tree)}
-
-
-def _bound_names(tree):
-    """The names that a module binds at its top level; None if it imports `*`, which can bind any name."""
-    names, nodes = set(), list(tree.body)
-    while nodes:
-        node = nodes.pop()
-        if isinstance(node, (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)):
-            names.add(node.name)
-            continue
-        if isinstance(node, (ast.Import, ast.ImportFrom)):
-            names |= {(alias.asname or alias.name).split(".")[0] for alias in node.names}
-        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
-            names.add(node.id)
-        if not isinstance(node, ast.Lambda):
-            nodes.extend(ast.iter_child_nodes(node))
-    return None if "*" in names else sorted(names)
+    names = set().union(*map(cell_syntax.names_bound_by, tree.body))
+    return {"error": None, "digest": _tree_digest(tree), "names": None if "*" in names else sorted(names)}
 
 
 def _output_text(cell):
@@ -219,12 +237,51 @@ def _output_text(cell):
     return "\n".join(filter(None, texts))[:_MOST_OUTPUT]
 
 
+def compose_answers(cells, requests):
+    """The sources by which answers are graded; see `cell_syntax.CellDefinitions.compose`.
+
+    Parameters
+    ----------
+    cells : as `read_notebook` describes them
+    requests : list of the arguments of `compose`
+
+    Returns
+    -------
+    list of [source, [[name, kind, number of the cell], ...]]
+    """
+    definitions = cell_syntax.CellDefinitions([_source_to_search(cell) for cell in cells])
+    answers = []
+    for request in requests:
+        source, taken = definitions.compose(*request)
+        names = [[definition.name[:_MOST_NAME], definition.kind, definition.cell] for definition in taken]
+        answers.append([source, names])
+    return answers
+
+
+def _source_to_search(cell):
+    """The source of a cell in which names may be defined, None for another cell."""
+    if cell is None or not (cell["type"] == "code" or cell["functions"]):
+        return None
+    source = cell["source"] or ""
+    return cell_syntax.plain_python(source) if 0 < len(source) <= MOST_CHARACTERS else None
+
+
 def serve(requests, replies):
-    """Answer each request, `<length>\\n<bytes>`, with a line of JSON: {"notebook": } or {"reason": }."""
+    """Answer each request with a line of JSON.
+
+    `read <length>`, and the bytes of a notebook: {"notebook": } or {"reason": }
+    `compose <length>`, and the requests of `compose_answers` as JSON, about the last notebook: {"answers": }
+    """
+    notebook = None
     while header := requests.readline():
-        data = requests.read(int(header))
+        kind, length = header.split()
+        body = requests.read(int(length))
         try:
-            reply = {"notebook": read_notebook(data)}
+            if kind == b"read":
+                notebook = read_notebook(body)
+                reply = {"notebook": notebook}
+            else:
+                reply = {"answers": compose_answers(notebook["cells"], json.loads(body))}
         except UnreadableError as error:
             reply = {"reason": str(error)}
         except (MemoryError, RecursionError):

@@ -715,6 +715,7 @@ exercise(
     "arrays-two-levels",
     title="Two levels",
     function="two_levels",
+    exact_type=True,
     time_limit=5,
     hint="255 where the pixel is brighter than level, and 0 everywhere else.",
     hints=(

@@ -167,7 +167,7 @@ assert (decoded == tiny).all()
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `message`: encoding `mono8`, rows without padding | an array of shape (height, width), dtype uint8 | `decode_mono8(tiny_message)` equals `tiny` |
+# | `message`: encoding `mono8`, rows without padding | an array of shape (height, width), dtype uint8 (the type counts) | `decode_mono8(tiny_message)` equals `tiny` |
 #
 # `np` is ready to use in every exercise. The check refuses an answer that uses `cv2` or the course's converter, here and in the next exercises.
 
@@ -178,6 +178,7 @@ exercise(
     "messages-mono8",
     title="Decode a gray image",
     function="decode_mono8",
+    exact_type=True,
     practice=True,
     time_limit=5,
     hint="data holds the rows one after the other, from top to bottom. Cut it into height rows of width bytes.",
@@ -327,7 +328,7 @@ assert (bgr == frame[..., ::-1]).all()
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `message`: encoding `rgb8` or `bgr8`, rows without padding | an array of shape (height, width, 3), dtype uint8, the channels in the same order as in `data` | `decode_rgb8(message)` equals `frame` |
+# | `message`: encoding `rgb8` or `bgr8`, rows without padding | an array of shape (height, width, 3), dtype uint8 (the type counts), the channels in the same order as in `data` | `decode_rgb8(message)` equals `frame` |
 
 # %% role="exercise"
 from types import SimpleNamespace
@@ -336,6 +337,7 @@ exercise(
     "messages-rgb8",
     title="Decode a colour image",
     function="decode_rgb8",
+    exact_type=True,
     practice=True,
     time_limit=5,
     hint="The three bytes of a pixel are side by side in data. Then comes the next pixel of the same row.",
@@ -537,7 +539,7 @@ assert (sheared[1, 0] == 0).all() and (sheared[700, 700:] == frame[700, :580]).a
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `message`: encoding `rgb8`, rows with padding of any length | an array of shape (height, width, 3), dtype uint8, without the padding | for a message with height 2, width 4 and step 14, the result has shape (2, 4, 3) |
+# | `message`: encoding `rgb8`, rows with padding of any length | an array of shape (height, width, 3), dtype uint8 (the type counts), without the padding | for a message with height 2, width 4 and step 14, the result has shape (2, 4, 3) |
 
 # %% role="exercise"
 from types import SimpleNamespace
@@ -546,6 +548,7 @@ exercise(
     "messages-padding",
     title="Remove the padding",
     function="decode_padded",
+    exact_type=True,
     practice=True,
     time_limit=5,
     hint="A row has step bytes. The first width * 3 of them are pixels, the rest is padding.",
@@ -759,6 +762,7 @@ exercise(
     "messages-mono16",
     title="Decode 16 bits",
     function="decode_mono16",
+    exact_type=True,
     practice=True,
     time_limit=5,
     hint="A pixel is the more significant byte × 256 plus the other byte. is_bigendian says which of the two comes first.",
@@ -973,6 +977,7 @@ exercise(
     "messages-decode",
     title="Decode a message by hand",
     function="decode",
+    exact_type=True,
     time_limit=5,
     hint="First cut data into rows of step bytes. Then crop the padding. Then convert the remaining bytes to pixels.",
     hints=(

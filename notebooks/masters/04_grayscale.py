@@ -438,6 +438,7 @@ exercise(
     "grayscale-luma",
     title="Luma with integers",
     function="luma",
+    exact_type=True,
     time_limit=5,
     hint="Widen, compute, round, narrow, in this order.",
     hints=(

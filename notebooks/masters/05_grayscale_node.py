@@ -458,6 +458,7 @@ exercise(
     "node-process",
     title="The grayscale node's function",
     function="process",
+    exact_type=True,
     time_limit=5,
     allowed=("cv2", "imgproc_course.imaging"),
     hint="cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY) computes it; put the result into a dictionary.",

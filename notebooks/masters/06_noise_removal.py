@@ -502,7 +502,7 @@ assert psnr(portrait, cleaned_portrait) > psnr(portrait, salted_portrait) + 10
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `gray`: (height, width) uint8 | a new (height, width) uint8 array; the type counts | `cleaned = median3(tiny)` |
+# | `gray`: (height, width) uint8 | a new (height, width) uint8 array | `cleaned = median3(tiny)` |
 #
 # `np` is known in your cell. Import everything else that you use in this cell.
 

@@ -227,7 +227,7 @@ assert (np.outer([1, 2, 1], [-1, 0, 1]) == kernel).all()
 #
 # - `grad_col` uses the kernel above: right minus left. `grad_row` uses the transposed kernel: the row below minus the row above.
 # - At the border use *replicate*: repeat the outermost rows and columns, `np.pad(..., 1, mode="edge")`. Then pixel (row, col) of the image is the middle of the window `padded[row : row + 3, col : col + 3]`.
-# - The type counts: both arrays must be `int32`.
+# - Negative values must stay negative: use a signed type, such as `int32`.
 # - Use only NumPy; `np` is imported for you. Two loops over all pixels are fast enough here. Grading runs only the answer cell, so write the kernel in it, too.
 
 # %% role="exercise"
@@ -819,7 +819,7 @@ assert (wall_thinned > 0).sum(axis=1).tolist() == [1, 1, 1, 1, 1]
 # |---|---|---|
 # | `magnitude`: (height, width) int32; `sector`: (height, width) uint8, 0 to 3 | a new (height, width) int32 array: the magnitude where a pixel is kept, 0 elsewhere | `thinned = suppress(stages.magnitude, stages.direction)` |
 #
-# The type counts: the result must be `int32`. Use only NumPy; `np` is imported for you.
+# Use only NumPy; `np` is imported for you.
 
 # %% role="exercise"
 exercise(
@@ -1163,7 +1163,7 @@ assert not (weak & strong).any()  # no pixel is both
 # |---|---|---|
 # | `thinned`: (height, width) int32; `low`, `high`: two numbers, low < high | `weak, strong`, in this order: two bool arrays of the same shape | `weak, strong = double_threshold(stages.thinned, 50, 150)` |
 #
-# The type counts: both arrays must be bool. `np` is imported for you.
+# Both arrays must be bool: they select pixels, and 0 and 1 do not. `np` is imported for you.
 
 # %% role="exercise"
 exercise(
@@ -1415,7 +1415,7 @@ assert ((stages.edges == 255) == late).all()
 #
 # - 400 steps were enough for the camera frame, but another image can need more. So repeat the step until nothing changes.
 # - If you use `grow_once`, copy its definition into the answer cell: grading runs only this cell.
-# - The type counts: the result must be `uint8`. Use only NumPy; `np` is imported for you.
+# - Use only NumPy; `np` is imported for you.
 
 # %% role="exercise"
 exercise(

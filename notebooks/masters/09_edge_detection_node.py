@@ -380,7 +380,7 @@ assert near_outlines.sum(axis=1).tolist() == [3] * 5 and (small_edges & near_out
 # |---|---|---|
 # | `mask`: (height, width) bool; `tolerance`: int, 0 or more, in pixels | (height, width) bool: True at each pixel that has a True pixel at most `tolerance` rows *and* at most `tolerance` columns away | `near(small_outlines, 1)` |
 #
-# The type counts: the result must be bool. Use only NumPy; `np` is imported for you.
+# The result must be bool: it selects pixels, and 0 and 1 do not. Use only NumPy; `np` is imported for you.
 
 # %% role="exercise"
 exercise(

@@ -585,7 +585,7 @@ attack(
     "output",
     wrong=False,
 )
-attack(37, "a flood in the cell", "print('x' * 50_000_000)\n", "output")
+attack(37, "a flood in the cell", "print('x' * 50_000_000)\n")
 attack(
     38,
     "filling the disk",

@@ -159,7 +159,7 @@ def test_known_mistakes_are_named(results):
 
 def test_an_error_after_the_function_is_reported_and_costs_nothing(results):
     assert doubles(results["right, and shows it"]).message.startswith(
-        "its cell ended with NameError: name 'frame'"
+        "a statement in its cell fails: NameError: name 'frame'"
     )
 
 

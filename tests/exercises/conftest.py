@@ -11,7 +11,7 @@ def write_master(tmp_path):
         "given": '# %% role="given" exercise="test-double"\nLIMIT = 255',
         "exercise": (
             '# %% role="exercise"\n'
-            'exercise("test-double", function="double", time_limit=0.5, hint="Widen.")\n'
+            'exercise("test-double", function="double", time_limit=0.5, hint="Widen.", exact_type=True)\n'
             "SIDE = 3"
         ),
         "answer": '# %% role="answer"\ndef double(pixels):\n    raise NotImplementedError("your turn")',

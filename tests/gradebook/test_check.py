@@ -77,13 +77,15 @@ def duplicate(cells):
 
 
 def move(cells):
-    cells["mine"] = dict(cells[ANSWER], id="mine")
+    cells["mine"] = dict(cells[ANSWER], id="mine", metadata={})
     cells[ANSWER] = None
 
 
 def assign(cells):
     """A variable or an import in another cell is not a misplaced definition."""
-    cells["mine"] = dict(cells[ANSWER], id="mine", source="double = 3\nfrom math import floor as double")
+    cells["mine"] = dict(
+        cells[ANSWER], id="mine", metadata={}, source="double = 3\nfrom math import floor as double"
+    )
     cells[ANSWER] = None
 
 
@@ -93,7 +95,7 @@ def define_in_the_check(cells):
 
 
 def split(cells):
-    cells["mine"] = dict(cells[ANSWER], id="mine")
+    cells["mine"] = dict(cells[ANSWER], id="mine", metadata={})
     cells[ANSWER]["source"] = "helper = 3"
 
 
@@ -104,33 +106,43 @@ MISSING = "its answer cell (answer-template-double) is missing"
     ("change", "state", "text"),
     [
         (remove(ANSWER), "missing", f"{MISSING} Open the lesson afresh"),
-        (move, "missing", f"{MISSING}; double() is defined in another cell (mine), which is not graded"),
         (assign, "missing", f"{MISSING} Open the lesson afresh"),
-        (
-            define_in_the_check,
-            "missing",
-            "double() is defined in another cell (check-template-double-1), which is not graded",
-        ),
-        (duplicate, "broken", "occurs 2 times; the first code cell of them is graded"),
         (edit(ANSWER, source=""), "broken", "its answer cell is empty"),
         (edit(ANSWER, source="# later"), "broken", "its answer cell is empty"),
         (edit(ANSWER, source="#" * 200_100), "broken", "its answer is longer than 200000 characters"),
         (edit(ANSWER, source=7), "broken", "the source of its answer cell is not text"),
-        (edit(ANSWER, cell_type="markdown"), "broken", "is a markdown cell; make it a code cell"),
-        (edit(ANSWER, cell_type="raw"), "broken", "is a raw cell; make it a code cell"),
+        (edit(ANSWER, cell_type="markdown", source="?"), "broken", "is a markdown cell; make it a code cell"),
+        (edit(ANSWER, cell_type="raw", source="?"), "broken", "is a raw cell; make it a code cell"),
         (
             edit(ANSWER, source=["def double(pixels)\n", "    return 3"]),
             "broken",
             "line 1 of its answer cell is not Python: def double(pixels) (expected ':')",
         ),
         (edit(ANSWER, source="def dubble(pixels): return 3"), "broken", "does not define double()"),
-        (split, "broken", "does not define double(); cell mine defines double(), which is not graded"),
     ],
 )
 def test_an_answer_that_would_get_no_points_is_reported(lesson, change, state, text):
     lesson_check, found, notes = inspect(lesson(change))
     assert found == state and not lesson_check.ready
     assert text in notes
+
+
+@pytest.mark.parametrize(
+    ("change", "text"),
+    [
+        (move, "graded from another cell (mine), which defines double(): its answer cell"),
+        (define_in_the_check, "graded from another cell (check-template-double-1), which defines double()"),
+        (duplicate, f"2 cells define double(): {ANSWER} is graded, and not {ANSWER}"),
+        (edit(ANSWER, cell_type="markdown"), "is a markdown cell; its text is graded (key Y makes it code"),
+        (split, "graded from another cell (mine), which defines double(): its answer cell does not define"),
+    ],
+)
+def test_an_answer_that_grading_finds_is_ready_and_its_place_is_reported(lesson, change, text):
+    lesson_check, found, notes = inspect(lesson(change))
+    assert found == "answered" and lesson_check.ready
+    assert text in notes
+    run_answers(lesson_check)
+    assert lesson_check.exercises[0].result.passed
 
 
 def test_the_lessons_own_function_of_that_name_is_not_a_misplaced_answer(lesson, write_master):
@@ -297,8 +309,12 @@ def test_an_answer_that_still_raises_the_stubs_error_is_not_attempted(lesson):
 
 def test_an_answer_that_needs_another_cell_is_reported(lesson):
     lesson_check = run(lesson(edit(ANSWER, source="x = y + 1\ndef double(pixels): return x")))
+    cell_note, check_note = lesson_check.exercises[0].notes
+    assert cell_note == "a statement in its cell fails: NameError: name 'y' is not defined"
+    assert "double() raised NameError: name 'x' is not defined" in check_note
+    lesson_check = run(lesson(edit(ANSWER, source="def double(pixels=y): return 3")))
     (note,) = lesson_check.exercises[0].notes
-    assert "its cell does not run by itself: NameError: name 'y' is not defined" in note
+    assert note == "its cell does not run by itself: NameError: name 'y' is not defined"
     assert not lesson_check.ready
 
 

@@ -64,6 +64,8 @@ CODE = [
     'def double(pixels):\n    raise NotImplementedError("your turn")  # hm',
     "# NBVAL_SKIP\ndef double(p): ...",
     "%matplotlib inline\ndef double(p): ...",
+    "LIMIT, wide = 3, halves\ndef halves(p):\n    return double(p), LIMIT",
+    "def double(p):\n    return wide(halves(p))",
     "double = lambda p: p",
     "from numpy import *",
     "x = '\ud800'",
@@ -92,6 +94,7 @@ damages = st.one_of(
     st.tuples(st.just("split"), positions),
     st.tuples(st.just("id"), positions, st.sampled_from(IDS)),
     st.tuples(st.just("source"), positions, sources),
+    st.tuples(st.just("exercise"), positions, st.sampled_from(["light-double", "light-halves", 3])),
     st.tuples(st.just("tags"), positions, st.sampled_from([["nbval-skip"], ["mine"], 3])),
     st.tuples(st.just("insert"), positions, st.sampled_from([None, 3, "cell", {}, {"cell_type": "code"}])),
     st.tuples(st.just("reverse")),
@@ -151,6 +154,8 @@ def damage_cells(cells, kind, values):
         cell["id"] = values[1]
     elif kind == "source":
         cell["source"] = values[1]
+    elif kind == "exercise":
+        cell["metadata"] = {"imgproc_course": {"exercise": values[1]}}
     elif kind == "tags":
         cell["metadata"] = {"tags": values[1]}
 
@@ -204,9 +209,8 @@ def no_metadata(made):
     made["metadata"] = {}
 
 
-def markdown_before(made):
-    markdown = dict(cell_of(made, "answer-light-double"), cell_type="markdown", source="My answer:")
-    made["cells"].insert(0, markdown)
+def two_answers(made):
+    made["cells"].insert(0, dict(cell_of(made, "answer-light-double"), cell_type="markdown"))
 
 
 @pytest.mark.parametrize(
@@ -215,7 +219,7 @@ def markdown_before(made):
         (too_long, "broken", "its answer is longer than 200000 characters, the most that are graded"),
         (format_3, None, "it has notebook format 3"),
         (no_metadata, "answered", "it was made from an unknown version of the lesson"),
-        (markdown_before, "answered", "its answer cell (answer-light-double) occurs 2 times"),
+        (two_answers, "answered", "2 cells define double(): answer-light-double is graded, and not "),
     ],
 )
 def test_notebooks_about_which_check_and_grade_once_disagreed(

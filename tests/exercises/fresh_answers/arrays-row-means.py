@@ -19,10 +19,3 @@ def row_means(gray):
     for col in range(1, width):
         total = total + gray[:, col]
     return total / width
-
-# %% name="list of means" origin="fresh" sentence="You return a list; the result must be an array: np.array(means), or gray.mean(axis=1)." must_say=["list|array"] kind="type"
-def row_means(gray):
-    means = []
-    for row in gray:
-        means.append(row.mean())
-    return means

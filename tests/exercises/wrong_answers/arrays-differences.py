@@ -49,16 +49,6 @@ def differences(gray):
             result[row, column] = gray[row, column + 1] - gray[row, column]
     return result
 
-# %% name="int64 result" origin="new" sentence="The values are right; only the dtype is not: end with .astype(np.int16)." must_say=["dtype|type", "int16"] kind="dtype"
-def differences(gray):
-    wide = gray.astype(np.int64)
-    return wide[:, 1:] - wide[:, :-1]
-
-# %% name="float result" origin="new" sentence="The values are right; only the dtype is not: end with .astype(np.int16)." must_say=["dtype|type", "int16"] kind="dtype"
-def differences(gray):
-    wide = gray.astype(float)
-    return wide[:, 1:] - wide[:, :-1]
-
 # %% name="two columns apart" origin="new" sentence="You subtract pixels that are two columns apart: the direct neighbour is one column away, 1: and :-1." must_say=["two|2|apart|direct|one column|next", "neighbour|column|1:|shape|slice"] kind="shape"
 def differences(gray):
     wide = gray.astype(np.int16)

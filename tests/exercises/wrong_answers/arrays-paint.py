@@ -50,10 +50,6 @@ def paint_white(gray, mask):
 def paint_white(gray, mask):
     return mask
 
-# %% name="int64 from where" origin="new" sentence="The values are right; only the dtype is not: end with .astype(np.uint8)." must_say=["dtype|type", "uint8"] kind="dtype"
-def paint_white(gray, mask):
-    return np.where(mask, 255, gray.astype(int))
-
 # %% name="mask added in uint8" origin="new" sentence="gray + 255 overflows in uint8, so the painted pixels became one darker: set them, result[mask] = 255." must_say=["overflow|wrap|255|one (gray level )?(darker|less)|256", "set|=|uint8|assign|white"] kind="value"
 def paint_white(gray, mask):
     return gray + mask.astype(np.uint8) * np.uint8(255)

@@ -33,10 +33,6 @@ def red_channel(bgr):
 def red_channel(bgr):
     return bgr.red
 
-# %% name="converted to float" origin="new" sentence="The values are right, but the dtype is float64: leave astype out; the channel stays uint8." must_say=["dtype|type|float|uint8"] kind="dtype"
-def red_channel(bgr):
-    return bgr[..., 2].astype(float)
-
 # %% name="mask of the red channel" origin="new" sentence="bgr[..., 2] > 0 is a mask, True or False for each pixel: return the numbers themselves." must_say=["mask|bool|True|compar|> ?0", "number|value|uint8|dtype|bool"] kind="dtype"
 def red_channel(bgr):
     return bgr[..., 2] > 0

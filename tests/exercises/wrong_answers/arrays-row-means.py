@@ -10,10 +10,6 @@ def row_means(gray):
 def row_means(gray):
     return gray.sum(axis=1).astype(float)
 
-# %% name="list of means" origin="new" sentence="You return a list: an array was expected; gray.mean(axis=1) makes one." must_say=["list", "array"] kind="type"
-def row_means(gray):
-    return [row.mean() for row in gray]
-
 # %% name="rounded to integers" origin="new" sentence="The means lost their decimals: return them as float, without astype or rounding." must_say=["decimal|round|fraction|whole|float|dtype|trunc|cut"] kind="dtype"
 def row_means(gray):
     return gray.mean(axis=1).astype(np.uint8)

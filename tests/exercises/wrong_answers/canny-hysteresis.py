@@ -53,19 +53,6 @@ def grow(weak, strong):
         edges = new
     return edges.astype(np.uint8)
 
-# %% name="int64 from np.where" origin="new" sentence="The values are right, but np.where(edges, 255, 0) makes int64: add .astype(np.uint8)." must_say=["int64", "uint8"] must_not_say=["repeat", "corner"] kind="dtype"
-def grow(weak, strong):
-    edges = strong.copy()
-    h, w = edges.shape
-    for _ in range(h * w):
-        p = np.pad(edges, 1)
-        near = np.any([p[y : y + h, x : x + w] for y in range(3) for x in range(3)], axis=0)
-        new = edges | (weak & near)
-        if (new == edges).all():
-            break
-        edges = new
-    return np.where(edges, 255, 0)
-
 # %% name="weak pixels all kept" origin="new" sentence="You keep every weak pixel; a weak pixel is an edge only if a chain leads from it to a strong one." must_say=["every weak|all (the )?weak|weak", "chain|connect|touch|leads", "only if|unless|every|all|not"] must_not_say=["corner"] kind="value"
 def grow(weak, strong):
     return np.where(weak | strong, 255, 0).astype(np.uint8)

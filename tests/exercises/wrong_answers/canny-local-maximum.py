@@ -85,29 +85,11 @@ def keep_peaks(magnitude):
 def keep_peaks(magnitude):
     return np.where(magnitude == magnitude.max(), magnitude, 0)
 
-# %% name="a list" origin="new" sentence="You return a list: make an array of it with np.array(result, dtype=np.int32)." must_say=["\\blist\\b", "np\\.array|array"] kind="type"
-def keep_peaks(magnitude):
-    p = np.pad(magnitude, 1)
-    result = []
-    for col in range(magnitude.size):
-        value = int(magnitude[col])
-        result.append(value if value > p[col] and value >= p[col + 2] else 0)
-    return result
-
 # %% name="input changed" origin="new" sentence="You write the zeros into magnitude itself, so the input is changed: write into a new array." must_say=["input|magnitude|in place", "new array|copy"] kind="input-changed"
 def keep_peaks(magnitude):
     p = np.pad(magnitude, 1)
     magnitude[(magnitude <= p[:-2]) | (magnitude < p[2:])] = 0
     return magnitude
-
-# %% name="float result" origin="new" sentence="The values are right, but np.zeros without a dtype makes float64: use np.zeros_like(magnitude)." must_say=["float", "int32|dtype"] kind="dtype"
-def keep_peaks(magnitude):
-    p = np.pad(magnitude, 1)
-    out = np.zeros(magnitude.size)
-    for col in range(magnitude.size):
-        if magnitude[col] > p[col] and magnitude[col] >= p[col + 2]:
-            out[col] = magnitude[col]
-    return out
 
 # %% name="return forgotten" origin="new" sentence="The function has no return: add return out at the end." must_say=["return"] kind="no-return"
 def keep_peaks(magnitude):

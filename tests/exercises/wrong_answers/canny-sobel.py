@@ -1,10 +1,3 @@
-# %% name="int64 with the right values" origin="walk" sentence="The values are right, but the dtype is int64: end with .astype(np.int32)." must_say=["int64|values are right", "int32"] must_not_say=["along a row", "order", "swap"] kind="dtype"
-def my_sobel(gray):
-    p = np.pad(gray.astype(int), 1, mode="edge")
-    col = (p[:-2, 2:] + 2 * p[1:-1, 2:] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[1:-1, :-2] + p[2:, :-2])
-    row = (p[2:, :-2] + 2 * p[2:, 1:-1] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[:-2, 1:-1] + p[:-2, 2:])
-    return row, col
-
 # %% name="interior only" origin="walk" sentence="The border stays 0, because your loop visits the inner pixels only: repeat the outermost rows and columns with np.pad(..., mode=\"edge\") and visit all." must_say=["border|outermost", "stays? 0|left (at )?0|are 0|inner|interior|left out|visit|never computed|not computed", "pad|repeat|replicat"] must_not_say=["swap", "along a row"] kind="value"
 def my_sobel(gray):
     g = gray.astype(np.int32)
@@ -182,19 +175,6 @@ def my_sobel(gray):
     col = (p[:-2, 2:] + 2 * p[1:-1, 2:] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[1:-1, :-2] + p[2:, :-2])
     row = (p[2:, :-2] + 2 * p[2:, 1:-1] + p[2:, 2:]) - (p[:-2, :-2] + 2 * p[:-2, 1:-1] + p[:-2, 2:])
     return np.stack([row, col])
-
-# %% name="results of a loop as float" origin="new" sentence="np.zeros makes float64 arrays unless you say the dtype: np.zeros(gray.shape, dtype=np.int32)." must_say=["float", "int32"] kind="dtype"
-def my_sobel(gray):
-    p = np.pad(gray.astype(int), 1, mode="edge")
-    grad_row = np.zeros(gray.shape)
-    grad_col = np.zeros(gray.shape)
-    kernel = np.array([[-1, 0, 1], [-2, 0, 2], [-1, 0, 1]])
-    for y in range(gray.shape[0]):
-        for x in range(gray.shape[1]):
-            window = p[y : y + 3, x : x + 3]
-            grad_col[y, x] = (window * kernel).sum()
-            grad_row[y, x] = (window * kernel.T).sum()
-    return grad_row, grad_col
 
 # %% name="return forgotten" origin="new" sentence="The two arrays are computed, but the function has no return: add return grad_row, grad_col." must_say=["return|give .* back", "never|forg|nothing|None|no return|without (a )?return|missing|add (a )?return|end with|end the function|lost"] kind="no-return"
 def my_sobel(gray):

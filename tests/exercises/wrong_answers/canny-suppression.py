@@ -224,20 +224,6 @@ def suppress(magnitude, sector):
                 out[y, x] = min(int(m), 255)
     return out
 
-# %% name="float result" origin="new" sentence="np.zeros without a dtype makes float64; write np.zeros(magnitude.shape, dtype=np.int32)." must_say=["float", "int32"] kind="dtype"
-def suppress(magnitude, sector):
-    p = np.pad(magnitude, 1)
-    out = np.zeros(magnitude.shape)
-    offsets = {0: (0, 1), 1: (1, 1), 2: (1, 0), 3: (1, -1)}
-    for y in range(magnitude.shape[0]):
-        for x in range(magnitude.shape[1]):
-            s = int(sector[y, x])
-            dy, dx = offsets[s]
-            m, first, second = magnitude[y, x], p[y + 1 - dy, x + 1 - dx], p[y + 1 + dy, x + 1 + dx]
-            if m > first and (m > second or (s in (0, 2) and m == second)):
-                out[y, x] = m
-    return out
-
 # %% name="offset of the padding forgotten" origin="new" sentence="The padded array is shifted by one row and one column: pixel (y, x) stands at p[y + 1, x + 1] there." must_say=["pad", "shift|y ?\\+ ?1|one (row|pixel|column)|offset|moved"] kind="value"
 def suppress(magnitude, sector):
     p = np.pad(magnitude, 1)

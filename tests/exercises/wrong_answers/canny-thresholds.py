@@ -59,11 +59,6 @@ def double_threshold(thinned, low, high):
     weak = np.where((thinned > low) & (thinned <= high), thinned, 0)
     return weak, strong
 
-# %% name="list of both" origin="new" sentence="You return a list with two arrays in it; return them with a comma, without square brackets (a tuple)." must_say=["\\blist\\b", "tuple|comma"] kind="type"
-def double_threshold(thinned, low, high):
-    strong = thinned > high
-    return [(thinned > low) & ~strong, strong]
-
 # %% name="one image with three levels" origin="new" sentence="You return one array with the levels 0, 1 and 2; the task asks for two bool arrays, weak and strong." must_say=["one (array|image)|levels|0, 1", "two|both|pair"] kind="type"
 def double_threshold(thinned, low, high):
     result = np.zeros(thinned.shape, np.uint8)

@@ -53,12 +53,6 @@ def median3(gray):
             padded[y, x] = np.median(padded[y - 1 : y + 2, x - 1 : x + 2])
     return padded[1:-1, 1:-1].copy()
 
-# %% name="float from np.median" origin="walk" sentence="The values are right, but np.median gives float64: end with .astype(np.uint8)." must_say=["float", "astype|uint8"] must_not_say=["border", "wrong pixel"] kind="dtype"
-def median3(gray):
-    padded = np.pad(gray, 1, mode="edge")
-    h, w = gray.shape
-    return np.median([padded[y : y + h, x : x + w] for y in range(3) for x in range(3)], axis=0)
-
 # %% name="zero padding" origin="new" sentence="np.pad without a mode puts zeros around the image, and the border gets dark: repeat the outermost rows and columns with mode=\"edge\"." must_say=["zeros|without a mode|constant|padd?(ed|ing)? with 0|zero padding", "mode|edge|repeat|replicat"] kind="value"
 def median3(gray):
     padded = np.pad(gray, 1)
@@ -157,17 +151,6 @@ def median3(gray):
     h, w = gray.shape
     stack = np.array([padded[y : y + h, x : x + w] for y in range(3) for x in range(3)])
     return np.median(stack, axis=1).astype(np.uint8)
-
-# %% name="list of lists" origin="new" sentence="You return a list of lists; make it an array with np.array(rows, dtype=np.uint8)." must_say=["\\blists?\\b", "array"] kind="type"
-def median3(gray):
-    padded = np.pad(gray, 1, mode="edge")
-    rows = []
-    for y in range(gray.shape[0]):
-        row = []
-        for x in range(gray.shape[1]):
-            row.append(sorted(padded[y : y + 3, x : x + 3].ravel().tolist())[4])
-        rows.append(row)
-    return rows
 
 # %% name="input overwritten" origin="new" sentence="You write the medians into gray, so the input is changed and later pixels see changed neighbours: write into a new array." must_say=["input|\\bgray\\b|caller", "chang|overwrit|in place|write", "input .*chang|into gray|the input|caller"] kind="input-changed"
 def median3(gray):

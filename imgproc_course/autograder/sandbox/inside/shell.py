@@ -21,6 +21,11 @@ from IPython.core.interactiveshell import InteractiveShell
 from traitlets import Instance, Type
 
 _BUFFER_SIZE = 8_192  # characters of a stream that are collected before they are sent
+_MOST_OUTPUT = 1_000_000  # bytes of what a cell prints and draws; nobody reads more, and more costs nothing
+
+
+_OUTPUTS = ("stream", "display_data", "update_display_data", "execute_result")
+_ANSWER = "application/vnd.imgproc-course.answer+json"  # check_cell.MIME
 
 
 class MessageWriter:
@@ -29,11 +34,16 @@ class MessageWriter:
     def __init__(self):
         self.descriptor = -1
         self.cell = 0
+        self.output_left = 0
         self._lock = threading.RLock()
 
     def send(self, kind, **content):
         text = json.dumps({"n": self.cell, "type": kind, "content": content}, default=str) + "\n"
         data = memoryview(text.encode("ascii"))
+        if kind in _OUTPUTS and _ANSWER not in content.get("data", ()):
+            self.output_left -= len(data)
+            if self.output_left < 0:
+                return
         with self._lock:
             while data:
                 data = data[os.write(self.descriptor, data) :]
@@ -198,7 +208,7 @@ def serve(shell, descriptor, deliver):
     sys.stdout, sys.stderr = OutputStream("stdout"), OutputStream("stderr")
     runner = _CellRunner(shell)
     for request in _requests(descriptor):
-        WRITER.cell = request["n"]
+        WRITER.cell, WRITER.output_left = request["n"], _MOST_OUTPUT
         if "case" in request:
             deliver(request["case"])
         if not request.get("code"):  # a delivery, or a question whether the kernel is alive

@@ -1,0 +1,410 @@
+"""What the sources of a notebook's cells say by their syntax: what they define, and what an answer needs.
+
+Nothing is run. Only the standard library is imported, no other module of ours: the process that reads
+notebooks loads this file alone (see `gradebook.submission_reader`).
+"""
+
+import ast
+import builtins
+import hashlib
+import re
+import symtable
+from dataclasses import dataclass
+
+UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
+ANSWER_MARK = "# The answer cell:"  # the line between what is taken along and the answer
+_TAKEN_MARK = "# From other cells of the notebook, because the answer reads it:"
+_FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
+_DEFINITIONS = (*_FUNCTIONS, ast.ClassDef)
+_MAGIC = re.compile(
+    r"^(?P<indent>[ \t]*)(?![ \t])"
+    r"(?:%time[ \t]+(?=[A-Za-z_(])|(?P<target>[\w, \t]+=)[ \t]*[%!].*|[%!?].*|[\w.]+\?\??$)",
+    re.M,
+)
+_CELL_MAGIC = re.compile(r"\s*%%(\w+).*\n?")
+_PYTHON_MAGICS = ("time", "timeit", "capture", "prun")
+
+
+def plain_python(source):
+    """The source without IPython's magics and shell commands, with the same lines; as it is if it parses.
+
+    What a magic computes is lost: `files = !ls` gives None. The Python in `%time` and `%%time` stays.
+    """
+    try:
+        ast.parse(source)
+    except UNPARSABLE:
+        cell_magic = _CELL_MAGIC.match(source)
+        if cell_magic and cell_magic[1] not in _PYTHON_MAGICS:
+            return "#" + "\n#".join(source.splitlines())  # another language
+        if cell_magic:
+            source = "#" * (cell_magic[0].count("\n") > 0) + "\n" + source[cell_magic.end() :]
+        return _MAGIC.sub(_without_magic, source)
+    return source
+
+
+def _without_magic(match):
+    if match[0].lstrip().startswith("%time "):
+        return match["indent"]
+    return f"{match['indent']}{match['target']} None" if match["target"] else f"{match['indent']}pass"
+
+
+def bound_names(source):
+    """The names that a source binds at its top level, `*` for an import of everything.
+
+    Returns
+    -------
+    set of str; empty for a source that does not parse
+    """
+    try:
+        statements = ast.parse(source).body
+    except UNPARSABLE:
+        return set()
+    return {name for statement in statements for name in names_bound_by(statement)}
+
+
+def names_bound_by(statement):
+    """The names that a statement binds where it stands, not inside its functions and classes; a set."""
+    names, nodes = set(), [statement]
+    while nodes:
+        node = nodes.pop()
+        if isinstance(node, _DEFINITIONS):
+            names.add(node.name)
+            continue
+        if isinstance(node, (ast.Import, ast.ImportFrom)):
+            names |= {_name_of(alias) for alias in node.names}
+        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+            names.add(node.id)
+        if not isinstance(node, ast.Lambda):
+            nodes.extend(ast.iter_child_nodes(node))
+    return names
+
+
+def _name_of(alias):
+    return (alias.asname or alias.name).split(".")[0]
+
+
+def function_definitions(source):
+    """What a source defines at its top level that can be called: functions, classes, `name = lambda ...`.
+
+    Parameters
+    ----------
+    source : str
+
+    Returns
+    -------
+    {name: BLANK for a stub, else a digest of its body without docstring, or "" if it is long}; of two of one
+    name the last that is no stub. Empty for a source that does not parse
+    """
+    try:
+        statements = ast.parse(source).body
+    except UNPARSABLE:
+        return {}
+    definitions = {}
+    for statement in statements:
+        name, digest = _callable_name(statement), _body_digest(statement)
+        if name and (name not in definitions or digest != BLANK):
+            definitions[name] = digest
+    return definitions
+
+
+def _callable_name(statement):
+    """The name under which a statement defines something to call, or ""."""
+    if isinstance(statement, _DEFINITIONS):
+        return statement.name
+    if isinstance(statement, ast.Assign) and isinstance(
+        statement.value, (ast.Lambda, ast.Name, ast.Attribute, ast.Call)
+    ):
+        target = statement.targets[-1]
+        return target.id if isinstance(target, ast.Name) else ""
+    return ""
+
+
+_LONGEST_STUB = 6  # statements
+BLANK = "blank"
+
+
+def _body_digest(statement):
+    """BLANK for a stub (`...`, `pass`, NotImplementedError first), a digest of another short body, or ""."""
+    if not isinstance(statement, _FUNCTIONS):
+        return ""
+    body = statement.body
+    if isinstance(body[0], ast.Expr) and isinstance(body[0].value, ast.Constant):
+        body = body[1:]  # a docstring, or ...
+    if not body or [*map(type, body)] == [ast.Pass] or _is_not_implemented(body[0]):
+        return BLANK
+    try:
+        text = ast.dump(ast.Module(body[:_LONGEST_STUB], []))
+    except (RecursionError, MemoryError):
+        return ""
+    return "" if len(body) > _LONGEST_STUB else hashlib.sha256(text.encode("utf-8", "replace")).hexdigest()
+
+
+def _is_not_implemented(statement):
+    error = statement.exc if isinstance(statement, ast.Raise) else None
+    error = error.func if isinstance(error, ast.Call) else error
+    return isinstance(error, ast.Name) and error.id == "NotImplementedError"
+
+
+# ---------------------------------------------------------------- running
+
+
+def parts_of(source):
+    """The parts in which an answer is run, one after another: an error in one must not cost the others.
+
+    Parameters
+    ----------
+    source : str, an answer, perhaps with what `compose` took along
+
+    Returns
+    -------
+    list of str, one for each statement; the lines of the answer keep their numbers. The whole source if it
+    does not parse, or says how the rest is to be read (`from __future__ import ...`)
+    """
+    taken, mark, answer = source.partition(f"{ANSWER_MARK}\n")
+    if not mark:
+        taken, answer = "", source
+    parts = [part for part in (taken, answer) if part]
+    return [piece for part in parts for piece in _statements_as_text(part)]
+
+
+def _statements_as_text(source):
+    try:
+        statements = ast.parse(source).body
+    except UNPARSABLE:
+        return [source]
+    starts = [_first_line(statement) for statement in statements]
+    ends = [statement.end_lineno for statement in statements]
+    share_lines = any(start <= end for start, end in zip(starts[1:], ends, strict=False))
+    lines = source.split("\n")
+    if share_lines or len(starts) < 2 or _from_future(statements) or ends[-1] > len(lines):
+        return [source]
+    return [
+        "#\n" * (start - 1) + "\n".join(lines[start - 1 : end])
+        for start, end in zip(starts, ends, strict=True)
+    ]
+
+
+def _first_line(statement):
+    decorators = getattr(statement, "decorator_list", ())
+    return min([statement.lineno, *(decorator.lineno for decorator in decorators)])
+
+
+def _from_future(statements):
+    return any(isinstance(node, ast.ImportFrom) and node.module == "__future__" for node in statements)
+
+
+# ---------------------------------------------------------------- what an answer reads from other cells
+
+
+@dataclass(frozen=True)
+class Statement:
+    """A statement at the top level of a cell.
+
+    kind    "function", "class", "import", "value" (an assignment to plain names) or "other"
+    binds   frozenset of the names that it binds
+    reads   frozenset of the names that it reads from outside
+    source  its source
+    """
+
+    kind: str
+    binds: frozenset
+    reads: frozenset
+    source: str
+    is_stub: bool
+
+    @property
+    def is_value(self):
+        return self.kind in ("value", "other")
+
+
+def statements_of(source):
+    """The top-level statements of a source as a tuple of Statement; an import of two names gives two."""
+    try:
+        nodes = ast.parse(source).body
+        return tuple(_statement(node) for whole in nodes for node in _imports_apart(whole))
+    except UNPARSABLE:
+        return ()
+
+
+def _imports_apart(node):
+    if isinstance(node, ast.Import):
+        return [ast.Import([alias]) for alias in node.names]
+    if isinstance(node, ast.ImportFrom):
+        return [ast.ImportFrom(node.module, [alias], node.level) for alias in node.names]
+    return [node]
+
+
+def _statement(node):
+    source, binds = ast.unparse(node), frozenset(names_bound_by(node))
+    reads = frozenset(_names_read(source))
+    return Statement(_kind_of(node), binds, reads, source, _body_digest(node) == BLANK)
+
+
+def _kind_of(node):
+    if isinstance(node, _FUNCTIONS):
+        return "function"
+    if isinstance(node, ast.ClassDef):
+        return "class"
+    if isinstance(node, (ast.Import, ast.ImportFrom)):
+        is_plain = node.names[0].name != "*" and getattr(node, "module", "") != "__future__"
+        return "import" if is_plain else "other"
+    targets = node.targets if isinstance(node, ast.Assign) else []
+    if isinstance(node, ast.AnnAssign) and node.value is not None:
+        targets = [node.target]
+    names = [name for target in targets for name in getattr(target, "elts", [target])]
+    return "value" if names and all(isinstance(name, ast.Name) for name in names) else "other"
+
+
+def _names_read(source):
+    try:
+        tables = [symtable.symtable(source, "cell", "exec")]
+    except UNPARSABLE:
+        return set()
+    names = set()
+    while tables:
+        table = tables.pop()
+        outermost = table.get_type() == "module"
+        names |= {
+            symbol.get_name()
+            for symbol in table.get_symbols()
+            if symbol.is_referenced() and (outermost or symbol.is_global())
+        }
+        tables += table.get_children()
+    return names
+
+
+def names_needed(statements, function):
+    """The names that a function reads from outside its own cell, helper functions of the cell included.
+
+    Parameters
+    ----------
+    statements : sequence of Statement, of the cell
+    function : str
+
+    Returns
+    -------
+    set of str
+    """
+    names, relevant, size = {function}, set(), -1
+    while len(relevant) > size:
+        size = len(relevant)
+        values = set().union(
+            *(statements[number].binds for number in relevant if statements[number].is_value)
+        )
+        for number, statement in enumerate(statements):
+            fills = statement.kind == "other" and statement.reads & values  # a loop that fills a table
+            if statement.binds & names or fills:
+                relevant.add(number)
+                names |= statement.reads
+    return names.difference({function}, *(statement.binds for statement in statements))
+
+
+@dataclass(frozen=True)
+class Taken:
+    """A definition that is taken along: its name, its kind (see `Statement`) and the number of its cell."""
+
+    name: str
+    kind: str
+    cell: int
+
+
+class CellDefinitions:
+    """What the cells of a notebook define.
+
+    Parameters
+    ----------
+    cells : list of str, the sources of the code cells, None for another cell
+    """
+
+    def __init__(self, cells):
+        self._cells = cells
+        text = "\n".join(source for source in cells if source)
+        self._words = set(re.findall(r"\w+", text))
+        lines = re.findall(r"^(?:(?:async[ \t]+)?(?:def|class)[ \t]+\w+|(?:import|from)[ \t].*)", text, re.M)
+        self._defined_words = {word for line in lines for word in re.findall(r"\w+", line)}
+        self._index = None
+
+    def compose(self, position, function, given=(), preferred=None):
+        """The source by which an answer is graded: what it reads from other cells, then its own cell.
+
+        Of several definitions of a name the last one above the answer counts, as after Run All; if there is
+        none, the first one below. What the answer's cell defines and what is given is never bound again, and
+        a built-in name only by a function, a class or an import above.
+
+        Parameters
+        ----------
+        position : int, of the answer's cell
+        function : str, the name of the answer's function
+        given : iterable of str, names that the answer has already
+        preferred : {name: position of the cell that defines it}, for other answers
+
+        Returns
+        -------
+        (source, tuple of Taken)
+        """
+        answer = _without_stub(self._cells[position], function)
+        statements = statements_of(answer)
+        bound = {*given, *(name for statement in statements for name in statement.binds)}
+        needed = names_needed(statements, function) - bound
+        places = self._needed_places(position, needed, bound, preferred or {})
+        if not places:
+            return answer, ()
+        text = "\n\n".join(statement.source for _, _, statement in places.values())
+        taken = tuple(Taken(name, statement.kind, cell) for name, (cell, _, statement) in places.items())
+        return f"{_TAKEN_MARK}\n{text}\n\n{ANSWER_MARK}\n{answer}", taken
+
+    def _needed_places(self, position, needed, bound, preferred):
+        """{name: place} of the definitions that are needed, transitively, in the notebook's order."""
+        names, seen, places = set(needed), set(needed) | bound, {}
+        while names:
+            name = names.pop()
+            place = self._place(name, position, bound, preferred.get(name))
+            if place is not None and place not in places.values():
+                places[name] = place
+                names |= place[2].reads - seen
+                seen |= place[2].reads
+        return dict(sorted(places.items(), key=lambda item: item[1][:2]))
+
+    def _place(self, name, position, bound, preferred):
+        """(cell, number of the statement, Statement) of the definition of a name that counts, or None."""
+        is_builtin = hasattr(builtins, name)
+        if name not in (self._defined_words if is_builtin else self._words):
+            return None
+        places = [
+            place
+            for place in self._places_by_name().get(name, ())
+            if place[0] != position
+            and not place[2].binds & bound
+            and not (is_builtin and (place[2].is_value or place[0] > position))
+        ]
+        full = [place for place in places if not place[2].is_stub]
+        above = [place for place in full if place[0] < position]
+        below = full[len(above) :]
+        chosen = [place for place in places if place[0] == preferred] or above or below[:1] or places
+        return chosen[-1] if chosen else None
+
+    def _places_by_name(self):
+        if self._index is None:
+            self._index = {}
+            for cell, source in enumerate(self._cells):
+                for number, statement in enumerate(statements_of(source or "")):
+                    for name in statement.binds if statement.kind != "other" else ():
+                        self._index.setdefault(name, []).append((cell, number, statement))
+        return self._index
+
+
+def _without_stub(source, function):
+    """The source without a stub of the function, if it also defines the function itself."""
+    try:
+        statements = ast.parse(source).body
+    except UNPARSABLE:
+        return source
+    own = [statement for statement in statements if _callable_name(statement) == function]
+    stubs = [statement for statement in own if _body_digest(statement) == BLANK]
+    if len(stubs) in (0, len(own)):
+        return source
+    lines = source.split("\n")
+    for stub in stubs:
+        first, last = _first_line(stub), stub.end_lineno
+        lines[first - 1 : last] = ["#"] * (last - first + 1)
+    return "\n".join(lines)
