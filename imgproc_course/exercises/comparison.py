@@ -67,7 +67,8 @@ def compare(expected, actual, tolerance=0.0, path="", *, exact_type=True):
     if not exact_type:
         actual = as_type_of(expected, actual)
     kind, actual_kind = kind_of(expected), kind_of(actual)
-    if kind != actual_kind and not (kind == "float" and actual_kind == "int"):
+    are_numbers = {kind, actual_kind} <= {"int", "float"} and (kind == "float" or not exact_type)
+    if kind != actual_kind and not are_numbers:
         return _difference("type", path, expected, actual)
     if actual.get("too_large") or actual.get("opaque"):
         return Difference("type", path, f"got {describe(actual)}, which cannot be compared")

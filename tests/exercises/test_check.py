@@ -10,7 +10,8 @@ import numpy as np
 import pytest
 
 from imgproc_course.authoring.lesson_files import lesson_files
-from imgproc_course.exercises import check, read_exercises, run_cases
+from imgproc_course.exercises import check, checking, read_exercises, run_cases
+from imgproc_course.exercises.cell_runs import CellRuns
 
 
 @pytest.fixture
@@ -278,6 +279,33 @@ def test_a_name_of_another_cell_does_not_pass():
     assert "double() uses most, which another cell defines. Grading runs only the answer cell" in repr(result)
 
 
+@pytest.mark.parametrize(
+    ("cells", "taken", "foreign"),
+    [
+        (["LIMITS = (0, 255)\nmost = LIMITS[1]"], ("most",), ()),
+        (["from math import *", "most = 255"], ("most",), ()),
+        (["most = 254", "for most in (255,):\n    pass"], (), ("most",)),  # no plain assignment
+        (["most = [255]", "while len(most) < 0:\n    most.append(1)", "most = most[0]"], (), ("most",)),
+        (["import rclpy", "most = rclpy.__name__"], (), ("most",)),
+        (["most = frame.max()"], (), ("most",)),  # no cell says where frame comes from
+        ([], (), ("most",)),
+    ],
+)
+def test_a_value_of_another_cell_passes_where_grading_makes_it_again(monkeypatch, cells, taken, foreign):
+    runs = CellRuns()
+    for cell in cells:
+        runs.start(cell)
+    monkeypatch.setattr(checking, "RUNS", runs)
+    namespace = {"np": np, "most": 255, "wide": lambda values: values.astype(int)}
+    source = "def double(pixels):\n    return np.minimum(wide(pixels) * 2, most).astype(np.uint8)\n"
+    linecache.cache["<answer>"] = (len(source), None, source.splitlines(keepends=True), "<answer>")
+    exec(compile(source, "<answer>", "exec"), namespace)
+    result = check("test-double", namespace["double"])
+    assert result.dependencies.taken == tuple(sorted((*taken, "wide")))
+    assert result.dependencies.foreign == foreign
+    assert result.passed == (not foreign)
+
+
 def test_html_is_escaped_and_marks_what_differs(write_master):
     header = '# %% role="mistake" name="wraps" says="Less <b>than</b> 255"'
     write_master(mistake=f"{header}\ndef double(pixels):\n    return pixels * 2")
@@ -409,8 +437,7 @@ def test_names_of_other_cells_say_where_they_come_from():
     text = repr(check("test-double", namespace["double"]))
     assert "double() uses pixels, which another cell defines." in text
     assert "Take pixels as the argument: def double(pixels):" in text
-    assert "Write its import line in the answer cell, too: from statistics import median" in text
-    assert "Copy the definition of gamma into the answer cell." in text
+    assert "double() uses gamma, median of another cell. Grading takes that along." in text
     assert "Use the arguments of your function (pixels), or define test_double in the answer cell." in text
     assert "Points here: 0 of 3." in text
 

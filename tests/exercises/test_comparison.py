@@ -112,3 +112,57 @@ def test_long_texts_are_given_whole_with_their_first_difference():
     message = compare(canonical(expected), canonical(expected.replace("/lib", ""))).message
     assert "differ from character 50 on, after '…mage_edge_detection/': expected 'lib/" in message
     assert "character" not in compare(canonical("rgb8"), canonical("bgr8")).message
+
+
+ARRAY = np.int32([[1, 2], [3, 4]])
+
+
+@pytest.mark.parametrize(
+    ("expected", "actual"),
+    [
+        (44, 44.0),
+        (44, np.float32(44)),
+        (44, np.array(44)),
+        (44.0, np.int64(44)),
+        ((1, 2), [1, 2.0]),
+        ([1, 2], np.array([1, 2])),
+        ((ARRAY, 1), [ARRAY.astype(np.int64), 1]),
+        (ARRAY, ARRAY.astype(np.float64)),
+        (ARRAY, ARRAY.tolist()),
+        (ARRAY, [(1, 2), (3, 4)]),
+        (np.array([0.1, 0.2]), np.array([0.1, 0.2], np.float32)),
+        ({"gray": ARRAY}, {"gray": ARRAY.tolist()}),
+        (np.array([True, False]), [True, False]),
+        (np.zeros((0, 2)), np.zeros((0, 2), np.uint8)),
+    ],
+)
+def test_a_right_value_in_another_type_passes_where_the_type_need_not_be_exact(expected, actual):
+    forms = canonical(expected), canonical(actual)
+    assert compare(*forms, exact_type=False) is None
+
+
+@pytest.mark.parametrize(
+    ("expected", "actual"),
+    [
+        (44, 44.5),
+        (44, 44.000001),
+        (44, "44"),
+        (44, [44]),
+        (1, True),
+        (True, 1),
+        (ARRAY > 2, (ARRAY > 2).astype(np.uint8)),
+        (ARRAY, ARRAY > 2),
+        (ARRAY, [[1, 2], [3]]),
+        (ARRAY, [[1, 2], [3, "4"]]),
+        (ARRAY, [[1, 2], [3, 5]]),
+        (ARRAY, [1, 2, 3, 4]),
+        (ARRAY, [[1, 2], [3, 10**400]]),
+        (ARRAY, ARRAY.astype(np.float32) + np.float32(0.25)),
+        (np.array([30.0]), np.array([30.01], np.float16)),
+        ((1, 2), {1: 2}),
+        ({"gray": 1}, {"grey": 1}),
+    ],
+)
+def test_another_value_fails_in_every_type(expected, actual):
+    forms = canonical(expected), canonical(actual)
+    assert compare(*forms, exact_type=False) is not None
