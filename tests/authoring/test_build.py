@@ -89,9 +89,12 @@ def test_a_lesson_shows_the_stub_and_nothing_of_the_grading(built):
     text = (folder / "lessons" / "90_template.ipynb").read_text()
     for hidden in ("np.minimum", "def inputs", "pixels * 2", "Widen", "exercise(", "Any pixels", "role"):
         assert hidden not in text
-    check = cells_of(folder / "lessons" / "90_template.ipynb")["check-template-double-1"]
+    cells = cells_of(folder / "lessons" / "90_template.ipynb")
+    check = cells["check-template-double-1"]
     assert "not attempted yet" in check.outputs[0].data["text/plain"]
     assert check.metadata == {"editable": False, "deletable": False}
+    answer = cells["answer-template-double"]
+    assert answer.metadata == {"deletable": False, "imgproc_course": {"exercise": "template-double"}}
 
 
 def test_the_solved_twin_passes_its_checks(built):

@@ -50,6 +50,16 @@ def exercise_params():
     return [pytest.param(exercise, id=exercise.id) for path in MASTERS for exercise in read_exercises(path)]
 
 
+@pytest.mark.parametrize("path", by_lesson(MASTERS))
+def test_the_task_says_whether_the_type_counts(path):
+    master, task, exact = read_master(path), "", {}
+    for cell in master.cells:
+        if cell.role == "answer":
+            exact[cell.exercise] = bool(re.search(r"type counts|types count|dtype must be exactly", task))
+        task = cell.source if cell.kind == "markdown" else task
+    assert exact == {exercise.id: exercise.exact_type for exercise in master.exercises}
+
+
 def run_nbval(path, folder):
     """nbval's exit code for a notebook, and its output."""
     environment = {name: value for name, value in os.environ.items() if name not in OURS}
