@@ -83,8 +83,9 @@ Roles (`role="..."` in a code cell's header; every other value is JSON: "text", 
                `imgproc_course.exercises.exercise`); three hints, an explanation and another way are
                required. The rest of the cell (imports, functions that make inputs) runs before each case and
                mistake of this exercise.
-    answer     the stub: it raises NotImplementedError, or its body is `...`. The learner edits this cell, and
-               only this cell is graded. Its id in the lesson is `answer-<exercise>`.
+    answer     the stub: it raises NotImplementedError, or its body is `...`. The learner edits this cell. It
+               is graded with what it reads of other cells. Its id in the lesson is `answer-<exercise>`, and
+               its metadata name the exercise.
     solution   replaces the answer in the solved twin.
     check      visible: `check("<exercise>", function)`. Its id is `check-<exercise>-<n>`.
     case       a public check; `inputs(rng)` draws the arguments of one call (a tuple), or a list of such

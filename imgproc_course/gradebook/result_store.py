@@ -16,7 +16,7 @@ from imgproc_course.autograder.pool import autograde
 from imgproc_course.autograder.results import from_json, to_json
 from imgproc_course.gradebook.learners import digest_of_answers
 
-_FORMAT = 2  # of the files in the folder
+_FORMAT = 3  # of the files in the folder
 
 
 class GradesFolderError(ValueError):
