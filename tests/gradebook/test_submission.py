@@ -360,7 +360,7 @@ def test_a_notebook_that_uses_too_much_memory_harms_only_itself(answer_keys, mad
         assert content.answers == answers_of(light, "right")
 
 
-def test_a_reader_that_hangs_is_ended(answer_keys, made, light):
+def test_a_reader_that_hangs_is_ended_and_one_that_was_killed_costs_nothing(answer_keys, made, light):
     data = json.dumps(made).encode()
     with NotebookReader(seconds=0.0) as reader:
         assert "time" in read_submission(data, answer_keys, reader).reason
@@ -368,8 +368,10 @@ def test_a_reader_that_hangs_is_ended(answer_keys, made, light):
         reader.read(b"{}")
         reader._process.kill()
         reader._process.wait()
-        assert "time or memory" in read_submission(data, answer_keys, reader).reason
         assert read_submission(data, answer_keys, reader).answers == answers_of(light, "right")
+        reader._process.kill()
+        position = made["cells"].index(cell_of(made, DOUBLE))
+        assert reader.compose([[position, "double"]]) == [[answers_of(light, "right")["light-double"], []]]
 
 
 def test_reading_runs_and_imports_nothing_of_a_notebook(made):
