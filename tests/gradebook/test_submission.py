@@ -371,7 +371,9 @@ def test_a_reader_that_hangs_is_ended_and_one_that_was_killed_costs_nothing(answ
         assert read_submission(data, answer_keys, reader).answers == answers_of(light, "right")
         reader._process.kill()
         position = made["cells"].index(cell_of(made, DOUBLE))
-        assert reader.compose([[position, "double"]]) == [[answers_of(light, "right")["light-double"], []]]
+        assert reader.compose([[position, "double", ["np", "LIMIT"]]]) == [
+            [answers_of(light, "right")["light-double"], []]
+        ]
 
 
 def test_reading_runs_and_imports_nothing_of_a_notebook(made):
