@@ -17,9 +17,9 @@ from imgproc_course.gradebook.collect import collect, digest_of
 from imgproc_course.gradebook.deadlines import Deadlines
 from imgproc_course.gradebook.learners import read_all, unproven_dates
 from imgproc_course.gradebook.lms_import import TableError
+from imgproc_course.gradebook.notebook_reader import NOT_READ_IN_TIME
 from imgproc_course.gradebook.result_store import ResultStore
 from imgproc_course.gradebook.roster import read_roster, roster_report
-from imgproc_course.gradebook.submission import NOT_READ_IN_TIME
 
 LESSONS = ("light", "sound")
 BOB_IN_MOODLE = "Bob Ray_7_assignsubmission_file_/20_light.ipynb"
