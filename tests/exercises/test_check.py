@@ -296,7 +296,8 @@ def test_a_value_of_another_cell_passes_where_grading_makes_it_again(monkeypatch
     for cell in cells:
         runs.start(cell)
     monkeypatch.setattr(checking, "RUNS", runs)
-    namespace = {"np": np, "most": 255, "wide": lambda values: values.astype(int)}
+    namespace = {"np": np, "most": 255, "__name__": "__main__"}
+    exec("def wide(values):\n    return values.astype(int)", namespace)
     source = "def double(pixels):\n    return np.minimum(wide(pixels) * 2, most).astype(np.uint8)\n"
     linecache.cache["<answer>"] = (len(source), None, source.splitlines(keepends=True), "<answer>")
     exec(compile(source, "<answer>", "exec"), namespace)
