@@ -228,7 +228,7 @@ assert (np.outer([1, 2, 1], [-1, 0, 1]) == kernel).all()
 # - `grad_col` uses the kernel above: right minus left. `grad_row` uses the transposed kernel: the row below minus the row above.
 # - At the border use *replicate*: repeat the outermost rows and columns, `np.pad(..., 1, mode="edge")`. Then pixel (row, col) of the image is the middle of the window `padded[row : row + 3, col : col + 3]`.
 # - Negative values must stay negative: use a signed type, such as `int32`.
-# - Use only NumPy; `np` is imported for you. Two loops over all pixels are fast enough here. Grading runs only the answer cell, so write the kernel in it, too.
+# - Use only NumPy; `np` is imported for you. Two loops over all pixels are fast enough here. Write the kernel in the answer cell, too: then the answer is complete.
 
 # %% role="exercise"
 exercise(
@@ -1414,7 +1414,7 @@ assert ((stages.edges == 255) == late).all()
 # | `weak`, `strong`: two (height, width) bool arrays; no pixel is True in both | (height, width) uint8: 255 on edges, 0 elsewhere | `edges = grow(stages.weak, stages.strong)` |
 #
 # - 400 steps were enough for the camera frame, but another image can need more. So repeat the step until nothing changes.
-# - If you use `grow_once`, copy its definition into the answer cell: grading runs only this cell.
+# - If you use `grow_once`, copy its definition into the answer cell: then the answer is complete.
 # - Use only NumPy; `np` is imported for you.
 
 # %% role="exercise"

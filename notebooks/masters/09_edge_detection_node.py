@@ -600,7 +600,7 @@ def near(mask, tolerance):
 # |---|---|---|
 # | `edges`: (height, width) uint8, 0 or 255; `outlines`: (height, width) bool; `tolerance`: int, in pixels | F1, a float from 0 to 1 | `f1_score(outputs["edges"], true_outlines, 2)` |
 #
-# Copy your function `near` into the answer cell: grading runs only this cell. Use only NumPy; `np` is imported for you. The check refuses an answer that uses `cv2`, SciPy, scikit-image or scikit-learn.
+# Copy your function `near` into the answer cell: then the answer is complete. Use only NumPy; `np` is imported for you. The check refuses an answer that uses `cv2`, SciPy, scikit-image or scikit-learn.
 
 # %% role="exercise"
 exercise(
