@@ -10,10 +10,10 @@ from sensor_msgs.msg import CameraInfo, CompressedImage, Image
 from std_msgs.msg import Header
 
 from imgproc_course.recording import open_recording
-from imgproc_course.ros.camera import camera_topics
+from imgproc_course.ros.camera import TOPIC, camera_topics
 from imgproc_course.ros.image_sources import RecordedImages, Webcam
 from imgproc_course.ros.robot_process import serve
-from imgproc_course.ros.session import RosSession, log
+from imgproc_course.ros.session import RCLError, RosSession, log
 
 UNKNOWN_NODE_NAME = "_NODE_NAME_UNKNOWN_"  # rclpy's name for a node whose name has not arrived yet
 CHECK_PERIOD = 1.0  # seconds between two checks for other publishers of the topic
@@ -88,21 +88,37 @@ class CameraPublisher:
         self.last_error = None
 
     def start(self, on_end=lambda: None):
-        """Creates the publishers and begins to publish; calls `on_end` if the images end."""
+        """Creates the publishers and begins to publish; calls `on_end` if the images end.
+
+        Raises
+        ------
+        ValueError : this process publishes messages of another type on one of the four topics
+        """
         self._on_end = on_end
         self._session = RosSession.current()
-        self._create_publishers()
+        try:
+            self._create_publishers()
+        except RCLError as error:
+            self._destroy_publishers()
+            self._images.close()
+            raise ValueError(
+                f"cannot publish images on {self.topic}: the camera uses this name, or one beside it, for "
+                f"another type of message; choose another topic, such as {TOPIC}"
+            ) from error
         self._session.on_shutdown(self, self.stop)
         self.running = True
         self._thread.start()
 
     def _create_publishers(self):
         self._node = node = self._session.node
+        self._publishers = []
         # Without rclpy's default callbacks: on a mismatch of QoS it is the subscriber that gives the reason.
         events = PublisherEventCallbacks(use_default_callbacks=False)
 
         def publisher(message_type, topic):
-            return node.create_publisher(message_type, topic, qos_profile_sensor_data, event_callbacks=events)
+            qos = qos_profile_sensor_data
+            self._publishers.append(node.create_publisher(message_type, topic, qos, event_callbacks=events))
+            return self._publishers[-1]
 
         compressed_topic, info_topics = camera_topics(self.topic)
         self._raw = publisher(Image, self.topic)
@@ -117,7 +133,10 @@ class CameraPublisher:
         if self._thread is not threading.current_thread():
             self._thread.join()
         self._session.on_shutdown(self, None)
-        node, publishers = self._node, [self._raw, self._compressed, *self._infos]
+        self._destroy_publishers()
+
+    def _destroy_publishers(self):
+        node, publishers = self._node, self._publishers
         self._session.post(lambda: [node.destroy_publisher(publisher) for publisher in publishers])
 
     def status(self):

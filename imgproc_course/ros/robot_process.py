@@ -34,8 +34,8 @@ FOLDERS = Path("/tmp")  # not the user's TMPDIR or XDG_RUNTIME_DIR: they differ 
 START_TIMEOUT = 60.0  # seconds that the process may take to answer, on a busy machine too
 ANSWER_TIMEOUT = 10.0
 STARTS = 5  # times that a program starts the process without an answer, until it gives up
+KILLED = "the robot process was killed; open_camera() starts it again"
 _RUN = "import sys; from {} import main; main(sys.argv[1:])"
-RESTARTS = 3  # times that a program starts the process again because it was killed
 
 
 class RobotInUseError(RuntimeError):
@@ -104,8 +104,8 @@ class RobotConnection:
     module : of the function `main(arguments)` that runs in the process; it calls `serve`
     request : dict
     switch : whether a robot that others use in another way may be switched to this request
-    on_event : function(text, status), called in a thread of its own: a warning of the robot; or, with the
-        text None, the end of what it plays
+    on_event : function(text, status), called in a thread of its own: a warning of the robot, or that its
+        process was killed; or, with the text None, the end of what it plays
 
     Attributes
     ----------
@@ -126,9 +126,9 @@ class RobotConnection:
         self._on_event = on_event
         self._asking = threading.Lock()
         self._change = threading.Condition()
-        self._answers = self._restarts = 0
+        self._answers = 0
         self.left = False
-        self._join(request, switch)
+        self._connection, self.status = self._join(request, switch)
         self._all.add(self)
         threading.Thread(target=self._read, name="robot connection", daemon=True).start()
 
@@ -155,7 +155,7 @@ class RobotConnection:
         with contextlib.suppress(OSError):
             self._connection.send(("leave",))
 
-    def _join(self, request, switch=False):
+    def _join(self, request, switch):
         end, starts = time.monotonic() + START_TIMEOUT, 0
         while time.monotonic() < end and starts <= STARTS:
             connection = _connect(self._domain)
@@ -174,47 +174,29 @@ class RobotConnection:
                 connection.close()
                 raise answer[1]
             else:
-                self._connection, self.status = connection, answer[2]
-                return
+                return connection, answer[2]
         log_lines = runtime_file(self._domain, "log").read_text(errors="replace").strip().splitlines()
         raise RuntimeError(f"the robot process does not answer; its last line: {(log_lines or ['none'])[-1]}")
 
     def _read(self):
-        while True:
-            try:
+        with contextlib.suppress(EOFError, OSError):
+            while True:
                 kind, text, status = self._connection.recv()
-            except (EOFError, OSError):
-                if self.left or not self._join_again():
-                    break
-                kind, text, status = "answer", None, self.status
-            with self._change:
-                self.status = status
-                if kind == "answer":
-                    self._answers += 1
+                with self._change:
+                    self.status = status
+                    self._answers += kind == "answer"
                     self._change.notify_all()
-            if kind == "event":
-                self._on_event(text, status)
+                if kind == "event":
+                    self._on_event(text, status)
         self._connection.close()
+        was_killed, self.left = not self.left, True
         with self._change:  # nobody waits for an answer any more
             self._answers += 1
+            if was_killed:
+                self.status |= {"running": False, "last_error": KILLED}
             self._change.notify_all()
-
-    def _join_again(self):
-        """After the process was killed: starts it again, or joins the one that another program started."""
-        self._connection.close()
-        problem = "it was started again too often"
-        self._restarts += 1
-        if self._restarts <= RESTARTS:
-            try:
-                self._join(self.status["request"])
-                self._on_event("the robot process was killed; it was started again", self.status)
-                return True
-            except (RuntimeError, ValueError, OSError) as error:
-                problem = str(error)
-        self.left = True
-        self.status |= {"running": False, "last_error": f"the robot process was killed: {problem}"}
-        self._on_event(self.status["last_error"], self.status)
-        return False
+        if was_killed:
+            self._on_event(KILLED, self.status)
 
     def _close_after_fork(self):
         self.left = True
@@ -362,11 +344,11 @@ class _Robot(logging.Handler):
         )
 
     def _switch(self, request, user):
-        body = self._open_body(request)  # if it fails, the body so far goes on
-        if self._body is not None:
+        body = self._open_body(request)
+        body.start(on_end=lambda: self._event_sender.send(None))
+        if self._body is not None:  # if one of the two has failed, this body goes on
             self._body.stop()
         self._body, self._request = body, request
-        body.start(on_end=lambda: self._event_sender.send(None))
         self._tell(f"{user} has switched the robot: it is now {body.description}", except_pid=user.pid)
 
     def _status(self):

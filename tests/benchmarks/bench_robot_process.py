@@ -26,6 +26,7 @@ with open_camera(speed=3.0) as camera, ImageSubscriber(camera.topic) as subscrib
     subscriber.wait(60)
     print("receives", flush=True)
     sys.stdin.readline()
+    open_camera(speed=3.0)  # starts it again if it was killed
     subscriber.wait(60)
 """
 

@@ -36,7 +36,7 @@ def shared_camera():
 def wait_until():
     """Waits for a condition that other threads or processes fulfil; fails after a timeout."""
 
-    def wait(condition, seconds=20.0):
+    def wait(condition, seconds=60.0):
         end = time.monotonic() + seconds
         while not condition():
             if time.monotonic() > end:

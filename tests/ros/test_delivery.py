@@ -52,7 +52,7 @@ def test_the_readmes_program_receives_every_frame(start_python, tmp_path):
         assert re.fullmatch(line, output), output
         received = int(re.fullmatch(line, output)[1])
     program.send_signal(signal.SIGINT)
-    out, err = program.communicate(timeout=20)
+    out, err = program.communicate(timeout=60)
     assert (program.returncode, err, out.splitlines()[-1]) == (0, "", "bye")
 
 

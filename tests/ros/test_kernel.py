@@ -18,12 +18,15 @@ subscriber = ImageSubscriber("/kachaka/front_camera/image_raw", on_image)
 """
 STOP = "RosSession.current().stop()"
 READ = "print(subscriber.wait(60).shape)"
+# How many publishers and subscribers this kernel has discovered: it hears of the camera after some time, and
+# of a killed kernel for 20 seconds more.
 ALIVE = """
-import threading
-frame = subscriber.wait(60)  # now this kernel has discovered the camera
-print(sum('ROS session' in t.name for t in threading.enumerate()),
-      RosSession.current().node.count_publishers("/kachaka/front_camera/image_raw"),
-      RosSession.current().node.count_subscribers("/kachaka/front_camera/image_raw"))
+import threading, time
+frame, node, topic = subscriber.wait(60), RosSession.current().node, subscriber.topic
+count, end = lambda: (node.count_publishers(topic), node.count_subscribers(topic)), time.monotonic() + 60
+while count() != (1, 1) and time.monotonic() < end:
+    time.sleep(0.01)
+print(sum('ROS session' in t.name for t in threading.enumerate()), *count())
 """
 
 
@@ -94,10 +97,6 @@ def test_cells_in_any_order_duplicate_nothing(notebook):
         notebook.run(cell)
     for cell in (SUBSCRIBE, OPEN, READ, SUBSCRIBE, READ):
         notebook.run(cell)
-    notebook.run(
-        "import time\nnode = RosSession.current().node\n"
-        "while node.count_subscribers(subscriber.topic) > 1: time.sleep(0.01)"
-    )
     assert notebook.run(ALIVE) == ("1 1 1\n", "")
 
 
@@ -139,7 +138,7 @@ calls = []
 CALLS = """
 import time
 publisher = session.node.create_publisher(Empty, "/spun/in", 1)
-end = time.monotonic() + 20
+end = time.monotonic() + 60
 while not calls and time.monotonic() < end:
     publisher.publish(Empty())
     time.sleep(0.01)
@@ -152,11 +151,9 @@ def test_rclpys_spin_blocks_until_the_interrupt_and_the_session_lives_on(noteboo
     notebook.run(SPIN)
     notebook.run(OPEN)
     notebook.run(SUBSCRIBE)
-    start = time.monotonic()
     # A thread prints, so that the interrupt comes while the cell spins.
     cell = f"import threading\nthreading.Timer(1, lambda: print('spins', flush=True)).start()\n{call}\n"
     notebook.interrupt(cell + "rclpy.spin(node)\nprint('spin has returned')")
-    assert 1 < time.monotonic() - start < 30
     assert notebook.run(READ) == ("(720, 1280, 3)\n", "")
     notebook.run("session.add_node(node)")
     assert notebook.run(CALLS) == ("True\n", "")

@@ -21,12 +21,12 @@ def test_it_plays_until_a_signal_stops_it(start_python, session, wait_until, num
     process = start_python(PLAY.format("speed=2.0, status_seconds=0.5"))
     assert process.stdout.readline() == FIRST.format(20, session.context.get_domain_id())
     with ImageSubscriber("/kachaka/front_camera/image_raw") as subscriber:
-        assert subscriber.wait(20).shape == (720, 1280, 3)
+        assert subscriber.wait(60).shape == (720, 1280, 3)
         while "subscribers: none" in (line := process.stdout.readline()):
             pass
     assert line.endswith(" images; subscribers: /kachaka/front_camera/image_raw 1\n")
     process.send_signal(number)
-    out, err = process.communicate(timeout=20)
+    out, err = process.communicate(timeout=60)
     assert (process.returncode, err) == (0, "")
     assert out.splitlines()[-1].startswith("stopped after ")
 
@@ -48,7 +48,7 @@ def test_it_joins_a_camera_that_runs_and_leaves_it_running(start_python):
     name = User("python -c", first.pid)
     assert second.stdout.readline().startswith(f"joined the camera of {name}: drive at 30 Hz")
     second.send_signal(signal.SIGINT)
-    out, err = second.communicate(timeout=20)
+    out, err = second.communicate(timeout=60)
     assert (second.returncode, out, err) == (0, f"left; the camera goes on for {name}\n", "")
     third = start_python(PLAY.format("switch=True"))
     assert third.stdout.readline().startswith(f"joined the camera of {name}: drive at 10 Hz")

@@ -182,6 +182,11 @@ def test_a_switch_that_fails_leaves_the_camera_as_it_was(start_program):
         "RecordingError there is no recording /no/such/bag"
     )
     assert second.open("'webcam', switch=True").startswith("RuntimeError no webcam answers")
+    # This one can be opened, but not started: its camera info would be on the topic of its images.
+    assert second.open("topic='/elsewhere/camera_info', switch=True") == (
+        "ValueError cannot publish images on /elsewhere/camera_info: the camera uses this name, or one "
+        f"beside it, for another type of message; choose another topic, such as {TOPIC}"
+    )
     assert first.evaluate("camera, camera.last_error, camera.running") == f"({AT_30}, None, True)"
     assert first.receive() == FRAME
 
@@ -215,15 +220,20 @@ def test_what_a_killed_robot_leaves_is_no_obstacle(start_program, wait_until):
     assert start_program().open() == AT_10
 
 
-def test_programs_go_on_after_their_robot_was_killed(start_program, wait_until):
+def test_programs_learn_that_their_robot_was_killed_and_start_it_again(start_program):
     first, second = start_program(), start_program()
     assert (first.open("speed=3.0"), second.open("speed=3.0")) == (AT_30, AT_30)
     (robot,) = robot_processes()
     robot.kill()
+    killed = "the robot process was killed; open_camera() starts it again"
     for program in (first, second):
-        assert program.read_error_line() == "the robot process was killed; it was started again\n"
+        assert program.read_error_line() == f"{killed}\n"
+        assert program.evaluate("camera.wait(60), camera.running, camera.last_error") == str(
+            (True, False, killed)
+        )
+        assert program.open("speed=3.0") == AT_30
         assert program.receive() == FRAME
-    wait_until(lambda: second.evaluate("camera.other_users") == str([first.name]))
+    assert second.evaluate("camera.other_users") == str([first.name])
     assert len(robot_processes()) == 1
 
 
@@ -256,10 +266,12 @@ def test_the_end_of_a_recording_and_a_warning_reach_every_program(start_program)
     first, second = start_program(), start_program()
     first.open("loop=False, speed=15")
     second.open("loop=False, speed=15")
-    assert (first.evaluate("camera.wait(60)"), second.evaluate("camera.wait(60)")) == ("True", "True")
+    # The event reaches each: at the end of its time, `wait` alone would ask the robot and know it too.
+    ended = "camera._ended.wait(60), camera.wait(60)"
+    assert first.evaluate(ended) == second.evaluate(ended) == "(True, True)"
     assert second.evaluate("camera.played, camera.published, camera.last_error") == "(90, 0, None)"
     assert second.open("loop=False, speed=15") == f"<Camera {TOPIC} at 150 Hz>"  # from its beginning
-    assert first.evaluate("camera.wait(60), camera.played") == "(True, 90)"
+    assert first.evaluate(f"{ended}, camera.played") == "(True, True, 90)"
 
 
 @pytest.mark.parametrize(

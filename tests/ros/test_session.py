@@ -11,7 +11,7 @@ from imgproc_course.ros import ImageSubscriber, RosSession, open_camera
 camera = open_camera(speed=3.0)
 frames = []
 subscriber = ImageSubscriber(camera.topic, lambda frame, msg: frames.append(frame.shape))
-subscriber.wait(20)
+subscriber.wait(60)
 print("a frame arrived", flush=True)
 """
 
@@ -209,9 +209,9 @@ def test_your_own_rclpy_context_works_beside_it(run_python):
         RECEIVES + "import rclpy\n"
         "rclpy.init(); node = rclpy.create_node('mine')\n"
         "rclpy.spin_once(node, timeout_sec=0.1)\n"
-        "subscriber.wait(20)\n"
+        "subscriber.wait(60)\n"
         "node.destroy_node(); rclpy.shutdown()\n"
-        "subscriber.wait(20); print('both work')\n"
+        "subscriber.wait(60); print('both work')\n"
     )
     assert (code, out, err) == (0, "a frame arrived\nboth work\n", "")
 
@@ -232,7 +232,7 @@ def test_ctrl_c_in_a_waiting_script_ends_it_with_the_usual_traceback(start_pytho
     while process.stdout.readline() != "waiting\n":
         assert process.poll() is None
     process.send_signal(signal.SIGINT)
-    _, err = process.communicate(timeout=20)
+    _, err = process.communicate(timeout=60)
     assert process.returncode == -signal.SIGINT
     assert err.splitlines()[-1] == "KeyboardInterrupt"
     assert err.count("Traceback") == 1 and "terminate called" not in err
@@ -285,7 +285,7 @@ def test_after_rclpys_own_signal_handlers_it_can_be_started_again(run_python):
         "RosSession.current()\n"
         "print(camera.running, subscriber.stopped)\n"
         "with open_camera(speed=3.0) as camera, ImageSubscriber(camera.topic) as subscriber:\n"
-        "    print(subscriber.wait(20).shape)"
+        "    print(subscriber.wait(60).shape)"
     )
     assert (code, err) == (0, "")
     assert out == "a frame arrived\nFalse True\n(720, 1280, 3)\n"

@@ -79,7 +79,7 @@ class Process:
     def running(self):
         return self._process.poll() is None
 
-    def wait_for(self, pattern, seconds=40.0, times=1):
+    def wait_for(self, pattern, seconds=60.0, times=1):
         """Waits until the output has so many matches of a regular expression; returns the last of them."""
         end = time.monotonic() + seconds
         while len(matches := list(re.finditer(pattern, self.output))) < times:
@@ -150,7 +150,7 @@ def session():
 def wait_until():
     """Waits for a condition that other threads or processes fulfil; fails after a timeout."""
 
-    def wait(condition, seconds=30.0):
+    def wait(condition, seconds=60.0):
         end = time.monotonic() + seconds
         while not (result := condition()):
             if time.monotonic() > end:
@@ -211,7 +211,7 @@ class Camera:
         self.sent += 1
         return self.stamp
 
-    def send_until(self, condition, message, seconds=40.0, every=0.03, stamp=None):
+    def send_until(self, condition, message, seconds=60.0, every=0.03, stamp=None):
         """Sends the message repeatedly until the condition holds, because best effort may lose some."""
         end = time.monotonic() + seconds
         while not (result := condition()):
