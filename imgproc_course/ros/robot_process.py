@@ -34,7 +34,7 @@ FOLDERS = Path("/tmp")  # not the user's TMPDIR or XDG_RUNTIME_DIR: they differ 
 START_TIMEOUT = 60.0  # seconds that the process may take to answer, on a busy machine too
 ANSWER_TIMEOUT = 10.0
 STARTS = 5  # times that a program starts the process without an answer, until it gives up
-KILLED = "the robot process was killed; open_camera() starts it again"
+UNEXPECTED_END = "the robot process has ended unexpectedly; open_camera() starts it again"
 _RUN = "import sys; from {} import main; main(sys.argv[1:])"
 
 
@@ -105,7 +105,7 @@ class RobotConnection:
     request : dict
     switch : whether a robot that others use in another way may be switched to this request
     on_event : function(text, status), called in a thread of its own: a warning of the robot, or that its
-        process was killed; or, with the text None, the end of what it plays
+        process has ended unexpectedly; or, with the text None, the end of what it plays
 
     Attributes
     ----------
@@ -179,24 +179,28 @@ class RobotConnection:
         raise RuntimeError(f"the robot process does not answer; its last line: {(log_lines or ['none'])[-1]}")
 
     def _read(self):
-        with contextlib.suppress(EOFError, OSError):
-            while True:
-                kind, text, status = self._connection.recv()
-                with self._change:
-                    self.status = status
-                    self._answers += kind == "answer"
-                    self._change.notify_all()
-                if kind == "event":
-                    self._on_event(text, status)
+        while message := self._receive():
+            kind, text, status = message
+            with self._change:
+                self.status = status
+                self._answers += kind == "answer"
+                self._change.notify_all()
+            if kind == "event":
+                self._on_event(text, status)
         self._connection.close()
-        was_killed, self.left = not self.left, True
-        with self._change:  # nobody waits for an answer any more
-            self._answers += 1
-            if was_killed:
-                self.status |= {"running": False, "last_error": KILLED}
+        is_unexpected, self.left = not self.left, True
+        with self._change:
+            if is_unexpected:
+                self.status |= {"running": False, "last_error": UNEXPECTED_END}
+            self._answers += 1  # nobody waits for an answer any more
             self._change.notify_all()
-        if was_killed:
-            self._on_event(KILLED, self.status)
+        if is_unexpected:
+            self._on_event(UNEXPECTED_END, self.status)
+
+    def _receive(self):
+        """The robot's next message; None if its process has ended."""
+        with contextlib.suppress(EOFError, OSError):
+            return self._connection.recv()
 
     def _close_after_fork(self):
         self.left = True
