@@ -125,3 +125,17 @@ def test_using_a_module_says_which_one(grade):
     public, hidden = grade("import cv2\ndef double(pixels):\n    return cv2.add(pixels, pixels)\n").cases
     assert (public.outcome, public.message) == ("refused module", "write this exercise without cv2")
     assert hidden.outcome == "refused module"
+
+
+def test_no_key_no_master_and_no_check_of_a_lesson_is_visible(kernel_factory):
+    code = """
+    import os
+    wanted = ("key.json", "handed_out.json", "checks", "masters", "solutions", "my_lessons")
+    ends = (".inputs.json", ".mistakes.json", ".seed", ".ipynb", "answer_key.py", "declaration.py")
+    systems = {"proc", "sys", "usr", "python", "lib", "lib64", "bin", "sbin", "etc", "dev"}
+    walks = (step for top in set(os.listdir("/")) - systems for step in os.walk("/" + top))
+    ours = [(f, name) for f, *names in walks for name in sum(names, []) if "/site-packages" not in f]
+    print(len(ours) > 20, [path for path in ours if path[1] in wanted or path[1].endswith(ends)])
+    """
+    assert run(kernel_factory, (), dedent(code)) == "True []\n"
+    assert run(kernel_factory, ("imgproc_course.imaging",), dedent(code)) == "True []\n"
