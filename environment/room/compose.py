@@ -27,15 +27,61 @@ BODY_HEIGHTS = (0.02, 0.22)  # metres: the robot with its camera
 FLOOR_LABELS = (1, 14)  # floor and rug
 
 
-def without_buried(light, buried):
-    """Texels inside other bodies, and beside them, take the light of the nearest that is not."""
-    dark = cv2.dilate(buried.astype(np.uint8), np.ones((3, 3), np.uint8))
-    _, owner = cv2.distanceTransformWithLabels(dark, cv2.DIST_L2, 3, labelType=cv2.DIST_LABEL_PIXEL)
-    flat = light.reshape(-1, 3)
-    lit = np.nonzero(dark.ravel() == 0)[0]
-    nearest = np.zeros(owner.max() + 1, np.int64)
-    nearest[owner.ravel()[lit]] = lit
-    return flat[nearest[owner.ravel()]].reshape(light.shape)
+def owned_texels(uv, size, oversampling=4):
+    """Texels that triangles cover by more than half, or at all on thin islands: (height, width) bool."""
+    width, height = size
+    fine = np.zeros((height * oversampling, width * oversampling), np.uint8)
+    coarse = np.zeros((height, width), np.uint8)
+    for corners in uv * size - 0.5:
+        fine_corners = (corners + 0.5) * oversampling - 0.5
+        cv2.fillConvexPoly(fine, np.round(fine_corners * 16).astype(np.int32), 1, shift=4)
+        cv2.fillConvexPoly(coarse, np.round(corners * 16).astype(np.int32), 1, shift=4)
+    mostly = cv2.resize(fine * 255, size, interpolation=cv2.INTER_AREA) > 140
+    _, islands = cv2.connectedComponents(coarse, connectivity=4)
+    thin = ~np.isin(islands, np.unique(islands[mostly]))
+    return mostly | (thin & (coarse > 0))
+
+
+def seen_texels(baked, geometry, atlas, size):
+    """Texels of the light that triangles cover and that no other body hides, (height, width) bool."""
+    owned, buried = owned_texels(geometry[f"{atlas}_uv"], size), baked / f"{atlas}_buried.npy"
+    if not buried.exists():
+        return owned
+    inside = np.load(buried)
+    inside &= owned_texels(geometry[f"{atlas}_uv"], inside.shape[::-1])
+    return owned & (cv2.resize(inside.astype(np.float32), size, interpolation=cv2.INTER_AREA) < 0.25)
+
+
+def nearest(light, known):
+    """Every texel of its nearest known one: (H, W, 3)."""
+    _, owner = cv2.distanceTransformWithLabels(
+        (~known).astype(np.uint8), cv2.DIST_L2, 3, labelType=cv2.DIST_LABEL_PIXEL
+    )
+    source = np.zeros(owner.max() + 1, np.int64)
+    source[owner[known]] = np.flatnonzero(known)
+    return light.reshape(-1, 3)[source[owner]]
+
+
+def island_means(light, known, sigma=4):
+    """Mean of the known texels around each, of its own island only."""
+    count, islands, boxes, _ = cv2.connectedComponentsWithStats(known.astype(np.uint8), connectivity=4)
+    means = np.zeros_like(light)
+    for k in range(1, count):
+        x, y, width, height = boxes[k, :4]
+        region = np.s_[y : y + height, x : x + width]
+        mine = (islands[region] == k).astype(np.float32)
+        total = cv2.GaussianBlur(
+            light[region] * mine[..., None], (0, 0), sigma, borderType=cv2.BORDER_CONSTANT
+        )
+        weight = cv2.GaussianBlur(mine, (0, 0), sigma, borderType=cv2.BORDER_CONSTANT)
+        means[region][mine > 0] = (total / np.maximum(weight, 1e-6)[..., None])[mine > 0]
+    return means
+
+
+def clean_light(light, known):
+    """Light without noise. Texels that nobody sees take a mean: single noisy ones would look like edges."""
+    filled = np.where(known[..., None], light, nearest(island_means(light, known), known))
+    return nearest(denoise(filled), known)
 
 
 def ball_texels(geometry, size):
@@ -49,13 +95,8 @@ def texture(baked, geometry, atlas, lighting):
     """Linear colours times light, (H, W, 3) float32, first row at the bottom."""
     albedo = np.load(baked / f"{atlas}_albedo.npy").astype(np.float32) + SPECULAR
     light = np.minimum(np.load(baked / f"{atlas}_{lighting}.npy").astype(np.float32), 40)
-    buried = baked / f"{atlas}_buried.npy"
-    if buried.exists():
-        inside = cv2.resize(
-            np.load(buried).astype(np.float32), light.shape[1::-1], interpolation=cv2.INTER_AREA
-        )
-        light = without_buried(light, inside > 0)
-    light = cv2.resize(denoise(light), albedo.shape[1::-1], interpolation=cv2.INTER_LINEAR)
+    light = clean_light(light, seen_texels(baked, geometry, atlas, light.shape[1::-1]))
+    light = cv2.resize(light, albedo.shape[1::-1], interpolation=cv2.INTER_LINEAR)
     light *= GAIN.get(atlas, 1.0) * EXPOSURE[lighting]
     if atlas == "movers":  # the ball turns: its light is the renderer's
         ball = ball_texels(geometry, albedo.shape[1::-1])
