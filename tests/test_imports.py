@@ -18,6 +18,7 @@ ARROWS = {
     "imaging": set(),
     "geometry": set(),
     "recording": {"messages"},
+    "simulation": {"geometry"},
     "ros": {"messages", "recording"},
     "display": {"messages", "ros"},
     "exercises": set(),
@@ -104,6 +105,11 @@ def test_every_package_has_its_arrows():
 def test_only_ros_imports_rclpy(path):
     roots = {name.split(".")[0] for name in imported_names(path)}
     assert package_of(path) == "ros" or "rclpy" not in roots
+
+
+def test_only_the_renderer_imports_panda3d():
+    importing = [path for path in modules() if "panda3d" in {n.split(".")[0] for n in imported_names(path)}]
+    assert [relative(path) for path in importing] == ["simulation/renderer.py"]
 
 
 @pytest.mark.parametrize("path", modules(), ids=relative)

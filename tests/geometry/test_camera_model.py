@@ -27,8 +27,8 @@ def test_rays_lead_back_to_their_pixels():
 
 
 def test_every_second_pixel_and_a_resized_image():
-    rays = LENS.rays()
-    np.testing.assert_allclose(LENS.every(2).rays(), rays[::2, ::2], atol=1e-12)
+    small = LENS.resized(320, 180)
+    np.testing.assert_allclose(small.every(2).rays(), small.rays()[::2, ::2], atol=1e-12)
     half = LENS.resized(640, 360).unproject((0, 0))
     np.testing.assert_allclose(half, LENS.unproject((0.5, 0.5)), atol=1e-12)
 

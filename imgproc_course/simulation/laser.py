@@ -1,0 +1,77 @@
+"""A laser scanner: rays in a horizontal plane, cast in the room's triangles."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+
+RAYS = 360
+RANGE_MIN, RANGE_MAX = 0.05, 8.0  # metres
+MOUNT = (0.156, 0.105)  # x and z in base_link, metres: the Kachaka's
+NOISE = 0.005  # metres, standard deviation
+
+
+class LaserScan(NamedTuple):
+    """Ranges (RAYS,) float32 in metres, counterclockwise from straight ahead; inf where nothing is hit."""
+
+    angle_min: float
+    angle_increment: float
+    range_min: float
+    range_max: float
+    ranges: np.ndarray
+
+
+def cut(triangles, height):
+    """Segments (M, 2, 2), x and y, in which triangles (N, 3, 3) cross the plane at this height."""
+    above = triangles[..., 2] > height
+    crossing = triangles[(above.sum(1) % 3) != 0].astype(float)
+    above = crossing[..., 2] > height
+    alone = np.where(above.sum(1) == 1, above.argmax(1), (~above).argmax(1))  # one corner on its side
+    rows = np.arange(len(crossing))
+    ends = []
+    for step in (1, 2):
+        a, b = crossing[rows, alone], crossing[rows, (alone + step) % 3]
+        share = (height - a[:, 2]) / (b[:, 2] - a[:, 2])
+        ends.append(a[:, :2] + share[:, None] * (b[:, :2] - a[:, :2]))
+    return np.stack(ends, 1)
+
+
+def cast(segments, x, y, yaw):
+    """Distance (RAYS,) float64 to the first segment on each ray from (x, y), the first ray towards yaw."""
+    angles = [yaw + k * 2 * math.pi / RAYS for k in range(RAYS)]
+    c, s = (np.array([round(f(a), 12) for a in angles])[:, None] for f in (math.cos, math.sin))
+    first, second = segments[:, 0] - (x, y), segments[:, 1] - (x, y)
+    edge = second - first
+    side_first, side_second = c * first[:, 1] - s * first[:, 0], c * second[:, 1] - s * second[:, 0]
+    ray, segment = np.nonzero((side_first > 0) != (side_second > 0))
+    across = (first[:, 0] * edge[:, 1] - first[:, 1] * edge[:, 0])[segment]
+    along = across / (c[ray, 0] * edge[segment, 1] - s[ray, 0] * edge[segment, 0])
+    distance = np.full(RAYS, np.inf)
+    np.minimum.at(distance, ray[along > 0], along[along > 0])
+    return distance
+
+
+class Laser:
+    """The scanner of one simulation; without `seed` it has no noise."""
+
+    def __init__(self, room, seed=None):
+        self._seed = seed
+        self._still = cut(room.triangles[room.joint < 0], MOUNT[1])
+        self._parts = {name: room.triangles[room.joint == k] for k, name in enumerate(room.joint_names)}
+        self._reach = {name: float(np.abs(part).max()) * 3**0.5 for name, part in self._parts.items()}
+
+    def scan(self, robot, joint_poses, step):
+        """robot : (x, y, yaw) of base_link."""
+        moving = [
+            cut(joint_poses[name].apply(part), MOUNT[1])
+            for name, part in self._parts.items()
+            if abs(joint_poses[name].position[2] - MOUNT[1]) < self._reach[name]
+        ]
+        x, y, yaw = robot
+        x, y = x + MOUNT[0] * math.cos(yaw), y + MOUNT[0] * math.sin(yaw)
+        distance = cast(np.concatenate([self._still, *moving]), round(x, 9), round(y, 9), yaw)
+        if self._seed is not None:
+            distance = distance + NOISE * np.random.default_rng([self._seed, 4, step]).standard_normal(RAYS)
+        distance[(distance < RANGE_MIN) | (distance > RANGE_MAX)] = np.inf
+        ranges = np.round(distance, 6).astype(np.float32)
+        return LaserScan(0.0, 2 * math.pi / RAYS, RANGE_MIN, RANGE_MAX, ranges)

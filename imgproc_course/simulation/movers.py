@@ -1,0 +1,229 @@
+"""What moves besides the robot: a person who walks, a toy car, and a ball that rolls and can be pushed.
+
+For the first nine seconds they move as in the recorded drive, unless the robot meets them. Then the person
+and the car go back and forth; each of them waits while the robot is in its way.
+"""
+
+import math
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from ..geometry import Pose
+from ..geometry.poses import product, rotation_about
+from .drive import nearest_on_body
+
+PERSON_RADIUS, CAR_RADIUS, BALL_RADIUS = 0.25, 0.13, 0.11
+RUG = {"center": (2.55, 0.35), "yaw": 0.06, "size": (1.7, 1.2), "height": 0.012}
+WALK_TIME, WALK_LENGTH, STAND_TIME, TURN_TIME = 6.5, 2.35, 4.5, 1.5
+WALK_START = (4.93, -1.72)
+CAR_TIME, CAR_REST = 9.0, 1.0
+ROLL_TIME = 3.5  # seconds in which the ball loses all but 1/e of its speed
+BOUNCE = 0.4  # share of its speed that the ball keeps when it meets something
+
+
+def is_on_rug(x, y, margin=0.0):
+    """Whether (x, y) is on the rug; `margin` metres more on each side."""
+    c, s = math.cos(RUG["yaw"]), math.sin(RUG["yaw"])
+    dx, dy = x - RUG["center"][0], y - RUG["center"][1]
+    return (
+        abs(dx * c + dy * s) <= RUG["size"][0] / 2 + margin
+        and abs(-dx * s + dy * c) <= RUG["size"][1] / 2 + margin
+    )
+
+
+def walk(time):
+    """The person at a time: (x, y, yaw), phase of the gait in radians, and its amplitude 0 to 1."""
+    half, within = divmod(time + 0.4, WALK_TIME + STAND_TIME)
+    u = min(within / WALK_TIME, 1.0)
+    way, speed = WALK_LENGTH * u * u * (3 - 2 * u), WALK_LENGTH * 6 * u * (1 - u) / WALK_TIME
+    back = half % 2 == 1
+    x, y = WALK_START[0], WALK_START[1] + (WALK_LENGTH - way if back else way)
+    turn = max(0.0, within - (WALK_TIME + STAND_TIME - TURN_TIME)) / TURN_TIME
+    yaw = math.pi / 2 + math.pi * ((1 if back else 0) + turn * turn * (3 - 2 * turn))
+    return (x, y, yaw), 2 * math.pi * way / 1.05, min(1.0, speed / 0.45)
+
+
+def car_path(time):
+    """The car at a time: (x, y, z, yaw), and the turn of its wheels in radians."""
+    within = time % (2 * (CAR_TIME + CAR_REST))
+    t = min(within, CAR_TIME) if within < CAR_TIME + CAR_REST else max(2 * CAR_TIME + CAR_REST - within, 0.0)
+    x, y = 2.25 + 0.30 * math.sin(0.45 * t), -1.35 + 0.30 * t
+    yaw = math.atan2(0.30, 0.135 * math.cos(0.45 * t))
+    return (x, y, RUG["height"] if y > -0.25 else 0.0, yaw), 0.33 * t / 0.028
+
+
+@dataclass
+class Ball:
+    """Rolls straight on and slows down: speed decays with ROLL_TIME, as in the recorded drive."""
+
+    x: float
+    y: float
+    vx: float
+    vy: float
+    rotation: np.ndarray = field(default_factory=lambda: rotation_about("x", 0.9))
+
+    @classmethod
+    def at(cls, time):
+        way = 0.88 * (1 - math.exp(-time / ROLL_TIME))
+        speed = 0.88 / ROLL_TIME * math.exp(-time / ROLL_TIME)
+        ball = cls(2.45, 0.78, 0.45 * speed, -speed)
+        ball.place(2.45 + 0.45 * way, 0.78 - way)
+        ball.vx, ball.vy = round(ball.vx, 9), round(ball.vy, 9)
+        return ball
+
+    @property
+    def height(self):
+        return BALL_RADIUS + (RUG["height"] if is_on_rug(self.x, self.y) else 0.0)
+
+    def place(self, x, y):
+        """Rolls the ball to (x, y)."""
+        dx, dy = x - self.x, y - self.y
+        way = math.hypot(dx, dy)
+        if way > 0:
+            ax, ay = round(-dy / way, 12), round(dx / way, 12)
+            align = np.array([[ax, -ay, 0], [ay, ax, 0], [0, 0, 1]])
+            turn = product(product(align, rotation_about("x", way / BALL_RADIUS)), align.T)
+            self.rotation = np.round(orthonormal(product(turn, self.rotation)), 9)
+        self.x, self.y = round(x, 9), round(y, 9)
+
+    def roll(self, dt, free):
+        decay = round(math.exp(-dt / ROLL_TIME), 12)
+        way = ROLL_TIME * (1 - decay)
+        x, y = self.x + self.vx * way, self.y + self.vy * way
+        self.vx, self.vy = round(self.vx * decay, 9), round(self.vy * decay, 9)
+        if math.hypot(self.vx, self.vy) < 0.002:
+            self.vx = self.vy = 0.0
+        elif free(x, y) < BALL_RADIUS:
+            self.bounce(*free.away(x, y), 0.0, 0.0)
+        else:
+            self.place(x, y)
+
+    def bounce(self, nx, ny, vx, vy):
+        """Off something that moves with (vx, vy) and whose surface looks towards (nx, ny)."""
+        towards = (self.vx - vx) * nx + (self.vy - vy) * ny
+        if towards < 0:
+            self.vx = round(self.vx - (1 + BOUNCE) * towards * nx, 9)
+            self.vy = round(self.vy - (1 + BOUNCE) * towards * ny, 9)
+
+
+def orthonormal(rotation):
+    """The rotation again after rounding: its columns made perpendicular and of length 1."""
+    x, y = rotation[:, 0], rotation[:, 1]
+    x = x / math.sqrt(x[0] ** 2 + x[1] ** 2 + x[2] ** 2)
+    y = y - (x[0] * y[0] + x[1] * y[1] + x[2] * y[2]) * x
+    y = y / math.sqrt(y[0] ** 2 + y[1] ** 2 + y[2] ** 2)
+    z = [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
+    return np.stack([x, y, z], 1)
+
+
+class Movers:
+    """Person, car and ball; each of the first two has a clock of its own, which stands while it waits."""
+
+    def __init__(self, time, free_space):
+        self.person_time = self.car_time = time
+        self.ball = Ball.at(time)
+        self._free_space = free_space
+
+    def circles(self):
+        """(x, y, radius) of person and car."""
+        (x, y, _), _, _ = walk(self.person_time)
+        (u, v, _, _), _ = car_path(self.car_time)
+        return (x, y, PERSON_RADIUS), (u, v, CAR_RADIUS)
+
+    def step(self, dt, robot):
+        """dt seconds of person, car and ball; `robot` is (x, y, yaw)."""
+        for name, path, radius in (("person_time", walk, PERSON_RADIUS), ("car_time", car_path, CAR_RADIUS)):
+            now, later = getattr(self, name), round(getattr(self, name) + dt, 9)
+            before, after = path(now)[0][:2], path(later)[0][:2]
+            distance = nearest_on_body(*robot, *after)[1]
+            if distance >= radius or distance > nearest_on_body(*robot, *before)[1]:
+                setattr(self, name, later)
+                self._strike(after, radius, [(b - a) / dt for a, b in zip(before, after, strict=True)])
+        self.ball.roll(dt, _Floor(self._free_space, robot))
+
+    def _strike(self, center, radius, velocity):
+        dx, dy = self.ball.x - center[0], self.ball.y - center[1]
+        distance = math.hypot(dx, dy)
+        if 0 < distance < radius + BALL_RADIUS:
+            self.ball.bounce(dx / distance, dy / distance, *velocity)
+
+    def push_ball(self, robot, velocity):
+        """The robot at (x, y, yaw) pushes the ball out of its way. Returns (touched, the ball gave way).
+
+        velocity : (linear, angular) of the robot
+        """
+        nearest, distance = nearest_on_body(*robot, self.ball.x, self.ball.y)
+        if distance >= BALL_RADIUS:
+            return False, True
+        dx, dy = self.ball.x - nearest[0], self.ball.y - nearest[1]
+        if distance == 0:  # its center is under the body: nothing sensible but to stop
+            return True, False
+        nx, ny = dx / distance, dy / distance
+        x, y = nearest[0] + nx * BALL_RADIUS, nearest[1] + ny * BALL_RADIUS
+        if self._free_space.distance(x, y) < BALL_RADIUS:
+            return True, False
+        c, s = math.cos(robot[2]), math.sin(robot[2])
+        linear, angular = velocity
+        arm_x, arm_y = nearest[0] - robot[0], nearest[1] - robot[1]
+        self.ball.place(x, y)
+        self.ball.bounce(nx, ny, linear * c - angular * arm_y, linear * s + angular * arm_x)
+        return True, True
+
+    def joint_poses(self, tree):
+        """The pose of every joint in the map, {name: Pose}; `tree` has each joint's parent and offset."""
+        (x, y, yaw), phase, amplitude = walk(self.person_time)
+        (u, v, z, heading), turn = car_path(self.car_time)
+        poses = {
+            "person": rounded(Pose.planar(x, y, yaw)),
+            "toycar": rounded(Pose.planar(u, v, heading, z)),
+            "ball": Pose(self.ball.rotation, np.array([self.ball.x, self.ball.y, self.ball.height])),
+        }
+        angles = gait(phase, amplitude) | dict.fromkeys([n for n in tree if n.startswith("wheel")], turn)
+        for name in sorted(tree, key=lambda n: depth_in(tree, n)):
+            if name not in poses:
+                offset = np.array(tree[name]["offset"])
+                if name == "hip":
+                    offset = np.array([0, 0, 0.915 - amplitude * (0.012 - 0.016 * math.cos(2 * phase))])
+                here = Pose(rotation_about("y", angles.get(name, 0.0)), np.round(offset, 9))
+                poses[name] = poses[tree[name]["parent"]] @ here
+        return poses
+
+
+class _Floor:
+    """Free distance for the ball: from what stands still, and from the robot."""
+
+    def __init__(self, free_space, robot):
+        self._free_space, self._robot = free_space, robot
+
+    def __call__(self, x, y):
+        return min(self._free_space.distance(x, y), nearest_on_body(*self._robot, x, y)[1])
+
+    def away(self, x, y):
+        nearest, distance = nearest_on_body(*self._robot, x, y)
+        if 0 < distance < self._free_space.distance(x, y):
+            return (x - nearest[0]) / distance, (y - nearest[1]) / distance
+        return self._free_space.away(x, y)
+
+
+def depth_in(tree, name):
+    return 0 if tree[name]["parent"] is None else 1 + depth_in(tree, tree[name]["parent"])
+
+
+def rounded(pose):
+    return Pose(np.round(pose.rotation, 9), np.round(pose.position, 9))
+
+
+def gait(phase, amplitude):
+    """Angles about y of the person's joints, as in the recorded drive."""
+    angles = {}
+    for side, shift in (("L", 0.0), ("R", math.pi)):
+        a = phase + shift
+        angles |= {
+            "thigh" + side: -0.42 * math.sin(a) * amplitude,
+            "shin" + side: (0.18 + 0.55 * max(0.0, math.sin(a + 1.2)) ** 2) * amplitude,
+            "foot" + side: (-0.1 + 0.1 * math.sin(a)) * amplitude,
+            "arm" + side: 0.36 * math.sin(a) * amplitude,
+            "fore" + side: -0.35,
+        }
+    return angles

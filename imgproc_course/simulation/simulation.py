@@ -1,0 +1,304 @@
+"""The simulated robot in the room of the recorded drive."""
+
+import math
+from functools import cached_property
+
+import cv2
+import numpy as np
+
+from ..geometry import CameraModel, Pose
+from .depth import TriangleDepth
+from .drive import Drive, WheelOdometry, clearance, nearest_on_body
+from .laser import Laser
+from .movers import Movers, is_on_rug
+from .renderer import Renderer, configure_panda3d, pinhole_covering
+from .room_model import FreeSpace, load_room
+from .sensor import Sensor
+
+# The recorded drive's camera: 1280×720, and where it stands on the robot.
+CAMERA = CameraModel(1280, 720, 705.0, 705.0, 639.5, 359.5, (-0.170, 0.035, 0.0004, -0.0003, 0.0))
+CAMERA_MOUNT = (0.21, 0.20)  # x and z in base_link, metres
+# The depth camera below it, tilted up by 45 degrees: at this tilt it does not see the floor.
+TOF_CAMERA = CameraModel(160, 120, 80.0, 80.0, 79.5, 59.5)
+TOF_MOUNT, TOF_TILT = (0.221, 0.0418), math.pi / 4
+START = (-0.2067, -0.0367, 0.1757)  # its camera stands where the recorded drive begins
+LONGEST_STEP = 0.02  # seconds
+DEPTH_WIDTH = 640
+OPTICAL = np.array([[0.0, 0, 1], [-1, 0, 0], [0, -1, 0]])  # columns: the optical frame's axes in the body's
+
+
+class Simulation:
+    """A robot that drives through the room of the recorded drive; the same calls always give the same.
+
+    There is no clock and no ROS: `step` moves robot, person, car and ball, everything else looks. Several
+    simulations can be used side by side; one of them by one thread at a time.
+
+    Parameters
+    ----------
+    seed : of the wheels' slip and the sensors' noise
+    start : (x, y, yaw) of the axle's center in the map, metres and radians; if omitted, its camera sees what
+        the recorded drive's first image shows
+    time : seconds after the recorded drive's start, for person, car and ball
+    size : (width, height) of the image, of shape 16:9
+    lens : with the recorded camera's distortion
+    sensor : with blur, vignette and noise, also of the scan
+    lighting : "day" or "evening"
+
+    Raises
+    ------
+    ValueError : a start that is not free, or an argument outside of these
+    RuntimeError : panda3d is not installed
+    """
+
+    def __init__(
+        self, seed=0, *, start=None, time=0.0, size=(640, 360), lens=True, sensor=True, lighting="day"
+    ):
+        check_arguments(seed, time, size, lighting)
+        self._model = CAMERA.resized(*size)
+        if not lens:
+            self._model = CameraModel(*size, *self._model.matrix[[0, 1, 0, 1], [0, 1, 2, 2]].tolist())
+        self._has_sensor, self._seed, self._lighting = sensor, seed, lighting
+        self._room, self._free_space = load_room(), FreeSpace()
+        self._movers = Movers(round(float(time), 9), self._free_space)
+        self._time, self._steps, self._bumped = round(float(time), 9), 0, False
+        self._drive = Drive(*(round(float(v), 9) for v in checked_start(START if start is None else start)))
+        hindrance = self._hindrance(self._drive.x, self._drive.y, self._drive.yaw)
+        if hindrance:
+            raise ValueError(
+                f"the robot cannot start at {start}: {hindrance} is in its way; choose another start"
+            )
+        self._odometry = WheelOdometry(np.random.default_rng([seed, 1]))
+        self._laser = Laser(self._room, seed if sensor else None)
+        self._sensor = Sensor(self._model, seed, lighting) if sensor else None
+        configure_panda3d()  # a missing one is told here, not with the first image
+        self._look, self._views, self._joints = None, {}, (None, None)
+
+    # what the robot does
+
+    def step(self, linear, angular, dt=0.02):
+        """Drives for dt seconds, towards the commanded speeds (m/s, rad/s), within the real robot's limits.
+
+        Raises
+        ------
+        ValueError : a speed that is not finite, or dt not between 0 and 1 second
+        """
+        if not (math.isfinite(linear) and math.isfinite(angular)):
+            raise ValueError(f"speeds must be finite numbers, got linear {linear}, angular {angular}")
+        if not 0 < dt <= 1:
+            raise ValueError(f"a step takes more than 0 and at most 1 second, got dt = {dt}")
+        parts = math.ceil(round(dt / LONGEST_STEP, 9))
+        bumped = [self._small_step(float(linear), float(angular), dt / parts) for _ in range(parts)]
+        self._bumped = any(bumped)
+        self._steps += 1
+        self._time = round(self._time + dt, 9)
+
+    def _small_step(self, linear, angular, dt):
+        body = self._drive
+        body.accelerate(linear, angular, dt)
+        touched = False
+        # What blocks the way can leave room to turn.
+        for speeds in ((body.linear, body.angular), (0.0, body.angular), (0.0, 0.0)):
+            place = body.moved(*speeds, dt)
+            if speeds == (0.0, 0.0) or not self._blocked(place):
+                hit, gave_way = self._movers.push_ball(place, speeds)
+                touched |= hit
+                if gave_way or speeds == (0.0, 0.0):
+                    break
+            touched = True
+        body.x, body.y, body.yaw = place
+        body.linear, body.angular = speeds
+        self._odometry.step(*speeds, dt, is_on_rug(body.x, body.y))
+        self._movers.step(dt, place)
+        return touched
+
+    def _blocked(self, place):
+        """Whether the body at (x, y, yaw) would be in something, and not merely leave it."""
+        if self._hindrance(*place) is None:
+            return False
+        now = (self._drive.x, self._drive.y, self._drive.yaw)
+        return self._room_around(*place) <= self._room_around(*now)
+
+    def _room_around(self, x, y, yaw):
+        """Metres between the body and the nearest thing; negative inside."""
+        still = clearance(self._free_space.distance, x, y, yaw)
+        return min(still, *(nearest_on_body(x, y, yaw, u, v)[1] - r for u, v, r in self._movers.circles()))
+
+    def _hindrance(self, x, y, yaw):
+        """The name of what the body at this place would be in, or None."""
+        if clearance(self._free_space.distance, x, y, yaw) < 0:
+            return "a wall or furniture"
+        for name, (u, v, radius) in zip(("the person", "the toy car"), self._movers.circles(), strict=True):
+            if nearest_on_body(x, y, yaw, u, v)[1] < radius:
+                return name
+        return None
+
+    # what it sees
+
+    @cached_property
+    def _renderer(self):
+        """Made with the first image: half of a simulation's start, which the motion does without."""
+        return Renderer(self._room, self._lighting)
+
+    def look(self, camera_pose):
+        """Takes images from a pose of the optical frame, x y z qx qy qz qw; None: the robot's again."""
+        self._look = None if camera_pose is None else Pose.from_vector(np.round(camera_pose, 9))
+
+    @property
+    def camera(self):
+        """The CameraModel of `frame`."""
+        return self._model
+
+    def frame(self):
+        """The front camera's image, (height, width, 3) uint8 BGR."""
+        if "frame" not in self._views:
+            scale = 1.15 if self._model.width <= 640 else 1.0
+            pinhole = pinhole_covering(self._model, scale)
+            view = self._renderer.add_view(pinhole)
+            pixels = pinhole.project(self._model.rays())
+            col, row = (
+                pixels[..., 0],
+                pinhole.height - 1 - pixels[..., 1],
+            )  # the first row is drawn at the bottom
+            maps = cv2.convertMaps(col.astype(np.float32), row.astype(np.float32), cv2.CV_16SC2)
+            self._views["frame"] = view, maps
+        view, maps = self._views["frame"]
+        self._renderer.place(self._joint_poses())
+        drawn = self._renderer.render(view, self._camera_pose("front"))
+        image = cv2.remap(cv2.cvtColor(drawn, cv2.COLOR_BGRA2BGR), *maps, cv2.INTER_LINEAR)
+        if self._sensor is None:
+            return image
+        return self._sensor(image, self._steps, 0.0 if self._look else self._drive.angular)
+
+    def depth(self, camera="front"):
+        """Depth along the optical axis in millimetres, (height, width) uint16, 0 where there is none.
+
+        "front": of pixels (0, 0), (0, k), … of `frame`, 640 columns at most; "tof": the depth camera's.
+        """
+        numbers, rays = self._numbers(camera)
+        metres = rays.depth(numbers, self._camera_pose(camera), self._joint_poses())
+        return (metres * 1000 + 0.5).astype(np.uint16)
+
+    def labels(self):
+        """The class of each pixel of `depth`, (height, width) uint8; `label_names` has the names."""
+        numbers, rays = self._numbers("front")
+        return rays.labels(numbers)
+
+    @property
+    def label_names(self):
+        return dict(self._room.label_names)
+
+    def depth_camera(self, camera="front"):
+        """The CameraModel of `depth`."""
+        if camera == "tof":
+            return TOF_CAMERA
+        if camera != "front":
+            raise ValueError(f'camera is "front" or "tof", got {camera!r}')
+        return self._model.every(max(1, math.ceil(self._model.width / DEPTH_WIDTH)))
+
+    def _numbers(self, camera):
+        """The triangle number of each pixel of a depth camera; kept until something moves."""
+        if camera not in self._views:
+            model = self.depth_camera(camera)
+            pinhole = pinhole_covering(model)
+            view = self._renderer.add_view(pinhole, ids=True)
+            self._views[camera] = view, TriangleDepth(self._room, model, pinhole), [None, None]
+        view, rays, kept = self._views[camera]
+        pose = self._camera_pose(camera)
+        key = (self._steps, pose.position.tobytes(), pose.rotation.tobytes())
+        if kept[0] != key:
+            self._renderer.place(self._joint_poses())
+            kept[:] = key, rays.numbers(self._renderer.render(view, pose))
+        return kept[1], rays
+
+    def scan(self):
+        """One turn of the laser scanner."""
+        robot = (self._drive.x, self._drive.y, self._drive.yaw)
+        return self._laser.scan(robot, self._joint_poses(), self._steps)
+
+    def odometry(self):
+        """Where the wheels say that the robot is, since the start: with slip."""
+        return self._odometry.state
+
+    # the truth
+
+    @property
+    def time(self):
+        """Seconds after the recorded drive's start."""
+        return self._time
+
+    @property
+    def bumped(self):
+        """Whether the body touched anything in the last step."""
+        return self._bumped
+
+    @property
+    def speeds(self):
+        """(linear, angular) in m/s and rad/s: the true ones."""
+        return self._drive.linear, self._drive.angular
+
+    def pose(self, name):
+        """The true pose in the map, [x, y, z, qx, qy, qz, qw], float64.
+
+        Of "robot" (its axle's center on the floor), "camera" and "tof" (optical frames), "person", "toycar",
+        "ball", "marker" (id 7) or "wall_marker" (id 12).
+        """
+        if name == "robot":
+            return self._robot_pose().vector
+        if name in ("camera", "tof"):
+            return self._camera_pose("front" if name == "camera" else name).vector
+        if name in self._room.markers:
+            return self._room.markers[name].copy()
+        if name not in ("person", "toycar", "ball"):
+            known = ["robot", "camera", "tof", "person", "toycar", "ball", *self._room.markers]
+            raise ValueError(f"no pose of {name!r}; there are {', '.join(known)}")
+        return self._joint_poses()[name].vector
+
+    def _joint_poses(self):
+        if self._joints[0] != self._steps:
+            self._joints = self._steps, self._movers.joint_poses(self._room.joint_tree)
+        return self._joints[1]
+
+    def _robot_pose(self):
+        return Pose.planar(self._drive.x, self._drive.y, self._drive.yaw)
+
+    def _camera_pose(self, camera):
+        if camera == "tof":
+            c, s = round(math.cos(TOF_TILT), 12), round(math.sin(TOF_TILT), 12)
+            up = np.array([[1, 0, 0], [0, c, -s], [0, s, c]])  # about the optical frame's x, to the right
+            tilted = Pose(OPTICAL, np.zeros(3)) @ Pose(up, np.zeros(3))
+            return self._robot_pose() @ Pose(tilted.rotation, np.array([TOF_MOUNT[0], 0, TOF_MOUNT[1]]))
+        if self._look is not None:
+            return self._look
+        return self._robot_pose() @ Pose(OPTICAL, np.array([CAMERA_MOUNT[0], 0, CAMERA_MOUNT[1]]))
+
+    def close(self):
+        """Frees the images; the simulation cannot be used any more."""
+        if "_renderer" in vars(self):
+            self._renderer.close()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *exception):
+        self.close()
+
+
+def check_arguments(seed, time, size, lighting):
+    if not isinstance(seed, (int, np.integer)) or seed < 0:
+        raise ValueError(f"seed is a whole number from 0 on, got {seed!r}")
+    if not (math.isfinite(time) and 0 <= time <= 86400):
+        raise ValueError(f"time is between 0 and 86400 seconds, got {time}")
+    if lighting not in ("day", "evening"):
+        raise ValueError(f'lighting is "day" or "evening", got {lighting!r}')
+    width, height = size
+    if not (160 <= width <= 1920 and width * 9 == height * 16):
+        raise ValueError(
+            f"size is (width, height), 16:9, 160 to 1920 pixels wide, such as (640, 360), got {size}"
+        )
+
+
+def checked_start(start):
+    values = tuple(start)
+    if len(values) != 3 or not all(math.isfinite(v) for v in values):
+        raise ValueError(f"start is three finite numbers, x and y in metres and yaw in radians, got {start}")
+    return values

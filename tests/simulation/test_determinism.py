@@ -1,0 +1,94 @@
+"""The same seed and commands give the same bytes in every process, thread and fork, on every processor."""
+
+import hashlib
+import multiprocessing
+import os
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+
+import numpy as np
+import pytest
+
+from imgproc_course.simulation import Simulation
+
+# Older instruction sets: of NumPy, of the C library and of OpenCV.
+OLDER = {
+    "NPY_DISABLE_CPU_FEATURES": "AVX2 FMA3 AVX512F AVX512CD AVX512_SKX AVX512_CLX AVX512_ICL AVX512_SPR",
+    "GLIBC_TUNABLES": "glibc.cpu.hwcaps=-AVX2,-FMA,-AVX512F",
+    "OPENCV_CPU_DISABLE": "AVX2,FP16,AVX512-SKX,AVX512-COMMON",
+}
+
+
+def digest(steps=12, lighting="day"):
+    """SHA-256 of everything that a short drive gives."""
+    with Simulation(7, time=1.0, lighting=lighting) as room:
+        total = hashlib.sha256()
+        for k in range(steps):
+            room.step(0.3, 0.8, 0.1)
+            if k % 6 == 5:
+                for array in (
+                    room.frame(),
+                    room.depth(),
+                    room.labels(),
+                    room.depth("tof"),
+                    room.scan().ranges,
+                ):
+                    total.update(np.ascontiguousarray(array).tobytes())
+        total.update(
+            repr((room.odometry(), room.pose("ball").tolist(), room.pose("robot").tolist())).encode()
+        )
+    return total.hexdigest()
+
+
+@pytest.fixture(scope="module")
+def expected():
+    return digest()
+
+
+def in_a_child(connection, room):
+    room.step(0.1, 0.2)
+    connection.send((digest(), hashlib.sha256(room.frame().tobytes()).hexdigest()))
+
+
+def test_again_and_beside_another_one_in_threads(expected):
+    with ThreadPoolExecutor(2) as pool:
+        assert list(pool.map(digest, (12, 12))) == [expected] * 2
+
+
+@pytest.mark.filterwarnings("ignore:This process .* is multi-threaded:DeprecationWarning")
+def test_after_a_fork_inherited_and_new(expected):
+    with Simulation(3) as room:
+        room.frame()
+        ours, theirs = multiprocessing.Pipe()
+        child = multiprocessing.get_context("fork").Process(target=in_a_child, args=(theirs, room))
+        child.start()
+        new, inherited = ours.recv()
+        child.join()
+        room.step(0.1, 0.2)
+        assert (new, inherited) == (expected, hashlib.sha256(room.frame().tobytes()).hexdigest())
+
+
+def test_another_process_with_older_instruction_sets(expected):
+    program = "import sys; sys.path.insert(0, sys.argv[1]); import test_determinism as t; print(t.digest())"
+    result = subprocess.run(
+        [sys.executable, "-W", "ignore", "-c", program, os.path.dirname(__file__)],  # noqa: PTH120
+        env={**os.environ, **OLDER},
+        capture_output=True,
+        text=True,
+    )
+    assert result.returncode == 0, result.stderr
+    assert result.stdout.strip() == expected
+
+
+def test_the_sensor_can_be_switched_off_and_the_seed_changes_its_noise():
+    frames = {}
+    for name, arguments in (("a", {}), ("b", {"seed": 1}), ("clean", {"sensor": False})):
+        with Simulation(**arguments) as room:
+            first, second = room.frame(), room.frame()
+            assert (first == second).all()  # looking changes nothing
+            frames[name] = first.astype(int)
+    noise = (frames["a"] - frames["b"])[100:260, 200:440]
+    assert 1 < noise.std() < 5
+    assert np.abs(noise.mean()) < 0.2
+    assert (frames["clean"] != frames["a"]).mean() > 0.5

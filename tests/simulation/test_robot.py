@@ -1,0 +1,179 @@
+"""The robot's limits, bumps and odometry, the movers that it meets, and the scan against the depth."""
+
+import math
+
+import numpy as np
+import pytest
+
+from imgproc_course.geometry import Pose
+from imgproc_course.simulation import Simulation
+from imgproc_course.simulation.drive import ANGULAR_ACCELERATION, LINEAR_ACCELERATION, nearest_on_body
+from imgproc_course.simulation.laser import MOUNT, cast, cut
+from imgproc_course.simulation.movers import BALL_RADIUS, Ball
+
+FREE = (0.4, -0.3, 0.0)  # two metres of free floor ahead at the time 0
+
+
+def place(room):
+    x, y, _, _, _, qz, qw = room.pose("robot")
+    return x, y, 2 * math.atan2(qz, qw)
+
+
+def test_speeds_stay_within_the_limits_and_grow_step_by_step():
+    with Simulation(start=FREE) as room:
+        speeds = []
+        for _ in range(60):
+            room.step(1e9, -1e9)
+            speeds.append(room.speeds)
+    linear, angular = np.transpose(speeds)
+    assert linear.max() == 0.3
+    assert angular.min() == -1.57
+    assert np.diff(linear, prepend=0).max() <= LINEAR_ACCELERATION * 0.02 + 1e-9
+    assert np.abs(np.diff(angular, prepend=0)).max() <= ANGULAR_ACCELERATION * 0.02 + 1e-9
+
+
+def test_a_straight_way_and_the_stop():
+    with Simulation(start=FREE) as room:
+        for _ in range(50):
+            room.step(0.2, 0)
+        for _ in range(50):
+            room.step(0, 0)
+        assert room.time == 2.0
+        x, y, yaw = place(room)
+        assert room.speeds == (0, 0)
+    # 0.2 m/s for a second, less the start: after the first third it has full speed; and the braking way
+    assert x - FREE[0] == pytest.approx(0.2, abs=0.003)
+    assert (y, yaw) == (FREE[1], 0)
+
+
+def test_one_long_step_equals_many_short_ones():
+    with Simulation(start=FREE) as one, Simulation(start=FREE) as many:
+        one.step(0.3, 0.5, 0.5)
+        for _ in range(25):
+            many.step(0.3, 0.5)
+        assert place(one) == place(many)
+        assert one.time == many.time
+
+
+@pytest.mark.parametrize(
+    ("command", "message"),
+    [
+        ((math.nan, 0), "finite numbers, got linear nan"),
+        ((0, math.inf), "angular inf"),
+        ((0, 0, 0), "dt = 0"),
+        ((0, 0, 2), "dt = 2"),
+    ],
+)
+def test_impossible_commands(command, message):
+    with Simulation() as room:
+        with pytest.raises(ValueError, match=message):
+            room.step(*command)
+        assert room.time == 0
+
+
+@pytest.mark.parametrize(
+    ("arguments", "message"),
+    [
+        ({"start": (3.5, 1.7, 0)}, "a wall or furniture is in its way"),
+        ({"start": (2.25, -1.1, 0), "time": 0.5}, "is in its way"),
+        ({"start": (0, 0)}, "three finite numbers"),
+        ({"seed": -1}, "seed is a whole number"),
+        ({"time": math.nan}, "time is between"),
+        ({"size": (640, 480)}, "16:9"),
+        ({"lighting": "night"}, '"day" or "evening"'),
+    ],
+)
+def test_impossible_rooms(arguments, message):
+    with pytest.raises(ValueError, match=message):
+        Simulation(**arguments)
+
+
+def test_a_wall_stops_the_robot_which_can_still_turn_and_leave():
+    with Simulation(start=(0.0, -1.4, -math.pi / 2)) as room:
+        for _ in range(200):
+            room.step(0.3, 0)
+        assert room.bumped
+        x, y, _ = place(room)
+        front = y - 0.0435 - 0.387 / 2
+        assert -2.1 + 0.014 < front < -2.1 + 0.04  # at the skirting, 1.4 to 2 cm before the wall
+        assert x == pytest.approx(0, abs=1e-6)
+        assert room.speeds == (0, 0)
+        for _ in range(50):
+            room.step(-0.3, 0)
+        assert not room.bumped
+        assert place(room)[1] > y + 0.2
+
+
+def test_the_ball_is_pushed_and_rolls_on():
+    with Simulation(start=(2.84, 0.55, -math.pi / 2), time=60.0) as room:  # the ball rests ahead
+        before = room.pose("ball")
+        touched = False
+        for _ in range(120):
+            room.step(0.3, 0)
+            touched |= room.bumped
+        after = room.pose("ball")
+        assert touched
+        assert np.linalg.norm(after[:2] - before[:2]) > 0.1
+        assert nearest_on_body(*place(room), *after[:2])[1] >= BALL_RADIUS - 1e-6
+
+
+def test_the_car_waits_for_the_robot():
+    with Simulation(start=(2.45, 0.1, math.pi / 2), time=62.0) as room:
+        cars = []
+        for _ in range(300):
+            room.step(0, 0)
+            cars.append(room.pose("toycar")[:2])
+            assert nearest_on_body(*place(room), *cars[-1])[1] >= 0.13 - 0.01
+        assert not room.bumped
+    assert (cars[-1] == cars[-2]).all()
+
+
+def test_the_ball_rolls_by_the_recorded_formula_however_the_steps_are_cut():
+    class Open:
+        def __call__(self, x, y):
+            return 9.0
+
+    ball = Ball.at(0.0)
+    for _ in range(450):
+        ball.roll(0.02, Open())
+    assert (ball.x, ball.y) == pytest.approx((Ball.at(9.0).x, Ball.at(9.0).y), abs=1e-6)
+
+
+def test_odometry_drifts_by_its_seed():
+    ends = []
+    for seed in (1, 1, 2):
+        with Simulation(seed, start=FREE) as room:
+            for _ in range(5):
+                room.step(0.3, 0.3, 1.0)
+            true, counted = Pose.planar(*FREE).inverse() @ Pose.planar(*place(room)), room.odometry()
+            ends.append(counted)
+            error = math.hypot(counted.x - true.position[0], counted.y - true.position[1])
+            assert 0.001 < error < 0.15  # of 1.5 m
+    assert ends[0] == ends[1] != ends[2]
+
+
+def test_rays_are_cast_exactly():
+    wall = np.array([[(1, -1, 0), (1, 1, 0), (1, 1, 1)], [(1, -1, 0), (1, 1, 1), (1, -1, 1)]], float)
+    segments = cut(wall, 0.5)
+    assert np.unique(segments[..., 0]).tolist() == [1]
+    distance = cast(segments, 0.0, 0.0, 0.0)
+    degrees = np.arange(-44, 45)
+    np.testing.assert_allclose(distance[degrees], 1 / np.cos(np.radians(degrees)), rtol=1e-9)
+    assert np.isinf(distance[46:314]).all()
+
+
+def test_scan_against_depth():
+    """Points of the depth image at the scanner's height lie on the scan."""
+    with Simulation(start=FREE, time=2.0, sensor=False) as room:
+        scan, depth, robot = room.scan(), room.depth() / 1000, Pose.from_vector(room.pose("robot"))
+        points = room.depth_camera().rays() * depth[..., None]
+        points = robot.inverse().apply(Pose.from_vector(room.pose("camera")).apply(points))
+    chosen = points[np.abs(points[..., 2] - MOUNT[1]) < 0.003]
+    dx, dy = chosen[:, 0] - MOUNT[0], chosen[:, 1]
+    ray = np.degrees(np.arctan2(dy, dx)) / math.degrees(scan.angle_increment)
+    near = np.abs(ray - np.rint(ray)) < 0.1
+    expected = scan.ranges[np.rint(ray[near]).astype(int) % len(scan.ranges)]
+    error = np.abs(np.hypot(dx, dy)[near] - expected)
+    assert near.sum() > 50
+    assert np.median(error) < 0.005
+    assert np.mean(error < 0.03) > 0.85  # the rest are edges
