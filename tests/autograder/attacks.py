@@ -1343,6 +1343,272 @@ attack(
     "wrong",
 )
 
+# ---------------------------------------------------------------- channels: left by one check, found by the next
+
+MARKS = """
+import ctypes, os, socket, stat, time
+libc = ctypes.CDLL(None, use_errno=True)
+def stay(step):
+    if os.fork() == 0:
+        os.setsid()
+        step()
+        time.sleep(1000)
+    time.sleep(0.1)
+def double(pixels):
+    left = []
+{tries}
+    raise RuntimeError(f"left {{left}}")
+"""
+for _number, _name, _tries in (
+    (
+        301,
+        "a note in a file that the fork server has open",
+        """
+        for fd in range(3, 64):
+            try:
+                if stat.S_ISREG(os.fstat(fd).st_mode):
+                    left += [fd] * (os.pread(fd, 4, 1 << 20) == b"note")
+                    os.pwrite(fd, b"note", 1 << 20)
+            except OSError:
+                pass
+        """,
+    ),
+    (
+        302,
+        "a key in the user's keyring",
+        """
+        for ring in (-3, -4, -5):
+            ring = ctypes.c_long(ring)
+            left += [key for key in [libc.syscall(250, 10, ring, b"user", b"note", 0)] if key > 0]
+            libc.syscall(248, b"user", b"note", b"seen", 4, ring)
+        """,
+    ),
+    (
+        303,
+        "an address in the system's log of crashes",
+        """
+        log = ctypes.create_string_buffer(1 << 20)
+        left += ["log"] * (libc.syscall(103, 3, log, 1 << 20) > 0 and b"0000badc0ffee" in log.raw)
+        if os.fork() == 0:
+            ctypes.string_at(0xbadc0ffee)
+        os.wait()
+        """,
+    ),
+    (
+        304,
+        "a server behind an abstract name",
+        """
+        try:
+            socket.socket(socket.AF_UNIX).connect("\\0note")
+            left.append("server")
+        except OSError:
+            server = socket.socket(socket.AF_UNIX)
+            server.bind("\\0note")
+            stay(server.listen)
+        """,
+    ),
+    (
+        305,
+        "a lock on a file of the system",
+        """
+        import fcntl
+        shared = open("/usr/bin/env", "rb")
+        try:
+            fcntl.flock(shared, fcntl.LOCK_EX | fcntl.LOCK_NB)
+        except OSError:
+            left.append("lock")
+        stay(lambda: fcntl.flock(open("/usr/bin/env", "rb"), fcntl.LOCK_EX))
+        """,
+    ),
+    (
+        306,
+        "a port that stays in use for a minute",
+        """
+        try:
+            server = socket.create_server(("127.0.0.1", 4242))
+            client = socket.create_connection(("127.0.0.1", 4242), timeout=1)
+            server.accept()[0].close()
+            client.close()
+        except OSError as error:
+            left += ["port"] * (error.errno == 98)
+        try:
+            socket.socket().bind(("127.0.0.1", 4242))
+        except OSError:
+            pass
+        """,
+    ),
+    (
+        307,
+        "a server on the machine's own sockets",
+        """
+        try:
+            socket.socket(socket.AF_VSOCK, socket.SOCK_STREAM)
+            left.append("vsock")
+        except OSError:
+            pass
+        """,
+    ),
+):
+    _body = "\n".join(f"    {line}" for line in dedent(_tries).strip().splitlines())
+    attack(_number, _name, MARKS.format(tries=_body), "raised", reported="left []", wrong=False)
+
+# ---------------------------------------------------------------- starvation: the next submission is to be slow
+
+attack(
+    311,
+    "sixty busy processes in sessions of their own",
+    """
+    import os
+    def double(pixels):
+        for _ in range(60):
+            if os.fork() == 0:
+                os.setsid()
+                while True: pass
+        return pixels
+    """,
+    "raised",
+    wrong=False,
+)
+attack(
+    312,
+    "a hundred busy threads",
+    """
+    import hashlib, threading
+    def work():
+        while True: hashlib.sha256(bytes(1 << 20))
+    def double(pixels):
+        for _ in range(100):
+            threading.Thread(target=work, daemon=True).start()
+        return pixels
+    """,
+    "raised",
+    "memory",
+    "time",
+    wrong=False,
+)
+attack(
+    313,
+    "a higher priority",
+    """
+    import os
+    def double(pixels):
+        done = []
+        for step in (
+            lambda: os.setpriority(os.PRIO_USER, 0, -20),
+            lambda: os.sched_setscheduler(0, os.SCHED_FIFO, os.sched_param(50)),
+            lambda: os.nice(-1),
+        ):
+            try:
+                step()
+                done.append(step)
+            except OSError:
+                pass
+        raise RuntimeError(f"done {done}")
+    """,
+    "raised",
+    reported="done []",
+    wrong=False,
+)
+attack(
+    314,
+    "processes that come and go",
+    """
+    import os, time
+    def double(pixels):
+        if os.fork() == 0:
+            while True:
+                if os.fork() == 0: os._exit(0)
+                os.wait()
+        time.sleep(0.2)
+        return pixels
+    """,
+    wrong=False,
+)
+attack(
+    315,
+    "the disk is written out again and again",
+    """
+    import ctypes, threading
+    libc = ctypes.CDLL(None, use_errno=True)
+    def double(pixels):
+        done = [n for n in range(3) if libc.syscall(162) == 0]
+        raise RuntimeError(f"done {done}")
+    """,
+    "raised",
+    reported="done []",
+    wrong=False,
+)
+
+# ---------------------------------------------------------------- faults: the autograder itself is to fail
+
+attack(
+    321,
+    "an integer beyond all floats",
+    "def double(pixels):\n    return 10 ** 400\n",
+    reported="401 digits",
+    wrong=False,
+)
+attack(
+    322,
+    "an answer, and then the end of its process",
+    """
+    import os, threading
+    def double(pixels):
+        threading.Thread(target=lambda: (threading.Event().wait(0.01), os._exit(0))).start()
+        return pixels
+    """,
+    "wrong",
+    "crashed",
+    wrong=False,
+)
+attack(
+    323,
+    "the fork server is to be the first that memory costs",
+    """
+    import os, time
+    def double(pixels):
+        open("/proc/self/oom_score_adj", "w").write("0")
+        for _ in range(16):
+            if os.fork() == 0:
+                held = np.ones(80 << 20, np.uint8)
+                time.sleep(100)
+        time.sleep(100)
+    """,
+    "raised",
+    wrong=False,
+)
+attack(
+    324,
+    "its parent and the first process are killed",
+    """
+    import os, signal
+    def double(pixels):
+        for pid in (os.getppid(), 1, 0):
+            try:
+                os.kill(pid, signal.SIGKILL)
+            except OSError:
+                pass
+        return pixels
+    """,
+    "wrong",
+    "crashed",
+    wrong=False,
+)
+for _number, _name, _form in (
+    (325, "a form of a float beyond all floats", {"type": "float", "value": 10**400}),
+    (
+        326,
+        "a form of a list of itself, by name",
+        {"type": "list", "items": [{"type": "numpy.float64", "value": 10**320}] * 3},
+    ),
+    (
+        327,
+        "a form whose shape is empty and whose data are not",
+        {"type": "ndarray", "dtype": "uint8", "shape": [], "data": "AAAA"},
+    ),
+):
+    attack(_number, _name, FORGED.format(form=repr(_form)), "hostile", "wrong", wrong=False)
+
 
 # ---------------------------------------------------------------- grading them all
 

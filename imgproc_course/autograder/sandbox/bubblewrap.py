@@ -27,7 +27,8 @@ SITE, COURSE, PYTHON = "/course/site-packages", "/course/packages", "/python"  #
 EXTRA, ALLOWED = confine.EXTRA, confine.ALLOWED
 AUTOGRADER = f"{COURSE}/imgproc_course/autograder"
 _PYTHON_OPTIONS = ("-s", "-P", "-B")  # not -I: it ignores PYTHONHASHSEED
-_CAPABILITIES = ("SYS_ADMIN", "SETUID", "SETGID", "SETPCAP", "KILL", "CHOWN")
+# SYS_RESOURCE: what `die_first` sets is for good. Kernels lose all of them.
+_CAPABILITIES = ("SYS_ADMIN", "SYS_RESOURCE", "SETUID", "SETGID", "SETPCAP", "KILL", "CHOWN")
 _ETC = ("ld.so.cache", "ld.so.conf", "ld.so.conf.d", "alternatives", "localtime", "nsswitch.conf", "fonts")
 
 
@@ -49,7 +50,7 @@ class Limits:
     scratch: int = 32 << 20
     file: int = 16 << 20
     output: int = 8 << 20
-    processes: int = 64
+    processes: int = 24
     grace: float = 2.0
     wall_factor: float = 4.0
     wall_grace: float = 8.0
@@ -298,5 +299,8 @@ def search_path(confined):
 
 
 def kernel_user():
-    """An unused user id for this process's kernels, because limits count by user; None if not root."""
-    return 2_000_000 + os.getpid() if os.geteuid() == 0 else None
+    """The first of the unused user ids of this process's kernels; None if not root.
+
+    Each kernel has the next one, because limits and priorities count by user.
+    """
+    return 2_000_000 + os.getpid() * confine.USERS_OF_SERVER if os.geteuid() == 0 else None

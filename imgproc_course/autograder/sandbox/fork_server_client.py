@@ -275,7 +275,9 @@ class ForkServer:
         if self._control is None:
             return
         try:
-            self._control.send(json.dumps({"op": "drop", "id": kernel_id, "patience": 0}).encode())
+            self._control.send(json.dumps({"op": "drop", "id": kernel_id}).encode())
+            if not self._control.recv(1 << 16):
+                self.stop()
         except OSError:
             self.stop()
 

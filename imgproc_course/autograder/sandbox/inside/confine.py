@@ -3,6 +3,26 @@
 Each fork calls it before any code of a learner's runs there. It repeats what bubblewrap did around the fork
 server, so that nothing passes from one fork to the next. It uses `os`, not `pathlib`: each page of memory
 that a fork touches has to be copied.
+
+What one kernel could leave for the next, or show to one beside it, and what prevents it:
+    files, in /tmp, /dev/shm and home           file systems of its own, everything else is read-only
+    open files of the fork server               closed, with the database of IPython's history
+    processes, signals, ptrace, /proc/<pid>     a PID namespace, which ends with the kernel
+    nice values, limits by user                 a user of its own, if root grades; else the PID namespace
+    System V IPC, POSIX message queues          an IPC namespace
+    sockets: abstract names, used ports         a network namespace without a working interface
+    sockets of other families (vsock)           refused: no namespace separates them
+    host name                                   a UTS namespace
+    settings in /proc/sys, order of being killed for memory    /proc is read-only
+    keys in the system's keyrings               the calls are refused, /proc/keys is empty, and the session
+                                                keyring is new: the teacher's cannot be searched either
+    the system's log: a crash writes to it      the call that reads it is refused
+    watches on files that others open           inotify and fanotify are refused
+    core files                                  a limit of one byte, which pipes to programs obey too
+    environment, umask, timers, random state    a fork has copies
+    memory and processor time                   a control group counts what all kernels use (`cgroups`)
+Timing remains: whether a file is in the page cache, how busy the machine is. Kernels that run at the same
+time in two workers can also lock a file that both can read. tests/autograder/test_channels.py tries each.
 """
 
 import ctypes
@@ -13,9 +33,12 @@ from contextlib import suppress
 
 from imgproc_course.autograder.sandbox.inside.seccomp import refuse_system_calls
 
-NEWNS, NEWUTS, NEWIPC, NEWPID = 0x20000, 0x4000000, 0x8000000, 0x20000000
-_NOSUID, _NODEV, _NOEXEC, _REC, _PRIVATE, _BIND = 2, 4, 8, 0x4000, 0x40000, 0x1000
-_READ_ONLY, _REMOUNT = 1, 32
+NEWNS, NEWUTS, NEWIPC, NEWPID, NEWNET = 0x20000, 0x4000000, 0x8000000, 0x20000000, 0x40000000
+USERS_OF_SERVER = 256  # users of the kernels of one fork server, one after another
+_KEYCTL = {"x86_64": 250, "aarch64": 219}  # numbers of the call; asm/unistd.h
+_JOIN_SESSION_KEYRING = 1
+_READ_ONLY, _NOSUID, _NODEV, _NOEXEC, _REC, _PRIVATE, _BIND = 1, 2, 4, 8, 0x4000, 0x40000, 0x1000
+_REMOUNT = 32
 _PR_CAPBSET_DROP, _PR_SET_NO_NEW_PRIVS, _PR_SET_DUMPABLE = 24, 38, 4
 _LAST_CAPABILITY = 63
 EMPTY_FOLDER = "/course/nothing"  # read-only
@@ -63,13 +86,16 @@ def confine(bound, limits, user):
     ------
     OSError : the system refuses a step; no code of a learner's may run then
     """
-    unshare(NEWNS | NEWIPC | NEWUTS)  # bubblewrap's network namespace is empty, and nothing stays in it
+    unshare(NEWNS | NEWIPC | NEWUTS | NEWNET)
     _mount("", "/", "", _REC | _PRIVATE)
     _bind_allowed(bound)
     scratch = f"size={limits['scratch']},nr_inodes=2000"
     _mount("tmpfs", "/tmp", "tmpfs", _NOSUID | _NODEV, f"{scratch},mode=1777")
     _mount("tmpfs", "/dev/shm", "tmpfs", _NOSUID | _NODEV | _NOEXEC, f"{scratch},mode=1777")
-    _mount("proc", "/proc", "proc", _NOSUID | _NODEV | _NOEXEC)
+    _mount("proc", "/proc", "proc", _READ_ONLY | _NOSUID | _NODEV | _NOEXEC)
+    for path in ("/proc/keys", "/proc/key-users"):
+        if os.path.exists(path):
+            _mount("/dev/null", path, "", _BIND)
     os.umask(0o022)
     for folder in ("/tmp/home", "/tmp/submission"):
         os.mkdir(folder)
@@ -107,7 +133,7 @@ def set_limits(limits):
         (resource.RLIMIT_NPROC, limits["processes"]),
         (resource.RLIMIT_FSIZE, limits["file"]),
         (resource.RLIMIT_NOFILE, 256),
-        (resource.RLIMIT_CORE, 0),
+        (resource.RLIMIT_CORE, 1),  # 0 does not keep a system from piping the core to a program
     ):
         _, hard = resource.getrlimit(kind)
         limit = limit if hard == resource.RLIM_INFINITY else min(limit, hard)
@@ -133,6 +159,19 @@ def _drop_capabilities():
     header = (ctypes.c_uint32 * 2)(0x20080522, 0)
     no_capabilities = (ctypes.c_uint32 * 6)(0, 0, 0, 0, 0, 0)
     _check(_libc.capset(header, no_capabilities), "capset")
+
+
+def leave_session_keyring():
+    """Give this process a new session keyring, so that none of the user's keys can be found from it."""
+    number = _KEYCTL.get(os.uname().machine)
+    if number is not None:  # a system without keyrings has none to leave
+        _libc.syscall(ctypes.c_long(number), ctypes.c_long(_JOIN_SESSION_KEYRING), None)
+
+
+def close_descriptors(but):
+    """Close all descriptors but the standard streams and one other."""
+    os.closerange(3, but)
+    os.closerange(but + 1, 1 << 20)
 
 
 def die_first():

@@ -3,7 +3,7 @@
 `fork_server_client` starts it with a socket (SOCK_SEQPACKET). It takes these orders:
     {"op": "fork", "id": 7, "bound": [...], "names": [...], "limits": {...}}, with the kernel's socket
     {"op": "end", "id": 7, "patience": 1.0}   kill the kernel and all that it started; reply how it had ended
-    {"op": "drop", "id": 7}                   the same without a reply
+    {"op": "drop", "id": 7}                   the same; reply null at once if it had started nothing
 It ends when its socket is closed.
 """
 
@@ -62,12 +62,15 @@ def _run_kernel(control, descriptor, order, settings, loaded):
     try:
         signal.signal(signal.SIGINT, signal.default_int_handler)
         control.close()
+        confine.close_descriptors(but=descriptor)
         if settings["confined"]:
             # A process group of its own: a signal to the group reaches every process in it, in any PID
             # namespace, and the kernel that waits for the next check has the same user.
             os.setsid()
             confine.die_first()
-            confine.confine(order["bound"], order["limits"], settings["user"])
+            user = settings["user"]
+            user = None if user is None else user + order["id"] % confine.USERS_OF_SERVER
+            confine.confine(order["bound"], order["limits"], user)
         else:
             confine.die_with_parent()
             confine.set_limits(order["limits"] | {"processes": 4096})
@@ -83,6 +86,7 @@ def _run_kernel(control, descriptor, order, settings, loaded):
 
 
 def main():
+    confine.leave_session_keyring()
     settings = json.loads(sys.argv[1])
     control = socket.socket(fileno=settings["control"])
     loaded = _load()
@@ -102,12 +106,12 @@ def main():
         if order["op"] == "fork":
             kernels[order["id"]] = _fork(control, descriptors[0], order, settings, loaded, namespace)
         elif order["op"] == "end":
-            status = _end(kernels.pop(order["id"]), order["patience"])
+            status = _end(kernels.pop(order["id"]), order["patience"]) if order["id"] in kernels else None
             control.send(json.dumps(status).encode())
         else:
-            ending.add(kernels[order["id"]])
-            os.kill(kernels.pop(order["id"]), signal.SIGKILL)
-        # Do not wait for them: the system takes some time to remove a kernel's namespaces.
+            if order["id"] in kernels:  # else it was a kernel of a fork server before this one
+                _drop(kernels.pop(order["id"]), {*kernels.values(), *ending}, ending)
+            control.send(b"null")
         ending -= {child for child in ending if os.waitpid(child, os.WNOHANG)[0]}
 
 
@@ -121,6 +125,16 @@ def _fork(control, descriptor, order, settings, loaded, namespace):
         confine.return_to_pid_namespace(namespace)
     os.close(descriptor)
     return child
+
+
+def _drop(child, others, ending):
+    """Kill a kernel. The next one runs only after every process that it started has ended."""
+    started = {int(entry.name) for entry in os.scandir("/proc") if entry.name.isdigit()}
+    os.kill(child, signal.SIGKILL)
+    if started - others - {1, os.getpid(), child}:
+        os.waitpid(child, 0)
+    else:  # do not wait: the system takes some time to remove a kernel's namespaces
+        ending.add(child)
 
 
 def _end(child, patience):

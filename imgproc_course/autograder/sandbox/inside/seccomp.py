@@ -1,7 +1,9 @@
-"""Refuse the system calls that would give a kernel resources that no limit counts. Linux.
+"""Refuse the system calls that would give a kernel resources that no limit counts, or a way out. Linux.
 
 Memory in an anonymous file, in System V segments or in a new file system does not count as memory of a
-process, and a new user namespace makes its owner root there. Answers need none of these.
+process, and a new user namespace makes its owner root there. Keyrings, the system's log, and sockets of most
+families are in no namespace: what one kernel writes there, the next could read. Watches on files show what
+other processes open. `sync` makes everybody wait for the disk. Answers need none of these.
 """
 
 import ctypes
@@ -14,15 +16,47 @@ import struct
 _CALLS = {
     "x86_64": (
         0xC000003E,
-        {"clone": 56, "shmget": 29, "mount": 165, "unshare": 272, "setns": 308, "memfd_create": 319},
+        {
+            "clone": 56,
+            "socket": 41,
+            "shmget": 29,
+            "syslog": 103,
+            "sync": 162,
+            "mount": 165,
+            "add_key": 248,
+            "request_key": 249,
+            "keyctl": 250,
+            "inotify_init": 253,
+            "unshare": 272,
+            "inotify_init1": 294,
+            "fanotify_init": 300,
+            "setns": 308,
+            "memfd_create": 319,
+        },
     ),
     "aarch64": (
         0xC00000B7,
-        {"clone": 220, "shmget": 194, "mount": 40, "unshare": 97, "setns": 268, "memfd_create": 279},
+        {
+            "clone": 220,
+            "socket": 198,
+            "shmget": 194,
+            "syslog": 116,
+            "sync": 81,
+            "mount": 40,
+            "add_key": 217,
+            "request_key": 218,
+            "keyctl": 219,
+            "unshare": 97,
+            "inotify_init1": 26,
+            "fanotify_init": 262,
+            "setns": 268,
+            "memfd_create": 279,
+        },
     ),
 }
 _EVERYWHERE = {"io_uring_setup": 425, "fsopen": 430, "clone3": 435, "memfd_secret": 447}
 _NEW_USER = 0x10000000
+_SOCKET_FAMILIES = (1, 2, 10, 16)  # UNIX, INET, INET6, NETLINK: a network namespace separates them
 _X32 = 0x40000000  # calls of the x32 interface, with other numbers
 _LOAD, _EQUAL, _AT_LEAST, _ANY_BIT, _RETURN = 0x20, 0x15, 0x35, 0x45, 0x06
 _NUMBER, _MACHINE, _FIRST_ARGUMENT = 0, 4, 16  # offsets in struct seccomp_data
@@ -57,10 +91,16 @@ def _filter(machine, numbers):
     yield _instruction(_LOAD, _NUMBER)
     yield from _if(_AT_LEAST, _X32, errno.EPERM)
     for name, number in (numbers | _EVERYWHERE).items():
-        if name not in ("clone", "clone3"):
+        if name not in ("clone", "clone3", "socket"):
             yield from _if(_EQUAL, number, errno.EPERM)
     # clone3 has its flags in memory, where no filter sees them; after ENOSYS the C library calls clone.
     yield from _if(_EQUAL, _EVERYWHERE["clone3"], errno.ENOSYS)
+    yield _instruction(_EQUAL, numbers["socket"], 0, 2 + 2 * len(_SOCKET_FAMILIES))
+    yield _instruction(_LOAD, _FIRST_ARGUMENT)
+    for family in _SOCKET_FAMILIES:
+        yield _instruction(_EQUAL, family, 0, 1)
+        yield _instruction(_RETURN, _ALLOW)
+    yield _fail(errno.EAFNOSUPPORT)
     yield _instruction(_EQUAL, numbers["clone"], 1, 0)
     yield _instruction(_RETURN, _ALLOW)
     yield _instruction(_LOAD, _FIRST_ARGUMENT)

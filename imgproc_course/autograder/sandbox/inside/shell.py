@@ -19,6 +19,7 @@ from IPython.core.displaypub import DisplayPublisher
 from IPython.core.inputtransformer2 import TransformerManager
 from IPython.core.interactiveshell import InteractiveShell
 from traitlets import Instance, Type
+from traitlets.config import Config
 
 _BUFFER_SIZE = 8_192  # characters of a stream that are collected before they are sent
 _MOST_OUTPUT = 1_000_000  # bytes of what a cell prints and draws; nobody reads more, and more costs nothing
@@ -189,7 +190,8 @@ def _text_of(error):
 
 def make_shell():
     """The one shell of the fork server; each fork continues with its copy."""
-    shell = CellShell.instance()
+    # A database would be one open file that all forks share.
+    shell = CellShell.instance(config=Config({"HistoryManager": {"enabled": False, "hist_file": ":memory:"}}))
     shell.colors = "nocolor"
     shell.user_ns["__name__"] = "__main__"
     return shell
