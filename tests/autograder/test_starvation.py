@@ -102,7 +102,7 @@ def test_all_processes_of_a_worker_have_one_share_of_the_processor(tmp_path, mon
     group._guard.communicate()
     assert written == {
         "memory.max": str((1 << 30) + cgroups._OWN_MEMORY),
-        "pids.max": "56",
+        "pids.max": "72",
         "cpu.weight": "100",
         "cpu.shares": "1024",
     }

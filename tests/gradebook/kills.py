@@ -155,7 +155,7 @@ def run_with_kills(run, kind, count, pause, rng):
             time.sleep(0.01)
         count -= killed
         if killed and kind == COMMAND:
-            run.process.communicate()
+            run.process.wait()
         if run.process.poll() is not None:
             run.process.communicate()
             run.start()

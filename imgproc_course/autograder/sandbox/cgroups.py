@@ -39,7 +39,7 @@ class ProcessGroup:
         self._max_memory = memory + _OWN_MEMORY
         limits = {
             "memory": {"memory.limit_in_bytes": self._max_memory, "memory.max": self._max_memory},
-            "pids": {"pids.max": 2 * processes + 8},
+            "pids": {"pids.max": 2 * processes + 24},
             # As much processor time as one process: however many run here, they do not slow others down.
             "cpu": {"cpu.shares": 1024, "cpu.weight": 100},
         }

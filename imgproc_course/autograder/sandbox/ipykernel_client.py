@@ -18,6 +18,7 @@ from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.autograder.sandbox.allowed_modules import module_access
 from imgproc_course.autograder.sandbox.cell_run import LOOK_SECONDS, CellRun
 
+_OWN_THREADS = 16  # of ipykernel itself, at most; they count as processes
 _SOCKETS = "/course/kernel"  # the shared folder as the sandbox sees it
 
 
@@ -39,7 +40,8 @@ class IPykernelClient:
         shared = self._folder / "shared"
         shared.mkdir()
         shared.chmod(0o777)
-        system_limits = limits.for_system(seconds) | {"cpu": self._cpu_limit}
+        processes = limits.processes + _OWN_THREADS
+        system_limits = limits.for_system(seconds) | {"cpu": self._cpu_limit, "processes": processes}
         self._start(shared, self._command(confined, shared, allowed, system_limits))
         self._deadline = None
 
