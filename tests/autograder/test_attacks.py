@@ -3,7 +3,8 @@
 import pytest
 from attacks import ATTACKS, grade_attacks
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("attacks")]
+# All attacks are graded in one fixture; what is out of time is run twice.
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("attacks"), pytest.mark.timeout(900)]
 TITLES = [attack.title for attack in ATTACKS]
 
 
