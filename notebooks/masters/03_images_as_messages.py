@@ -968,7 +968,7 @@ assert encoding_info("32FC1").dtype == np.float32
 # - `rgb8` and `bgr8`: shape (height, width, 3), dtype uint8, with the channels in the same order as in `data`
 # - `mono16`: shape (height, width), dtype uint16; `is_bigendian` gives the byte order in `data`
 #
-# Use only NumPy. Your answers above are a good start. Copy their lines into this cell, because grading runs this cell alone.
+# Use only NumPy. Your answers above are a good start. Copy their lines into this cell: then the answer is complete.
 
 # %% role="exercise"
 from types import SimpleNamespace
