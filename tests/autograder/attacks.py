@@ -479,7 +479,7 @@ attack(
     "raised",
     wrong=False,
 )
-attack(28, "sys.exit in the cell", "import sys\nsys.exit(0)\n", "raised", "missing")
+attack(28, "sys.exit in the cell", "import sys\nsys.exit(0)\n")  # the function below it counts
 attack(
     29,
     "os._exit in the function",
@@ -583,6 +583,7 @@ attack(
             get_ipython().display_pub.publish({"text/plain": "x" * 1_000_000})
     """,
     "output",
+    "time",  # what a cell prints beyond 1 MB is dropped, so the endless loop may count
     wrong=False,
 )
 attack(37, "a flood in the cell", "print('x' * 50_000_000)\n")
@@ -1340,6 +1341,7 @@ attack(
     "raised",
     "missing",
     "crashed",
+    "time",
     "wrong",
 )
 

@@ -86,9 +86,9 @@ def test_checks_share_a_kernel_as_long_as_they_pass(key, right):
 def test_a_case_is_compared_once_and_nbval_reads_that_verdict(key, right, monkeypatch):
     comparisons = []
 
-    def counted(*arguments):
+    def counted(*arguments, **options):
         comparisons.append(arguments)
-        return compare(*arguments)
+        return compare(*arguments, **options)
 
     monkeypatch.setattr(verdict, "compare", counted)
     runs = {}

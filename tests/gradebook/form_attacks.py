@@ -127,7 +127,7 @@ def _hidden_case_ids(lesson):
         lesson["cells"].append({"id": id, "cell_type": "code", "metadata": {}, "source": "1", "outputs": []})
 
 
-@of_cells(5, "every cell twice", "occurs 2 times")
+@of_cells(5, "every cell twice", "2 cells define double()")
 def _duplicates(lesson):
     lesson["cells"] += [dict(cell) for cell in lesson["cells"]]
 
@@ -137,7 +137,7 @@ def _reordered(lesson):
     lesson["cells"].reverse()
 
 
-@of_cells(7, "the answer in another cell", "is defined in another cell (mine), which is not graded")
+@of_cells(7, "the answer in another cell", "graded from another cell (mine), which defines double()")
 def _moved(lesson):
     cell_of(lesson, "answer-light-double")["id"] = "mine"
 

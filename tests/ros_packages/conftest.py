@@ -91,13 +91,13 @@ class Process:
     def send(self, number):
         self._process.send_signal(number)
 
-    def leave(self, *numbers, seconds=20.0):
+    def leave(self, *numbers, seconds=60.0):
         """Sends these signals (SIGINT if omitted) and returns the exit code."""
         for number in numbers or (signal.SIGINT,):
             self.send(number)
         return self.wait(seconds)
 
-    def wait(self, seconds=20.0):
+    def wait(self, seconds=60.0):
         """Waits until it has ended by itself and returns the exit code."""
         code = self._process.wait(seconds)
         self._reader.join(seconds)
