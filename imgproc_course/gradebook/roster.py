@@ -96,7 +96,7 @@ def _entry(row):
     )
     if full.casefold() in _NO_PEOPLE and not (full == "" and others):
         return None
-    numbers = ((_NUMBERS[column], re.search(r"\d+$", row.get(column, ""))) for column in _NUMBERS)
+    numbers = ((_NUMBERS[column], re.search(r"(?<!\d)\d+$", row.get(column, ""))) for column in _NUMBERS)
     number = next(((platform, match[0]) for platform, match in numbers if match), None)
     return RosterEntry(sanitize_line(full or others[0], 120), names, number)
 

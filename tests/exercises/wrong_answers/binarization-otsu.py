@@ -183,18 +183,6 @@ def otsu(gray):
             best, best_t = variance, t
     return best_t
 
-# %% name="float threshold" origin="new" sentence="You return a float; the threshold is one whole number: use int()." must_say=["float", "\\bint\\b|whole"] kind="type"
-def otsu(gray):
-    best, best_t = -1.0, 0.0
-    for t in np.arange(0.0, 256.0):
-        low, high = gray[gray <= t], gray[gray > t]
-        if low.size == 0 or high.size == 0:
-            continue
-        variance = low.size * high.size * (low.mean() - high.mean()) ** 2
-        if variance > best:
-            best, best_t = variance, t
-    return float(best_t)
-
 # %% name="binary image instead of the threshold" origin="new" sentence="You return the binary image, but the task asks for the threshold, one number: return best_t." must_say=["binary image|\\bimage\\b|\\barray\\b", "number|threshold", "return"] kind="type"
 def otsu(gray):
     best, best_t = -1.0, 0

@@ -130,15 +130,3 @@ def keep_peaks(magnitude):
         if magnitude[col] > magnitude[col - 1] and magnitude[col] >= magnitude[col + 1]:
             peaks[col] = magnitude[col]
     return peaks
-
-# %% name="appended to a list" origin="walk" sentence="A list comes back, and an array is asked for: return np.array(peaks, dtype=np.int32)." must_say=["np\\.array"] must_not_say=["equal|left"] kind="type"
-def keep_peaks(magnitude):
-    padded = np.pad(magnitude, 1)
-    peaks = []
-    for col in range(magnitude.size):
-        left, right = padded[col], padded[col + 2]
-        if magnitude[col] > left and magnitude[col] >= right:
-            peaks.append(magnitude[col])
-        else:
-            peaks.append(0)
-    return peaks

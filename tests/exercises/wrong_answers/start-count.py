@@ -2,10 +2,6 @@
 def count_pixels(frame):
     print(frame.shape[0] * frame.shape[1])
 
-# %% name="size counts channels, divided with /" origin="walk" sentence="The value is right, but / makes a float; a count is a whole number, so divide with // (or call int())." must_say=["float|whole number|integer|\\bint\\b", "//|int\\("] must_not_say=["channel"] kind="type"
-def count_pixels(frame):
-    return frame.size / 3
-
 # %% name="no parameter, global frame" origin="walk" sentence="Your function takes no argument, but it is called with a frame: write count_pixels(frame) and use that parameter, not the frame of another cell." must_say=["argument|parameter|takes no|takes 0", "count_pixels\\(frame\\)|no (argument|parameter)|takes (no|0)|without|parenthes|missing"] must_not_say=["define frame"] kind="error"
 def count_pixels():
     return frame.shape[0] * frame.shape[1]
