@@ -2,7 +2,7 @@
 
 `read_form` accepts canonical forms only (see `exercises.canonical`), and makes each of them anew from the
 keys that its type has: right types, a known dtype, data of the right length, limited size and depth. So
-whoever compares, describes or draws a form meets only what `canonical` itself could have written.
+code that compares, describes or draws a form meets only what `canonical` itself could have written.
 """
 
 import base64

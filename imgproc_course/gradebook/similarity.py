@@ -16,7 +16,7 @@ from pathlib import Path
 
 from imgproc_course.gradebook.report import render_page
 
-SHORTEST_SOLUTION = 60  # tokens; whoever solves an exercise with a shorter solution may well write the same
+SHORTEST_SOLUTION = 60  # tokens; independent learners often write the same short solution
 MOST_COMMON = 10  # submissions that contain a fingerprint; MOSS has the same limit
 FEWEST_PRINTS = 6  # of a submission that is compared
 LEAST_SHARE = 0.5  # of the fingerprints of the smaller submission

@@ -4,12 +4,12 @@ from PIL import __getattr__  # noqa: F401 - every other name is unusable
 
 
 class Image:
-    """A picture of nothing."""
+    """An empty image."""
 
     def save(self, *_arguments, **_options):
         """Write nothing."""
 
 
 def frombuffer(*_arguments, **_options):
-    """The picture of nothing, for every buffer."""
+    """The empty image, for every buffer."""
     return Image()
