@@ -1,8 +1,8 @@
 """Programs use one camera and are killed at random: is there always one, and does it end with the last?
 
 Each round, one of PROGRAMS programs is killed (kill -9) or leaves, or the camera's own process is killed, and
-programs that ended start again. At the end the last ones are killed at once. Required: each program that joins receives
-frames; there is never a second camera process; at the end no process and no socket is left.
+programs that ended start again. At the end the last ones are killed at once. Required: each program that
+joins receives frames; there is never a second camera process; at the end no process and no socket is left.
 
 Run it with `environment/test --benchmarks robot_process`; SECONDS=600 in the environment makes it longer.
 """
