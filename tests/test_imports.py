@@ -19,7 +19,7 @@ ARROWS = {
     "geometry": set(),
     "recording": {"messages"},
     "simulation": {"geometry"},
-    "ros": {"messages", "recording"},
+    "ros": {"messages", "recording", "simulation"},
     "display": {"messages", "ros"},
     "exercises": set(),
     "authoring": {"exercises"},

@@ -18,13 +18,14 @@ if _problem is None:
     from imgproc_course.ros.camera import Camera, open_camera
     from imgproc_course.ros.node_process import run_processor
     from imgproc_course.ros.processor import ImageProcessor
+    from imgproc_course.ros.robot import Robot
     from imgproc_course.ros.robot_process import RobotInUseError
     from imgproc_course.ros.session import RosSession
     from imgproc_course.ros.subscriber import ImageSubscriber
 else:
-    Camera, ImageProcessor, ImageSubscriber, RosSession, open_camera = (
+    Camera, ImageProcessor, ImageSubscriber, Robot, RosSession, open_camera = (
         class_stub(name, _problem)
-        for name in ("Camera", "ImageProcessor", "ImageSubscriber", "RosSession", "open_camera")
+        for name in ("Camera", "ImageProcessor", "ImageSubscriber", "Robot", "RosSession", "open_camera")
     )
     RobotInUseError = RosMissingError  # so that `except RobotInUseError` is no mistake
     run_processor = run_processor_stub(_problem)
@@ -51,6 +52,7 @@ __all__ = [
     "ImageProcessor",
     "ImageSubscriber",
     "NumericParameter",
+    "Robot",
     "RobotInUseError",
     "RosMissingError",
     "RosSession",

@@ -1,7 +1,8 @@
-"""A camera for a notebook: the recorded drive, or a webcam, published as the robot publishes its camera."""
+"""A camera for a notebook: the recorded drive, the room or a webcam, on the topics of the robot's camera."""
 
 import difflib
 import importlib
+import math
 import numbers
 import os
 import threading
@@ -13,7 +14,10 @@ from imgproc_course.ros.session import RosSession, log
 from imgproc_course.ros.subscriber import weak_callback
 
 TOPIC = "/kachaka/front_camera/image_raw"
-SOURCES = ("recording", "webcam", "topic")
+SOURCES = ("recording", "room", "webcam", "topic")
+ROOM = {"seed": 0, "size": (640, 360), "lighting": "day", "start": None}  # the room, if nothing else is asked
+RATES = (30, 10)  # images per second of the room, up to this width in pixels and above
+FAST_WIDTH = 640
 ROBOT_MODULE = "imgproc_course.ros.camera_publisher"  # imported only in the process that publishes
 
 
@@ -26,6 +30,11 @@ def open_camera(
     recording="drive",
     camera_topic=None,
     stamps="now",
+    seed=None,
+    size=None,
+    lighting=None,
+    start=None,
+    rate=None,
     switch=False,
 ):
     """Opens this machine's camera, which has the topics, headers and QoS of the robot's own camera.
@@ -36,14 +45,18 @@ def open_camera(
 
     Parameters
     ----------
-    source : "recording"; "webcam" (the first camera of this machine); or "topic" (a robot already publishes,
-        so nothing is published here)
+    source : "recording"; "room" (a simulated robot, which can be driven through the room of the recorded
+        drive: see `Robot`); "webcam" (the first camera of this machine); or "topic" (a robot already
+        publishes, so nothing is published here)
     topic : name of the topic of raw images
     speed : factor on the recorded rate: 3.0 plays a drive of 10 Hz at 30 Hz
     loop : whether the recording starts again at its end
     recording : "drive", or the path of your own recording
     camera_topic : which topic of the recording is played; None as in `open_recording`
     stamps : "now", or "recorded" for the stamps of the recording (they jump back when it starts again)
+    seed, size, lighting, start : of the room, as in `Simulation`; 0, (640, 360), "day", and where the drive
+        began, if omitted
+    rate : images per second of the room; 30 if omitted, 10 for images more than 640 pixels wide
     switch : if other programs use the camera in another way: True switches it for all of them
 
     Returns
@@ -52,18 +65,23 @@ def open_camera(
 
     Raises
     ------
-    ValueError : an unknown source or stamps, a bad speed or topic name
+    ValueError : an unknown source or stamps, a bad speed, topic name or option of the room
     RecordingError : the recording cannot be opened, or has no images on that topic
     RobotInUseError : other programs use the camera in another way; the text names them
-    RuntimeError : no webcam answers, or the camera's process does not start
+    RuntimeError : no webcam answers, panda3d is missing for the room, or the camera's process does not start
     """
     _check_arguments(source, speed, stamps)
+    room = {"seed": seed, "size": size, "lighting": lighting, "start": start, "rate": rate}
+    room = {name: value for name, value in room.items() if value is not None}
+    _check_room(source, room)
     session = RosSession.current()
     request = {"source": source, "topic": session.resolve_topic(topic)}
     if source == "recording":
         own_path = str(recording) if recording == "drive" else str(Path(recording).absolute())
         request |= {"recording": own_path, "camera_topic": camera_topic, "speed": float(speed)}
         request |= {"loop": bool(loop), "stamps": stamps}
+    if source == "room":
+        request |= _room_request(**room)
     return Camera(request, switch)
 
 
@@ -71,7 +89,7 @@ def _check_arguments(source, speed, stamps):
     if source not in SOURCES:
         close_matches = difflib.get_close_matches(str(source), SOURCES, 1)
         raise ValueError(
-            f"unknown source {source!r}; use 'recording', 'webcam' or 'topic'"
+            f"unknown source {source!r}; use 'recording', 'room', 'webcam' or 'topic'"
             + (f"; did you mean {close_matches[0]!r}?" if close_matches else "")
         )
     if not (isinstance(speed, numbers.Real) and 0 < speed < float("inf")):
@@ -80,6 +98,34 @@ def _check_arguments(source, speed, stamps):
         raise ValueError(f"speed {speed!r} with source {source!r}: only a recording can change its speed")
     if stamps not in ("now", "recorded"):
         raise ValueError(f"stamps must be 'now' or 'recorded', got {stamps!r}")
+
+
+def _check_room(source, options):
+    if source != "room" and options:
+        name, value = next(iter(options.items()))
+        raise ValueError(
+            f"{name} {value!r} with source {source!r}: only the room, open_camera('room'), has it"
+        )
+    for name, count in (("size", 2), ("start", 3)):
+        value = options.get(name, (0,) * count)
+        if not (isinstance(value, (tuple, list)) and len(value) == count and all(map(_is_number, value))):
+            expected = "(width, height)" if name == "size" else "(x, y, yaw) in metres and radians"
+            raise ValueError(f"{name} must be {expected}, got {value!r}")
+    rate = options.get("rate", 1)
+    if not (_is_number(rate) and 1 <= rate <= 60):
+        raise ValueError(f"rate must be 1 to 60 images per second, got {rate!r}")
+
+
+def _is_number(value):
+    return isinstance(value, numbers.Real) and math.isfinite(value)
+
+
+def _room_request(rate=None, **options):
+    request = ROOM | options
+    request["size"] = tuple(int(length) for length in request["size"])
+    if request["start"] is not None:
+        request["start"] = tuple(float(value) for value in request["start"])
+    return request | {"rate": float(rate or RATES[request["size"][0] > FAST_WIDTH])}
 
 
 def camera_topics(topic):
@@ -100,6 +146,8 @@ class Camera:
     played : images that were due since the camera was started
     published : raw images that were sent; without a subscriber none is sent
     last_error : why the camera stopped by itself, in one line; None otherwise
+    bumps : how often the robot in the room has touched something; None for other sources
+    reached_rate : images per second of the room over the last seconds; None before, and for other sources
     other_users : the other programs that use it: a list of `<program> (pid <pid>)`
     """
 
@@ -144,6 +192,8 @@ class Camera:
     played = property(lambda self: self._now().get("played", 0))
     published = property(lambda self: self._now().get("published", 0))
     last_error = property(lambda self: self._now().get("last_error"))
+    bumps = property(lambda self: self._now().get("bumps"))
+    reached_rate = property(lambda self: self._now().get("reached_rate"))
 
     @property
     def other_users(self):

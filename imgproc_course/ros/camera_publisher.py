@@ -30,12 +30,21 @@ def open_body(request):
     source, topic = request["source"], request["topic"]
     if source == "topic":
         return OtherPublisher(topic)
+    if source == "room":
+        return room_publisher(request)
     if source == "webcam":
         return CameraPublisher(topic, Webcam(), f"a webcam on {topic}")
     options = {name: request[name] for name in ("camera_topic", "speed", "loop", "stamps")}
     images = open_images(request["recording"], **options)
     description = f"playing {request['recording']} at {images.rate:g} Hz on {topic}"
     return CameraPublisher(topic, images, description)
+
+
+def room_publisher(request):
+    # Only for a room: what draws it takes a while to import.
+    from imgproc_course.ros.room_publisher import open_room
+
+    return open_room(request)
 
 
 def open_images(recording, *, camera_topic=None, speed=1.0, loop=True, stamps="now"):
@@ -124,6 +133,8 @@ class CameraPublisher:
         self._raw = publisher(Image, self.topic)
         self._compressed = publisher(CompressedImage, compressed_topic)
         self._infos = [publisher(CameraInfo, topic) for topic in info_topics]
+        others = self._images.other_topics(self.topic.rpartition("/")[0])
+        self._others = [(publisher(message_type, topic), make) for message_type, topic, make in others]
 
     def stop(self):
         """Stops publishing and removes the publishers. A second call does nothing."""
@@ -167,7 +178,7 @@ class CameraPublisher:
                 self.played += 1
                 if time.monotonic() > next_check:
                     next_check += CHECK_PERIOD
-                    self._warn_about_other_publishers()
+                    self._look_at_the_graph()
         except (ValueError, OSError, RuntimeError) as error:
             # If the context was shut down meanwhile (Ctrl-C), this is a normal end and not a failure.
             if not self._stopping.is_set() and self._node.context.ok():
@@ -195,8 +206,12 @@ class CameraPublisher:
         for info in self._infos:
             if info.get_subscription_count():
                 info.publish(image.camera_info(header))
+        for publisher, make in self._others:
+            if publisher.get_subscription_count():
+                publisher.publish(make(image, header))
 
-    def _warn_about_other_publishers(self):
+    def _look_at_the_graph(self):
+        """Warns about other publishers of the topic, which stay."""
         publishers = self._node.get_publishers_info_by_topic(self.topic)
         other_nodes = {info.node_name for info in publishers} - {self._node.get_name(), UNKNOWN_NODE_NAME}
         self._checks_with_others = self._checks_with_others + 1 if other_nodes else 0

@@ -5,10 +5,11 @@ import time
 
 import cv2
 import numpy as np
-from sensor_msgs.msg import CameraInfo
+from sensor_msgs.msg import CameraInfo, Image
 
 from imgproc_course.messages import array_to_compressed, array_to_image, encoding_info
 from imgproc_course.recording import NotRecordedError
+from imgproc_course.recording.topics import DEPTH
 
 FRAME_ID = "camera_front"
 _WEBCAM_REMEDY = "plug one in, close the program that uses it, or open_camera() for the recorded drive"
@@ -81,6 +82,14 @@ class RecordedImages:
     def stamp(self, k):
         return int(self._stamps[k]) if self._uses_recorded_stamps else None
 
+    def other_topics(self, base):
+        """What is published beside the camera's topics: (message type, topic, function(image, header))."""
+        has_depth = DEPTH in self._recording.topics
+        return [(Image, f"{base}/depth", lambda image, header: image.depth(header))] if has_depth else []
+
+    def depth(self, k, header):
+        return array_to_image(self._recording.depth(k), "16UC1", header)
+
     @property
     def frame_id(self):
         return self._frame_id
@@ -104,6 +113,9 @@ class _RecordedImage:
 
     def compressed(self, header):
         return self._images.compressed(self._k, header)
+
+    def depth(self, header):
+        return self._images.depth(self._k, header)
 
 
 class Webcam:
@@ -129,6 +141,9 @@ class Webcam:
             if not succeeded:
                 raise RuntimeError(f"the webcam sends no more images; {_WEBCAM_REMEDY}")
             yield time.monotonic(), _WebcamImage(frame)
+
+    def other_topics(self, base):
+        return []
 
     def close(self):
         self._capture.release()

@@ -343,8 +343,8 @@ class _Robot(logging.Handler):
         names = ", ".join(sorted(map(str, others)))
         return (
             f"the robot of this domain is {self._body.description}, used by {names}; "
-            f"you asked for {', '.join(changes)}: switch=True (imgproc-course play --switch) switches it for "
-            "all, or take another ROS_DOMAIN_ID (0 to 101)"
+            f"you asked for {', '.join(changes)}: switch=True (--switch in a terminal) switches it for all, "
+            "or take another ROS_DOMAIN_ID (0 to 101)"
         )
 
     def _switch(self, request, user):

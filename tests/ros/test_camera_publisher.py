@@ -19,6 +19,7 @@ class FakeRecording:
         self.frame_id = frame_id
         self.decoded = []
         self.closed = False
+        self.topics = {}
 
     def __len__(self):
         return len(self.stamps)
@@ -145,6 +146,24 @@ def test_all_four_topics_carry_the_robots_encoding_and_one_header(start_camera, 
     for msg in (infos[0][-1], infos[1][-1]):
         assert (list(msg.k), list(msg.d)) == (list(recorded.k), list(recorded.d))
         assert (msg.width, msg.height, msg.distortion_model) == (1280, 720, "plumb_bob")
+
+
+@pytest.mark.ros
+def test_the_depth_of_the_recording_comes_with_its_images(start_camera, collect, wait_until):
+    from sensor_msgs.msg import Image
+
+    from imgproc_course.messages import image_to_array
+    from imgproc_course.recording import open_recording
+    from imgproc_course.ros.camera_publisher import open_images
+
+    messages = collect("/kachaka/front_camera/depth", Image)
+    start_camera(images=open_images("drive", stamps="recorded", speed=3.0))
+    wait_until(lambda: len(messages) > 2)
+    with open_recording("drive") as drive:
+        numbers = {int(stamp): k for k, stamp in enumerate(drive.stamps)}
+        for msg in messages[:3]:
+            assert (msg.encoding, msg.header.frame_id) == ("16UC1", "camera_front")
+            assert np.array_equal(image_to_array(msg), drive.depth(numbers[stamp_of(msg)]))
 
 
 @pytest.mark.ros

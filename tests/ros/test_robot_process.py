@@ -160,8 +160,8 @@ def test_who_asks_for_another_speed_is_refused_or_switches_it_for_all(start_prog
     assert first.open("speed=3.0") == AT_30
     assert second.open() == (
         f"RobotInUseError the robot of this domain is playing drive at 30 Hz on {TOPIC}, used by "
-        f"{first.name}; you asked for speed 1.0: switch=True (imgproc-course play --switch) switches it for "
-        "all, or take another ROS_DOMAIN_ID (0 to 101)"
+        f"{first.name}; you asked for speed 1.0: switch=True (--switch in a terminal) switches it for all, "
+        "or take another ROS_DOMAIN_ID (0 to 101)"
     )
     assert second.open("topic='/elsewhere'").startswith("RobotInUseError ")
     assert second.open("'webcam'").startswith("RobotInUseError ")
@@ -275,7 +275,7 @@ def test_the_end_of_a_recording_and_a_warning_reach_every_program(start_program)
 @pytest.mark.parametrize(
     "options, message",
     [
-        ({"source": "robot"}, "unknown source 'robot'; use 'recording', 'webcam' or 'topic'"),
+        ({"source": "robot"}, "unknown source 'robot'; use 'recording', 'room', 'webcam' or 'topic'"),
         ({"source": "wecbam"}, "did you mean 'webcam'?"),
         ({"speed": 0}, "speed must be a positive number, got 0"),
         ({"speed": -1.0}, "speed must be a positive number, got -1.0"),

@@ -1,0 +1,231 @@
+"""A client of the robot's topics, for a notebook: send commands, read odometry and scan."""
+
+import math
+import threading
+import time
+import weakref
+
+from geometry_msgs.msg import Twist, Vector3
+from nav_msgs.msg import Odometry
+from rcl_interfaces.srv import SetParametersAtomically
+from rclpy.parameter import Parameter
+from rclpy.qos import qos_profile_sensor_data
+from sensor_msgs.msg import LaserScan
+
+from imgproc_course.ros.robot_topics import COMMANDS, ODOMETRY, ROOM_NODE, SCAN
+from imgproc_course.ros.session import RosSession
+from imgproc_course.ros.subscriber import weak_callback
+
+COMMAND_PERIOD = 0.1  # seconds between the commands of a drive that lasts
+TIMEOUT = 10.0  # seconds that a message, or a robot, may take to appear
+FRESH = 1.0  # seconds: an older message is of a robot that is gone, so the next one is waited for
+_START_IT = 'open_camera("room") starts a simulated robot'
+
+
+class Robot:
+    """The robot of this domain: the one in the room, or a real Kachaka.
+
+    Commands go to the topic `COMMANDS`. The robot stops by itself if no command comes for 0.5 s. Any thread
+    may use it, but a ROS callback cannot wait for the robot's messages.
+
+    Parameters
+    ----------
+    namespace : of the robot's topics, "/kachaka"
+
+    Examples
+    --------
+    >>> with open_camera("room"), Robot() as robot:
+    ...     robot.drive(0.2, 0.0, seconds=1.0)
+    ...     print(robot.odometry.pose.pose.position.x)
+    """
+
+    def __init__(self, namespace="/kachaka"):
+        self._session = RosSession.current()
+        self._node = self._session.node
+        self._change = threading.Condition()
+        self._messages, self._subscriptions = {}, {}
+        self._topics = {
+            name: self._session.resolve_topic(f"/{namespace.strip('/')}/{topic.partition('/kachaka/')[2]}")
+            for name, topic in (("commands", COMMANDS), ("odometry", ODOMETRY), ("scan", SCAN))
+        }
+        self._commands = publisher = self._node.create_publisher(Twist, self._topics["commands"], 10)
+        self._client = None
+        self._owned = owned = [publisher]
+        self._finalizer = weakref.finalize(self, _destroy, self._session, self._node, owned)
+        self._finalizer.atexit = False  # the session destroys them then
+        self._session.on_shutdown(owned, weak_callback(self._on_shutdown))
+
+    def drive(self, linear, angular, seconds=None):
+        """Sends a command: for 0.5 s at most, unless the next one follows; or for `seconds`, then a stop.
+
+        Parameters
+        ----------
+        linear : m/s, forwards; the robot's limit is 0.3
+        angular : rad/s, to the left; its limit is 1.57
+        seconds : if given, the call sends commands for so long, and returns after the stop
+
+        Raises
+        ------
+        ValueError : a speed or duration that is not finite
+        RuntimeError : no robot subscribes to the commands
+        """
+        for name, value in (("linear", linear), ("angular", angular), ("seconds", seconds or 0.0)):
+            if not math.isfinite(value) or (name == "seconds" and value < 0):
+                raise ValueError(f"{name} must be a finite number, got {value!r}")
+        self._require_robot()
+        if seconds is None:
+            self._send(linear, angular)
+            return
+        end = time.monotonic() + seconds
+        try:
+            while (left := end - time.monotonic()) > 0:
+                self._send(linear, angular)
+                time.sleep(min(left, COMMAND_PERIOD))
+        finally:
+            self._send(0.0, 0.0)
+
+    def stop(self):
+        """Sends the command to stand still."""
+        if self._finalizer.alive:
+            self._send(0.0, 0.0)
+
+    @property
+    def odometry(self):
+        """The newest nav_msgs/Odometry: where the wheels say that the robot is, since its start.
+
+        Raises
+        ------
+        TimeoutError : none arrives; RuntimeError : the caller is a ROS callback, which cannot wait
+        """
+        return self._newest("odometry", Odometry)
+
+    @property
+    def scan(self):
+        """The newest sensor_msgs/LaserScan; the robot computes scans from the first call on.
+
+        Its frame, laser_frame, is turned to the left by 90 degrees: ahead is the angle -π/2.
+        """
+        return self._newest("scan", LaserScan)
+
+    @property
+    def pose(self):
+        """(x, y, yaw) of the odometry: metres, and radians to the left."""
+        pose = self.odometry.pose.pose
+        q = pose.orientation
+        return pose.position.x, pose.position.y, 2 * math.atan2(q.z, q.w)
+
+    def restart(self, *, seed=None, lighting=None, start=None):
+        """Begins again in the room, in other light, or at another place; its odometry begins at zero.
+
+        Parameters
+        ----------
+        seed, lighting, start : as in `Simulation`; what is omitted stays
+
+        Raises
+        ------
+        ValueError : the room refuses it; the text says why
+        RuntimeError : the robot is none in the room
+        """
+        changes = {"seed": seed, "lighting": lighting, "start": start and [float(value) for value in start]}
+        result = self._set_parameters(
+            [Parameter(name, value=value) for name, value in changes.items() if value is not None]
+        )
+        if not result.successful:
+            raise ValueError(result.reason)
+
+    def _set_parameters(self, parameters):
+        if self._client is None:
+            service = f"/{ROOM_NODE}/set_parameters_atomically"
+            self._client = self._node.create_client(SetParametersAtomically, service)
+            self._owned.append(self._client)
+        if not self._client.wait_for_service(TIMEOUT):
+            raise RuntimeError(f"no simulated robot answers: {_START_IT}")
+        done = threading.Event()
+        request = SetParametersAtomically.Request(parameters=[p.to_parameter_msg() for p in parameters])
+        future = self._client.call_async(request)
+        future.add_done_callback(lambda _: done.set())
+        if not done.wait(3 * TIMEOUT):
+            raise RuntimeError(f"the simulated robot has not answered in {3 * TIMEOUT:g} s; {_START_IT}")
+        with self._change:
+            self._messages.clear()  # they are of the time before
+        return future.result().result
+
+    def close(self):
+        """Stops the robot, and its use. A second call does nothing."""
+        self.stop()
+        self._session.on_shutdown(self._owned, None)
+        self._finalizer()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *exception):
+        self.close()
+
+    def __repr__(self):
+        return f"<Robot {self._topics['commands']}>"
+
+    def _send(self, linear, angular):
+        if not self._finalizer.alive:
+            raise RuntimeError("this Robot is closed; make a new one: Robot()")
+        linear, angular = Vector3(x=float(linear)), Vector3(z=float(angular))
+        self._commands.publish(Twist(linear=linear, angular=angular))
+
+    def _require_robot(self):
+        end = time.monotonic() + TIMEOUT
+        while self._finalizer.alive and not self._commands.get_subscription_count():
+            if time.monotonic() > end:
+                raise RuntimeError(
+                    f"no robot subscribes to {self._topics['commands']}: {_START_IT}, "
+                    "or start a real robot's bridge in this ROS domain"
+                )
+            time.sleep(0.01)
+
+    def _newest(self, name, message_type):
+        if name not in self._subscriptions:
+            self._subscribe(name, message_type)
+        with self._change:
+            arrived = self._messages.get(name)
+            if arrived is not None and time.monotonic() - arrived[0] < FRESH:
+                return arrived[1]
+            if self._session.is_spinning_thread():
+                raise RuntimeError(f"no {name} can arrive while a ROS callback waits for it")
+            if not self._change.wait_for(lambda: self._messages.get(name) is not arrived, TIMEOUT):
+                raise TimeoutError(
+                    f"no {name} arrived on {self._topics[name]} in {TIMEOUT:g} s: {_START_IT}, "
+                    "or start a real robot's bridge in this ROS domain"
+                )
+            return self._messages[name][1]
+
+    def _subscribe(self, name, message_type):
+        if not self._finalizer.alive:
+            raise RuntimeError("this Robot is closed; make a new one: Robot()")
+        on_message = weak_callback(self._on_message)
+        self._subscriptions[name] = subscription = self._node.create_subscription(
+            message_type,
+            self._topics[name],
+            lambda msg: on_message(name, msg),
+            qos_profile_sensor_data,
+        )
+        self._owned.append(subscription)
+
+    def _on_message(self, name, msg):
+        with self._change:
+            self._messages[name] = (time.monotonic(), msg)
+            self._change.notify_all()
+
+    def _on_shutdown(self):
+        self.stop()
+        self._finalizer.detach()
+
+
+def _destroy(session, node, owned):
+    session.on_shutdown(owned, None)
+
+    def destroy():
+        for entity in owned:
+            for kind in (node.destroy_publisher, node.destroy_subscription, node.destroy_client):
+                if kind(entity):
+                    break
+
+    session.post(destroy)

@@ -1,0 +1,195 @@
+"""The room in real time: a simulated robot that follows commands, and an image for each time that is due."""
+
+import functools
+import math
+import threading
+import time
+
+import cv2
+
+from imgproc_course.messages import array_to_compressed, array_to_image
+from imgproc_course.ros.image_sources import FRAME_ID
+from imgproc_course.ros.room_messages import camera_info, sensor_topics
+from imgproc_course.ros.session import log
+from imgproc_course.simulation import Simulation
+
+COMMAND_TIMEOUT = 0.5  # seconds: an older command stops the robot, on the real one too
+MOTION_RATE = 30  # steps of the motion per second, at least
+LONGEST_DELAY = 1.0  # seconds: behind by more, the room's time waits instead of catching up
+RESTART_TIMEOUT = 10.0  # seconds that a restart waits for the new room's first image
+RATE_WINDOW = 5.0  # seconds over which the reached rate is measured
+SLOW = 0.9  # of the intended rate: below it, the robot says that it is slow
+
+
+class RoomImages:
+    """Yields (due, image) for each image of a simulated robot's camera, as RecordedImages does.
+
+    The robot moves between the images too, at MOTION_RATE or more. Its time is real time: where drawing takes
+    too long, images are left out, and the motion catches up.
+
+    Parameters
+    ----------
+    rate : images per second
+    options : of `Simulation`: seed, size, lighting, start
+
+    Attributes
+    ----------
+    simulation : the Simulation; only the thread that iterates may use it
+    reached_rate : images per second over the last seconds; None before
+    bumps : how often the robot has touched something
+    on_motion : function(stamp in ns) that the iterating thread calls after each step of the motion
+
+    Raises
+    ------
+    ValueError, RuntimeError : as `Simulation`
+    """
+
+    def __init__(self, rate, **options):
+        self.rate, self._options = rate, options
+        self.simulation = Simulation(**options)
+        self.simulation.frame()  # the first one takes a second, which the robot would miss while it drives
+        self.on_motion = lambda stamp: None
+        self.reached_rate, self.bumps = None, 0
+        self._lock = threading.Lock()
+        self._command = (0.0, 0.0, -math.inf)
+        self._next = None
+        self._is_reported = False
+
+    @property
+    def options(self):
+        """The options of the simulation that runs, or begins next."""
+        return dict(self._options)
+
+    def command(self, linear, angular):
+        """Sets the speeds (m/s, rad/s) that the robot strives for. Any thread may call it."""
+        with self._lock:
+            self._command = (linear, angular, time.monotonic())
+
+    def restart(self, **changes):
+        """Begins again with other options; person, car and ball go on. Any other thread may call it.
+
+        With another lighting alone the robot stays where it is; its odometry begins at zero in any case.
+
+        Raises
+        ------
+        ValueError : as `Simulation`; the running one goes on
+        """
+        if changes.keys() == {"lighting"}:
+            changes["start"] = planar(self.simulation.pose("robot"))
+        options = self._options | changes
+        simulation = Simulation(**options, time=self.simulation.time)
+        is_taken = threading.Event()
+        with self._lock:
+            self._options, self._next = options, (simulation, is_taken)
+            self._command = (0.0, 0.0, -math.inf)
+        is_taken.wait(RESTART_TIMEOUT)
+
+    def __iter__(self):
+        steps_per_image = max(1, math.ceil(MOTION_RATE / self.rate))
+        period = 1 / (self.rate * steps_per_image)
+        start, steps, was_bumped = time.monotonic(), 0, False
+        reach = _ReachedRate()
+        while True:
+            delay = time.monotonic() - start - steps * period
+            if delay > LONGEST_DELAY:
+                start, delay = start + delay, 0.0
+            time.sleep(max(0.0, -delay))
+            if self._take_next():
+                reach = _ReachedRate()
+            self.simulation.step(*self._current_command(), period)
+            self.bumps += self.simulation.bumped and not was_bumped
+            was_bumped = self.simulation.bumped
+            stamp = time.time_ns()
+            self.on_motion(stamp)
+            # If the next image is due already, this one would only be late.
+            if steps % steps_per_image == 0 and delay < steps_per_image * period:
+                yield time.monotonic(), RoomImage(self.simulation, stamp)
+                self._report(reach)
+            steps += 1
+
+    def _take_next(self):
+        """Whether another simulation has begun."""
+        with self._lock:
+            following, self._next = self._next, None
+        if following is None:
+            return False
+        self.simulation.close()
+        self.simulation, is_taken = following
+        self.simulation.frame()
+        is_taken.set()
+        return True
+
+    def _current_command(self):
+        with self._lock:
+            linear, angular, since = self._command
+        return (linear, angular) if time.monotonic() - since <= COMMAND_TIMEOUT else (0.0, 0.0)
+
+    def _report(self, reach):
+        rate = reach.count()
+        self.reached_rate = rate or self.reached_rate
+        if rate is not None and rate < SLOW * self.rate and not self._is_reported:
+            self._is_reported = True
+            log.warning(
+                "the room reaches %.1f of %g images per second on this machine; ask for a lower rate, "
+                'open_camera("room", rate=%d, switch=True), or subscribe to fewer topics',
+                rate,
+                self.rate,
+                max(1, round(rate)),
+            )
+
+    def other_topics(self, base):
+        return sensor_topics(base)
+
+    def close(self):
+        self.simulation.close()
+
+
+def planar(pose):
+    """(x, y, yaw) of a pose [x, y, z, qx, qy, qz, qw] on the floor."""
+    return float(pose[0]), float(pose[1]), 2 * math.atan2(pose[5], pose[6])
+
+
+class _ReachedRate:
+    """Counts images over windows of RATE_WINDOW."""
+
+    def __init__(self):
+        self._start, self._images = None, 0
+
+    def count(self):
+        """The rate over a window that ends with this image; None within a window."""
+        now = time.monotonic()
+        if self._start is None:
+            self._start = now
+        elif now - self._start < RATE_WINDOW:
+            self._images += 1
+        else:
+            rate = (self._images + 1) / (now - self._start)
+            self._start, self._images = now, 0
+            return rate
+        return None
+
+
+class RoomImage:
+    """What the robot's sensors give at one time; computed only when it is asked for."""
+
+    frame_id = FRAME_ID
+
+    def __init__(self, simulation, stamp):
+        self.simulation, self.stamp = simulation, stamp
+
+    @functools.cached_property
+    def _frame(self):
+        return self.simulation.frame()
+
+    @functools.cached_property
+    def message(self):
+        return array_to_image(cv2.cvtColor(self._frame, cv2.COLOR_BGR2RGB), "rgb8")
+
+    def compressed(self, header):
+        return array_to_compressed(self._frame, "bgr8", header=header)
+
+    def camera_info(self, header):
+        return camera_info(self.simulation.camera, header)
+
+    def depth(self, header, camera="front"):
+        return array_to_image(self.simulation.depth(camera), "16UC1", header)

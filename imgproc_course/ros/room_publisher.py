@@ -1,0 +1,152 @@
+"""What the robot process publishes of the room: a robot that can be driven, on the real robot's topics."""
+
+import math
+import time
+
+from geometry_msgs.msg import Twist
+from nav_msgs.msg import Odometry
+from rcl_interfaces.msg import SetParametersResult
+from rclpy.node import Node
+from rclpy.qos import qos_profile_sensor_data
+from std_msgs.msg import Header
+from std_srvs.srv import SetBool
+
+from imgproc_course.ros.camera_publisher import UNKNOWN_NODE_NAME, CameraPublisher
+from imgproc_course.ros.robot_topics import COMMANDS, ENABLED, ODOMETRY, ROOM_NODE, WHEEL_ODOMETRY
+from imgproc_course.ros.room_images import RoomImages
+from imgproc_course.ros.room_messages import ODOM_FRAME, odometry_message, to_time
+from imgproc_course.ros.session import log
+from imgproc_course.simulation.drive import MAX_ANGULAR, MAX_LINEAR
+from imgproc_course.simulation.simulation import START
+
+QUIET = 10.0  # seconds without a fault until the same fault is reported again
+TOLERANCE = 1.01  # of a limit: π/2 is a command within the limit 1.57
+OPTIONS = ("seed", "lighting", "start")  # the parameters of the node /room
+
+
+def open_room(request):
+    """The body for a request of `open_camera("room")`.
+
+    Raises
+    ------
+    ValueError, RuntimeError : as `Simulation`
+    """
+    topic, rate, size = request["topic"], request["rate"], tuple(request["size"])
+    start = request["start"] or START
+    images = RoomImages(rate, seed=request["seed"], size=size, lighting=request["lighting"], start=start)
+    return RoomPublisher(topic, images)
+
+
+class RoomPublisher(CameraPublisher):
+    """A CameraPublisher of RoomImages that also publishes the robot's other topics, and follows commands.
+
+    The node /room has the parameters `seed`, `lighting` and `start` (x, y, yaw). Setting one begins again.
+    """
+
+    def __init__(self, topic, images):
+        super().__init__(topic, images, _description(topic, images))
+        self._reports = _Reports()
+        self._commanded = -math.inf
+        self._room = None
+
+    def status(self):
+        images = self._images
+        return super().status() | {"reached_rate": images.reached_rate, "bumps": images.bumps}
+
+    def _create_publishers(self):
+        super()._create_publishers()
+        self._odometry = []
+        for topic in (ODOMETRY, WHEEL_ODOMETRY):
+            self._odometry.append(self._node.create_publisher(Odometry, topic, qos_profile_sensor_data))
+        self._publishers += self._odometry
+        self._images.on_motion = self._publish_odometry
+        self._session.remove_namesake(ROOM_NODE, context=self._session.context)  # of the body before
+        self._room = Node(ROOM_NODE, context=self._session.context)
+        self._room.create_subscription(Twist, COMMANDS, self._on_command, qos_profile_sensor_data)
+        self._room.create_service(SetBool, ENABLED, self._on_enable)
+        options = self._images.options
+        for name in OPTIONS:
+            value = options[name]
+            self._room.declare_parameter(name, [*value] if isinstance(value, tuple) else value)
+        self._room.add_on_set_parameters_callback(self._on_parameters)
+        self._session.add_node(self._room)
+
+    def _destroy_publishers(self):
+        super()._destroy_publishers()
+        if self._room is not None:
+            self._session.remove_node(self._room)
+
+    def _on_command(self, msg):
+        linear, angular = msg.linear.x, msg.angular.z
+        self._commanded = time.monotonic()
+        if not (math.isfinite(linear) and math.isfinite(angular)):
+            self._reports.warn(
+                "not finite", f"a command of {linear} m/s and {angular} rad/s: the robot stops"
+            )
+            linear = angular = 0.0
+        elif abs(linear) > TOLERANCE * MAX_LINEAR or abs(angular) > TOLERANCE * MAX_ANGULAR:
+            self._reports.warn(
+                "limit",
+                f"a command of {linear:g} m/s and {angular:g} rad/s: the robot drives at most "
+                f"{MAX_LINEAR} m/s and turns at most {MAX_ANGULAR} rad/s",
+            )
+        self._images.command(linear, angular)
+
+    def _on_enable(self, request, response):
+        """The next command switches manual control on again, as on the robot."""
+        if not request.data:
+            self._images.command(0.0, 0.0)
+        response.success = True
+        return response
+
+    def _on_parameters(self, parameters):
+        changes = {p.name: p.value for p in parameters if p.name in OPTIONS}
+        if "start" in changes:
+            changes["start"] = tuple(changes["start"])
+        try:
+            if changes:
+                self._images.restart(**changes)
+                self.description = _description(self.topic, self._images)
+        except ValueError as error:
+            return SetParametersResult(successful=False, reason=str(error))
+        return SetParametersResult(successful=True)
+
+    def _look_at_the_graph(self):
+        super()._look_at_the_graph()
+        publishers = self._node.get_publishers_info_by_topic(COMMANDS)
+        names = ", ".join(sorted(info.node_name for info in publishers))
+        is_commanded = time.monotonic() - self._commanded < 1.0
+        if len(publishers) > 1 and is_commanded and UNKNOWN_NODE_NAME not in names:
+            self._reports.warn(
+                f"publishers {names}",
+                f"{len(publishers)} publishers send commands on {COMMANDS} ({names}): the robot follows the "
+                "newest command, whoever sends it",
+            )
+
+    def _publish_odometry(self, stamp):
+        for publisher in self._odometry:
+            if publisher.get_subscription_count():
+                header = Header(stamp=to_time(stamp), frame_id=ODOM_FRAME)
+                publisher.publish(odometry_message(self._images.simulation.odometry(), header))
+
+
+def _description(topic, images):
+    options = images.options
+    width, height = options["size"]
+    return (
+        f"the room (seed {options['seed']}, {options['lighting']}, {width}×{height}) "
+        f"at {images.rate:g} Hz on {topic}"
+    )
+
+
+class _Reports:
+    """Warnings, each once as long as its fault lasts."""
+
+    def __init__(self):
+        self._last = {}
+
+    def warn(self, fault, text):
+        now = time.monotonic()
+        if now - self._last.get(fault, -math.inf) > QUIET:
+            log.warning("%s", text)
+        self._last[fault] = now

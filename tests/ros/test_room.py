@@ -1,0 +1,207 @@
+"""The robot in the room, in a process of its own: its topics have the simulation's values, and it drives."""
+
+import math
+import os
+
+import numpy as np
+import psutil
+import pytest
+
+pytestmark = pytest.mark.ros
+
+CAMERA = "/kachaka/front_camera"
+
+
+@pytest.fixture(scope="module")
+def robot():
+    """One room for all tests here; a test that needs a place or a seed restarts it."""
+    from imgproc_course.ros import Robot, RosSession, open_camera
+
+    with RosSession.current(), open_camera("room", rate=15), Robot() as robot:
+        yield robot
+
+
+@pytest.fixture
+def collect(robot):
+    """collect(topic, type) -> the list that its messages go to, until the end of the test."""
+    from rclpy.qos import qos_profile_sensor_data
+
+    from imgproc_course.ros import RosSession
+
+    session, subscriptions = RosSession(), []
+
+    def subscribe(topic, message_type):
+        messages = []
+        subscriptions.append(
+            session.node.create_subscription(message_type, topic, messages.append, qos_profile_sensor_data)
+        )
+        return messages
+
+    yield subscribe
+    session.run(lambda: [session.node.destroy_subscription(s) for s in subscriptions])
+
+
+def stamp(msg):
+    return msg.header.stamp.sec, msg.header.stamp.nanosec
+
+
+def vector(msg):
+    p, q = msg.pose.position, msg.pose.orientation
+    return np.array([p.x, p.y, p.z, q.x, q.y, q.z, q.w])
+
+
+def test_what_it_sees_is_what_the_simulation_sees_there(robot, collect, wait_until):
+    from geometry_msgs.msg import PoseStamped
+    from sensor_msgs.msg import CameraInfo, CompressedImage, Image, LaserScan
+
+    from imgproc_course.messages import compressed_to_array, image_to_array
+    from imgproc_course.simulation import TOF_CAMERA, Simulation
+
+    topics = {
+        f"{CAMERA}/image_raw": Image,
+        f"{CAMERA}/image_raw/compressed": CompressedImage,
+        f"{CAMERA}/camera_info": CameraInfo,
+        f"{CAMERA}/depth": Image,
+        "/kachaka/tof_camera/image_raw": Image,
+        "/kachaka/tof_camera/camera_info": CameraInfo,
+        "/kachaka/lidar/scan": LaserScan,
+        "/truth/pose/robot": PoseStamped,
+        "/truth/pose/camera": PoseStamped,
+    }
+    start = (0.4, -0.3, 0.2)
+    robot.restart(seed=5, start=start)
+    messages = {topic: collect(topic, kind) for topic, kind in topics.items()}
+    wait_until(lambda: set.intersection(*({stamp(m) for m in arrived} for arrived in messages.values())))
+    common = min(set.intersection(*({stamp(m) for m in arrived} for arrived in messages.values())))
+    got = {topic: next(m for m in arrived if stamp(m) == common) for topic, arrived in messages.items()}
+    frame = image_to_array(got[f"{CAMERA}/image_raw"], "bgr8").astype(int)
+    with Simulation(seed=5, start=start) as room:  # person, car and ball are elsewhere: hence the medians
+        assert np.median(np.abs(frame - room.frame())) <= 2
+        assert np.median(np.abs(image_to_array(got[f"{CAMERA}/depth"]).astype(int) - room.depth())) == 0
+        tof = image_to_array(got["/kachaka/tof_camera/image_raw"]).astype(int)
+        assert tof.shape == (120, 160) and np.median(np.abs(tof - room.depth("tof"))) == 0
+        scan, expected = got["/kachaka/lidar/scan"], room.scan()
+        # The scanner is turned to the left by 90 degrees: its angle -π/2 is ahead.
+        ahead = round((-math.pi / 2 - scan.angle_min) / scan.angle_increment)
+        ranges = np.roll(scan.ranges, -ahead)
+        assert np.nanmedian(np.abs(ranges - expected.ranges)) < 0.02
+        assert scan.angle_max == pytest.approx(scan.angle_min + 359 * scan.angle_increment)
+        np.testing.assert_allclose(vector(got["/truth/pose/robot"]), room.pose("robot"))
+        np.testing.assert_allclose(vector(got["/truth/pose/camera"]), room.pose("camera"))
+        for topic, model in ((CAMERA, room.camera), ("/kachaka/tof_camera", TOF_CAMERA)):
+            info = got[f"{topic}/camera_info"]
+            np.testing.assert_array_equal(np.reshape(info.k, (3, 3)), model.matrix)
+            assert (tuple(info.d), info.width, info.height) == (model.distortion, model.width, model.height)
+            np.testing.assert_array_equal(np.reshape(info.p, (3, 4))[:, :3], model.matrix)
+    decoded = compressed_to_array(got[f"{CAMERA}/image_raw/compressed"], "bgr8")
+    assert np.abs(decoded - frame).mean() < 4  # JPEG
+    frames = {topic: msg.header.frame_id for topic, msg in got.items()}
+    assert frames[f"{CAMERA}/image_raw"] == frames[f"{CAMERA}/depth"] == "camera_front"
+    assert frames["/kachaka/tof_camera/image_raw"] == "tof_camera"
+    assert (frames["/kachaka/lidar/scan"], frames["/truth/pose/robot"]) == ("laser_frame", "world")
+
+
+def test_it_drives_and_stops_by_itself_after_half_a_second(robot, collect, wait_until):
+    from nav_msgs.msg import Odometry
+
+    robot.restart(start=(0.4, -0.3, 0.0))
+    assert robot.pose == pytest.approx((0, 0, 0), abs=1e-9)
+    wheels = collect("/kachaka/wheel_odometry/wheel_odometry", Odometry)
+    robot.drive(0.2, 0.0)
+    wait_until(lambda: any(msg.twist.twist.linear.x > 0.15 for msg in wheels))
+    wait_until(lambda: wheels[-1].twist.twist.linear.x == 0)
+    # One command: 0.5 s at 0.2 m/s, less the start, plus the braking; and what a busy machine adds.
+    assert 0.05 < robot.pose[0] < 0.3
+    assert (wheels[-1].header.frame_id, wheels[-1].child_frame_id) == ("odom", "base_footprint")
+    x, _, yaw = robot.pose
+    robot.drive(0.0, 1.0, seconds=1.0)
+    robot.drive(-0.2, 0.0, seconds=0.5)
+    assert robot.pose[2] > yaw + 0.3 and robot.pose[0] < x
+    assert 0.05 <= min(robot.scan.ranges) < 5
+
+
+def test_the_room_refuses_impossible_options_and_takes_others(robot):
+    before = robot.pose
+    with pytest.raises(ValueError, match="a wall or furniture is in its way"):
+        robot.restart(start=(50, 0, 0))
+    with pytest.raises(ValueError, match='lighting is "day" or "evening"'):
+        robot.restart(lighting="night")
+    with pytest.raises(ValueError, match="seed is a whole number"):
+        robot.restart(seed=-1)
+    assert robot.pose == pytest.approx(before, abs=0.05)
+
+
+def test_the_evening_is_darker_and_the_robot_stays_where_it_is(robot, collect, wait_until):
+    from geometry_msgs.msg import PoseStamped
+
+    from imgproc_course.ros import ImageSubscriber
+
+    robot.restart(start=(0.4, -0.3, 0.2), lighting="day")
+    with ImageSubscriber(f"{CAMERA}/image_raw") as subscriber:
+        day = subscriber.wait(30).mean()
+        poses = collect("/truth/pose/robot", PoseStamped)
+        robot.restart(lighting="evening")
+        evening = subscriber.wait(30).mean()
+    assert evening < day - 20
+    wait_until(lambda: poses)
+    np.testing.assert_allclose(vector(poses[-1])[:2], (0.4, -0.3), atol=1e-6)
+    robot.restart(lighting="day")
+
+
+def test_a_client_says_what_is_wrong(robot, monkeypatch):
+    from imgproc_course.ros import Robot
+    from imgproc_course.ros import robot as module
+
+    with pytest.raises(ValueError, match="linear must be a finite number, got nan"):
+        robot.drive(math.nan, 0)
+    with pytest.raises(ValueError, match="seconds must be a finite number, got -1"):
+        robot.drive(0, 0, seconds=-1)
+    monkeypatch.setattr(module, "TIMEOUT", 0.3)
+    other = Robot("/other")
+    with pytest.raises(RuntimeError, match=r"no robot subscribes to /other/manual_control/cmd_vel: open_cam"):
+        other.drive(0.1, 0)
+    with pytest.raises(TimeoutError, match=r"no scan arrived on /other/lidar/scan in 0.3 s"):
+        _ = other.scan
+    other.close()
+    other.close()
+    with pytest.raises(RuntimeError, match="closed"):
+        other.drive(0.1, 0)
+
+
+def test_after_its_process_was_killed_the_notebook_goes_on(robot, wait_until, caplog):
+    from imgproc_course.ros import ImageSubscriber, open_camera
+
+    robot.restart(start=(0.4, -0.3, 0.0))
+    robot.drive(0.2, 0.0, seconds=1.0)
+    assert robot.pose[0] > 0.05
+    with ImageSubscriber(f"{CAMERA}/image_raw") as subscriber:
+        subscriber.wait(30)
+        for process in psutil.process_iter(["cmdline"]):
+            command = process.info["cmdline"] or []
+            is_robot = "camera_publisher import main" in " ".join(command)
+            if is_robot and command[-3] == os.environ["ROS_DOMAIN_ID"]:
+                process.kill()
+        wait_until(lambda: any("ended unexpectedly" in record.message for record in caplog.records))
+        with open_camera("room", rate=15):
+            assert subscriber.wait(60).shape == (360, 640, 3)
+            assert robot.pose[0] == pytest.approx(0, abs=1e-9)  # it has begun again
+            robot.drive(0.0, 1.0, seconds=0.5)
+            assert robot.pose[2] > 0.05
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"seed": 3, "source": "recording"}, "seed 3 with source 'recording': only the room"),
+        ({"rate": 0}, "rate must be 1 to 60 images per second, got 0"),
+        ({"size": 640}, r"size must be \(width, height\), got 640"),
+        ({"start": (1, 2)}, r"start must be \(x, y, yaw\) in metres and radians, got \(1, 2\)"),
+        ({"start": (1, 2, math.nan)}, "start must be"),
+        ({"speed": 2.0}, "speed 2.0 with source 'room': only a recording"),
+    ],
+)
+def test_bad_options(options, message):
+    from imgproc_course.ros import open_camera
+
+    with pytest.raises(ValueError, match=message):
+        open_camera(**{"source": "room"} | options)
