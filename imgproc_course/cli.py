@@ -289,6 +289,12 @@ class _LocalTime(click.ParamType):
     " the key]",
 )
 @click.option("--redraw", is_flag=True, help="Make new inputs for a regrade; the old key is kept beside it.")
+@click.option(
+    "--variants",
+    type=click.IntRange(1, 100),
+    help="Number of sets of inputs; each learner is graded with one of them.  [default: 1; with --redraw, as"
+    " many as the old key has]",
+)
 @click.option("--out", type=_FOLDER, default=Path("key"), show_default=True, help="Folder for the key.")
 @click.option(
     "--masters",
@@ -298,7 +304,7 @@ class _LocalTime(click.ParamType):
 )
 @click.option("--force", "--replace", "replace", is_flag=True, help="Replace an existing key.")
 @click.option("--unsafe", is_flag=True, help="Run the masters' solutions without a sandbox.")
-def key(lessons, seed, redraw, out, masters, replace, unsafe):
+def key(lessons, seed, redraw, variants, out, masters, replace, unsafe):
     """Make the answer key: run the solutions on inputs drawn from a secret seed.
 
     LESSON is a number or a name: 03 or 03_images_as_messages. Without LESSON, the key has all lessons.
@@ -313,9 +319,10 @@ def key(lessons, seed, redraw, out, masters, replace, unsafe):
         raise click.UsageError("--redraw draws a new seed: leave --seed out")
     seed_file, is_seed_saved = key_seed.seed_file_of(out), seed is None
 
-    def make(seed, out):
+    def make(seed, folder):
         key_seed.require_unguessable(seed)
-        return make_key(masters, seed, out, lessons, unsafe=unsafe, replace=replace)
+        count = variants or (len(load_key(out).variants) if redraw else 1)
+        return make_key(masters, seed, folder, lessons, variants=count, unsafe=unsafe, replace=replace)
 
     try:
         if redraw:
@@ -329,7 +336,8 @@ def key(lessons, seed, redraw, out, masters, replace, unsafe):
         raise click.ClickException(f"the key cannot be written: {error}") from error
     exercises = [exercise for lesson in answer_key.lessons.values() for exercise in lesson.exercises]
     count = sum(not exercise.practice for exercise in exercises)
-    click.echo(f"Key in {out}/: lessons {len(answer_key.lessons)}, exercises with points {count}.")
+    of_each = f", variants {len(answer_key.variants)}" if len(answer_key.variants) > 1 else ""
+    click.echo(f"Key in {out}/: lessons {len(answer_key.lessons)}, exercises with points {count}{of_each}.")
     without_points = [lesson.name for lesson in answer_key.lessons.values() if not lesson.points]
     if without_points:
         click.echo(f"Lessons without points: {', '.join(without_points)}.")

@@ -10,14 +10,17 @@ A key is a folder that learners must not get:
     handed_out.json                     the ids of each lesson's cells, and the source of check and given
     cells
     solutions.json                      {exercise id: source}: an answer that equals it is reported
+    variants/2, variants/3, ...         more keys, of the same lessons with other inputs, if it has variants
 
+A key with variants assigns one to each learner, by a hash of the name that only the key's owner can compute.
 The seed is in none of these files. Public cases get inputs from this seed too, so that nothing in the
 course's repository gives an answer away. A key contains no pickle; an altered key can at most grade wrongly.
 """
 
 import hashlib
+import hmac
 import json
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
 
@@ -29,6 +32,7 @@ from imgproc_course.exercises.input_encoding import decode
 FORMAT = 4
 HANDED_OUT = "handed_out.json"
 SOLUTIONS = "solutions.json"
+VARIANTS = "variants"
 
 
 class KeyFolderError(ValueError):
@@ -102,11 +106,31 @@ class KeyLesson:
 
 @dataclass(frozen=True)
 class Key:
-    """A key that `load_key` read. `digest` identifies it; `lessons` maps name -> KeyLesson."""
+    """A key that `load_key` read.
+
+    digest    identifies it
+    lessons   {name: KeyLesson}
+    variant   its number; the first one is 1
+    others    of the first one: the Keys of the other variants
+    secret    what assigns the variants to learners; "" if there is only one
+    """
 
     path: Path
     digest: str
     lessons: dict
+    variant: int = 1
+    others: tuple = ()
+    secret: str = ""
+
+    @property
+    def variants(self):
+        """All variants, as a tuple of Key."""
+        return (self, *self.others)
+
+    def variant_for(self, learner):
+        """The Key that grades a learner: always the same for a name."""
+        digest = hmac.digest(self.secret.encode(), learner.encode("utf-8", "surrogatepass"), "sha256")
+        return self.variants[int.from_bytes(digest) % len(self.variants)]
 
     def exercise(self, id):
         """The KeyExercise of that id, or None."""
@@ -182,13 +206,28 @@ def load_key(path):
 
     Returns
     -------
-    Key
+    Key, the first one with its variants
 
     Raises
     ------
-    KeyFolderError : there is no key, it has another format, or its check cells were never run
+    KeyFolderError : there is no key, one of its variants is missing, it has another format, or its check
+        cells were never run
     """
-    path = Path(path).resolve()
+    key, count = _load_one(Path(path).resolve())
+    numbers = range(2, count + 1) if key.variant == 1 else ()
+    return replace(key, others=tuple(_load_variant(key, number) for number in numbers))
+
+
+def _load_variant(key, number):
+    path = key.path / VARIANTS / str(number)
+    variant, _ = _load_one(path)
+    if variant.variant != number or variant.lessons.keys() != key.lessons.keys():
+        raise KeyFolderError(f"{path}: it is not variant {number} of this key; make the key again")
+    return variant
+
+
+def _load_one(path):
+    """A Key without its other variants, and how many variants there are."""
     try:
         text = (path / "key.json").read_text(encoding="utf-8")
         content = json.loads(text)
@@ -197,6 +236,9 @@ def load_key(path):
                 f"{path}: a key of format {content['format']}, expected {FORMAT}; make it again"
             )
         lessons = {entry["name"]: _read_lesson(entry) for entry in content["lessons"]}
+        variant, count, secret = 1, 1, ""
+        if "variants" in content:
+            variant, count, secret = content["variant"], int(content["variants"]), str(content["secret"])
     except FileNotFoundError as error:
         raise KeyFolderError(
             f"{path}: there is no key; make one: imgproc-course key --seed S --out {path.name}"
@@ -210,7 +252,7 @@ def load_key(path):
         for exercise in lesson.exercises:
             if not exercise.practice:
                 digest.update(_read_checked(path / lesson.name / f"{exercise.id}.ipynb"))
-    return Key(path, digest.hexdigest(), lessons)
+    return Key(path, digest.hexdigest(), lessons, variant, secret=secret), count
 
 
 def _read_lesson(entry):

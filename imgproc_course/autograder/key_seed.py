@@ -20,9 +20,11 @@ def require_unguessable(seed):
     ----------
     seed : str; only hexadecimal digits count, because nobody can tell how many bits are in a phrase
     """
-    pairs = list(itertools.pairwise(seed.lower()[:_LOOKED_AT]))
-    # By chance about one pair of digits in ten occurs twice; in a pattern such as 0123...0123 most do.
-    if not re.fullmatch(rf"[0-9a-fA-F]{{{DIGITS},}}", seed) or len(set(pairs)) < 0.65 * len(pairs):
+    # Three digits in a row, read from either side: by chance hardly any occur twice, in a pattern such as
+    # 0123...0123 or 0123...3210 most do.
+    digits = seed.lower()[:_LOOKED_AT]
+    triples = [min(digits[i : i + 3], digits[i : i + 3][::-1]) for i in range(len(digits) - 2)]
+    if not re.fullmatch(rf"[0-9a-fA-F]{{{DIGITS},}}", seed) or len(set(triples)) < 0.8 * len(triples):
         raise KeyFolderError(
             f"this seed can be guessed: expected at least {DIGITS} hexadecimal digits drawn by chance, 128"
             " bits; leave --seed out, and a seed is made, or draw one: openssl rand -hex 16"
@@ -36,7 +38,7 @@ def new_seed():
         try:
             require_unguessable(seed)
         except KeyFolderError:
-            continue  # one in a million looks like a pattern
+            continue  # a few in ten thousand look like a pattern
         return seed
 
 

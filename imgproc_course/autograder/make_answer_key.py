@@ -20,6 +20,7 @@ from imgproc_course.autograder.answer_key import (
     FORMAT,
     HANDED_OUT,
     SOLUTIONS,
+    VARIANTS,
     KeyCase,
     KeyExercise,
     KeyFolderError,
@@ -38,7 +39,7 @@ _EMIT_IMPORT = "from imgproc_course.autograder.sandbox.inside.check_cell import 
 _PLACEHOLDER = "# the learner's answer"
 
 
-def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False):
+def make_key(masters_dir, seed, out, names=(), *, variants=1, unsafe=False, replace=False):
     """Make a key: run each solution on inputs drawn from the seed, in the sandbox that grades.
 
     The folder is written whole at the end: an error or Ctrl-C leaves the old one unchanged.
@@ -49,6 +50,7 @@ def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False):
     seed : int or str, the teacher's secret; the key does not contain it
     out : Path of the key's folder
     names : lessons, as `find_masters` takes them; all if empty
+    variants : int, how many sets of inputs are drawn; each learner gets one of them
     unsafe : bool, run without a sandbox
     replace : bool, replace an existing key
 
@@ -70,19 +72,17 @@ def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False):
     if not unsafe:
         bubblewrap.require_sandbox()
     masters = [read_master(path) for path in find_masters(masters_dir, names)]
-    exercises = [(master, exercise) for master in masters for exercise in master.exercises]
-    entries, files = {}, {}
+    solutions = {exercise.id: exercise.solution for master in masters for exercise in master.exercises}
+    files = {
+        HANDED_OUT: _handed_out_cells(masters),
+        SOLUTIONS: json.dumps(solutions, indent=1, sort_keys=True),
+    }
     with KernelFactory("fast", unsafe=unsafe) as kernel_factory:
-        for master, exercise in tqdm(exercises, desc="key", unit=" exercises", delay=2, leave=False):
-            maker = _ExerciseKeyMaker(master, exercise, _numpy_seed(seed), kernel_factory)
-            entries[exercise.id] = maker.entry()
-            files |= {} if exercise.practice else maker.files()
-    lessons = [_lesson_entry(master, entries) for master in masters]
-    files[HANDED_OUT] = _handed_out_cells(masters)
-    files[SOLUTIONS] = json.dumps(
-        {exercise.id: exercise.solution for _, exercise in exercises}, indent=1, sort_keys=True
-    )
-    files["key.json"] = json.dumps({"format": FORMAT, "lessons": lessons}, indent=1, sort_keys=True) + "\n"
+        for number in range(1, variants + 1):
+            about = _about_variant(seed, number, variants)
+            made = _variant_files(masters, _numpy_seed(seed, number), about, kernel_factory)
+            prefix = f"{VARIANTS}/{number}/" if number > 1 else ""
+            files |= {f"{prefix}{name}": text for name, text in made.items()}
     try:
         write_folder(out, files, permissions=0o700)
     except OSError as error:
@@ -90,9 +90,28 @@ def make_key(masters_dir, seed, out, names=(), *, unsafe=False, replace=False):
     return load_key(out)
 
 
-def _numpy_seed(seed):
+def _about_variant(seed, number, count):
+    """What key.json says of the variants: nothing if there is only one."""
+    secret = hashlib.sha256(f"imgproc-course variants {seed}".encode()).hexdigest()
+    return {"variant": number, "variants": count, "secret": secret} if count > 1 else {}
+
+
+def _variant_files(masters, numpy_seed, about, kernel_factory):
+    """{relative name: text} of one variant of a key."""
+    exercises = [(master, exercise) for master in masters for exercise in master.exercises]
+    entries, files = {}, {}
+    for master, exercise in tqdm(exercises, desc="key", unit=" exercises", delay=2, leave=False):
+        maker = _ExerciseKeyMaker(master, exercise, numpy_seed, kernel_factory)
+        entries[exercise.id] = maker.entry()
+        files |= {} if exercise.practice else maker.files()
+    content = {"format": FORMAT, "lessons": [_lesson_entry(master, entries) for master in masters]} | about
+    return files | {"key.json": json.dumps(content, indent=1, sort_keys=True) + "\n"}
+
+
+def _numpy_seed(seed, variant=1):
     """A seed for NumPy: a phrase is as good as a number, and harder to guess."""
-    return int.from_bytes(hashlib.sha256(f"imgproc-course {seed}".encode()).digest()[:16])
+    text = f"imgproc-course {seed}" if variant == 1 else f"imgproc-course {seed} variant {variant}"
+    return int.from_bytes(hashlib.sha256(text.encode()).digest()[:16])
 
 
 def _lesson_entry(master, entries):

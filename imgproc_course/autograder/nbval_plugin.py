@@ -232,7 +232,7 @@ class StoredVerdict:
 
 
 class GradingPlugin:
-    """The plugin's state: the key, the kernels, and the socket to `NbvalProcess`."""
+    """The plugin's state: the keys, the kernels, and the socket to `NbvalProcess`."""
 
     def __init__(self, connection):
         self._lines = connection.makefile("r", encoding="utf-8")
@@ -240,7 +240,7 @@ class GradingPlugin:
         settings = json.loads(self._lines.readline())
         limits = Limits(**settings["limits"]) if settings["limits"] else None
         self._kernel_factory = KernelFactory(settings["kernel"], unsafe=settings["unsafe"], limits=limits)
-        self._key = load_key(settings["key"])
+        self._keys = {}
         self._folder = Path(settings["folder"])
         self._session, self._phases, self._exception = None, [], None
 
@@ -256,8 +256,17 @@ class GradingPlugin:
     def _send(self, message):
         self._connection.sendall((json.dumps(message) + "\n").encode("ascii"))
 
+    def _key(self, path, digest):
+        if digest not in self._keys:
+            key = load_key(path)
+            if key.digest != digest:
+                raise ValueError("the key was replaced while it was used")
+            self._keys[digest] = key
+        return self._keys[digest]
+
     def _grade(self, job):
-        lesson = self._key.lessons[job["lesson"]]
+        key = self._key(job["key"], job["digest"])
+        lesson = key.lessons[job["lesson"]]
         graded = [exercise for exercise in lesson.exercises if not exercise.practice]
         sources = {exercise.id: job["answers"].get(exercise.id) for exercise in graded}
         reasons = {exercise.id: reason_not_to_run(exercise, sources[exercise.id]) for exercise in graded}
@@ -269,11 +278,12 @@ class GradingPlugin:
                 continue
             following = (to_run[to_run.index(exercise) + 1 :] or to_run)[0]
             next_request = (following.allowed, seconds_of(following, following.cases[0]))
-            results.append(self._grade_exercise(exercise, sources[exercise.id], next_request, stop_at))
+            source = sources[exercise.id]
+            results.append(self._grade_exercise(key, exercise, source, next_request, stop_at))
         return GradedSubmission(job["submission"], lesson.name, lesson.version, tuple(results))
 
-    def _grade_exercise(self, exercise, source, next_request, stop_at):
-        content = self._key.content(exercise.id)
+    def _grade_exercise(self, key, exercise, source, next_request, stop_at):
+        content = key.content(exercise.id)
         exercise_run = ExerciseRun(exercise, content, self._kernel_factory, next_request, stop_at)
         ExerciseKernel.current = exercise_run
         path = self._folder / "exercise.ipynb"

@@ -19,7 +19,6 @@ import threading
 import time
 from dataclasses import asdict
 
-from imgproc_course.autograder.answer_key import load_key
 from imgproc_course.autograder.results import from_json
 from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.autograder.sandbox.bubblewrap import Limits, SandboxError
@@ -48,20 +47,14 @@ class NbvalProcessNotStarted(SandboxError):
     """The process ended while it started; the message says why."""
 
 
-def nbval_process_of_thread(key_path, digest, kernel, unsafe, limits):
-    """This thread's NbvalProcess for that key and those options; one for others is stopped.
-
-    Parameters
-    ----------
-    key_path : Path of the key's folder
-    digest : str, the digest that the key must have, or None for any
-    kernel, unsafe, limits : as `autograde` takes them
+def nbval_process_of_thread(kernel, unsafe, limits):
+    """This thread's NbvalProcess with those options, as `autograde` takes them; one with others is stopped.
 
     Raises
     ------
-    SandboxError, KeyFolderError, ValueError : see `NbvalProcess`
+    SandboxError : see `NbvalProcess`
     """
-    options = (str(key_path), digest, kernel, unsafe, limits)
+    options = (kernel, unsafe, limits)
     process = getattr(_of_thread, "process", None)
     if process is None or process.options != options or not process.is_alive:
         if process is not None:
@@ -92,16 +85,11 @@ class NbvalProcess:
     Raises
     ------
     SandboxError : there is no sandbox, or the process does not start
-    KeyFolderError : there is no key
-    ValueError : the key is not the one that is expected
     """
 
-    def __init__(self, key_path, digest, kernel, unsafe, limits):
-        self.options = (key_path, digest, kernel, unsafe, limits)
+    def __init__(self, kernel, unsafe, limits):
+        self.options = (kernel, unsafe, limits)
         self.thread = threading.current_thread().name
-        self._key = load_key(key_path)
-        if digest is not None and self._key.digest != digest:
-            raise ValueError(f"{key_path}: this is another key than the one that grading began with")
         if not unsafe:
             bubblewrap.require_sandbox()
         self._limits = limits or Limits()
@@ -118,7 +106,6 @@ class NbvalProcess:
         with _lock:
             _running[id(self)] = self
         settings = {
-            "key": key_path,
             "kernel": kernel,
             "unsafe": unsafe,
             "limits": asdict(limits) if limits else None,
@@ -157,11 +144,12 @@ class NbvalProcess:
             start_new_session=True,
         )
 
-    def grade(self, name, lesson, answers):
+    def grade(self, key, name, lesson, answers):
         """Grade one submission.
 
         Parameters
         ----------
+        key : Key
         name, lesson, answers : as `autograde` takes them
 
         Returns
@@ -172,14 +160,15 @@ class NbvalProcess:
         ------
         NbvalProcessEnded : it ended, or it is stuck
         """
-        self._send({"submission": name, "lesson": lesson, "answers": answers})
-        return from_json(self._receive(self._patience(lesson)))
+        job = {"key": str(key.path), "digest": key.digest}
+        self._send(job | {"submission": name, "lesson": lesson, "answers": answers})
+        return from_json(self._receive(self._patience(key.lessons[lesson])))
 
     def _patience(self, lesson):
         """Seconds after which the process itself must be stuck: twice what its kernels may take."""
         deadlines = [
             self._limits.deadline(exercise.time_limit * case.calls)
-            for exercise in self._key.lessons[lesson].exercises
+            for exercise in lesson.exercises
             for case in exercise.cases
         ]
         # The last case begins within the submission's time, and it may be run again.

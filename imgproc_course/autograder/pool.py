@@ -11,7 +11,8 @@ long as they pass; every other result comes from a kernel of its own.
 
 A fault of the autograder (an exception, a process that was killed, a run without a result) costs nobody
 points: the submission is graded again in new processes, and if that fails too, the outcome is "not graded".
-An exercise that did not finish in time is graded again while nothing else runs, and that result counts.
+An exercise that did not finish in time is graded again while nothing else runs, and that result counts. Those
+that slow ones left no time for come first: only what is slow itself can lose by it.
 """
 
 import contextlib
@@ -20,7 +21,7 @@ import os
 from collections import deque
 from concurrent.futures import Executor, Future, ThreadPoolExecutor, wait
 from dataclasses import replace
-from pathlib import Path
+from functools import lru_cache
 
 from imgproc_course.autograder.answer_key import Key, KeyFolderError, load_key
 from imgproc_course.autograder.nbval_process import (
@@ -29,7 +30,7 @@ from imgproc_course.autograder.nbval_process import (
     nbval_process_of_thread,
     stop_nbval_processes,
 )
-from imgproc_course.autograder.outcomes import Outcome
+from imgproc_course.autograder.outcomes import BUDGET_MESSAGE, Outcome
 from imgproc_course.autograder.results import GradedSubmission, reproducible_text, ungraded_exercise
 from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.autograder.sandbox.bubblewrap import Limits, SandboxError
@@ -51,7 +52,7 @@ def autograde(submissions, key, *, kernel="fast", unsafe=False, workers=None, ex
     submissions : iterable of (name, lesson, answers); name is any str, lesson the name of a lesson in the
         key, answers a dict of exercise id -> source of its answer cell (an exercise without one is left out).
         It is read as results are taken, so a generator of thousands needs no memory
-    key : Key, from `load_key`
+    key : Key, from `load_key`; or {name: Key}, if the submissions have different keys
     kernel : "fast", or "ipykernel" for Jupyter's own (some twenty times slower; the same outcomes)
     unsafe : bool, run without a sandbox
     workers : int, how many are graded at once; None: the number of this machine's cores
@@ -84,34 +85,34 @@ def _grade_all(submissions, key, options, workers, executor):
             raise TypeError(
                 f"executor: expected a concurrent.futures.Executor, got {type(executor).__name__}"
             )
-        queue = stack.enter_context(contextlib.closing(_Queue(executor, key, options)))
+        queue = stack.enter_context(contextlib.closing(_Queue(executor, options)))
         submissions = iter(submissions)
         while True:
             for name, lesson, answers in itertools.islice(
                 submissions, workers * _QUEUE_PER_WORKER - len(queue.waiting)
             ):
-                _check_lesson(lesson, key)
-                queue.add((name, lesson, dict(answers)))
+                key_of_submission = key if isinstance(key, Key) else key[name]
+                _check_lesson(lesson, key_of_submission)
+                queue.add((name, lesson, dict(answers)), key_of_submission)
             if not queue.waiting:
                 return
             yield queue.next_result()
 
 
 class _Queue:
-    """The submissions that an executor grades, in order; `waiting` holds (submission, Future)."""
+    """The submissions that an executor grades, in order; `waiting` holds (submission, Key, Future)."""
 
-    def __init__(self, executor, key, options):
-        self._executor, self._key, self._options = executor, key, options
+    def __init__(self, executor, options):
+        self._executor, self._options = executor, options
         self.waiting = deque()
 
-    def add(self, submission):
-        self.waiting.append((submission, self._submit(submission)))
+    def add(self, submission, key):
+        self.waiting.append((submission, key, self._submit(submission, key)))
 
-    def _submit(self, submission):
+    def _submit(self, submission, key, **options):
+        options = self._options | options
         try:
-            return self._executor.submit(
-                grade_one, submission, str(self._key.path), self._key.digest, **self._options
-            )
+            return self._executor.submit(grade_one, submission, str(key.path), key.digest, **options)
         except RuntimeError as error:  # the executor has lost its workers
             future = Future()
             future.set_exception(error)
@@ -119,19 +120,29 @@ class _Queue:
 
     def next_result(self):
         """The GradedSubmission of the first one; an exercise out of time is graded again, alone."""
-        submission, future = self.waiting.popleft()
-        result = self._result(submission, future)
-        late = result.exercises_with(Outcome.TIME)
-        if not late:
+        submission, key, future = self.waiting.popleft()
+        result = self._result(submission, key, future)
+        if not result.exercises_with(Outcome.TIME):
             return result
-        wait([future for _, future in self.waiting])
+        wait([future for *_, future in self.waiting])
+        left_out = [exercise for exercise in result.exercises if _was_left_out(exercise)]
+        if left_out:
+            limits = _one_share_each(self._options["limits"], left_out)
+            ids = {exercise.id for exercise in left_out}
+            result = self._graded_again(submission, key, result, ids, limits=limits)
+        late = result.exercises_with(Outcome.TIME)
+        return self._graded_again(submission, key, result, late) if late else result
+
+    def _graded_again(self, submission, key, result, ids, **options):
+        """The result, with new results of some exercises; they have a submission's whole time."""
         name, lesson, answers = submission
-        again = (name, lesson, {id: answers[id] for id in late})
-        alone = {exercise.id: exercise for exercise in self._result(again, self._submit(again)).exercises}
-        exercises = (alone[exercise.id] if exercise.id in late else exercise for exercise in result.exercises)
+        again = (name, lesson, {id: answers[id] for id in ids})
+        new_result = self._result(again, key, self._submit(again, key, **options))
+        new = {exercise.id: exercise for exercise in new_result.exercises}
+        exercises = (new[exercise.id] if exercise.id in ids else exercise for exercise in result.exercises)
         return replace(result, exercises=tuple(exercises))
 
-    def _result(self, submission, future):
+    def _result(self, submission, key, future):
         for _ in range(2):
             try:
                 return future.result()
@@ -139,14 +150,30 @@ class _Queue:
                 raise
             except Exception as error:  # noqa: BLE001 - an executor and its workers may raise anything
                 fault = f"{type(error).__name__}: {error}"
-                future = self._submit(submission)
-        return _not_graded(self._key, *submission, fault)
+                future = self._submit(submission, key)
+        return _not_graded(key, *submission, fault)
 
     def close(self):
         """Forget what has not begun, and wait for what has."""
-        for _, future in self.waiting:
+        for *_, future in self.waiting:
             future.cancel()
-        wait([future for _, future in self.waiting])
+        wait([future for *_, future in self.waiting])
+
+
+def _was_left_out(exercise):
+    """Whether an exercise is out of time only because others had used all of it."""
+    late = [case.message for case in exercise.cases if case.outcome == Outcome.TIME]
+    return bool(late) and set(late) == {BUDGET_MESSAGE}
+
+
+def _one_share_each(limits, exercises):
+    """Limits with which no case of these exercises can use the time of another one.
+
+    An answer that needs more than its share is among the late ones afterwards, with the usual limits.
+    """
+    limits = limits or Limits()
+    share = limits.submission / sum(len(exercise.cases) for exercise in exercises)
+    return replace(limits, wall_factor=0, wall_grace=share)
 
 
 @contextlib.contextmanager
@@ -188,21 +215,29 @@ def grade_one(submission, key, digest=None, *, kernel="fast", unsafe=False, limi
     SandboxError : there is no sandbox on the machine that runs this
     KeyFolderError, ValueError : there is no such key, or another one
     """
-    path = key.path if isinstance(key, Key) else Path(key)
+    if not isinstance(key, Key):
+        key = _loaded_key(key, digest) if digest else load_key(key)
+    if digest not in (None, key.digest):
+        raise ValueError(f"{key.path}: this is another key than the one that grading began with")
     for attempt in range(1, _ATTEMPTS + 1):
         try:
-            process = nbval_process_of_thread(path, digest, kernel, unsafe, limits)
-            result = process.grade(*submission)
+            process = nbval_process_of_thread(kernel, unsafe, limits)
+            result = process.grade(key, *submission)
         except NbvalProcessNotStarted:
             if attempt == _ATTEMPTS:
                 raise
         except NbvalProcessEnded as error:  # an earlier submission must not cost this one anything
-            result = _not_graded(load_key(path), *submission, f"the nbval process ended: {error}")
+            result = _not_graded(key, *submission, f"the nbval process ended: {error}")
         else:
             if not result.exercises_with(Outcome.NOT_GRADED):
                 return result
             process.stop()
     return result
+
+
+@lru_cache(maxsize=32)
+def _loaded_key(path, _digest):
+    return load_key(path)
 
 
 def _not_graded(key, name, lesson, _answers, fault):

@@ -11,7 +11,8 @@ class AnswerKeys:
 
     Parameters
     ----------
-    keys : list of Key, one per version of a lesson; the first that has a lesson is the default for it
+    keys : list of Key, one per version of a lesson; the first that has a lesson is the default for it. Each
+        may have variants
 
     Attributes
     ----------
@@ -26,6 +27,10 @@ class AnswerKeys:
                 self.lessons.setdefault(name, lesson)
         self._cells = {key.digest: _read_handed_out(key.path) for key in self.keys}
         self._solutions = {key.digest: _read_solutions(key.path) for key in self.keys}
+
+    def variant_for(self, lesson, version, learner):
+        """The key that grades a learner's lesson: of the key for this version, the learner's variant."""
+        return self.key_for(lesson, version).variant_for(learner)
 
     def key_for(self, lesson, version):
         """The key made from this version of a lesson, or the lesson's default key."""
@@ -65,8 +70,8 @@ class AnswerKeys:
         return [handed_out, solutions]
 
     def key_of(self, digest):
-        """The key with this digest."""
-        return next(key for key in self.keys if key.digest == digest)
+        """The key or variant with this digest."""
+        return next(variant for key in self.keys for variant in key.variants if variant.digest == digest)
 
 
 def load_keys(folders):

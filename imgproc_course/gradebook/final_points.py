@@ -69,6 +69,7 @@ def decided_lesson(submitted, lesson):
         "max_points": lesson.points,
         "version": None,
         "key": None,
+        "variant": None,
         "file": "",
         "sha256": None,
         "submitted_at": None,

@@ -14,7 +14,7 @@ from imgproc_course.gradebook.final_points import decided_lesson, settle_lesson
 from imgproc_course.gradebook.submission import Finding
 from imgproc_course.gradebook.teacher_tables import plain_number
 
-FORMAT = 3
+FORMAT = 4
 SCHEMA = Path(__file__).with_name("grades.schema.json")
 
 
@@ -109,7 +109,8 @@ def _key_entry(key):
         }
         for lesson in sorted(key.lessons.values(), key=_place)
     ]
-    return {"digest": key.digest, "lessons": lessons}
+    variants = [variant.digest for variant in key.variants]
+    return {"digest": key.digest, "variants": variants, "lessons": lessons}
 
 
 def learner_entry(learner, answer_keys, store, rules, *, anonymous=False):
@@ -159,6 +160,7 @@ def _lesson_entry(learner, submission, answer_keys, store, deadlines):
         "max_points": lesson.points if lesson else 0,
         "version": content.version,
         "key": submission.key.digest if submission.key else None,
+        "variant": submission.key.variant if submission.key else None,
         **_file_entry(learner, submission, deadlines),
         "findings": [
             {"kind": finding.kind, "exercise": finding.exercise, "text": finding.text} for finding in findings

@@ -120,7 +120,7 @@ class _SubmissionReader:
         content = submission.content
         if content.reason:
             return submission
-        submission.key = self._answer_keys.key_for(content.lesson, content.version)
+        submission.key = self._answer_keys.variant_for(content.lesson, content.version, file.learner)
         submission.answers_digest = self._store.keep_answers(submission.key, content.lesson, content.answers)
         submission.has_answers, content.answers = bool(content.answers), {}
         return submission

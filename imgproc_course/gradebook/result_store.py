@@ -204,23 +204,22 @@ def grade_missing(
         unit=" submissions",
         disable=quiet,
     ) as bar:
-        for key in answer_keys.keys:
-            exercises = {digest: again.get(digest) if stored[digest] else None for digest in missing}
-            for result in autograde(_submissions_of_key(exercises, key, store), key, **options):
-                if exercises[result.name]:
-                    result = _with_old_exercises(result, stored[result.name], exercises[result.name])
-                store.keep_result(result.name, result)
-                bar.update()
-                on_result(result.name)
+        exercises = {digest: again.get(digest) if stored[digest] else None for digest in missing}
+        keys = {digest: answer_keys.key_of(store.answers(digest)[0]) for digest in missing}
+        for result in autograde(_submissions(exercises, store), keys, **options):
+            if exercises[result.name]:
+                result = _with_old_exercises(result, stored[result.name], exercises[result.name])
+            store.keep_result(result.name, result)
+            bar.update()
+            on_result(result.name)
     return len(missing)
 
 
-def _submissions_of_key(exercises, key, store):
-    """(digest, lesson, answers) of the answers that are graded with that key."""
+def _submissions(exercises, store):
+    """(digest, lesson, answers) of the answers that are to be graded."""
     for digest, ids in exercises.items():
-        key_digest, lesson, answers = store.answers(digest)
-        if key_digest == key.digest:
-            yield digest, lesson, {id: source for id, source in answers.items() if not ids or id in ids}
+        _, lesson, answers = store.answers(digest)
+        yield digest, lesson, {id: source for id, source in answers.items() if not ids or id in ids}
 
 
 def _with_old_exercises(result, stored, ids):

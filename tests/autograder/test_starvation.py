@@ -22,12 +22,14 @@ def cases_of(result, exercise_id):
 class BusyMachine:
     """An executor on whose machine `slow` is out of time as long as something else runs.
 
+    starve        what becomes of its result then
     others_done   for each submission that is graded again: whether all others had ended
+    shares        for each: the wall seconds that a case may take at most, None for the usual ones
     """
 
-    def __init__(self):
+    def __init__(self, starve):
         self._executor = ThreadPoolExecutor(1, thread_name_prefix="busy-")
-        self._others, self.seen, self.others_done = [], [], []
+        self._starve, self._others, self.seen, self.others_done, self.shares = starve, [], [], [], []
 
     def submit(self, grade_one, submission, *arguments, **options):
         name, _, answers = submission
@@ -35,12 +37,13 @@ class BusyMachine:
         self.seen.append(name)
         if is_again:
             self.others_done.append((sorted(answers), all(future.done() for future in self._others)))
+            self.shares.append(options["limits"] and options["limits"].deadline(1000))
         future = self._executor.submit(grade_one, submission, *arguments, **options)
         if name != "slow" or is_again:
             self._others.append(future)
             return future
         starved = Future()
-        future.add_done_callback(lambda done: starved.set_result(out_of_time(done.result())))
+        future.add_done_callback(lambda done: starved.set_result(self._starve(done.result())))
         return starved
 
     def close(self):
@@ -54,9 +57,31 @@ def out_of_time(result):
     return replace(result, exercises=(replace(double, cases=cases), *others))
 
 
+def left_out(result):
+    """The first exercise slept in one case, and then the submission had no time left."""
+    texts = [["it did not finish in time", BUDGET_MESSAGE], [BUDGET_MESSAGE, BUDGET_MESSAGE]]
+    exercises = []
+    for exercise, messages in zip(result.exercises, texts, strict=True):
+        cases = [
+            replace(case, outcome=Outcome.TIME, points=0, message=message)
+            for case, message in zip(exercise.cases, messages, strict=True)
+        ]
+        exercises.append(replace(exercise, cases=tuple(cases)))
+    return replace(result, exercises=tuple(exercises))
+
+
+def test_an_exercise_for_which_slow_ones_left_no_time_is_graded_without_them(key, right):
+    machine = BusyMachine(left_out)
+    (result,) = autograde([("slow", LESSON, right)], key, workers=1, executor=machine)
+    machine.close()
+    assert result.points == 10
+    assert [ids for ids, _ in machine.others_done] == [["attacked-mean"], ["attacked-double"]]
+    assert machine.shares == [Limits().submission / 2, None]  # the two cases cannot use each other's time
+
+
 def test_an_exercise_out_of_time_is_run_again_alone_and_then_counts(key, right):
     names = ["slow", "a", "b", "c"]
-    machine = BusyMachine()
+    machine = BusyMachine(out_of_time)
     results = list(autograde([(name, LESSON, right) for name in names], key, workers=1, executor=machine))
     machine.close()
     assert [(result.name, result.points) for result in results] == [(name, 10) for name in names]

@@ -55,7 +55,7 @@ def test_a_key_without_a_seed_keeps_one_and_makes_the_same_key_again(run, tmp_pa
         "k",
         "--force",
         "--seed",
-        "5eed" + "0f1e2d3c4b5a69788796a5b4c3d2e1f0",
+        "5eed" + "c09a41f7d263b8e05f1a97c4d3806be2",
     )
     assert "Its seed is not saved" in other.output
     assert load_key(tmp_path / "k").digest != first
@@ -84,8 +84,12 @@ def test_a_redrawn_key_has_other_inputs_and_the_old_one_still_grades(run, light,
     assert run(*words, "--redraw").exit_code == 0 and (tmp_path / "k-2").is_dir()
 
 
+MIRRORED = "5eed90ab1c7f32d8"
+
+
 def test_a_seed_that_can_be_guessed_is_refused(run, tmp_path):
-    for seed in ("1", "2026", "correct horse battery staple", "0" * 64, "0123456789abcdef" * 2, "abc" * 20):
+    patterns = ["0" * 64, "0123456789abcdef" * 2, "abc" * 20, MIRRORED + MIRRORED[::-1]]
+    for seed in ("1", "2026", "correct horse battery staple", *patterns):
         refused = run("key", "21", "--masters", MASTERS, "--out", "k", "--seed", seed)
         assert refused.exit_code == 1 and "can be guessed" in refused.output
     (tmp_path / "k.seed").write_text("12345")
