@@ -2,7 +2,6 @@
 
 import numpy as np
 
-from ..geometry.poses import rotate
 from .room_model import NO_JOINT
 
 UNSEEN = -2
@@ -56,27 +55,33 @@ class TriangleDepth:
 
         Arrays over all triangle numbers: 0 for triangles that are not in the image, and for the number 0.
         """
-        room, to_camera, count = self._room, camera.inverse(), len(self._label)
+        room, count = self._room, len(self._label)
         seen = np.zeros(count, bool)
         seen[numbers] = True
         seen[0] = False
+        mine = np.flatnonzero(seen)
+        rotation, position = self._to_camera(self._joint[mine], camera, joint_poses)
         per_depth = np.zeros((3, count), np.float32)
         nearest, farthest = np.zeros(count, np.float32), np.zeros(count, np.float32)
-        joint = np.where(seen, self._joint, UNSEEN)
-        for k in np.unique(joint[seen]):
-            pose = to_camera if k == NO_JOINT else to_camera @ joint_poses[room.joint_names[k]]
-            mine = np.nonzero(joint == k)[0]
-            normals = rotate(pose.rotation, room.normals[mine - 1])
-            offsets = room.offsets[mine - 1] + sum(normals[:, i] * pose.position[i] for i in range(3))
-            with np.errstate(divide="ignore", invalid="ignore"):
-                per_depth[:, mine] = np.nan_to_num(normals / offsets[:, None]).T
-            a, b, c = along(pose, room.triangles[mine - 1]).T
-            nearest[mine] = np.minimum(np.minimum(a, b), c) * 0.98 - 0.005
-            farthest[mine] = np.maximum(np.maximum(a, b), c) * 1.02 + 0.005
+        normals = [dot(row, room.normals[mine - 1].T) for row in rotation]
+        offsets = room.offsets[mine - 1] + dot(normals, position)
+        with np.errstate(divide="ignore", invalid="ignore"):
+            per_depth[:, mine] = np.nan_to_num(np.stack(normals) / offsets)
+        a, b, c = (dot(rotation[2], room.triangles[mine - 1, k].T) + position[2] for k in range(3))
+        nearest[mine] = np.minimum(np.minimum(a, b), c) * 0.98 - 0.005
+        farthest[mine] = np.maximum(np.maximum(a, b), c) * 1.02 + 0.005
         return per_depth, nearest, farthest
 
+    def _to_camera(self, joint, camera, joint_poses):
+        """Rotations (3, 3, N) and positions (3, N) into the optical frame, of triangles of joints (N,)."""
+        names, to_camera = self._room.joint_names, camera.inverse()
+        rotations, positions = np.zeros((len(names) + 1, 3, 3)), np.zeros((len(names) + 1, 3))
+        for k in np.unique(joint):  # NO_JOINT is -1: the last one
+            pose = to_camera if k == NO_JOINT else to_camera @ joint_poses[names[k]]
+            rotations[k], positions[k] = pose.rotation, pose.position
+        return np.moveaxis(rotations[joint], 0, -1), positions[joint].T
 
-def along(pose, triangles):
-    """The z of triangles' corners after the pose, (N, 3)."""
-    x, y, z = pose.rotation[2]
-    return triangles[..., 0] * x + triangles[..., 1] * y + triangles[..., 2] * z + pose.position[2]
+
+def dot(first, second):
+    """Scalar products of vectors (3, N), (N,)."""
+    return first[0] * second[0] + first[1] * second[1] + first[2] * second[2]

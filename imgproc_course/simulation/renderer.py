@@ -15,6 +15,7 @@ except ImportError:  # no wheel of panda3d for this platform
     p3d = None
 
 NEAR, FAR = 0.06, 14.0  # metres
+LARGE_TEXEL = 2.0  # pixels
 CHUNK = 1.6  # metres; what lies outside of the image is left out chunk by chunk
 SKY = {"day": (0.97, 0.985, 1.0), "evening": (0.05, 0.07, 0.11)}
 # The ball turns, so its texture holds colours alone. Light: ambient, then (direction, color) of two lamps.
@@ -32,6 +33,7 @@ BALL_LIGHT = {
 }
 SHADOWS = {"ball": (0.15, 0.15), "toycar": (0.20, 0.13), "person": (0.30, 0.26)}  # half sizes in metres
 COLOR_MASK, ID_MASK = 0, 1
+BLINDERS_ORDER = -1
 FLOOR_ORDER, SHEEN_ORDER, RUG_ORDER, SHADOW_ORDER, OTHERS_ORDER = 0, 1000, 2000, 3000, 4000
 
 
@@ -95,8 +97,12 @@ def textured(triangles, texture, normals=None):
         columns.insert(1, normals.reshape(-1, 3))
         vertex_format = p3d.GeomVertexFormat.get_v3n3t2()
     rows = np.concatenate(columns, 1).astype(np.float32).round(5)
-    rows, indices = np.unique(rows, axis=0, return_inverse=True)
-    return geom_node(vertex_format, rows, indices.ravel())
+    order = np.lexsort(rows.T)  # several times as fast as np.unique(axis=0)
+    rows = rows[order]
+    new = np.concatenate([[True], (rows[1:] != rows[:-1]).any(1)])
+    indices = np.empty(len(rows), int)
+    indices[order] = np.cumsum(new) - 1
+    return geom_node(vertex_format, rows[new], indices)
 
 
 def numbered(triangles, numbers):
@@ -127,22 +133,71 @@ def as_texture(pixels, kind):
     """pixels (H, W, 3 or 4) uint8 BGR, H and W powers of two up to 4096."""
     texture = p3d.Texture()
     texture.setup_2d_texture(pixels.shape[1], pixels.shape[0], p3d.Texture.T_unsigned_byte, kind)
-    texture.set_ram_image(np.ascontiguousarray(pixels[::-1]).tobytes())
-    # Mipmaps between two levels carry from channel to channel in this renderer: the nearest level alone.
-    texture.set_minfilter(p3d.SamplerState.FT_linear_mipmap_nearest)
-    texture.set_magfilter(p3d.SamplerState.FT_linear)
+    texture.set_ram_image(cv2.flip(pixels, 0))
+    texture.set_default_sampler(sampler(smooth=False))
     texture.set_quality_level(p3d.Texture.QL_best)  # without it filters are ignored
-    texture.set_wrap_u(p3d.SamplerState.WM_clamp)
-    texture.set_wrap_v(p3d.SamplerState.WM_clamp)
     texture.set_keep_ram_image(False)
     return texture
 
 
-class View:
-    """One camera and the image that it draws."""
+def sampler(smooth):
+    """How a texture is read: the nearest texel, or, where texels are larger than pixels, between texels.
 
-    def __init__(self, output, texture, camera, model):
-        self.output, self.texture, self.camera, self.model = output, texture, camera, model
+    The nearest texel of the nearest mipmap is by far the fastest. Between the texels of a mipmap this
+    renderer interpolates wrongly, and any wrap mode but "repeat" takes its slow path.
+    """
+    state = p3d.SamplerState()
+    state.set_minfilter(p3d.SamplerState.FT_nearest_mipmap_nearest)
+    state.set_magfilter(p3d.SamplerState.FT_linear if smooth else p3d.SamplerState.FT_nearest)
+    return state
+
+
+class Chunk:
+    """A part of what stands still, and how near it must be for its texels to be seen one by one."""
+
+    def __init__(self, node, texture, triangles, corners):
+        """corners (N, 3, 2): the triangles' texture coordinates"""
+        self.node, self.texture = node, texture
+        points = triangles.reshape(-1, 3).astype(float)
+        self.center = (points.min(0) + points.max(0)) / 2
+        self.radius = float(np.sqrt(((points - self.center) ** 2).sum(1).max()))
+        self.size = texture.get_x_size(), texture.get_y_size()
+        self.texels_per_metre = math.sqrt(
+            area(corners.astype(float) * self.size) / area(triangles.astype(float))
+        )
+        self.smooth = False
+
+    def choose_filter(self, position, fx):
+        """Interpolates between texels that are larger than LARGE_TEXEL pixels for an eye at (3,)."""
+        x, y, z = position - self.center
+        distance = max(math.sqrt(x * x + y * y + z * z) - self.radius, NEAR)
+        smooth = fx / distance > LARGE_TEXEL * self.texels_per_metre
+        if smooth != self.smooth:
+            self.smooth = smooth
+            use_texture(self.node, self.texture, smooth)
+
+
+class View:
+    """One camera and the image that it draws; `blinders` cover what its lens does not show."""
+
+    def __init__(self, output, texture, camera, blinders, pinhole):
+        self.output, self.texture, self.camera = output, texture, camera
+        self.blinders, self.pinhole = blinders, pinhole
+
+
+def use_texture(node, texture, smooth):
+    stage = p3d.TextureStage.get_default()
+    node.set_texture(stage, texture, sampler(smooth), 1)
+    # Between texels this renderer reads half a texel too far to the left and below.
+    half = (0.5 / texture.get_x_size(), 0.5 / texture.get_y_size()) if smooth else (0, 0)
+    node.set_tex_offset(stage, *half)
+
+
+def area(triangles):
+    """The area of triangles (N, 3, 2 or 3) in all."""
+    a, b = triangles[:, 1] - triangles[:, 0], triangles[:, 2] - triangles[:, 0]
+    squared = (a * a).sum(1) * (b * b).sum(1) - (a * b).sum(1) ** 2
+    return float(np.sqrt(np.maximum(squared, 0)).sum()) / 2
 
 
 class Renderer:
@@ -153,7 +208,7 @@ class Renderer:
         self._engine = p3d.GraphicsEngine(self._pipe)
         self._root = p3d.NodePath("room")
         self._joints = {name: self._root.attach_new_node(name) for name in room.joint_tree}
-        self._order = 0
+        self._order, self._chunks = 0, []
         for number, atlas in enumerate(ATLASES):
             self._add_atlas(room, number, atlas, lighting)
         self._shadows = {}
@@ -163,16 +218,19 @@ class Renderer:
         self._sheen = sheen.Sheen(lighting)
         self._sheen_geom = self._add_sheen()
 
-    def _add_atlas(self, room, number, atlas, lighting):
+    def _add_atlas(self, room, index, atlas, lighting):
         texture = None if atlas == "outside" else load_texture(atlas, lighting)
-        mine = np.nonzero(room.atlas == number)[0]
-        leaf = room.label[mine] == next(k for k, v in room.label_names.items() if v == FACES_OUTWARD)
+        mine = np.nonzero(room.atlas == index)[0]
+        leaf = next(k for k, v in room.label_names.items() if v == FACES_OUTWARD)
         cell = np.floor(room.triangles[mine].mean(1) / CHUNK).astype(int)
         cell[room.joint[mine] != NO_JOINT] = 0
-        keys = np.column_stack([room.joint[mine], leaf, cell])
-        for key in np.unique(keys, axis=0):
-            chosen = mine[(keys == key).all(1)]
-            joint = None if key[0] == NO_JOINT else room.joint_names[key[0]]
+        keys = np.column_stack([room.joint[mine], room.label[mine] == leaf, cell])
+        keys -= keys.min(0)
+        codes = np.ravel_multi_index(keys.T, keys.max(0) + 1)
+        for code in np.unique(codes):
+            chosen = mine[codes == code]
+            number = room.joint[chosen[0]]
+            joint = None if number == NO_JOINT else room.joint_names[number]
             parent = self._joints[joint] if joint else self._root
             triangles, corners = room.triangles[chosen], room.texture[chosen]
             if joint == "ball":
@@ -183,7 +241,9 @@ class Renderer:
             if texture is None:
                 colored.set_color(*SKY[lighting], 1)
             else:
-                colored.set_texture(texture, 1)
+                use_texture(colored, texture, smooth=joint is not None)
+                if joint is None and atlas not in ("room", "floor"):  # these have soft patterns
+                    self._chunks.append(Chunk(colored, texture, triangles, corners))
             numbers = parent.attach_new_node(numbered(triangles, chosen + 1))
             numbers.set_attrib(p3d.ColorAttrib.make_vertex())
             # The order is fixed, or it would follow addresses in memory. Floor and rug come first: what lies
@@ -193,7 +253,7 @@ class Renderer:
             for node, other in ((colored, ID_MASK), (numbers, COLOR_MASK)):
                 node.set_bin("fixed", order)
                 node.hide(p3d.BitMask32.bit(other))
-                node.set_two_sided(bool(key[1]))
+                node.set_two_sided(bool(room.label[chosen[0]] == leaf))
                 if atlas == "signs":  # a few millimetres before the wall: they must win at any distance
                     node.set_depth_offset(1)
 
@@ -256,14 +316,18 @@ class Renderer:
                 shadow.set_mat(as_matrix(pose))
                 shadow.set_z(z + 0.003)
 
-    def add_view(self, model, ids=False):
-        """A view through a pinhole camera: its colors, or the number of each pixel's triangle."""
+    def add_view(self, camera, scale=1.0, ids=False):
+        """A view of all that a camera with a lens sees: its colors, or the number of each pixel's triangle.
+
+        It is drawn through a pinhole camera, `scale` times as finely; what the lens does not show is black.
+        """
+        pinhole = pinhole_covering(camera, scale)
         properties = p3d.FrameBufferProperties()
         properties.set_rgb_color(True)
         properties.set_color_bits(24)
         properties.set_depth_bits(24)
         properties.set_alpha_bits(8)
-        size = p3d.WindowProperties(size=(model.width, model.height))
+        size = p3d.WindowProperties(size=(pinhole.width, pinhole.height))
         output = self._engine.make_output(
             self._pipe, "view", 0, properties, size, p3d.GraphicsPipe.BF_refuse_window
         )
@@ -271,17 +335,17 @@ class Renderer:
         output.add_render_texture(texture, p3d.GraphicsOutput.RTM_copy_ram)
         output.set_clear_color((0, 0, 0, 1))
         output.set_clear_color_active(True)
-        lens = p3d.PerspectiveLens()
-        lens.set_film_size(model.width, model.height)
-        lens.set_focal_length(model.fx)
-        lens.set_film_offset((model.width - 1) / 2 - model.cx, model.cy - (model.height - 1) / 2)
-        lens.set_near_far(NEAR, FAR)
-        node = p3d.Camera("camera", lens)
+        node = p3d.Camera("camera", software_lens(pinhole))
         node.set_camera_mask(p3d.BitMask32.bit(ID_MASK if ids else COLOR_MASK))
-        camera = self._root.attach_new_node(node)
-        output.make_display_region().set_camera(camera)
+        path = self._root.attach_new_node(node)
+        output.make_display_region().set_camera(path)
         output.set_active(False)
-        return View(output, texture, camera, model)
+        blinders = path.attach_new_node(around_the_image(camera))
+        blinders.set_color(0, 0, 0, 1)
+        blinders.set_two_sided(True)
+        blinders.set_bin("fixed", BLINDERS_ORDER)
+        blinders.hide()
+        return View(output, texture, path, blinders, pinhole)
 
     def render(self, view, pose):
         """What the view sees from a pose of its optical frame: (height, width, 4) uint8 BGRA, read-only.
@@ -293,16 +357,24 @@ class Renderer:
         view.camera.set_mat(p3d.LMatrix4f(*right, 0, *forward, 0, *(-down), 0, *pose.position, 1))
         if not (view.camera.node().get_camera_mask() & p3d.BitMask32.bit(ID_MASK)).get_word():
             self._update_sheen(pose.position)
+            for chunk in self._chunks:
+                chunk.choose_filter(pose.position, view.pinhole.fx)
+        view.blinders.show()
         view.output.set_active(True)
         self._engine.render_frame()
         view.output.set_active(False)
+        view.blinders.hide()
         pixels = np.frombuffer(view.texture.get_ram_image(), np.uint8)
-        return pixels.reshape(view.model.height, view.model.width, 4)
+        return pixels.reshape(view.pinhole.height, view.pinhole.width, 4)
 
     def _update_sheen(self, position):
         self._sheen_rows[:, 12:] = color_bytes(*self._sheen.colors(position))
-        data = self._sheen_geom.modify_geom(0).modify_vertex_data()
-        memoryview(data.modify_array(0)).cast("B")[:] = self._sheen_rows.tobytes()
+        geom = self._sheen_geom.modify_geom(0)
+        vertices = geom.modify_vertex_data().modify_array(0)
+        memoryview(vertices).cast("B")[:] = self._sheen_rows.tobytes()
+        indices = self._sheen.indices
+        shining = self._sheen_rows[:, 15][indices].any(1)  # most of the floor near by does not
+        geom.set_primitive(0, index_buffer(indices[shining]))
 
     def close(self):
         self._engine.remove_all_windows()
@@ -318,6 +390,40 @@ def as_matrix(pose):
     """panda3d's matrices act on row vectors."""
     x, y, z = pose.rotation.T
     return p3d.LMatrix4f(*x, 0, *y, 0, *z, 0, *pose.position, 1)
+
+
+def software_lens(pinhole):
+    """The lens of a pinhole camera, for this renderer.
+
+    It fits the film into half a pixel less than the image, and cuts off the fraction of a corner's pixel:
+    half a pixel more makes that a rounding.
+    """
+    width, height = pinhole.width - 0.5, pinhole.height - 0.5
+    lens = p3d.PerspectiveLens()
+    lens.set_film_size(width, height)
+    lens.set_focal_length(pinhole.fx)
+    lens.set_film_offset(width / 2 - 0.5 - pinhole.cx, pinhole.cy + 0.5 - height / 2)
+    lens.set_near_far(NEAR, FAR)
+    return lens
+
+
+def around_the_image(camera):
+    """A frame close before the camera, from two pixels outside of its image on; it hides what is behind."""
+    columns, rows = np.linspace(-2, camera.width + 1, 41), np.linspace(-2, camera.height + 1, 41)
+    border = (
+        [(c, -2) for c in columns]
+        + [(camera.width + 1, r) for r in rows]
+        + [(c, camera.height + 1) for c in columns[::-1]]
+        + [(-2, r) for r in rows[::-1]]
+    )
+    inner = camera.unproject(border) * NEAR * 1.01
+    outer = inner * (2, 2, 1)
+    next_inner, next_outer = np.roll(inner, -1, 0), np.roll(outer, -1, 0)
+    triangles = np.concatenate(
+        [np.stack([inner, next_inner, outer], 1), np.stack([outer, next_inner, next_outer], 1)]
+    )
+    right, down, forward = np.moveaxis(triangles, -1, 0)
+    return textured(np.stack([right, forward, -down], -1), np.zeros((len(triangles), 3, 2)))
 
 
 def pinhole_covering(model, scale=1.0):

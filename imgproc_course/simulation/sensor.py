@@ -18,7 +18,9 @@ class Sensor:
         random = np.random.default_rng([seed, 2])
         shape = (model.height + NOISE_MARGIN, model.width + NOISE_MARGIN, 3)
         sigma = NOISE[lighting] * (model.width / 640) ** 0.5
-        self._noise = np.rint(sigma * random.standard_normal(shape, np.float32)).astype(np.int16)
+        noise = np.rint(sigma * random.standard_normal(shape, np.float32))
+        # Apart, each in one byte, they are added three times as fast.
+        self._brighter, self._darker = (np.clip(n, 0, 255).astype(np.uint8) for n in (noise, -noise))
         self._vignette = np.repeat(vignette(model)[..., None], 3, 2)
 
     def __call__(self, image, step, angular):
@@ -29,8 +31,8 @@ class Sensor:
             image = cv2.blur(image, (width, 1))
         image = cv2.multiply(image, self._vignette, scale=1 / 255)
         row, col = np.random.default_rng([self._seed, 3, step]).integers(0, NOISE_MARGIN, 2)
-        noise = self._noise[row : row + image.shape[0], col : col + image.shape[1]]
-        return cv2.add(image, noise, dtype=cv2.CV_8U)
+        part = slice(row, row + image.shape[0]), slice(col, col + image.shape[1])
+        return cv2.subtract(cv2.add(image, self._brighter[part]), self._darker[part])
 
 
 def vignette(model):

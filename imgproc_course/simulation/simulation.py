@@ -11,7 +11,7 @@ from .depth import TriangleDepth
 from .drive import Drive, WheelOdometry, clearance, nearest_on_body
 from .laser import Laser
 from .movers import Movers, is_on_rug
-from .renderer import Renderer, configure_panda3d, pinhole_covering
+from .renderer import Renderer, configure_panda3d
 from .room_model import FreeSpace, load_room
 from .sensor import Sensor
 
@@ -152,8 +152,8 @@ class Simulation:
         """The front camera's image, (height, width, 3) uint8 BGR."""
         if "frame" not in self._views:
             scale = 1.15 if self._model.width <= 640 else 1.0
-            pinhole = pinhole_covering(self._model, scale)
-            view = self._renderer.add_view(pinhole)
+            view = self._renderer.add_view(self._model, scale)
+            pinhole = view.pinhole
             pixels = pinhole.project(self._model.rays())
             col, row = (
                 pixels[..., 0],
@@ -199,9 +199,8 @@ class Simulation:
         """The triangle number of each pixel of a depth camera; kept until something moves."""
         if camera not in self._views:
             model = self.depth_camera(camera)
-            pinhole = pinhole_covering(model)
-            view = self._renderer.add_view(pinhole, ids=True)
-            self._views[camera] = view, TriangleDepth(self._room, model, pinhole), [None, None]
+            view = self._renderer.add_view(model, ids=True)
+            self._views[camera] = view, TriangleDepth(self._room, model, view.pinhole), [None, None]
         view, rays, kept = self._views[camera]
         pose = self._camera_pose(camera)
         key = (self._steps, pose.position.tobytes(), pose.rotation.tobytes())

@@ -3,6 +3,7 @@
 import cv2
 import numpy as np
 
+from imgproc_course.geometry import Pose
 from imgproc_course.simulation import CAMERA, Simulation
 
 PARAMETERS = cv2.aruco.DetectorParameters()
@@ -27,6 +28,22 @@ def test_marker_corners(at_frames, drive):
         for k, (frame, _, _) in at_frames.items()
     ]
     assert np.mean(errors) < 1, errors  # pixels
+
+
+def test_marker_corners_are_where_the_poses_say(at_frames, drive):
+    half = 0.125  # metres; corners clockwise from the upper left, in the marker's frame
+    corners = np.array([(-half, 0, half), (half, 0, half), (half, 0, -half), (-half, 0, -half)])
+    errors = []
+    for k, (frame, _, _) in at_frames.items():
+        marker, camera = (Pose.from_vector(drive.pose(name, k)) for name in ("marker", "camera"))
+        expected = CAMERA.project(camera.inverse().apply(marker.apply(corners)))
+        errors.append(marker_corners(frame) - expected)
+    shift = np.mean(errors, (0, 1))
+    assert np.abs(shift).max() < 0.2, shift  # pixels
+    assert np.linalg.norm(errors, axis=-1).mean() < 0.75
+    # The recorded marker is 1.5 pixels smaller than its pose says: motion blur and the mean of linear light.
+    left, right = np.array(errors)[:, [0, 3], 0].mean(), np.array(errors)[:, [1, 2], 0].mean()
+    assert abs(right - left) < 0.5
 
 
 def test_depth(at_frames, drive):

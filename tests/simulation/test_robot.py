@@ -104,6 +104,19 @@ def test_a_wall_stops_the_robot_which_can_still_turn_and_leave():
         assert place(room)[1] > y + 0.2
 
 
+def test_inside_of_something_the_robot_may_leave_but_not_go_deeper():
+    with Simulation(start=(0.0, -1.4, -math.pi / 2)) as room:
+        room._drive.y = -1.93  # its front is now 6 cm in the wall
+        for _ in range(30):
+            room.step(0.3, 0)
+        assert room.bumped
+        assert place(room)[1] == -1.93
+        for _ in range(60):
+            room.step(-0.3, 0)
+        assert not room.bumped
+        assert place(room)[1] > -1.93 + 0.25
+
+
 def test_the_ball_is_pushed_and_rolls_on():
     with Simulation(start=(2.84, 0.55, -math.pi / 2), time=60.0) as room:  # the ball rests ahead
         before = room.pose("ball")
