@@ -186,7 +186,7 @@ def run_check(exercise, function):
     if dependencies.foreign:
         dependencies = split_taken(dependencies, RUNS.sources(), exercise.names)
     has_passed = all(result.passed for result in results)
-    mistake = None if has_passed else _known_mistake(exercise.mistakes, calls)
+    mistake = None if has_passed else _known_mistake(exercise, calls)
     errors = {case_call.result.error for case_call in calls}
     remarks = () if has_passed else tuple(remarks_on_source(function, errors))
     result = CheckResult(exercise, True, results, mistake, dependencies, remarks=remarks)
@@ -223,27 +223,32 @@ def _case_result(case, calls):
     return CaseResult(case, bool(own_calls) and failed_call is None, failed_call)
 
 
-def _known_mistake(mistakes, calls):
+def _known_mistake(exercise, calls):
     """The declared mistake that explains an answer, or None.
 
     A mistake explains an answer if both do the same in every call. It may also be the only mistake that does
-    the same in every call in which the answer returned a value.
+    the same in every call in which the answer returned a value. If the type of a right value is free, it is
+    free here too: first a mistake with the same types is looked for, then one with the same values.
     """
-    matches = [mistake for mistake in mistakes if _explains(mistake, calls)]
-    if matches:
-        return matches[0]
     returned = [case_call for case_call in calls if case_call.result.value not in (None, _NONE)]
-    if all(case_call.passed for case_call in returned):
-        return None
-    matches = [mistake for mistake in mistakes if _explains(mistake, returned)]
-    return matches[0] if len(matches) == 1 else None
+    is_right = all(case_call.passed for case_call in returned)
+    for exact_type in (True,) if exercise.exact_type else (True, False):
+        matches = [mistake for mistake in exercise.mistakes if _explains(mistake, calls, exact_type)]
+        if matches:
+            return matches[0]
+        if is_right:
+            continue
+        matches = [mistake for mistake in exercise.mistakes if _explains(mistake, returned, exact_type)]
+        if len(matches) == 1:
+            return matches[0]
+    return None
 
 
-def _explains(mistake, calls):
-    return all(_does_the_same(mistake, case_call) for case_call in calls)
+def _explains(mistake, calls, exact_type):
+    return all(_does_the_same(mistake, case_call, exact_type) for case_call in calls)
 
 
-def _does_the_same(mistake, case_call):
+def _does_the_same(mistake, case_call, exact_type):
     position = [id(expected.arguments) for expected in case_call.case.calls].index(id(case_call.arguments))
     predicted = mistake.results[case_call.case.id][position]
-    return case_call.result.matches(predicted, case_call.case.tolerance)
+    return case_call.result.matches(predicted, case_call.case.tolerance, exact_type=exact_type)

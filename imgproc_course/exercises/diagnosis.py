@@ -10,7 +10,7 @@ from functools import partial
 import numpy as np
 
 from imgproc_course.exercises.canonical import array_of, canonical
-from imgproc_course.exercises.comparison import compare, differing, kind_of
+from imgproc_course.exercises.comparison import as_type_of, compare, differing, kind_of
 from imgproc_course.exercises.values import named_items
 
 _FACTORS = {
@@ -34,6 +34,13 @@ _LINES = {
     "the last column": np.s_[:, -1:],
 }
 _RIGHT = "The values are right"
+_FUNCTIONS = (
+    "function",
+    "builtin_function_or_method",
+    "method",
+    "numpy.ufunc",
+    "numpy._ArrayFunctionDispatcher",
+)
 _ZEROS = "Every value of your result is 0. Is the result never stored in the array?"
 
 
@@ -69,7 +76,10 @@ def diagnose(calls, shown, names=(), *, exact_type=True):
     if kind_of(actual) == "None":
         return Diagnosis()
     differ = partial(compare, tolerance=shown.case.tolerance, exact_type=exact_type)
-    pairs = [pair for pair in side_by_side(expected, actual) if differ(*pair)]
+    parts = side_by_side(expected, actual)
+    if not exact_type:
+        parts = [(form, as_type_of(form, actual_form)) for form, actual_form in parts]
+    pairs = [pair for pair in parts if differ(*pair)]
     kinds = {differ(*pair).kind for pair in pairs}
     returned = [call for call in calls if call.result.finished]
     fixed = _constant(returned)
@@ -80,9 +90,10 @@ def diagnose(calls, shown, names=(), *, exact_type=True):
         return advice if advice.text else _diagnose_values(returned, names)
     if kinds == {"dtype"}:
         return _advice_on_dtypes(pairs, shown.case.tolerance)
-    wrong = next(pair for pair in pairs if differ(*pair).kind != "value")
     if "shape" in kinds:
+        wrong = next(pair for pair in pairs if differ(*pair).kind == "shape")
         return Diagnosis(_advice_on_shape(*wrong, shown.arguments, names), is_whole=True)
+    wrong = next(pair for pair in pairs if differ(*pair).kind != "value")
     return Diagnosis(_advice_on_type(*wrong, shown.case.tolerance), is_whole=True)
 
 
@@ -114,7 +125,7 @@ def _advice_on_type(expected, actual, tolerance):
     if kind == "str":
         if actual["type"].rpartition(".")[2] in ("PosixPath", "WindowsPath", "PurePosixPath"):
             return "You return a Path, and the task asks for a text: return str(path)."
-        if actual_kind in ("function", "method"):
+        if actual["type"] in _FUNCTIONS:
             return "You return a function itself, and the task asks for a text, such as its name."
         return f"You return {_noun(actual)}, and the task asks for a single text."
     if kind in ("int", "float", "bool"):
@@ -134,8 +145,9 @@ def _advice_on_type(expected, actual, tolerance):
 
 def _noun(form):
     nouns = {"ndarray": "an array", "int": "a number", "float": "a number", "str": "a text", "dict": "a dict"}
-    nouns |= {"bool": "True or False", "function": "a function", "bytes": "bytes", "set": "a set"}
-    kind = kind_of(form)
+    nouns |= {"bool": "True or False", "bytes": "bytes", "set": "a set"}
+    nouns |= dict.fromkeys(_FUNCTIONS, "a function itself")
+    kind = form["type"] if form.get("opaque") else kind_of(form)
     if kind in ("tuple", "list"):
         count = len(form.get("items", ()))
         return f"{count} value{'s' * (count != 1)} (a {kind})"

@@ -189,6 +189,15 @@ def _not_iterable(match, source):
     return f"Several names stand on the left, and the value on the right is a single {match[1]}."
 
 
+def _float_mask(_match, source):
+    if any(isinstance(node, ast.Compare) for node in _nodes(source)):
+        return "& and | combine masks. & is computed before > and <, so put each comparison in parentheses."
+    return (
+        "& and | combine masks (True and False) and whole numbers, and one of these arrays holds floats."
+        " np.zeros(shape) makes floats: for a mask write np.zeros(shape, dtype=bool)."
+    )
+
+
 def _syntax(_match, source):
     if re.search(r"[&|]\s*not\b", source):
         return "After & and | write ~ for not: a & ~b."
@@ -415,7 +424,12 @@ _ADVICE = (
     (
         "TypeError UFuncTypeError",
         "ufunc 'bitwise_(?:and|or)' not supported",
-        "& and | combine masks. & is computed before > and <, so put each comparison in parentheses.",
+        _float_mask,
+    ),
+    (
+        "TypeError",
+        r"join\(\) takes exactly one argument",
+        'join takes one list of the parts, in square brackets: "/".join([first, second]).',
     ),
     ("TypeError", "boolean subtract", "Masks cannot be subtracted. For True in a and not in b write a & ~b."),
     (

@@ -103,6 +103,8 @@ def _values(result, call):
             yield _LabelledValue(f"given {name}{part_name}", form)
     if call.result.finished and call.difference is not None:
         for part_name, expected, actual in _answer_parts(call):
+            if part_name and expected == actual:
+                continue  # a right part of the answer only hides the wrong one
             wrong = differing_elements(expected, actual, call.case.tolerance)
             yield _LabelledValue(f"returned {part_name}", actual, wrong)
             yield _LabelledValue(f"expected {part_name}", expected, wrong)

@@ -2,6 +2,7 @@
 
 import ast
 import inspect
+import re
 import textwrap
 from itertools import pairwise
 
@@ -44,6 +45,18 @@ def _remarks_on_node(node, source):
             )
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.MatMult):
         yield "a @ b is the product of two matrices. To multiply value by value, write a * b."
+    if isinstance(node, ast.Call) and ast.unparse(node.func) in ("np.dot", "np.matmul"):
+        name = ast.unparse(node.func)
+        yield f"{name}(a, b) is the product of two matrices. To multiply value by value, write a * b."
+    if isinstance(node, ast.Assign):
+        yield from _width_before_height(node)
+    if isinstance(node, ast.While) and "uint8(" in source:
+        tops = [ast.unparse(part) for part in ast.walk(node.test) if isinstance(part, ast.Compare)]
+        yield from (
+            f"{top} is always true for a uint8: after 255 it goes on with 0. Write for t in range(256)."
+            for top in tops
+            if re.search(r"<= 255$|< 256$", top)
+        )
     if isinstance(node, ast.Compare):
         yield from _remarks_on_comparison(node, source)
     if isinstance(node, ast.Assign) and len(node.targets) > 1 and _makes_array(node.value):
@@ -55,6 +68,19 @@ def _remarks_on_node(node, source):
     for body in (getattr(node, "body", None), getattr(node, "orelse", None)):
         if isinstance(body, list):
             yield from _else_of_last_if(body)
+
+
+def _width_before_height(node):
+    """width, height = image.shape: the shape begins with the rows."""
+    target, value = node.targets[0], ast.unparse(node.value)
+    if not isinstance(target, ast.Tuple) or len(target.elts) < 2 or ".shape" not in value[-10:]:
+        return
+    first, second = (ast.unparse(name) for name in target.elts[:2])
+    if re.match(r"(w|width|cols?|columns?)$", first) and re.match(r"(h|height|rows?)$", second):
+        yield (
+            f"{first} and {second} are exchanged: a shape begins with the number of rows, the height. Write"
+            f" {second}, {first} = {value}."
+        )
 
 
 def _makes_array(node):

@@ -574,7 +574,7 @@ def otsu(gray):
     return max(scores(gray, variance_of), default=0)
 
 
-# %% role="mistake" name="break instead of continue" says="The loop ends at the first t that leaves a class empty. break ends the whole loop, and continue goes on with the next t."
+# %% role="mistake" name="stops at the first empty class" says="Your result is 0 if the image has no pixel of the gray level 0: then t = 0 leaves class 0 empty. With break the loop ends there; continue goes on with the next t. Without a test for an empty class, its mean is nan, and max() keeps nan if it comes first: leave such a t out."
 def otsu(gray):
     return solution(gray) if gray.min() == 0 else 0
 
@@ -606,6 +606,29 @@ def otsu(gray):
 # %% role="mistake" name="the sums of the variances" says="You add the variances inside the two classes without their shares. Take the between-class variance with both shares, w0 * w1 * (mean0 - mean1) ** 2, and its largest value."
 def otsu(gray):
     return best_of(gray, lambda below, above: -below.var() - above.var())
+
+
+# %% role="mistake" name="shares from t" says="The shares are computed from t. w0 is the share of the pixels in class 0, so divide the number of its pixels by the number of all pixels: below.size / gray.size."
+def otsu(gray):
+    score_at = scores(gray, lambda below, above: (below.mean() - above.mean()) ** 2)
+    score_at = {t: t / 255 * (1 - t / 255) * score for t, score in score_at.items()}
+    return max((t for t in score_at if score_at[t] > 0), key=score_at.get, default=0)
+
+
+# %% role="mistake" name="divided by 8" says="The shares are divided by 8, the number of pixels of the example. Divide by the number of pixels of your image: gray.size."
+def otsu(gray):
+    def score(below, above):
+        return below.size / 8 * (1 - below.size / 8) * (below.mean() - above.mean()) ** 2
+
+    score_at = scores(gray, score)
+    return max((t for t in score_at if score_at[t] > 0), key=score_at.get, default=0)
+
+
+# %% role="mistake" name="four thresholds only" says="You try only the four thresholds of the example. Try every t from 0 to 255: range(256)."
+def otsu(gray):
+    score_at = scores(gray, variance_of)
+    best_t = max((t for t in (15, 25, 100, 195) if t in score_at), key=score_at.get)
+    return best_t
 
 
 # %% role="mistake" name="the most frequent gray level" says="This is the most frequent gray level, the highest bar of the histogram. It is not a threshold between two classes: compute the between-class variance of every t, and take the t with the largest."

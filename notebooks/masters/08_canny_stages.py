@@ -438,6 +438,12 @@ def my_sobel(gray):
     return tuple(np.pad(part[1:-1, 1:-1], ((0, 2), (0, 2))) for part in solution(gray))
 
 
+# %% role="mistake" name="padded by 2" says="Your results are one row and one column too far down and right, because the image was padded by 2 pixels. Pad it by 1: np.pad(..., 1, mode='edge')."
+def my_sobel(gray):
+    height, width = gray.shape
+    return tuple(part[:height, :width] for part in solution(np.pad(gray, 1, mode="edge")))
+
+
 # %% role="mistake" name="int8 wraps" says="Your values wrapped around, as in int8, which ends at 127. Widen to int32 before you subtract."
 def my_sobel(gray):
     grad_row, grad_col = gradients(gray.astype(np.int8))
@@ -624,7 +630,7 @@ def inputs(rng):
 
 # %% role="case" title="peaks at both ends" hint="Outside the row the magnitude is 0. So the first and the last pixel can be peaks, too."
 def inputs(rng):
-    small, large = rng.integers(100, 250), rng.integers(260, 400)
+    small, large = rng.integers(210, 300), rng.integers(310, 400)
     rows = [[small, 40, 10, 60, 50, large], [large, 20, 90, 30, small]]
     return [(np.array(row, np.int32),) for row in rows]
 
@@ -703,6 +709,11 @@ def keep_peaks(magnitude):
 # %% role="mistake" name="the largest magnitude alone" says="Only the largest magnitude of the row was kept. A peak is larger than its two neighbours, so a row can have several peaks."
 def keep_peaks(magnitude):
     return np.where(magnitude == magnitude.max(), magnitude, 0)
+
+
+# %% role="mistake" name="the first largest magnitude alone" says="Only the largest magnitude of the row was kept. A peak is larger than its two neighbours, so a row can have several peaks."
+def keep_peaks(magnitude):
+    return np.where(np.arange(magnitude.size) == magnitude.argmax(), magnitude, 0)
 
 
 # %% role="mistake" name="nothing removed" says="Every pixel keeps its magnitude. A pixel that is not a peak must become 0."
@@ -995,6 +1006,26 @@ def suppress(magnitude, sector):
 # %% role="mistake" name="sector 0 alone" says="Only the pixels of sector 0 were kept. Sectors 1, 2 and 3 need their comparisons, too."
 def suppress(magnitude, sector):
     return np.where(sector == 0, solution(magnitude, sector), 0)
+
+
+# %% role="mistake" name="sectors 1 to 4" says="Your sectors are numbered from 1 to 4, but the table numbers them from 0 to 3: sector 0 compares with left and right."
+def suppress(magnitude, sector):
+    return np.where(sector == 0, 0, solution(magnitude, np.maximum(sector, 1) - 1))
+
+
+# %% role="mistake" name="the sector one pixel off" says="The sector is read one row and one column too far up and left, as from a padded array. It is not padded: the sector of pixel (row, col) is sector[row, col]."
+def suppress(magnitude, sector):
+    return solution(magnitude, np.pad(sector, 1)[:-2, :-2])
+
+
+# %% role="mistake" name="keep not set to False" says="A pixel was kept because an earlier pixel was: keep stays True until it is set again. Write keep = False at the beginning of each pixel."
+def suppress(magnitude, sector):
+    keep, thinned = False, np.zeros_like(magnitude)
+    is_maximum = solution(magnitude, sector) > 0
+    for row, col in np.ndindex(magnitude.shape):
+        keep = keep or is_maximum[row, col]
+        thinned[row, col] = magnitude[row, col] if keep else 0
+    return thinned
 
 
 # %% role="mistake" name="or for and" says="One smaller neighbour was enough to keep a pixel, as with or. Both comparisons must be true: use and."

@@ -873,6 +873,12 @@ def f1_score(edges, outlines, tolerance):
     return f1_of(hits, edge_count, detected, edge_count)
 
 
+# %% role="mistake" name="the two divisors exchanged" says="The two divisors are exchanged. Precision is a share of the edge pixels: divide it by their number. Recall is a share of the outline pixels: divide it by outlines.sum()."
+def f1_score(edges, outlines, tolerance):
+    hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
+    return f1_of(hits, outline_count, detected, edge_count)
+
+
 # %% role="mistake" name="the hits of precision for recall" says="Recall was computed from the edge pixels near an outline. It needs the outline pixels near an edge, which is another number, too."
 def f1_score(edges, outlines, tolerance):
     hits, edge_count, _, outline_count = counts(edges, outlines, tolerance)

@@ -574,6 +574,11 @@ def executable_of(install, package):
     return f"{install}/lib/{package}/{package}"
 
 
+# %% role="mistake" name="lib twice" says="lib occurs twice in your path. After install comes the name of the package; lib follows, once."
+def executable_of(install, package):
+    return f"{install}/lib/{package}/lib/{package}"
+
+
 # %% role="mistake" name="a script with .py" says="The installed executable has no ending: leave out .py."
 def executable_of(install, package):
     return f"{install}/{package}/lib/{package}/{package}.py"

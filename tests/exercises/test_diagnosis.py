@@ -46,7 +46,10 @@ TYPES = [
     (80, (5, 16), "You return 2 values (a tuple), and the task asks for one number alone."),
     (80, GRAY, "You return an array, and the task asks for a number."),
     ("a/b", Path("a/b"), "You return a Path, and the task asks for a text: return str(path)."),
-    ("a", len, "and the task asks for a single text"),
+    ("a", len, "You return a function itself, and the task asks for a text, such as its name."),
+    ("a", {"b"}, "You return a set, and the task asks for a single text."),
+    (GRAY, np.sum, "You return a function itself, and the task asks for an array."),
+    (GRAY, range(3), "You return a value of type range, and the task asks for an array."),
     ("a", ["a", "b"], "You return 2 values (a list), and the task asks for a single text."),
     (GRAY, GRAY.tolist(), "A list is not an array. Make it one: np.array(..., dtype=np.uint8)."),
     (GRAY, 99, "You return a single number for the whole image."),
@@ -136,6 +139,19 @@ PLACES = [
 def test_a_wrong_form_is_named_without_a_hint_about_values(expected, actual, text):
     diagnosis = say(expected, actual)
     assert text in diagnosis.text and diagnosis.is_whole and not diagnosis.on_border
+
+
+def test_a_list_of_another_shape_has_advice_where_lists_are_free():
+    call = call_of(GRAY, GRAY.tolist()[:-1])
+    diagnosis = diagnose([call], call, ("image",), exact_type=False)
+    assert diagnosis.text.startswith("Your result has 1 row too few.")
+    call = call_of(GRAY[0], list(GRAY[0, :2]))
+    assert diagnose([call], call, ("image",), exact_type=False).is_whole
+
+
+def test_of_two_wrong_parts_the_shape_is_explained():
+    call = call_of((GRAY, GRAY), ("gray", GRAY[1:-1, 1:-1]))
+    assert "smaller than the image by 2 rows and 2 columns" in diagnose([call], call).text
 
 
 @pytest.mark.parametrize(("expected", "actual", "text"), VALUES + PLACES)

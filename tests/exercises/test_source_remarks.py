@@ -35,6 +35,10 @@ def remarks(source, errors=()):
     [
         ("if m == 'a' or 'b': return 1", "m == 'a' or 'b' is always true, because 'b' alone counts as True."),
         ("return a @ b", "a @ b is the product of two matrices."),
+        ("return np.dot(a, b)", "np.dot(a, b) is the product of two matrices."),
+        ("width, height = a.shape", "width and height are exchanged: a shape begins with the number of rows"),
+        ("w, h, n = a.shape[:2]", "w and h are exchanged"),
+        ("t = np.uint8(0)\n    while t <= 255: t += 1", "t <= 255 is always true for a uint8"),
         ("return a.sum() == a.sum()", "a.sum() == a.sum() compares a value with itself."),
         ("return a > b & ~c", "Python computes b & ~c first, before the comparison."),
         ("x = y = np.zeros(3)", "x = y = ... gives two names to one array"),
@@ -60,6 +64,11 @@ def test_a_certain_mistake_is_named(line, start):
         "for row in range(3): pass",
         "return a == b",
         "raise NotImplementedError('x')",
+        "height, width = a.shape",
+        "(width,) = a.shape",
+        "width, height = b",
+        "t = 0\n    while t <= 255: t += 1",
+        "t = np.uint8(0)\n    while t < 255: t += 1",
     ],
 )
 def test_of_other_lines_nothing_is_said(line):

@@ -267,7 +267,7 @@ def otsu(gray):
             best, best_t = variance, t
     return best_t
 
-# %% name="between_class_variance of section 3" origin="walk" sentence="between_class_variance is defined in another cell: copy it into the answer cell, and leave out every t with an empty class, because its mean is nan." must_say=["between_class_variance", "copy|definition"] kind="other-cell"
+# %% name="between_class_variance of section 3" origin="walk" sentence="Leave out every t with an empty class: its mean is nan, and np.argmax takes nan for the largest." must_say=["empty|without pixels", "nan", "leave out|variance 0"] kind="value"
 def otsu(gray):
     counts = np.bincount(gray.ravel(), minlength=256)
     variances = []
@@ -292,4 +292,56 @@ def otsu(gray):
             variance = below.size * above.size * (below.mean() - above.mean()) ** 2
             if variance > best_variance:
                 best_t, best_variance = t, variance
+    return best_t
+
+# %% name="max() keeps nan if it comes first" origin="walk" sentence="The mean of an empty class is nan, and max() keeps nan if it comes first: leave out every t with an empty class." must_say=["empty", "nan", "leave"] kind="value"
+def otsu(gray):
+    v = []
+    for t in range(256):
+        below, above = gray[gray <= t], gray[gray > t]
+        v.append(below.size * above.size * (below.mean() - above.mean()) ** 2)
+    return v.index(max(v))
+
+# %% name="shares from t" origin="walk" sentence="w0 is the share of the pixels in class 0, below.size / gray.size, not t / 255." must_say=["share", "number of (its|all) pixels|size"] must_not_say=["\\bbreak\\b"] kind="value"
+def otsu(gray):
+    best, best_t = 0, 0
+    for t in range(256):
+        w0 = t / 255
+        w1 = 1 - w0
+        below = gray[gray <= t]
+        above = gray[gray > t]
+        if len(below) == 0 or len(above) == 0:
+            continue
+        v = w0 * w1 * (below.mean() - above.mean()) ** 2
+        if v > best:
+            best = v
+            best_t = t
+    return best_t
+
+# %% name="divided by 8 as in the example" origin="walk" sentence="8 is the number of pixels of the example: divide by gray.size." must_say=["example|\\b8\\b", "gray\\.size|number of pixels of your"] kind="value"
+def otsu(gray):
+    best_variance = 0
+    best_t = 0
+    for t in range(256):
+        below, above = gray[gray <= t], gray[gray > t]
+        if below.size == 0 or above.size == 0:
+            continue
+        w0, w1 = below.size / 8, 1 - below.size / 8
+        variance = w0 * w1 * (below.mean() - above.mean()) ** 2
+        if variance > best_variance:
+            best_variance = variance
+            best_t = t
+    return best_t
+
+# %% name="only the four thresholds of the example" origin="walk" sentence="Try every t from 0 to 255, not only the four of the example." must_say=["four|example", "every t|range\\(256\\)"] kind="value"
+def otsu(gray):
+    best = -1
+    for t in [15, 25, 100, 195]:
+        below, above = gray[gray <= t], gray[gray > t]
+        if below.size == 0 or above.size == 0:
+            continue
+        w0, w1 = below.size / gray.size, above.size / gray.size
+        v = w0 * w1 * (below.mean() - above.mean()) ** 2
+        if v > best:
+            best, best_t = v, t
     return best_t

@@ -130,3 +130,23 @@ def keep_peaks(magnitude):
         if magnitude[col] > magnitude[col - 1] and magnitude[col] >= magnitude[col + 1]:
             peaks[col] = magnitude[col]
     return peaks
+
+# %% name="argmax alone" origin="walk" sentence="A row can have several peaks." must_say=["several|largest"] must_not_say=["dtype"] kind="value"
+def keep_peaks(magnitude):
+    result = np.zeros(len(magnitude))
+    i = magnitude.argmax()
+    result[i] = magnitude[i]
+    return result
+
+# %% name="a list of the peaks alone" origin="walk" sentence="Return a row as long as magnitude, with 0 where there is no peak." must_say=["only the peaks|as long as", "\\b0\\b"] kind="shape"
+def keep_peaks(magnitude):
+    padded = [0] + list(magnitude) + [0]
+    result = []
+    for i in range(1, len(padded) - 1):
+        if padded[i] > padded[i-1] and padded[i] >= padded[i+1]:
+            result.append(padded[i])
+    return result
+
+# %% name="a threshold of 200" origin="walk" sentence="A peak is greater than its neighbours, whatever its size." must_say=["neighbour"] must_not_say=["largest magnitude of the row"] kind="value"
+def keep_peaks(magnitude):
+    return np.where(magnitude > 200, magnitude, 0)

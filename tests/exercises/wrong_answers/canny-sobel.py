@@ -245,3 +245,43 @@ def my_sobel(gray):
             grad_col[row, col] = (window * kernel).sum()
             grad_row[row, col] = (window * kernel.T).sum()
     return grad_row, grad_col
+
+# %% name="np.dot of window and kernel" origin="walk" sentence="np.dot multiplies matrices; multiply value by value with *." must_say=["dot|matri", "\\*"] must_not_say=["swap"] kind="value"
+def my_sobel(gray):
+    kernel = np.array([[-1, 0, 1], [-2, 0, 2], [-1, 0, 1]])
+    padded = np.pad(gray.astype(np.int32), 1, mode="edge")
+    grad_row = np.zeros(gray.shape, np.int32)
+    grad_col = np.zeros(gray.shape, np.int32)
+    for row in range(gray.shape[0]):
+        for col in range(gray.shape[1]):
+            window = padded[row:row + 3, col:col + 3]
+            grad_col[row, col] = np.dot(window, kernel).sum()
+            grad_row[row, col] = np.dot(window, kernel.T).sum()
+    return grad_row, grad_col
+
+# %% name="padded by 2" origin="walk" sentence="Pad by 1: with 2 everything moves down and right." must_say=["pad", "\\b2\\b", "by 1|, 1,"] kind="value"
+def my_sobel(gray):
+    kernel = np.array([[-1, 0, 1], [-2, 0, 2], [-1, 0, 1]])
+    padded = np.pad(gray.astype(np.int32), 2, mode="edge")
+    grad_row = np.zeros(gray.shape, np.int32)
+    grad_col = np.zeros(gray.shape, np.int32)
+    for row in range(gray.shape[0]):
+        for col in range(gray.shape[1]):
+            window = padded[row:row + 3, col:col + 3]
+            grad_col[row, col] = (window * kernel).sum()
+            grad_row[row, col] = (window * kernel.T).sum()
+    return grad_row, grad_col
+
+# %% name="width and height exchanged" origin="walk" sentence="A shape begins with the height: height, width = gray.shape." must_say=["height", "shape"] kind="error"
+def my_sobel(gray):
+    width, height = gray.shape
+    kernel = np.array([[-1, 0, 1], [-2, 0, 2], [-1, 0, 1]])
+    padded = np.pad(gray.astype(np.int32), 1, mode="edge")
+    grad_row = np.zeros((height, width), np.int32)
+    grad_col = np.zeros((height, width), np.int32)
+    for row in range(height):
+        for col in range(width):
+            window = padded[row:row + 3, col:col + 3]
+            grad_col[row, col] = (window * kernel).sum()
+            grad_row[row, col] = (window * kernel.T).sum()
+    return grad_row, grad_col

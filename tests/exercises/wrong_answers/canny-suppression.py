@@ -431,3 +431,36 @@ def suppress(magnitude, sector):
                     if keep:
                         thinned[row, col] = value
     return thinned
+
+# %% name="the sector of a padded array" origin="walk" sentence="The sector is read one row and one column off." must_say=["sector", "padded|one row and one column|off"] must_not_say=["diagonals"] kind="value"
+def suppress(magnitude, sector):
+    h, w = magnitude.shape
+    p = np.pad(magnitude, 1)
+    s = np.pad(sector, 1)
+    out = np.zeros_like(magnitude)
+    for r in range(h):
+        for c in range(w):
+            v = p[r+1, c+1]
+            if s[r, c] == 0: keep = v > p[r+1, c] and v >= p[r+1, c+2]
+            elif s[r, c] == 1: keep = v > p[r, c] and v > p[r+2, c+2]
+            elif s[r, c] == 2: keep = v > p[r, c+1] and v >= p[r+2, c+1]
+            else: keep = v > p[r, c+2] and v > p[r+2, c]
+            if keep: out[r, c] = v
+    return out
+
+# %% name="sectors numbered from 1" origin="walk" sentence="The sectors are numbered from 0 to 3." must_say=["sector", "0 to 3|from 0|numbered"] kind="value"
+def suppress(magnitude, sector):
+    h, w = magnitude.shape
+    p = np.pad(magnitude, 1)
+    out = np.zeros_like(magnitude)
+    for r in range(h):
+        for c in range(w):
+            v = p[r+1, c+1]
+            s = sector[r, c]
+            keep = False
+            if s == 1: keep = v > p[r+1, c] and v >= p[r+1, c+2]
+            elif s == 2: keep = v > p[r, c] and v > p[r+2, c+2]
+            elif s == 3: keep = v > p[r, c+1] and v >= p[r+2, c+1]
+            elif s == 4: keep = v > p[r, c+2] and v > p[r+2, c]
+            if keep: out[r, c] = v
+    return out

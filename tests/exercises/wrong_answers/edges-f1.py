@@ -524,3 +524,22 @@ def f1_score(edges, outlines, tolerance):
     if precision + recall == 0:
         return 0.0
     return 2 * precision * recall / (precision + recall)
+
+# %% name="divisors exchanged" origin="walk" sentence="The two divisors are exchanged: precision is a share of the edge pixels, recall of the outline pixels." must_say=["exchanged|swapped", "precision", "recall"] kind="value"
+def f1_score(edges, outlines, tolerance):
+    def near(mask, t):
+        h, w = mask.shape
+        p = np.pad(mask, t)
+        out = np.zeros_like(mask)
+        for r in range(2 * t + 1):
+            for c in range(2 * t + 1):
+                out |= p[r:r+h, c:c+w]
+        return out
+    found = edges > 0
+    if not found.any() or not outlines.any():
+        return 0.0
+    precision = (found & near(outlines, tolerance)).sum() / outlines.sum()
+    recall = (outlines & near(found, tolerance)).sum() / found.sum()
+    if precision + recall == 0:
+        return 0.0
+    return 2 * precision * recall / (precision + recall)

@@ -190,3 +190,13 @@ def near(mask, tolerance):
         for col in range(2 * tolerance + 1):
             result = result + padded[row : row + height, col : col + width]
     return result
+
+# %% name="np.zeros without bool" origin="walk" sentence="np.zeros makes floats: for a mask write dtype=bool." must_say=["float", "bool"] kind="error"
+def near(mask, tolerance):
+    h, w = mask.shape
+    p = np.pad(mask, tolerance)
+    out = np.zeros((h, w))
+    for r in range(2 * tolerance + 1):
+        for c in range(2 * tolerance + 1):
+            out = out | p[r:r+h, c:c+w]
+    return out

@@ -2,15 +2,6 @@
 def best_filter(clean, noisy, filters):
     return max(filters, key=lambda name: my_psnr(clean, filters[name](noisy)))
 
-# %% name="psnr without its import" origin="new" sentence="psnr is imported in another cell: write from imgproc_course.imaging import psnr in this cell, too." must_say=["(^|[^_])\\bpsnr\\b", "import"] kind="missing-import"
-def best_filter(clean, noisy, filters):
-    best = None
-    for name in filters:
-        value = psnr(clean, filters[name](noisy))
-        if best is None or value > best_value:
-            best, best_value = name, value
-    return best
-
 # %% name="the smallest PSNR" origin="new" sentence="You keep the smallest PSNR, and a higher PSNR is cleaner: use max (or > in the loop)." must_say=["PSNR", "smallest|lowest|\\bmin\\b|wrong (way|direction)|worst", "\\bmax\\b|high|larg|>|great"] kind="value"
 from imgproc_course.imaging import psnr
 

@@ -115,3 +115,11 @@ def executable_of(install, package):
 # %% name="workspace name in front" origin="walk" sentence="The path begins with the word install, and the argument install is not used: write {install} in the f-string." must_say=["argument|\\{install\\}"] must_not_say=["\\blib\\b .*missing"] kind="value"
 def executable_of(install, package):
     return f"install/{package}/lib/{package}/{package}"
+
+# %% name="join of five arguments" origin="walk" sentence="join takes one list of the parts." must_say=["join", "list"] kind="error"
+def executable_of(install, package):
+    return "/".join(install, package, "lib", package, package)
+
+# %% name="lib twice" origin="walk" sentence="lib stands once in the path, after the name of the package." must_say=["\\blib\\b", "once|twice"] kind="value"
+def executable_of(install, package):
+    return f"{install}/lib/{package}/lib/{package}"
