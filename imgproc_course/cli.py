@@ -64,6 +64,14 @@ def start(jupyter_options):
         raise click.ClickException(str(error)) from error
 
 
+def _check_ros():
+    from imgproc_course.ros import ros_problem
+
+    problem = ros_problem()
+    if problem is not None:
+        raise click.ClickException(problem)
+
+
 @main.command()
 @click.option(
     "--speed",
@@ -99,15 +107,62 @@ def play(**options):
     There is one camera for all your programs in a ROS domain. If one of them, such as an open lesson, has
     started it already, this command joins it.
     """
-    from imgproc_course.ros import ros_problem
-
-    problem = ros_problem()
-    if problem is not None:
-        raise click.ClickException(problem)
+    _check_ros()
     from imgproc_course.ros.player import play as play_recording
 
     try:
         code = play_recording(**options)
+    except (ValueError, RuntimeError) as error:
+        raise click.ClickException(str(error)) from error
+    raise SystemExit(code)
+
+
+def _size(ctx, param, value):
+    width, _, height = (value or "").partition("x")
+    if value is None or (width.isdecimal() and height.isdecimal()):
+        return value and (int(width), int(height))
+    raise click.BadParameter(f"{value!r} is not a size; write it like 1280x720")
+
+
+@main.command()
+@click.option("--seed", type=int, help="Seed of the wheels' slip and of the sensors' noise.  [default: 0]")
+@click.option("--size", callback=_size, metavar="WxH", help="Size of the images.  [default: 640x360]")
+@click.option("--lighting", type=click.Choice(["day", "evening"]), help="[default: day]")
+@click.option("--rate", type=float, help="Images per second.  [default: 30; 10 for images wider than 640]")
+@click.option(
+    "--start", type=(float, float, float), metavar="X Y YAW", help="Where the robot starts (m, rad)."
+)
+@click.option("--switch", is_flag=True, help="Switch the robot for all programs that use it.")
+def drive(**options):
+    """Drive a robot through the room of the recorded drive, with the keyboard.
+
+    Other programs see its camera, depth, scan and odometry, and can drive it too. There is one robot for all
+    your programs in a ROS domain: this command starts it or joins it.
+    """
+    _check_ros()
+    from imgproc_course.ros.driver import drive as drive_robot
+
+    try:
+        code = drive_robot(**options)
+    except (ValueError, RuntimeError) as error:
+        raise click.ClickException(str(error)) from error
+    raise SystemExit(code)
+
+
+@main.command()
+@click.argument("path", type=_FOLDER)
+@click.argument("topics", nargs=-1, metavar="[TOPIC]...")
+def record(path, topics):
+    """Record topics into the new folder PATH, until Ctrl-C.
+
+    Without TOPIC: the robot's compressed images, depth, scan, odometry, commands and true poses. The
+    recording is a rosbag2 in MCAP: open_recording, Foxglove and `ros2 bag` read it. Nothing is overwritten.
+    """
+    _check_ros()
+    from imgproc_course.ros.recorder import record_until_signal
+
+    try:
+        code = record_until_signal(list(topics) or None, path, say=click.echo)
     except (ValueError, RuntimeError) as error:
         raise click.ClickException(str(error)) from error
     raise SystemExit(code)
@@ -130,11 +185,7 @@ def soak(minutes, speed, warm_up):
 
     Reports lost frames, and growth of memory, threads and open files. Exits with 1 if there is any.
     """
-    from imgproc_course.ros import ros_problem
-
-    problem = ros_problem()
-    if problem is not None:
-        raise click.ClickException(problem)
+    _check_ros()
     from imgproc_course.ros.soak import soak as run_soak
 
     try:

@@ -25,12 +25,12 @@ def call():
 
 def test_help_names_every_command(call):
     text = call("--help").output
-    for name in ("doctor", "start", "play", "build", "check"):
+    for name in ("doctor", "start", "play", "drive", "record", "build", "check"):
         assert f"\n  {name} " in text
 
 
 def test_every_command_has_help(call):
-    for name in ("doctor", "start", "play", "build", "check"):
+    for name in ("doctor", "start", "play", "drive", "record", "build", "check"):
         result = call(name, "--help")
         assert result.exit_code == 0
         assert result.output.startswith(f"Usage: main {name} ")
@@ -181,6 +181,57 @@ def test_play_without_ros_says_what_to_install(call, monkeypatch):
     monkeypatch.setattr("imgproc_course.ros.ros_problem", lambda: "ROS 2 is missing; environment/pixi.toml")
     result = call("play")
     assert (result.exit_code, result.output) == (1, "Error: ROS 2 is missing; environment/pixi.toml\n")
+
+
+@pytest.mark.ros
+def test_drive_and_record_pass_their_options_on(call, monkeypatch, tmp_path):
+    calls = []
+    monkeypatch.setattr("imgproc_course.ros.driver.drive", lambda **options: calls.append(options) or 0)
+    monkeypatch.setattr(
+        "imgproc_course.ros.recorder.record_until_signal", lambda *args, say: calls.append(args) or 1
+    )
+    options = ["--seed", "3", "--size", "1280x720", "--lighting", "evening", "--rate", "5", "--switch"]
+    assert call("drive", *options, "--start", "0.5", "-0.2", "1").exit_code == 0
+    assert call("drive").exit_code == 0
+    assert call("record", str(tmp_path / "own"), "/a", "/b").exit_code == 1
+    assert call("record", str(tmp_path / "own")).exit_code == 1
+    given = {"seed": 3, "size": (1280, 720), "lighting": "evening", "rate": 5.0, "start": (0.5, -0.2, 1.0)}
+    assert calls == [
+        {**given, "switch": True},
+        {**dict.fromkeys(given), "switch": False},
+        (["/a", "/b"], tmp_path / "own"),
+        (None, tmp_path / "own"),
+    ]
+
+
+@pytest.mark.ros
+@pytest.mark.parametrize(
+    ("arguments", "line"),
+    [
+        (["drive", "--rate", "0"], "Error: rate must be 1 to 60 images per second, got 0.0"),
+        (
+            ["drive", "--size", "big"],
+            "Error: Invalid value for '--size': 'big' is not a size; write it like 1280x720",
+        ),
+        (
+            ["drive", "--size", "640x480"],
+            "Error: size is (width, height), 16:9, 160 to 1920 pixels wide, such as",
+        ),
+        (
+            ["drive", "--start", "50", "0", "0"],
+            "Error: the robot cannot start at (50.0, 0.0, 0.0): a wall or furn",
+        ),
+        (
+            ["record", "tests"],
+            "Error: tests exists already and is not overwritten; choose another name, or rem",
+        ),
+        (["record", "own", "no topic"], "Error: 'no topic' is not a topic name"),
+    ],
+)
+def test_bad_input_to_drive_and_record_is_one_line(call, arguments, line):
+    result = call(*arguments)
+    assert result.exit_code in (1, 2)
+    assert result.output.splitlines()[-1].startswith(line)
 
 
 @pytest.mark.ros

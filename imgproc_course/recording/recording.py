@@ -1,5 +1,6 @@
 """A recorded drive: frames, messages, camera info, depth, labels, poses."""
 
+import contextlib
 import json
 from pathlib import Path
 
@@ -164,13 +165,20 @@ class Recording:
         Returns
         -------
         (360, 640) uint16, millimetres, 0 for pixels without a measurement; pixel (row, col) belongs to pixel
-        (2 row, 2 col) of the frame
+        (2 row, 2 col) of the frame, or to (row, col) if the frame has this size too
 
         Raises
         ------
-        NotRecordedError : the recording holds no depth
+        NotRecordedError : the recording holds no depth, or none at this frame
         """
-        return self._decode(self._checked_topic(names.DEPTH, "depth"), self._number(k), "passthrough")
+        topic = self._checked_topic(self.depth_topic or names.DEPTH, "depth")
+        return self._decode(topic, self._number_at_frame(topic, k), "passthrough")
+
+    @property
+    def depth_topic(self):
+        """The topic of the depth images that belong to the frames; None without."""
+        beside = f"{self._camera.removesuffix('/compressed').rpartition('/')[0]}/depth"
+        return next((topic for topic in (names.DEPTH, beside) if topic in self.topics), None)
 
     def labels(self, k):
         """Label image of frame k: (720, 1280) uint8, the numbers of `label_names`."""
@@ -207,7 +215,8 @@ class Recording:
                 f"{self.name} holds no pose of {name!r}; it holds {', '.join(objects) or 'none'}"
             )
         topic = names.POSE_PREFIX + name
-        pose = self._bag.deserialize(self._bag.raw(topic, self._number(k)), self.topics[topic]).pose
+        raw = self._bag.raw(topic, self._number_at_frame(topic, k))
+        pose = self._bag.deserialize(raw, self.topics[topic]).pose
         p, q = pose.position, pose.orientation
         return np.array([p.x, p.y, p.z, q.x, q.y, q.z, q.w])
 
@@ -277,6 +286,19 @@ class Recording:
                 f"{self.name} has frames 0 to {count - 1}, got {number}; choose one of these"
             )
         return number % count
+
+    def _number_at_frame(self, topic, k):
+        """The number of the message of a topic that has frame k's stamp.
+
+        In a recording of one's own each topic may begin at another time, and a message may be lost.
+        """
+        number = self._number(k)
+        stamp = self._bag.index(self._camera, number).stamps[number]
+        if self._bag.count(topic) == len(self) and self._bag.index(topic, number).stamps[number] == stamp:
+            return number
+        with contextlib.suppress(ValueError):
+            return self._bag.index(topic).stamps.index(stamp)
+        raise NotRecordedError(f"{self.name} holds no message on {topic} at frame {number}")
 
     def _message(self, topic, k):
         return to_installed(self._bag.deserialize(self._bag.raw(topic, k), self.topics[topic]))

@@ -46,6 +46,16 @@ def dds_profile():
     return _profile
 
 
+def record(topics=None, path="my_drive"):
+    """Records topics into a new recording in MCAP, until it is stopped: see `Recorder`, which it returns."""
+    if _problem is not None:
+        raise RosMissingError(_problem)
+    # Not before: what reads and writes recordings takes a while to import.
+    from imgproc_course.ros.recorder import Recorder
+
+    return Recorder(topics, path)
+
+
 __all__ = [
     "Camera",
     "DdsProfile",
@@ -58,6 +68,7 @@ __all__ = [
     "RosSession",
     "dds_profile",
     "open_camera",
+    "record",
     "ros_available",
     "ros_problem",
     "run_processor",

@@ -140,6 +140,7 @@ class Camera:
 
     Attributes
     ----------
+    description : what the camera is, for people: what it plays, at which rate, on which topic
     topic, compressed_topic : sensor_msgs/Image (rgb8) and sensor_msgs/CompressedImage of the same images
     info_topics : the camera info beside the raw image, and beside the compressed one
     rate : the intended images per second; None for a robot, and for a webcam that does not know its rate
@@ -188,6 +189,7 @@ class Camera:
     def info_topics(self):
         return camera_topics(self.topic)[1]
 
+    description = property(lambda self: self._now().get("description"))
     rate = property(lambda self: self._now().get("rate"))
     played = property(lambda self: self._now().get("played", 0))
     published = property(lambda self: self._now().get("published", 0))
@@ -256,7 +258,7 @@ class _OwnRobot:
         self._body.start(lambda: on_event(None, self._body.status()))
 
     def ask(self):
-        return self._body.status()
+        return self._body.status() | {"description": self._body.description}
 
     def leave(self):
         self.left = True

@@ -9,7 +9,6 @@ from sensor_msgs.msg import CameraInfo, Image
 
 from imgproc_course.messages import array_to_compressed, array_to_image, encoding_info
 from imgproc_course.recording import NotRecordedError
-from imgproc_course.recording.topics import DEPTH
 
 FRAME_ID = "camera_front"
 _WEBCAM_REMEDY = "plug one in, close the program that uses it, or open_camera() for the recorded drive"
@@ -84,7 +83,7 @@ class RecordedImages:
 
     def other_topics(self, base):
         """What is published beside the camera's topics: (message type, topic, function(image, header))."""
-        has_depth = DEPTH in self._recording.topics
+        has_depth = self._recording.depth_topic is not None
         return [(Image, f"{base}/depth", lambda image, header: image.depth(header))] if has_depth else []
 
     def depth(self, k, header):

@@ -7,9 +7,9 @@ import time
 
 from imgproc_course.ros.camera import open_camera
 from imgproc_course.ros.session import RosSession
+from imgproc_course.ros.stop_signals import stop_signals
 
 STATUS_SECONDS = 10.0
-_STOP_SIGNALS = (signal.SIGINT, signal.SIGTERM)
 
 
 def play(*, recording="drive", status_seconds=STATUS_SECONDS, **options):
@@ -28,18 +28,15 @@ def play(*, recording="drive", status_seconds=STATUS_SECONDS, **options):
     ------
     ValueError, RuntimeError : as `open_camera`
     """
-    stopping = threading.Event()
-    previous_handlers = {number: signal.signal(number, lambda *_: stopping.set()) for number in _STOP_SIGNALS}
-    try:
-        with open_camera(recording=recording, **options) as camera:
-            print(_first_line(camera, recording), flush=True)
-            _print_status(camera, stopping, status_seconds)
-            print(_last_line(camera), flush=True)
-            return 0 if camera.last_error is None else 1
-    finally:
-        RosSession().stop()
-        for number, handler in previous_handlers.items():
-            signal.signal(number, handler)
+    with stop_signals() as stopping:
+        try:
+            with open_camera(recording=recording, **options) as camera:
+                print(_first_line(camera, recording), flush=True)
+                _print_status(camera, stopping, status_seconds)
+                print(_last_line(camera), flush=True)
+                return 0 if camera.last_error is None else 1
+        finally:
+            RosSession().stop()
 
 
 def publish(topic, speed):

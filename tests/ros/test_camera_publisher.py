@@ -19,7 +19,7 @@ class FakeRecording:
         self.frame_id = frame_id
         self.decoded = []
         self.closed = False
-        self.topics = {}
+        self.depth_topic = None
 
     def __len__(self):
         return len(self.stamps)

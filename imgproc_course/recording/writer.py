@@ -1,0 +1,115 @@
+"""Writes a rosbag2 recording in MCAP, which `open_recording`, Foxglove and ROS read."""
+
+import functools
+import shutil
+from pathlib import Path
+
+from rosbags.rosbag2 import StoragePlugin, Writer
+from rosbags.rosbag2.errors import WriterError
+from rosbags.typesys import Stores, get_typestore
+
+from .errors import RecordingError
+
+METADATA_VERSION = 8  # the newest that `ros2 bag` of both Humble and Jazzy reads
+
+
+@functools.cache
+def message_types():
+    """The message definitions of ROS, which a recording holds with its messages."""
+    return get_typestore(Stores.ROS2_JAZZY)
+
+
+class RecordingWriter:
+    """A new recording: a folder that gets metadata.yaml and one .mcap file.
+
+    It can be read after `close`; a recording without messages leaves no folder behind.
+
+    Parameters
+    ----------
+    path : the folder, which must not exist
+
+    Attributes
+    ----------
+    path : Path of the folder
+    messages, bytes : how many were written
+
+    Raises
+    ------
+    RecordingError : the folder exists, or cannot be made
+
+    Examples
+    --------
+    >>> with RecordingWriter("my_drive") as writer:
+    ...     writer.write("/camera/image_raw", "sensor_msgs/msg/Image", serialized_message, stamp)
+    """
+
+    def __init__(self, path):
+        self.path = Path(path).expanduser()
+        self.messages = self.bytes = 0
+        self._connections = {}
+        if self.path.suffix in (".mcap", ".db3"):
+            raise RecordingError(
+                f"{self.path} is the name of a file, but a recording is a folder; give {self.path.stem}"
+            )
+        try:
+            self._writer = Writer(self.path, version=METADATA_VERSION, storage_plugin=StoragePlugin.MCAP)
+            self._writer.open()
+        except WriterError as error:
+            raise RecordingError(
+                f"{self.path} exists already and is not overwritten; choose another name, or remove it"
+            ) from error
+        except OSError as error:
+            raise RecordingError(f"{self.path} cannot be written: {error.strerror}") from error
+        self._is_open = True
+
+    def write(self, topic, kind, serialized, stamp):
+        """Adds a message.
+
+        Parameters
+        ----------
+        topic : its name
+        kind : its type, such as "sensor_msgs/msg/Image", of `message_types()`
+        serialized : bytes, CDR
+        stamp : time of recording in ns since 1970
+
+        Raises
+        ------
+        RecordingError : the writer is closed, ROS has no such type, or the disk is full
+        """
+        if not self._is_open:
+            raise RecordingError(f"the recording {self.path} is closed; make a new one")
+        try:
+            if topic not in self._connections:
+                if kind not in message_types().types:
+                    raise RecordingError(f"{topic} cannot be recorded: {kind} is no message type of ROS")
+                self._connections[topic] = self._writer.add_connection(topic, kind, typestore=message_types())
+            self._writer.write(self._connections[topic], stamp, serialized)
+        except OSError as error:
+            raise RecordingError(f"{self.path} cannot be written: {error.strerror}") from error
+        self.messages += 1
+        self.bytes += len(serialized)
+
+    def close(self):
+        """Writes the index and the metadata. A second call does nothing.
+
+        Raises
+        ------
+        RecordingError : the disk is full
+        """
+        if not self._is_open:
+            return
+        self._is_open = False
+        if not self.messages:
+            self._writer.abort()
+            shutil.rmtree(self.path)
+            return
+        try:
+            self._writer.close()
+        except OSError as error:
+            raise RecordingError(f"{self.path} cannot be completed: {error.strerror}") from error
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *exception):
+        self.close()

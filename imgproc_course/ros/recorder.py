@@ -1,0 +1,226 @@
+"""Records topics into a file, as `ros2 bag record` does: in a notebook, or in a terminal until Ctrl-C."""
+
+import difflib
+import threading
+import time
+import weakref
+
+from rclpy.event_handler import SubscriptionEventCallbacks
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+
+from imgproc_course.recording import RecordingError, RecordingWriter
+from imgproc_course.recording.message_classes import installed_class
+from imgproc_course.recording.topics import POSE_PREFIX, POSES
+from imgproc_course.ros.camera import TOPIC, camera_topics
+from imgproc_course.ros.loss_counter import LossCounter
+from imgproc_course.ros.robot_topics import COMMANDS, ODOMETRY, SCAN
+from imgproc_course.ros.session import RosSession, log
+from imgproc_course.ros.stop_signals import stop_signals
+from imgproc_course.ros.subscriber import weak_callback
+
+# What a drive is made of. Of these, what nobody publishes is left out.
+ROBOT_TOPICS = (
+    camera_topics(TOPIC)[0],
+    camera_topics(TOPIC)[1][0],
+    f"{TOPIC.rpartition('/')[0]}/depth",
+    ODOMETRY,
+    SCAN,
+    COMMANDS,
+    *(POSE_PREFIX + name for name in ("robot", *POSES)),
+)
+QUEUE = 30  # messages that may wait while the disk is busy: a second of images
+DISCOVERY_TIMEOUT = 10.0
+SETTLING = 0.5  # seconds without another topic of the robot, until its topics are known
+STATUS_SECONDS = 2.0
+
+
+class Recorder:
+    """Records topics into a new recording in MCAP, until it is stopped.
+
+    It stops with `stop`, at the end of its `with`, with the RosSession, or at the end of the program.
+
+    Parameters
+    ----------
+    topics : a name, or a list of names; None for those of the robot (camera, depth, odometry, scan, commands,
+        true poses), as far as they are published
+    path : the new folder, which must not exist
+
+    Attributes
+    ----------
+    path : the folder
+    topics : {topic: message type} of what is recorded
+    counts : {topic: messages so far}
+    bytes : size of all messages so far
+    lost : messages that were lost on the way, as far as it is known
+    last_error : why it stopped by itself, in one line; None
+    running : whether it records
+
+    Raises
+    ------
+    RecordingError : the folder exists or cannot be made
+    ValueError : a topic that nobody publishes, or whose type cannot be recorded; then no folder is made
+
+    Examples
+    --------
+    >>> with open_camera("room"), Robot() as robot, record(path="my_drive"):
+    ...     robot.drive(0.2, 0.3, seconds=5)
+    >>> frame = open_recording("my_drive").frame(0)
+    """
+
+    def __init__(self, topics, path):
+        self._session = RosSession.current()
+        self._lock = threading.Lock()
+        self._writer = RecordingWriter(path)
+        self.path = self._writer.path
+        try:
+            self.topics = self._types_of([topics] if isinstance(topics, str) else topics)
+        except ValueError:
+            self._writer.close()  # without messages it leaves no folder
+            raise
+        self.counts = dict.fromkeys(self.topics, 0)
+        self._losses = {topic: LossCounter() for topic in self.topics}
+        self.last_error, self.running = None, True
+        self._subscriptions = subscriptions = [self._subscribe(topic) for topic in self.topics]
+        self._session.on_shutdown(self, self.stop)  # it also keeps a Recorder that is bound to no name
+        node = self._session.node
+        self._finalizer = weakref.finalize(self, _destroy, self._session, node, subscriptions)
+        self._finalizer.atexit = False
+
+    bytes = property(lambda self: self._writer.bytes)
+    lost = property(lambda self: sum(losses.total for losses in self._losses.values()))
+
+    def stop(self):
+        """Completes the recording. A second call does nothing."""
+        with self._lock:
+            if not self.running:
+                return
+            self.running = False
+            try:
+                self._writer.close()
+            except RecordingError as error:
+                self.last_error = str(error)
+                log.warning("%s", error)
+        self._session.on_shutdown(self, None)
+        self._finalizer()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *exception):
+        self.stop()
+
+    def __repr__(self):
+        state = "" if self.running else ", stopped"
+        return f"<Recorder {self.path}: {sum(self.counts.values())} messages{state}>"
+
+    def _types_of(self, requested):
+        """{topic: type} of the requested topics; of those of the robot that are published, if None is."""
+        names = [self._session.resolve_topic(topic) for topic in requested or ROBOT_TOPICS]
+        end = time.monotonic() + DISCOVERY_TIMEOUT
+        known, settled = set(), 0.0
+        while True:
+            published = dict(self._session.node.get_topic_names_and_types())
+            missing = [topic for topic in names if topic not in published]
+            if published.keys() & {*names} != known:
+                known, settled = published.keys() & {*names}, time.monotonic() + SETTLING
+            # A robot's topics appear one after another; commands alone are those of a client.
+            is_settled = known - {COMMANDS} and time.monotonic() > settled
+            if not missing or (requested is None and is_settled):
+                break
+            if time.monotonic() > end:
+                raise ValueError(f"nobody publishes {missing[0]}; {_hint(missing[0], published)}")
+            time.sleep(0.05)
+        types = {}
+        for topic in (topic for topic in names if topic in published):
+            (kind, *others) = published[topic]
+            if others or installed_class(kind) is None:
+                problem = "has several types" if others else f"is a {kind}, which is not installed here"
+                raise ValueError(f"{topic} cannot be recorded: it {problem}; record other topics")
+            types[topic] = kind
+        return types
+
+    def _subscribe(self, topic):
+        node, losses = self._session.node, self._losses[topic]
+        offers = [info.qos_profile for info in node.get_publishers_info_by_topic(topic)]
+        is_reliable = offers and all(offer.reliability == ReliabilityPolicy.RELIABLE for offer in offers)
+        is_kept = offers and all(offer.durability == DurabilityPolicy.TRANSIENT_LOCAL for offer in offers)
+        qos = QoSProfile(
+            depth=QUEUE,
+            reliability=ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT,
+            durability=DurabilityPolicy.TRANSIENT_LOCAL if is_kept else DurabilityPolicy.VOLATILE,
+        )
+        on_message = weak_callback(self._on_message)
+        return node.create_subscription(
+            installed_class(self.topics[topic]),
+            topic,
+            lambda serialized, info: on_message(topic, serialized, info),
+            qos,
+            event_callbacks=SubscriptionEventCallbacks(
+                matched=lambda event: losses.set_publishers(event.current_count)
+            ),
+            raw=True,
+        )
+
+    def _on_message(self, topic, serialized, info):
+        with self._lock:
+            if not self.running:
+                return
+            try:
+                self._writer.write(topic, self.topics[topic], serialized, time.time_ns())
+            except RecordingError as error:
+                self.last_error = str(error)
+            else:
+                self.counts[topic] += 1
+                self._losses[topic].receive(info.get("publication_sequence_number"))
+        if self.last_error:
+            log.warning("the recording stopped: %s", self.last_error)
+            self.stop()
+
+
+def record_until_signal(topics, path, *, status_seconds=STATUS_SECONDS, say=print):
+    """Records until Ctrl-C, SIGTERM or an error, and says how it goes. Runs in the main thread.
+
+    Returns
+    -------
+    int, the exit code: 0, or 1 if nothing was recorded, or the recording stopped because of an error
+
+    Raises
+    ------
+    ValueError, RecordingError : as `Recorder`
+    """
+    with stop_signals() as stopping:
+        try:
+            with Recorder(topics, path) as recorder:
+                say(f"recording {len(recorder.topics)} topics into {recorder.path} (Ctrl-C stops)")
+                start = time.monotonic()
+                while not stopping.wait(status_seconds) and recorder.running:
+                    say(f"{time.monotonic() - start:.0f} s: {_progress(recorder)}")
+            return _report(recorder, say)
+        finally:
+            RosSession().stop()
+
+
+def _report(recorder, say):
+    for topic, count in recorder.counts.items():
+        say(f"{count:7d} {topic}")
+    if recorder.last_error:
+        say(f"stopped by an error: {recorder.last_error}")
+    elif not sum(recorder.counts.values()):
+        say("nothing was recorded: no message arrived")
+    else:
+        say(f"recorded {_progress(recorder)}; open_recording({str(recorder.path)!r}) reads it")
+        return 0
+    return 1
+
+
+def _progress(recorder):
+    return f"{sum(recorder.counts.values())} messages, {recorder.bytes / 1e6:.1f} MB, {recorder.lost} lost"
+
+
+def _hint(topic, published):
+    close_matches = difflib.get_close_matches(topic, published, 1)
+    return f"did you mean {close_matches[0]}?" if close_matches else 'open_camera("room") starts a robot'
+
+
+def _destroy(session, node, subscriptions):
+    session.post(lambda: [node.destroy_subscription(subscription) for subscription in subscriptions])

@@ -1,0 +1,124 @@
+"""`record`: every message that arrives is in the recording; Ctrl-C leaves one that can be read."""
+
+import signal
+
+import pytest
+
+pytestmark = pytest.mark.ros
+
+TOPIC = "/kachaka/front_camera/image_raw"
+RECORD = (
+    "import sys\nfrom imgproc_course.ros.recorder import record_until_signal\n"
+    "sys.exit(record_until_signal({}, {!r}, status_seconds=0.2))"
+)
+
+
+@pytest.fixture
+def publish(session):
+    """publish(topic, k): an Image whose only byte is k, with the stamp k; the publisher appears at once."""
+    from rclpy.qos import qos_profile_sensor_data
+    from sensor_msgs.msg import Image
+
+    publishers = {}
+
+    def send(topic, k=None):
+        if topic not in publishers:
+            publishers[topic] = session.node.create_publisher(Image, topic, qos_profile_sensor_data)
+        if k is not None:
+            msg = Image(height=1, width=1, step=1, encoding="mono8", data=bytes([k]))
+            msg.header.stamp.sec = k + 1
+            publishers[topic].publish(msg)
+
+    return send
+
+
+def test_what_arrives_is_recorded_in_order(publish, session, tmp_path, wait_until):
+    from imgproc_course.recording import open_recording
+    from imgproc_course.ros import record
+
+    for topic in ("/a/image_raw", "/b/image_raw", "/never"):
+        publish(topic)
+    with record(["/a/image_raw", "b/image_raw", "/never"], tmp_path / "own") as recorder:
+        wait_until(lambda: session.node.count_subscribers("/b/image_raw"))
+        for k in range(20):
+            publish("/a/image_raw", k)
+            publish("/b/image_raw", 100 + k)
+            wait_until(lambda k=k: recorder.counts["/b/image_raw"] == k + 1)
+    assert recorder.counts == {"/a/image_raw": 20, "/b/image_raw": 20, "/never": 0}
+    assert (recorder.lost, recorder.last_error, recorder.running) == (0, None, False)
+    with open_recording(tmp_path / "own", camera_topic="/b/image_raw") as recording:
+        assert [int(recording.frame(k, "mono8")[0, 0]) for k in range(20)] == list(range(100, 120))
+        assert recording.topics == dict.fromkeys(["/a/image_raw", "/b/image_raw"], "sensor_msgs/msg/Image")
+    recorder.stop()
+
+
+def test_a_recording_that_cannot_begin_leaves_nothing(publish, tmp_path, monkeypatch):
+    from imgproc_course.recording import RecordingError
+    from imgproc_course.ros import record, recorder
+
+    monkeypatch.setattr(recorder, "DISCOVERY_TIMEOUT", 0.2)
+    publish("/cam/image_raw")
+    with pytest.raises(ValueError, match=r"nobody publishes /cam/image_ray; did you mean /cam/image_raw\?"):
+        record("/cam/image_ray", tmp_path / "own")
+    assert not (tmp_path / "own").exists()
+    with pytest.raises(
+        ValueError, match=r"nobody publishes /kachaka/.*; open_camera\(\"room\"\) starts a robot"
+    ):
+        record(path=tmp_path / "own")
+    (tmp_path / "own").mkdir()
+    with pytest.raises(RecordingError, match="exists already"):
+        record("/cam/image_raw", tmp_path / "own")
+
+
+def test_a_full_disk_stops_the_recording_with_a_warning(
+    publish, session, tmp_path, monkeypatch, wait_until, caplog
+):
+    from imgproc_course.recording import RecordingError
+    from imgproc_course.ros import record
+
+    publish("/a")
+    recorder = record("/a", tmp_path / "own")
+
+    def full(*_):
+        raise RecordingError("own cannot be written: No space left on device")
+
+    wait_until(lambda: session.node.count_subscribers("/a"))
+    monkeypatch.setattr(recorder._writer, "write", full)
+    publish("/a", 1)
+    wait_until(lambda: not recorder.running)
+    wait_until(lambda: caplog.records)
+    assert (
+        caplog.records[0].message == "the recording stopped: own cannot be written: No space left on device"
+    )
+    assert recorder.last_error == "own cannot be written: No space left on device"
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_a_signal_completes_the_recording(publish, start_python, tmp_path, wait_until, number):
+    from imgproc_course.recording import open_recording
+
+    publish("/cam/image_raw")
+    process = start_python(RECORD.format("['/cam/image_raw']", str(tmp_path / "own")))
+    assert process.stdout.readline() == f"recording 1 topics into {tmp_path / 'own'} (Ctrl-C stops)\n"
+    k = 0
+    while " 0 messages" in (line := process.stdout.readline()):
+        publish("/cam/image_raw", k)
+        k += 1
+    assert " messages, 0.0 MB, 0 lost" in line
+    process.send_signal(number)
+    out, err = process.communicate(timeout=60)
+    assert (process.returncode, err) == (0, "")
+    assert out.splitlines()[-1].endswith(f"open_recording('{tmp_path / 'own'}') reads it")
+    with open_recording(tmp_path / "own") as recording:
+        assert recording.frame(0, "mono8")[0, 0] == recording.stamps[0] // 10**9 - 1
+
+
+def test_a_recording_without_messages_is_reported(publish, start_python, tmp_path):
+    publish("/cam/image_raw")
+    process = start_python(RECORD.format("['/cam/image_raw']", str(tmp_path / "own")))
+    process.stdout.readline()
+    process.stdout.readline()
+    process.send_signal(signal.SIGINT)
+    out, _ = process.communicate(timeout=60)
+    assert process.returncode == 1 and not (tmp_path / "own").exists()
+    assert out.splitlines()[-1] == "nothing was recorded: no message arrived"
