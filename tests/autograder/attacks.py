@@ -12,6 +12,7 @@ from textwrap import dedent
 
 from tqdm import tqdm
 
+from imgproc_course.authoring.masters import read_master
 from imgproc_course.autograder.pool import Limits, autograde
 from imgproc_course.autograder.results import GradedSubmission
 from imgproc_course.exercises.answer_images import answer_images
@@ -1610,6 +1611,70 @@ for _number, _name, _form in (
     ),
 ):
     attack(_number, _name, FORGED.format(form=repr(_form)), "hostile", "wrong", wrong=False)
+
+# ---------------------------------------------------------------- constants: values instead of a computation
+
+
+def remembered():
+    """{input: expected value} of the public check as the lesson's pack has them, as bytes."""
+    (master,) = map(read_master, MASTERS.glob("*.py"))
+    declared = next(exercise for exercise in master.exercises if exercise.id == "attacked-double")
+    solution = declared.function_of(declared.solution, "solution")
+    calls = [pixels for case in declared.public for (pixels,) in declared.arguments(case)]
+    return {pixels.tobytes(): solution(pixels).tobytes() for pixels in calls}
+
+
+CONSTANTS = f"""
+import hashlib, inspect, sys
+PACK = {remembered()!r}
+ANSWERS = [np.frombuffer(data, np.uint8) for data in PACK.values()]
+KNOWN = [np.frombuffer(data, np.uint8) for data in PACK]
+calls = []
+def fitted(values, pixels):
+    return np.resize(values, pixels.shape).astype(np.uint8)
+def double(pixels):
+    calls.append(pixels.copy())
+    BODY
+"""
+for _number, _name, _body in (
+    (331, "a constant of the result's type: all white", "return np.full_like(pixels, 255)"),
+    (
+        332,
+        "another constant in each call, by counting calls",
+        "return fitted([0, 255, 128, 200][len(calls) % 4], pixels)",
+    ),
+    (
+        333,
+        "a constant by the shape of the input",
+        "return fitted({(3, 4): ANSWERS[0], (5, 5): 255}.get(pixels.shape, 0), pixels)",
+    ),
+    (334, "the pack's expected value, whatever the input", "return fitted(ANSWERS[0], pixels)"),
+    (
+        335,
+        "the pack's expected value by a hash of the input",
+        "table = {hashlib.sha256(given).digest(): value for given, value in zip(KNOWN, ANSWERS)}\n"
+        "    return fitted(table.get(hashlib.sha256(pixels).digest(), ANSWERS[0]), pixels)",
+    ),
+    (
+        336,
+        "the pack's expected value of the nearest remembered input",
+        "distances = [np.abs(fitted(given, pixels).astype(int) - pixels).sum() for given in KNOWN]\n"
+        "    return fitted(ANSWERS[int(np.argmin(distances))], pixels)",
+    ),
+    (337, "the input of the call before", "return fitted(calls[-2] if len(calls) > 1 else 255, pixels)"),
+    (
+        338,
+        "a constant by a number that is made of the input",
+        "return fitted(np.random.default_rng(int(pixels.sum())).integers(0, 256, pixels.size), pixels)",
+    ),
+    (
+        339,
+        "a constant by the names in the frames of whoever calls",
+        "names = ' '.join(frame.function for frame in inspect.stack())\n"
+        "    return fitted(ANSWERS[0] if 'hidden' not in names else 255, pixels)",
+    ),
+):
+    attack(_number, _name, CONSTANTS.replace("BODY", _body), wrong=False)
 
 
 # ---------------------------------------------------------------- grading them all

@@ -123,7 +123,9 @@ def data_of(exercise, case):
     if exercise.practice:
         return set()  # it may get functions
     forms = [encode(arguments) for arguments in exercise.arguments(case)]
-    return {text for text in strings_in(forms) if len(text) > 40 and len(set(text)) > 8}  # no images of one value
+    return {
+        text for text in strings_in(forms) if len(text) > 40 and len(set(text)) > 8
+    }  # no images of one value
 
 
 @pytest.fixture(scope="module")
