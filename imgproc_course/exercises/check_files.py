@@ -100,7 +100,7 @@ class CheckFile:
             raise damaged(self.path, error) from error
 
     def _exercise(self, id):
-        entry = {"allowed": [], "exact_type": False} | self.entries[id]
+        entry = self.entries[id]
         fields = {name: entry[name] for name in PLAIN_FIELDS}
         fields = {name: tuple(value) if isinstance(value, list) else value for name, value in fields.items()}
         cases = tuple(self._case(id, entry, case) for case in entry["cases"])
@@ -135,7 +135,7 @@ class CheckFile:
             entry["function"],
             entry["title"],
             entry["time_limit"],
-            tuple(entry.get("allowed", ())),
+            tuple(entry["allowed"]),
             case["tolerance"],
             entry["practice"],
             *("", "", (), "", ""),

@@ -109,6 +109,16 @@ def test_hostile_text_costs_only_its_own_comparison(name):
     assert hostile["shapes"].get("e", [0, 0])[1] < LONGEST
 
 
+def test_a_number_too_huge_to_write_in_decimals_is_compared_like_any_other():
+    huge = HOSTILE["a huge number"]
+    (result,) = read_fingerprints(
+        [{"one": huge, "same": f"{huge}  # mine", "other": huge[:-1] + "e", "mine": MINE}]
+    )
+    assert result["shapes"]["one"] == result["shapes"]["same"] == shape(huge)
+    assert result["shapes"]["one"] != result["shapes"]["other"]
+    assert result["shapes"]["mine"] == shape(MINE)
+
+
 def test_a_submission_that_ends_the_process_costs_only_its_own_comparison(tmp_path, monkeypatch):
     program = tmp_path / "fingerprints.py"
     ending = 'if "ended" in request:\n            import os; os.abort()\n        print('
