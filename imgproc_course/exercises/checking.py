@@ -11,6 +11,7 @@ from imgproc_course.exercises.comparison import Difference, compare
 from imgproc_course.exercises.declaration import PUBLIC_SEED
 from imgproc_course.exercises.dependencies import Dependencies, find_dependencies, split_taken
 from imgproc_course.exercises.diagnosis import Diagnosis, diagnose
+from imgproc_course.exercises.guarded_imports import function_as_graded
 from imgproc_course.exercises.progress import ExerciseProgress, digest_of, note_progress
 from imgproc_course.exercises.running import CallResult, code_of, overwrite_freed_memory
 from imgproc_course.exercises.source_remarks import remarks_on_source
@@ -166,6 +167,7 @@ def run_check(exercise, function):
     remarks = tuple(remarks_on_source(function))
     if _is_stub(exercise, function):
         return CheckResult(exercise, attempted=False, remarks=remarks)
+    function = function_as_graded(function, exercise.allowed)
     calls = []
     pairs = [(case, expected) for case in exercise.cases for expected in case.calls]
     for case, expected in pairs:

@@ -63,7 +63,7 @@ def find_dependencies(function, allowed, provided):
     """
     if code_of(function) is None:
         return Dependencies()
-    walker = _Walker((*_FOR_ALL, *allowed), provided)
+    walker = _Walker(allowed, provided)
     walker.visit(function)
     refused, foreign = tuple(sorted(walker.used_refused)), tuple(sorted(walker.foreign))
     return Dependencies(refused, foreign, (), walker.foreign, walker.used_refused)
@@ -147,16 +147,27 @@ class _Walker:
 
     def _is_refused(self, module, used_name):
         """Whether a module is not allowed; such a one is recorded."""
-        if not isinstance(module, str):
-            return False
-        top, *rest = module.split(".")
-        if top in sys.stdlib_module_names or any(
-            f"{module}.".startswith(f"{name}.") for name in self._allowed
-        ):
-            return False
-        name = f"{top}.{rest[0]}" if top == "imgproc_course" and rest else top
-        self.used_refused.setdefault(name, used_name)
-        return True
+        name = refused_module(module, self._allowed)
+        if name is not None:
+            self.used_refused.setdefault(name, used_name)
+        return name is not None
+
+
+def refused_module(module, allowed):
+    """The name of a module that an exercise does not allow, as messages say it; None for one that it allows.
+
+    Parameters
+    ----------
+    module : str, "cv2" or "scipy.ndimage"; anything else is no module
+    allowed : sequence of str, modules that the exercise allows beside those that every answer may use
+    """
+    if not isinstance(module, str):
+        return None
+    top, *rest = module.split(".")
+    allowed = (*_FOR_ALL, *allowed)
+    if top in sys.stdlib_module_names or any(f"{module}.".startswith(f"{name}.") for name in allowed):
+        return None
+    return f"{top}.{rest[0]}" if top == "imgproc_course" and rest else top
 
 
 def _module_of(value):

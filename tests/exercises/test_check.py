@@ -4,6 +4,7 @@ import linecache
 import re
 import sys
 from pathlib import Path
+from textwrap import dedent
 from types import SimpleNamespace
 
 import numpy as np
@@ -12,6 +13,8 @@ import pytest
 from imgproc_course.authoring.lesson_files import lesson_files
 from imgproc_course.exercises import check, checking, read_exercises, run_cases
 from imgproc_course.exercises.cell_runs import CellRuns
+from imgproc_course.exercises.check_files import find_check_data
+from imgproc_course.exercises.checking import run_check
 
 
 @pytest.fixture
@@ -314,6 +317,52 @@ def test_a_value_of_another_cell_passes_where_grading_makes_it_again(monkeypatch
     assert result.dependencies.taken == tuple(sorted((*taken, "wide")))
     assert result.dependencies.foreign == foreign
     assert result.passed == (not foreign)
+
+
+GUARDED = {
+    "beside the function": """
+        try:
+            import cv2
+        except ImportError:
+            cv2 = None
+        shown = []
+        shown.append("by the cell")
+        def double(pixels):
+            return cv2.add(pixels, pixels) if cv2 else own_way(pixels)
+        """,
+    "in the function": """
+        def double(pixels):
+            try:
+                from cv2 import add
+            except ImportError:
+                return own_way(pixels)
+            return add(pixels, pixels)
+        """,
+    "in another try, then in with": """
+        import contextlib
+        add = None
+        with contextlib.suppress(ImportError):
+            import skimage.util, cv2 as c
+            add = c.add
+        def double(pixels):
+            return (add or (lambda a, _: own_way(a)))(pixels, pixels)
+        """,
+}
+RIGHT_WAY = "np.minimum(pixels.astype(int) * 2, 255).astype(np.uint8)"
+
+
+@pytest.mark.parametrize("own_way", [RIGHT_WAY, "pixels * 2"], ids=["right", "wrong"])
+@pytest.mark.parametrize("name", GUARDED)
+def test_a_guarded_import_fails_as_in_grading_and_the_answers_own_way_is_judged(name, own_way):
+    source = f"def own_way(pixels):\n    return {own_way}\n{dedent(GUARDED[name])}"
+    linecache.cache["<guarded>"] = (len(source), None, source.splitlines(keepends=True), "<guarded>")
+    namespace = {"np": np, "__name__": "__main__"}
+    exec(compile(source, "<guarded>", "exec"), namespace)
+    result = check("test-double", namespace["double"])
+    assert result.dependencies.refused == () and result.passed == (own_way == RIGHT_WAY)
+    assert namespace.get("shown") in (None, ["by the cell"])  # what only shows something is not run again
+    function, error = find_check_data("test-double").run_answer(f"import numpy as np\n{source}")
+    assert error == "" and run_check(find_check_data("test-double"), function).passed == result.passed
 
 
 def test_html_is_escaped_and_marks_what_differs(write_master):
