@@ -24,6 +24,7 @@ _SMALL_NEEDS = 18 << 20
 # Camera, notebook, and two more processes, so that the first one does not take all of it.
 _LARGE_NEEDS = 4 * (69 << 20)
 _SEGMENT_NAME = re.compile(r"fastrtps_[0-9a-f]{16}")
+_PORT_NAME = re.compile(r"fastrtps_port[0-9]+")
 _SMALL_REMEDY = (
     "enlarge it (docker run --shm-size=1g, or mount -o remount,size=1g /dev/shm), "
     "or subscribe to the /compressed topic"
@@ -127,6 +128,21 @@ def _a_node_exists():
 def free_shared_memory():
     """Free bytes of /dev/shm, or None if there is no such folder."""
     return shutil.disk_usage(SHARED_MEMORY).free if SHARED_MEMORY.is_dir() else None
+
+
+def lost_ports():
+    """The names of this process's shared-memory ports that others have removed; nothing arrives there.
+
+    For 20 s after a process was killed, others send to its ports, and Fast DDS 2.14 creates and removes such
+    a port for each message. A new process that takes the same port in that moment can lose it, and does not
+    notice. The remedy is a new participant. Can go when Fast DDS removes only ports that nobody has locked.
+    """
+    if not Path("/proc/self/maps").exists():
+        return []
+    locked = {Path(os.path.realpath(link)).name for link in Path("/proc/self/fd").iterdir()}
+    maps = [line.split() for line in Path("/proc/self/maps").read_text().splitlines()]
+    removed = {Path(fields[5]).name for fields in maps if fields[-1] == "(deleted)" and len(fields) == 7}
+    return sorted(name for name in removed if _PORT_NAME.fullmatch(name) and f"{name}_el" in locked)
 
 
 def remove_stale_segments(folder=SHARED_MEMORY, *, older_than=10.0):

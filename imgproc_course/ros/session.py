@@ -24,13 +24,14 @@ from rclpy.logging import LoggingSeverity, set_logger_level
 from rclpy.node import Node
 
 from imgproc_course.ros import notebook_spin
-from imgproc_course.ros.profile import remove_stale_segments
+from imgproc_course.ros.profile import lost_ports, remove_stale_segments
 
 RCLError = rclpy_implementation.RCLError  # rclpy exports it nowhere else
 log = logging.getLogger("imgproc_course.ros")
 
 CALLBACK_TIMEOUT = 5.0  # seconds that others wait for a callback to return
 LOG_PERIOD = 5.0  # seconds between two log lines about the same fault
+START_ATTEMPTS = 20
 
 
 class Throttle:
@@ -252,11 +253,10 @@ class _Spinner:
     """The context, executor, node and thread of a session, from one start to the next stop."""
 
     def __init__(self):
-        self.context = _new_context()
         # ROS warns about two nodes of one name in a process, but here the second replaces the first.
         set_logger_level("rcl.logging_rosout", LoggingSeverity.ERROR)
+        self.context, self.node = _new_node(f"imgproc_course_{os.getpid()}")
         self.executor = SingleThreadedExecutor(context=self.context)
-        self.node = Node(f"imgproc_course_{os.getpid()}", context=self.context)
         self.executor.add_node(self.node)
         self.closed = False
         self.last_callback_error = None
@@ -384,6 +384,17 @@ def _full_name(node):
         return node.get_fully_qualified_name()
     except InvalidHandle:
         return None
+
+
+def _new_node(name):
+    """A context and its first node, which creates the DDS participant with its shared-memory ports."""
+    for attempt in range(START_ATTEMPTS):
+        context = _new_context()
+        node = Node(name, context=context)
+        if attempt + 1 == START_ATTEMPTS or not lost_ports():
+            return context, node
+        node.destroy_node()
+        context.try_shutdown()
 
 
 def _new_context():

@@ -217,3 +217,28 @@ maps = pathlib.Path("/proc/self/maps").read_text()
 print(*sorted(set(re.findall(r"/dev/shm/(fastrtps_[0-9a-f]{16})\\b", maps))))
 time.sleep(60)
 """
+
+
+REMOVES_ITS_PORT = """
+import os, re
+from pathlib import Path
+from imgproc_course.ros import RosSession, profile, session
+RosSession.current()
+locks = {os.path.realpath(link) for link in Path("/proc/self/fd").iterdir()}
+port = max(lock.removesuffix("_el") for lock in locks if "fastrtps_port" in lock)
+print(profile.lost_ports())
+os.unlink(port)
+print(profile.lost_ports() == [Path(port).name])
+RosSession.current().stop()
+answers, contexts, new_context = [[Path(port).name], []], [], session._new_context
+session.lost_ports = lambda: answers.pop(0)
+session._new_context = lambda: contexts.append(new_context()) or contexts[-1]
+running = RosSession.current()
+print(answers, [context.ok() for context in contexts], running.context is contexts[1], profile.lost_ports())
+"""
+
+
+@pytest.mark.ros
+def test_a_session_that_lost_a_port_starts_with_a_new_participant(run_python):
+    code, out, err = run_python(REMOVES_ITS_PORT)
+    assert (code, out.splitlines(), err) == (0, ["[]", "True", "[] [False, True] True []"], "")
