@@ -180,7 +180,8 @@ def record(path, topics):
 @click.option(
     "--warm-up", type=float, default=25.0, show_default=True, help="Seconds before the measurement starts."
 )
-def soak(minutes, speed, warm_up):
+@click.option("--source", type=click.Choice(["recording", "room"]), default="recording", show_default=True)
+def soak(minutes, speed, warm_up, source):
     """Run a camera, both nodes and a subscriber for a long time.
 
     Reports lost frames, and growth of memory, threads and open files. Exits with 1 if there is any.
@@ -189,7 +190,7 @@ def soak(minutes, speed, warm_up):
     from imgproc_course.ros.soak import soak as run_soak
 
     try:
-        code = run_soak(minutes, speed, warm_up=warm_up, say=click.echo)
+        code = run_soak(minutes, speed, source=source, warm_up=warm_up, say=click.echo)
     except ValueError as error:
         raise click.ClickException(str(error)) from error
     raise SystemExit(code)

@@ -5,7 +5,7 @@ import sys
 import threading
 import time
 
-from imgproc_course.ros.camera import open_camera
+from imgproc_course.ros.camera import ROOM, open_camera
 from imgproc_course.ros.session import RosSession
 from imgproc_course.ros.stop_signals import stop_signals
 
@@ -39,13 +39,18 @@ def play(*, recording="drive", status_seconds=STATUS_SECONDS, **options):
             RosSession().stop()
 
 
-def publish(topic, speed):
-    """Publishes the drive as a camera of its own, on a topic of its own, until SIGTERM."""
-    from imgproc_course.ros.camera_publisher import CameraPublisher, open_images
+def publish(topic, speed, source="recording"):
+    """Publishes the drive, or the room, as a camera of its own, on a topic of its own, until SIGTERM.
+
+    speed : factor on 10 Hz
+    """
+    from imgproc_course.ros.camera_publisher import open_body
 
     signal.signal(signal.SIGTERM, lambda *_: sys.exit())
-    images = open_images("drive", speed=speed)
-    CameraPublisher(topic, images).start()
+    options = {"recording": "drive", "camera_topic": None, "speed": speed, "loop": True, "stamps": "now"}
+    if source == "room":
+        options = ROOM | {"rate": 10.0 * speed}
+    open_body({"source": source, "topic": topic} | options).start(on_end=lambda: None)
     threading.Event().wait()
 
 

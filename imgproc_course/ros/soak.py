@@ -26,17 +26,18 @@ START_TIMEOUT = 60.0  # seconds that a process may take to start, or to end
 # Memory varies by the working arrays of one image (Canny's: 9 MiB), depending on the moment of the sample.
 # A leak of one image in 200 would add 250 MB in 10 minutes.
 MEMORY_SLACK = 20 << 20
-_PLAY = "from imgproc_course.ros.player import publish; publish({!r}, {!r})"
+_PLAY = "from imgproc_course.ros.player import publish; publish({!r}, {!r}, {!r})"
 _RUN = "import sys; sys.path.insert(0, {!r}); from {name}.{name} import main; sys.exit(main())"
 
 
-def soak(minutes=10.0, speed=3.0, *, warm_up=25.0, say=print):
+def soak(minutes=10.0, speed=3.0, *, source="recording", warm_up=25.0, say=print):
     """Runs the graph on its own topics, and reports losses and growth.
 
     Parameters
     ----------
     minutes : duration after the warm-up
     speed : factor on the drive's own 10 Hz
+    source : "recording", or "room", whose other topics have the robot's names: take a domain of its own
     warm_up : seconds that are not measured: processes start, buffers fill
     say : function of one line, which prints the progress
 
@@ -54,7 +55,7 @@ def soak(minutes=10.0, speed=3.0, *, warm_up=25.0, say=print):
             raise ValueError(f"{name} must be a positive number, got {number!r}")
     if not 0 <= warm_up < float("inf"):
         raise ValueError(f"the warm-up must be 0 or more seconds, got {warm_up!r}")
-    soak_run = _SoakRun(speed, say)
+    soak_run = _SoakRun(source, speed, say)
     # SIGTERM ends the run as Ctrl-C does, so that no camera and no node keeps running.
     previous_handler = signal.signal(signal.SIGTERM, signal.default_int_handler)
     try:
@@ -79,12 +80,12 @@ def soak(minutes=10.0, speed=3.0, *, warm_up=25.0, say=print):
 class _SoakRun:
     """Camera, nodes and subscribers of one run, and what was measured."""
 
-    def __init__(self, speed, say):
+    def __init__(self, source, speed, say):
         self._say = say
         self._namespace = f"/soak_{os.getpid()}"
         self._topic = f"{self._namespace}/image_raw"
         remapping = ["--ros-args", "-r", f"{TOPIC}:={self._topic}", "-r", f"__ns:={self._namespace}"]
-        self._commands = {"camera": [sys.executable, "-c", _PLAY.format(self._topic, speed)]}
+        self._commands = {"camera": [sys.executable, "-c", _PLAY.format(self._topic, speed, source)]}
         self._commands |= {name: [*_command(name), *remapping] for name in NODES}
         self._processes, self._samples, self._subscribers, self._counts_before = {}, {}, {}, {}
         self._stderr = dict.fromkeys(self._commands, b"")  # the end of each process's stderr

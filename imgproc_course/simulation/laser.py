@@ -36,19 +36,46 @@ def cut(triangles, height):
     return np.stack(ends, 1)
 
 
+def near(triangles, pose, height):
+    """Those triangles (N, 3, 3) that reach above and below a height when the pose has placed them."""
+    x, y, z = pose.rotation[2]
+    heights = x * triangles[..., 0] + y * triangles[..., 1] + z * triangles[..., 2] + pose.position[2]
+    return triangles[(heights.min(1) <= height) & (heights.max(1) > height)]
+
+
 def cast(segments, x, y, yaw):
     """Distance (RAYS,) float64 to the first segment on each ray from (x, y), the first ray towards yaw."""
     angles = [yaw + k * 2 * math.pi / RAYS for k in range(RAYS)]
-    c, s = (np.array([round(f(a), 12) for a in angles])[:, None] for f in (math.cos, math.sin))
+    c, s = (np.array([round(f(a), 12) for a in angles]) for f in (math.cos, math.sin))
     first, second = segments[:, 0] - (x, y), segments[:, 1] - (x, y)
     edge = second - first
-    side_first, side_second = c * first[:, 1] - s * first[:, 0], c * second[:, 1] - s * second[:, 0]
-    ray, segment = np.nonzero((side_first > 0) != (side_second > 0))
+    segment, ray = candidates(first, second, yaw)
+    c, s = c[ray], s[ray]
+    side_first = c * first[segment, 1] - s * first[segment, 0]
+    side_second = c * second[segment, 1] - s * second[segment, 0]
+    hit = (side_first > 0) != (side_second > 0)
+    segment, ray, c, s = segment[hit], ray[hit], c[hit], s[hit]
     across = (first[:, 0] * edge[:, 1] - first[:, 1] * edge[:, 0])[segment]
-    along = across / (c[ray, 0] * edge[segment, 1] - s[ray, 0] * edge[segment, 0])
+    along = across / (c * edge[segment, 1] - s * edge[segment, 0])
     distance = np.full(RAYS, np.inf)
     np.minimum.at(distance, ray[along > 0], along[along > 0])
     return distance
+
+
+def candidates(first, second, yaw):
+    """Pairs (segment, ray): the rays in the angle of each segment, and those beside it.
+
+    Processors differ in the last bit of an angle; which of these rays hit is decided without angles.
+    """
+    begin, end = (np.arctan2(points[:, 1], points[:, 0]) for points in (first, second))
+    turn = (end - begin + math.pi) % (2 * math.pi) - math.pi
+    low = np.where(turn < 0, end, begin)
+    per_radian = RAYS / (2 * math.pi)
+    first_ray = np.floor((low - yaw) * per_radian).astype(int) - 1
+    count = np.ceil(np.abs(turn) * per_radian).astype(int) + 4
+    segment = np.repeat(np.arange(len(count)), count)
+    within = np.arange(len(segment)) - np.repeat(np.cumsum(count) - count, count)
+    return segment, (first_ray[segment] + within) % RAYS
 
 
 class Laser:
@@ -63,7 +90,7 @@ class Laser:
     def scan(self, robot, joint_poses, step):
         """robot : (x, y, yaw) of base_link."""
         moving = [
-            cut(joint_poses[name].apply(part), MOUNT[1])
+            cut(joint_poses[name].apply(near(part, joint_poses[name], MOUNT[1])), MOUNT[1])
             for name, part in self._parts.items()
             if abs(joint_poses[name].position[2] - MOUNT[1]) < self._reach[name]
         ]

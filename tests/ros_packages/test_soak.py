@@ -9,12 +9,13 @@ import pytest
 pytestmark = pytest.mark.ros
 
 SHORT = "from imgproc_course.ros.soak import soak; raise SystemExit(soak(0.08, 0.5, warm_up=2.0))"
+ROOM = SHORT.replace("warm_up", "source='room', warm_up")
 
 
-@pytest.mark.parametrize("origin", ["installed", "sources"])
-def test_a_short_soak_finds_no_loss_and_no_growth(start, origin):
+@pytest.mark.parametrize(("origin", "soak"), [("installed", SHORT), ("sources", ROOM)])
+def test_a_short_soak_finds_no_loss_and_no_growth(start, origin, soak):
     environment = {} if origin == "installed" else {"AMENT_PREFIX_PATH": None}
-    process = start(sys.executable, "-c", SHORT, COLUMNS="110", **environment)
+    process = start(sys.executable, "-c", soak, COLUMNS="110", **environment)
     assert process.wait(120) == 0, process.output
     assert process.output.splitlines()[-1] == "no loss, no growth"
     rows = {line.split("│")[1].strip(): line for line in process.output.splitlines() if line.startswith("│")}
