@@ -205,6 +205,8 @@ def _advice_on_missing_array(expected, actual):
             "You return a single number for the whole image. The task asks for an array, in which each"
             " pixel has a value of its own."
         )
+    if actual["type"] == "reversed":
+        return "reversed() gives no array. A slice with the step -1 goes backwards: ::-1."
     return f"You return {_noun(actual)}, and the task asks for an array."
 
 
@@ -304,12 +306,14 @@ def _advice_on_shape(expected, actual, arguments, names):
             "Your result has fewer axes than the input: a function with axis=..., or an index such as"
             " image[0], takes one away."
         )
-    return _advice_on_size(shape, actual_shape) if len(shape) == len(actual_shape) >= 2 else ""
+    is_image = any(image_shape[:2] == shape[:2] for image_shape in given)
+    return _advice_on_size(shape, actual_shape, is_image) if len(shape) == len(actual_shape) >= 2 else ""
 
 
-def _advice_on_size(shape, actual_shape):
+def _advice_on_size(shape, actual_shape, is_image):
+    """The same; `is_image` if the expected result has the rows and columns of an argument."""
     rows, cols = (actual - expected for actual, expected in zip(actual_shape[:2], shape[:2], strict=True))
-    if rows == cols and rows in (-2, -4):
+    if rows == cols and rows in (-2, -4) and is_image:
         return (
             f"Your result is smaller than the image by {-rows} rows and {-cols} columns, its border. Pad"
             f" the image (np.pad) before you take the neighbours."
@@ -321,8 +325,8 @@ def _advice_on_size(shape, actual_shape):
         )
     if rows == 0 and cols > 0:
         return (
-            f"Your result is too wide: {actual_shape[1]} columns instead of {shape[1]}. Keep only the"
-            f" columns that the task asks for, without any padding."
+            f"Your result is too wide: {actual_shape[1]} columns instead of {shape[1]}. Is padding left, or"
+            f" does each pixel take several of these values?"
         )
     changes = [_surplus(rows, "row"), _surplus(cols, "column")]
     if not any(changes):

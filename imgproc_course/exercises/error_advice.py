@@ -404,6 +404,12 @@ _ADVICE = (
     ("AttributeError", "'([\\w.]+)' object has no attribute '(\\w+)'", _no_attribute),
     ("TypeError", "'([\\w.]+)' object is not callable", _not_callable),
     ("TypeError", "'([\\w.]+)' object is not subscriptable", _not_subscriptable),
+    (
+        "TypeError",
+        "'(?:int|float|numpy\\.\\w+)' object does not support item assignment",
+        "The name before the brackets holds a single number. Was it overwritten before? a = a[mask] = 255"
+        " stores 255 in a, too: write a[mask] = 255 alone.",
+    ),
     ("TypeError", "'NoneType'", _none),
     (
         "TypeError",

@@ -205,6 +205,13 @@ def _another_way(result):
     return result.exercise.another_way if result.passed else ""
 
 
+def _stuck(result):
+    """Where a learner finds help after a try."""
+    is_wrong = result.attempted and not result.passed and not result.why_older
+    exercise = result.exercise
+    return f'Stuck? hint("{exercise.id}") helps you on, in steps.' if is_wrong and exercise.hints else ""
+
+
 def _advice(result, call):
     """What is known of the mistake; if that is not all, the hint of the case."""
     if result.mistake is not None:
@@ -257,7 +264,7 @@ def as_text(result):
         lines.append(_indent(_explain_case(result, case_result)))
         if case_result.failed_call is shown and shown is not None:
             lines += [_indent(text) for text in _details_as_text(result, shown)]
-    lines += [_footer(result), _another_way(result)]
+    lines += [_footer(result), _stuck(result), _another_way(result)]
     return "\n".join(line for line in lines if line)
 
 
@@ -296,7 +303,7 @@ def as_html(result):
         details = "".join(_details_as_html(result, shown)) if is_shown else ""
         body.append(f'<div style="margin: 0 0 6px 18px">{explanation}{details}</div>')
     body.append(f'<div style="margin-top: 4px">{html.escape(_footer(result))}</div>')
-    body.append(_paragraph(_another_way(result)))
+    body += [_paragraph(_stuck(result)), _paragraph(_another_way(result))]
     return f'<div style="border-left: 4px solid {_COLOURS[state]}; padding: 4px 10px">{"".join(body)}</div>'
 
 

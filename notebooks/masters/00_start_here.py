@@ -209,7 +209,7 @@ def count_pixels(frame):
 
 
 # %% role="check" exercise="start-count"
-from imgproc_course.exercises import check
+from imgproc_course.exercises import check, hint, solution
 
 check("start-count", count_pixels)
 
@@ -308,11 +308,9 @@ def count_pixels(frame):
 
 
 # %% [markdown]
-# Here is the first hint of this exercise. In other exercises you call `hint` and `solution` yourself: add a cell (**Esc**, then `b`), and begin it with the same import line.
+# Here is the first hint of this exercise. In other exercises you call `hint` and `solution` yourself, in a cell that you add: press **Esc**, then `b`. (Every lesson imports both, together with `check`.)
 
 # %%
-from imgproc_course.exercises import hint
-
 hint("start-count", step=1)
 
 # %% [markdown]

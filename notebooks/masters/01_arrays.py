@@ -23,7 +23,7 @@ import numpy as np
 
 # %%
 from imgproc_course.display import show
-from imgproc_course.exercises import check, compare_guess
+from imgproc_course.exercises import check, compare_guess, hint, solution
 from imgproc_course.recording import open_recording
 
 # %%
@@ -799,6 +799,11 @@ def two_levels(gray, level):
     return np.where(gray > level, 256, 0).astype(np.uint8)
 
 
+# %% role="mistake" name="all white" says="Every pixel became 255. If you change a copy twice, the second mask also selects the pixels that became 0 before: make both masks from gray first, or use np.where."
+def two_levels(gray, level):
+    return np.full_like(gray, 255)
+
+
 # %% role="mistake" name="positions" says="np.where with a condition alone gives positions (indices). Give it the two values too: np.where(gray > level, 255, 0)."
 def two_levels(gray, level):
     return np.where(gray > level)
@@ -914,6 +919,11 @@ def paint_white(gray, mask):
 # %% role="mistake" name="added in uint8" says="The painted pixels are one gray level darker, not white: gray + 255 overflows in uint8. Set them with = instead: result[mask] = 255."
 def paint_white(gray, mask):
     return gray + mask.astype(np.uint8) * np.uint8(255)
+
+
+# %% role="mistake" name="255 added" says="255 was added to the painted pixels. They must become 255: painted[mask] = 255."
+def paint_white(gray, mask):
+    return gray + mask * 255
 
 
 # %% role="mistake" name="the mask" says="This is the mask itself, with True and False. Return a copy of gray in which the pixels of the mask are 255."

@@ -25,7 +25,7 @@ import cv2
 import numpy as np
 
 from imgproc_course.display import live_view, show
-from imgproc_course.exercises import check, compare_guess
+from imgproc_course.exercises import check, compare_guess, hint, solution
 from imgproc_course.recording import open_recording
 from imgproc_course.ros import ImageSubscriber, open_camera, ros_available
 

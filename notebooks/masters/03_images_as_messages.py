@@ -25,7 +25,7 @@ import cv2
 import numpy as np
 
 from imgproc_course.display import live_view, show
-from imgproc_course.exercises import check, compare_guess
+from imgproc_course.exercises import check, compare_guess, hint, solution
 from imgproc_course.messages import (
     array_to_compressed, array_to_image, compressed_to_array,
     encoding_info, image_to_array)
@@ -838,6 +838,11 @@ def decode_mono16(message):
 # %% role="mistake" exercise="messages-mono16" name="a pixel for every byte" says="Every byte became a pixel. A pixel of mono16 takes two bytes: combine two bytes to one uint16 number."
 def decode_mono16(message):
     return np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+
+
+# %% role="mistake" exercise="messages-mono16" name="a pixel for every byte, as uint16" says="Every byte became a pixel. A pixel of mono16 takes two bytes: combine two bytes to one uint16 number."
+def decode_mono16(message):
+    return np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step).astype(np.uint16)
 
 
 # %% role="mistake" exercise="messages-mono16" name="half of the bytes" says="Every byte became a pixel, and half of them were cut off. A pixel of mono16 takes two bytes: combine two bytes to one uint16 number."

@@ -25,7 +25,7 @@ import numpy as np
 import cv2
 
 from imgproc_course.display import show
-from imgproc_course.exercises import check, compare_guess
+from imgproc_course.exercises import check, compare_guess, hint, solution
 from imgproc_course.imaging import average_gray, lightness_gray, to_gray
 from imgproc_course.imaging import linear_light, linear_light_gray
 from imgproc_course.recording import open_recording

@@ -24,7 +24,7 @@ import numpy as np
 
 # %%
 from imgproc_course.display import live_view
-from imgproc_course.exercises import check, compare_guess
+from imgproc_course.exercises import check, compare_guess, hint, solution
 from imgproc_course.imaging import to_gray
 from imgproc_course.recording import open_recording
 from imgproc_course.ros import ImageSubscriber, RosSession

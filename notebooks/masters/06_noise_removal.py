@@ -24,7 +24,7 @@ import numpy as np
 
 # %%
 from imgproc_course.display import show
-from imgproc_course.exercises import check, compare_guess
+from imgproc_course.exercises import check, compare_guess, hint, solution
 from imgproc_course.imaging import add_gaussian_noise, add_salt_and_pepper
 from imgproc_course.imaging import bilateral_filter, box_blur
 from imgproc_course.imaging import gaussian_blur, median_blur

@@ -25,7 +25,7 @@ import cv2
 from matplotlib.figure import Figure
 
 from imgproc_course.display import show, show_figure
-from imgproc_course.exercises import check, compare_guess
+from imgproc_course.exercises import check, compare_guess, hint, solution
 from imgproc_course.imaging import adaptive_threshold, otsu_threshold
 from imgproc_course.imaging import threshold, to_gray
 from imgproc_course.recording import open_recording

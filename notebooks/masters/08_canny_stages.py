@@ -25,7 +25,7 @@ import numpy as np
 import cv2
 
 from imgproc_course.display import draw, show, show_figure, tune
-from imgproc_course.exercises import check, compare_guess
+from imgproc_course.exercises import check, compare_guess, hint, solution
 from imgproc_course.imaging import (
     add_gaussian_noise,
     canny,

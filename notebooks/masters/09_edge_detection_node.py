@@ -29,7 +29,7 @@ from matplotlib.patches import Rectangle
 
 from imgproc_course.display import draw, labelled, live_view
 from imgproc_course.display import show, show_figure, tune
-from imgproc_course.exercises import check, compare_guess
+from imgproc_course.exercises import check, compare_guess, hint, solution
 from imgproc_course.imaging import add_gaussian_noise, canny, to_gray
 from imgproc_course.recording import open_recording
 from imgproc_course.ros import ImageSubscriber, RosSession

@@ -36,7 +36,7 @@ import numpy as np
 
 import imgproc_course
 from imgproc_course.display import live_view
-from imgproc_course.exercises import check, compare_guess
+from imgproc_course.exercises import check, compare_guess, hint, solution
 from imgproc_course.imaging import to_gray
 from imgproc_course.ros import ImageSubscriber, open_camera, ros_available
 

@@ -1,4 +1,3 @@
-# ruff: noqa: F401
 """The names that the examples of cheat_sheet.html use."""
 
 import numpy as np

@@ -50,7 +50,7 @@ _spec.loader.exec_module(wrong_answers)
 
 # Lines of the feedback that hold values, titles or points, and no sentence about the mistake.
 _NO_SENTENCE = re.compile(
-    r"[✓✗] |Points here|Practice:|\s+(given|returned|expected)\b[^:]*: |\s+in your line"
+    r"[✓✗] |Points here|Practice:|Stuck\?|\s+(given|returned|expected)\b[^:]*: |\s+in your line"
     r"|(\s*(True|False|nan|inf|-?[\d.e+-]+|[(),]|\*))*$"
     r"|\s+(In answer\S*: )?(\d+ of \d+ values differ|Expected the (integer|float) \S+, got the \6 )"
 )

@@ -109,6 +109,18 @@ def test_a_mistake_is_named_in_another_type_if_the_type_is_free(exact_type, writ
     assert (result.mistake is not None) != exact_type
 
 
+def test_after_a_try_that_fails_the_help_in_steps_is_named(write_master):
+    stuck = 'Stuck? hint("test-double") helps you on, in steps.'
+    assert stuck not in repr(check("test-double", wraps))  # the exercise has no hints
+    write_master(
+        exercise='# %% role="exercise"\nexercise("test-double", function="double", time_limit=0.5,'
+        ' hints=("Widen.",))\nSIDE = 3'
+    )
+    result = check("test-double", wraps)
+    assert repr(result).endswith(f"\n{stuck}") and stuck.replace('"', "&quot;") in result._repr_html_()
+    assert not any("Stuck" in repr(check("test-double", function)) for function in (right, stub))
+
+
 def test_an_unknown_mistake_gets_the_hint():
     result = check("test-double", lambda pixels: right(pixels) // 2)
     assert result.mistake is None

@@ -54,3 +54,7 @@ def crop(image, top, bottom, left, right):
 # %% name="no parameter for the numbers" origin="new" sentence="The function is called with five arguments, the image and four numbers: write crop(image, top, bottom, left, right)." must_say=["argument|parameter", "five|5|takes|top|four"] kind="error"
 def crop(image):
     return image[1:4, 2:5]
+
+# %% name="top:left for top:bottom" origin="walk" sentence="A slice goes from top to bottom: image[top:bottom, left:right]." must_say=["slice|top"] must_not_say=["border", "pad the image"] kind="value"
+def crop(image, top, bottom, left, right):
+    return image[top:left, bottom:right]

@@ -60,3 +60,7 @@ def mirror(image):
 # %% name="return forgotten" origin="new" sentence="You compute the reversed image but never give it back: write return." must_say=["return"] kind="no-return"
 def mirror(image):
     reversed_image = image[:, ::-1]
+
+# %% name="reversed() of the image" origin="walk" sentence="reversed() gives no array: write a slice with the step -1." must_say=["reversed", "-1"] kind="type"
+def mirror(image):
+    return reversed(image)

@@ -64,3 +64,13 @@ def paint_white(gray, mask):
     result = gray.copy()
     result[mask].fill(255)
     return result
+
+# %% name="255 added" origin="walk" sentence="The painted pixels must become 255, not grow by 255." must_say=["255", "add|grow"] kind="value"
+def paint_white(gray, mask):
+    return gray + mask * 255
+
+# %% name="two = in one line" origin="walk" sentence="a = a[mask] = 255 stores 255 in a, too: write the assignment alone." must_say=["alone|stores", "255"] kind="error"
+def paint_white(gray, mask):
+    painted = gray.copy()
+    painted = painted[mask] = 255
+    return painted

@@ -62,3 +62,10 @@ def two_levels(gray, level):
 # %% name="return forgotten" origin="new" sentence="You compute the image but never give it back: write return." must_say=["return"] kind="no-return"
 def two_levels(gray, level):
     result = np.where(gray > level, 255, 0).astype(np.uint8)
+
+# %% name="the second mask sees the first change" origin="walk" sentence="The second mask also selects what the first line changed: make both masks first." must_say=["second|both masks"] kind="value"
+def two_levels(gray, level):
+    out = gray.copy()
+    out[out > level] = 0
+    out[out <= level] = 255
+    return out

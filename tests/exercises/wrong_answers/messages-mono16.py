@@ -141,3 +141,8 @@ def decode_mono16(message):
     second = rows[:, 1:2]
     pixels = first * 256 + second if message.is_bigendian else second * 256 + first
     return pixels.reshape(message.height, message.width)
+
+# %% name="bytes widened one by one" origin="walk" sentence="A pixel takes two bytes: read both as one number." must_say=["two bytes|pixel"] kind="shape"
+def decode_mono16(message):
+    a = np.frombuffer(message.data, np.uint8).astype(np.uint16)
+    return a.reshape(message.height, message.width * 2)
