@@ -48,9 +48,8 @@ class Robot:
             name: self._session.resolve_topic(f"/{namespace.strip('/')}/{topic.partition('/kachaka/')[2]}")
             for name, topic in (("commands", COMMANDS), ("odometry", ODOMETRY), ("scan", SCAN))
         }
-        self._commands = publisher = self._node.create_publisher(Twist, self._topics["commands"], 10)
-        self._client = None
-        self._owned = owned = [publisher]
+        self._commands = self._client = None
+        self._owned = owned = []
         self._finalizer = weakref.finalize(self, _destroy, self._session, self._node, owned)
         self._finalizer.atexit = False  # the session destroys them then
         self._session.on_shutdown(owned, weak_callback(self._on_shutdown))
@@ -85,8 +84,8 @@ class Robot:
             self._send(0.0, 0.0)
 
     def stop(self):
-        """Sends the command to stand still."""
-        if self._finalizer.alive:
+        """Sends the command to stand still, if this Robot has driven."""
+        if self._finalizer.alive and self._commands is not None:
             self._send(0.0, 0.0)
 
     @property
@@ -166,12 +165,20 @@ class Robot:
         return f"<Robot {self._topics['commands']}>"
 
     def _send(self, linear, angular):
-        if not self._finalizer.alive:
-            raise RuntimeError("this Robot is closed; make a new one: Robot()")
+        self._require_open()
         linear, angular = Vector3(x=float(linear)), Vector3(z=float(angular))
         self._commands.publish(Twist(linear=linear, angular=angular))
 
+    def _require_open(self):
+        if not self._finalizer.alive:
+            raise RuntimeError("this Robot is closed; make a new one: Robot()")
+
     def _require_robot(self):
+        self._require_open()
+        if self._commands is None:
+            # Not before: the robot would warn of two publishers while another program drives it.
+            self._commands = self._node.create_publisher(Twist, self._topics["commands"], 10)
+            self._owned.append(self._commands)
         end = time.monotonic() + TIMEOUT
         while self._finalizer.alive and not self._commands.get_subscription_count():
             if time.monotonic() > end:
@@ -198,8 +205,7 @@ class Robot:
             return self._messages[name][1]
 
     def _subscribe(self, name, message_type):
-        if not self._finalizer.alive:
-            raise RuntimeError("this Robot is closed; make a new one: Robot()")
+        self._require_open()
         on_message = weak_callback(self._on_message)
         self._subscriptions[name] = subscription = self._node.create_subscription(
             message_type,

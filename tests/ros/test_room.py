@@ -2,6 +2,9 @@
 
 import math
 import os
+import subprocess
+import sys
+from pathlib import Path
 
 import numpy as np
 import psutil
@@ -118,6 +121,24 @@ def test_it_drives_and_stops_by_itself_after_half_a_second(robot, collect, wait_
     robot.drive(-0.2, 0.0, seconds=0.5)
     assert robot.pose[2] > yaw + 0.3 and robot.pose[0] < x
     assert 0.05 <= min(robot.scan.ranges) < 5
+
+
+def test_a_node_that_sees_depth_alone_brakes_before_the_wall(robot, collect, wait_until):
+    from geometry_msgs.msg import PoseStamped
+
+    robot.restart(start=(0.2, -0.3, math.pi), seed=1)
+    node = subprocess.run(
+        [sys.executable, Path(__file__).with_name("closed_loop_nodes.py"), "depth"],
+        capture_output=True,
+        text=True,
+        timeout=200,
+    )
+    assert node.returncode == 0, node.stderr
+    assert 0.3 < float(node.stdout) < 0.46
+    poses = collect("/truth/pose/robot", PoseStamped)
+    wait_until(lambda: poses)
+    # The wall is at x = -0.9, the camera 0.21 m ahead of the axle.
+    assert vector(poses[-1])[0] - 0.21 + 0.9 == pytest.approx(float(node.stdout), abs=0.05)
 
 
 def test_the_room_refuses_impossible_options_and_takes_others(robot):
