@@ -1,5 +1,6 @@
 """The command line `imgproc-course`. Each command imports what it calls when it runs."""
 
+import contextlib
 import subprocess
 from datetime import datetime
 from pathlib import Path
@@ -484,6 +485,19 @@ def grade(submissions, keys, out, **options):
     interruption, the same command continues. Exit codes: 0 all graded, 3 some could not be graded (they get
     0 points and a reason) or a page is incomplete, 1 nothing was graded, 130 interrupted.
     """
+    from imgproc_course.autograder.worker_threads import open_worker_threads
+
+    with contextlib.ExitStack() as stack:
+        if not options["scheduler"]:
+            settings = {name: options[name] for name in ("workers", "kernel", "unsafe")}
+            is_first = (
+                options["fresh"] or not (out / "results").exists()
+            )  # else perhaps nothing is left to do
+            options["executor"] = stack.enter_context(open_worker_threads(early=is_first, **settings))
+        _grade(submissions, keys, out, options)
+
+
+def _grade(submissions, keys, out, options):
     from imgproc_course.autograder.answer_key import KeyFolderError
     from imgproc_course.autograder.sandbox.bubblewrap import SandboxError
     from imgproc_course.gradebook.collect import CollectError

@@ -19,7 +19,6 @@ import threading
 import time
 from dataclasses import asdict
 
-from imgproc_course.autograder.results import from_json
 from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.autograder.sandbox.bubblewrap import Limits, SandboxError
 from imgproc_course.autograder.temporary_folder import TemporaryFolder
@@ -90,8 +89,6 @@ class NbvalProcess:
     def __init__(self, kernel, unsafe, limits):
         self.options = (kernel, unsafe, limits)
         self.thread = threading.current_thread().name
-        if not unsafe:
-            bubblewrap.require_sandbox()
         self._limits = limits or Limits()
         self._folder = TemporaryFolder()
         folder = self._folder.path
@@ -102,7 +99,7 @@ class NbvalProcess:
         self._socket, self._buffer = our_end, b""
         with process_end:
             self._process = self._start(folder, process_end)
-        self.is_alive = True
+        self.is_alive, self._is_ready = True, False
         with _lock:
             _running[id(self)] = self
         settings = {
@@ -112,10 +109,16 @@ class NbvalProcess:
             "folder": str(folder / "work"),
         }
         try:
+            if not unsafe:
+                bubblewrap.require_sandbox()  # while the process starts
             self._send(settings)
             self._receive(_START_SECONDS)
+            self._is_ready = True
         except NbvalProcessEnded as error:
             raise NbvalProcessNotStarted(f"the nbval process did not start: {error}") from error
+        except SandboxError:
+            self.stop(wait=False)
+            raise
 
     def _start(self, folder, connection):
         command = [sys.executable, "-I", "-m", "pytest", "-c", str(folder / "pytest.ini")]
@@ -154,7 +157,7 @@ class NbvalProcess:
 
         Returns
         -------
-        GradedSubmission
+        dict, a GradedSubmission as `results.to_json` writes it
 
         Raises
         ------
@@ -162,7 +165,7 @@ class NbvalProcess:
         """
         job = {"key": str(key.path), "digest": key.digest}
         self._send(job | {"submission": name, "lesson": lesson, "answers": answers})
-        return from_json(self._receive(self._patience(key.lessons[lesson])))
+        return self._receive(self._patience(key.lessons[lesson]))
 
     def _patience(self, lesson):
         """Seconds after which the process itself must be stuck: twice what its kernels may take."""
@@ -217,7 +220,7 @@ class NbvalProcess:
         with _lock:
             _running.pop(id(self), None)
         self._socket.close()
-        if wait:
+        if wait and self._is_ready:
             with contextlib.suppress(subprocess.TimeoutExpired):
                 self._process.wait(5)
         with contextlib.suppress(ProcessLookupError):

@@ -19,7 +19,7 @@ import contextlib
 import itertools
 import os
 from collections import deque
-from concurrent.futures import Executor, Future, ThreadPoolExecutor, wait
+from concurrent.futures import Executor, Future, wait
 from dataclasses import replace
 from functools import lru_cache
 
@@ -28,20 +28,23 @@ from imgproc_course.autograder.nbval_process import (
     NbvalProcessEnded,
     NbvalProcessNotStarted,
     nbval_process_of_thread,
-    stop_nbval_processes,
 )
 from imgproc_course.autograder.outcomes import BUDGET_MESSAGE, Outcome
-from imgproc_course.autograder.results import GradedSubmission, reproducible_text, ungraded_exercise
+from imgproc_course.autograder.results import (
+    GradedSubmission,
+    from_json,
+    reproducible_text,
+    ungraded_exercise,
+)
 from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.autograder.sandbox.bubblewrap import Limits, SandboxError
 from imgproc_course.autograder.sandbox.kernel_factory import KINDS
+from imgproc_course.autograder.worker_threads import open_worker_threads
 
 __all__ = ["Limits", "SandboxError", "autograde", "grade_one", "open_scheduler"]
 
 _QUEUE_PER_WORKER = 4  # submissions that are submitted before their results are taken
 _ATTEMPTS = 3  # to grade a submission, each in a new nbval process
-
-_pool_numbers = itertools.count(1)
 
 
 def autograde(submissions, key, *, kernel="fast", unsafe=False, workers=None, executor=None, limits=None):
@@ -80,7 +83,7 @@ def autograde(submissions, key, *, kernel="fast", unsafe=False, workers=None, ex
 def _grade_all(submissions, key, options, workers, executor):
     with contextlib.ExitStack() as stack:
         if executor is None:
-            executor = stack.enter_context(_threads(workers))
+            executor = stack.enter_context(open_worker_threads(workers))
         elif not isinstance(executor, Executor) and not hasattr(executor, "submit"):
             raise TypeError(
                 f"executor: expected a concurrent.futures.Executor, got {type(executor).__name__}"
@@ -176,21 +179,6 @@ def _one_share_each(limits, exercises):
     return replace(limits, wall_factor=0, wall_grace=share)
 
 
-@contextlib.contextmanager
-def _threads(workers):
-    """A thread pool whose nbval processes are stopped at the end.
-
-    They are stopped before the threads: a process ends at once with the thread that started it.
-    """
-    prefix = f"autograde-{next(_pool_numbers)}-"
-    executor = ThreadPoolExecutor(workers, thread_name_prefix=prefix)
-    try:
-        yield executor
-    finally:
-        stop_nbval_processes(prefix)
-        executor.shutdown()
-
-
 def _check_lesson(lesson, key):
     if lesson not in key.lessons:
         raise ValueError(f"lesson {lesson!r} is not in the key, which has {', '.join(key.lessons)}")
@@ -222,7 +210,7 @@ def grade_one(submission, key, digest=None, *, kernel="fast", unsafe=False, limi
     for attempt in range(1, _ATTEMPTS + 1):
         try:
             process = nbval_process_of_thread(kernel, unsafe, limits)
-            result = process.grade(key, *submission)
+            result = from_json(process.grade(key, *submission))
         except NbvalProcessNotStarted:
             if attempt == _ATTEMPTS:
                 raise

@@ -15,6 +15,7 @@ import re
 import resource
 import signal
 import sys
+from functools import lru_cache
 from pathlib import Path
 
 if __name__ == "__main__":
@@ -27,6 +28,7 @@ MOST_CHARACTERS = 200_000  # of one source; grading refuses a longer answer
 MOST_CELLS = 5_000
 MOST_CODE = 2_000_000  # characters of all cells that are not the course's; what comes after is not searched
 _COURSE_IDS = ("answer-", "check-", "given-", "predict-")
+_MOST_CACHED = 5_000  # characters of a cell's source
 _MOST_FUNCTIONS = 200  # functions that are returned per cell
 _MOST_OUTPUT = 2_000  # characters of a check cell's output
 _MOST_NAME = 200  # characters of a name or an id
@@ -170,6 +172,16 @@ def _may_define(content, source):
 
 
 def _functions(source):
+    # Most cells are the lesson's own, in every notebook. A long source would cost memory.
+    return _cached_functions(source) if len(source) <= _MOST_CACHED else _find_functions(source)
+
+
+@lru_cache(maxsize=2_000)
+def _cached_functions(source):
+    return _find_functions(source)
+
+
+def _find_functions(source):
     functions = cell_syntax.function_definitions(cell_syntax.plain_python(source))
     return {name[:_MOST_NAME]: digest for name, digest in list(functions.items())[:_MOST_FUNCTIONS]}
 

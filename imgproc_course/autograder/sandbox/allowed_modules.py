@@ -68,7 +68,7 @@ def _paths_of(names, without=()):
             distribution = metadata.distribution(name)
         except metadata.PackageNotFoundError:
             continue
-        tops = {file.parts[0] for file in distribution.files or ()} - {"..", "__pycache__"}
+        tops = _top_names(distribution) - {"..", "__pycache__"}
         folder = Path(distribution.locate_file(""))
         paths |= {folder / top for top in tops if (folder / top).exists()}
         requirements = map(Requirement, distribution.requires or ())
@@ -78,6 +78,17 @@ def _paths_of(names, without=()):
             if not requirement.marker or requirement.marker.evaluate({"extra": ""})
         ]
     return paths
+
+
+def _top_names(distribution):
+    """The first parts of the paths of its files.
+
+    Its `files` would be parsed one by one, which takes a quarter of a second for all that kernels have.
+    """
+    record = distribution.read_text("RECORD")
+    if record is None:
+        return {file.parts[0] for file in distribution.files or ()}
+    return {line.partition(",")[0].partition("/")[0].strip('"') for line in record.splitlines()}
 
 
 def _distributions_with(tops):
