@@ -95,7 +95,10 @@ def _require(condition):
 def _text(value, most_characters):
     """A text that is not too long and can be written to a file; lone surrogates cannot."""
     _require(isinstance(value, str) and len(value) <= most_characters)
-    _require(not any("\ud800" <= character <= "\udfff" for character in value))
+    try:
+        value.encode("utf-8")
+    except UnicodeEncodeError:
+        raise _NotAForm from None
     return value
 
 

@@ -1,11 +1,14 @@
 """A kernel has the modules that its exercise allows, and no other, by whatever road."""
 
 import ast
+import sys
 from importlib import metadata
+from pathlib import Path
 from textwrap import dedent
 
 import pytest
 
+from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.autograder.sandbox.allowed_modules import base_paths, module_access
 from imgproc_course.autograder.sandbox.bubblewrap import COURSE_PACKAGES, SOURCE, Limits
 from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
@@ -53,6 +56,23 @@ def test_of_all_that_is_installed_a_kernel_finds_only_what_every_answer_may_use(
 def test_the_sandboxs_pillow_computes_nothing(kernel_factory):
     code = "import PIL, os\nprint(sorted(n for n in os.listdir(PIL.__path__[0]) if n.endswith('.py')))"
     assert run(kernel_factory, (), code) == "['Image.py', 'PngImagePlugin.py', '__init__.py']\n"
+
+
+def test_of_the_systems_commands_a_kernel_can_run_only_a_few(kernel_factory):
+    """Whatever the search path is: no other file of a folder for commands is there."""
+    code = """
+    import os, subprocess
+    folders = {*os.defpath.split(":"), *os.environ["PATH"].split(":"), "/sbin", "/usr/sbin", "/usr/local/bin"}
+    folders |= {"/usr/local/sbin", "/usr/games", "/usr/local/games", "/usr/libexec"}
+    names = {name for folder in folders if os.path.isdir(folder) for name in os.listdir(folder)}
+    shell = subprocess.run("echo $((6 * 7)); ls / | wc -l", shell=True, capture_output=True, text=True)
+    print(sorted(names), shell.stdout.split()[0], shell.returncode, shell.stderr)
+    """
+    names, answer = run(kernel_factory, (), dedent(code)).split("] ")
+    python = Path(sys.executable).resolve()  # it may be the system's own
+    own = {python.name} if python.is_relative_to("/usr") else set()
+    assert {*ast.literal_eval(f"{names}]")} <= {*bubblewrap._COMMANDS} | own
+    assert answer == "42 0 \n"
 
 
 def test_no_package_of_the_course_is_there_unless_it_is_allowed(kernel_factory):

@@ -1,7 +1,8 @@
 """The sandbox around learners' code: bubblewrap's command line, and why there may be no sandbox here.
 
-Inside are, all read-only: the system's libraries, Python, `inside/`, and the installed packages that every
-answer may use; others, and packages of the course, for an exercise that allows them (`allowed_modules`).
+Inside are, all read-only: the system's libraries and a few of its commands, Python, `inside/`, and the
+installed packages that every answer may use; others, and packages of the course, for an exercise that allows
+them (`allowed_modules`).
 There is no network, no home folder, no environment variable of the user, no key, no master and no
 submission. `inside/confine.py` confines each kernel once more.
 """
@@ -29,6 +30,29 @@ AUTOGRADER = f"{COURSE}/imgproc_course/autograder"
 _PYTHON_OPTIONS = ("-s", "-P", "-B")  # not -I: it ignores PYTHONHASHSEED
 # SYS_RESOURCE: what `die_first` sets is for good. Kernels lose all of them.
 _CAPABILITIES = ("SYS_ADMIN", "SYS_RESOURCE", "SETUID", "SETGID", "SETPCAP", "KILL", "CHOWN")
+_COMMAND_FOLDERS = (
+    *("/bin", "/sbin", "/usr/bin", "/usr/sbin", "/usr/games", "/usr/libexec"),
+    *("/usr/local/bin", "/usr/local/sbin", "/usr/local/games"),
+)
+_COMMANDS = (
+    *(
+        "sh",
+        "bash",
+        "env",
+        "true",
+        "false",
+        "echo",
+        "printf",
+        "cat",
+        "ls",
+        "pwd",
+        "head",
+        "tail",
+        "wc",
+        "grep",
+    ),
+    *("sed", "sort", "cut", "tr", "mkdir", "rm", "cp", "mv", "touch", "sleep", "kill", "date", "uname", "id"),
+)
 _ETC = ("ld.so.cache", "ld.so.conf", "ld.so.conf.d", "alternatives", "localtime", "nsswitch.conf", "fonts")
 
 
@@ -127,7 +151,7 @@ def sandbox_command(confined, *, shared=None):
     base, mount_point = python_folder()
     command = [shutil.which("bwrap") or "bwrap", "--die-with-parent", "--new-session", "--clearenv"]
     command += [*_namespace_options(), *_environment_options()]
-    command += [*_bind("/usr"), *_system_folders()]
+    command += [*_bind("/usr"), *_system_folders(), *_system_commands()]
     command += ["--proc", "/proc", "--dev", "/dev", "--perms", "1777", "--tmpfs", "/dev/shm"]
     command += [
         "--perms",
@@ -190,6 +214,21 @@ def _system_folders():
     options += _new_folder("/etc")
     for name in _ETC:
         options += ["--ro-bind-try", f"/etc/{name}", f"/etc/{name}"]
+    return options
+
+
+def _system_commands():
+    """Of the system's commands, those for a line such as `!ls`: ImageMagick would solve exercises.
+
+    What lies beside the libraries (below /usr/lib) can still be run: Python needs that folder whole.
+    """
+    options, interpreter = [], Path(sys.executable).resolve()
+    for path in filter(Path.is_dir, map(Path, _COMMAND_FOLDERS)):
+        if not path.is_symlink():
+            options += ["--perms", "0755", "--tmpfs", str(path)]
+            commands = [*(path / name for name in _COMMANDS), *([interpreter] * (interpreter.parent == path))]
+            options += [option for command in commands if command.is_file() for option in _bind(str(command))]
+            options += ["--remount-ro", str(path)]
     return options
 
 
