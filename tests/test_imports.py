@@ -28,7 +28,7 @@ ARROWS = {
 }
 # Arrows that only some modules of a package may use.
 ONLY_IN = {
-    ("display", "ros"): {"display/live_view.py"},
+    ("display", "ros"): {"display/live_view.py", "display/drive.py"},
     ("autograder", "authoring"): {"autograder/make_answer_key.py"},
 }
 # These may import every package: the command line, and the modules that its commands start.

@@ -1,0 +1,249 @@
+"""Driving the robot by hand: its camera, a map from above, and keys, buttons or a gamepad."""
+
+import contextlib
+import math
+import threading
+import time
+from pathlib import Path
+
+import anywidget
+import ipywidgets as widgets
+import numpy as np
+from traitlets import Float
+
+from imgproc_course.display.figures import split_text
+from imgproc_course.display.live_view import LiveView
+
+HERE = Path(__file__).parent
+STALE = 0.3  # seconds; a command that the kernel reads so late is of a key that may be up again
+MAP_PERIOD = 0.1  # seconds
+CELL = 0.05  # metres: of the map's obstacles
+JUMP = 0.5  # metres between two odometries: the robot has begun again elsewhere
+SCANNER = (
+    0.156,
+    math.pi / 2,
+)  # where the Kachaka's scanner stands on it: x in metres, and turned to the left
+
+
+def drive(robot, source=None, *, linear=0.3, angular=1.2, width=480, text=None, caption=None, alt=None):
+    """Shows what the robot sees, and drives it: arrow keys or W A S D, buttons, or a gamepad.
+
+    The keys work while the map beside the image has the focus: click on it, or reach it with Tab. The robot
+    drives only while a key, a button or a stick is held (Shift: at half the speed). It stops when the key is
+    released, and when the map loses the focus, the page is closed or the kernel is busy or gone. The map from
+    above shows the way by odometry, and what the laser scanner has seen, in the frame of the odometry.
+
+    Parameters
+    ----------
+    robot : Robot
+    source : what the image shows, as in `live_view`. If omitted: the topic of the robot's front camera.
+    linear, angular : m/s and rad/s of a held key; the robot's limits are 0.3 and 1.57
+    width : CSS pixels of the image
+    text, caption, alt : as in `live_view`
+
+    Returns
+    -------
+    DriveView : a LiveView; .stop() also stops the robot, .trace is the way so far
+
+    Raises
+    ------
+    ValueError : no Robot, or a speed that is not positive
+    """
+    if not all(hasattr(robot, name) for name in ("drive", "stop", "odometry")):
+        raise ValueError(f"drive needs a Robot, got {type(robot).__name__}: drive(Robot())")
+    for name, speed in (("linear", linear), ("angular", angular)):
+        if not (isinstance(speed, (int, float)) and math.isfinite(speed) and speed > 0):
+            raise ValueError(f"{name} must be a speed above 0, got {speed!r}")
+    caption, alt = split_text(text, caption, alt)
+    view = DriveView(robot, source, linear=linear, angular=angular, width=width, caption=caption, alt=alt)
+    view.start()
+    view.publish()
+    return view
+
+
+class DrivePad(anywidget.AnyWidget):
+    """The map and the buttons in the browser; it sends commands as long as a key is held."""
+
+    _esm = HERE / "drive.js"
+    _css = HERE / "drive.css"
+    linear = Float(0.3).tag(sync=True)
+    angular = Float(1.2).tag(sync=True)
+
+
+class DriveView(LiveView):
+    """The robot's image, and its controls; `drive` makes one and starts it.
+
+    Attributes
+    ----------
+    trace : list of (x, y) in metres, in the frame of the odometry
+    """
+
+    def __init__(self, robot, source, *, linear, angular, width, caption, alt):
+        self._robot = robot
+        self._pad = DrivePad(linear=float(linear), angular=float(angular))
+        self._pad.on_msg(self._on_message)
+        self._command, self._commanded = None, threading.Condition()
+        self._fastest = math.inf  # seconds from the browser's clock to ours, at best
+        self._map = _Map()
+        self._threads = []
+        super().__init__(
+            source or _front_camera(),
+            None,
+            encoding="bgr8",
+            width=width,
+            limits=None,
+            rate=None,
+            caption=caption,
+            alt=alt or "What the robot's camera sees",
+            ranges={},
+        )
+
+    def _make_widgets(self):
+        super()._make_widgets()
+        self._box = widgets.HBox([self._box, self._pad], layout=widgets.Layout(flex_flow="row wrap"))
+
+    @property
+    def trace(self):
+        return list(self._map.trace)
+
+    def start(self):
+        if self.running:
+            return
+        super().start()
+        for loop in (self._send_commands, self._draw_map):
+            self._threads.append(threading.Thread(target=loop, args=(self._stopping,), daemon=True))
+            self._threads[-1].start()
+
+    def stop(self):
+        super().stop()
+        with self._commanded:
+            self._commanded.notify_all()
+        for thread in self._threads:
+            if thread is not threading.current_thread():
+                thread.join(timeout=3)
+        self._threads.clear()
+        self._robot.stop()
+
+    def __repr__(self):
+        return f"Drive: {self._name}"
+
+    # ------------------------------------------------------------ commands
+
+    def _on_message(self, _, content, buffers):
+        kind = content.get("kind")
+        if kind == "hello":  # a page shows the pad: it needs all of the map
+            self._fastest = math.inf
+            self._map.begin_again()
+            return
+        delay = time.time() - content["time"]
+        self._fastest = min(self._fastest, delay)
+        if kind == "drive" and delay - self._fastest > STALE:
+            return
+        with self._commanded:
+            self._command = time.monotonic(), content["linear"], content["angular"]
+            self._commanded.notify_all()
+
+    def _send_commands(self, stopping):
+        """Sends each command of the browser once: without new ones the robot stops by itself."""
+        while not stopping.is_set():
+            with self._commanded:
+                self._commanded.wait_for(lambda: self._command or stopping.is_set())
+                command, self._command = self._command, None
+            if command is None or stopping.is_set():
+                continue
+            moment, linear, angular = command
+            if time.monotonic() - moment > STALE:
+                linear = angular = 0.0
+            try:
+                self._robot.drive(linear, angular)
+            except (RuntimeError, ValueError) as error:
+                self._say_error(str(error))
+
+    # ------------------------------------------------------------ the map
+
+    def _draw_map(self, stopping):
+        while not stopping.wait(MAP_PERIOD):
+            if self._hidden:
+                continue
+            try:
+                self._pad.send(self._map.update(self._robot.odometry, self._scan()))
+            except (RuntimeError, TimeoutError) as error:
+                if not stopping.is_set():
+                    self._say_error(str(error))
+
+    def _scan(self):
+        """The newest scan; None from a robot without a scanner."""
+        with contextlib.suppress(TimeoutError, AttributeError):
+            return self._robot.scan
+        return None
+
+    def _count_views(self, change):
+        super()._count_views(change)
+        if self._hidden:
+            self._robot.stop()
+
+
+def _front_camera():
+    from imgproc_course.ros.camera import TOPIC
+
+    return TOPIC
+
+
+class _Map:
+    """The way and the obstacles so far, and what of them the browser does not have yet."""
+
+    def __init__(self):
+        self.trace, self._cells = [], set()
+        self._sent, self._begins = (0, set()), True
+
+    def begin_again(self):
+        """The next update has everything. Any thread may call it."""
+        self._begins = True
+
+    def update(self, odometry, scan):
+        """The message for the browser.
+
+        Parameters
+        ----------
+        odometry : nav_msgs/Odometry
+        scan : sensor_msgs/LaserScan, or None
+
+        Returns
+        -------
+        dict : pose (x, y, yaw) and speed (linear, angular) now; trace and cells, those that are new; whether
+            it `begins` again
+        """
+        place, turn = odometry.pose.pose.position, odometry.pose.pose.orientation
+        x, y, yaw = place.x, place.y, 2 * math.atan2(turn.z, turn.w)
+        if self.trace and math.dist(self.trace[-1], (x, y)) > JUMP:
+            self.trace, self._cells = [], set()
+            self.begin_again()
+        if not self.trace or math.dist(self.trace[-1], (x, y)) > 0.01:
+            self.trace.append((x, y))
+        if scan is not None:
+            self._cells |= cells_of(scan, x, y, yaw)
+        if begins := self._begins:
+            self._sent, self._begins = (0, set()), False
+        count, cells = self._sent
+        new_cells = self._cells - cells
+        self._sent = len(self.trace), cells | new_cells
+        twist = odometry.twist.twist
+        return {
+            "pose": [round(v, 3) for v in (x, y, yaw)],
+            "speed": [round(twist.linear.x, 3), round(twist.angular.z, 3)],
+            "trace": [[round(u, 3), round(v, 3)] for u, v in self.trace[count:]],
+            "cells": [[round(i * CELL, 3), round(j * CELL, 3)] for i, j in sorted(new_cells)],
+            "begins": begins,
+        }
+
+
+def cells_of(scan, x, y, yaw):
+    """The cells {(i, j)} of the map in which a LaserScan of a robot at (x, y, yaw) has met something."""
+    ahead, turned = SCANNER
+    ranges = np.asarray(scan.ranges, float)
+    angles = yaw + turned + scan.angle_min + scan.angle_increment * np.arange(len(ranges))
+    valid = np.isfinite(ranges) & (ranges >= scan.range_min) & (ranges <= scan.range_max)
+    columns = x + ahead * math.cos(yaw) + ranges[valid] * np.cos(angles[valid])
+    rows = y + ahead * math.sin(yaw) + ranges[valid] * np.sin(angles[valid])
+    cells = np.floor(np.stack([columns, rows], -1) / CELL).astype(int)
+    return set(map(tuple, cells.tolist()))

@@ -1,0 +1,134 @@
+"""drive(robot) in a real browser, with the robot in the room: keys, buttons and a gamepad move it."""
+
+import re
+import textwrap
+
+import pytest
+from jupyter_page import write_notebook
+
+pytestmark = [pytest.mark.browser, pytest.mark.ros]
+
+CELLS = [
+    """
+    import time
+    from imgproc_course.display import drive
+    from imgproc_course.ros import Robot, open_camera
+
+    camera = open_camera("room")
+    robot = Robot()
+    """,
+    'view = drive(robot, caption="What the robot sees.")',
+    """
+    def still():
+        x, y, yaw = robot.pose
+        time.sleep(1)
+        return (x, y, yaw) == robot.pose
+
+    print(still(), len(view.trace) > 5, view._map._cells != set())
+    """,
+    'robot.restart(lighting="evening")',
+    "view.stop(); robot.close(); camera.stop()",
+]
+PAD = ".imgproc-drive"
+GAMEPAD = """axes => {
+    const gamepad = {axes, buttons: []};
+    navigator.getGamepads = () => [null, gamepad];
+}"""
+
+
+@pytest.fixture
+def page(lab, open_notebook):
+    write_notebook(lab[1] / "drive.ipynb", [textwrap.dedent(cell).strip() for cell in CELLS])
+    page = open_notebook("drive.ipynb")
+    for cell in (0, 1):
+        page.run_cell(cell)
+    assert page.errors() == []
+    page.wait_for_image()
+    page.wait_until(lambda: numbers(page))
+    yield page
+    page.run_cell(4)
+
+
+def numbers(page):
+    """x, y, degrees, m/s and rad/s that stand beside the map; () before the first odometry."""
+    text = page.page.locator(".imgproc-numbers").inner_text()
+    return tuple(float(number) for number in re.findall(r"-?\d+(?:\.\d+)?", text))
+
+
+def wait_for_stop(page):
+    page.wait_until(lambda: numbers(page)[3:] == (0, 0))
+
+
+def test_keys_buttons_and_gamepad_drive_while_they_are_held(page):
+    keyboard, pad = page.page.keyboard, page.page.locator(PAD)
+    assert page.page.locator(f"{PAD} .imgproc-state").inner_text() == "not driving: no focus"
+    pad.focus()
+    cells = page.page.locator(".jp-Cell").count()
+    for key, number, is_reached in (
+        ("ArrowUp", 0, lambda x: x > 0.3),
+        ("s", 0, lambda x: x < 0.1),
+        ("a", 2, lambda degrees: degrees > 20),
+        ("ArrowRight", 2, lambda degrees: degrees < 5),
+    ):
+        keyboard.down(key)
+        page.wait_until(lambda number=number, is_reached=is_reached: is_reached(numbers(page)[number]))
+        keyboard.up(key)
+        wait_for_stop(page)
+    assert page.page.locator(".jp-Cell").count() == cells  # A is no command of the notebook here
+    page.run_cell(2)
+    assert page.outputs(2) == ["True True True\n"]
+
+    page.page.locator(f"{PAD} button[data-name=left]").hover()
+    page.page.mouse.down()
+    page.wait_until(lambda: numbers(page)[2] > 20)
+    page.page.mouse.up()
+    wait_for_stop(page)
+    keyboard.press("Tab")  # from "left" to "stop", and to "right"
+    keyboard.press("Tab")
+    keyboard.down("Space")
+    page.wait_until(lambda: numbers(page)[2] < 5)
+    keyboard.up("Space")
+    wait_for_stop(page)
+
+    page.page.evaluate(GAMEPAD, [0.05, -0.5])  # forward; to the side is within the dead zone
+    page.wait_until(lambda: numbers(page)[3] > 0.1)
+    assert abs(numbers(page)[4]) < 0.1
+    page.page.evaluate(GAMEPAD, [0.0, 0.0])
+    wait_for_stop(page)
+
+
+def test_without_focus_or_page_the_robot_stops(page):
+    keyboard, pad = page.page.keyboard, page.page.locator(PAD)
+    pad.focus()
+    keyboard.down("d")
+    page.wait_until(lambda: numbers(page)[4] < -0.5)
+    pad.blur()
+    wait_for_stop(page)
+    pad.focus()  # the key is still down: it must be pressed again
+    page.page.wait_for_timeout(500)
+    assert numbers(page)[3:] == (0, 0)
+    keyboard.up("d")
+
+    keyboard.down("ArrowLeft")
+    page.wait_until(lambda: numbers(page)[4] > 0.5)
+    page.page.locator(PAD).evaluate("pad => pad.closest('.jp-Cell').remove()")  # no page shows it any more
+    keyboard.up("ArrowLeft")
+    page.run_cell(1)  # the cell after it, now the second
+    assert page.outputs(1)[-1].startswith("True")
+
+
+def test_everybody_can_read_and_use_it(page):
+    for lighting, theme in (("day", "Light"), ("evening", "Dark")):
+        page.set_theme(theme)
+        if lighting == "evening":
+            page.run_cell(3)
+        page.page.locator(PAD).focus()
+        page.page.keyboard.down("w")
+        page.page.keyboard.down("a")
+        page.wait_until(lambda: numbers(page)[2] > 30)
+        page.page.screenshot()
+        page.page.keyboard.up("w")
+        page.page.keyboard.up("a")
+        assert page.violations() == []
+        page.screenshot(f"drive_{lighting}_{theme}", PAD)
+    page.set_theme("Light")
