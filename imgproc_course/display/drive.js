@@ -182,7 +182,7 @@ function render({model, el}) {
         lastMap = performance.now();
         showMap(message);
         const [x, y, yaw] = message.pose, [linear, angular] = message.speed;
-        numbers.textContent = `x ${x.toFixed(2)} m, y ${y.toFixed(2)} m, ${Math.round(yaw * 180 / Math.PI)}°; `
+        numbers.textContent = `x ${x.toFixed(2)} m, y ${y.toFixed(2)} m, ${Math.round(yaw * 180 / Math.PI)}°\n`
             + `${linear.toFixed(2)} m/s, ${angular.toFixed(2)} rad/s`;
     };
     model.on("msg:custom", onMap);

@@ -1,6 +1,8 @@
 """Driving the robot by hand: its camera, a map from above, and keys, buttons or a gamepad."""
 
+import collections
 import contextlib
+import itertools
 import math
 import threading
 import time
@@ -18,7 +20,7 @@ HERE = Path(__file__).parent
 STALE = 0.3  # seconds; a command that the kernel reads so late is of a key that may be up again
 MAP_PERIOD = 0.1  # seconds
 CELL = 0.05  # metres: of the map's obstacles
-JUMP = 0.5  # metres between two odometries: the robot has begun again elsewhere
+FASTEST = 0.6  # m/s: what is farther from the last odometry is of a robot that has begun again
 SCANNER = (
     0.156,
     math.pi / 2,
@@ -79,7 +81,7 @@ class DriveView(LiveView):
     """
 
     def __init__(self, robot, source, *, linear, angular, width, caption, alt):
-        self._robot = robot
+        self._robot, self._width = robot, width
         self._pad = DrivePad(linear=float(linear), angular=float(angular))
         self._pad.on_msg(self._on_message)
         self._command, self._commanded = None, threading.Condition()
@@ -100,6 +102,7 @@ class DriveView(LiveView):
 
     def _make_widgets(self):
         super()._make_widgets()
+        self._box.layout.width = f"{self._width + 8}px"  # the texts above the image must not widen it
         self._box = widgets.HBox([self._box, self._pad], layout=widgets.Layout(flex_flow="row wrap"))
 
     @property
@@ -166,7 +169,8 @@ class DriveView(LiveView):
             if self._hidden:
                 continue
             try:
-                self._pad.send(self._map.update(self._robot.odometry, self._scan()))
+                scan = self._scan()  # first: it is drawn between two odometries
+                self._pad.send(self._map.update(self._robot.odometry, scan))
             except (RuntimeError, TimeoutError) as error:
                 if not stopping.is_set():
                     self._say_error(str(error))
@@ -194,6 +198,7 @@ class _Map:
 
     def __init__(self):
         self.trace, self._cells = [], set()
+        self._places = collections.deque(maxlen=20)  # (time, x, y, yaw): a scan is older than the odometry
         self._sent, self._begins = (0, set()), True
 
     def begin_again(self):
@@ -213,15 +218,11 @@ class _Map:
         dict : pose (x, y, yaw) and speed (linear, angular) now; trace and cells, those that are new; whether
             it `begins` again
         """
-        place, turn = odometry.pose.pose.position, odometry.pose.pose.orientation
-        x, y, yaw = place.x, place.y, 2 * math.atan2(turn.z, turn.w)
-        if self.trace and math.dist(self.trace[-1], (x, y)) > JUMP:
-            self.trace, self._cells = [], set()
-            self.begin_again()
+        x, y, yaw = self._follow(odometry)
         if not self.trace or math.dist(self.trace[-1], (x, y)) > 0.01:
             self.trace.append((x, y))
-        if scan is not None:
-            self._cells |= cells_of(scan, x, y, yaw)
+        if scan is not None and (place := self._place_at(seconds(scan.header.stamp))):
+            self._cells |= cells_of(scan, *place)
         if begins := self._begins:
             self._sent, self._begins = (0, set()), False
         count, cells = self._sent
@@ -235,6 +236,34 @@ class _Map:
             "cells": [[round(i * CELL, 3), round(j * CELL, 3)] for i, j in sorted(new_cells)],
             "begins": begins,
         }
+
+    def _follow(self, odometry):
+        """(x, y, yaw) of the odometry; what it cannot have reached since the last one begins a new map."""
+        moment, position = seconds(odometry.header.stamp), odometry.pose.pose.position
+        turn = odometry.pose.pose.orientation
+        place = position.x, position.y, 2 * math.atan2(turn.z, turn.w)
+        if self._places:
+            before, *last = self._places[-1]
+            is_far = math.dist(last[:2], place[:2]) > FASTEST * abs(moment - before) + CELL
+            if is_far or (not any(place) and any(last)):
+                self.trace, self._cells = [], set()
+                self._places.clear()
+                self.begin_again()
+        self._places.append((moment, *place))
+        return place
+
+    def _place_at(self, moment):
+        """(x, y, yaw) at a time, between two odometries; None if there are none around it."""
+        for (start, *first), (end, *second) in itertools.pairwise(self._places):
+            if start <= moment <= end and end > start:
+                share = (moment - start) / (end - start)
+                second[2] = first[2] + math.remainder(second[2] - first[2], 2 * math.pi)
+                return [a + share * (b - a) for a, b in zip(first, second, strict=True)]
+        return None
+
+
+def seconds(stamp):
+    return stamp.sec + stamp.nanosec / 1e9
 
 
 def cells_of(scan, x, y, yaw):

@@ -1,0 +1,130 @@
+"""The kernel's side of drive(robot), without a browser: which commands it sends, and the map it draws."""
+
+import math
+import threading
+import time
+
+import pytest
+
+pytestmark = pytest.mark.ros
+
+PATIENCE = 20
+
+
+class Commands:
+    """Replaces a Robot: it notes the commands."""
+
+    odometry = scan = None
+
+    def __init__(self):
+        self.received = []
+
+    def drive(self, linear, angular):
+        self.received.append((linear, angular))
+
+    def stop(self):
+        self.received.append("stop")
+
+
+@pytest.fixture
+def view(monkeypatch):
+    """A view without threads: what it would show does not matter here."""
+    from imgproc_course.display.drive import DriveView
+
+    view = DriveView(Commands(), "/camera", linear=0.3, angular=1.2, width=480, caption=None, alt=None)
+    stopping = threading.Event()
+    thread = threading.Thread(target=view._send_commands, args=(stopping,))
+    thread.start()
+    yield view
+    stopping.set()
+    view._on_message(None, {"kind": "stop", "linear": 0, "angular": 0, "time": time.time()}, [])
+    thread.join()
+
+
+def message(linear, delay=0.0, kind="drive"):
+    return {"kind": kind, "linear": linear, "angular": 0.0, "time": time.time() - 1000 - delay}
+
+
+def wait_for(view, count):
+    pause = threading.Event()
+    for _ in range(PATIENCE * 100):
+        if len(view._robot.received) >= count:
+            return view._robot.received
+        pause.wait(0.01)
+    raise AssertionError(f"{view._robot.received} within {PATIENCE} s")
+
+
+def test_commands_that_waited_for_a_busy_kernel_are_not_sent_but_a_stop_is(view):
+    view._on_message(None, message(0.3), [])  # the browser's clock may be wrong: here by 1000 s
+    wait_for(view, 1)
+    with view._commanded:  # so that the thread cannot take a command yet
+        view._on_message(None, message(0.2, delay=5.0), [])
+        assert view._command is None
+        view._on_message(None, message(0.0, delay=5.0, kind="stop"), [])
+    assert wait_for(view, 2) == [(0.3, 0.0), (0.0, 0.0)]
+
+
+def test_who_hides_the_view_stops_the_robot(view):
+    view._screen.image._view_count = 1
+    assert view._robot.received == []
+    view._screen.image._view_count = 0
+    assert view._robot.received == ["stop"]
+
+
+@pytest.mark.parametrize(
+    ("arguments", "error"),
+    [
+        (("/kachaka",), "drive needs a Robot, got str"),
+        ((Commands(), None, 0), "linear must be a speed above 0, got 0"),
+        ((Commands(), None, 0.3, math.nan), "angular must be a speed above 0, got nan"),
+    ],
+)
+def test_impossible_arguments(arguments, error):
+    from imgproc_course.display import drive
+
+    robot, source, *speeds = [*arguments, None][:2] + list(arguments[2:])
+    with pytest.raises(ValueError, match=error):
+        drive(robot, source, **dict(zip(("linear", "angular"), speeds, strict=False)))
+
+
+def odometry_at(moment, x, y, yaw):
+    from builtin_interfaces.msg import Time
+    from nav_msgs.msg import Odometry
+
+    msg = Odometry()
+    msg.header.stamp = Time(sec=int(moment), nanosec=round(moment % 1 * 1e9))
+    msg.pose.pose.position.x, msg.pose.pose.position.y = x, y
+    msg.pose.pose.orientation.z, msg.pose.pose.orientation.w = math.sin(yaw / 2), math.cos(yaw / 2)
+    return msg
+
+
+def scan_at(moment, ranges):
+    """A scan of the robot's: the first ray goes to its right, the others follow counterclockwise."""
+    from builtin_interfaces.msg import Time
+    from sensor_msgs.msg import LaserScan
+
+    msg = LaserScan(angle_min=-math.pi, angle_increment=math.pi / 2, range_min=0.05, range_max=8.0)
+    msg.header.stamp = Time(sec=int(moment), nanosec=round(moment % 1 * 1e9))
+    msg.ranges = ranges
+    return msg
+
+
+def test_a_scan_is_drawn_from_where_the_robot_was_when_it_was_taken():
+    from imgproc_course.display.drive import _Map
+
+    map_ = _Map()
+    first = map_.update(odometry_at(10.0, 1.0, 0.02, math.pi - 0.2), None)
+    assert (first["pose"], first["trace"], first["begins"]) == ([1.0, 0.02, 2.942], [[1.0, 0.02]], True)
+    # Half a second later it has turned on by 0.4; in the middle it looked to -x. Ahead, 2.03 m away: a wall.
+    inf = math.inf
+    second = map_.update(odometry_at(10.5, 1.0, 0.02, -math.pi + 0.2), scan_at(10.25, [inf, 2.03, inf, inf]))
+    assert second["cells"] == [[-1.2, 0.0]]  # x = 1 - 0.156 - 2.03
+    assert (second["begins"], second["trace"]) == (False, [])
+    assert map_.update(odometry_at(10.6, 1.02, 0.0, 0.0), None)["cells"] == []
+    map_.begin_again()  # another page opens
+    assert map_.update(odometry_at(10.7, 1.02, 0.0, 0.0), None)["cells"] == second["cells"]
+    for moment, place in ((10.8, (3.0, 0.0, 0.1)), (14.0, (3.1, 0.0, 0.1)), (20.0, (0.0, 0.0, 0.0))):
+        last = map_.update(odometry_at(moment, *place), None)
+        # Too far away, then near, then at zero: the robot has begun again.
+        assert (last["begins"], last["cells"]) == (place[0] != 3.1, [])
+        assert last["trace"] == [[*place[:2]]]
