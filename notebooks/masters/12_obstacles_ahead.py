@@ -1,0 +1,1549 @@
+# ---
+# jupyter:
+#   imgproc_course:
+#     title: Obstacles ahead
+#     minutes: 60
+# ---
+
+# %% [markdown]
+# # Obstacles ahead
+#
+# A robot that drives must know two things: what is in its way, and how far away it is. In this lesson you compute both from a depth image. At the end, a node of your own brakes before the robot bumps into something.
+#
+# **You will be able to**
+# - compute the ray of a pixel, and with the depth the point in the room that the pixel shows,
+# - find the floor among many points with RANSAC, and everything that stands on it,
+# - find the nearest obstacle in the way of the robot, and turn a depth image into a `LaserScan`,
+# - compute the time to collision from one camera, without depth,
+# - write a node that brakes in time, and measure how good it is.
+#
+# **Time** about 60 minutes, with a pause after section 4. **You need** [[drive_the_robot]] and [[arrays]]. Only the last section needs ROS 2.
+
+# %% role="given" exercise=["obstacles-ray", "obstacles-plane", "obstacles-inliers", "obstacles-nearest", "obstacles-ttc"]
+import math
+
+import numpy as np
+
+# %%
+import time
+
+from matplotlib.figure import Figure
+
+from imgproc_course.display import show, show_figure
+from imgproc_course.exercises import check, compare_guess, hint, solution
+from imgproc_course.geometry import CameraModel, Pose
+from imgproc_course.recording import open_recording
+from imgproc_course.ros import Robot, RosSession, open_camera, ros_available
+from imgproc_course.simulation import Simulation
+
+recording = open_recording("drive")
+
+# %%
+# The captions and alt texts of the figures
+figure_texts = {
+    "depth": (
+        "A frame of the recorded drive and its depth image: dark is near. The depth of the floor grows with each row upward.",
+        "Left, the living room in colour; right, the same in gray levels: dark floor in front, bright walls behind.",
+    ),
+    "height": (
+        "The height above the floor that was found, in metres. The floor is dark; what stands on it gets brighter upward.",
+        "The living room in colours of height: the floor is dark blue, the lower parts of ball, sofa, table and boxes are green, everything above half a metre is yellow.",
+    ),
+    "obstacles": (
+        "White: more than 3 cm above the floor. Left computed, right from the ground truth.",
+        "Two black and white images that look nearly the same: the floor is black, furniture and walls are white.",
+    ),
+    "phantom": (
+        "White: more than 3 cm above the floor. With the rays of the lens, the floor is free; without, there are phantom obstacles at its border.",
+        "Left, a black floor; right, the same with white bands in the lower corners of the image.",
+    ),
+    "scan": (
+        "The room from above: the scan that was computed from the depth image, and the scan of the robot's laser scanner.",
+        "Points from above: both scans show the same outlines of furniture and walls, the laser scanner on all sides, the depth image only ahead.",
+    ),
+    "boxes": (
+        "What the robot sees before it drives: cardboard boxes.",
+        "Cardboard boxes close in front of the camera, on a wooden floor.",
+    ),
+}
+
+# %% [markdown]
+# ## 1 · The depth image (4 minutes)
+#
+# You know the depth image from [[what_is_image_processing#4]]: for every second row and every second column of the frame, it has a distance in millimetres. This distance is the *[[term:depth]]* of a point: how far it is in front of the camera, measured straight ahead. 0 means: no depth.
+
+# %%
+frame = recording.frame(30)
+depth = recording.depth(30)
+z = depth / 1000  # metres
+print(depth.shape, depth.dtype, " from", z.min(), "to", z.max(), "m")
+show([frame[::2, ::2], depth], ["frame", "depth"], limits=(0, 5000),
+     text=figure_texts["depth"])
+
+# %%
+# Check: each pixel of this depth image has a depth
+assert depth.shape == (360, 640) and (depth > 0).all()
+
+# %% [markdown]
+# **On the real robot** there is no such topic: `/kachaka/front_camera/depth` belongs to this course. The depth camera of a Kachaka (`/kachaka/tof_camera/image_raw`) looks up and does not see the floor. There you use the laser scanner, `/kachaka/lidar/scan`; sections 6 and 8 show how. Many other robots have a depth camera like ours.
+#
+# ## 2 · The ray of a pixel (11 minutes)
+#
+# A pixel and its depth are not yet a place in the room. For this you need the *[[term:ray]]* of the pixel: the line from the camera on which everything lies that this pixel shows. We describe a ray by its point (x, y, 1), at a depth of 1 m: x metres to the **right** and y metres **down**. The point at the depth z is then (x · z, y · z, z).
+#
+# The camera's message `camera_info` has what we need: the focal length `f` and the principal point, both in pixels. The depth image has half the size, so all three are halved.
+
+# %%
+info = recording.camera_info
+camera = CameraModel(info.width, info.height, info.k[0], info.k[4],
+                     info.k[2], info.k[5], tuple(info.d)).every(2)
+f, center = float(camera.fx), (float(camera.cx), float(camera.cy))
+k1, k2 = info.d[0], info.d[1]
+print("f", f, "  center", center, "  k1", k1, " k2", k2)
+
+# %% [markdown]
+# Without a lens (a *pinhole camera*), the ray is simple: a pixel that is f columns to the right of the principal point has x = 1. So x = (col − center col) / f, and y = (row − center row) / f.
+#
+# A lens bends the image: this is the [[term:distortion]]. In our image, every point is nearer to the middle than a pinhole camera would show it. The usual model says: a ray (x, y) appears at (x · factor, y · factor), with
+#
+# $$\text{factor} = 1 + k_1 r^2 + k_2 r^4, \qquad r^2 = x^2 + y^2$$
+#
+# We need the other direction: we know where the ray appears, and look for x and y. There is no simple formula, but a simple trick: guess, and improve the guess. Begin with the pinhole ray, compute the factor, and divide the pinhole ray by it. This gives a better guess. Repeat this. Here for the pixel in the upper left corner:
+
+# %%
+col, row = 0, 0
+pinhole_x, pinhole_y = (col - center[0]) / f, (row - center[1]) / f
+x, y = pinhole_x, pinhole_y
+for _ in range(4):
+    r2 = x * x + y * y
+    factor = 1 + k1 * r2 + k2 * r2 * r2
+    x, y = pinhole_x / factor, pinhole_y / factor
+    print("factor", round(factor, 3), "  x", round(x, 3), "  y", round(y, 3))
+
+# %% [markdown]
+# After 20 repetitions, x and y do not change any more. **Predict**: at a depth of 3 m, how many centimetres are between the point on the pinhole ray and the point on the right ray of this corner?
+
+# %% role="predict"
+guess_corner = None  # your guess: how many centimetres?
+
+# %%
+for _ in range(20):
+    r2 = x * x + y * y
+    factor = 1 + k1 * r2 + k2 * r2 * r2
+    x, y = pinhole_x / factor, pinhole_y / factor
+difference = 3 * math.hypot(x - pinhole_x, y - pinhole_y)
+print("pinhole", round(pinhole_x, 3), round(pinhole_y, 3))
+print("lens   ", round(x, 3), round(y, 3))
+compare_guess(guess_corner, round(100 * difference), "cm")
+
+# %%
+# Check: the numbers in this section; the ray of the course's camera has two more numbers of the lens
+ray = camera.rays()[0, 0]
+assert round(100 * difference) == 70 and abs(x - ray[0]) < 0.002 and abs(y - ray[1]) < 0.002
+assert (camera.fx, camera.cx, camera.cy) == (352.5, 319.75, 179.75)
+
+# %% [markdown]
+# The points are 70 cm apart! Section 5 shows what a robot does with such an error.
+#
+# ### Your turn: the ray of a pixel
+#
+# Write `pixel_ray(col, row, f, center, k1, k2)`, with 20 repetitions. `math` and `np` are imported for you.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `col`, `row`: numbers, the pixel; `f`: float, the focal length in pixels; `center`: two floats, column and row of the principal point; `k1`, `k2`: floats, the distortion | two floats, `x` and `y` of the ray at depth 1 | `pixel_ray(0, 0, 352.5, (319.75, 179.75), -0.17, 0.035)` returns about `-1.111, -0.625` |
+
+# %% role="exercise"
+exercise(
+    "obstacles-ray",
+    title="The ray of a pixel",
+    function="pixel_ray",
+    tolerance=1e-5,
+    hint="Divide the pinhole ray by the factor 1 + k1 * r2 + k2 * r2 * r2, 20 times; each time, compute r2 from the newest x and y.",
+    hints=(
+        "Which part of the code in this section depends on the newest guess, and which part never changes?",
+        "1. The pinhole ray: column minus the column of the center, divided by f; the same for the row.\n"
+        "2. Begin with x and y of the pinhole ray.\n"
+        "3. Repeat 20 times: r2 = x * x + y * y, then the factor, then divide the pinhole ray by the factor.\n"
+        "4. Return x and y.",
+        "pinhole_x, pinhole_y = (col - center[0]) / f, (row - ...) / f\nx, y = pinhole_x, pinhole_y\n"
+        "for _ in range(20):\n    r2 = ...\n    factor = 1 + k1 * r2 + k2 * ...\n    x, y = pinhole_x / factor, ...\nreturn x, y",
+    ),
+    explanation="The right x and y satisfy x * factor = pinhole_x, where the factor depends on x and y. Each repetition"
+    " uses the factor of the last guess; as the factor changes only a little, the guess comes quickly closer to the"
+    " right values. OpenCV's undistortPoints does the same, with more numbers of the lens.",
+    another_way="You can also write it with NumPy: ray = (np.array([col, row]) - center) / f, and r2 = (guess**2).sum().",
+)
+
+
+def steps_of(col, row, f, center, k1, k2, factor_of=None, count=20):
+    """The ray with another factor."""
+    px, py = (col - center[0]) / f, (row - center[1]) / f
+    x, y = px, py
+    for _ in range(count):
+        r2 = x * x + y * y
+        factor = factor_of(r2) if factor_of else 1 + k1 * r2 + k2 * r2 * r2
+        x, y = px / factor, py / factor
+    return x, y
+
+
+# %% role="answer"
+def pixel_ray(col, row, f, center, k1, k2):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def pixel_ray(col, row, f, center, k1, k2):
+    pinhole_x, pinhole_y = (col - center[0]) / f, (row - center[1]) / f
+    x, y = pinhole_x, pinhole_y
+    for _ in range(20):
+        r2 = x * x + y * y
+        factor = 1 + k1 * r2 + k2 * r2 * r2
+        x, y = pinhole_x / factor, pinhole_y / factor
+    return x, y
+
+
+# %% role="check"
+check("obstacles-ray", pixel_ray)
+
+
+# %% role="case" title="the camera of the drive" points=1
+def inputs(rng):
+    center = (319.75, 179.75)
+    return [
+        (0, 0, 352.5, center, -0.17, 0.035),
+        (int(rng.integers(500, 640)), int(rng.integers(0, 80)), 352.5, center, -0.17, 0.035),
+    ]
+
+
+# %% role="case" title="another camera" points=1 hint="Do you use all the arguments, and no number of the example?"
+def inputs(rng):
+    return [
+        (int(rng.integers(0, 60)), int(rng.integers(380, 480)), round(rng.uniform(380, 450), 1), (310.0, 250.5), -0.2, 0.06),
+        (int(rng.integers(560, 640)), int(rng.integers(300, 480)), round(rng.uniform(380, 450), 1), (330.0, 230.0), -0.12, -0.03),
+    ]
+
+
+# %% role="hidden" title="any pixel and any camera" points=1 hint="Is r2 computed again in each repetition, from the newest x and y?"
+def inputs(rng):
+    return [
+        (
+            int(rng.integers(0, 640)),
+            int(rng.integers(0, 480)),
+            round(rng.uniform(400, 600), 1),
+            (round(rng.uniform(300, 340), 1), round(rng.uniform(220, 260), 1)),
+            round(rng.uniform(-0.2, -0.05), 3),
+            round(rng.uniform(0.02, 0.06), 3),
+        )
+        for _ in range(4)
+    ]
+
+
+# %% role="mistake" name="pinhole" says="This is the ray of a pinhole camera: the distortion (k1 and k2) is not used. Divide by the factor 1 + k1 * r2 + k2 * r2 * r2, 20 times."
+def pixel_ray(col, row, f, center, k1, k2):
+    return steps_of(col, row, f, center, k1, k2, count=0)
+
+
+# %% role="mistake" name="one repetition" says="This is the result after one repetition. Repeat 20 times, and compute r2 and the factor again in each repetition, from the newest x and y."
+def pixel_ray(col, row, f, center, k1, k2):
+    return steps_of(col, row, f, center, k1, k2, count=1)
+
+
+# %% role="mistake" name="four repetitions" says="This is the result after four repetitions, as in the example. The task asks for 20: range(20)."
+def pixel_ray(col, row, f, center, k1, k2):
+    return steps_of(col, row, f, center, k1, k2, count=4)
+
+
+# %% role="mistake" name="multiplied by the factor" says="You multiplied by the factor, as the lens does. Here the way is the other one: divide by the factor."
+def pixel_ray(col, row, f, center, k1, k2):
+    return steps_of(col, row, f, center, k1, k2, lambda r2: 1 / (1 + k1 * r2 + k2 * r2 * r2))
+
+
+# %% role="mistake" name="multiplied once" says="You multiplied the pinhole ray by the factor once: this is what the lens does to a ray. Here the way is the other one: divide by the factor, and repeat this 20 times."
+def pixel_ray(col, row, f, center, k1, k2):
+    return steps_of(col, row, f, center, k1, k2, lambda r2: 1 / (1 + k1 * r2 + k2 * r2 * r2), 1)
+
+
+# %% role="mistake" name="the guess divided again" says="You divided the last guess by the factor (x = x / factor), so all factors come together. In each repetition, divide the pinhole ray."
+def pixel_ray(col, row, f, center, k1, k2):
+    x, y = steps_of(col, row, f, center, k1, k2, count=0)
+    for _ in range(20):
+        r2 = x * x + y * y
+        factor = 1 + k1 * r2 + k2 * r2 * r2
+        x, y = x / factor, y / factor
+    return x, y
+
+
+# %% role="mistake" name="r instead of r squared" says="You used r, the square root, in place of r2. The formula has r squared: r2 = x * x + y * y, without a root."
+def pixel_ray(col, row, f, center, k1, k2):
+    return steps_of(col, row, f, center, k1, k2, lambda r2: 1 + k1 * r2**0.5 + k2 * r2)
+
+
+# %% role="mistake" name="k2 with r squared" says="k2 belongs to r to the power of 4, which is r2 * r2. You multiplied it by r2 only."
+def pixel_ray(col, row, f, center, k1, k2):
+    return steps_of(col, row, f, center, k1, k2, lambda r2: 1 + k1 * r2 + k2 * r2)
+
+
+# %% role="mistake" name="r to the power of 8" says="r2 is r squared already: r to the power of 4 is r2 ** 2, and k1 belongs to r2 itself."
+def pixel_ray(col, row, f, center, k1, k2):
+    return steps_of(col, row, f, center, k1, k2, lambda r2: 1 + k1 * r2**2 + k2 * r2**4)
+
+
+# %% role="mistake" name="k2 with the power of 8" says="k2 belongs to r to the power of 4. As r2 is r squared already, that is r2 ** 2, not r2 ** 4."
+def pixel_ray(col, row, f, center, k1, k2):
+    return steps_of(col, row, f, center, k1, k2, lambda r2: 1 + k1 * r2 + k2 * r2**4)
+
+
+# %% role="mistake" name="k1 and k2 exchanged" says="k1 and k2 are exchanged: k1 belongs to r2, and k2 to r2 * r2."
+def pixel_ray(col, row, f, center, k1, k2):
+    return steps_of(col, row, f, center, k2, k1)
+
+
+# %% role="mistake" name="without k2" says="k2 is missing: the factor is 1 + k1 * r2 + k2 * r2 * r2."
+def pixel_ray(col, row, f, center, k1, k2):
+    return steps_of(col, row, f, center, k1, 0.0)
+
+
+# %% role="mistake" name="minus in the factor" says="The signs in the factor are wrong. It is 1 + k1 * r2 + k2 * r2 * r2; k1 itself is negative."
+def pixel_ray(col, row, f, center, k1, k2):
+    return steps_of(col, row, f, center, -k1, -k2)
+
+
+# %% role="mistake" name="column and row exchanged" says="Column and row are exchanged: x comes from the column, and y from the row."
+def pixel_ray(col, row, f, center, k1, k2):
+    return solution(row, col, f, center, k1, k2)
+
+
+# %% role="mistake" name="center exchanged" says="The two numbers of center are exchanged: center[0] is the column, and center[1] is the row."
+def pixel_ray(col, row, f, center, k1, k2):
+    return solution(col, row, f, center[::-1], k1, k2)
+
+
+# %% role="mistake" name="x and y exchanged" says="x and y are in the wrong order: return x first."
+def pixel_ray(col, row, f, center, k1, k2):
+    return solution(col, row, f, center, k1, k2)[::-1]
+
+
+# %% role="mistake" name="without the center" says="The principal point is not subtracted: columns and rows are counted from the corner, and rays from the principal point. Begin with (col - center[0]) / f."
+def pixel_ray(col, row, f, center, k1, k2):
+    return solution(col, row, f, (0, 0), k1, k2)
+
+
+# %% role="mistake" name="center minus pixel" says="The signs are exchanged: subtract the principal point from the pixel, (col - center[0]) / f, so that x grows to the right and y downward."
+def pixel_ray(col, row, f, center, k1, k2):
+    x, y = solution(col, row, f, center, k1, k2)
+    return -x, -y
+
+
+# %% [markdown]
+# The course's camera has the rays of all pixels: `camera.rays()`. It also uses three more numbers of the lens, which move no pixel of the depth image by more than one pixel. With one multiplication, every pixel becomes a point:
+
+# %%
+rays = camera.rays()  # (360, 640, 3): x, y, 1
+points = rays * z[:, :, np.newaxis]  # metres: right, down, ahead
+print(rays.shape, points.shape, points.dtype)
+print("the point of pixel (250, 400):", points[250, 400].round(2))
+
+# %%
+# Check: two ways to the same ray, and the three more numbers
+grid_rows, grid_cols = np.mgrid[:360, :640]
+own_x, own_y = start_rays = (grid_cols - 319.75) / 352.5, (grid_rows - 179.75) / 352.5
+for _ in range(20):
+    squared = own_x**2 + own_y**2
+    factors = 1 + k1 * squared + k2 * squared**2
+    own_x, own_y = start_rays[0] / factors, start_rays[1] / factors
+moved = camera.project(np.dstack([own_x, own_y, np.ones((360, 640))])) - np.dstack([grid_cols, grid_rows])
+assert np.hypot(moved[..., 0], moved[..., 1]).max() < 1
+
+# %% [markdown]
+# ## 3 · A plane of three points (9 minutes)
+#
+# The floor is a *[[term:plane]]*. Three points that are not on one line lie on exactly one plane. How do we compute it?
+#
+# NumPy's `np.cross(u, v)` is the *[[term:cross product]]* of two vectors: a vector that is perpendicular to both. Take two directions on the floor, one to the right and one ahead:
+
+# %%
+right, ahead = np.array([1.0, 0, 0]), np.array([0, 0, 1.0])
+print(np.cross(right, ahead))
+print(np.cross(ahead, right))
+
+# %% [markdown]
+# The first result is (0, −1, 0). It points **up**, because y points down. (The order matters: the second result points down.) A vector that is perpendicular to a plane and 1 long is called the *[[term:normal]]* of the plane.
+#
+# From three points a, b, c we get two directions in the plane: b − a and c − a. Their cross product is perpendicular to the plane; divide it by its length, and if it points down (its y is positive), turn it round. The height of a point p above the plane is then `normal @ p + offset`, where the *offset* is chosen so that a has the height 0. (`@` multiplies the numbers of two vectors in pairs and adds up the products: the *dot product*.) **Predict** the offset for a floor that is 0.2 m below the camera.
+
+# %% role="predict"
+guess_offset = None  # your guess: which number?
+
+# %%
+a, b, c = np.array([[0.0, 0.2, 1.0], [1.0, 0.2, 1.0], [0.0, 0.2, 2.0]])
+normal = np.cross(b - a, c - a)
+normal = normal / np.linalg.norm(normal)  # its length becomes 1
+if normal[1] > 0:
+    normal = -normal
+offset = -(normal @ a)
+print("normal", normal)
+compare_guess(guess_offset, round(float(offset), 2))
+
+# %% [markdown]
+# The offset is 0.2: it is the height of the camera above the plane, because the camera itself is the point (0, 0, 0).
+
+# %%
+# Check: the numbers in this section
+assert np.cross(right, ahead).tolist() == [0, -1, 0] and np.cross(ahead, right).tolist() == [0, 1, 0]
+assert normal.tolist() == [0, -1, 0] and offset == 0.2
+
+# %% [markdown]
+# ### Your turn: the plane of three points
+#
+# Write `plane_of(a, b, c)`. The points do not lie on one line.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `a`, `b`, `c`: arrays of three floats, metres: right, down, ahead | two values: the normal, an array of three floats that is 1 long and points up (its y is negative), and the offset, a float in metres | `plane_of(a, b, c)` with the points above returns `[0, -1, 0]` and `0.2` |
+
+# %% role="exercise"
+exercise(
+    "obstacles-plane",
+    title="The plane of three points",
+    function="plane_of",
+    tolerance=1e-6,
+    hint="The normal is the cross product of b - a and c - a, divided by its length and turned up; the offset is -(normal @ a).",
+    hints=(
+        "Which two directions lie in the plane, and which vector is perpendicular to both?",
+        "1. The cross product of b - a and c - a.\n"
+        "2. Divide it by its length: np.linalg.norm.\n"
+        "3. If its y, normal[1], is positive, take the opposite vector.\n"
+        "4. The offset: minus the dot product of the normal and a. Compute it after step 3.",
+        "normal = np.cross(b - a, ...)\nnormal = normal / np.linalg.norm(...)\nif normal[1] > 0:\n    normal = ...\n"
+        "return normal, -(normal @ ...)",
+    ),
+    explanation="The cross product is perpendicular to both directions, so it is perpendicular to the whole plane. Divided by"
+    " its length, normal @ p measures metres along the normal. All points of the plane have the same value there, that of"
+    " a, so the offset -(normal @ a) makes it 0. The sign is chosen at the end, so that heights above the floor are"
+    " positive.",
+    another_way="You can also write normal *= -np.sign(normal[1]), or compute the offset from b or c.",
+)
+
+
+def normal_of(a, b, c):
+    normal = np.cross(b - a, c - a)
+    return normal / np.linalg.norm(normal)
+
+
+# %% role="answer"
+def plane_of(a, b, c):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def plane_of(a, b, c):
+    normal = np.cross(b - a, c - a)
+    normal = normal / np.linalg.norm(normal)
+    if normal[1] > 0:
+        normal = -normal
+    return normal, float(-(normal @ a))
+
+
+# %% role="check"
+check("obstacles-plane", plane_of)
+
+
+# %% role="case" title="a floor that is not level" points=1
+def inputs(rng):
+    shift = rng.uniform((-1, 0.15, 0.5), (1, 0.35, 3)).round(3)
+    right, ahead = np.array([0.8, 0.1, 0.2]), np.array([-0.1, -0.15, 0.9])
+    down = np.array([0.1, 0.2, 0.9])
+    return [(shift, shift + right, shift + ahead), (shift, shift + 0.5 * right, shift + 2 * down)]
+
+
+# %% role="case" title="the points in another order" points=1 hint="The normal must point up: its y must be negative. If it is positive, take the opposite vector, before you compute the offset."
+def inputs(rng):
+    shift = rng.uniform((-1, 0.15, 0.5), (1, 0.35, 3)).round(3)
+    right, ahead = np.array([0.9, -0.2, 0.1]), np.array([0.3, 0.2, 1.1])
+    return [(shift, shift + ahead, shift + right), (shift + right, shift, shift + ahead)]
+
+
+# %% role="hidden" title="any three points" points=1 hint="Is the normal 1 long, does it point up, and has a the height 0?"
+def inputs(rng):
+    right, ahead = np.array([0.7, 0.2, -0.1]), np.array([0.2, -0.1, 0.8])
+    starts = rng.uniform((-1, 0.1, 0.5), (1, 0.5, 3), (4, 3)).round(3)
+    return [(s, s + ahead, s + right) if k % 2 else (s, s + right, s + ahead) for k, s in enumerate(starts)]
+
+
+# %% role="mistake" name="not 1 long" says="Your normal is not 1 long. Divide the cross product by its length, np.linalg.norm(normal); otherwise heights are not in metres."
+def plane_of(a, b, c):
+    normal = np.cross(b - a, c - a)
+    normal = -normal if normal[1] > 0 else normal
+    return normal, float(-(normal @ a))
+
+
+# %% role="mistake" name="not turned up" says="With some points your normal points down. If normal[1] is positive, take the opposite vector."
+def plane_of(a, b, c):
+    normal = normal_of(a, b, c)
+    return normal, float(-(normal @ a))
+
+
+# %% role="mistake" name="turned down" says="Your normal points down: y grows downward, so the y of a vector that points up is negative. Turn it if normal[1] > 0."
+def plane_of(a, b, c):
+    normal, offset = solution(a, b, c)
+    return -normal, -offset
+
+
+# %% role="mistake" name="offset before the turn" says="The normal is right, but the offset has the wrong sign with some points: you computed it before you turned the normal. Compute it from the final normal."
+def plane_of(a, b, c):
+    offset = float(-(normal_of(a, b, c) @ a))
+    return solution(a, b, c)[0], offset
+
+
+# %% role="mistake" name="offset without minus" says="The normal is right, but the offset has the wrong sign: a must get the height 0, so the offset is -(normal @ a)."
+def plane_of(a, b, c):
+    normal, offset = solution(a, b, c)
+    return normal, -offset
+
+
+# %% role="mistake" name="cross product of the points" says="You took the cross product of points. Take it of two directions in the plane: b - a and c - a."
+def plane_of(a, b, c):
+    normal = np.cross(b, c)
+    normal = normal / np.linalg.norm(normal)
+    normal = -normal if normal[1] > 0 else normal
+    return normal, float(-(normal @ a))
+
+
+# %% role="mistake" name="cross product of two points" says="You took the cross product of points. Take it of two directions in the plane: b - a and c - a."
+def plane_of(a, b, c):
+    normal = np.cross(a, b)
+    normal = normal / np.linalg.norm(normal)
+    normal = -normal if normal[1] > 0 else normal
+    return normal, float(-(normal @ a))
+
+
+# %% role="mistake" name="one direction is a point" says="One of your two vectors is a point, and not a direction in the plane. Both must be differences of points: b - a and c - a."
+def plane_of(a, b, c):
+    normal = np.cross(b - a, c)
+    normal = normal / np.linalg.norm(normal)
+    normal = -normal if normal[1] > 0 else normal
+    return normal, float(-(normal @ a))
+
+
+# %% role="mistake" name="divided by the sum" says="You divided by the sum of the three numbers. The length is the root of the sum of their squares: np.linalg.norm(normal)."
+def plane_of(a, b, c):
+    normal = np.cross(b - a, c - a)
+    normal = normal / np.abs(normal).sum()
+    normal = -normal if normal[1] > 0 else normal
+    return normal, float(-(normal @ a))
+
+
+# %% role="mistake" name="divided by the largest" says="You divided by the largest number of the vector. Divide by its length: np.linalg.norm(normal)."
+def plane_of(a, b, c):
+    normal = np.cross(b - a, c - a)
+    normal = normal / np.abs(normal).max()
+    normal = -normal if normal[1] > 0 else normal
+    return normal, float(-(normal @ a))
+
+
+# %% role="mistake" name="length without the root" says="You divided by the sum of the squares. The length is its square root: np.linalg.norm(normal)."
+def plane_of(a, b, c):
+    normal = np.cross(b - a, c - a)
+    normal = normal / (normal @ normal)
+    normal = -normal if normal[1] > 0 else normal
+    return normal, float(-(normal @ a))
+
+
+# %% role="mistake" name="offset 0" says="Your offset is 0. It must give the point a the height 0: -(normal @ a)."
+def plane_of(a, b, c):
+    return solution(a, b, c)[0], 0.0
+
+
+# %% role="mistake" name="offset is the distance of a" says="Your offset is how far the point a is from the camera. The offset is measured along the normal: -(normal @ a)."
+def plane_of(a, b, c):
+    return solution(a, b, c)[0], float(np.linalg.norm(a))
+
+
+# %% role="mistake" name="offset is the y of a" says="Your offset is the y of a point. This is right for a level floor only; in general it is -(normal @ a)."
+def plane_of(a, b, c):
+    return solution(a, b, c)[0], float(a[1])
+
+
+# %% role="mistake" name="all signs made negative" says="You changed the signs of single numbers, as with abs. Turn the whole vector: normal = -normal."
+def plane_of(a, b, c):
+    normal = -np.abs(normal_of(a, b, c))
+    return normal, float(-(normal @ a))
+
+
+# %% role="mistake" name="only y made negative" says="You changed the sign of y alone, so the vector is no longer perpendicular to the plane. Turn the whole vector: normal = -normal."
+def plane_of(a, b, c):
+    normal = normal_of(a, b, c)
+    normal[1] = -abs(normal[1])
+    return normal, float(-(normal @ a))
+
+
+# %% role="mistake" name="offset of three numbers" says="Your offset has three numbers: normal * a is element-wise. The offset is one number, minus the dot product: -(normal @ a)."
+def plane_of(a, b, c):
+    normal = solution(a, b, c)[0]
+    return normal, -(normal * a)
+
+
+# %% role="mistake" name="dot product of the directions" says="np.dot (or @) gives one number. The vector that is perpendicular to both directions is their cross product: np.cross(b - a, c - a)."
+def plane_of(a, b, c):
+    normal = np.dot(b - a, c - a)
+    normal = normal / np.linalg.norm(normal)
+    return normal if normal[1] < 0 else -normal
+
+
+# %% role="mistake" name="rounded to two digits" says="The numbers are rounded. Return the exact numbers, and leave round out."
+def plane_of(a, b, c):
+    normal, offset = solution(a, b, c)
+    return normal.round(2), round(offset, 2)
+
+
+# %% role="mistake" name="turned by z" says="You looked at normal[2] (ahead) to decide whether the normal points up. Look at its y, normal[1]."
+def plane_of(a, b, c):
+    normal = normal_of(a, b, c)
+    normal = -normal if normal[2] > 0 else normal
+    return normal, float(-(normal @ a))
+
+
+# %% [markdown]
+# ## 4 · RANSAC: which points are the floor? (10 minutes)
+#
+# A depth image has 230,400 points; we use every fourth row and column. Most of them are walls and furniture. A plane through the middle of *all* points is useless:
+
+# %%
+many = points[::4, ::4].reshape(-1, 3)
+unknowns = np.column_stack([many[:, 0], many[:, 2], np.ones(len(many))])
+slope_x, slope_z, height = np.linalg.lstsq(unknowns, many[:, 1])[0]
+print(len(many), "points")
+print("camera", round(float(height), 2), "m above this plane")
+print("the plane rises by", round(float(-slope_z), 2), "m per metre")
+
+# %% [markdown]
+# The true camera is 0.20 m above a level floor. (`np.linalg.lstsq` finds the plane with the smallest squared errors of all points; each point that is not the floor pulls at it.)
+#
+# *[[term:RANSAC]]* (random sample consensus) does something else. It does not mix: it **draws three points at random**, computes their plane, and counts how many points are near this plane, its *[[term:inlier|inliers]]*. It repeats this 100 times, and keeps the plane with the most inliers. If at least one of the 100 draws had three points of the floor, this plane wins, because so many points are floor.
+#
+# 36 % of our points are floor. **Predict** in how many of 100 draws all three points are floor. (One after the other: 0.36 · 0.36 · 0.36.)
+
+# %% role="predict"
+guess_draws = None  # your guess: in how many of 100 draws?
+
+# %%
+labels = recording.labels(30)[::2, ::2]
+is_floor = labels[::4, ::4].ravel() == 1
+share = is_floor.mean()
+print("floor:", round(100 * share), "%")
+compare_guess(guess_draws, round(100 * share**3))
+
+# %% tags=["long"]
+def plane_through(a, b, c):
+    normal = np.cross(b - a, c - a)
+    normal = normal / np.linalg.norm(normal)
+    if normal[1] > 0:
+        normal = -normal
+    return normal, -(normal @ a)
+
+
+def find_floor(points, seed, draws=100):
+    rng = np.random.default_rng(seed)
+    most = 0
+    for _ in range(draws):
+        numbers = rng.choice(len(points), 3, replace=False)
+        normal, offset = plane_through(*points[numbers])
+        near = np.abs(points @ normal + offset) < 0.02  # metres
+        if near.sum() > most:
+            most, best = near.sum(), (normal, offset, near)
+    return best
+
+# %%
+normal, offset, near = find_floor(many, seed=0)
+tilt = math.degrees(math.acos(-normal[1]))
+print("inliers:", round(100 * near.mean()), "%")
+print("camera", round(float(offset), 3), "m above the floor")
+print("tilt", round(tilt, 1), "degrees")
+
+# %% [markdown]
+# About five of 100 draws are enough. The camera is 0.200 m above the floor, and the floor is level to 0.1 degrees. There are more inliers (43 %) than points of the floor, because the rug lies on it, and is only 12 mm high.
+
+# %%
+# Check: the numbers in this section, against the truth
+assert len(many) == 14400 and depth.size == 230_400
+assert round(float(height), 2) == 0.43 and round(float(-slope_z), 2) == 0.36
+assert round(100 * share) == 36 and round(100 * share**3) == 5 and round(100 * near.mean()) == 43
+pose = Pose.from_vector(recording.pose("camera", 30))
+true_normal = pose.rotation[2]
+assert abs(offset - 0.2) < 0.0004 and abs(pose.position[2] - offset) < 0.001
+assert math.degrees(math.acos(min(1.0, normal @ true_normal))) < 0.1 and round(tilt, 1) == 0.1
+
+# %% [markdown]
+# scikit-image has RANSAC too, for any model that has these two methods. With the same seed it draws the same points, and it finds the same inliers:
+
+# %%
+from skimage.measure import ransac
+
+
+class Plane:
+    @classmethod
+    def from_estimate(cls, points):
+        plane = cls()
+        plane.normal, plane.offset = plane_through(*points[:3])
+        return plane
+
+    def residuals(self, points):
+        return points @ self.normal + self.offset
+
+# %%
+_, near_skimage = ransac(many, Plane, min_samples=3, residual_threshold=0.02,
+                         max_trials=100, stop_probability=1, rng=0)
+print("points in which both differ:", (near != near_skimage).sum())
+
+# %%
+# Check: both find the same inliers
+assert (near == near_skimage).all()
+
+# %% [markdown]
+# ### Your turn: the inliers
+#
+# Write `inliers(points, normal, offset, tolerance)`: which points are near the plane?
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `points`: (N, 3) float; `normal`: array of three floats, 1 long; `offset`: float; `tolerance`: float, all in metres | (N,) bool: True for each point whose distance from the plane, on either side, is less than `tolerance` | `inliers(many, normal, offset, 0.02).sum()` |
+#
+# The result must be bool: it selects points.
+
+# %% role="exercise"
+exercise(
+    "obstacles-inliers",
+    title="The inliers of a plane",
+    function="inliers",
+    hint="The height of each point is points @ normal + offset; its absolute value must be less than tolerance.",
+    hints=(
+        "What is the height of all points above the plane, in one line? And which points below the plane are near it?",
+        "1. The heights of all points: points @ normal + offset.\n"
+        "2. Their absolute values: np.abs.\n"
+        "3. Compare with the tolerance: this gives True or False for each point.",
+        "heights = points @ ... + ...\nreturn np.abs(...) < ...",
+    ),
+    explanation="points @ normal is the dot product of each row of points with the normal, so one line gives all heights."
+    " A point below the plane has a negative height, so np.abs is needed. The comparison is element-wise, and its result is"
+    " a mask, which selects the inliers: points[mask].",
+    another_way="You can also write ((points * normal).sum(axis=1) + offset) ** 2 < tolerance ** 2.",
+)
+
+
+def heights_of(points, normal, offset):
+    return points @ normal + offset
+
+
+def cloud(rng, count, spread, offset=0.3):
+    """Points around a plane that is not level, with its normal and its offset."""
+    normal = np.array([0.28, -0.96, 0.0])
+    points = rng.uniform((-2, -1, 0.5), (2, 1, 4), (count, 3))
+    heights = rng.uniform(-spread, spread, count)
+    points += ((heights - points @ normal - offset)[:, np.newaxis]) * normal
+    return points.round(3), normal, offset
+
+
+# %% role="answer"
+def inliers(points, normal, offset, tolerance):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def inliers(points, normal, offset, tolerance):
+    return np.abs(points @ normal + offset) < tolerance
+
+
+# %% role="check"
+check("obstacles-inliers", inliers)
+
+
+# %% role="case" title="points around a plane" points=1
+def inputs(rng):
+    return [(*cloud(rng, 12, 0.1), 0.03), (*cloud(rng, 12, 0.1, 0.02), 0.05)]
+
+
+# %% role="case" title="a level floor" points=1 hint="A point below the plane has a negative height. Is it near, too?"
+def inputs(rng):
+    points = np.column_stack([rng.uniform(-1, 1, 20), rng.uniform(0.1, 0.3, 20), rng.uniform(1, 3, 20)])
+    level = np.array([0.0, -1.0, 0.0])
+    return [(points.round(3), level, 0.2, 0.04), (points.round(3), level, 0.2, 1.5)]
+
+
+# %% role="hidden" title="any points" points=1 hint="Do you use the normal, the offset and the tolerance?"
+def inputs(rng):
+    return [(*cloud(rng, 40, spread), tolerance) for spread, tolerance in ((0.1, 0.02), (0.5, 0.1), (0.3, 0.04))]
+
+
+# %% role="mistake" name="without abs" says="Points far below the plane count as near: their heights are negative, and so less than the tolerance. Use np.abs."
+def inliers(points, normal, offset, tolerance):
+    return heights_of(points, normal, offset) < tolerance
+
+
+# %% role="mistake" name="only above" says="Points below the plane are missing. A point is near on either side: use np.abs of the height."
+def inliers(points, normal, offset, tolerance):
+    heights = heights_of(points, normal, offset)
+    return (heights >= 0) & (heights < tolerance)
+
+
+# %% role="mistake" name="the others" says="True and False are exchanged: you selected the points that are far from the plane. Use <."
+def inliers(points, normal, offset, tolerance):
+    return ~solution(points, normal, offset, tolerance)
+
+
+# %% role="mistake" name="without the offset" says="The offset is missing: the height is points @ normal + offset."
+def inliers(points, normal, offset, tolerance):
+    return solution(points, normal, 0, tolerance)
+
+
+# %% role="mistake" name="offset subtracted" says="You subtracted the offset. The height is points @ normal + offset."
+def inliers(points, normal, offset, tolerance):
+    return solution(points, normal, -offset, tolerance)
+
+
+# %% role="mistake" name="a fixed tolerance" says="You typed 0.02. Use the argument tolerance."
+def inliers(points, normal, offset, tolerance):
+    return solution(points, normal, offset, 0.02)
+
+
+# %% role="mistake" name="half the tolerance" says="You used half of the tolerance. A point may be up to tolerance away on each side."
+def inliers(points, normal, offset, tolerance):
+    return solution(points, normal, offset, tolerance / 2)
+
+
+# %% role="mistake" name="the heights" says="You return the heights of the points. Compare their absolute values with the tolerance: np.abs(heights) < tolerance."
+def inliers(points, normal, offset, tolerance):
+    return heights_of(points, normal, offset)
+
+
+# %% role="mistake" name="the distances" says="You return the distances of the points from the plane. Compare them with the tolerance: distances < tolerance."
+def inliers(points, normal, offset, tolerance):
+    return np.abs(heights_of(points, normal, offset))
+
+
+# %% role="mistake" name="the number of inliers" says="You return how many points are near. Return the mask itself, True or False for each point: leave sum out."
+def inliers(points, normal, offset, tolerance):
+    return int(solution(points, normal, offset, tolerance).sum())
+
+
+# %% role="mistake" name="the points" says="You return the points that are near. Return the mask that selects them, True or False for each point."
+def inliers(points, normal, offset, tolerance):
+    return points[solution(points, normal, offset, tolerance)]
+
+
+# %% role="mistake" name="the numbers of the points" says="You return the indices of the points that are near. Return the mask, True or False for each point: leave np.nonzero (or np.where) out."
+def inliers(points, normal, offset, tolerance):
+    return np.nonzero(solution(points, normal, offset, tolerance))[0]
+
+
+# %% role="mistake" name="the y of the points" says="You compared only the y of the points. This is right for a level floor alone; in general the height is points @ normal + offset."
+def inliers(points, normal, offset, tolerance):
+    return np.abs(points[:, 1] - offset) < tolerance
+
+
+# %% role="mistake" name="distance from the camera" says="You compared the distances of the points from the camera. The distance from the plane is np.abs(points @ normal + offset)."
+def inliers(points, normal, offset, tolerance):
+    return np.linalg.norm(points, axis=1) < tolerance
+
+
+# %% role="mistake" name="each coordinate" says="Your result has three columns. The height adds up the products of all three: points @ normal, or (points * normal).sum(axis=1)."
+def inliers(points, normal, offset, tolerance):
+    return np.abs(points * normal + offset) < tolerance
+
+
+# %% [markdown]
+# **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
+
+# %% [markdown]
+# ## 5 · What stands on the floor, and a planned failure (5 minutes)
+#
+# Now the height of every point is one line. What is more than 3 cm above the floor is an obstacle; the rug is not.
+
+# %%
+height = points @ normal + offset  # (360, 640), metres
+obstacle = height > 0.03
+true_obstacle = (labels != 1) & (labels != 14)  # neither floor nor rug
+both = (obstacle & true_obstacle).sum()
+iou = both / (obstacle | true_obstacle).sum()
+print("IoU with the ground truth:", round(iou, 2))
+show(height.round(2), limits=(0, 0.5), cmap="viridis", text=figure_texts["height"])
+
+# %%
+show([obstacle, true_obstacle], ["computed", "ground truth"],
+     text=figure_texts["obstacles"])
+
+# %%
+# Check: the obstacles agree with the ground truth
+assert height.shape == (360, 640) and round(iou, 2) == 0.98
+assert recording.label_names[14] == "rug"
+
+# %% [markdown]
+# Now the **planned failure**. Somebody knows that the camera is level and 0.20 m above the floor, so a height is just 0.20 − y, without RANSAC. This is right. But the rays are those of a pinhole camera: the lens was forgotten. We look at frame 66. **Predict** how many of the 48,154 points *of the floor* become "obstacles".
+
+# %% role="predict"
+guess_phantom = None  # your guess: how many of 48154 points?
+
+# %%
+z_66 = recording.depth(66) / 1000
+rows, cols = np.mgrid[:360, :640]  # the row and the column of each pixel
+wrong_left = -(cols - center[0]) / f * z_66
+wrong_height = 0.20 - (rows - center[1]) / f * z_66
+floor_66 = recording.labels(66)[::2, ::2] == 1
+phantoms = (wrong_height > 0.03) & floor_66
+print("points of the floor:", floor_66.sum())
+compare_guess(guess_phantom, int(phantoms.sum()))
+
+# %%
+right_points = rays * z_66[:, :, np.newaxis]
+right_height = 0.20 - right_points[:, :, 1]
+show([right_height > 0.03, wrong_height > 0.03], ["with the lens", "pinhole"],
+     text=figure_texts["phantom"])
+print("with the lens:", ((right_height > 0.03) & floor_66).sum(), "phantoms")
+
+# %% [markdown]
+# Near the corners, the floor itself seems to stand up, because the pinhole rays do not go down far enough there. A robot brakes for these *phantom obstacles*. **Repair it**: use the rays of the lens, as above. Many programs *undistort* the whole image first; that is the same correction.
+
+# %%
+# Check: the numbers in this section
+assert floor_66.sum() == 48154 and phantoms.sum() == 1728
+assert not ((right_height > 0.03) & floor_66).any()
+
+# %% [markdown]
+# ## 6 · The nearest obstacle in the corridor (8 minutes)
+#
+# Not every obstacle is in the way. The robot is 0.24 m wide. If it drives straight ahead, it needs a *corridor*: a strip of the floor, in which we want 8 cm of free space on each side, so 0.40 m in all. An obstacle is a point in the corridor that is higher than 3 cm, but lower than 0.40 m (the robot drives under anything that is higher).
+#
+# From now on we use the directions of ROS: **forward** (our z), **left** (minus our x) and height.
+
+# %%
+forward, left = right_points[:, :, 2], -right_points[:, :, 0]
+corridor = np.abs(left) <= 0.40 / 2
+stands = (right_height > 0.03) & (right_height < 0.40)
+print("points in the corridor:", corridor.sum())
+print("obstacles among them:", (corridor & stands).sum())
+print("the nearest:", forward[corridor & stands].min(), "m ahead")
+
+# %% [markdown]
+# The ball is in the way, 0.95 m ahead. **Predict** what the pinhole rays of the last section give: how far away is the nearest "obstacle"?
+
+# %% role="predict"
+guess_nearest = None  # your guess: how many metres?
+
+# %%
+wrong_corridor = np.abs(wrong_left) <= 0.40 / 2
+wrong_stands = (wrong_height > 0.03) & (wrong_height < 0.40)
+wrong_nearest = z_66[wrong_corridor & wrong_stands].min()
+compare_guess(guess_nearest, round(wrong_nearest, 2), "m")
+
+# %%
+# Check: the numbers in this section
+nearest = forward[corridor & stands].min()
+nearest_names = recording.labels(66)[::2, ::2][corridor & stands & (forward < nearest + 0.01)]
+assert round(nearest, 2) == 0.95 and recording.label_names[np.bincount(nearest_names).argmax()] == "ball"
+assert round(wrong_nearest, 2) == 0.33
+
+# %% [markdown]
+# With the wrong rays, the nearest "obstacle" is the floor itself, at 0.33 m: this robot would never drive.
+#
+# ### Your turn: the nearest obstacle
+#
+# Write `nearest_obstacle(forward, left, height, width)`: how far ahead is the nearest obstacle in a corridor of this width? Its middle is straight ahead. `math` and `np` are imported for you.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `forward`, `left`, `height`: three arrays of one shape, float, metres; `width`: float, metres | float: the smallest `forward` of all points in the corridor that are higher than 0.03 m and lower than 0.40 m; `math.inf` if there is none | `nearest_obstacle(forward, left, right_height, 0.40)` |
+
+# %% role="exercise"
+exercise(
+    "obstacles-nearest",
+    title="The nearest obstacle in the corridor",
+    function="nearest_obstacle",
+    tolerance=1e-6,
+    hint="Combine the conditions by &: np.abs(left) <= width / 2, height > 0.03, height < 0.40. Then take the minimum of forward[mask], or math.inf if the mask is empty.",
+    hints=(
+        "Which three conditions must a point fulfil, and what is the minimum of no points at all?",
+        "1. A mask: np.abs(left) <= width / 2, and height > 0.03, and height < 0.40, combined by & with parentheses.\n"
+        "2. If no point is in the mask (mask.any() is False), return math.inf.\n"
+        "3. Otherwise return the minimum of forward in the mask.",
+        "mask = (np.abs(left) <= ...) & (height > ...) & (height < ...)\nif not mask.any():\n    return math.inf\n"
+        "return forward[mask]...",
+    ),
+    explanation="The middle of the corridor is straight ahead, so it reaches width / 2 to each side: np.abs(left) treats both"
+    " sides alike. The minimum of no points is an error in NumPy, but a free corridor is the normal case for a robot:"
+    " infinitely far away is the answer that every comparison understands.",
+    another_way="You can also write np.where(mask, forward, math.inf).min(), or forward[mask].min(initial=math.inf).",
+)
+
+
+def smallest(forward, mask):
+    return float(forward[mask].min()) if mask.any() else math.inf
+
+
+def standing(height):
+    return (height > 0.03) & (height < 0.40)
+
+
+def scene(rng, nearest, high=0.5):
+    """Ten points: floor, something low, something high, beside the corridor on both sides, and obstacles in it."""
+    forward = np.array([0.4, 0.45, high, 0.55, 0.6, 0.65, 0.7, nearest, nearest + 0.6, nearest + 1.2])
+    left = np.array([0.0, 0.05, -0.02, 0.3, -0.35, 0.22, -0.21, -0.12, 0.1, 0.02])
+    height = np.array([0.0, 0.02, 0.9, 0.2, 0.2, 0.1, 0.1, 0.15, 0.3, 0.05])
+    order = rng.permutation(10)
+    return forward[order], left[order], height[order]
+
+
+# %% role="answer"
+def nearest_obstacle(forward, left, height, width):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def nearest_obstacle(forward, left, height, width):
+    mask = (np.abs(left) <= width / 2) & (height > 0.03) & (height < 0.40)
+    if not mask.any():
+        return math.inf
+    return float(forward[mask].min())
+
+
+# %% role="check"
+check("obstacles-nearest", nearest_obstacle)
+
+
+# %% role="case" title="a corridor with obstacles" points=1
+def inputs(rng):
+    return [(*scene(rng, round(rng.uniform(0.9, 1.5), 2)), 0.32), (*scene(rng, round(rng.uniform(1.6, 2.5), 2), 0.35), 0.34)]
+
+
+# %% role="case" title="a free corridor, and other widths" points=1 hint="What does your function return if there is no point in the corridor? It must be math.inf. And is the corridor width / 2 wide on each side?"
+def inputs(rng):
+    forward, left, height = scene(rng, round(rng.uniform(0.9, 1.5), 2))
+    free = (forward, left + 3, height)
+    return [(*free, 0.32), (forward, left, height, 0.50), (forward, left, height, 0.15)]
+
+
+# %% role="hidden" title="a depth image" points=1 hint="Do you use all conditions, with & between them?"
+def inputs(rng):
+    calls = []
+    for width in (0.3, 0.5, 0.02):
+        low, high = np.array((0.4, -1, -0.05)), np.array((4, 1, 0.8))
+        values = rng.uniform(low[:, np.newaxis, np.newaxis], high[:, np.newaxis, np.newaxis], (3, 6, 8)).round(3)
+        calls.append((*values, width))
+    return calls
+
+
+# %% role="mistake" name="the whole width on each side" says="Your corridor is twice as wide: width is the whole width, so it reaches only width / 2 to each side."
+def nearest_obstacle(forward, left, height, width):
+    return solution(forward, left, height, 2 * width)
+
+
+# %% role="mistake" name="without abs" says="Points far on the right count, because their left is negative. Use np.abs(left) <= width / 2."
+def nearest_obstacle(forward, left, height, width):
+    return smallest(forward, (left <= width / 2) & standing(height))
+
+
+# %% role="mistake" name="only the left half" says="Only the left half of the corridor counts. Use np.abs(left) <= width / 2, for both sides."
+def nearest_obstacle(forward, left, height, width):
+    return smallest(forward, (left >= 0) & (left <= width / 2) & standing(height))
+
+
+# %% role="mistake" name="only the left half, whole width" says="Your corridor reaches from the middle to the left only, over the whole width. Its middle is straight ahead: np.abs(left) <= width / 2."
+def nearest_obstacle(forward, left, height, width):
+    return smallest(forward, (left >= 0) & (left <= width) & standing(height))
+
+
+# %% role="mistake" name="no corridor" says="Points beside the corridor count too. Use only those with np.abs(left) <= width / 2."
+def nearest_obstacle(forward, left, height, width):
+    return smallest(forward, standing(height))
+
+
+# %% role="mistake" name="the floor counts" says="The floor counts as an obstacle. Use only points with height > 0.03."
+def nearest_obstacle(forward, left, height, width):
+    return smallest(forward, (np.abs(left) <= width / 2) & (height < 0.40))
+
+
+# %% role="mistake" name="above 0" says="You used height > 0. Points up to 3 cm are no obstacles: height > 0.03."
+def nearest_obstacle(forward, left, height, width):
+    return smallest(forward, (np.abs(left) <= width / 2) & (height > 0) & (height < 0.40))
+
+
+# %% role="mistake" name="high things count" says="Things above the robot count. Use only points with height < 0.40."
+def nearest_obstacle(forward, left, height, width):
+    return smallest(forward, (np.abs(left) <= width / 2) & (height > 0.03))
+
+
+# %% role="mistake" name="no height" says="The height is not used: floor and high things count too. Add height > 0.03 and height < 0.40."
+def nearest_obstacle(forward, left, height, width):
+    return smallest(forward, np.abs(left) <= width / 2)
+
+
+# %% role="mistake" name="or instead of and" says="Points count that fulfil only one condition. All must hold: combine them by &, not by |."
+def nearest_obstacle(forward, left, height, width):
+    return smallest(forward, (np.abs(left) <= width / 2) | standing(height))
+
+
+# %% role="mistake" name="the farthest" says="You return the farthest obstacle. The nearest one has the smallest forward: min."
+def nearest_obstacle(forward, left, height, width):
+    mask = (np.abs(left) <= width / 2) & standing(height)
+    return float(forward[mask].max()) if mask.any() else math.inf
+
+
+# %% role="mistake" name="the mean" says="You return the mean of all obstacles. The nearest one has the smallest forward: min."
+def nearest_obstacle(forward, left, height, width):
+    mask = (np.abs(left) <= width / 2) & standing(height)
+    return float(forward[mask].mean()) if mask.any() else math.inf
+
+
+# %% role="mistake" name="the index" says="You return the index of a point, as argmin gives it. Return the distance: min."
+def nearest_obstacle(forward, left, height, width):
+    mask = (np.abs(left) <= width / 2) & standing(height)
+    return int(forward[mask].argmin()) if mask.any() else math.inf
+
+
+# %% role="mistake" name="the straight distance" says="You return the straight distance, with the sideways part. The task asks for how far ahead: the smallest forward."
+def nearest_obstacle(forward, left, height, width):
+    return smallest(np.hypot(forward, left), (np.abs(left) <= width / 2) & standing(height))
+
+
+# %% role="mistake" name="0 for a free corridor" says="You return 0 for a free corridor, so the robot would always brake. Return math.inf."
+def nearest_obstacle(forward, left, height, width):
+    distance = solution(forward, left, height, width)
+    return 0.0 if distance == math.inf else distance
+
+
+# %% role="mistake" name="None for a free corridor" says="You return None for a free corridor. A robot compares the distance with a number, so return math.inf."
+def nearest_obstacle(forward, left, height, width):
+    distance = solution(forward, left, height, width)
+    return None if distance == math.inf else distance
+
+
+# %% role="mistake" name="-1 for a free corridor" says="You return -1 for a free corridor, and a robot would take it for something very near. Return math.inf."
+def nearest_obstacle(forward, left, height, width):
+    distance = solution(forward, left, height, width)
+    return -1.0 if distance == math.inf else distance
+
+
+# %% role="mistake" name="the minimum of nothing" says="If no point is in the corridor, min fails, because there is nothing to compare. Return math.inf in this case: if not mask.any()."
+def nearest_obstacle(forward, left, height, width):
+    mask = (np.abs(left) <= width / 2) & standing(height)
+    return float(forward[mask].min())
+
+
+# %% role="mistake" name="and between arrays" says="An array is many values and cannot be used as one True or False, as and, if mask: or a chain such as a < b < c do. Combine the conditions by &, each in parentheses, and ask mask.any()."
+def nearest_obstacle(forward, left, height, width):
+    mask = np.abs(left) <= width / 2 and height > 0.03 and height < 0.40
+    return smallest(forward, mask)
+
+
+# %% role="mistake" name="& without parentheses" says="Parentheses are missing: Python computes & before <= and >. Put each comparison into parentheses: (height > 0.03) & (height < 0.40)."
+def nearest_obstacle(forward, left, height, width):
+    mask = np.abs(left) <= width / 2 & height > 0.03 & height < 0.40
+    return smallest(forward, mask)
+
+
+# %% role="mistake" name="a fixed width" says="You typed 0.40, or half of it. Use the argument width, so that the function works for other robots too."
+def nearest_obstacle(forward, left, height, width):
+    return solution(forward, left, height, 0.40)
+
+
+# %% [markdown]
+# ### A depth image becomes a scan
+#
+# Programs for navigation do not read depth images, but *laser scans*: for each direction, the distance of the nearest thing. The type of the message is `sensor_msgs/LaserScan`. Our camera sees 45 degrees to each side; we make 90 beams of one degree. `np.minimum.at` keeps the smallest distance of each beam.
+
+# %%
+def scan_of(forward, left, height):
+    stands = (height > 0.03) & (height < 0.40)
+    angle = np.degrees(np.arctan2(left[stands], forward[stands]))
+    distance = np.hypot(forward[stands], left[stands])
+    beam = np.floor(angle + 45).astype(int)  # 0 is 45 degrees to the right
+    inside = (beam >= 0) & (beam < 90)
+    ranges = np.full(90, np.inf)
+    np.minimum.at(ranges, beam[inside], distance[inside])
+    return ranges
+
+# %% [markdown]
+# Does it agree with the laser scanner? The simulated robot has both. Its scanner sees a plane 0.105 m above the floor, on all sides, so it misses what is lower or higher than this plane.
+
+# %% tags=["nbval-ignore-output", "long"]
+robot = Simulation(seed=1, sensor=False)
+robot_rays = robot.depth_camera().rays()
+seen = robot_rays * (robot.depth() / 1000)[:, :, np.newaxis]
+ranges = scan_of(seen[:, :, 2], -seen[:, :, 0], 0.20 - seen[:, :, 1])
+laser = robot.scan()
+
+figure = Figure(figsize=(6, 6), layout="constrained")
+axes = figure.subplots()
+around = np.radians(np.arange(360))  # the scanner, to the left
+right_first = np.radians(np.arange(90) - 44.5)  # the angles of the beams
+axes.plot(-laser.ranges * np.sin(around), laser.ranges * np.cos(around) - 0.054,
+          ".", label="laser scanner")  # it is 0.054 m behind the camera
+axes.plot(-ranges * np.sin(right_first), ranges * np.cos(right_first),
+          ".", label="depth image")
+axes.set(xlabel="to the right of the camera (m)", ylabel="forward (m)", aspect="equal")
+axes.legend()
+show_figure(figure, text=figure_texts["scan"])
+
+# %%
+# Check: at the wall on the left, both scans agree
+beams = np.arange(71, 84)  # 26 to 39 degrees to the left
+by_laser = laser.ranges[beams - 45] * np.cos(np.radians(beams - 45.0)) - 0.054
+assert np.abs(ranges[beams] * np.cos(np.radians(beams - 44.5)) - by_laser).max() < 0.15
+
+# %% [markdown]
+# ## 7 · Time to collision, with one camera (6 minutes)
+#
+# Can a robot brake without any depth? Yes: what it drives towards grows in the image. If a ball is twice as near, it looks twice as wide. Let its width be 160 pixels now, and 144 pixels half a second ago. The *[[term:time to collision]]* is the time until the robot hits it, if the speed does not change:
+#
+# $$\text{time} = \Delta t \cdot \frac{\text{width before}}{\text{width now} - \text{width before}}$$
+#
+# Neither the true size of the ball nor its distance nor the speed of the robot is needed. **Predict** the time for these two widths.
+
+# %% role="predict"
+guess_time = None  # your guess: how many seconds?
+
+# %%
+before, now, dt = 144, 160, 0.5
+time_left = dt * before / (now - before)
+compare_guess(guess_time, time_left, "s")
+
+# %% [markdown]
+# In the recorded drive, the ball is 160 pixels wide in frame 66, and 144 pixels in frame 61, half a second earlier. What is the truth? The distance of the camera from the ball's centre, and how fast it becomes smaller:
+
+# %%
+def width_and_depth(k):
+    seen_columns = np.nonzero((recording.labels(k) == 9).any(axis=0))[0]
+    width = seen_columns[-1] - seen_columns[0] + 1
+    camera_pose = Pose.from_vector(recording.pose("camera", k))
+    ball = camera_pose.inverse().apply(recording.pose("ball", k)[:3])
+    return int(width), float(ball[2])
+
+
+for k in (66, 76, 86):
+    (w0, z0), (w1, z1) = width_and_depth(k - 5), width_and_depth(k)
+    by_width, truth = 0.5 * w0 / (w1 - w0), 0.5 * z1 / (z0 - z1)
+    print("frame", k, "  widths", w0, w1, "  time", round(by_width, 1), "s   truth", round(truth, 1), "s")
+
+# %%
+# Check: the numbers in this section
+assert time_left == 4.5 and recording.label_names[9] == "ball"
+assert width_and_depth(61)[0] == 144 and width_and_depth(66)[0] == 160
+for k in (66, 76, 86):
+    (w0, z0), (w1, z1) = width_and_depth(k - 5), width_and_depth(k)
+    assert abs(0.5 * w0 / (w1 - w0) / (0.5 * z1 / (z0 - z1)) - 1) < 0.1
+
+# %% [markdown]
+# The widths alone are right to 10 %. (They are whole pixels, so a longer time between both images makes the result better.)
+#
+# ### Your turn: the time to collision
+#
+# Write `time_to_collision(before, now, dt)`.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `before`, `now`: the widths of an object in pixels, numbers above 0; `dt`: float, the seconds between them | float: the time to collision in seconds, counted from `now`; `math.inf` if the object does not grow | `time_to_collision(144, 160, 0.5)` returns `4.5` |
+
+# %% role="exercise"
+exercise(
+    "obstacles-ttc",
+    title="The time to collision",
+    function="time_to_collision",
+    tolerance=1e-6,
+    hint="dt * before / (now - before); if now is not larger than before, math.inf.",
+    hints=(
+        "What happens in the formula if both widths are equal, or if the object becomes smaller?",
+        "1. If now is not larger than before, return math.inf: the robot does not come nearer.\n"
+        "2. Otherwise return dt times before, divided by the growth, now - before.",
+        "if now <= before:\n    return math.inf\nreturn dt * ... / (now - ...)",
+    ),
+    explanation="The width is inversely proportional to the distance. So the distance now is before / now of the distance"
+    " before, and the robot has driven the rest, (now - before) / now, in dt. At this speed, it needs"
+    " dt * before / (now - before) for the way that is left. An object that does not grow is not coming nearer: there is no"
+    " collision, and the answer is infinity, not a division by zero or a negative time.",
+    another_way="You can also compute the ratio now / before, and return dt / (ratio - 1).",
+)
+
+
+def unless_it_grows(value, before, now, time):
+    return time if now > before else value
+
+
+# %% role="answer"
+def time_to_collision(before, now, dt):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def time_to_collision(before, now, dt):
+    if now <= before:
+        return math.inf
+    return dt * before / (now - before)
+
+
+# %% role="check"
+check("obstacles-ttc", time_to_collision)
+
+
+# %% role="case" title="the object grows" points=1
+def inputs(rng):
+    before = int(rng.integers(80, 120))
+    return [(144, 160, 0.5), (before, before + int(rng.integers(5, 30)), 0.2), (50.5, 60.25, 1.0)]
+
+
+# %% role="case" title="the object does not grow" points=1 hint="If now is not larger than before, the robot does not come nearer: return math.inf."
+def inputs(rng):
+    before = int(rng.integers(80, 120))
+    return [(before, before, 0.1), (before, before - int(rng.integers(1, 20)), 0.1), (before, before + 7, 0.3)]
+
+
+# %% role="hidden" title="any widths" points=1 hint="Is the width before above the fraction line, and the growth below it?"
+def inputs(rng):
+    widths = rng.integers(20, 400, (5, 2))
+    calls = [(int(a), int(b), round(rng.uniform(0.03, 1.0), 2)) for a, b in widths]
+    return [*calls, (30, 33, 0.25), (45, 45, 0.25)]
+
+
+# %% role="mistake" name="now above the line" says="You used the width now above the fraction line: this is the time counted from before. Use before there: dt * before / (now - before)."
+def time_to_collision(before, now, dt):
+    return math.inf if now <= before else dt * now / (now - before)
+
+
+# %% role="mistake" name="without dt" says="dt is missing: the growth happened in dt seconds. Multiply by dt."
+def time_to_collision(before, now, dt):
+    return math.inf if now <= before else before / (now - before)
+
+
+# %% role="mistake" name="divided by dt" says="You divided by dt. Multiply by it: if the same growth takes longer, there is more time."
+def time_to_collision(before, now, dt):
+    return math.inf if now <= before else before / (now - before) / dt
+
+
+# %% role="mistake" name="upside down" says="The fraction is upside down: a large growth means little time. It is before / (now - before)."
+def time_to_collision(before, now, dt):
+    return math.inf if now <= before else dt * (now - before) / before
+
+
+# %% role="mistake" name="parentheses missing" says="Parentheses are missing: dt * before / now - before divides first. Write dt * before / (now - before)."
+def time_to_collision(before, now, dt):
+    return math.inf if now <= before else dt * before / now - before
+
+
+# %% role="mistake" name="the other difference" says="Your times are negative: the difference is the other way round. It is now - before."
+def time_to_collision(before, now, dt):
+    return math.inf if now <= before else dt * before / (before - now)
+
+
+# %% role="mistake" name="the ratio" says="You used the ratio of the widths as it is. The robot has come nearer by the growth: divide by now - before."
+def time_to_collision(before, now, dt):
+    return math.inf if now <= before else dt * before / now
+
+
+# %% role="mistake" name="only the growth" says="Your time does not depend on the width itself. It is the width before, divided by the growth: dt * before / (now - before)."
+def time_to_collision(before, now, dt):
+    return math.inf if now <= before else dt / (now - before)
+
+
+# %% role="mistake" name="divides by zero" says="If both widths are equal, the function divides by 0. Return math.inf before you divide, if now <= before."
+def time_to_collision(before, now, dt):
+    return dt * before / (now - before)
+
+
+# %% role="mistake" name="negative times" says="If the object becomes smaller, your time is negative. The robot does not come nearer then: return math.inf, if now <= before."
+def time_to_collision(before, now, dt):
+    return math.inf if now == before else dt * before / (now - before)
+
+
+# %% role="mistake" name="absolute growth" says="You used abs of the growth, so an object that moves away gets a time too. Return math.inf, if now <= before."
+def time_to_collision(before, now, dt):
+    return math.inf if now == before else dt * before / abs(now - before)
+
+
+# %% role="mistake" name="0 without growth" says="You return 0 if the object does not grow. 0 s means: a collision now. Return math.inf."
+def time_to_collision(before, now, dt):
+    return unless_it_grows(0.0, before, now, solution(before, now, dt))
+
+
+# %% role="mistake" name="None without growth" says="You return None if the object does not grow. A robot compares the time with a number: return math.inf."
+def time_to_collision(before, now, dt):
+    return unless_it_grows(None, before, now, solution(before, now, dt))
+
+
+# %% role="mistake" name="-1 without growth" says="You return -1 if the object does not grow, and a robot would take it for a very short time. Return math.inf."
+def time_to_collision(before, now, dt):
+    return unless_it_grows(-1.0, before, now, solution(before, now, dt))
+
+
+# %% role="mistake" name="whole seconds" says="Your result is a whole number of seconds. Divide with /, not with //, and leave int and round out."
+def time_to_collision(before, now, dt):
+    return math.inf if now <= before else dt * before // (now - before)
+
+
+# %% role="mistake" name="rounded to one digit" says="The result is rounded. Return the exact number, and leave round out."
+def time_to_collision(before, now, dt):
+    return math.inf if now <= before else round(dt * before / (now - before), 1)
+
+
+# %% role="mistake" name="rounded to two digits" says="The result is rounded. Return the exact number, and leave round out."
+def time_to_collision(before, now, dt):
+    return math.inf if now <= before else round(dt * before / (now - before), 2)
+
+
+# %% role="mistake" name="a fixed dt" says="You typed 0.5 s. Use the argument dt."
+def time_to_collision(before, now, dt):
+    return math.inf if now <= before else 0.5 * before / (now - before)
+
+
+# %% role="mistake" name="infinity as a text" says="You return a text if the object does not grow. The number infinity is math.inf, without quotes."
+def time_to_collision(before, now, dt):
+    return unless_it_grows("inf", before, now, solution(before, now, dt))
+
+
+# %% [markdown]
+# ## 8 · Brake! (7 minutes)
+#
+# When must the robot brake? The first idea: when an obstacle is nearer than a fixed distance, say 0.06 m. We try it in the simulation, at three speeds. The robot looks ten times per second. (Its front is 0.03 m ahead of its camera.)
+
+# %%
+robot = Simulation(seed=1, start=(0.95, -1.3, 0.0), time=5.0)
+show(robot.frame(), text=figure_texts["boxes"])
+
+# %% tags=["long"]
+def free_distance(robot):
+    """Metres between the front of the robot and the nearest obstacle."""
+    seen = robot_rays * (robot.depth() / 1000)[:, :, np.newaxis]
+    forward, left, height = seen[:, :, 2], -seen[:, :, 0], 0.20 - seen[:, :, 1]
+    mask = (np.abs(left) <= 0.20) & (height > 0.03) & (height < 0.40)
+    return forward[mask].min() - 0.03
+
+
+def drive_and_brake(speed, limit):
+    """Drives until limit metres are left, then brakes; the distance kept."""
+    robot = Simulation(seed=1, start=(0.95, -1.3, 0.0), time=5.0)
+    while free_distance(robot) > limit:
+        robot.step(speed, 0.0, dt=0.1)  # until the next look
+    while robot.speeds[0] > 0 and not robot.bumped:
+        robot.step(0.0, 0.0)
+    if robot.bumped:
+        return "bump!"
+    return round(float(free_distance(robot)), 2)
+
+# %% [markdown]
+# **Predict** at which of the speeds 0.1, 0.2 and 0.3 m/s the robot bumps into the boxes.
+
+# %% role="predict"
+guess_bumps = None  # your guess: the speeds, for example (0.1, 0.2), or just one?
+
+# %%
+kept_fixed = {speed: drive_and_brake(speed, 0.06) for speed in (0.1, 0.2, 0.3)}
+print(kept_fixed)
+bumps = [speed for speed in kept_fixed if kept_fixed[speed] == "bump!"]
+compare_guess(guess_bumps, bumps[0] if len(bumps) == 1 else tuple(bumps))
+
+# %% [markdown]
+# The faster the robot, the nearer it comes, and at 0.3 m/s it bumps. The better rule uses the stopping distance of [[drive_the_robot#6]]: brake when the free distance is less than the **stopping distance plus a margin**, here 0.15 m.
+
+# %%
+kept = {}
+for speed in (0.1, 0.2, 0.3):
+    stopping = speed / 10 + speed**2 / (2 * 0.6)  # ten looks per second
+    kept[speed] = drive_and_brake(speed, 0.15 + stopping)
+print(kept)
+
+# %%
+# Check: the numbers in this section
+assert kept_fixed[0.3] == "bump!" and kept_fixed[0.1] > kept_fixed[0.2] > 0
+assert all(0.15 <= kept[speed] < 0.19 for speed in kept)
+
+# %% [markdown]
+# Now it keeps its distance at every speed. How large must the margin be? This camera sees the floor straight ahead only from a distance of 0.38 m. A toy that is nearer is below the image. So with low obstacles, use a margin of 0.35 m or more.
+#
+# Finally, a node does the same in ROS. It subscribes to the depth image, publishes a `LaserScan` on `/scan` for everybody, and the command for the robot. The camera of the room has the same rays as that of the simulation.
+
+# %%
+# Check: where the image begins to show the floor
+assert round(0.20 / robot_rays[-1, 320, 1], 2) == 0.38
+
+# %% tags=["long"]
+if ros_available():
+    from geometry_msgs.msg import Twist
+    from imgproc_course.messages import image_to_array
+    from rclpy.node import Node
+    from rclpy.qos import qos_profile_sensor_data
+    from sensor_msgs.msg import Image, LaserScan
+
+    class BrakeNode(Node):
+        def __init__(self, speed, context=None):
+            super().__init__("brake", context=context)
+            self.speed = speed
+            self.distance = None  # of the nearest obstacle, metres
+            self.scans = self.create_publisher(LaserScan, "/scan", 10)
+            self.commands = self.create_publisher(
+                Twist, "/kachaka/manual_control/cmd_vel", qos_profile_sensor_data)
+            self.create_subscription(
+                Image, "/kachaka/front_camera/depth", self.on_depth,
+                qos_profile_sensor_data)
+
+        def on_depth(self, msg):
+            seen = robot_rays * (image_to_array(msg) / 1000)[:, :, np.newaxis]
+            forward, left, height = seen[:, :, 2], -seen[:, :, 0], 0.20 - seen[:, :, 1]
+            self.publish_scan(msg.header, scan_of(forward, left, height))
+            mask = (np.abs(left) <= 0.20) & (height > 0.03) & (height < 0.40)
+            self.distance = forward[mask].min(initial=np.inf) - 0.03
+            stopping = self.speed * 0.2 + self.speed**2 / (2 * 0.6)
+            command = Twist()
+            if self.distance > 0.15 + stopping:
+                command.linear.x = self.speed
+            self.commands.publish(command)
+
+        def publish_scan(self, header, ranges):
+            scan = LaserScan(header=header, range_min=0.1, range_max=8.0)
+            scan.angle_min, scan.angle_max = math.radians(-44.5), math.radians(44.5)
+            scan.angle_increment = math.radians(1)
+            scan.ranges = ranges.astype(np.float32).tolist()
+            self.scans.publish(scan)
+
+# %% tags=["nbval-ignore-output", "long"]
+if ros_available():
+    camera = open_camera("room", rate=10)
+    live_robot = Robot()
+    live_robot.restart(start=(0.95, -1.3, 0.0))
+    session = RosSession.current()
+    node = session.add_node(BrakeNode(0.2, context=session.context))
+    end = time.monotonic() + 20
+    moved = False
+    while time.monotonic() < end:
+        time.sleep(0.1)
+        speed = live_robot.odometry.twist.twist.linear.x
+        moved = moved or speed > 0
+        if moved and speed == 0:
+            break
+    session.remove_node(node)
+    print("kept", round(float(node.distance), 2), "m;  bumps:", camera.bumps)
+
+# %%
+# Check: the node saw the boxes
+assert not ros_available() or 0 < node.distance < 0.6
+
+# %% [markdown]
+# **On the real robot**, subscribe to `/kachaka/lidar/scan` in place of the depth image: its message gives `forward = r · cos(angle)` and `left = r · sin(angle)` for each of its ranges r, and `nearest_obstacle` stays the same (with any height between 0.03 and 0.40). Two things are different: the frame `laser_frame` is turned by 90 degrees to the left, so straight ahead is the angle −π / 2; and the scanner sees nothing that is lower or higher than its plane.
+#
+# ## Recap
+#
+# A pixel, its depth and the numbers of the lens give a point. RANSAC finds the floor although most points are something else. What stands on it, in the corridor, decides whether the robot may drive on; and it must brake early enough for its speed.
+#
+# | stage | shape | dtype | range | unit |
+# |---|---|---|---|---|
+# | depth image, `16UC1` | (360, 640) | uint16 | 0 to 65,535; 0 is no depth | millimetre |
+# | rays | (360, 640, 3) | float64 | x −1.11 to 1.11, y −0.63 to 0.63, 1 | metre at a depth of 1 m |
+# | *points* | (360, 640, 3) | float64 | | metre: right, down, ahead |
+# | plane of the floor | normal (3,), offset | float64 | 1 long | metre |
+# | inliers, obstacles | (N,), (360, 640) | bool | False, True | no and yes |
+# | nearest obstacle | one number | float | 0 to infinity | metre |
+# | scan | (90,) | float64 | 0 to infinity | metre |
+# | time to collision | one number | float | 0 to infinity | second |
+#
+# Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+
+# %%
+# Check: the numbers in the table
+assert rays.shape == points.shape == (360, 640, 3) and ranges.shape == (90,)
+assert np.abs(rays[..., 0]).max().round(2) == 1.11 and np.abs(rays[..., 1]).max().round(2) == 0.63
