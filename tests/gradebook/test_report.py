@@ -21,6 +21,7 @@ from imgproc_course.exercises.values import differing_elements
 from imgproc_course.gradebook.grade import grade_submissions
 from imgproc_course.gradebook.report import learner_page
 from imgproc_course.gradebook.report_values import value_of
+from imgproc_course.gradebook.similarity import SimilarPair, similarity_page
 
 pytestmark = pytest.mark.sandbox
 EVIL = "<script>alert(1)</script>"
@@ -264,8 +265,18 @@ def test_an_answer_in_another_cell_is_listed_for_the_teacher(alike):
     assert not [row for row in rows if "<bdi>syntax</bdi>" in row]
 
 
+def similar_page(folder):
+    """The page of similar submissions: two answers of a hundred lines, side by side."""
+    source = "\n".join(f"line_{number} = {EVIL!r} * {number}" for number in range(100))
+    sides = [([name], {"light-double": source}, {"light-double": {1, 2, 99}}) for name in ("ada", NAME)]
+    pair = SimilarPair("light", 0.9, ("ada", NAME), tuple(sides))
+    path = folder / "similar.html"
+    path.write_text(similarity_page([pair], {"ada": "ada", NAME: NAME}), encoding="utf-8")
+    return path
+
+
 @pytest.mark.browser
-def test_the_pages_in_a_browser(pages):
+def test_the_pages_in_a_browser(pages, tmp_path):
     from playwright.sync_api import sync_playwright
 
     options = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"]
@@ -276,8 +287,10 @@ def test_the_pages_in_a_browser(pages):
         complaints = []
         page.on("console", lambda message: complaints.append(message.text))
         page.on("dialog", lambda dialog: complaints.append("a dialog"))
+        pages = pages | {"similar": similar_page(tmp_path)}
         for path in pages.values():
             page.goto(path.as_uri())
+            page.eval_on_selector_all("details", "all => all.forEach(each => each.open = true)")
             assert page.evaluate("document.documentElement.scrollWidth") <= 1000
             assert page.evaluate("getComputedStyle(document.querySelector('main')).maxWidth") == "992px"
             for theme in ("light", "dark"):
@@ -293,6 +306,11 @@ def test_the_pages_in_a_browser(pages):
             assert page.eval_on_selector_all(".line", apart) == 0  # points stand beside their title
             displays = "all => [...new Set(all.map(each => getComputedStyle(each).display))]"
             assert page.eval_on_selector_all("table.stack td:not(.drawn)", displays) in ([], ["block"])
+        page.goto(pages["similar"].as_uri())
+        page.eval_on_selector_all("details", "all => all.forEach(each => each.open = true)")
+        page.emulate_media(media="print")
+        lost = "all => all.map(each => each.scrollHeight - each.clientHeight)"
+        assert page.eval_on_selector_all("pre.source", lost) == [0, 0]  # paper does not scroll
         page.goto(pages["ada"].as_uri())
         widths = page.eval_on_selector_all("figure img", "all => all.map(each => each.naturalWidth)")
         assert widths == [192, 192, 192, 192]
