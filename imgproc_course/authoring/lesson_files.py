@@ -200,11 +200,11 @@ def _is_same_exercise(id, new, stored):
 
 def _split(entry, values):
     """An exercise's entry without values, and [(value, whether it is an argument, tolerance)] in order."""
-    entry, found = json.loads(json.dumps(entry)), []
+    entry, kept_values = json.loads(json.dumps(entry)), []
     tolerances = {case["id"]: case["tolerance"] for case in entry["cases"]}
 
     def take(key, tolerance=None):
-        found.append((values[key], tolerance))
+        kept_values.append((values[key], tolerance))
         return None
 
     for case in entry["cases"]:
@@ -215,7 +215,7 @@ def _split(entry, values):
             for result in results:
                 if "value" in result:
                     result["value"] = take(result["value"], tolerances[case_id])
-    return entry, found
+    return entry, kept_values
 
 
 def _is_same_value(new, stored):

@@ -76,8 +76,8 @@ class References:
         def replacement(match):
             if match["code"]:
                 return match[0]
-            words, address = self._resolve(match["target"], in_prose=True)
-            return f"[{_capitalized(words, match, text)}]({address})"
+            label, address = self._resolve(match["target"], in_prose=True)
+            return f"[{_capitalized(label, match, text)}]({address})"
 
         return _IN_PROSE.sub(replacement, text)
 
@@ -106,18 +106,18 @@ class References:
 
     def _resolve(self, target, *, in_prose=False):
         """(the words, the address) of what stands between the brackets."""
-        name, _, words = target.partition("|")
+        name, _, label = target.partition("|")
         if name.startswith("term:"):
             term = self._term(name.removeprefix("term:"), target)
-            return words or name.removeprefix("term:"), term.address
+            return label or name.removeprefix("term:"), term.address
         name, _, section = name.partition("#")
         lesson = self._lesson(name, target)
         address = f"{lesson.path.stem}.ipynb"
         if section:
             address += f"#cell-id={self._section_cell(lesson, section, target)}"
-            return words or f"section {section} of lesson {lesson.number}", address
+            return label or f"section {section} of lesson {lesson.number}", address
         plain = f"lesson {lesson.number}"
-        return words or (f"{plain}, {lesson.title}" if in_prose else plain), address
+        return label or (f"{plain}, {lesson.title}" if in_prose else plain), address
 
     def _lesson(self, name, target):
         if name not in self._lessons:

@@ -99,7 +99,9 @@ def _is_about(run, exercise_id, name, function):
 
 def _similar(run, name):
     """A function of the cell whose name looks like a misspelling of another; "" if there is none."""
-    names = [other for other in run.definitions() if re.findall(r"\d+", other) == re.findall(r"\d+", name)]
+    names = [
+        defined for defined in run.definitions() if re.findall(r"\d+", defined) == re.findall(r"\d+", name)
+    ]
     return next(iter(difflib.get_close_matches(name, names, n=1, cutoff=_SIMILAR)), "")
 
 
@@ -111,8 +113,8 @@ def _source_of(function):
 
 
 def _explain_name(run, name):
-    other = _similar(run, name) or next(iter(run.definitions()), "")
-    defined = f"defines {other}()" if other else "defines no function"
+    defined_name = _similar(run, name) or next(iter(run.definitions()), "")
+    defined = f"defines {defined_name}()" if defined_name else "defines no function"
     return (
         f"Your cell {defined}, and this exercise needs a function with the name {name}(). Python still has"
         f" the older {name}(). Write def {name}(...): in the cell, run it, then run this one."

@@ -160,10 +160,10 @@ def parts_of(source):
     list of str, one for each statement; the lines of the answer keep their numbers. The whole source if it
     does not parse, or says how the rest is to be read (`from __future__ import ...`)
     """
-    taken, mark, answer = source.partition(f"{ANSWER_MARK}\n")
+    definitions, mark, answer = source.partition(f"{ANSWER_MARK}\n")
     if not mark:
-        taken, answer = "", source
-    parts = [part for part in (taken, answer) if part]
+        definitions, answer = "", source
+    parts = [part for part in (definitions, answer) if part]
     return [piece for part in parts for piece in _statements_as_text(part)]
 
 
@@ -345,8 +345,8 @@ class CellDefinitions:
         answer = _without_stub(self._cells[position], function)
         statements = statements_of(answer)
         bound = {*given, *(name for statement in statements for name in statement.binds)}
-        needed = names_needed(statements, function) - bound
-        places = self._needed_places(position, needed, bound, preferred or {})
+        names = names_needed(statements, function) - bound
+        places = self._needed_places(position, names, bound, preferred or {})
         if not places:
             return answer, ()
         text = "\n\n".join(statement.source for _, _, statement in places.values())
@@ -355,14 +355,14 @@ class CellDefinitions:
 
     def _needed_places(self, position, needed, bound, preferred):
         """{name: place} of the definitions that are needed, transitively, in the notebook's order."""
-        names, seen, places = set(needed), set(needed) | bound, {}
+        names, known_names, places = set(needed), set(needed) | bound, {}
         while names:
             name = names.pop()
             place = self._place(name, position, bound, preferred.get(name))
             if place is not None and place not in places.values():
                 places[name] = place
-                names |= place[2].reads - seen
-                seen |= place[2].reads
+                names |= place[2].reads - known_names
+                known_names |= place[2].reads
         return dict(sorted(places.items(), key=lambda item: item[1][:2]))
 
     def _place(self, name, position, bound, preferred):

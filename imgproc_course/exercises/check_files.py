@@ -252,9 +252,9 @@ def checks_folders(beside=None):
     -------
     list of Path, those that exist
     """
-    named = [Path(part) for part in os.environ.get(CHECKS_VARIABLE, "").split(os.pathsep) if part]
+    chosen_folders = [Path(part) for part in os.environ.get(CHECKS_VARIABLE, "").split(os.pathsep) if part]
     checkout = Path(__file__).resolve().parents[2] / "notebooks"
-    folders = [*named, (beside or Path.cwd()) / CHECKS, checkout / CHECKS]
+    folders = [*chosen_folders, (beside or Path.cwd()) / CHECKS, checkout / CHECKS]
     return [folder for folder in dict.fromkeys(folders) if folder.is_dir()]
 
 

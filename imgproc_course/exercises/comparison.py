@@ -102,11 +102,11 @@ def _first_difference(expected, actual):
     pairs = enumerate(zip(*texts, strict=False))
     start = next((place for place, (a, b) in pairs if a != b), min(map(len, texts)))
     before = "…" * (start > _CONTEXT) + texts[0][max(0, start - _CONTEXT) : start]
-    rest, actual_rest = (
+    tail, actual_tail = (
         repr(text[start : start + _CONTEXT]) if text[start:] else "the end" for text in texts
     )
     place = f"character {start + 1} on, after {before!r}" if start else "the first character on"
-    return f"; they differ from {place}: expected {rest}, got {actual_rest}"
+    return f"; they differ from {place}: expected {tail}, got {actual_tail}"
 
 
 def _difference(kind, path, expected, actual):

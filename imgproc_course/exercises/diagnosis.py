@@ -278,13 +278,13 @@ def _same(values, actual, tolerance=0.0):
 
 def _advice_on_shape(expected, actual, arguments, names):
     shape, actual_shape = tuple(expected["shape"]), tuple(actual["shape"])
-    given = [np.shape(value) for value in arguments if isinstance(value, np.ndarray)]
+    given_shapes = [np.shape(value) for value in arguments if isinstance(value, np.ndarray)]
     values, actual_values = array_of(expected), array_of(actual)
     if actual_shape == shape[::-1] and values is not None and _same(values.T, actual_values):
         return "Rows and columns are exchanged: your result is the expected one, transposed."
-    if given and names and len(given[0]) > len(shape) and actual_shape == given[0][1:]:
+    if given_shapes and names and len(given_shapes[0]) > len(shape) and actual_shape == given_shapes[0][1:]:
         text = "Axis 0, the rows, is gone from your result: "
-        if len(given[0]) == 2:
+        if len(given_shapes[0]) == 2:
             return f"{text}axis=0 goes along the rows, and axis=1 along the columns."
         return (
             f"{text}{names[0]}[0] is the first row, and axis=0 goes along the rows. The channels are the last"
@@ -301,12 +301,12 @@ def _advice_on_shape(expected, actual, arguments, names):
             f"Your result still has a third axis, of length {actual_shape[2]}. The task asks for one value"
             f" for each pixel."
         )
-    if len(actual_shape) < len(shape) and given and len(given[0]) == len(shape):
+    if len(actual_shape) < len(shape) and given_shapes and len(given_shapes[0]) == len(shape):
         return (
             "Your result has fewer axes than the input: a function with axis=..., or an index such as"
             " image[0], takes one away."
         )
-    is_image = any(image_shape[:2] == shape[:2] for image_shape in given)
+    is_image = any(image_shape[:2] == shape[:2] for image_shape in given_shapes)
     return _advice_on_size(shape, actual_shape, is_image) if len(shape) == len(actual_shape) >= 2 else ""
 
 

@@ -109,9 +109,9 @@ def _article(type_name):
 
 
 def _broadcast(match, _source):
-    found = re.findall(r"\([\d,]*\)", match.string)
+    shapes_as_text = re.findall(r"\([\d,]*\)", match.string)
     # a += b names the shape of a twice
-    shapes = list(dict.fromkeys(tuple(map(int, re.findall(r"\d+", shape))) for shape in found))
+    shapes = list(dict.fromkeys(tuple(map(int, re.findall(r"\d+", shape))) for shape in shapes_as_text))
     advice = "Arithmetic with two arrays works value by value, and needs equal shapes."
     if any(0 in shape for shape in shapes):
         return (

@@ -74,17 +74,17 @@ def hint(exercise_id, step=None):
     CheckFileError : there is no such exercise, or its file is missing or damaged
     """
     hints = find_check_data(exercise_id).hints
-    asked = json.dumps(exercise_id)
+    quoted_id = json.dumps(exercise_id)
     if step is None:
         step = progress_of(exercise_id).hints + 1
         if step > len(hints):
             return Help(
                 f"There are no more hints for {exercise_id}: you saw all {len(hints)}.",
-                f"hint({asked}, step=1) shows the first one again. solution({asked}) shows how the function"
-                " can be written.",
+                f"hint({quoted_id}, step=1) shows the first one again. solution({quoted_id}) shows how the"
+                " function can be written.",
             )
     if isinstance(step, bool) or not isinstance(step, numbers.Integral) or not 1 <= step <= len(hints):
-        return Help(f"{exercise_id} has the hints 1 to {len(hints)}.", f"Write hint({asked}, step=1).")
+        return Help(f"{exercise_id} has the hints 1 to {len(hints)}.", f"Write hint({quoted_id}, step=1).")
     note_progress(exercise_id, ExerciseProgress(hints=int(step)))
     return Help(f"{exercise_id}: hint {step} of {len(hints)}", hints[step - 1])
 
@@ -126,10 +126,10 @@ def solution(exercise_id, give_up=False):
 
 
 def _not_yet(exercise_id, function, count):
-    asked = json.dumps(exercise_id)
+    quoted_id = json.dumps(exercise_id)
     so_far = {0: "no try", 1: "1 try"}.get(count, f"{count} tries")
     return Help(
         f"The solution of {exercise_id} opens after {TRIES} tries of your own: {so_far} so far.",
-        f"A try is check({asked}, {function}) with a changed function that runs and does not pass yet."
-        f" hint({asked}) helps you on. solution({asked}, give_up=True) opens it now.",
+        f"A try is check({quoted_id}, {function}) with a changed function that runs and does not pass yet."
+        f" hint({quoted_id}) helps you on. solution({quoted_id}, give_up=True) opens it now.",
     )

@@ -100,12 +100,12 @@ class Overview:
         link = f'<a href="{html.escape(lesson.file)}">{label}</a>'
         is_next = lesson == self.next_lesson
         name = f"{link} <b>{'begin' if self.passed == 0 else 'continue'} here</b>" if is_next else link
-        done = "✓ " if lesson.exercises and lesson.is_done else ""
+        tick = "✓ " if lesson.exercises and lesson.is_done else ""
         cells = (
             name,
             str(lesson.minutes),
             ", ".join(lesson.needs) or "–",
-            f"{done}{len(lesson.passed)} of {len(lesson.exercises)}",
+            f"{tick}{len(lesson.passed)} of {len(lesson.exercises)}",
         )
         return "<tr>" + "".join(f'<td style="text-align: left">{cell}</td>' for cell in cells) + "</tr>"
 

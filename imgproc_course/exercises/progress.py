@@ -91,13 +91,13 @@ def note_progress(exercise_id, news):
     -------
     ExerciseProgress, all that is known now
     """
-    known = progress_of(exercise_id)
-    _of_this_process[exercise_id] = known | news
+    earlier_progress = progress_of(exercise_id)
+    _of_this_process[exercise_id] = earlier_progress | news
     folder = learners_folder()
-    if folder is not None and known | news != known:
+    if folder is not None and earlier_progress | news != earlier_progress:
         with contextlib.suppress(OSError):  # a read-only folder: progress lasts as long as the kernel
-            _write(folder, exercise_id, known | news)
-    return known | news
+            _write(folder, exercise_id, earlier_progress | news)
+    return earlier_progress | news
 
 
 def _write(folder, exercise_id, progress):
