@@ -3,7 +3,14 @@
 import pytest
 
 NO_RCLPY = "import sys; sys.modules['rclpy'] = None\n"
-CALLS = ["open_camera()", "ImageSubscriber('/image')", "RosSession()", "RosSession.current()"]
+CALLS = [
+    "open_camera()",
+    "Robot()",
+    "record()",
+    "ImageSubscriber('/image')",
+    "RosSession()",
+    "RosSession.current()",
+]
 
 
 @pytest.mark.parametrize("call", CALLS)

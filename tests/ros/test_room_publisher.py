@@ -175,3 +175,17 @@ def test_manual_control_can_be_switched_off_as_on_the_robot(body, send, session,
     assert body._images._command[:2] == (0.0, 0.0)
     send(0.1, 0.0)
     wait_until(lambda: body._images._command[0] == 0.1)
+
+
+def test_without_panda3d_the_room_says_so_before_anything_is_published(run_python):
+    code, out, err = run_python(
+        "import sys\nsys.modules['panda3d'] = None\n"
+        "from imgproc_course.ros.camera import ROOM\n"
+        "from imgproc_course.ros.camera_publisher import open_body\n"
+        "try:\n    open_body({'source': 'room', 'topic': '/image', 'rate': 30.0} | ROOM)\n"
+        "except RuntimeError as error:\n    print(error)\n"
+    )
+    assert (code, err) == (0, "")
+    assert (
+        out.startswith("the room needs panda3d, which is not installed") and "open_camera('recording')" in out
+    )
