@@ -54,7 +54,13 @@ def starts(loop):
 
 def run(loop, robot, camera, truth, seed, start, lighting):
     """Drives one loop: (bumps, metres driven, the node's distance, the true one to the marker's wall)."""
-    robot.restart(seed=seed, start=start, lighting=lighting)
+    while True:
+        try:
+            robot.restart(seed=seed, start=start, lighting=lighting)
+            break
+        except ValueError as error:  # person or car stand there just now
+            print(f"waits: {error}", flush=True)
+            time.sleep(2)
     bumps = camera.bumps
     node = subprocess.run(
         [sys.executable, str(NODES), loop], capture_output=True, text=True, timeout=TIMEOUT, check=True
