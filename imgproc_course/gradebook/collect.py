@@ -2,6 +2,7 @@
 
     submissions/ada.ipynb                                     one file per learner
     submissions/ada/04_grayscale.ipynb                        one folder per learner, with any content
+    submissions/01_ada/04_grayscale.ipynb                     the same, with the numbers of a class list
     submissions/04_grayscale/ada.ipynb                        one folder per lesson
     submissions/Ada Lovelace_12345_assignsubmission_file_/*   Moodle ("Download all submissions")
     submissions/lovelaceada_LATE_123_456_04_grayscale-1.ipynb Canvas ("Download Submissions")
@@ -42,6 +43,7 @@ from imgproc_course.gradebook.archives import (
 from imgproc_course.gradebook.senders import (
     is_lesson_file,
     names_within,
+    numbered_learners,
     platform_sender,
     sender_of,
     split_repetition,
@@ -203,14 +205,18 @@ class _Intake:
     def __init__(self, lessons, people, collection):
         self._lessons, self._people, self._collection = lessons, people, collection
         self._notebooks, self._bytes, self._unlisted = Counter(), Counter(), Counter()
+        self._numbered = frozenset()
 
     # ------------------------------------------------------------ folders
 
     def add_folder(self, root):
         """Add everything in the folder of submissions; zips last, when the other senders are known."""
         entries = self._entries(root, ())
-        for entry in list(entries):
-            if is_lesson(entry.name, self._lessons) and _is_folder(entry):
+        named = [entry for entry in entries if is_lesson(entry.name, self._lessons) and _is_folder(entry)]
+        notebooks = [Path(path).relative_to(root).parts for entry in named for path in _notebooks_in(entry)]
+        self._numbered = numbered_learners(notebooks, self._lessons)
+        for entry in named:
+            if entry.name not in self._numbered:
                 entries.remove(entry)
                 entries += self._entries(Path(entry.path), (entry.name,))
         if len(entries) > MOST_SENDERS:
@@ -266,7 +272,10 @@ class _Intake:
             return []
 
     def _sender(self, parts):
-        return sender_of(parts if len(parts) > 1 else (*parts, ""), self._lessons)
+        return self._sender_of(parts if len(parts) > 1 else (*parts, ""))
+
+    def _sender_of(self, parts):
+        return sender_of(parts, self._lessons, self._numbered)
 
     # ------------------------------------------------------------ files
 
@@ -284,7 +293,7 @@ class _Intake:
                 self._add_finding("file", parts, "a link; links are not followed")
             self._ignore(parts)
             return
-        sender = sender_of(parts, self._lessons)
+        sender = self._sender_of(parts)
         modified = datetime.fromtimestamp(int(status.st_mtime)) if status else None
         if suffix == ".zip" and not reason:
             location = (str(path), status.st_dev, status.st_ino)
@@ -303,7 +312,7 @@ class _Intake:
         )
 
     def _certainty(self, parts):
-        unknown = len(parts) > 1 and is_lesson(parts[0], self._lessons)
+        unknown = len(parts) > 1 and is_lesson(parts[0], self._lessons) and parts[0] not in self._numbered
         unknown = unknown and lesson_name(parts[0]) not in self._lessons
         return (_IN_UNKNOWN_FOLDER if unknown else _ALONE, 0)
 
@@ -370,11 +379,13 @@ class _Intake:
         one_folder = len(top_folders) == 1 and None not in top_folders
         one_folder = one_folder and platform_sender(next(iter(top_folders))) is None
         depth = 2 if one_folder else 1
+        numbered = numbered_learners([name[depth - 1 :] for name in notebooks], self._lessons)
 
         def sender_in(name):
             if len(name) <= depth and is_lesson_file(name[-1], self._lessons):
                 return sender
-            return sender_of(name[1:] if one_folder and len(name) > 1 else name, self._lessons)
+            within = name[1:] if one_folder and len(name) > 1 else name
+            return sender_of(within, self._lessons, numbered)
 
         return sender_in
 
@@ -438,7 +449,7 @@ class _Intake:
         self._collection.add_finding(kind, self._sender(parts).name, parts, text)
 
     def _ignore(self, parts, sender=None):
-        sender = sender or sender_of(parts, self._lessons)
+        sender = sender or self._sender_of(parts)
         self._unlisted[sender.name] += 1
         if self._unlisted[sender.name] <= _MOST_LISTED:
             self._collection.ignored.append(display_path(parts))
@@ -467,6 +478,14 @@ def _is_folder(entry):
         return entry.is_dir(follow_symlinks=False)
     except OSError:
         return False
+
+
+def _notebooks_in(folder):
+    """The paths of the notebooks directly in a folder; none if it cannot be read, which is reported later."""
+    try:
+        return [entry.path for entry in os.scandir(folder) if _suffix(entry.name) == ".ipynb"]
+    except OSError:
+        return []
 
 
 def _suffix(name):

@@ -9,7 +9,7 @@ import unicodedata
 from dataclasses import dataclass
 from pathlib import PurePosixPath
 
-from imgproc_course.authoring.lesson_names import is_lesson, lessons_named, without_lesson
+from imgproc_course.authoring.lesson_names import is_lesson, lesson_name, lessons_named, without_lesson
 from imgproc_course.autograder.sanitize import sanitize_line
 
 LONGEST_NAME = 500  # characters of one part of a path
@@ -39,24 +39,48 @@ class Sender:
     doubt: str = ""
 
 
-def sender_of(parts, lessons):
+def sender_of(parts, lessons, numbered=frozenset()):
     """The sender of a file.
 
     Parameters
     ----------
     parts : tuple of str, the parts of its path; folders with a lesson's name are ignored
     lessons : names of lessons
+    numbered : what `numbered_learners` found
 
     Returns
     -------
     Sender
     """
-    folders = [part for part in parts[:-1] if not is_lesson(part, lessons)]
+    folders = [part for part in parts[:-1] if part in numbered or not is_lesson(part, lessons)]
     sender = platform_sender(folders[0] if folders else parts[-1])
     if sender is None:
         sender = Sender(folders[0] if folders else name_in_stem(PurePosixPath(parts[-1]).stem, lessons))
     name = sanitize_line(unicodedata.normalize("NFC", sender.name.strip()), 120) or "(no name)"
     return Sender(**vars(sender) | {"name": name})
+
+
+def numbered_learners(paths, lessons):
+    """The folders that a class list numbered: 01_ada has the form of a lesson's name, but is a learner's.
+
+    In the folder of a lesson without a key, hardly a file is named after a lesson that has one. If at least
+    half of the files are in at least half of such folders, all of these folders are learners'.
+
+    Parameters
+    ----------
+    paths : list of tuples of str, the parts of the notebooks' paths, from the top folder on
+    lessons : names of the lessons that have a key
+
+    Returns
+    -------
+    frozenset of str
+    """
+    votes = {}
+    for folder, *_, name in (path for path in paths if len(path) > 1):
+        if is_lesson(folder, lessons) and lesson_name(folder) not in lessons:
+            votes.setdefault(folder, []).append(bool(lessons_named(name, lessons)))
+    learners = sum(2 * sum(named) >= len(named) for named in votes.values())
+    return frozenset(votes) if 2 * learners >= len(votes) else frozenset()
 
 
 def platform_sender(name):

@@ -112,6 +112,25 @@ def test_a_zip_alone_is_a_folder_of_submissions(tmp_path):
         assert collection.ignored == ["all.zip/note.txt"]
 
 
+@pytest.mark.parametrize("is_zip", [False, True])
+def test_the_numbers_of_a_class_list_make_no_lessons(files_by_source, submissions, tmp_path, is_zip):
+    names = ["01_ada/20_light.ipynb", "01_ada/sound-1.ipynb", "02_bob/20_light.ipynb", "03_eve/my (2).ipynb"]
+    names.append("20_light/dan.ipynb")
+    for name in names:
+        write(submissions / name, b"{}")
+    if is_zip:
+        make_zip(tmp_path / "all.zip", [(name, b"{}") for name in names])
+    files = files_by_source(tmp_path / "all.zip" if is_zip else submissions).values()
+    assert [file.learner for file in files] == ["01_ada", "01_ada", "02_bob", "03_eve", "dan"]
+    assert {file.certainty for file in files} == ({(0, 4)} if is_zip else {(2, 0)})
+
+
+def test_a_folder_of_a_lesson_without_a_key_holds_learners(files_by_source, submissions):
+    for name in ("03_unknown/ada.ipynb", "03_unknown/bob.ipynb", "03_unknown/20_light.ipynb"):
+        write(submissions / name, b"{}")
+    assert [file.learner for file in files_by_source(submissions).values()] == ["20_light", "ada", "bob"]
+
+
 def test_links_and_devices_are_reported_and_not_followed(files_by_source, submissions, tmp_path):
     secret = write(tmp_path / "secret.ipynb", b"secret")
     (submissions / "ada").mkdir()
