@@ -107,7 +107,7 @@ def grade_submissions(
         if scheduler is not None:
             options["executor"] = stack.enter_context(open_scheduler(scheduler))
         learners = read_all(collection, answer_keys, store, fresh=fresh, quiet=quiet)
-        rules.assign(learners)
+        rules.assign(learners, roster or ())
         again = answers_to_regrade(regrade, learners, rules.names, answer_keys, fresh=fresh)
         pages = LearnerPages(out, learners, answer_keys, store, rules, anonymous=anonymous)
         comparison = stack.enter_context(ThreadPoolExecutor(1)).submit(compare, learners, answer_keys, store)
@@ -183,6 +183,12 @@ def _summary(grades, graded_now, out, table_lines, failed_pages):
         f" ({graded_now} now), {late} late,"
         f" {not_graded} could not be graded."
     ]
+    if roster := grades["roster"]:
+        lines[0] += f" Of {roster['count']} in the roster, {len(roster['missing'])} handed in nothing."
+        if roster["unknown"]:
+            lines[0] += (
+                f" Not in it: {count_of(len(roster['unknown']), 'learner')} (summary.html names them)."
+            )
     for learner in grades["learners"]:
         for lesson in learner["lessons"]:
             if lesson["status"] != "graded":

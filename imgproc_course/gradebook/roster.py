@@ -8,6 +8,7 @@ by hand   a column `name`, or `student`, or `email`
 
 import re
 import unicodedata
+from collections import Counter
 from dataclasses import dataclass
 
 from imgproc_course.autograder.sanitize import sanitize_line
@@ -104,6 +105,29 @@ def _entry(row):
 def _squeezed(name):
     """A name by its letters and digits alone: Canvas writes lovelaceada for "Lovelace, Ada"."""
     return "".join(filter(str.isalnum, unicodedata.normalize("NFC", name).casefold()))
+
+
+def names_in_roster(roster, learners):
+    """Whom the names of a roster mean, for the teacher's tables.
+
+    Parameters
+    ----------
+    roster : list of RosterEntry
+    learners : list of Learner
+
+    Returns
+    -------
+    {name: the learner's name, or None if this person handed in nothing}, without names of two people
+    """
+    senders = {entry.name: None for entry in roster}
+    for learner in learners:
+        files = [submission.file for submission in learner.all_submissions()]
+        for entry in roster:
+            if any(entry.is_sender(file) for file in files):
+                senders[entry.name] = learner.name
+    count = Counter(name for entry in roster for name in {entry.name, *entry.names})
+    names = ((name, entry.name) for entry in roster for name in {entry.name, *entry.names})
+    return {name: senders[entry_name] for name, entry_name in names if count[name] == 1}
 
 
 def roster_report(roster, learners):

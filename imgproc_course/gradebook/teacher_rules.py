@@ -2,6 +2,7 @@
 
 from imgproc_course.gradebook.anonymity import anonymous_id
 from imgproc_course.gradebook.deadlines import Deadlines, read_late_policy
+from imgproc_course.gradebook.roster import names_in_roster
 from imgproc_course.gradebook.teacher_tables import (
     TeacherTableError,
     by_learner,
@@ -39,8 +40,15 @@ class TeacherRules:
         self._extensions = read_extensions(extensions, answer_keys) if extensions else []
         self._decisions = read_decisions(decisions, answer_keys) if decisions else []
 
-    def assign(self, learners):
+    def assign(self, learners, roster=()):
         """Assign extensions and decisions to learners, who are read but not yet graded.
+
+        A row about a person of the roster who handed in nothing waits for the submission.
+
+        Parameters
+        ----------
+        learners : list of Learner
+        roster : list of RosterEntry
 
         Raises
         ------
@@ -48,9 +56,10 @@ class TeacherRules:
         """
         self.names = {anonymous_id(learner.name, self._answer_keys): learner.name for learner in learners}
         self.names |= {learner.name: learner.name for learner in learners}
-        extensions = by_learner(self._extensions, self.names)
+        known = names_in_roster(roster, learners) | self.names
+        extensions = by_learner(self._extensions, known)
         self.deadlines = Deadlines(self._deadline, self._policy, extensions)
-        self.decisions = by_learner(self._decisions, self.names)
+        self.decisions = by_learner(self._decisions, known)
         for learner in learners:
             for decision in self.decisions.get(learner.name, ()):
                 _require_exercises(decision, learner.submissions.get(decision.lesson))

@@ -121,7 +121,7 @@ def by_learner(rows, names):
     Parameters
     ----------
     rows : list of Decision or of Extension
-    names : dict {name or anonymous id: the learner's name}
+    names : dict {name or anonymous id: the learner's name, or None: this person's rows are left out}
 
     Returns
     -------
@@ -134,13 +134,21 @@ def by_learner(rows, names):
     assigned = {}
     for row in rows:
         # An apostrophe keeps a spreadsheet from taking a name for a formula.
-        name = names.get(row.learner) or names.get(row.learner.removeprefix("'"))
-        if name is None:
-            similar = difflib.get_close_matches(row.learner, names, 1)
-            hint = f"did you mean {similar[0]!r}?" if similar else "write the name as grades.csv has it"
-            raise TeacherTableError(f"{row.place}: there is no learner {_quoted(row.learner)}; {hint}")
-        assigned.setdefault(name, []).append(row)
+        written = next((text for text in (row.learner, row.learner.removeprefix("'")) if text in names), None)
+        if written is None:
+            raise TeacherTableError(f"{row.place}: there is no learner {_unknown(row.learner, names)}")
+        if names[written] is not None:
+            assigned.setdefault(names[written], []).append(row)
     return assigned
+
+
+def _unknown(learner, names):
+    similar = difflib.get_close_matches(learner, names, 1)
+    if similar:
+        return f"{_quoted(learner)}; did you mean {similar[0]!r}?"
+    some = ", ".join(sorted({name for name in names.values() if name})[:3])
+    text = f"{_quoted(learner)}; write the name of the folder or file that was submitted ({some}, ...)"
+    return f"{text}, or give the --roster that has those who submitted nothing"
 
 
 def _rows(path, columns, required):

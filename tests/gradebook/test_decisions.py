@@ -149,6 +149,19 @@ def test_an_extension_is_for_one_learner_and_one_lesson(grade, tmp_path):
         grade(deadline=DEADLINE, extensions=table)
 
 
+def test_a_row_about_somebody_of_the_roster_who_handed_in_nothing_waits(grade, tmp_path):
+    (tmp_path / "roster.csv").write_text("name,email\nBob,bob7@uni.edu\nIlli,illi@uni.edu\nAda,ada@uni.edu\n")
+    (tmp_path / "extensions.csv").write_text("learner,deadline\nIlli,2026-12-09\nbob7@uni.edu,2026-12-09\n")
+    options = {"deadline": DEADLINE, "extensions": tmp_path / "extensions.csv"}
+    decisions = HEADER + "Illi,sound,,excused,Ill that week\n"
+    lessons, _, summary = grade(decisions, roster=tmp_path / "roster.csv", **options)
+    assert "Illi" not in lessons
+    assert not lessons["Bob"]["light"]["late"]  # by the address in the roster
+    assert "Of 3 in the roster, 1 handed in nothing. Not in it: 2 learners" in summary.text
+    with pytest.raises(TeacherTableError, match=r"row 2: there is no learner 'Illi'; .* give the --roster"):
+        grade(decisions, **options)
+
+
 @pytest.mark.parametrize("text", ["10%", "ten % a day", "0% a day", "101% a day", "10% a day, soon", ""])
 def test_another_late_policy_is_refused(text):
     with pytest.raises(ValueError, match="is no late policy; write"):
