@@ -15,6 +15,7 @@ from rich.console import Console
 from imgproc_course import doctor as doctor_package
 from imgproc_course.doctor import Diagnosis, Report, camera_checks, doctor, graph, software
 from imgproc_course.doctor.report import failure, ok, warning
+from imgproc_course.messages import ConversionError
 
 ROOT = Path(__file__).parents[1]
 
@@ -343,6 +344,14 @@ def test_a_packet_that_is_lost_did_not_arrive(monkeypatch):
     assert not graph._packet_arrives("127.0.0.1", timeout=0.1)
 
 
+def test_another_programs_packet_is_not_the_doctors(monkeypatch):
+    send = socket.socket.sendto
+    monkeypatch.setattr(
+        socket.socket, "sendto", lambda sender, _, address: send(sender, b"stranger", address)
+    )
+    assert not graph._packet_arrives("127.0.0.1", timeout=1.0)
+
+
 # ---------------------------------------------------------------------------------------- camera
 
 
@@ -351,6 +360,16 @@ def test_a_damaged_recording(monkeypatch, tmp_path):
     diagnosis = diagnoses_of(camera_checks.check_recording)["recording"]
     assert diagnosis.verdict == "failure"
     assert "git checkout -- imgproc_course/recording/drive" in diagnosis.remedy
+
+
+def test_a_recording_whose_error_has_no_remedy(monkeypatch):
+    def damaged(_):
+        raise ConversionError("frame 3 is cut short")
+
+    monkeypatch.setattr("imgproc_course.recording.open_recording", damaged)
+    diagnosis = diagnoses_of(camera_checks.check_recording)["recording"]
+    assert diagnosis.observation == "frame 3 is cut short"
+    assert diagnosis.remedy == "git checkout -- imgproc_course/recording/drive"
 
 
 def test_a_disk_that_is_nearly_full(monkeypatch):
@@ -380,6 +399,16 @@ def test_the_camera_that_runs_is_checked_and_not_changed():
         assert (diagnosis.verdict, camera.rate, camera.running) == ("ok", 30.0, True)
     assert RosSession().running  # it ran before
     RosSession().stop()
+
+
+@pytest.mark.ros
+def test_the_session_that_the_doctor_started_ends_with_the_check(monkeypatch):
+    from imgproc_course.ros import RosSession
+
+    RosSession().stop()
+    monkeypatch.setattr(camera_checks, "_why_no_frames", lambda topic: None)
+    (diagnosis,) = camera_checks.check_topics()
+    assert (diagnosis.verdict, RosSession().running) == ("ok", False)
 
 
 @pytest.mark.ros

@@ -19,6 +19,8 @@ _IMPORTS = {
         for name in ("math", "cv2", "os", "sys", "random", "itertools", "struct", "time")
     },
     **{name: f"from math import {name}" for name in ("sqrt", "log10", "log", "floor", "ceil", "pi", "inf")},
+    **{name: f"from math import {name}" for name in ("sin", "cos", "tan", "atan2", "hypot", "radians")},
+    "norm": "from numpy.linalg import norm",
 }
 _WHOLE_INDEX = "An index is a whole number, and / makes a float. Divide with //, or use int()."
 

@@ -44,10 +44,10 @@ def _remarks_on_node(node, source):
                 f" True. Compare with each of them, or write: in (..., ...)."
             )
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.MatMult):
-        yield "a @ b is the product of two matrices. To multiply value by value, write a * b."
+        yield "a @ b is the product of two matrices or vectors; a * b multiplies value by value."
     if isinstance(node, ast.Call) and ast.unparse(node.func) in ("np.dot", "np.matmul"):
         name = ast.unparse(node.func)
-        yield f"{name}(a, b) is the product of two matrices. To multiply value by value, write a * b."
+        yield f"{name}(a, b) is the product of two matrices or vectors; a * b multiplies value by value."
     if isinstance(node, ast.Assign):
         yield from _width_before_height(node)
     if isinstance(node, ast.While) and "uint8(" in source:

@@ -56,6 +56,8 @@ ADVICE = {
     "a += 0.5": "Write a = a + b instead of a += b",
     "maths.sqrt(2)": "Nothing has the name maths here.",
     "os.getcwd()": "Write its import line in it: import os",
+    "cos(0.5)": "Write its import line in it: from math import cos",
+    "norm(a)": "Write its import line in it: from numpy.linalg import norm",
     "def f(x):\n    if x > 9:\n        best = 1\n    return best\nf(1)": "Give best a start value before it.",
     "a.append(3)": "An array cannot grow.",
     "a.height": "its rows are .shape[0], its columns .shape[1]",

@@ -34,8 +34,8 @@ def remarks(source, errors=()):
     ("line", "start"),
     [
         ("if m == 'a' or 'b': return 1", "m == 'a' or 'b' is always true, because 'b' alone counts as True."),
-        ("return a @ b", "a @ b is the product of two matrices."),
-        ("return np.dot(a, b)", "np.dot(a, b) is the product of two matrices."),
+        ("return a @ b", "a @ b is the product of two matrices or vectors;"),
+        ("return np.dot(a, b)", "np.dot(a, b) is the product of two matrices or vectors;"),
         ("width, height = a.shape", "width and height are exchanged: a shape begins with the number of rows"),
         ("w, h, n = a.shape[:2]", "w and h are exchanged"),
         ("t = np.uint8(0)\n    while t <= 255: t += 1", "t <= 255 is always true for a uint8"),
