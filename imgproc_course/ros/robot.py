@@ -18,6 +18,7 @@ from imgproc_course.ros.subscriber import weak_callback
 
 COMMAND_PERIOD = 0.1  # seconds between the commands of a drive that lasts
 TIMEOUT = 10.0  # seconds that a message, or a robot, may take to appear
+SETTLING = 0.2  # seconds: see Robot._require_robot
 FRESH = 1.0  # seconds: an older message is of a robot that is gone, so the next one is waited for
 _START_IT = 'open_camera("room") starts a simulated robot'
 
@@ -175,10 +176,12 @@ class Robot:
 
     def _require_robot(self):
         self._require_open()
+        is_new = False
         if self._commands is None:
             # Not before: the robot would warn of two publishers while another program drives it.
             self._commands = self._node.create_publisher(Twist, self._topics["commands"], 10)
             self._owned.append(self._commands)
+            is_new = True
         end = time.monotonic() + TIMEOUT
         while self._finalizer.alive and not self._commands.get_subscription_count():
             if time.monotonic() > end:
@@ -187,6 +190,9 @@ class Robot:
                     "or start a real robot's bridge in this ROS domain"
                 )
             time.sleep(0.01)
+        if is_new:
+            # The robot notices this publisher a moment later, and would miss a command before.
+            time.sleep(SETTLING)
 
     def _newest(self, name, message_type):
         if name not in self._subscriptions:

@@ -4,6 +4,7 @@ import math
 import os
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import numpy as np
@@ -105,11 +106,14 @@ def test_what_it_sees_is_what_the_simulation_sees_there(robot, collect, wait_unt
 
 
 def test_it_drives_and_stops_by_itself_after_half_a_second(robot, collect, wait_until):
+    from geometry_msgs.msg import Twist
     from nav_msgs.msg import Odometry
 
     robot.restart(start=(0.4, -0.3, 0.0))
     assert robot.pose == pytest.approx((0, 0, 0), abs=1e-9)
     wheels = collect("/kachaka/wheel_odometry/wheel_odometry", Odometry)
+    robot.drive(0.0, 0.0)
+    wait_until(lambda: wheels)
     robot.drive(0.2, 0.0)
     wait_until(lambda: any(msg.twist.twist.linear.x > 0.15 for msg in wheels))
     wait_until(lambda: wheels[-1].twist.twist.linear.x == 0)
@@ -117,7 +121,10 @@ def test_it_drives_and_stops_by_itself_after_half_a_second(robot, collect, wait_
     assert 0.05 < robot.pose[0] < 0.3
     assert (wheels[-1].header.frame_id, wheels[-1].child_frame_id) == ("odom", "base_footprint")
     x, _, yaw = robot.pose
+    commands = collect("/kachaka/manual_control/cmd_vel", Twist)
     robot.drive(0.0, 1.0, seconds=1.0)
+    wait_until(lambda: robot.drive(0.0, 0.1, seconds=0.1) or commands)
+    wait_until(lambda: commands[-1] == Twist())  # it ends with a stop
     robot.drive(-0.2, 0.0, seconds=0.5)
     assert robot.pose[2] > yaw + 0.3 and robot.pose[0] < x
     assert 0.05 <= min(robot.scan.ranges) < 5
@@ -181,8 +188,10 @@ def test_a_client_says_what_is_wrong(robot, monkeypatch):
     other = Robot("/other")
     with pytest.raises(RuntimeError, match=r"no robot subscribes to /other/manual_control/cmd_vel: open_cam"):
         other.drive(0.1, 0)
-    with pytest.raises(TimeoutError, match=r"no scan arrived on /other/lidar/scan in 0.3 s"):
-        _ = other.scan
+    for arrived in ({}, {"scan": (time.monotonic() - 5, "of a robot that is gone")}):
+        other._messages.update(arrived)
+        with pytest.raises(TimeoutError, match=r"no scan arrived on /other/lidar/scan in 0.3 s"):
+            _ = other.scan
     other.close()
     other.close()
     with pytest.raises(RuntimeError, match="closed"):
