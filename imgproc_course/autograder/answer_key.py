@@ -241,7 +241,7 @@ def _load_one(path):
             variant, count, secret = content["variant"], int(content["variants"]), str(content["secret"])
     except FileNotFoundError as error:
         raise KeyFolderError(
-            f"{path}: there is no key; make one: imgproc-course key --seed S --out {path.name}"
+            f"{path}: there is no key; make one: imgproc-course key --out {path.name}"
         ) from error
     except (OSError, ValueError, KeyError, TypeError) as error:
         if isinstance(error, KeyFolderError):

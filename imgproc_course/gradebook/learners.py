@@ -15,6 +15,7 @@ from imgproc_course.gradebook.archives import CollectError
 from imgproc_course.gradebook.collect import IntakeFinding, SubmittedFile, digest_of
 from imgproc_course.gradebook.notebook_reader import NOT_READ_IN_TIME, NotebookReader
 from imgproc_course.gradebook.submission import (
+    AnswerState,
     SubmissionContent,
     lesson_by_name,
     read_submission,
@@ -33,7 +34,7 @@ class Submission:
     file_digest     SHA-256 of its bytes, "" if they could not be read
     content         what the file holds
     answers_digest  identifies its answers together with their key; "" if it cannot be read
-    has_answers     True if it holds the answer to an exercise
+    has_answers     True if it holds the answer to an exercise, and not only the stubs
     key             the key that it is graded with, or None
     """
 
@@ -122,7 +123,9 @@ class _SubmissionReader:
             return submission
         submission.key = self._answer_keys.variant_for(content.lesson, content.version, file.learner)
         submission.answers_digest = self._store.keep_answers(submission.key, content.lesson, content.answers)
-        submission.has_answers, content.answers = bool(content.answers), {}
+        untouched = (AnswerState.NOT_ATTEMPTED, AnswerState.MISSING)
+        submission.has_answers = any(content.states[id] not in untouched for id in content.answers)
+        content.answers = {}
         return submission
 
     def _content(self, file, data, digest):

@@ -264,10 +264,12 @@ def test_two_learners_of_one_name(light, submissions, grade):
     assert {each["name"]: each["points"] for each in grades["learners"]} == {"Anna (1)": 6, "Anna (2)": 0}
 
 
-def test_a_submission_without_answers_does_not_replace_one_with_answers(light, submissions, grade):
+@pytest.mark.parametrize("kind", ["no answer cells", "stubs"])
+def test_a_submission_without_answers_does_not_replace_one_with_answers(light, submissions, grade, kind):
     right = notebook(light, answers_of(light, "right"))
     write(submissions / "ada" / "20_light.ipynb", right, datetime(2026, 11, 1))
     empty = right | {"metadata": {}, "cells": right["cells"][:1]}  # recognized by its file name alone
+    empty = notebook(light) if kind == "stubs" else empty
     write(submissions / "ada" / "20_light-1.ipynb", empty, datetime(2026, 12, 2))
     lesson = lesson_of(grade(submissions), "ada")
     assert (lesson["points"], lesson["file"]) == (6, "ada/20_light.ipynb")
