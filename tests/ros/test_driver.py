@@ -41,8 +41,9 @@ def test_keys_drive_the_robot_and_x_ends(wait_until):
         read("no key, no motion")
         while float(read(PLACE)[1]) < 0.03:
             os.write(ours, b"w")
-        while int(read(PLACE)[3]) < 5:
+        while abs(heading := int(read(PLACE)[3])) < 5:
             os.write(ours, b"\x1b[D")  # the left arrow
+        assert heading > 0
         os.write(ours, b"x")
         read("stopped")
         assert process.wait(60) == 0
