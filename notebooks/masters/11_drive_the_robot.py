@@ -26,7 +26,7 @@ import time
 
 from matplotlib.figure import Figure
 
-from imgproc_course.display import live_view, show, show_figure
+from imgproc_course.display import drive, show, show_figure
 from imgproc_course.exercises import check, compare_guess, hint, solution
 from imgproc_course.recording import open_recording
 from imgproc_course.ros import Robot, RosSession, open_camera
@@ -53,12 +53,12 @@ figure_texts = {
         "Left, large backs of books right in front of the camera; right, it still sees the whole room.",
     ),
     "drive": (
-        "What the camera of the robot sees, live, while you drive it.",
-        "The living room, live, from near the floor.",
+        "Click on the map, then hold an arrow key.",
+        "The image of the robot's camera, a map of the room from above with the robot's way, and buttons for driving.",
     ),
     "live": (
-        "What the camera of the robot sees while the node drives the square.",
-        "The living room, live, from near the floor.",
+        "The node drives the square. The map shows the way that the odometry counts.",
+        "The image of the robot's camera, and a map from above on which a small square appears.",
     ),
     "mine": (
         "The first image of my own recording.",
@@ -91,24 +91,16 @@ assert not ros_available() or camera.topic == "/kachaka/front_camera/image_raw"
 assert frame.shape == (360, 640, 3)
 
 # %% [markdown]
-# The next cell shows what its camera sees, live. Then drive it: run the cell below the image several times, with other numbers. `drive(0.2, 0.5, seconds=2.0)` means: forward with 0.2 m/s, and to the left with 0.5 rad/s, for two seconds. (Section 2 explains the numbers.) Negative numbers drive backward and to the right.
+# **Drive it yourself.** Run the next cell, and click on the map beside the image. Hold an arrow key (or W, A, S, D): the robot drives as long as you hold it; with Shift it drives at half the speed. The buttons and a gamepad work too. Drive to the ball, and look at the map: it shows your way, and what the robot's laser scanner sees.
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
     live_robot = Robot()
-    view = live_view(camera, text=figure_texts["drive"])
+    view = drive(live_robot, text=figure_texts["drive"])
 
 # %%
 # Check: the view runs
 assert not ros_available() or view.running
-
-# %% tags=["nbval-ignore-output"]
-if ros_available():
-    live_robot.drive(0.2, 0.5, seconds=2.0)
-
-# %%
-# Check: the robot has its odometry
-assert not ros_available() or live_robot.odometry.header.frame_id == "odom"
 
 # %% [markdown]
 # When you have driven enough, run the next cell. It stops the view and the robot, so that your computer has time for the rest.
@@ -703,12 +695,12 @@ if ros_available():
             self.publisher.publish(command)
 
 # %% [markdown]
-# `restart` puts the robot to the origin of the room, where there is enough space; its odometry begins at zero again. Then it drives a small square, with sides of 0.3 m. Watch what its camera sees. (The robot tells you that two programs can send commands now: your `live_robot` and the node. It follows the newest command.)
+# `restart` puts the robot to the origin of the room, where there is enough space; its odometry begins at zero again. Then it drives a small square, with sides of 0.3 m. Watch the map. (The robot tells you that two programs can send commands now: your `live_robot` and the node. It follows the newest command.)
 
 # %% tags=["nbval-ignore-output", "long"]
 if ros_available():
     live_robot.restart(start=(0.0, 0.0, 0.0))
-    view = live_view(camera, text=figure_texts["live"])
+    view = drive(live_robot, text=figure_texts["live"])
     session = RosSession.current()
     node = session.add_node(SquareNode(0.3, context=session.context))
     end = time.monotonic() + 60
@@ -1005,14 +997,18 @@ assert not ros_available() or live_robot.odometry.twist.twist.linear.x == 0
 # %% [markdown]
 # ## 8 · Record your own drive (2 minutes)
 #
-# `record` writes what the robot publishes into a new folder beside this notebook: images, depth, odometry, commands. The format is *MCAP*, which other programs, such as Foxglove, open too. `open_recording` opens the folder, so you can run your functions of every lesson on your own drive. Change the commands in the next cell as you like. (In a terminal, `imgproc-course record` does the same.)
+# `record` writes topics of the robot into a new folder beside this notebook: here images, depth and odometry. The format is *MCAP*, which other programs, such as Foxglove, open too. `open_recording` opens the folder, so you can run your functions of every lesson on your own drive. Change the command in the next cell as you like. `with` ends the recording after the drive. (In a terminal, `imgproc-course record` does the same.)
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
     folder = time.strftime("my_drive_%Y-%m-%d_%H-%M-%S")
+    camera = open_camera("room", rate=10)  # if it has been stopped
     live_robot.restart(start=(0.0, 0.0, 0.0))
-    with record(path=folder):
+    topics = [camera.compressed_topic, camera.info_topics[0],
+              "/kachaka/front_camera/depth", "/kachaka/odometry/odometry"]
+    with record(topics, folder):
         live_robot.drive(0.2, 0.4, seconds=4.0)
+    camera.stop()
     my_drive = open_recording(folder)
     print(folder, "has", len(my_drive), "images")
     show(my_drive.frame(0), text=figure_texts["mine"])
@@ -1035,7 +1031,7 @@ assert not ros_available() or my_drive.frame(0).shape == (360, 640, 3)
 # | wheel speeds | two floats | left, right | m/s |
 # | stopping distance | one float | | metres |
 #
-# Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+# **Next:** [[obstacles_ahead]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
 
 # %%
 # Check: the shape in the table

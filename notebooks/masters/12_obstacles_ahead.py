@@ -1488,6 +1488,7 @@ if ros_available():
             self.publish_scan(msg.header, scan_of(forward, left, height))
             mask = (np.abs(left) <= 0.20) & (height > 0.03) & (height < 0.40)
             self.distance = forward[mask].min(initial=np.inf) - 0.03
+            # 0.2 s: one frame, and the latency
             stopping = self.speed * 0.2 + self.speed**2 / (2 * 0.6)
             command = Twist()
             if self.distance > 0.15 + stopping:
@@ -1518,6 +1519,7 @@ if ros_available():
             break
     session.remove_node(node)
     print("kept", round(float(node.distance), 2), "m;  bumps:", camera.bumps)
+    camera.stop()
 
 # %%
 # Check: the node saw the boxes
