@@ -92,6 +92,9 @@ def _concerns_of(lesson):
         yield "other", "", "the platform says that it is late; by how much is unknown, so nothing is deducted"
     entries = {exercise["id"]: exercise for exercise in lesson["exercises"]}
     for finding in lesson["findings"]:
+        if finding["exercise"] and finding["exercise"] not in entries:  # a practice exercise has no points
+            yield "other", "", finding_text(finding)
+            continue
         entry = entries.get(finding["exercise"], lesson)
         lost = entry["autograded_points"] < entry["max_points"]
         repeated = lesson["earlier"] and finding["text"].startswith("submitted ")

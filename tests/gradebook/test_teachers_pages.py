@@ -80,6 +80,16 @@ def test_each_line_can_be_copied_into_the_decisions(graded, class_folder, key_pa
     assert "May have lost points" not in (out / "summary.html").read_text()
 
 
+def test_practice_is_no_reason_for_a_decision_on_the_whole_lesson(masters, submissions, key_path, tmp_path):
+    made = notebook(masters["sound"])
+    made["cells"].remove(cell_of(made, "answer-sound-practice"))
+    write(submissions / "ada" / "21_sound.ipynb", made)
+    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
+    assert rows_of(tmp_path / "out", "May have lost points unfairly") == []
+    (row,) = rows_of(tmp_path / "out", "Also unusual")
+    assert "sound-practice: its answer cell" in row
+
+
 def test_one_learner_and_one_lesson_are_not_plural(light, submissions, key_path, tmp_path):
     write(submissions / "ada.ipynb", notebook(light))
     summary = grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
