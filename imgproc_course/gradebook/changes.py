@@ -78,6 +78,8 @@ def _parts(learner):
 def _text(entry):
     if entry.get("status") == "not graded":
         return f"not graded: {entry['reason']}"
+    if entry.get("decision") and entry["decision"]["excused"]:
+        return "excused"
     text = f"{entry['points']} of {entry['max_points']}"
     if entry.get("late_deduction"):
         text += f", {entry['late_deduction']} deducted because late"

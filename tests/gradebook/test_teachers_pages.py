@@ -10,6 +10,7 @@ from datetime import datetime
 import pytest
 from submissions import answers_of, cell_of, notebook, write
 
+from imgproc_course.gradebook.changes import changes_between
 from imgproc_course.gradebook.grade import grade_submissions
 
 pytestmark = pytest.mark.sandbox
@@ -115,6 +116,16 @@ def test_the_zips_of_feedback_have_the_names_that_moodle_and_canvas_read(graded)
     assert page == next((graded[1] / "learners").glob("ada-b-*.html")).read_bytes()
     with zipfile.ZipFile(graded[1] / "exports" / "canvas-feedback-light.zip") as archive:
         assert archive.namelist() == ["lovelacebob_LATE_77_100_20_light-1.html"]
+
+
+def test_an_excused_lesson_is_a_change_by_that_word():
+    lesson = {"lesson": "light", "status": "graded", "points": 4, "max_points": 6, "exercises": []}
+    before, after = (
+        {"learners": [{"name": "Bob", "page": "", "lessons": [lesson | more]}]}
+        for more in ({}, {"points": 0, "max_points": 0, "decision": {"excused": True}})
+    )
+    (change,) = changes_between(before, after)
+    assert (change["before"], change["after"]) == ("4 of 6", "excused")
 
 
 def test_the_changes_since_the_run_before(light, submissions, key_path, tmp_path):
