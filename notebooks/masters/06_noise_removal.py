@@ -865,7 +865,7 @@ exercise(
     title="PSNR",
     function="my_psnr",
     time_limit=5,
-    tolerance=1e-6,
+    tolerance=1e-4,
     allowed=("scipy",),
     hint="Go through the formula step by step: widen, subtract, square, mean, 255**2 divided by this mean, logarithm to base 10, times 10.",
     hints=(
