@@ -48,6 +48,10 @@ class CourseServer(ServerApp):
             raise TraitError(f"--port {port} is not a port; give a number from 1024 to 65535: --port 8888")
         return port
 
+    @default("static_custom_path")
+    def _static_custom_path_default(self):
+        return [str(CONFIGURATION / "custom")]  # custom.css; LabApp.custom_css switches it on
+
     @default("port_retries")
     def _port_retries_default(self):
         # Below 1024 most users may not listen, and each of 50 more tries would log a warning.

@@ -14,6 +14,7 @@ c.Application.log_level = "WARN"  # Jupyter prints its address at every level
 if "IMGPROC_COURSE_LESSONS" in os.environ:
     c.ServerApp.root_dir = os.environ["IMGPROC_COURSE_LESSONS"]
 c.LabApp.default_url = "/lab/tree/index.ipynb"
+c.LabApp.custom_css = True  # custom/custom.css
 
 # This computer alone: no other computer can open the lessons, and JupyterLab asks no server for news.
 c.ServerApp.ip = "127.0.0.1"

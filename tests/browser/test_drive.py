@@ -20,9 +20,12 @@ CELLS = [
     'view = drive(robot, caption="What the robot sees.")',
     """
     def still():
-        x, y, yaw = robot.pose
-        time.sleep(1)
-        return (x, y, yaw) == robot.pose
+        for _ in range(60):  # on a busy machine the last odometry comes late
+            pose = robot.pose
+            time.sleep(1)
+            if robot.pose == pose:
+                return True
+        return False
 
     print(still(), len(view.trace) > 5, view._map._cells != set())
     """,
@@ -56,8 +59,13 @@ def numbers(page):
     return tuple(float(number) for number in re.findall(r"-?\d+(?:\.\d+)?", text))
 
 
+def wait_for(page, condition):
+    """Waits until the numbers fulfil a condition; on a busy machine the robot drives only now and then."""
+    page.wait_until(lambda: condition(*numbers(page)), timeout=150)
+
+
 def wait_for_stop(page):
-    page.wait_until(lambda: numbers(page)[3:] == (0, 0))
+    wait_for(page, lambda x, y, yaw, v, w: v == w == 0)
 
 
 def test_keys_buttons_and_gamepad_drive_while_they_are_held(page):
@@ -72,7 +80,7 @@ def test_keys_buttons_and_gamepad_drive_while_they_are_held(page):
         ("ArrowRight", 2, lambda degrees: degrees < 5),
     ):
         keyboard.down(key)
-        page.wait_until(lambda number=number, is_reached=is_reached: is_reached(numbers(page)[number]))
+        wait_for(page, lambda *now, number=number, is_reached=is_reached: is_reached(now[number]))
         keyboard.up(key)
         wait_for_stop(page)
     assert page.page.locator(".jp-Cell").count() == cells  # A is no command of the notebook here
@@ -81,18 +89,18 @@ def test_keys_buttons_and_gamepad_drive_while_they_are_held(page):
 
     page.page.locator(f"{PAD} button[data-name=left]").hover()
     page.page.mouse.down()
-    page.wait_until(lambda: numbers(page)[2] > 20)
+    wait_for(page, lambda x, y, yaw, v, w: yaw > 20)
     page.page.mouse.up()
     wait_for_stop(page)
     keyboard.press("Tab")  # from "left" to "stop", and to "right"
     keyboard.press("Tab")
     keyboard.down("Space")
-    page.wait_until(lambda: numbers(page)[2] < 5)
+    wait_for(page, lambda x, y, yaw, v, w: yaw < 5)
     keyboard.up("Space")
     wait_for_stop(page)
 
     page.page.evaluate(GAMEPAD, [0.05, -0.5])  # forward; to the side is within the dead zone
-    page.wait_until(lambda: numbers(page)[3] > 0.1)
+    wait_for(page, lambda x, y, yaw, v, w: v > 0.1)
     assert abs(numbers(page)[4]) < 0.1
     page.page.evaluate(GAMEPAD, [0.0, 0.0])
     wait_for_stop(page)
@@ -103,13 +111,13 @@ def test_everybody_can_read_and_use_it(page):
         page.set_theme(theme)
         if lighting == "evening":
             page.run_cell(3)
-            page.wait_until(lambda: numbers(page)[:3] == (0, 0, 0))  # it begins again, and so does the map
+            wait_for(page, lambda x, y, yaw, v, w: x == y == yaw == 0)  # it begins again, and so does the map
             points = page.page.locator(".imgproc-trace").get_attribute("points")
             assert points.split() == ["0,0"]
         page.page.locator(PAD).focus()
         page.page.keyboard.down("w")
         page.page.keyboard.down("a")
-        page.wait_until(lambda: numbers(page)[2] > 30)
+        wait_for(page, lambda x, y, yaw, v, w: yaw > 30)
         page.page.keyboard.up("w")
         page.page.keyboard.up("a")
         assert page.violations() == []
@@ -121,7 +129,7 @@ def test_without_focus_or_page_the_robot_stops(page):
     keyboard, pad = page.page.keyboard, page.page.locator(PAD)
     pad.focus()
     keyboard.down("d")
-    page.wait_until(lambda: numbers(page)[4] < -0.5)
+    wait_for(page, lambda x, y, yaw, v, w: w < -0.5)
     pad.blur()
     wait_for_stop(page)
     pad.focus()  # the key is still down: it must be pressed again
@@ -130,7 +138,7 @@ def test_without_focus_or_page_the_robot_stops(page):
     keyboard.up("d")
 
     keyboard.down("ArrowLeft")
-    page.wait_until(lambda: numbers(page)[4] > 0.5)
+    wait_for(page, lambda x, y, yaw, v, w: w > 0.5)
     pad.evaluate("pad => pad.remove()")  # its last numbers stay; the kernel asks the robot
     page.run_cell(2)
     assert page.outputs(2)[0].startswith("True")
