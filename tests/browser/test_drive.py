@@ -14,7 +14,7 @@ CELLS = [
     from imgproc_course.display import drive
     from imgproc_course.ros import Robot, open_camera
 
-    camera = open_camera("room")
+    camera = open_camera("room", rate=3)  # images per second: the machine has time for the rest
     robot = Robot()
     """,
     'view = drive(robot, caption="What the robot sees.")',
