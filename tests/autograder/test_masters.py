@@ -12,7 +12,7 @@ from imgproc_course.autograder.pool import autograde
 from imgproc_course.exercises import read_exercises
 from imgproc_course.exercises.checking import run_cases as check_answer
 
-pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("masters")]
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("masters"), pytest.mark.timeout(1800)]
 ROOT = Path(__file__).parents[2]
 FOLDERS = sorted({path.parent for path in ROOT.glob("*/**/masters/[0-9]*.py")})
 MASTERS = [path for folder in FOLDERS for path in find_masters(folder)]
