@@ -376,22 +376,20 @@ print(np.cross(ahead, right))
 guess_offset = None  # your guess: which number?
 
 # %%
-a, b, c = np.array([[0.0, 0.2, 1.0], [1.0, 0.2, 1.0], [0.0, 0.2, 2.0]])
-normal = np.cross(b - a, c - a)
-normal = normal / np.linalg.norm(normal)  # its length becomes 1
-if normal[1] > 0:
-    normal = -normal
-offset = -(normal @ a)
-print("normal", normal)
+slanted = np.array([0.0, -3.0, 4.0])
+print("length", np.linalg.norm(slanted), "  divided by it:", slanted / np.linalg.norm(slanted))
+up = np.cross(right, ahead)
+point = np.array([0.5, 0.2, 2.0])  # on this floor
+offset = -(up @ point)
 compare_guess(guess_offset, round(float(offset), 2))
 
 # %% [markdown]
-# The offset is 0.2: it is the height of the camera above the plane, because the camera itself is the point (0, 0, 0).
+# `np.linalg.norm` is the length of a vector: here the root of 3² + 4², which is 5. The offset is 0.2: it is the height of the camera above the plane, because the camera itself is the point (0, 0, 0).
 
 # %%
 # Check: the numbers in this section
 assert np.cross(right, ahead).tolist() == [0, -1, 0] and np.cross(ahead, right).tolist() == [0, 1, 0]
-assert normal.tolist() == [0, -1, 0] and offset == 0.2
+assert np.linalg.norm(slanted) == 5 and up.tolist() == [0, -1, 0] and offset == 0.2
 
 # %% [markdown]
 # ### Your turn: the plane of three points
@@ -400,7 +398,7 @@ assert normal.tolist() == [0, -1, 0] and offset == 0.2
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `a`, `b`, `c`: arrays of three floats, metres: right, down, ahead | two values: the normal, an array of three floats that is 1 long and points up (its y is negative), and the offset, a float in metres | `plane_of(a, b, c)` with the points above returns `[0, -1, 0]` and `0.2` |
+# | `a`, `b`, `c`: arrays of three floats, metres: right, down, ahead | two values: the normal, an array of three floats that is 1 long and points up (its y is negative), and the offset, a float in metres | `plane_of(a, b, c)` with the points (0, 0.2, 1), (1, 0.2, 1) and (0, 0.2, 2) returns `[0, -1, 0]` and `0.2` |
 
 # %% role="exercise"
 exercise(
@@ -415,8 +413,8 @@ exercise(
         "2. Divide it by its length: np.linalg.norm.\n"
         "3. If its y, normal[1], is positive, take the opposite vector.\n"
         "4. The offset: minus the dot product of the normal and a. Compute it after step 3.",
-        "normal = np.cross(b - a, ...)\nnormal = normal / np.linalg.norm(...)\nif normal[1] > 0:\n    normal = ...\n"
-        "return normal, -(normal @ ...)",
+        "normal = np.cross(b - a, ...)\nnormal = ... / np.linalg.norm(...)\nif ... > 0:\n    normal = ...\n"
+        "return normal, ...",
     ),
     explanation="The cross product is perpendicular to both directions, so it is perpendicular to the whole plane. Divided by"
     " its length, normal @ p measures metres along the normal. All points of the plane have the same value there, that of"
@@ -635,12 +633,13 @@ print("floor:", round(100 * share), "%")
 compare_guess(guess_draws, round(100 * share**3))
 
 # %% tags=["long"]
-def plane_through(a, b, c):
-    normal = np.cross(b - a, c - a)
-    normal = normal / np.linalg.norm(normal)
-    if normal[1] > 0:
-        normal = -normal
-    return normal, -(normal @ a)
+from imgproc_course.geometry import triangle_planes
+
+
+def plane_through(*corners):  # the package's function, so that the lesson does not need yours
+    (normal,), (distance,) = triangle_planes([corners])
+    sign = -1 if normal[1] > 0 else 1
+    return sign * normal, -sign * distance
 
 
 def find_floor(points, seed, draws=100):
