@@ -1,5 +1,6 @@
 """Fixtures for the tests of imgproc_course.ros: a session that ends with its test, and child processes."""
 
+import importlib.util
 import os
 import signal
 import subprocess
@@ -9,12 +10,36 @@ import time
 import pytest
 
 
+# Fast DDS prints to stdout when a port in shared memory belongs to somebody else; it then takes another one.
+ONLY_PYTHON_PRINTS = """
+import os, sys
+sys.stdout = os.fdopen(os.dup(1), "w", buffering=1)
+os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+"""
+
+
 @pytest.fixture
 def session():
     from imgproc_course.ros import RosSession
 
     with RosSession.current() as running:
         yield running
+
+
+@pytest.fixture(scope="module", autouse=True)
+def no_robot_of_another_module():
+    """Each module begins without a robot in its domain, which belongs to this run of the tests alone."""
+    if importlib.util.find_spec("rclpy") is None:
+        return
+    from imgproc_course.ros.robot_process import running_robot
+
+    domain, end = int(os.environ["ROS_DOMAIN_ID"]), time.monotonic() + 15
+    while (robot := running_robot(domain)) and time.monotonic() < end:
+        time.sleep(0.1)  # its last user has just left
+    if robot:
+        os.kill(robot["pid"], signal.SIGKILL)
+        while running_robot(domain):
+            time.sleep(0.1)
 
 
 @pytest.fixture(scope="module")
@@ -71,7 +96,7 @@ def start_python():
 
     def start(code, *, cwd=None, **environment):
         process = subprocess.Popen(
-            [sys.executable, "-u", "-c", code],
+            [sys.executable, "-u", "-c", ONLY_PYTHON_PRINTS + code],
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
             text=True,
