@@ -7,8 +7,8 @@ import subprocess
 import sys
 import time
 
+import psutil
 import pytest
-
 
 # Fast DDS prints to stdout when a port in shared memory belongs to somebody else; it then takes another one.
 ONLY_PYTHON_PRINTS = """
@@ -34,12 +34,13 @@ def no_robot_of_another_module():
     from imgproc_course.ros.robot_process import running_robot
 
     domain, end = int(os.environ["ROS_DOMAIN_ID"]), time.monotonic() + 15
-    while (robot := running_robot(domain)) and time.monotonic() < end:
+    while running_robot(domain) and time.monotonic() < end:
         time.sleep(0.1)  # its last user has just left
-    if robot:
-        os.kill(robot["pid"], signal.SIGKILL)
-        while running_robot(domain):
-            time.sleep(0.1)
+    for process in psutil.process_iter(["cmdline"]):
+        arguments = process.info["cmdline"] or []
+        if "camera_publisher" in "".join(arguments[3:4]) and arguments[4:5] == [str(domain)]:
+            process.kill()
+            process.wait(10)
 
 
 @pytest.fixture(scope="module")
