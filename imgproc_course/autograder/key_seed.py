@@ -1,6 +1,6 @@
 """The secret seed of a key, and its successor for a regrade after feedback.
 
-Whoever guesses the seed can compute every hidden input, so a seed has at least 128 bits drawn by chance.
+Somebody who guesses the seed can compute every hidden input, so a seed has at least 128 bits drawn by chance.
 """
 
 import itertools

@@ -120,7 +120,7 @@ class RoomPublisher(CameraPublisher):
             self._reports.warn(
                 f"publishers {names}",
                 f"{len(publishers)} publishers send commands on {COMMANDS} ({names}): the robot follows the "
-                "newest command, whoever sends it",
+                "newest command of them all",
             )
 
     def _publish_odometry(self, stamp):

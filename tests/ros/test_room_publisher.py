@@ -155,7 +155,7 @@ def test_several_publishers_are_reported_once_and_the_newest_command_counts(
     name = session.node.get_name()
     assert reports("3 publishers") == [
         f"3 publishers send commands on /kachaka/manual_control/cmd_vel ({name}, {name}, {name}): the robot "
-        "follows the newest command, whoever sends it"
+        "follows the newest command of them all"
     ]
     send(-0.1, 0.0, 1)
     wait_until(lambda: body._images._command[0] == -0.1)

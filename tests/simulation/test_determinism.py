@@ -6,6 +6,7 @@ import os
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
 
 import numpy as np
 import pytest
@@ -72,7 +73,7 @@ def test_after_a_fork_inherited_and_new(expected):
 def test_another_process_with_older_instruction_sets(expected):
     program = "import sys; sys.path.insert(0, sys.argv[1]); import test_determinism as t; print(t.digest())"
     result = subprocess.run(
-        [sys.executable, "-W", "ignore", "-c", program, os.path.dirname(__file__)],  # noqa: PTH120
+        [sys.executable, "-W", "ignore", "-c", program, str(Path(__file__).parent)],
         env={**os.environ, **OLDER},
         capture_output=True,
         text=True,
