@@ -80,9 +80,9 @@ def make_key(masters_dir, seed, out, names=(), *, variants=1, unsafe=False, repl
     with KernelFactory("fast", unsafe=unsafe) as kernel_factory:
         for number in range(1, variants + 1):
             about = _about_variant(seed, number, variants)
-            made = _variant_files(masters, _numpy_seed(seed, number), about, kernel_factory)
+            variant_files = _variant_files(masters, _numpy_seed(seed, number), about, kernel_factory)
             prefix = f"{VARIANTS}/{number}/" if number > 1 else ""
-            files |= {f"{prefix}{name}": text for name, text in made.items()}
+            files |= {f"{prefix}{name}": text for name, text in variant_files.items()}
     try:
         write_folder(out, files, permissions=0o700)
     except OSError as error:

@@ -196,11 +196,11 @@ def run_check(exercise, function):
 
 
 def _diagnosis(result, calls):
-    shown = result.shown
-    if shown is None or shown.difference is None or shown.result.changed:
+    shown_value = result.shown
+    if shown_value is None or shown_value.difference is None or shown_value.result.changed:
         return Diagnosis()
     exercise = result.exercise
-    return diagnose(calls, shown, exercise.names, exact_type=exercise.exact_type)
+    return diagnose(calls, shown_value, exercise.names, exact_type=exercise.exact_type)
 
 
 def _is_stub(exercise, function):

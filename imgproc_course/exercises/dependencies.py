@@ -163,11 +163,11 @@ def refused_module(module, allowed):
     """
     if not isinstance(module, str):
         return None
-    top, *rest = module.split(".")
+    top, *submodules = module.split(".")
     allowed = (*_FOR_ALL, *allowed)
     if top in sys.stdlib_module_names or any(f"{module}.".startswith(f"{name}.") for name in allowed):
         return None
-    return f"{top}.{rest[0]}" if top == "imgproc_course" and rest else top
+    return f"{top}.{submodules[0]}" if top == "imgproc_course" and submodules else top
 
 
 def _module_of(value):

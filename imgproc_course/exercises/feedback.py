@@ -256,14 +256,14 @@ def as_text(result):
     _, headline = _headline(result)
     remarks = (*_refusals(result), *_notes(result), *_taken_along(result), *result.remarks)
     lines = [f"{headline}.", result.why_older, *remarks]
-    shown = result.shown
+    shown_value = result.shown
     for case_result in result.results:
         lines.append(f"{'✓' if case_result.passed else '✗'} {case_result.case.title}")
         if case_result.passed:
             continue
         lines.append(_indent(_explain_case(result, case_result)))
-        if case_result.failed_call is shown and shown is not None:
-            lines += [_indent(text) for text in _details_as_text(result, shown)]
+        if case_result.failed_call is shown_value and shown_value is not None:
+            lines += [_indent(text) for text in _details_as_text(result, shown_value)]
     lines += [_footer(result), _stuck(result), _another_way(result)]
     return "\n".join(line for line in lines if line)
 
@@ -291,7 +291,7 @@ def as_html(result):
     body = [f'<div style="font-weight: 600; color: {_COLOURS[state]}">{html.escape(headline)}</div>']
     remarks = (*_refusals(result), *_notes(result), *_taken_along(result), *result.remarks)
     body += [_paragraph(text) for text in (result.why_older, *remarks)]
-    shown = result.shown
+    shown_value = result.shown
     for case_result in result.results:
         mark, colour = ("✓", _COLOURS["passed"]) if case_result.passed else ("✗", _COLOURS["failed"])
         title = html.escape(case_result.case.title)
@@ -299,8 +299,8 @@ def as_html(result):
         if case_result.passed:
             continue
         explanation = _paragraph(_explain_case(result, case_result))
-        is_shown = case_result.failed_call is shown and shown is not None
-        details = "".join(_details_as_html(result, shown)) if is_shown else ""
+        is_shown = case_result.failed_call is shown_value and shown_value is not None
+        details = "".join(_details_as_html(result, shown_value)) if is_shown else ""
         body.append(f'<div style="margin: 0 0 6px 18px">{explanation}{details}</div>')
     body.append(f'<div style="margin-top: 4px">{html.escape(_footer(result))}</div>')
     body += [_paragraph(_stuck(result)), _paragraph(_another_way(result))]

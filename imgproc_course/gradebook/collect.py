@@ -212,10 +212,10 @@ class _Intake:
     def add_folder(self, root):
         """Add everything in the folder of submissions; zips last, when the other senders are known."""
         entries = self._entries(root, ())
-        named = [entry for entry in entries if is_lesson(entry.name, self._lessons) and _is_folder(entry)]
-        notebooks = [Path(path).relative_to(root).parts for entry in named for path in _notebooks_in(entry)]
+        folders = [entry for entry in entries if is_lesson(entry.name, self._lessons) and _is_folder(entry)]
+        notebooks = [Path(path).relative_to(root).parts for entry in folders for path in _notebooks_in(entry)]
         self._numbered = numbered_learners(notebooks, self._lessons)
-        for entry in named:
+        for entry in folders:
             if entry.name not in self._numbered:
                 entries.remove(entry)
                 entries += self._entries(Path(entry.path), (entry.name,))
@@ -366,8 +366,8 @@ class _Intake:
             return self._senders_in_zip_given_alone(parts, names, sender)
         at_top = len(parts) == 1 or (len(parts) == 2 and lesson_name(parts[0]) in self._lessons)
         senders = [platform_sender(name[0]) for name in names]
-        known = {file.learner.casefold() for file in self._collection.files} | self._people
-        if not at_top or sender.platform or sender.name.casefold() in known or not senders:
+        known_names = {file.learner.casefold() for file in self._collection.files} | self._people
+        if not at_top or sender.platform or sender.name.casefold() in known_names or not senders:
             return None
         has_form = all(sender is not None and not sender.doubt for sender in senders)
         return (lambda name: sender_of(name, self._lessons)) if has_form else None
@@ -399,8 +399,8 @@ class _Intake:
                 has_form |= platform_form
         if len(parts) > 2 or not (has_form or len(claims) > _MOST_NAMES):
             return
-        shown = ", ".join(sorted(claims)[:_MOST_NAMES])
-        text = f"this zip names {shown}" + (" and others" if len(claims) > _MOST_NAMES else "")
+        shown_names = ", ".join(sorted(claims)[:_MOST_NAMES])
+        text = f"this zip names {shown_names}" + (" and others" if len(claims) > _MOST_NAMES else "")
         text += f"; all of it counts as {sender.name}'s. If it holds submissions of several people, unpack it"
         self._collection.add_finding("sender", sender.name, parts, text)
 
@@ -461,9 +461,10 @@ class _Intake:
         people = {name.casefold() for name in senders} | self._people
         for file in files:
             claims = {name for name in file.claims if name.casefold() != file.learner.casefold()}
-            others = sorted(name for name in claims if name.casefold() in people)
-            if others:
-                text = f"it has the name of {', '.join(others[:_MOST_NAMES])}, but came from {file.learner}:"
+            other_names = sorted(name for name in claims if name.casefold() in people)
+            if other_names:
+                listed = ", ".join(other_names[:_MOST_NAMES])
+                text = f"it has the name of {listed}, but came from {file.learner}:"
                 text += f" it counts as {file.learner}'s"
                 findings.append(IntakeFinding("sender", file.learner, file.source, text))
         for name, count in self._unlisted.items():

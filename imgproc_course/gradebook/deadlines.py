@@ -65,9 +65,9 @@ class Deadlines:
 
     def due(self, learner, lesson):
         """(the deadline of a learner's lesson or None, whether it is an extension)."""
-        for wanted in (lesson, ""):
+        for scope in (lesson, ""):
             for extension in self.extensions.get(learner, ()):
-                if extension.lesson == wanted:
+                if extension.lesson == scope:
                     return extension.deadline, True
         return self.deadline, False
 

@@ -139,8 +139,8 @@ def _collect(submissions, answer_keys, roster, out):
         return collect(submissions, tuple(answer_keys.lessons), people)
     except CollectError as error:
         moved = set_pages_aside(out) if submissions.exists() else None
-        where = f"; the pages of the last run are now in {moved}" if moved else ""
-        raise CollectError(f"{error}{where}") from error
+        moved_pages = f"; the pages of the last run are now in {moved}" if moved else ""
+        raise CollectError(f"{error}{moved_pages}") from error
 
 
 def _require_separate_folder(submissions, keys, out):

@@ -88,12 +88,12 @@ class LearnerPages:
     def _write(self, learner):
         entry = learner_entry(learner, self._answer_keys, self._store, self._rules, anonymous=self._anonymous)
         self.entries[learner.name] = entry
-        shown = learner_without_name(entry) if self._anonymous else entry
+        page_entry = learner_without_name(entry) if self._anonymous else entry
         try:
-            page = self._page(learner, shown)
+            page = self._page(learner, page_entry)
         except Exception as error:  # noqa: BLE001 - a page shows values that other people's code returned
-            self.failed[shown["name"]] = sanitize_line(f"{type(error).__name__}: {error}", 200)
-            page = learner_page(shown, {}, self._answer_keys, self._rules.deadlines, incomplete=True)
+            self.failed[page_entry["name"]] = sanitize_line(f"{type(error).__name__}: {error}", 200)
+            page = learner_page(page_entry, {}, self._answer_keys, self._rules.deadlines, incomplete=True)
         write_grades_file(self._out / entry["page"], page)
 
     def _page(self, learner, entry):
@@ -125,8 +125,8 @@ def write_grades(out, grades, learners, lessons, failed_pages, pairs):
     changed = before is not None and grades_text(before) != text
     write_grades_file(out / "grades.json", text)
     write_grades_file(out / "grades.csv", grades_csv(grades))
-    shown = without_names(grades) if grades["anonymous_pages"] else grades
-    entries = zip(grades["learners"], shown["learners"], strict=True)
+    page_grades = without_names(grades) if grades["anonymous_pages"] else grades
+    entries = zip(grades["learners"], page_grades["learners"], strict=True)
     names = {entry["name"]: shown_entry["name"] for entry, shown_entry in entries}
     if changed:  # else the page shows the last change
         write_grades_file(out / PREVIOUS, grades_text(before))
@@ -139,7 +139,7 @@ def write_grades(out, grades, learners, lessons, failed_pages, pairs):
     for pattern in ("*.csv", "*.zip"):
         _remove_others(out / "exports", pattern, files)
     other_pages = {name: title for name, title in _OTHER_PAGES.items() if (out / name).exists()}
-    write_grades_file(out / "summary.html", summary_page(shown, failed_pages, other_pages))
+    write_grades_file(out / "summary.html", summary_page(page_grades, failed_pages, other_pages))
 
 
 def set_pages_aside(out):

@@ -58,8 +58,8 @@ def grades_text(grades):
     """The text of grades.json: the same for the same grades."""
     # One line per learner: json's own indentation is several times slower.
     learners = ",\n".join(json.dumps(learner, sort_keys=True) for learner in grades["learners"])
-    others = json.dumps(grades | {"learners": []}, sort_keys=True)
-    head, tail = others.split('"learners": []')
+    other_fields = json.dumps(grades | {"learners": []}, sort_keys=True)
+    head, tail = other_fields.split('"learners": []')
     return f'{head}\n"learners": [\n{learners}\n]{tail}\n'
 
 

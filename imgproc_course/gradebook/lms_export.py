@@ -99,8 +99,8 @@ def _decision_texts(lesson):
         decision = entry["decision"]
         if decision:
             points = "" if decision["points"] is None else f"{decision['points']} points"
-            words = ("excused" if decision["excused"] else points, decision["comment"])
-            yield f"{name or 'the lesson'}: {', '.join(filter(None, words))}"
+            cells = ("excused" if decision["excused"] else points, decision["comment"])
+            yield f"{name or 'the lesson'}: {', '.join(filter(None, cells))}"
 
 
 def platform_points(lesson):
@@ -114,10 +114,12 @@ def platform_points(lesson):
     -------
     int or float; None if the whole lesson is excused
     """
-    excused = [each for each in lesson["exercises"] if each["decision"] and each["decision"]["excused"]]
+    decided = [exercise for exercise in lesson["exercises"] if exercise["decision"]]
+    excused = [exercise for exercise in decided if exercise["decision"]["excused"]]
     if (lesson["decision"] and lesson["decision"]["excused"]) or (excused and not lesson["max_points"]):
         return None
-    maximum = lesson["max_points"] + sum(case["max_points"] for each in excused for case in each["cases"])
+    excused_cases = [case for exercise in excused for case in exercise["cases"]]
+    maximum = lesson["max_points"] + sum(case["max_points"] for case in excused_cases)
     return plain_number(lesson["points"] * maximum / lesson["max_points"]) if excused else lesson["points"]
 
 

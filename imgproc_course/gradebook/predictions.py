@@ -39,17 +39,17 @@ def _questions(learners, lesson, names):
         for id, source in submission.content.predictions.items() if submission else ():
             guess, question = _guess_and_question(source)
             if guess:
-                asked = questions.setdefault(id, {"questions": {}, "guesses": {}})
-                asked["questions"][question] = asked["questions"].get(question, 0) + bool(question)
-                asked["guesses"].setdefault(guess, []).append(names[learner.name])
+                entry = questions.setdefault(id, {"questions": {}, "guesses": {}})
+                entry["questions"][question] = entry["questions"].get(question, 0) + bool(question)
+                entry["guesses"].setdefault(guess, []).append(names[learner.name])
     return [
         {
             "id": id,
             # A learner can have changed the question too: most have not.
-            "question": max(asked["questions"], key=asked["questions"].get),
-            "guesses": sorted(asked["guesses"].items(), key=lambda item: (-len(item[1]), item[0])),
+            "question": max(entry["questions"], key=entry["questions"].get),
+            "guesses": sorted(entry["guesses"].items(), key=lambda item: (-len(item[1]), item[0])),
         }
-        for id, asked in sorted(questions.items(), key=lambda item: (len(item[0]), item[0]))
+        for id, entry in sorted(questions.items(), key=lambda item: (len(item[0]), item[0]))
     ]
 
 

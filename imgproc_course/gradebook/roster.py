@@ -48,8 +48,8 @@ class RosterEntry:
         if self.number == number:
             return True
         # In Canvas a person has one number; in Moodle another one in each assignment.
-        another = self.number and file.platform == self.number[0] == "canvas"
-        return not another and _squeezed(file.learner) in {_squeezed(name) for name in self.names}
+        another_number = self.number and file.platform == self.number[0] == "canvas"
+        return not another_number and _squeezed(file.learner) in {_squeezed(name) for name in self.names}
 
 
 def read_roster(path):
@@ -69,11 +69,11 @@ def read_roster(path):
     """
     columns, rows, _, _ = read_csv(path)
     columns = [column.casefold() for column in columns]
-    known = (*_FULL_NAME, *_FIRST_NAME, *_LAST_NAME, *_IDENTITIES)
-    if not set(columns) & set(known):
-        shown = sanitize_line(", ".join(columns), 200) or "nothing"
+    known_columns = (*_FULL_NAME, *_FIRST_NAME, *_LAST_NAME, *_IDENTITIES)
+    if not set(columns) & set(known_columns):
+        shown_columns = sanitize_line(", ".join(columns), 200) or "nothing"
         raise TableError(
-            f"{path}: its columns are {shown}; expected one that"
+            f"{path}: its columns are {shown_columns}; expected one that"
             " names people: Student (Canvas), Full name, or First name and Last name (Moodle), name, email"
         )
     entries = [_entry(dict(zip(columns, map(str.strip, row), strict=False))) for row in rows]
@@ -90,16 +90,16 @@ def _entry(row):
         last, _, first = (part.strip() for part in full.partition(","))
     elif not last:
         first, _, last = full.rpartition(" ")
-    others = [row[column] for column in _IDENTITIES if row.get(column)]
-    others += [text.partition("@")[0] for text in others if "@" in text]
+    identities = [row[column] for column in _IDENTITIES if row.get(column)]
+    identities += [text.partition("@")[0] for text in identities if "@" in text]
     names = tuple(
-        dict.fromkeys(filter(None, (full, f"{first} {last}".strip(), f"{last} {first}".strip(), *others)))
+        dict.fromkeys(filter(None, (full, f"{first} {last}".strip(), f"{last} {first}".strip(), *identities)))
     )
-    if full.casefold() in _NO_PEOPLE and not (full == "" and others):
+    if full.casefold() in _NO_PEOPLE and not (full == "" and identities):
         return None
     numbers = ((_NUMBERS[column], re.search(r"(?<!\d)\d+$", row.get(column, ""))) for column in _NUMBERS)
     number = next(((platform, match[0]) for platform, match in numbers if match), None)
-    return RosterEntry(sanitize_line(full or others[0], 120), names, number)
+    return RosterEntry(sanitize_line(full or identities[0], 120), names, number)
 
 
 def _squeezed(name):

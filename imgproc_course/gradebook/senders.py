@@ -79,7 +79,7 @@ def numbered_learners(paths, lessons):
     for folder, *_, name in (path for path in paths if len(path) > 1):
         if is_lesson(folder, lessons) and lesson_name(folder) not in lessons:
             votes.setdefault(folder, []).append(bool(lessons_named(name, lessons)))
-    learners = sum(2 * sum(named) >= len(named) for named in votes.values())
+    learners = sum(2 * sum(votes_named) >= len(votes_named) for votes_named in votes.values())
     return frozenset(votes) if 2 * learners >= len(votes) else frozenset()
 
 
@@ -106,8 +106,8 @@ def name_in_stem(stem, lessons):
     student-1 and student-2 are two learners; ada_04_grayscale and ada_04_grayscale-1 are both ada's.
     """
     unnumbered, _ = split_repetition(stem)
-    named = lessons_named(unnumbered, lessons)
-    stem = unnumbered if named and unnumbered.endswith(named[-1]) else stem
+    named_lessons = lessons_named(unnumbered, lessons)
+    stem = unnumbered if named_lessons and unnumbered.endswith(named_lessons[-1]) else stem
     return without_lesson(stem, lessons) or stem
 
 

@@ -143,18 +143,18 @@ def _recognize(notebook, cells, catalog, name, content):
     claim = metadata_lesson if metadata_lesson in catalog.lessons else None
     if claim and marks & catalog.answer_ids(claim):
         return claim
-    named = None if metadata_lesson else lesson_by_name(name, catalog.lessons)
+    named_lesson = None if metadata_lesson else lesson_by_name(name, catalog.lessons)
     by_marks = _most({lesson: marks & catalog.answer_ids(lesson) for lesson in catalog.lessons})
     if by_marks:
-        if (claim or named) not in (None, by_marks):
+        if (claim or named_lesson) not in (None, by_marks):
             says = "it says" if claim else "its name says"
-            text = f"{says} that it is {claim or named}, but its answer cells are those of {by_marks}"
+            text = f"{says} that it is {claim or named_lesson}, but its answer cells are those of {by_marks}"
             content.add(f"{text}; it is graded as {by_marks}")
         return by_marks
     if claim or metadata_lesson:
         return claim
     return _recognize_unmarked(
-        named, {name for cell in cells for name in cell["functions"]}, catalog, content
+        named_lesson, {name for cell in cells for name in cell["functions"]}, catalog, content
     )
 
 
@@ -345,10 +345,10 @@ def _taken_text(taken, cells, functions):
         for name, kind, _ in taken
     ]
     places = dict.fromkeys(_place(cells[number]) for _, _, number in taken)
-    rest = f" and {len(names) - _MOST_NAMES} more" if len(names) > _MOST_NAMES else ""
-    where = "another cell" if len(places) == 1 else "other cells"
+    more_names = f" and {len(names) - _MOST_NAMES} more" if len(names) > _MOST_NAMES else ""
+    place = "another cell" if len(places) == 1 else "other cells"
     listed, listed_places = (", ".join(list(texts)[:_MOST_NAMES]) for texts in (names, places))
-    return f"its answer reads {listed}{rest} of {where} ({listed_places}), which is graded with it"
+    return f"its answer reads {listed}{more_names} of {place} ({listed_places}), which is graded with it"
 
 
 # ---------------------------------------------------------------- cells of the lesson

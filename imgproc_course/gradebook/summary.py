@@ -96,13 +96,13 @@ def _concerns_of(lesson):
             yield "other", "", finding_text(finding)
             continue
         entry = entries.get(finding["exercise"], lesson)
-        lost = entry["autograded_points"] < entry["max_points"]
+        lost_points = entry["autograded_points"] < entry["max_points"]
         repeated = lesson["earlier"] and finding["text"].startswith("submitted ")
         # The results show what is wrong with an answer, and the table of learners what was submitted twice.
         if finding["kind"] == "odd":
             yield "dishonest", finding["exercise"], finding_text(finding)
         elif finding["kind"] == "message" and not repeated:
-            yield ("unfair" if lost else "other"), finding["exercise"], finding_text(finding)
+            yield ("unfair" if lost_points else "other"), finding["exercise"], finding_text(finding)
     for exercise in lesson["exercises"]:
         for outcome in sorted({Outcome(case["outcome"]) for case in exercise["cases"]}):
             if outcome in _PERHAPS_UNFAIR | _PERHAPS_DISHONEST:

@@ -56,10 +56,10 @@ class TeacherRules:
         """
         self.names = {anonymous_id(learner.name, self._answer_keys): learner.name for learner in learners}
         self.names |= {learner.name: learner.name for learner in learners}
-        known = names_in_roster(roster, learners) | self.names
-        extensions = by_learner(self._extensions, known)
+        known_names = names_in_roster(roster, learners) | self.names
+        extensions = by_learner(self._extensions, known_names)
         self.deadlines = Deadlines(self._deadline, self._policy, extensions)
-        self.decisions = by_learner(self._decisions, known)
+        self.decisions = by_learner(self._decisions, known_names)
         for learner in learners:
             for decision in self.decisions.get(learner.name, ()):
                 _require_exercises(decision, learner.submissions.get(decision.lesson))

@@ -134,11 +134,11 @@ def by_learner(rows, names):
     assigned = {}
     for row in rows:
         # An apostrophe keeps a spreadsheet from taking a name for a formula.
-        written = next((text for text in (row.learner, row.learner.removeprefix("'")) if text in names), None)
-        if written is None:
+        name = next((text for text in (row.learner, row.learner.removeprefix("'")) if text in names), None)
+        if name is None:
             raise TeacherTableError(f"{row.place}: there is no learner {_unknown(row.learner, names)}")
-        if names[written] is not None:
-            assigned.setdefault(names[written], []).append(row)
+        if names[name] is not None:
+            assigned.setdefault(names[name], []).append(row)
     return assigned
 
 
@@ -146,8 +146,8 @@ def _unknown(learner, names):
     similar = difflib.get_close_matches(learner, names, 1)
     if similar:
         return f"{_quoted(learner)}; did you mean {similar[0]!r}?"
-    some = ", ".join(sorted({name for name in names.values() if name})[:3])
-    text = f"{_quoted(learner)}; write the name of the folder or file that was submitted ({some}, ...)"
+    examples = ", ".join(sorted({name for name in names.values() if name})[:3])
+    text = f"{_quoted(learner)}; write the name of the folder or file that was submitted ({examples}, ...)"
     return f"{text}, or give the --roster that has those who submitted nothing"
 
 
@@ -207,8 +207,8 @@ def _header(path, cells, columns, required):
 def _lesson(text, answer_keys, place):
     lesson = answer_keys.lessons.get(lesson_name(text))
     if lesson is None:
-        known = ", ".join(answer_keys.lessons)
-        raise TeacherTableError(f"{place}: there is no lesson {_quoted(text)}; the key has {known}")
+        known_lessons = ", ".join(answer_keys.lessons)
+        raise TeacherTableError(f"{place}: there is no lesson {_quoted(text)}; the key has {known_lessons}")
     return lesson
 
 
@@ -219,9 +219,9 @@ def _exercise(text, lesson, answer_keys, place):
         exercise = key.exercise(text)
         if exercise and key.lesson_of(text) == lesson.name and not exercise.practice:
             return exercise
-    known = ", ".join(exercise.id for exercise in lesson.exercises if not exercise.practice)
+    names = ", ".join(exercise.id for exercise in lesson.exercises if not exercise.practice)
     raise TeacherTableError(
-        f"{place}: {lesson.name} has no exercise {_quoted(text)}; it has {known or 'none with points'}"
+        f"{place}: {lesson.name} has no exercise {_quoted(text)}; it has {names or 'none with points'}"
     )
 
 

@@ -108,8 +108,8 @@ def _to_words(numbers):
 
 
 def _from_words(stream):
-    words = np.frombuffer(stream, "<u4", len(stream) // 4)
-    highest_first = words.astype(">u4").view(np.uint8)
+    groups = np.frombuffer(stream, "<u4", len(stream) // 4)
+    highest_first = groups.astype(">u4").view(np.uint8)
     nibbles = np.empty(2 * highest_first.size, np.uint8)
     nibbles[0::2], nibbles[1::2] = highest_first >> 4, highest_first & 15
     ends = np.flatnonzero(nibbles < 8)

@@ -133,8 +133,8 @@ class CameraPublisher:
         self._raw = publisher(Image, self.topic)
         self._compressed = publisher(CompressedImage, compressed_topic)
         self._infos = [publisher(CameraInfo, topic) for topic in info_topics]
-        others = self._images.other_topics(self.topic.rpartition("/")[0])
-        self._others = [(publisher(message_type, topic), make) for message_type, topic, make in others]
+        other_topics = self._images.other_topics(self.topic.rpartition("/")[0])
+        self._others = [(publisher(message_type, topic), make) for message_type, topic, make in other_topics]
 
     def stop(self):
         """Stops publishing and removes the publishers. A second call does nothing."""

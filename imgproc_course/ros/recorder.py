@@ -117,14 +117,14 @@ class Recorder:
         """{topic: type} of the requested topics; of those of the robot that are published, if None is."""
         names = [self._session.resolve_topic(topic) for topic in requested or ROBOT_TOPICS]
         end = time.monotonic() + DISCOVERY_TIMEOUT
-        known, settled = set(), 0.0
+        known_topics, settled = set(), 0.0
         while True:
             published = dict(self._session.node.get_topic_names_and_types())
             missing = [topic for topic in names if topic not in published]
-            if published.keys() & {*names} != known:
-                known, settled = published.keys() & {*names}, time.monotonic() + SETTLING
+            if published.keys() & {*names} != known_topics:
+                known_topics, settled = published.keys() & {*names}, time.monotonic() + SETTLING
             # A robot's topics appear one after another; commands alone are those of a client.
-            is_settled = known - {COMMANDS} and time.monotonic() > settled
+            is_settled = known_topics - {COMMANDS} and time.monotonic() > settled
             if not missing or (requested is None and is_settled):
                 break
             if time.monotonic() > end:
@@ -132,9 +132,9 @@ class Recorder:
             time.sleep(0.05)
         types = {}
         for topic in (topic for topic in names if topic in published):
-            (kind, *others) = published[topic]
-            if others or installed_class(kind) is None:
-                problem = "has several types" if others else f"is a {kind}, which is not installed here"
+            (kind, *other_kinds) = published[topic]
+            if other_kinds or installed_class(kind) is None:
+                problem = "has several types" if other_kinds else f"is a {kind}, which is not installed here"
                 raise ValueError(f"{topic} cannot be recorded: it {problem}; record other topics")
             types[topic] = kind
         return types

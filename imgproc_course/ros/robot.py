@@ -140,11 +140,11 @@ class Robot:
             self._owned.append(self._client)
         if not self._client.wait_for_service(TIMEOUT):
             raise RuntimeError(f"no simulated robot answers: {_START_IT}")
-        done = threading.Event()
+        finished = threading.Event()
         request = SetParametersAtomically.Request(parameters=[p.to_parameter_msg() for p in parameters])
         future = self._client.call_async(request)
-        future.add_done_callback(lambda _: done.set())
-        if not done.wait(3 * TIMEOUT):
+        future.add_done_callback(lambda _: finished.set())
+        if not finished.wait(3 * TIMEOUT):
             raise RuntimeError(f"the simulated robot has not answered in {3 * TIMEOUT:g} s; {_START_IT}")
         with self._change:
             self._messages.clear()  # they are of the time before

@@ -36,8 +36,8 @@ def tof_camera_info(image, header):
 
 
 def to_time(nanoseconds):
-    seconds, rest = divmod(nanoseconds, 1_000_000_000)
-    return Time(sec=seconds, nanosec=rest)
+    seconds, remainder = divmod(nanoseconds, 1_000_000_000)
+    return Time(sec=seconds, nanosec=remainder)
 
 
 def framed(header, frame_id):

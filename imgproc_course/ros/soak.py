@@ -219,8 +219,8 @@ class _SoakRun:
         counts = self._final_counts.get(name)
         if not counts:
             return ["", "", ""]
-        lost = counts["lost before the node"] + counts["lost before the notebook"]
-        return [str(counts["frames"]), str(lost), str(counts["failed"])]
+        lost_frames = counts["lost before the node"] + counts["lost before the notebook"]
+        return [str(counts["frames"]), str(lost_frames), str(counts["failed"])]
 
     def _count_problems(self):
         for name, counts in self._final_counts.items():

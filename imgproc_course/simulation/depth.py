@@ -56,20 +56,20 @@ class TriangleDepth:
         Arrays over all triangle numbers: 0 for triangles that are not in the image, and for the number 0.
         """
         room, count = self._room, len(self._label)
-        seen = np.zeros(count, bool)
-        seen[numbers] = True
-        seen[0] = False
-        mine = np.flatnonzero(seen)
-        rotation, position = self._to_camera(self._joint[mine], camera, joint_poses)
+        visible = np.zeros(count, bool)
+        visible[numbers] = True
+        visible[0] = False
+        visible_numbers = np.flatnonzero(visible)
+        rotation, position = self._to_camera(self._joint[visible_numbers], camera, joint_poses)
         per_depth = np.zeros((3, count), np.float32)
         nearest, farthest = np.zeros(count, np.float32), np.zeros(count, np.float32)
-        normals = [dot(row, room.normals[mine - 1].T) for row in rotation]
-        offsets = room.offsets[mine - 1] + dot(normals, position)
+        normals = [dot(row, room.normals[visible_numbers - 1].T) for row in rotation]
+        offsets = room.offsets[visible_numbers - 1] + dot(normals, position)
         with np.errstate(divide="ignore", invalid="ignore"):
-            per_depth[:, mine] = np.nan_to_num(np.stack(normals) / offsets)
-        a, b, c = (dot(rotation[2], room.triangles[mine - 1, k].T) + position[2] for k in range(3))
-        nearest[mine] = np.minimum(np.minimum(a, b), c) * 0.98 - 0.005
-        farthest[mine] = np.maximum(np.maximum(a, b), c) * 1.02 + 0.005
+            per_depth[:, visible_numbers] = np.nan_to_num(np.stack(normals) / offsets)
+        a, b, c = (dot(rotation[2], room.triangles[visible_numbers - 1, k].T) + position[2] for k in range(3))
+        nearest[visible_numbers] = np.minimum(np.minimum(a, b), c) * 0.98 - 0.005
+        farthest[visible_numbers] = np.maximum(np.maximum(a, b), c) * 1.02 + 0.005
         return per_depth, nearest, farthest
 
     def _to_camera(self, joint, camera, joint_poses):

@@ -185,8 +185,8 @@ class Movers:
                 offset = np.array(tree[name]["offset"])
                 if name == "hip":
                     offset = np.array([0, 0, 0.915 - amplitude * (0.012 - 0.016 * math.cos(2 * phase))])
-                here = Pose(rotation_about("y", angles.get(name, 0.0)), np.round(offset, 9))
-                poses[name] = poses[tree[name]["parent"]] @ here
+                joint_pose = Pose(rotation_about("y", angles.get(name, 0.0)), np.round(offset, 9))
+                poses[name] = poses[tree[name]["parent"]] @ joint_pose
         return poses
 
 

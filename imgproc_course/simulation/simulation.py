@@ -248,8 +248,8 @@ class Simulation:
         if name in self._room.markers:
             return self._room.markers[name].copy()
         if name not in ("person", "toycar", "ball"):
-            known = ["robot", "camera", "tof", "person", "toycar", "ball", *self._room.markers]
-            raise ValueError(f"no pose of {name!r}; there are {', '.join(known)}")
+            known_names = ["robot", "camera", "tof", "person", "toycar", "ball", *self._room.markers]
+            raise ValueError(f"no pose of {name!r}; there are {', '.join(known_names)}")
         return self._joint_poses()[name].vector
 
     def _joint_poses(self):

@@ -99,8 +99,8 @@ def _distributions_with(tops):
     """
     prefixes = [f"\n{top}{end}".encode() for top in tops for end in ("/", ".py,", ".cpython", ".abi3")]
     records = [path for folder in bubblewrap.site_folders() for path in folder.glob("*.dist-info/RECORD")]
-    found = [path for path in records if prefixes and _has_line(path, prefixes)]
-    return [metadata.PathDistribution(path.parent).metadata["Name"] for path in found]
+    installed = [path for path in records if prefixes and _has_line(path, prefixes)]
+    return [metadata.PathDistribution(path.parent).metadata["Name"] for path in installed]
 
 
 def _has_line(path, prefixes):
@@ -110,14 +110,14 @@ def _has_line(path, prefixes):
 
 def _with_dependencies(packages):
     """Packages of the course, and the packages of the course that they import."""
-    waiting, found = list(packages), set()
+    waiting, reached = list(packages), set()
     while waiting:
         package = waiting.pop()
-        if package in found or package in _ALWAYS:
+        if package in reached or package in _ALWAYS:
             continue
-        found.add(package)
+        reached.add(package)
         for path in (bubblewrap.SOURCE / package.partition(".")[2].replace(".", "/")).rglob("*.py"):
             for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))):
                 if isinstance(node, ast.ImportFrom) and (node.module or "").startswith("imgproc_course."):
                     waiting.append(".".join(node.module.split(".")[:2]))
-    return found
+    return reached

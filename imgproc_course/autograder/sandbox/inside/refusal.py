@@ -59,9 +59,9 @@ class _Finder:
         pass
 
     def _is_allowed(self, name):
-        top, *rest = name.split(".")
+        top, *submodules = name.split(".")
         if top == "imgproc_course":
-            return not rest or f"{top}.{rest[0]}" in self._names
+            return not submodules or f"{top}.{submodules[0]}" in self._names
         return top in self._names or top in sys.stdlib_module_names
 
 
