@@ -203,7 +203,8 @@ class Robot:
                 return arrived[1]
             if self._session.is_spinning_thread():
                 raise RuntimeError(f"no {name} can arrive while a ROS callback waits for it")
-            if not self._change.wait_for(lambda: self._messages.get(name) is not arrived, TIMEOUT):
+            # A restart forgets the messages meanwhile: no message is no newer one.
+            if not self._change.wait_for(lambda: self._messages.get(name, arrived) is not arrived, TIMEOUT):
                 raise TimeoutError(
                     f"no {name} arrived on {self._topics[name]} in {TIMEOUT:g} s: {_START_IT}, "
                     "or start a real robot's bridge in this ROS domain"

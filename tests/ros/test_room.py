@@ -5,6 +5,7 @@ import os
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 
 import numpy as np
@@ -235,3 +236,33 @@ def test_bad_options(options, message):
 
     with pytest.raises(ValueError, match=message):
         open_camera(**{"source": "room"} | options)
+
+
+def test_a_program_that_waits_during_a_restart_gets_the_next_odometry(robot):
+    from nav_msgs.msg import Odometry
+    from rclpy.qos import qos_profile_sensor_data
+    from sensor_msgs.msg import LaserScan
+
+    from imgproc_course.ros import Robot, RosSession
+    from imgproc_course.ros.robot import FRESH
+
+    def publish_until(future, publisher, message):
+        while not future.done():
+            publisher.publish(message)
+            time.sleep(0.05)
+        return future.result()
+
+    node = RosSession().node
+    odometry = node.create_publisher(Odometry, "/other/odometry/odometry", qos_profile_sensor_data)
+    scan = node.create_publisher(LaserScan, "/other/lidar/scan", qos_profile_sensor_data)
+    before, after = Odometry(), Odometry()
+    after.pose.pose.position.x = 2.0
+    with ThreadPoolExecutor() as pool, Robot("/other") as other:
+        assert publish_until(pool.submit(lambda: other.pose[0]), odometry, before) == 0.0
+        assert publish_until(pool.submit(lambda: other.scan), scan, LaserScan()) == LaserScan()
+        time.sleep(FRESH)  # a newer one is waited for
+        x = pool.submit(lambda: other.pose[0])
+        other.restart(seed=1)
+        assert publish_until(pool.submit(lambda: other.scan), scan, LaserScan()) == LaserScan()
+        assert publish_until(x, odometry, after) == 2.0
+    RosSession().run(lambda: [node.destroy_publisher(publisher) for publisher in (odometry, scan)])
