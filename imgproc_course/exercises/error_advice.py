@@ -391,6 +391,12 @@ _ADVICE = (
         "A mask chooses values of an array of its own shape. These two have different shapes.",
     ),
     (
+        "OverflowError",
+        r"Python integer (-?\d+) out of bounds for (\w+)",
+        r"\1 does not fit into \2, the dtype of the array, so the values would overflow: widen the array"
+        " first, as in astype(np.uint32).",
+    ),
+    (
         "UFuncTypeError _UFuncOutputCastingError",
         r"Cannot cast ufunc '\w+' output from dtype\('(\w+)'\) to dtype\('(\w+)'\)",
         r"The result is \1, and the array on the left holds \2. Write a = a + b instead of a += b, or"

@@ -5,7 +5,6 @@ for byte.
 """
 
 import html
-import re
 
 from imgproc_course.exercises.canonical import array_of, canonical
 from imgproc_course.exercises.error_advice import advice_on
@@ -21,9 +20,6 @@ _COLOURS = {
     "failed": "var(--jp-error-color1, #c62828)",
     "open": "var(--jp-content-font-color2, #616161)",
 }
-
-# NumPy's message about a number that an array's type cannot hold.
-_OUT_OF_BOUNDS = re.compile(r"Python integer (-?\d+) out of bounds for (\w+)")
 
 
 def explain_call(result, difference, function):
@@ -63,12 +59,7 @@ def _explain_timeout(name, stuck):
 
 def _explain_error(name, result):
     text = f"{name} raised {result.error}" + (f": {result.message}" if result.message else "")
-    text += f"\nin your {result.line}" if result.line else ""
-    out_of_bounds = _OUT_OF_BOUNDS.search(result.message)
-    if out_of_bounds is None:
-        return text
-    number, dtype = out_of_bounds.groups()
-    return f"{text}\n{number} does not fit into {dtype}: widen the array first, as in astype(np.uint32)."
+    return text + (f"\nin your {result.line}" if result.line else "")
 
 
 def _explain_change(name, argument):

@@ -10,6 +10,7 @@ from pathlib import Path
 from imgproc_course.exercises.check_data import CheckData
 from imgproc_course.exercises.check_files import NO_CHECKS, CheckFileError, checks_folders, read_check_file
 from imgproc_course.exercises.checking import CheckResult, run_check
+from imgproc_course.exercises.error_advice import advice_on
 from imgproc_course.exercises.feedback import explain_call
 from imgproc_course.gradebook.archives import LARGEST, too_large
 from imgproc_course.gradebook.lesson_description import LessonDescription
@@ -210,8 +211,10 @@ def _run_answer(entry):
     if failed:
         call = failed[0].failed_call
         explanation = explain_call(call.result, call.difference, entry.exercise.function)
+        advice = advice_on(call.result.error, call.result.message, call.result.line)
+        text = " ".join(filter(None, [explanation, advice]))
         entry.notes.append(
-            f"{len(failed)} of {len(result.results)} checks fail: {failed[0].case.title}: {explanation}"
+            f"{len(failed)} of {len(result.results)} checks fail: {failed[0].case.title}: {text}"
         )
 
 

@@ -117,7 +117,7 @@ def grade_submissions(
         )
         if deadline:
             collection.findings += unproven_dates(collection.files, deadline)
-        pairs, copies = comparison.result()
+        groups, copies = comparison.result()
         grades = grades_of(
             report_copies(pages.finish(), learners, copies),
             answer_keys,
@@ -125,10 +125,10 @@ def grade_submissions(
             deadlines=rules.deadlines,
             collection=collection,
             roster=roster_report(roster, learners) if roster is not None else None,
-            similar=similar_entries(pairs),
+            similar=similar_entries(groups),
             anonymous=anonymous,
         )
-        write_grades(out, grades, learners, answer_keys.lessons, pages.failed, pairs)
+        write_grades(out, grades, learners, answer_keys.lessons, pages.failed, groups)
         table_lines = _fill_tables(platform_tables, grades, out)
     return _summary(grades, graded_now, out, table_lines, pages.failed)
 

@@ -105,7 +105,7 @@ class LearnerPages:
         return learner_page(entry, results, self._answer_keys, self._rules.deadlines)
 
 
-def write_grades(out, grades, learners, lessons, failed_pages, pairs):
+def write_grades(out, grades, learners, lessons, failed_pages, groups):
     """Write everything but the learners' pages and the results.
 
     Parameters
@@ -115,7 +115,7 @@ def write_grades(out, grades, learners, lessons, failed_pages, pairs):
     learners : list of Learner, in the order of grades["learners"]
     lessons : {name: KeyLesson}
     failed_pages : {learner's name as pages show it: why their page lacks its details}
-    pairs : list of SimilarPair
+    groups : list of SimilarGroup
 
     Raises
     ------
@@ -132,7 +132,7 @@ def write_grades(out, grades, learners, lessons, failed_pages, pairs):
         write_grades_file(out / PREVIOUS, grades_text(before))
         write_grades_file(out / "changes.html", changes_page(before, grades, names))
     _write_or_remove(out / "predictions.html", predictions_page(learners, lessons, names))
-    _write_or_remove(out / "similar.html", similarity_page(pairs, names))
+    _write_or_remove(out / "similar.html", similarity_page(groups, names))
     files = exports(grades) | feedback_zips(grades, lambda entry: (out / entry["page"]).read_bytes())
     for name, data in files.items():
         write_grades_file(out / "exports" / name, data)

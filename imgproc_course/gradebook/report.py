@@ -15,6 +15,7 @@ import jinja2
 from imgproc_course.autograder.outcomes import TEXTS, Outcome
 from imgproc_course.autograder.sanitize import sanitize_text
 from imgproc_course.exercises.answer_images import answer_images
+from imgproc_course.exercises.error_advice import advice_on
 from imgproc_course.exercises.values import answer_parts, differing_elements
 from imgproc_course.gradebook.report_values import value_of
 from imgproc_course.gradebook.teacher_tables import plain_number
@@ -185,9 +186,19 @@ def _advice_on(exercise):
     if outcome == Outcome.RAISED:
         if exercise.message:
             return _CELL_ADVICE, True
-        unknown_name = all(case.message.startswith("NameError") for case in exercise.cases)
-        return (_NAME_ADVICE if unknown_name else ""), False
+        errors = {case.message.partition(":")[0] for case in exercise.cases}
+        if errors == {"NameError"}:
+            return _NAME_ADVICE, False
+        advice = _advice_on_exception(exercise.cases[0].message) if len(errors) == 1 else ""
+        return advice, bool(advice)
     return TEXTS[outcome].advice, bool(TEXTS[outcome].advice)
+
+
+def _advice_on_exception(text):
+    """The advice of `check` on the exception of a case's message, "" if there is none."""
+    error, _, message = text.partition(": ")
+    message, _, line = message.rpartition(" (line ") if text.endswith(")") else (message, "", "")
+    return advice_on(error, message, f"line {line[:-1]}")
 
 
 def _values_view(case, key_exercise):

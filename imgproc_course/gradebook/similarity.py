@@ -2,7 +2,8 @@
 
 Two submissions are compared by their common fingerprints (see `fingerprints`). What the lesson gives (given
 cells, stubs), what the solution contains, and what more than MOST_COMMON different submissions contain says
-nothing, and does not count. Similarity is a reason to look, never a verdict: no point depends on it.
+nothing, and does not count. Submissions of which each is similar to another one are a group, and the page
+shows their common answers once. Similarity is a reason to look, never a verdict: no point depends on it.
 """
 
 import json
@@ -24,7 +25,8 @@ SHORTEST_SOLUTION = 60  # tokens; independent learners often write the same shor
 MOST_COMMON = 10  # submissions that contain a fingerprint; MOSS has the same limit
 FEWEST_PRINTS = 6  # of a submission that is compared
 LEAST_SHARE = 0.5  # of the fingerprints of the smaller submission
-MOST_PAIRS = 40  # of one lesson
+MOST_GROUPS = 40  # of one lesson
+MOST_VERSIONS = 6  # of an answer, that the page shows of a group
 _TRIES = 4
 _LONGEST_LINE = 20_000  # characters that a page shows
 _MARK = markupsafe.Markup("<mark>{}</mark>")
@@ -33,18 +35,30 @@ _NOTHING = {"shapes": {}, "prints": {}}
 
 
 @dataclass(frozen=True)
-class SimilarPair:
-    """Two similar submissions of a lesson, or one that several learners submitted.
+class Version:
+    """One of the ways in which an exercise is answered in a group.
 
-    share      0 to 1, of the fingerprints of the smaller one
-    learners   names, of both
-    sides      one or two of (names, {exercise id: source}, {exercise id: set of similar lines})
+    lines  numbers of the lines that other submissions of the group have too
+    """
+
+    learners: tuple
+    source: str
+    lines: frozenset
+
+
+@dataclass(frozen=True)
+class SimilarGroup:
+    """Submissions of a lesson of which each is similar to another one.
+
+    share     0 to 1: the greatest of two of them, of the fingerprints of the smaller one
+    learners  names, of all
+    versions  {exercise id: tuple of Version}, those of most learners first
     """
 
     lesson: str
     share: float
     learners: tuple
-    sides: tuple
+    versions: dict
 
 
 @dataclass
@@ -93,8 +107,8 @@ def compare(learners, answer_keys, store):
 
     Returns
     -------
-    (list of SimilarPair, {answers digest: list of exercise ids}): the pairs of each lesson, the most similar
-    first, and the answers that equal the solution
+    (list of SimilarGroup, {answers digest: list of exercise ids}): the groups of each lesson, the most
+    similar first, and the answers that equal the solution
     """
     by_digest = {}
     for learner in learners:
@@ -107,7 +121,7 @@ def compare(learners, answer_keys, store):
     known = [known for lesson in lessons for known in answer_keys.known_code(lesson)]
     results = read_fingerprints([*answers, *known])
     compared, known = results[: len(places)], results[len(places) :]
-    pairs, copies = [], {}
+    groups, copies = [], {}
     for number, lesson in enumerate(lessons):
         handed_out, solution = known[2 * number : 2 * number + 2]
         documents = {}
@@ -115,10 +129,10 @@ def compare(learners, answer_keys, store):
             if name == lesson:
                 copies[digest] = _copied(result["shapes"], solution["shapes"])
                 _add_document(documents, by_digest[name, digest], sources, result)
-        pairs += _pairs(
+        groups += _groups(
             lesson, list(documents.values()), handed_out["prints"].keys() | solution["prints"].keys()
         )
-    return pairs, copies
+    return groups, copies
 
 
 def _copied(shapes, solution_shapes):
@@ -136,7 +150,7 @@ def _add_document(documents, learners, sources, result):
     document.learners += learners
 
 
-def _pairs(lesson, documents, known):
+def _groups(lesson, documents, known):
     counts = Counter(fingerprint for document in documents for fingerprint in document.prints)
     for document in documents:
         document.learners.sort(key=str.casefold)
@@ -146,28 +160,60 @@ def _pairs(lesson, documents, known):
             if fingerprint not in known and counts[fingerprint] <= MOST_COMMON
         }
     documents = [document for document in documents if len(document.prints) >= FEWEST_PRINTS]
-    pairs = [_pair(lesson, [document], 1.0) for document in documents if len(document.learners) > 1]
-    for first, second in combinations(documents, 2):
+    group_of, shares = list(range(len(documents))), [1.0 if len(d.learners) > 1 else 0.0 for d in documents]
+    for (i, first), (j, second) in combinations(enumerate(documents), 2):
         common = len(first.prints.keys() & second.prints.keys())
         share = common / min(len(first.prints), len(second.prints))
         if share >= LEAST_SHARE:
-            pairs.append(_pair(lesson, [first, second], share))
-    pairs.sort(key=lambda pair: (-pair.share, pair.learners))
-    return pairs[:MOST_PAIRS]
+            shares[i], shares[j] = max(shares[i], share), max(shares[j], share)
+            old, new = group_of[j], group_of[i]
+            group_of = [new if group == old else group for group in group_of]
+    groups = [
+        _group(lesson, [documents[place] for place in places], max(shares[place] for place in places))
+        for places in _places(group_of)
+        if shares[places[0]]
+    ]
+    groups.sort(key=lambda group: (-group.share, group.learners))
+    return groups[:MOST_GROUPS]
 
 
-def _pair(lesson, documents, share):
-    documents = sorted(documents, key=lambda document: document.learners)
-    common = set.intersection(*(set(document.prints) for document in documents))
-    sides = []
+def _places(group_of):
+    """The places of each group's documents."""
+    places = {}
+    for place, group in enumerate(group_of):
+        places.setdefault(group, []).append(place)
+    return list(places.values())
+
+
+def _group(lesson, documents, share):
+    counts = Counter(fingerprint for document in documents for fingerprint in document.prints)
+    learners, versions = [], {}
     for document in documents:
+        learners += document.learners
         lines = {}
-        for fingerprint in common:
-            id, first, last = document.prints[fingerprint]
-            lines.setdefault(id, set()).update(range(first, last + 1))
-        sides.append((document.learners, {id: document.answers[id] for id in lines}, lines))
-    learners = sorted({name for document in documents for name in document.learners}, key=str.casefold)
-    return SimilarPair(lesson, share, tuple(learners), tuple(sides))
+        for fingerprint, (id, first, last) in document.prints.items():
+            if counts[fingerprint] > 1 or len(documents) == 1:
+                lines.setdefault(id, set()).update(range(first, last + 1))
+        for id, similar in lines.items():
+            shape = tuple(document.shapes[id])
+            version = (document.learners, document.answers[id], similar)
+            versions.setdefault(id, {}).setdefault(shape, []).append(version)
+    return SimilarGroup(
+        lesson,
+        share,
+        tuple(sorted(learners, key=str.casefold)),
+        {id: tuple(_versions(by_shape.values())) for id, by_shape in sorted(versions.items())},
+    )
+
+
+def _versions(equal_answers):
+    """The versions of an answer; answers that differ in their names only are one."""
+    versions = []
+    for answers in equal_answers:
+        learners = sorted((name for names, _, _ in answers for name in names), key=str.casefold)
+        _, source, lines = min(answers, key=lambda answer: answer[0])
+        versions.append(Version(tuple(learners), source, frozenset(lines)))
+    return sorted(versions, key=lambda version: (-len(version.learners), version.learners))
 
 
 def report_copies(entries, learners, copies):
@@ -192,20 +238,20 @@ def report_copies(entries, learners, copies):
     return entries
 
 
-def similar_entries(pairs):
-    """The pairs as grades.json has them."""
+def similar_entries(groups):
+    """The groups as grades.json has them."""
     return [
-        {"lesson": pair.lesson, "percent": round(100 * pair.share), "learners": list(pair.learners)}
-        for pair in pairs
+        {"lesson": group.lesson, "percent": round(100 * group.share), "learners": list(group.learners)}
+        for group in groups
     ]
 
 
-def similarity_page(pairs, names):
-    """The teacher's page of similar submissions, side by side.
+def similarity_page(groups, names):
+    """The teacher's page of similar submissions, the versions of an answer side by side.
 
     Parameters
     ----------
-    pairs : list of SimilarPair
+    groups : list of SimilarGroup
     names : {learner's name: the name to show}
 
     Returns
@@ -213,18 +259,26 @@ def similarity_page(pairs, names):
     str, HTML; "" if there are none
     """
     views = []
-    for pair in pairs:
-        sides = [
+    for group in groups:
+        exercises = [
             {
-                "learners": [names[name] for name in learners],
-                "answers": [
-                    {"id": id, "source": _marked(source, lines[id])} for id, source in sorted(sources.items())
+                "id": id,
+                "versions": [
+                    {
+                        "learners": [names[name] for name in version.learners],
+                        "source": _marked(version.source, version.lines),
+                    }
+                    for version in versions[:MOST_VERSIONS]
                 ],
+                "others": [names[n] for version in versions[MOST_VERSIONS:] for n in version.learners],
             }
-            for learners, sources, lines in pair.sides
+            for id, versions in group.versions.items()
         ]
-        views.append({"lesson": pair.lesson, "percent": round(100 * pair.share), "sides": sides})
-    return render_page("similar.html", pairs=views) if views else ""
+        learners = [names[name] for name in group.learners]
+        is_same = all(len(versions) == 1 for versions in group.versions.values())
+        view = {"lesson": group.lesson, "percent": round(100 * group.share), "is_same": is_same}
+        views.append(view | {"learners": learners, "exercises": exercises})
+    return render_page("similar.html", groups=views) if views else ""
 
 
 def _marked(source, similar):

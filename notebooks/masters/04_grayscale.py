@@ -558,6 +558,11 @@ def luma(bgr):
     return luma_of(bgr, dtype=np.int16)
 
 
+# %% role="mistake" name="weights in per cent, and uint8 overflows" says="The sum is computed in uint8: above 255 it starts again at 0 (overflow). Widen first with astype(np.uint32), and use the weights of section 4."
+def luma(bgr):
+    return weighted(bgr, np.uint8(11), np.uint8(59), np.uint8(30)) // np.uint8(100)
+
+
 # %% role="mistake" name="the first rows instead of the channels" says="bgr[0] is the first row of the image, not the blue channel. The channels are on the last axis: write bgr[..., 0]."
 def luma(bgr):
     return luma_of(np.stack([bgr[0], bgr[1], bgr[2]], axis=-1))
@@ -674,7 +679,7 @@ def luma(bgr):
     return ((weighted(bgr.astype(np.uint32), 3735, 19235, 9798) + 2**14) >> 16).astype(np.uint8)
 
 
-# %% role="mistake" name="every value is 0" says="Every value is 0. If you narrow to uint8 before the shift, shift first and narrow last. If you write >> 15 + 2**14, put the sum in parentheses: + is computed before >>, so the shift is too far."
+# %% role="mistake" name="every value is 0" says="Every value is 0. If you compute with the uint8 values themselves, the sum overflows, and a shift leaves nothing of it: widen first with astype(np.uint32). If you narrow to uint8 before the shift, shift first and narrow last. If you write >> 15 + 2**14, put the sum in parentheses: + is computed before >>, so the shift is too far."
 def luma(bgr):
     return np.zeros(bgr.shape[:2], np.uint8)
 

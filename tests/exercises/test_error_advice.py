@@ -84,6 +84,7 @@ ADVICE = {
     "a > 3.0 | (a * 0.5)": "put each comparison in parentheses",
     "mask | (a * 0.5)": "for a mask write np.zeros(shape, dtype=bool)",
     '"/".join(text, text)': "join takes one list of the parts, in square brackets",
+    "np.zeros(3, np.uint8) * 3735": "3735 does not fit into uint8, the dtype of the array",
     "number[0] = 255": "a = a[mask] = 255 stores 255 in a, too",
     "mask - mask": "write a & ~b",
     "-mask": "For the opposite of a mask write ~mask.",

@@ -301,6 +301,12 @@ def test_a_refused_module_is_reported_before_the_error_that_it_causes(lesson):
     assert notes[1].startswith("1 of 1 checks fail: Bright pixels: double() raised")
 
 
+def test_what_an_exception_means_is_said(lesson):
+    (note,) = run(lesson(edit(ANSWER, source="def double(pixels): return pixels * 300"))).exercises[0].notes
+    assert "OverflowError: Python integer 300 out of bounds for uint8" in note
+    assert "300 does not fit into uint8" in note
+
+
 def test_an_answer_that_still_raises_the_stubs_error_is_not_attempted(lesson):
     source = 'def double(pixels):\n    half = 3\n    raise NotImplementedError("later")'
     lesson_check = run(lesson(edit(ANSWER, source=source)))

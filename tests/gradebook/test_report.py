@@ -21,7 +21,7 @@ from imgproc_course.exercises.values import differing_elements
 from imgproc_course.gradebook.grade import grade_submissions
 from imgproc_course.gradebook.report import learner_page
 from imgproc_course.gradebook.report_values import value_of
-from imgproc_course.gradebook.similarity import SimilarPair, similarity_page
+from imgproc_course.gradebook.similarity import SimilarGroup, Version, similarity_page
 
 pytestmark = pytest.mark.sandbox
 EVIL = "<script>alert(1)</script>"
@@ -199,6 +199,7 @@ ALIKE = {
     "refused": "import cv2\n\ndef double(pixels):\n    return cv2.add(pixels, pixels)",
     "endless": "def double(pixels):\n    while True:\n        pass",
     "ending": "import os\n\ndef double(pixels):\n    os._exit(0)",
+    "overflow": "def double(pixels):\n    return (pixels * 300) // 150",
     "nameless": "def double(pixels):\n    return cv9.add(pixels, pixels)",
     "at-times": "def double(pixels):\n    assert len(pixels) < 9\n    return pixels",
     "deleted": None,
@@ -234,6 +235,11 @@ def alike(light, key_path, tmp_path_factory):
         ("syntax", "SyntaxError: expected ':'", "run the cell in the lesson"),
         ("refused", "Write this exercise without cv2", "write it by hand"),
         ("endless", "double() used more than 1 s of processor time.", "loop whose condition stays true"),
+        (
+            "overflow",
+            "OverflowError: Python integer 300 out of bounds for uint8 (line 2: return",
+            "300 does not fit into uint8, the dtype of the array, so the values would overflow",
+        ),
         ("ending", "", "no os._exit()"),
         ("deleted", "Its answer cell (answer-light-double) is missing.", "<code>imgproc-course check</code>"),
     ],
@@ -268,10 +274,12 @@ def test_an_answer_in_another_cell_is_listed_for_the_teacher(alike):
 def similar_page(folder):
     """The page of similar submissions: two answers of a hundred lines, side by side."""
     source = "\n".join(f"line_{number} = {EVIL!r} * {number}" for number in range(100))
-    sides = [([name], {"light-double": source}, {"light-double": {1, 2, 99}}) for name in ("ada", NAME)]
-    pair = SimilarPair("light", 0.9, ("ada", NAME), tuple(sides))
+    versions = tuple(Version((name,), source, frozenset({1, 2, 99})) for name in ("ada", NAME))
+    names = ["ada", NAME, *(f"learner {number}" for number in range(40))]
+    many = SimilarGroup("light", 1.0, tuple(names), {"light-double": (Version(names, source, frozenset()),)})
+    group = SimilarGroup("light", 0.9, ("ada", NAME), {"light-double": versions})
     path = folder / "similar.html"
-    path.write_text(similarity_page([pair], {"ada": "ada", NAME: NAME}), encoding="utf-8")
+    path.write_text(similarity_page([many, group], {name: name for name in names}), encoding="utf-8")
     return path
 
 
@@ -310,7 +318,7 @@ def test_the_pages_in_a_browser(pages, tmp_path):
         page.eval_on_selector_all("details", "all => all.forEach(each => each.open = true)")
         page.emulate_media(media="print")
         lost = "all => all.map(each => each.scrollHeight - each.clientHeight)"
-        assert page.eval_on_selector_all("pre.source", lost) == [0, 0]  # paper does not scroll
+        assert page.eval_on_selector_all("pre.source", lost) == [0, 0, 0]  # paper does not scroll
         page.goto(pages["ada"].as_uri())
         widths = page.eval_on_selector_all("figure img", "all => all.map(each => each.naturalWidth)")
         assert widths == [192, 192, 192, 192]

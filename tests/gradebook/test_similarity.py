@@ -18,7 +18,13 @@ from imgproc_course.gradebook.fingerprints import (
 )
 from imgproc_course.gradebook.learners import read_all
 from imgproc_course.gradebook.result_store import ResultStore
-from imgproc_course.gradebook.similarity import compare, read_fingerprints, report_copies
+from imgproc_course.gradebook.similarity import (
+    MOST_VERSIONS,
+    compare,
+    read_fingerprints,
+    report_copies,
+    similarity_page,
+)
 
 MINE = '''
 def double(pixels):
@@ -185,6 +191,38 @@ def test_equal_answers_are_one_entry_and_common_ones_do_not_count(submit, answer
     common = {name: MINE + f"\nx{n} = {n}\n" for n, name in enumerate(names)}
     pairs, _ = compared(submit(common), answer_keys, tmp_path)
     assert pairs == []
+
+
+@pytest.mark.sandbox
+@pytest.mark.xdist_group("answer_key")
+def test_forty_learners_who_share_an_answer_are_one_group_and_its_code_is_shown_once(
+    submit, grade, answer_keys, tmp_path
+):
+    names = [f"learner {number:02d}" for number in range(40)]
+    grades = grade(submit(dict.fromkeys(names, MINE)))
+    assert [(group["percent"], group["learners"]) for group in grades["similar"]] == [(100, names)]
+    page = (tmp_path / "grades" / "similar.html").read_text(encoding="utf-8")
+    assert page.count("<mark>    for row in pixels:</mark>") == 1
+    assert page.count("and 35 more") == 2 and "All 40 learners" in page
+    assert [page.count(name) for name in (names[0], names[39])] == [3, 1]
+
+
+def test_submissions_that_share_one_answer_are_one_group_whatever_else_they_answer(
+    light, submissions, answer_keys, tmp_path
+):
+    names, halves = [f"learner {number:02d}" for number in range(40)], OTHER.replace("double", "halves")
+    for number, name in enumerate(names):
+        own = halves + f"\nx = {number % 8}\n"
+        write(submissions / f"{name}.ipynb", notebook(light, {"light-double": MINE, "light-halves": own}))
+    ((group,), _) = compared(submissions, answer_keys, tmp_path)
+    assert (group.lesson, group.learners, group.share) == ("light", tuple(names), 1.0)
+    (shared,) = group.versions["light-double"]
+    assert shared.learners == tuple(names) and shared.source.strip() == MINE.strip()
+    versions = group.versions["light-halves"]
+    assert [version.learners for version in versions] == [tuple(names[k::8]) for k in range(8)]
+    page = similarity_page([group], {name: name for name in names})
+    assert page.count("for row in pixels:") == 1 and page.count("while position") == MOST_VERSIONS
+    assert "Other versions of" in page
 
 
 def test_a_copy_of_the_solution_is_reported_unless_it_is_short(
