@@ -156,7 +156,7 @@ class ExerciseRun:
         if run.ended in _RUN_AGAIN_AFTER:
             run = self._run_in_new_kernel(case, sources_before, source)
         for _ in range(2):
-            if run.ended == "gone":
+            if run.ended in ("crashed", "gone"):
                 run = self._run_in_new_kernel(case, sources_before, source)
         return run
 

@@ -42,8 +42,12 @@ class NbvalProcessEnded(Exception):
     """The process ended or does not answer; the message says what is known of it. Start another one."""
 
 
+class NbvalProcessKilled(NbvalProcessEnded):
+    """A signal ended it: the system had no memory left, or somebody killed it. No submission did that."""
+
+
 class NbvalProcessNotStarted(SandboxError):
-    """The process ended while it started; the message says why."""
+    """The process ended by itself while it started; the message says why."""
 
 
 def nbval_process_of_thread(kernel, unsafe, limits):
@@ -51,7 +55,7 @@ def nbval_process_of_thread(kernel, unsafe, limits):
 
     Raises
     ------
-    SandboxError : see `NbvalProcess`
+    SandboxError, NbvalProcessKilled : see `NbvalProcess`
     """
     options = (kernel, unsafe, limits)
     process = getattr(_of_thread, "process", None)
@@ -84,6 +88,7 @@ class NbvalProcess:
     Raises
     ------
     SandboxError : there is no sandbox, or the process does not start
+    NbvalProcessKilled : it was killed while it started
     """
 
     def __init__(self, kernel, unsafe, limits):
@@ -114,6 +119,8 @@ class NbvalProcess:
             self._send(settings)
             self._receive(_START_SECONDS)
             self._is_ready = True
+        except NbvalProcessKilled:
+            raise
         except NbvalProcessEnded as error:
             raise NbvalProcessNotStarted(f"the nbval process did not start: {error}") from error
         except SandboxError:
@@ -182,8 +189,7 @@ class NbvalProcess:
             self._socket.settimeout(_SEND_SECONDS)
             self._socket.sendall((json.dumps(message) + "\n").encode("ascii"))
         except OSError as error:
-            self.stop()
-            raise NbvalProcessEnded(self._last_errors or str(error)) from error
+            raise self._stopped(str(error)) from error
 
     def _receive(self, patience):
         deadline = time.monotonic() + patience
@@ -194,13 +200,24 @@ class NbvalProcess:
             if is_answering:
                 with contextlib.suppress(OSError):
                     data = self._socket.recv(1 << 20)
-            if not data:
+            if not is_answering:
                 self.stop(wait=False)
-                fault = "it was killed" if is_answering else f"no answer within {patience:.0f} s"
-                raise NbvalProcessEnded(self._last_errors or fault)
+                raise NbvalProcessEnded(self._last_errors or f"no answer within {patience:.0f} s")
+            if not data:
+                raise self._stopped("it closed the connection")
             self._buffer += data
         line, _, self._buffer = self._buffer.partition(b"\n")
         return json.loads(line)
+
+    def _stopped(self, fault):
+        """Clean up after a process that has closed its connection; returns the exception to raise."""
+        code = 0
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            code = self._process.wait(5)
+        self.stop(wait=False)
+        if code < 0:
+            return NbvalProcessKilled(f"signal {-code} ended it")
+        return NbvalProcessEnded(self._last_errors or fault)
 
     def close_connection(self):
         """Tell the process that no more submissions come, without waiting for its end."""

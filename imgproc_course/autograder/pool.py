@@ -11,6 +11,7 @@ long as they pass; every other result comes from a kernel of its own.
 
 A fault of the autograder (an exception, a process that was killed, a run without a result) costs nobody
 points: the submission is graded again in new processes, and if that fails too, the outcome is "not graded".
+A killed process is no sign of a fault that will come again, so it has more attempts.
 An exercise that did not finish in time is graded again while nothing else runs, and that result counts. Those
 that slow ones left no time for come first: only what is slow itself can lose by it.
 """
@@ -26,6 +27,7 @@ from functools import lru_cache
 from imgproc_course.autograder.answer_key import Key, KeyFolderError, load_key
 from imgproc_course.autograder.nbval_process import (
     NbvalProcessEnded,
+    NbvalProcessKilled,
     NbvalProcessNotStarted,
     nbval_process_of_thread,
 )
@@ -45,6 +47,7 @@ __all__ = ["Limits", "SandboxError", "autograde", "grade_one", "open_scheduler"]
 
 _QUEUE_PER_WORKER = 4  # submissions that are submitted before their results are taken
 _ATTEMPTS = 3  # to grade a submission, each in a new nbval process
+_KILLS = 10  # of nbval processes while they start or grade one submission; they are not attempts
 
 
 def autograde(submissions, key, *, kernel="fast", unsafe=False, workers=None, executor=None, limits=None):
@@ -207,18 +210,25 @@ def grade_one(submission, key, digest=None, *, kernel="fast", unsafe=False, limi
         key = _loaded_key(key, digest) if digest else load_key(key)
     if digest not in (None, key.digest):
         raise ValueError(f"{key.path}: this is another key than the one that grading began with")
-    for attempt in range(1, _ATTEMPTS + 1):
+    attempts = kills = 0
+    while attempts < _ATTEMPTS and kills < _KILLS:
         try:
             process = nbval_process_of_thread(kernel, unsafe, limits)
             result = from_json(process.grade(key, *submission))
         except NbvalProcessNotStarted:
-            if attempt == _ATTEMPTS:
+            attempts += 1
+            if attempts == _ATTEMPTS:
                 raise
+        except NbvalProcessKilled as error:
+            kills += 1
+            result = _not_graded(key, *submission, f"the nbval process was killed {kills} times: {error}")
         except NbvalProcessEnded as error:  # an earlier submission must not cost this one anything
+            attempts += 1
             result = _not_graded(key, *submission, f"the nbval process ended: {error}")
         else:
             if not result.exercises_with(Outcome.NOT_GRADED):
                 return result
+            attempts += 1
             process.stop()
     return result
 

@@ -3,6 +3,7 @@
 import itertools
 import json
 import random
+import shutil
 import signal
 import subprocess
 import sys
@@ -17,10 +18,12 @@ import pytest
 from imgproc_course.authoring.lesson_files import lesson_files
 from imgproc_course.authoring.masters import read_master
 from imgproc_course.autograder import nbval_process
+from imgproc_course.autograder.nbval_plugin import ExerciseRun
 from imgproc_course.autograder.outcomes import TEXTS, Outcome
 from imgproc_course.autograder.pool import Limits, SandboxError, autograde, grade_one
 from imgproc_course.autograder.results import from_json, to_json
 from imgproc_course.autograder.sandbox import bubblewrap
+from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.exercises import read_exercises
 from imgproc_course.exercises.checking import run_cases as check_answer
 
@@ -331,6 +334,81 @@ def test_an_nbval_process_that_does_not_start_reports_why(key, right, monkeypatc
     monkeypatch.setattr(nbval_process.sys, "executable", str(broken))
     with pytest.raises(SandboxError, match="the nbval process did not start: no such plugin"):
         grade_one(("a", LESSON, right), key, unsafe=True)
+
+
+def mortal(path, program, deaths):
+    """A command that runs the program, and is killed instead the first times that it starts."""
+    path.write_text(
+        f'#!/bin/sh\necho >>"{path}.starts"\n[ $(wc -l <"{path}.starts") -le {deaths} ] && kill -9 $$\n'
+        f'exec "{program}" "$@"\n'
+    )
+    path.chmod(0o755)
+    return str(path)
+
+
+@pytest.mark.parametrize("deaths", [5, 100])
+def test_an_nbval_process_that_is_killed_while_it_starts_is_started_again(
+    key, right, monkeypatch, tmp_path, deaths
+):
+    monkeypatch.setattr(nbval_process.sys, "executable", mortal(tmp_path / "python", sys.executable, deaths))
+    result = grade_one(("a", LESSON, right), key, unsafe=True)
+    nbval_process.stop_nbval_processes()
+    if deaths == 5:
+        assert result.points == 10
+    else:
+        assert result.exercises_with(Outcome.NOT_GRADED) == {"attacked-double", "attacked-mean"}
+        message = "the autograder failed: the nbval process was killed 10 times: signal 9 ended it"
+        assert {exercise.message for exercise in result.exercises} == {message}
+
+
+def test_a_sandbox_that_is_killed_while_it_starts_is_started_again(monkeypatch, tmp_path):
+    mortal(tmp_path / "bwrap", shutil.which("bwrap"), 2)
+    monkeypatch.setenv("PATH", str(tmp_path), prepend=":")
+    assert bubblewrap.sandbox_problem.__wrapped__() == ""
+    (tmp_path / "bwrap.starts").unlink()
+    with KernelFactory() as kernels:
+        kernel = kernels.start((), 5.0)
+        assert not kernel.run("1 + 1").ended
+        kernel.stop()
+    mortal(tmp_path / "bwrap", shutil.which("bwrap"), 100)
+    assert "cannot make a sandbox here (exit code -9)" in bubblewrap.sandbox_problem.__wrapped__()
+
+
+class KillsKernels(KernelFactory):
+    """Kills the first kernels that it starts."""
+
+    kills_left = 2
+
+    def start(self, *request):
+        kernel = super().start(*request)
+        while self.kills_left and not (running := kernels_running()):
+            time.sleep(0.01)
+        if self.kills_left:
+            running[0].kill()
+            self.kills_left -= 1
+        return kernel
+
+
+def kernels_running():
+    kernels = []
+    for process in children("fork_server.main"):
+        with suppress(psutil.Error, AttributeError):
+            if process.parent().name() != "bwrap" != process.name():
+                kernels.append(process)
+    return kernels
+
+
+def test_a_kernel_that_is_killed_twice_costs_nobody_a_point(key, right):
+    (exercise,) = [each for each in key.lessons[LESSON].exercises if each.id == "attacked-double"]
+    content = key.content(exercise.id)
+    (check,) = [cell for cell in content.notebook["cells"] if cell["id"] == exercise.cases[0].id]
+    with KillsKernels() as kernels:
+        exercise_run = ExerciseRun(exercise, content, kernels, None)
+        sources = [*exercise.given, right[exercise.id]]
+        run = exercise_run.run(exercise.cases[0], sources, "".join(check["source"]))
+        exercise_run.close()
+        assert kernels.kills_left == 0
+    assert (run.ended, run.passed) == ("", True)
 
 
 def test_an_nbval_process_loads_nothing_that_only_teachers_tools_need():

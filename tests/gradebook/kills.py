@@ -146,8 +146,9 @@ def run_with_kills(run, kind, count, pause, rng):
 
     Returns
     -------
-    (exit code, printed) of the last run
+    list of (exit code, printed) of every run; a run that was killed itself is not in it
     """
+    endings = []
     run.start()
     while count:
         time.sleep(rng.uniform(*pause))
@@ -155,8 +156,9 @@ def run_with_kills(run, kind, count, pause, rng):
             time.sleep(0.01)
         count -= killed
         if killed and kind == COMMAND:
-            run.process.wait()
-        if run.process.poll() is not None:
             run.process.communicate()
             run.start()
-    return run.finish()
+        elif run.process.poll() is not None:
+            endings.append(run.finish())
+            run.start()
+    return [*endings, run.finish()]

@@ -9,6 +9,7 @@ submission. `inside/confine.py` confines each kernel once more.
 
 import os
 import shutil
+import signal
 import subprocess
 import sys
 import sysconfig
@@ -89,6 +90,10 @@ class Limits:
         return (seconds + self.grace) * self.wall_factor + self.wall_grace
 
 
+_TRIALS, _TRIAL_SECONDS = 5, 60
+KILLED = (-signal.SIGKILL, 128 + signal.SIGKILL)  # exit codes: bubblewrap was killed, or what ran inside
+
+
 @lru_cache(maxsize=1)
 def sandbox_problem():
     """Why there is no sandbox here, with the remedy; "" if there is one."""
@@ -102,23 +107,37 @@ def sandbox_problem():
             "bubblewrap is not installed: sudo apt-get install bubblewrap"
             " (Fedora: sudo dnf install bubblewrap; Arch: sudo pacman -S bubblewrap)"
         )
-    trial = subprocess.run(
-        [*sandbox_command(confined=True), "-c", "print('inside')"],
-        env={},
-        capture_output=True,
-        text=True,
-        timeout=60,
-        check=False,
-    )
-    if trial.returncode == 0 and trial.stdout.strip() == "inside":
+    error = _error_of_trial()
+    if not error:
         return ""
-    error = " ".join(trial.stderr.split())[:300] or f"exit code {trial.returncode}"
     return (
         f"bubblewrap cannot make a sandbox here ({error}). Allow user namespaces"
         " (sudo sysctl -w kernel.unprivileged_userns_clone=1; on Ubuntu 24.04 also"
         " sudo sysctl -w kernel.apparmor_restrict_unprivileged_userns=0), or grade as root in a container"
         " that was started with --privileged"
     )
+
+
+def _error_of_trial():
+    """What bubblewrap says when it is tried, "" if it makes a sandbox."""
+    for _ in range(_TRIALS):
+        try:
+            trial = subprocess.run(
+                [*sandbox_command(confined=True), "-c", "print('inside')"],
+                env={},
+                capture_output=True,
+                text=True,
+                timeout=_TRIAL_SECONDS,
+                check=False,
+            )
+        except subprocess.TimeoutExpired:
+            return f"no sandbox within {_TRIAL_SECONDS} s"
+        if trial.returncode == 0 and trial.stdout.strip() == "inside":
+            return ""
+        error = " ".join(trial.stderr.split())[:300] or f"exit code {trial.returncode}"
+        if trial.returncode not in KILLED:
+            break
+    return error
 
 
 def require_sandbox():

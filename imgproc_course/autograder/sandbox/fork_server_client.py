@@ -16,6 +16,7 @@ from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.autograder.sandbox.allowed_modules import module_access
 from imgproc_course.autograder.sandbox.cell_run import LOOK_SECONDS, CellRun
 
+_STARTS = 3  # of a fork server that is not ready in time
 _CONTENT_TYPES = {
     "stream": {"name": str, "text": str},
     "display_data": {"data": dict, "metadata": dict},
@@ -195,22 +196,24 @@ class ForkServer:
         self._control, self._is_ready = our_end, False
 
     def _await_ready(self):
-        self._control.settimeout(60)
-        try:
-            message = self._control.recv(1 << 20)
-        except TimeoutError:
-            message = b""
-        if not message:
-            reason = self._last_errors()
+        """Wait until it is loaded; it is started again if it ends before, because somebody may kill it."""
+        for starts_left in reversed(range(_STARTS)):
+            self._control.settimeout(60)
+            with suppress(TimeoutError):
+                self._is_ready = bool(self._control.recv(1 << 20))
+            if self._is_ready:
+                return
+            errors = self._last_errors()
             self.stop()
-            raise bubblewrap.SandboxError(f"the fork server did not start: {reason}")
-        self._is_ready = True
+            if starts_left:
+                self.start()
+        raise bubblewrap.SandboxError(f"the fork server did not start: {errors}")
 
     def _last_errors(self):
         with suppress(ProcessLookupError):
             os.killpg(self._process.pid, 9)
         errors = self._process.stderr.read().decode(errors="replace")
-        return " ".join(errors.split())[-400:] or f"exit code {self._process.returncode}"
+        return " ".join(errors.split())[-400:] or "it was killed"
 
     def fork(self, descriptor, allowed, limits):
         """Fork a kernel.
