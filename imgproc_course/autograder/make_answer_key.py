@@ -100,12 +100,17 @@ def _variant_files(masters, numpy_seed, about, kernel_factory):
     """{relative name: text} of one variant of a key."""
     exercises = [(master, exercise) for master in masters for exercise in master.exercises]
     entries, files = {}, {}
-    for master, exercise in tqdm(exercises, desc="key", unit=" exercises", delay=2, leave=False):
+    for master, exercise in tqdm(exercises, desc=_label(about), unit=" exercises", delay=2, leave=False):
         maker = _ExerciseKeyMaker(master, exercise, numpy_seed, kernel_factory)
         entries[exercise.id] = maker.entry()
         files |= {} if exercise.practice else maker.files()
     content = {"format": FORMAT, "lessons": [_lesson_entry(master, entries) for master in masters]} | about
     return files | {"key.json": json.dumps(content, indent=1, sort_keys=True) + "\n"}
+
+
+def _label(about):
+    """What the progress bar of a variant says."""
+    return f"key, variant {about['variant']} of {about['variants']}" if about else "key"
 
 
 def _numpy_seed(seed, variant=1):

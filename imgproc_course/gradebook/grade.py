@@ -178,9 +178,10 @@ def _summary(grades, graded_now, out, table_lines, failed_pages):
     graded = sum(lesson["status"] == "graded" for lesson in lessons)
     late = sum(lesson["late"] for lesson in lessons)
     not_graded = count_not_graded(grades)
+    others = "; the others equal one of these, or were graded before" if graded_now < graded else ""
     lines = [
         f"{count_of(len(grades['learners']), 'learner')}, {count_of(graded, 'lesson')} graded"
-        f" ({graded_now} now), {late} late,"
+        f" ({graded_now} in this run{others}), {late} late,"
         f" {not_graded} could not be graded."
     ]
     if roster := grades["roster"]:

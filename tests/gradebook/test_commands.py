@@ -2,6 +2,7 @@
 
 import json
 import os
+import shutil
 import subprocess
 import sys
 
@@ -110,6 +111,32 @@ def test_a_key_in_a_checkout_that_does_not_ignore_it_is_a_warning(run, tmp_path)
     assert "Warning" not in run(*words).output
 
 
+QUIET = """# ---
+# jupyter:
+#   imgproc_course:
+#     title: Quiet
+#     minutes: 5
+# ---
+
+# %% [markdown]
+# # Quiet
+# A lesson without exercises.
+"""
+
+
+def test_lessons_without_points_are_named(run, tmp_path):
+    (tmp_path / "mine").mkdir()
+    for name in ("22_quiet", "23_silent"):
+        (tmp_path / "mine" / f"{name}.py").write_text(QUIET)
+    shutil.copy(MASTERS / "21_sound.py", tmp_path / "mine")
+    made = run("key", "--masters", "mine", "--out", "k")
+    assert made.exit_code == 0, made.output
+    assert "Key in k/: lessons 3, exercises with points 1.\nLessons without points: quiet, silent.\n" in (
+        made.output
+    )
+    assert "without points" not in run("key", "21", "--masters", "mine", "--out", "k2").output
+
+
 def test_a_folder_without_masters_is_refused(run, tmp_path):
     wrong = run("key", "--masters", tmp_path, "--out", "k")
     assert wrong.exit_code == 1 and "no masters in" in wrong.output
@@ -122,13 +149,16 @@ def test_exit_codes(run, light, key_path, tmp_path):
     write(tmp_path / "in" / "ada.ipynb", notebook(light, answers_of(light, "right")))
     good = run("grade", "in", "--key", key_path, "--out", "out")
     assert good.exit_code == 0, good.output
-    assert "1 learner, 1 lesson graded (1 now), 0 late, 0 could not be graded." in good.output
+    assert "1 learner, 1 lesson graded (1 in this run), 0 late, 0 could not be graded." in good.output
     write(tmp_path / "in" / "bob.ipynb", b"{")
     some = run(
         "grade", "in", "--key", key_path, "--out", "out", "--deadline", "2026-11-01T00:00", "--workers", 1
     )
     assert some.exit_code == 3
-    assert "bob: bob.ipynb: it is not a notebook" in some.output and "(0 now), 2 late" in some.output
+    assert (
+        "bob: bob.ipynb: it is not a notebook" in some.output
+        and "or were graded before), 2 late" in some.output
+    )
 
 
 @pytest.mark.parametrize(
@@ -223,14 +253,20 @@ def test_a_new_lesson_is_a_master_that_reads(tmp_path):
         ["brightness-contrast-double"],
     )
     assert new_lesson("other", tmp_path / "mine").name == "31_other.py"
-    assert new_lesson("42_other", tmp_path / "mine").name == "42_other.py"
+    assert new_lesson("42_third", tmp_path / "mine").name == "42_third.py"
 
 
-def test_a_new_lesson_overwrites_nothing(run, tmp_path):
+@pytest.mark.parametrize("name", ["42_light", "light", "07_Light"])
+def test_a_new_lesson_with_the_name_of_another_is_refused_and_overwrites_nothing(run, tmp_path, name):
     assert run("new-lesson", "42_light", "--out", "mine").exit_code == 0
     (tmp_path / "mine" / "42_light.py").write_text("changed")
-    again = run("new-lesson", "42_light", "--out", "mine")
-    assert again.exit_code == 1 and "a lesson with that name exists" in again.output
+    again = run("new-lesson", name, "--out", "mine")
+    refusal = "Error: mine/42_light.py: a lesson with that name exists; choose another name\n"
+    assert (again.exit_code, again.output) == (1, refusal)
+    assert [path.name for path in (tmp_path / "mine").iterdir()] == ["42_light.py"]
     assert (tmp_path / "mine" / "42_light.py").read_text() == "changed"
+
+
+def test_a_name_that_no_lesson_can_have_is_refused(tmp_path):
     with pytest.raises(MasterError, match="cannot name a lesson"):
         new_lesson("!!", tmp_path)

@@ -148,12 +148,15 @@ def test_an_interrupted_run_continues_where_it_stopped(light, key_path, submissi
     assert not (out / "grades.json").exists()
     monkeypatch.setattr(ResultStore, "keep_result", keep)
     assert (
-        "6 lessons graded (3 now)"
+        "6 lessons graded (3 in this run; the others equal one of these, or were graded before)"
         in grade_submissions(submissions, [key_path], out, workers=1, quiet=True).text
     )
-    assert "(0 now)" in grade_submissions(submissions, [key_path], out, workers=1, quiet=True).text
+    assert (
+        "(0 in this run; the others"
+        in grade_submissions(submissions, [key_path], out, workers=1, quiet=True).text
+    )
     again = grade_submissions(submissions, [key_path], out, workers=1, quiet=True, fresh=True)
-    assert "(6 now)" in again.text
+    assert "(6 in this run)" in again.text
 
 
 def test_an_incomplete_result_is_graded_again(light, key_path, submissions, grade, tmp_path):
@@ -169,7 +172,7 @@ def test_equal_answers_are_graded_once(light, key_path, submissions, tmp_path):
     for name in ("ada", "bob", "eve"):
         write(submissions / f"{name}.ipynb", notebook(light, answers_of(light, "right")))
     summary = grade_submissions(submissions, [key_path], tmp_path / "grades", workers=1, quiet=True)
-    assert "3 lessons graded (1 now)" in summary.text
+    assert "3 lessons graded (1 in this run; the others equal" in summary.text
 
 
 def test_a_whole_folder_with_the_index_and_the_glossary_is_graded(light, submissions, grade):

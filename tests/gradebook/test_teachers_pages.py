@@ -94,7 +94,7 @@ def test_practice_is_no_reason_for_a_decision_on_the_whole_lesson(masters, submi
 def test_one_learner_and_one_lesson_are_not_plural(light, submissions, key_path, tmp_path):
     write(submissions / "ada.ipynb", notebook(light))
     summary = grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
-    assert summary.text.startswith("1 learner, 1 lesson graded (1 now)")
+    assert summary.text.startswith("1 learner, 1 lesson graded (1 in this run)")
     text = (tmp_path / "out" / "summary.html").read_text()
     assert "<b>1</b>learner<" in text and "of 1 submission graded" in text
 

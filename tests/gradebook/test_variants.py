@@ -5,7 +5,9 @@ import json
 import pytest
 from click.testing import CliRunner
 from submissions import MASTERS, SEED, answers_of, notebook, write
+from tqdm import tqdm
 
+from imgproc_course.autograder import make_answer_key
 from imgproc_course.autograder.answer_key import KeyFolderError, load_key
 from imgproc_course.autograder.make_answer_key import make_key
 from imgproc_course.cli import main
@@ -27,8 +29,16 @@ def double(pixels):
 
 @pytest.fixture(scope="module")
 def variants_path(tmp_path_factory):
-    path = tmp_path_factory.mktemp("variants") / "key"
-    make_key(MASTERS, SEED, path, ["light"], variants=3)
+    path, labels = tmp_path_factory.mktemp("variants") / "key", []
+
+    def bar(exercises, desc, **options):
+        labels.append(desc)
+        return tqdm(exercises, desc=desc, **options)
+
+    with pytest.MonkeyPatch.context() as patch:
+        patch.setattr(make_answer_key, "tqdm", bar)
+        make_key(MASTERS, SEED, path, ["light"], variants=3)
+    assert labels == [f"key, variant {number} of 3" for number in (1, 2, 3)]
     return path
 
 
