@@ -37,20 +37,18 @@ class Outcome(StrEnum):
 class OutcomeTexts:
     """The texts of one outcome.
 
-    label            a few words beside the case's title on a page
-    message          the case's message if the kernel was ended like this; "" if the message depends on the
-                     answer
-    advice           for the learner, if every case of an exercise ended like this: no input is the cause
-                     then, and no case's hint helps; "" if there is no such advice
-    shows_values     whether a page shows the failed call's values
-    needs_attention  whether the teacher's page lists it
+    label         a few words beside the case's title on a page
+    message       the case's message if the kernel was ended like this; "" if the message depends on the
+                  answer
+    advice        for the learner, if every case of an exercise ended like this: no input is the cause
+                  then, and no case's hint helps; "" if there is no such advice
+    shows_values  whether a page shows the failed call's values
     """
 
     label: str
     message: str = ""
     advice: str = ""
     shows_values: bool = True
-    needs_attention: bool = False
 
 
 # Of the cases that are not run because those before them took too long.
@@ -62,15 +60,15 @@ TEXTS = {
     Outcome.NOT_ATTEMPTED: OutcomeTexts("not attempted", shows_values=False),
     Outcome.MISSING: OutcomeTexts(
         "the function is missing",
-        advice="The autograder reads the lesson's own answer cell only. Take a fresh copy of the lesson,"
-        " write your function there, and run `imgproc-course check` on it before you submit it.",
+        advice="No cell of the notebook defines this function: a def that begins at the left edge. Take a"
+        " fresh copy of the lesson, write your function there, and run `imgproc-course check` on it before"
+        " you submit it.",
         shows_values=False,
     ),
     Outcome.REFUSED_MODULE: OutcomeTexts(
         "uses a module that this exercise does not allow",
         advice="The task is to write it by hand, without the modules that do it for you.",
         shows_values=False,
-        needs_attention=True,
     ),
     Outcome.TIME: OutcomeTexts(
         "did not finish in time",
@@ -82,26 +80,20 @@ TEXTS = {
         "needed too much memory",
         message="it used more memory than an answer may use",
         advice="It needs too much memory, whatever its input is. What grows with every turn of a loop?",
-        needs_attention=True,
     ),
     Outcome.OUTPUT: OutcomeTexts(
         "printed too much",
         message="it printed more than the autograder reads",
         advice="Remove the print calls from your function.",
-        needs_attention=True,
     ),
     Outcome.CRASHED: OutcomeTexts(
         "ended the Python process",
         message="it ended its process",
         advice="Nothing in your function may end Python: no exit(), no quit(), no os._exit().",
-        needs_attention=True,
     ),
     Outcome.HOSTILE: OutcomeTexts(
         "sent something that no answer sends",
         message="it sent something that is not a message of a notebook's kernel",
-        needs_attention=True,
     ),
-    Outcome.NOT_GRADED: OutcomeTexts(
-        "could not be graded; your teacher will look at it", needs_attention=True
-    ),
+    Outcome.NOT_GRADED: OutcomeTexts("could not be graded; your teacher will look at it"),
 }

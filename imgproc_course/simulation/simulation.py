@@ -57,7 +57,7 @@ class Simulation:
         self._model = CAMERA.resized(*size)
         if not lens:
             self._model = CameraModel(*size, *self._model.matrix[[0, 1, 0, 1], [0, 1, 2, 2]].tolist())
-        self._has_sensor, self._seed, self._lighting = sensor, seed, lighting
+        self._seed, self._lighting = seed, lighting
         self._room, self._free_space = load_room(), FreeSpace()
         self._movers = Movers(round(float(time), 9), self._free_space)
         self._time, self._steps, self._bumped = round(float(time), 9), 0, False
