@@ -164,7 +164,8 @@ def run_check(exercise, function):
     -------
     CheckResult
     """
-    remarks = tuple(remarks_on_source(function))
+    hints = [case.hint for case in exercise.cases]
+    remarks = tuple(remarks_on_source(function, hints=hints))
     if _is_stub(exercise, function):
         return CheckResult(exercise, attempted=False, remarks=remarks)
     function = function_as_graded(function, exercise.allowed)
@@ -190,7 +191,7 @@ def run_check(exercise, function):
     has_passed = all(result.passed for result in results)
     mistake = None if has_passed else _known_mistake(exercise, calls)
     errors = {case_call.result.error for case_call in calls}
-    remarks = () if has_passed else tuple(remarks_on_source(function, errors))
+    remarks = () if has_passed else tuple(remarks_on_source(function, errors, hints))
     result = CheckResult(exercise, True, results, mistake, dependencies, remarks=remarks)
     return replace(result, diagnosis=_diagnosis(result, calls))
 

@@ -5,7 +5,10 @@ the line that raised: `thinned > high and thinned < 9` needs another sentence th
 """
 
 import ast
+import difflib
 import re
+
+import numpy as np
 
 # Where a name comes from that learners use without its import.
 _IMPORTS = {
@@ -294,6 +297,15 @@ def _no_attribute(match, _source):
     return ""
 
 
+def _not_in_numpy(match, _source):
+    name = match[1]
+    for home in ("linalg", "random"):
+        if hasattr(getattr(np, home), name):
+            return f"{name} is a function of np.{home}: write np.{home}.{name}."
+    similar = difflib.get_close_matches(name, dir(np), n=1)
+    return f"NumPy has no {name}." + (f" Did you mean np.{similar[0]}?" if similar else "")
+
+
 def _not_callable(match, _source):
     if match[1] in ("tuple", "numpy.ndarray", "list", "dict"):
         return (
@@ -410,6 +422,7 @@ _ADVICE = (
         r" value before it.",
     ),
     ("AttributeError", "'([\\w.]+)' object has no attribute '(\\w+)'", _no_attribute),
+    ("AttributeError", "^module 'numpy' has no attribute '(\\w+)'", _not_in_numpy),
     ("TypeError", "'([\\w.]+)' object is not callable", _not_callable),
     ("TypeError", "'([\\w.]+)' object is not subscriptable", _not_subscriptable),
     (

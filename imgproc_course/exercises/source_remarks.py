@@ -7,16 +7,19 @@ import textwrap
 from itertools import pairwise
 
 _ARRAY_MAKERS = ("array", "zeros", "zeros_like", "empty", "empty_like", "ones", "full", "copy", "astype")
+_DISK = ("glob", "rglob", "iterdir", "exists", "is_file", "is_dir", "listdir", "scandir")
+_PRODUCT = "{} is the product of two matrices or vectors; a * b multiplies value by value."
 _ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 
 
-def remarks_on_source(function, errors=()):
+def remarks_on_source(function, errors=(), hints=()):
     """What is certain from the source of a function alone.
 
     Parameters
     ----------
     function : callable
     errors : collection of str, the types of the errors that its calls raised
+    hints : collection of str, of the exercise; if they use @, an answer with @ needs no remark on it
 
     Returns
     -------
@@ -32,6 +35,9 @@ def remarks_on_source(function, errors=()):
         remarks += _remarks_on_function(tree)
     if "IndexError" in errors:
         remarks += [text for node in ast.walk(tree) for text in _values_as_indices(node)]
+    if any(" @ " in hint for hint in hints):
+        product = _PRODUCT.format("")
+        remarks = [remark for remark in remarks if not remark.endswith(product)]
     return list(dict.fromkeys(remarks))
 
 
@@ -44,10 +50,9 @@ def _remarks_on_node(node, source):
                 f" True. Compare with each of them, or write: in (..., ...)."
             )
     if isinstance(node, ast.BinOp) and isinstance(node.op, ast.MatMult):
-        yield "a @ b is the product of two matrices or vectors; a * b multiplies value by value."
-    if isinstance(node, ast.Call) and ast.unparse(node.func) in ("np.dot", "np.matmul"):
-        name = ast.unparse(node.func)
-        yield f"{name}(a, b) is the product of two matrices or vectors; a * b multiplies value by value."
+        yield _PRODUCT.format("a @ b")
+    if isinstance(node, ast.Call):
+        yield from _remarks_on_call(node)
     if isinstance(node, ast.Assign):
         yield from _width_before_height(node)
     if isinstance(node, ast.While) and "uint8(" in source:
@@ -68,6 +73,17 @@ def _remarks_on_node(node, source):
     for body in (getattr(node, "body", None), getattr(node, "orelse", None)):
         if isinstance(body, list):
             yield from _else_of_last_if(body)
+
+
+def _remarks_on_call(node):
+    name = ast.unparse(node.func)
+    if name in ("np.dot", "np.matmul"):
+        yield _PRODUCT.format(f"{name}(a, b)")
+    if isinstance(node.func, ast.Attribute) and node.func.attr in _DISK:
+        yield (
+            f".{node.func.attr}() looks on the disk of this computer, where a file or folder of that name"
+            " need not exist. Put the result together from the arguments alone."
+        )
 
 
 def _width_before_height(node):

@@ -908,6 +908,11 @@ def stopping_distance(speed, deceleration, rate, latency):
     return speed * (1 / rate + 0.06) + speed**2 / (2 * deceleration)
 
 
+# %% role="mistake" name="the numbers of the lesson" says="You typed the numbers of the lesson: 10 frames per second, 0.06 s and 0.6 m/s². Use the arguments rate, latency and deceleration, so that the function works for other robots too."
+def stopping_distance(speed, deceleration, rate, latency):
+    return speed * (1 / 10 + 0.06) + speed**2 / 1.2
+
+
 # %% role="mistake" name="rounded" says="The result is rounded. Return the exact number, and leave round out: only the print in the lesson rounds."
 def stopping_distance(speed, deceleration, rate, latency):
     return round(speed * (1 / rate + latency) + speed**2 / (2 * deceleration), 2)

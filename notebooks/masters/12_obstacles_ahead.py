@@ -329,6 +329,16 @@ def pixel_ray(col, row, f, center, k1, k2):
     return solution(col, row, f, (0, 0), k1, k2)
 
 
+# %% role="mistake" name="not divided by f" says="The focal length f is not used: your ray is in pixels. Divide by f, so that x and y are metres at a depth of 1 m."
+def pixel_ray(col, row, f, center, k1, k2):
+    return solution(col, row, 1.0, center, k1, k2)
+
+
+# %% role="mistake" name="only the center divided by f" says="Parentheses are missing: col - center[0] / f divides only the center by f. Subtract first: (col - center[0]) / f, and the same for the row."
+def pixel_ray(col, row, f, center, k1, k2):
+    return solution(col - center[0] / f, row - center[1] / f, 1.0, (0.0, 0.0), k1, k2)
+
+
 # %% role="mistake" name="center minus pixel" says="The signs are exchanged: subtract the principal point from the pixel, (col - center[0]) / f, so that x grows to the right and y downward."
 def pixel_ray(col, row, f, center, k1, k2):
     x, y = solution(col, row, f, center, k1, k2)
@@ -587,6 +597,11 @@ def plane_of(a, b, c):
     normal = np.dot(b - a, c - a)
     normal = normal / np.linalg.norm(normal)
     return normal if normal[1] < 0 else -normal
+
+
+# %% role="mistake" name="offset first" says="The two values are in the wrong order: return the normal first, then the offset."
+def plane_of(a, b, c):
+    return solution(a, b, c)[::-1]
 
 
 # %% role="mistake" name="rounded to two digits" says="The numbers are rounded. Return the exact numbers, and leave round out."

@@ -57,6 +57,8 @@ ADVICE = {
     "maths.sqrt(2)": "Nothing has the name maths here.",
     "os.getcwd()": "Write its import line in it: import os",
     "cos(0.5)": "Write its import line in it: from math import cos",
+    "np.norm(a)": "norm is a function of np.linalg: write np.linalg.norm.",
+    "np.padd(a, 1)": "NumPy has no padd. Did you mean np.pad?",
     "norm(a)": "Write its import line in it: from numpy.linalg import norm",
     "def f(x):\n    if x > 9:\n        best = 1\n    return best\nf(1)": "Give best a start value before it.",
     "a.append(3)": "An array cannot grow.",

@@ -36,6 +36,7 @@ def remarks(source, errors=()):
         ("if m == 'a' or 'b': return 1", "m == 'a' or 'b' is always true, because 'b' alone counts as True."),
         ("return a @ b", "a @ b is the product of two matrices or vectors;"),
         ("return np.dot(a, b)", "np.dot(a, b) is the product of two matrices or vectors;"),
+        ("return sorted(a.glob('*'))", ".glob() looks on the disk of this computer, where"),
         ("width, height = a.shape", "width and height are exchanged: a shape begins with the number of rows"),
         ("w, h, n = a.shape[:2]", "w and h are exchanged"),
         ("t = np.uint8(0)\n    while t <= 255: t += 1", "t <= 255 is always true for a uint8"),
@@ -92,3 +93,9 @@ def test_values_as_indices_are_named_if_an_index_was_outside():
 
 def test_a_source_that_is_not_known_gives_no_remark():
     assert remarks_on_source(len) == []
+
+
+def test_the_product_that_a_hint_uses_gets_no_remark():
+    function = function_of("def f(a, b):\n    return a @ b == a\n")
+    assert remarks_on_source(function, hints=["The offset is -(normal @ a)."]) == []
+    assert len(remarks_on_source(function, hints=["Multiply each value."])) == 1
