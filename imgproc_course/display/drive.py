@@ -3,6 +3,7 @@
 import collections
 import contextlib
 import itertools
+import logging
 import math
 import threading
 import time
@@ -17,6 +18,7 @@ from imgproc_course.display.figures import split_text
 from imgproc_course.display.live_view import LiveView
 
 HERE = Path(__file__).parent
+robot_log = logging.getLogger("imgproc_course.ros.robot")
 STALE = 0.3  # seconds; a command that the kernel reads so late is of a key that may be up again
 MAP_PERIOD = 0.1  # seconds
 CELL = 0.05  # metres: of the map's obstacles
@@ -72,6 +74,17 @@ class DrivePad(anywidget.AnyWidget):
     angular = Float(1.2).tag(sync=True)
 
 
+class _RobotWarnings(logging.Handler):
+    """Shows the robot's warnings in a view while it runs, and not in a cell too."""
+
+    def __init__(self, say):
+        super().__init__(logging.WARNING)
+        self._say = say
+
+    def emit(self, record):
+        self._say(record.getMessage())
+
+
 class DriveView(LiveView):
     """The robot's image, and its controls; `drive` makes one and starts it.
 
@@ -88,6 +101,7 @@ class DriveView(LiveView):
         self._fastest = math.inf  # seconds from the browser's clock to ours, at best
         self._map = _Map()
         self._threads = []
+        self._warnings = _RobotWarnings(lambda text: self._screen.say(text))
         super().__init__(
             source or _front_camera(),
             None,
@@ -113,12 +127,14 @@ class DriveView(LiveView):
         if self.running:
             return
         super().start()
+        robot_log.addHandler(self._warnings)
         for loop in (self._send_commands, self._draw_map):
             self._threads.append(threading.Thread(target=loop, args=(self._stopping,), daemon=True))
             self._threads[-1].start()
 
     def stop(self):
         super().stop()
+        robot_log.removeHandler(self._warnings)
         with self._commanded:
             self._commanded.notify_all()
         for thread in self._threads:

@@ -2,6 +2,7 @@
 
 import difflib
 import importlib
+import logging
 import math
 import numbers
 import os
@@ -10,7 +11,7 @@ import weakref
 from pathlib import Path
 
 from imgproc_course.ros.robot_process import RobotConnection, running_robot, shareable
-from imgproc_course.ros.session import RosSession, log
+from imgproc_course.ros.session import RosSession
 from imgproc_course.ros.subscriber import weak_callback
 
 TOPIC = "/kachaka/front_camera/image_raw"
@@ -18,6 +19,7 @@ SOURCES = ("recording", "room", "webcam", "topic")
 ROOM = {"seed": 0, "size": (640, 360), "lighting": "day", "start": None}  # the room, if nothing else is asked
 RATES = (30, 10)  # images per second of the room, up to this width in pixels and above
 FAST_WIDTH = 640
+robot_log = logging.getLogger("imgproc_course.ros.robot")  # the robot's warnings; display.drive shows them
 ROBOT_MODULE = "imgproc_course.ros.camera_publisher"  # imported only in the process that publishes
 
 
@@ -166,7 +168,7 @@ class Camera:
 
     def _on_event(self, text, status):
         if text and Camera._newest in (self, None):  # once for the whole program
-            log.warning("%s", text)
+            robot_log.warning("%s", text)
         if status["running"]:
             self._ended.clear()
         else:
@@ -233,7 +235,7 @@ class Camera:
         return f"<Camera {self.topic}{rate}{state}>"
 
     def subscribers(self):
-        """How many subscribers the raw and the compressed topic have, in all programs: {topic: count}."""
+        """How many subscribers each topic of the robot has, in all programs: {topic: count}."""
         return self._now()["subscribers"] if self.running else {}
 
 

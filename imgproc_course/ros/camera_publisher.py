@@ -163,8 +163,7 @@ class CameraPublisher:
         }
 
     def _subscribers(self):
-        pairs = ((self.topic, self._raw), (camera_topics(self.topic)[0], self._compressed))
-        return {topic: publisher.get_subscription_count() for topic, publisher in pairs}
+        return {publisher.topic_name: publisher.get_subscription_count() for publisher in self._publishers}
 
     def _play(self):
         next_check = time.monotonic() + CHECK_PERIOD

@@ -1,6 +1,7 @@
 """Records topics into a file, as `ros2 bag record` does: in a notebook, or in a terminal until Ctrl-C."""
 
 import difflib
+import math
 import threading
 import time
 import weakref
@@ -13,6 +14,7 @@ from imgproc_course.recording.message_classes import installed_class
 from imgproc_course.recording.topics import POSE_PREFIX, POSES
 from imgproc_course.ros.camera import TOPIC, camera_topics
 from imgproc_course.ros.loss_counter import LossCounter
+from imgproc_course.ros.robot_process import running_robot
 from imgproc_course.ros.robot_topics import COMMANDS, ODOMETRY, SCAN
 from imgproc_course.ros.session import RosSession, log
 from imgproc_course.ros.stop_signals import stop_signals
@@ -31,6 +33,7 @@ ROBOT_TOPICS = (
 QUEUE = 30  # messages that may wait while the disk is busy: a second of images
 DISCOVERY_TIMEOUT = 10.0
 SETTLING = 0.5  # seconds without another topic of the robot, until its topics are known
+MATCHING = 3.0  # seconds that the robot process may take to find our subscriptions
 STATUS_SECONDS = 2.0
 
 
@@ -80,11 +83,13 @@ class Recorder:
         self.counts = dict.fromkeys(self.topics, 0)
         self._losses = {topic: LossCounter() for topic in self.topics}
         self.last_error, self.running = None, True
+        counts = self._robots_subscribers()
         self._subscriptions = subscriptions = [self._subscribe(topic) for topic in self.topics]
         self._session.on_shutdown(self, self.stop)  # it also keeps a Recorder that is bound to no name
         node = self._session.node
         self._finalizer = weakref.finalize(self, _destroy, self._session, node, subscriptions)
         self._finalizer.atexit = False
+        self._wait_for_robot(counts)
 
     bytes = property(lambda self: self._writer.bytes)
     lost = property(lambda self: sum(losses.total for losses in self._losses.values()))
@@ -125,7 +130,9 @@ class Recorder:
                 known_topics, settled = published.keys() & {*names}, time.monotonic() + SETTLING
             # A robot's topics appear one after another; commands alone are those of a client.
             is_settled = known_topics - {COMMANDS} and time.monotonic() > settled
-            if not missing or (requested is None and is_settled):
+            if not missing or (
+                requested is None and is_settled and self._robots_subscribers().keys().isdisjoint(missing)
+            ):
                 break
             if time.monotonic() > end:
                 raise ValueError(f"nobody publishes {missing[0]}; {_hint(missing[0], published)}")
@@ -138,6 +145,23 @@ class Recorder:
                 raise ValueError(f"{topic} cannot be recorded: it {problem}; record other topics")
             types[topic] = kind
         return types
+
+    def _robots_subscribers(self):
+        """{topic: subscribers} of the robot process; empty if there is none, or before it publishes."""
+        status = running_robot(self._session.context.get_domain_id())
+        return (status or {}).get("subscribers", {})
+
+    def _wait_for_robot(self, counts):
+        """Waits until the robot process sends to our subscriptions, which it finds later than we find it.
+
+        counts : {topic: subscribers} before
+        """
+        end = time.monotonic() + MATCHING
+        while time.monotonic() < end:
+            now = self._robots_subscribers()
+            if all(now.get(topic, math.inf) > counts.get(topic, -1) for topic in self.topics):
+                break
+            time.sleep(0.02)
 
     def _subscribe(self, topic):
         node, losses = self._session.node, self._losses[topic]

@@ -11,6 +11,8 @@ every program that uses the robot. A request is a dict that says which body it s
 """
 
 import contextlib
+import contextvars
+import functools
 import logging
 import os
 import socket
@@ -130,7 +132,10 @@ class RobotConnection:
         self.left = False
         self._connection, self.status = self._join(request, switch)
         self._all.add(self)
-        threading.Thread(target=self._read, name="robot connection", daemon=True).start()
+        # In this call's context: a notebook shows a late warning below the cell that opened the robot, and
+        # not below the cell that happens to run.
+        read = functools.partial(contextvars.copy_context().run, self._read)
+        threading.Thread(target=read, name="robot connection", daemon=True).start()
 
     def ask(self, message="status"):
         """The robot's status now; the last known one if it does not answer or was left."""

@@ -44,7 +44,7 @@ print("hello")
 # | you want to | do this |
 # |---|---|
 # | stop a cell that runs too long | **Kernel → Interrupt Kernel**, or the ■ in the toolbar |
-# | begin again with an empty memory | **Kernel → Restart Kernel and Run All Cells…**; your code stays |
+# | begin again with an empty memory | **Kernel → Restart Kernel and Run All Cells…**; your code stays. A live image from before the restart stands still or is gone, until its cell has run again |
 # | save | **Ctrl + S**; JupyterLab also saves every two minutes |
 # | write in a cell | click into it, or press **Enter** (*edit mode*) |
 # | leave a cell, to move with the arrow keys | **Esc** (*command mode*); in this mode, letters are commands: `a` adds a cell above, `b` below |

@@ -695,7 +695,7 @@ if ros_available():
             self.publisher.publish(command)
 
 # %% [markdown]
-# `restart` puts the robot to the origin of the room, where there is enough space; its odometry begins at zero again. Then it drives a small square, with sides of 0.3 m. Watch the map. (The robot tells you that two programs can send commands now: your `live_robot` and the node. It follows the newest command.)
+# `restart` puts the robot to the origin of the room, where there is enough space; its odometry begins at zero again. Then it drives a small square, with sides of 0.3 m. Watch the map. (A line below the image may say that two publishers send commands now: your `live_robot` and the node. The robot follows the newest command.)
 
 # %% tags=["nbval-ignore-output", "long"]
 if ros_available():

@@ -1,5 +1,6 @@
 """The kernel's side of drive(robot), without a browser: which commands it sends, and the map it draws."""
 
+import logging
 import math
 import threading
 import time
@@ -69,6 +70,18 @@ def test_who_hides_the_view_stops_the_robot(view):
     assert view._robot.received == []
     view._screen.image._view_count = 0
     assert view._robot.received == ["stop"]
+
+
+def test_a_warning_of_the_robot_appears_in_the_view_as_long_as_it_runs(view):
+    robot_log = logging.getLogger("imgproc_course.ros.robot")
+    view._hidden = True  # nothing is drawn here
+    view.start()
+    robot_log.warning("%s", "2 publishers send commands")
+    view.stop()
+    robot_log.warning("%s", "somebody has switched the robot")
+    message = view._screen.box.children[-1].value
+    assert "2 publishers send commands" in message and "switched" not in message
+    assert robot_log.handlers == []
 
 
 @pytest.mark.parametrize(

@@ -1,5 +1,6 @@
 """Fixtures for the tests of imgproc_course.ros: a session that ends with its test, and child processes."""
 
+import contextlib
 import importlib.util
 import os
 import signal
@@ -36,26 +37,50 @@ def no_robot_of_another_module():
     domain, end = int(os.environ["ROS_DOMAIN_ID"]), time.monotonic() + 15
     while running_robot(domain) and time.monotonic() < end:
         time.sleep(0.1)  # its last user has just left
+    for process in _robot_processes():
+        process.kill()
+        process.wait(10)
+
+
+def _robot_processes():
     for process in psutil.process_iter(["cmdline"]):
         arguments = process.info["cmdline"] or []
-        if "camera_publisher" in "".join(arguments[3:4]) and arguments[4:5] == [str(domain)]:
-            process.kill()
-            process.wait(10)
+        is_robot = "camera_publisher" in "".join(arguments[3:4])
+        if is_robot and arguments[4:5] == [os.environ["ROS_DOMAIN_ID"]]:
+            yield process
+
+
+@pytest.fixture
+def robot_process():
+    """The function that returns the psutil.Process of the robot."""
+    return lambda: next(_robot_processes())
 
 
 @pytest.fixture(scope="module")
-def shared_camera():
-    """The drive at 30 Hz during all tests of a module: their programs join this camera, which is quick."""
+def drive_of_another_program():
+    """drive_of_another_program(speed): plays the drive, as another program does, within its `with`."""
     from imgproc_course.ros.camera import ROBOT_MODULE, TOPIC
     from imgproc_course.ros.robot_process import RobotConnection
 
-    request = {"source": "recording", "topic": TOPIC, "recording": "drive", "camera_topic": None}
-    request |= {"speed": 3.0, "loop": True, "stamps": "now"}
-    connection = RobotConnection(
-        int(os.environ["ROS_DOMAIN_ID"]), ROBOT_MODULE, request, switch=False, on_event=print
-    )
-    yield
-    connection.leave()
+    @contextlib.contextmanager
+    def play(speed, *, switch=False):
+        request = {"source": "recording", "topic": TOPIC, "recording": "drive", "camera_topic": None}
+        request |= {"speed": speed, "loop": True, "stamps": "now"}
+        domain = int(os.environ["ROS_DOMAIN_ID"])
+        connection = RobotConnection(domain, ROBOT_MODULE, request, switch=switch, on_event=print)
+        try:
+            yield
+        finally:
+            connection.leave()
+
+    return play
+
+
+@pytest.fixture(scope="module")
+def shared_camera(drive_of_another_program):
+    """The drive at 30 Hz during all tests of a module: their programs join this camera, which is quick."""
+    with drive_of_another_program(3.0):
+        yield
 
 
 @pytest.fixture

@@ -125,6 +125,19 @@ def test_interrupting_a_waiting_cell_leaves_the_graph_running(notebook, extra):
     assert notebook.run(ALIVE) == ("1 1 1\n", "")
 
 
+def test_a_late_warning_of_the_robot_belongs_to_the_cell_that_opened_it(notebook, drive_of_another_program):
+    opening = notebook.client.execute(OPEN)
+    other_cell = notebook.client.execute("print('runs', flush=True)\nwhile camera.rate != 10: pass")
+    while notebook.client.get_iopub_msg(timeout=150)["content"].get("text") != "runs\n":
+        pass
+    with drive_of_another_program(1.0, switch=True):
+        while (msg := notebook.client.get_iopub_msg(timeout=150))["msg_type"] != "stream":
+            pass
+    with drive_of_another_program(3.0, switch=True):  # as it was, for the other tests
+        assert "has switched the robot: it is now playing drive at 10 Hz" in msg["content"]["text"]
+        assert msg["parent_header"]["msg_id"] == opening != other_cell
+
+
 SPIN = """
 import rclpy
 from rclpy.node import Node

@@ -1,6 +1,7 @@
 """`record`: every message that arrives is in the recording; Ctrl-C leaves one that can be read."""
 
 import signal
+import threading
 
 import pytest
 
@@ -23,7 +24,7 @@ def publish(session):
 
     def send(topic, k=None):
         if topic not in publishers:
-            publishers[topic] = session.node.create_publisher(Image, topic, qos_profile_sensor_data)
+            publishers[topic] = session.start().node.create_publisher(Image, topic, qos_profile_sensor_data)
         if k is not None:
             msg = Image(height=1, width=1, step=1, encoding="mono8", data=bytes([k]))
             msg.header.stamp.sec = k + 1
@@ -50,6 +51,46 @@ def test_what_arrives_is_recorded_in_order(publish, session, tmp_path, wait_unti
         assert [int(recording.frame(k, "mono8")[0, 0]) for k in range(20)] == list(range(100, 120))
         assert recording.topics == dict.fromkeys(["/a/image_raw", "/b/image_raw"], "sensor_msgs/msg/Image")
     recorder.stop()
+
+
+def test_all_topics_of_a_running_robot_are_recorded_from_the_beginning(
+    publish, session, tmp_path, monkeypatch, drive_of_another_program
+):
+    from imgproc_course.ros import record, recorder
+    from imgproc_course.ros.robot_process import running_robot
+
+    monkeypatch.setattr(recorder, "SETTLING", 0.0)  # as on a busy machine, where the topics appear slowly
+    with drive_of_another_program(1.0):
+        domain = session.context.get_domain_id()
+        session.stop()  # as after a restart: nothing is known of the robot
+        publish("/kachaka/odometry/odometry")  # known at once
+        with record(path=tmp_path / "own") as recording:
+            counts = running_robot(domain)["subscribers"]
+            expected = counts.keys() & set(recorder.ROBOT_TOPICS)
+            assert len(expected) >= 3 and expected <= recording.topics.keys()
+            assert [topic for topic in expected if counts[topic] == 0] == []
+
+
+def test_it_begins_when_the_robot_has_found_its_subscriptions(
+    session, tmp_path, monkeypatch, drive_of_another_program, robot_process
+):
+    from imgproc_course.ros import record, recorder
+
+    with drive_of_another_program(1.0):
+        robot, has_gone_on = robot_process(), threading.Event()
+
+        def go_on():
+            has_gone_on.set()
+            robot.resume()
+
+        def subscribe(self, topic, subscribe=recorder.Recorder._subscribe):
+            robot.suspend()  # as on a busy machine: it finds nothing for a moment
+            threading.Timer(0.5, go_on).start()
+            return subscribe(self, topic)
+
+        monkeypatch.setattr(recorder.Recorder, "_subscribe", subscribe)
+        with record("/kachaka/front_camera/image_raw/compressed", tmp_path / "own"):
+            assert has_gone_on.is_set()
 
 
 def test_a_recording_that_cannot_begin_leaves_nothing(publish, tmp_path, monkeypatch):
