@@ -59,7 +59,14 @@ class CourseServer(ServerApp):
 
     def init_httpserver(self):
         configured_port = self.port
-        super().init_httpserver()  # sets `port` to the one that it found free
+        try:
+            super().init_httpserver()  # sets `port` to the one that it found free
+        except SystemExit:  # Jupyter has logged that it found none, but not what to do
+            print_now(
+                f"Port {configured_port} belongs to another program, or only root may use it. "
+                "Give another one: environment/lab --port 8890 (or 0: any that is free)"
+            )
+            raise
         if self.port != configured_port and configured_port != 0:
             print_now(f"Port {configured_port} is not free; JupyterLab uses port {self.port} instead.")
 

@@ -6,6 +6,7 @@ import logging
 import os
 import platform
 import re
+import socket
 import subprocess
 import sys
 import time
@@ -390,6 +391,24 @@ def test_a_second_one_names_the_first_and_takes_another_port(server, folders):
         assert json.loads(second.get("api/contents"))["content"][0]["name"] == "index.ipynb"
     finally:
         second.stop()
+
+
+def test_if_no_port_is_free_it_ends_and_says_what_to_do(folders):
+    folder, home = folders
+    with socket.create_server(("127.0.0.1", 0)) as other_program:
+        port = other_program.getsockname()[1]
+        result = subprocess.run(
+            [sys.executable, "-c", RUN, folder, "--no-browser", f"--port={port}", "--port-retries=0"],
+            env={**os.environ, "HOME": str(home), "JUPYTER_RUNTIME_DIR": str(home / "runtime")},
+            capture_output=True,
+            text=True,
+            timeout=120,
+        )
+    assert result.returncode == 1
+    assert result.stdout.splitlines()[-1] == (
+        f"Port {port} belongs to another program, or only root may use it. Give another one: "
+        "environment/lab --port 8890 (or 0: any that is free)"
+    )
 
 
 def test_one_on_another_folder_is_not_mentioned(server, folders, tmp_path, monkeypatch):
