@@ -134,7 +134,7 @@ class RoomImages:
                 'open_camera("room", rate=%d, switch=True), or subscribe to fewer topics',
                 rate,
                 self.rate,
-                max(1, round(rate)),
+                max(1, math.floor(rate)),
             )
 
     def other_topics(self, base):

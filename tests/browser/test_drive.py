@@ -1,10 +1,14 @@
 """drive(robot) in a real browser, with the robot in the room: keys, buttons and a gamepad move it."""
 
+import contextlib
+import os
 import re
+import signal
 import textwrap
 
 import pytest
 from jupyter_page import NotebookPage, write_notebook
+from playwright.sync_api import Error
 
 pytestmark = [pytest.mark.browser, pytest.mark.ros]
 
@@ -27,7 +31,7 @@ CELLS = [
                 return True
         return False
 
-    print(still(), len(view.trace) > 5, view._map._cells != set())
+    print(still(), len(view.trace) > 5)
     """,
     'robot.restart(lighting="evening")',
     "view.stop(); robot.close(); camera.stop()",
@@ -85,7 +89,8 @@ def test_keys_buttons_and_gamepad_drive_while_they_are_held(page):
         wait_for_stop(page)
     assert page.page.locator(".jp-Cell").count() == cells  # A is no command of the notebook here
     page.run_cell(2)
-    assert page.outputs(2) == ["True True True\n"]
+    assert page.outputs(2) == ["True True\n"]
+    assert page.page.locator(".imgproc-walls").get_attribute("d").count("M") > 50  # what the scanner has seen
 
     page.page.locator(f"{PAD} button[data-name=left]").hover()
     page.page.mouse.down()
@@ -143,3 +148,41 @@ def test_without_focus_or_page_the_robot_stops(page):
     page.run_cell(2)
     assert page.outputs(2)[0].startswith("True")
     keyboard.up("ArrowLeft")
+
+
+def test_without_its_page_or_its_kernel_the_robot_stops_and_the_notebook_goes_on(page, lab, browser):
+    from imgproc_course.ros import Robot, RosSession, open_camera
+
+    with RosSession.current(), open_camera("room", rate=3) as camera, Robot() as robot:
+
+        def stands_still():
+            pose = robot.pose
+            page.page.wait_for_timeout(1000)
+            return robot.pose == pose
+
+        def hold_a_key(page):
+            page.run_cell(1)
+            page.page.locator(PAD).focus()
+            page.page.keyboard.down("ArrowLeft")
+            page.wait_until(lambda: robot.odometry.twist.twist.angular.z > 0.5, timeout=150)
+
+        crashing_page = NotebookPage(browser, lab[0], "drive.ipynb")
+        hold_a_key(crashing_page)
+        with crashing_page.page.expect_event("crash"), contextlib.suppress(Error):
+            crashing_page.page.goto("chrome://crash")
+        page.wait_until(stands_still, timeout=60)
+
+        hold_a_key(page)
+        (kernel,) = (user for user in camera.other_users if "drive.ipynb" in user)
+        os.kill(int(re.search(r"pid (\d+)", kernel)[1]), signal.SIGKILL)
+        page.wait_until(stands_still, timeout=60)
+        page.page.keyboard.up("ArrowLeft")
+
+        page.page.locator(
+            ".jp-Dialog button", has_text="Ok"
+        ).click()  # JupyterLab has started the kernel again
+        page.run_cell(0)
+        hold_a_key(page)
+        page.page.keyboard.up("ArrowLeft")
+        wait_for_stop(page)
+        assert page.errors() == []

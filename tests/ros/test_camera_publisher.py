@@ -220,7 +220,8 @@ def test_nothing_is_decoded_without_a_subscriber(start_camera, collect, wait_unt
     recording = camera._images._recording
     wait_until(lambda: camera.played > 6)
     assert (recording.decoded, camera.published) == ([], 0)
-    assert camera.status()["subscribers"] == {TOPIC: 0, f"{TOPIC}/compressed": 0}
+    counts = camera.status()["subscribers"]
+    assert counts.keys() > {TOPIC, f"{TOPIC}/compressed"} and set(counts.values()) == {0}
     raw = collect(TOPIC, Image)
     wait_until(lambda: raw)
     assert recording.decoded and camera.status()["subscribers"][TOPIC] == 1
