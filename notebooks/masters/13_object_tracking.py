@@ -1,0 +1,1626 @@
+# ---
+# jupyter:
+#   imgproc_course:
+#     title: Object tracking
+#     minutes: 70
+# ---
+
+# %% [markdown]
+# # Object tracking
+#
+# To detect an object in one frame is one thing. To know that it is *the same object* in the next frame is another: this is [[term:tracking]]. In this lesson you track a red ball through the recorded drive, while a red toy car drives past it. At the end, the robot follows the ball.
+#
+# **You will be able to**
+# - measure how well two boxes agree (IoU),
+# - find the pixels that have the colour of an object (back-projection), and move a box to them (mean shift),
+# - combine what you expect and what you measure, with a Kalman filter,
+# - keep two objects apart that look the same, by joint assignment,
+# - write a node that follows a ball.
+#
+# **Time** about 70 minutes, with a pause after section 4. **You need** [[obstacles_ahead]] and [[arrays]]. Only the last part of section 8 needs ROS 2.
+
+# %% role="given" exercise=["tracking-iou", "tracking-backproject", "tracking-mean-shift", "tracking-predict", "tracking-update"]
+import math
+
+import numpy as np
+
+# %%
+import time
+
+import cv2
+from matplotlib.figure import Figure
+from scipy.optimize import linear_sum_assignment
+
+from imgproc_course.display import show, show_figure
+from imgproc_course.exercises import check, compare_guess, hint, solution
+from imgproc_course.geometry import CameraModel, Pose
+from imgproc_course.recording import open_recording
+from imgproc_course.ros import Robot, RosSession, open_camera, ros_available
+from imgproc_course.simulation import Simulation
+
+recording = open_recording("drive")
+
+# %%
+# The captions and alt texts of the figures
+figure_texts = {
+    "task": (
+        "The task: the white box is around the ball in the first frame. Where is the ball in all the other frames?",
+        "Two frames of the living room. Left, a red and white ball, far away, in a small white box. Right, the ball is near and large, and a red toy car is beside it.",
+    ),
+    "weights": (
+        "The back-projection: bright pixels have the colours of the ball.",
+        "Left, the room with the ball; right, the same image in black, with bright spots on the ball, the toy car, the rug and some books.",
+    ),
+    "boxes": (
+        "White: the true box of the ball. Yellow: mean shift. Green: CamShift.",
+        "Four frames: the ball grows, the yellow box keeps its first size, the green box is too wide or too small.",
+    ),
+    "iou": (
+        "The IoU of both trackers with the true box, frame by frame. Neither of them follows the ball as it grows.",
+        "Two curves over 90 frames: both start near 0.7 and fall; mean shift ends near 0, CamShift stays around 0.3.",
+    ),
+    "merged": (
+        "Frame 46: the car is in front of the ball. Both together are one red spot.",
+        "Left, the toy car covers a part of the ball; right, one single white spot over both.",
+    ),
+    "paths": (
+        "The floor from above, in metres: the true paths (gray), and what the tracker says.",
+        "Two maps. Left, the red track of the ball leaves the ball and follows the path of the car; right, with joint assignment, it stays with the ball.",
+    ),
+    "follow": (
+        "The robot follows the ball: its first and its last frame.",
+        "Left, the ball is far away to the left; right, it is near, in the middle of the image.",
+    ),
+}
+
+# %% [markdown]
+# ## 1 · Two boxes (10 minutes)
+#
+# We work with every second row and column of each frame: 360 × 640 pixels, the size of the depth image. The labels of the recording are the ground truth: OpenCV's `boundingRect` gives the smallest [[term:bounding box]] around all pixels of the ball, as (col, row, width, height).
+
+# %%
+frames = [recording.frame(k)[::2, ::2].copy() for k in range(90)]
+true_boxes = []
+for k in range(90):
+    is_ball = recording.labels(k)[::2, ::2] == 9  # 9 is the ball
+    true_boxes.append(cv2.boundingRect(is_ball.astype(np.uint8)))
+print("first", true_boxes[0], "  last", true_boxes[89])
+
+# %%
+def with_box(frame, box, colour=(255, 255, 255)):
+    col, row, width, height = box
+    return cv2.rectangle(frame.copy(), (col - 2, row - 2),
+                         (col + width + 1, row + height + 1), colour, 2)
+
+
+show([with_box(frames[0], true_boxes[0]), frames[60]], ["frame 0", "frame 60"],
+     text=figure_texts["task"])
+
+# %% [markdown]
+# How good is a box that a tracker gives us? You know the *IoU* (intersection over union) from [[edge_detection_node]]. For two boxes it is the area that both cover, divided by the area that at least one of them covers. It is 1 for equal boxes, and 0 for boxes that do not touch.
+#
+# Two boxes of 10 × 10 pixels; the second is 5 columns to the right of the first. **Predict** their IoU, in percent.
+
+# %% role="predict"
+guess_iou = None  # your guess: how many percent?
+
+# %%
+first, second = np.zeros((20, 20), bool), np.zeros((20, 20), bool)
+first[5:15, 2:12] = True
+second[5:15, 7:17] = True
+both, either = (first & second).sum(), (first | second).sum()
+print("both", both, "  at least one", either)
+compare_guess(guess_iou, round(100 * both / either), "%")
+
+# %% [markdown]
+# It is not 50 %: the union is larger than one box. Without masks, you compute the same from a few numbers. On a line, the part that two pieces have in common goes from the **larger start** to the **smaller end**:
+
+# %%
+start_a, end_a = 2, 12
+for start_b, end_b in [(7, 17), (4, 9), (15, 20)]:
+    common = min(end_a, end_b) - max(start_a, start_b)
+    print((start_b, end_b), "common:", common)
+
+# %%
+# Check: the numbers in this section
+assert (both, either) == (50, 150) and common == -3
+assert true_boxes[0] == (258, 175, 31, 31) and true_boxes[89] == (194, 153, 188, 189)
+
+# %% [markdown]
+# The last pair does not touch, and the result is negative; the true length is 0 there. The intersection of two boxes is a rectangle: its width comes from the columns, its height from the rows. The union is both areas together, minus the intersection, which is counted twice.
+#
+# ### Your turn: IoU
+#
+# Write `iou(a, b)`.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `a`, `b`: two boxes, each (col, row, width, height) with whole numbers; width and height are above 0 | float from 0 to 1: the area of the intersection divided by the area of the union | `iou((2, 5, 10, 10), (7, 5, 10, 10))` returns `0.333…` |
+
+# %% role="exercise"
+exercise(
+    "tracking-iou",
+    title="The IoU of two boxes",
+    function="iou",
+    tolerance=1e-6,
+    hint="Intersection: common width times common height, none of them below 0. Union: both areas minus the intersection.",
+    hints=(
+        "Where does the common part of two boxes start and end, in columns and in rows? What if they do not touch?",
+        "1. The common width: the smaller right end minus the larger left start; if it is negative, 0.\n"
+        "2. The common height: the same with the rows.\n"
+        "3. The intersection: width times height.\n"
+        "4. The union: the area of a, plus the area of b, minus the intersection.",
+        "width = min(a[0] + a[2], ...) - max(a[0], ...)\nheight = ...\nboth = max(width, 0) * max(...)\n"
+        "return both / (a[2] * a[3] + ... - both)",
+    ),
+    explanation="Columns and rows are two separate questions on a line. max(..., 0) is needed for each of them: two negative"
+    " numbers would give a positive product. The intersection lies in both boxes, so the sum of the areas counts it twice.",
+    another_way="You can also draw both boxes into masks, and divide (a & b).sum() by (a | b).sum(); this is slower.",
+)
+
+
+def common(a, b, axis):
+    """The signed common length of two boxes: axis 0 for columns, 1 for rows."""
+    return min(a[axis] + a[axis + 2], b[axis] + b[axis + 2]) - max(a[axis], b[axis])
+
+
+def both_of(a, b):
+    return max(common(a, b, 0), 0) * max(common(a, b, 1), 0)
+
+
+def random_box(rng, low=5, high=40):
+    col, row = rng.integers(0, 30, 2)
+    width, height = rng.integers(low, high, 2)
+    return int(col), int(row), int(width), int(height) + 1
+
+
+# %% role="answer"
+def iou(a, b):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def iou(a, b):
+    width = min(a[0] + a[2], b[0] + b[2]) - max(a[0], b[0])
+    height = min(a[1] + a[3], b[1] + b[3]) - max(a[1], b[1])
+    both = max(width, 0) * max(height, 0)
+    return both / (a[2] * a[3] + b[2] * b[3] - both)
+
+
+# %% role="check"
+check("tracking-iou", iou)
+
+
+# %% role="case" title="boxes that overlap" points=1
+def inputs(rng):
+    shift = int(rng.integers(2, 7))
+    return [((2, 5, 10, 10), (7, 5, 10, 10)), ((20, 10, 30, 12), (20 + shift, 14, 18, 25)), ((3, 4, 20, 30), (8, 9, 5, 6))]
+
+
+# %% role="case" title="boxes that do not touch" points=1 hint="If the common width or height is negative, it counts as 0: use max(..., 0) for each of them."
+def inputs(rng):
+    far = int(rng.integers(30, 60))
+    return [((2, 5, 10, 10), (far, 6, 10, 9)), ((0, 0, 10, 20), (3, far, 8, 10)), ((1, 2, 8, 9), (far, far, 12, 7)), ((5, 6, 9, 8), (7, 3, 6, far))]
+
+
+# %% role="hidden" title="any boxes" points=1 hint="Is the union the sum of both areas, minus the intersection?"
+def inputs(rng):
+    return [(random_box(rng), random_box(rng)) for _ in range(5)] + [((0, 0, 4, 5), (4 + int(rng.integers(1, 9)), 20, 6, 7))]
+
+
+# %% role="mistake" name="the intersection counted twice" says="You divided by the sum of both areas. The intersection lies in both, so the sum counts it twice: subtract it once."
+def iou(a, b):
+    return both_of(a, b) / (a[2] * a[3] + b[2] * b[3])
+
+
+# %% role="mistake" name="twice the intersection" says="You computed another measure (Dice): 2 * both / (sum of the areas). The IoU divides the intersection by the union."
+def iou(a, b):
+    return 2 * both_of(a, b) / (a[2] * a[3] + b[2] * b[3])
+
+
+# %% role="mistake" name="without max" says="For boxes that do not touch, the common width and height are negative, and their product can be positive. Use max(..., 0) for each of them."
+def iou(a, b):
+    both = common(a, b, 0) * common(a, b, 1)
+    return both / (a[2] * a[3] + b[2] * b[3] - both)
+
+
+# %% role="mistake" name="max of the product" says="Two negative numbers have a positive product: max of the product is too late. Use max(..., 0) for the width and for the height."
+def iou(a, b):
+    both = max(common(a, b, 0) * common(a, b, 1), 0)
+    return both / (a[2] * a[3] + b[2] * b[3] - both)
+
+
+# %% role="mistake" name="over the first box" says="You divided by the area of the first box. Divide by the union of both."
+def iou(a, b):
+    return both_of(a, b) / (a[2] * a[3])
+
+
+# %% role="mistake" name="over the second box" says="You divided by the area of the second box. Divide by the union of both."
+def iou(a, b):
+    return both_of(a, b) / (b[2] * b[3])
+
+
+# %% role="mistake" name="over the smaller box" says="You divided by the area of the smaller box. Divide by the union of both."
+def iou(a, b):
+    return both_of(a, b) / min(a[2] * a[3], b[2] * b[3])
+
+
+# %% role="mistake" name="over the larger box" says="You divided by the area of the larger box. Divide by the union of both."
+def iou(a, b):
+    return both_of(a, b) / max(a[2] * a[3], b[2] * b[3])
+
+
+# %% role="mistake" name="the box around both" says="You divided by the area of the box around both. This box also covers pixels that lie in none of the two; the union is both areas minus the intersection."
+def iou(a, b):
+    width = max(a[0] + a[2], b[0] + b[2]) - min(a[0], b[0])
+    height = max(a[1] + a[3], b[1] + b[3]) - min(a[1], b[1])
+    return both_of(a, b) / (width * height)
+
+
+# %% role="mistake" name="only the intersection" says="This is the area of the intersection. Divide it by the area of the union."
+def iou(a, b):
+    return float(both_of(a, b))
+
+
+# %% role="mistake" name="only the columns" says="You compared the columns only. The intersection also has a height, from the rows."
+def iou(a, b):
+    width = max(common(a, b, 0), 0)
+    return width / (a[2] + b[2] - width)
+
+
+# %% role="mistake" name="only the rows" says="You compared the rows only. The intersection also has a width, from the columns."
+def iou(a, b):
+    height = max(common(a, b, 1), 0)
+    return height / (a[3] + b[3] - height)
+
+
+# %% role="mistake" name="upside down" says="The fraction is upside down: the intersection is above the line, the union below it."
+def iou(a, b):
+    both = both_of(a, b)
+    return (a[2] * a[3] + b[2] * b[3] - both) / both if both else 0.0
+
+
+# %% role="mistake" name="percent" says="This is the IoU in percent. Return a number from 0 to 1: leave the factor 100 out."
+def iou(a, b):
+    return 100 * solution(a, b)
+
+
+# %% role="mistake" name="one pixel more" says="You added 1 to the width and to the height of the intersection. The width counts pixels already: it is the end minus the start."
+def iou(a, b):
+    both = max(common(a, b, 0) + 1, 0) * max(common(a, b, 1) + 1, 0)
+    return both / (a[2] * a[3] + b[2] * b[3] - both)
+
+
+# %% role="mistake" name="rounded" says="The result is rounded. Return the exact number, and leave round out."
+def iou(a, b):
+    return round(solution(a, b), 2)
+
+
+# %% role="mistake" name="distance of the union" says="You return 1 - IoU, which is 0 for equal boxes. Return the IoU itself."
+def iou(a, b):
+    return 1 - solution(a, b)
+
+
+# %% [markdown]
+# ## 2 · The colours of the ball (12 minutes)
+#
+# What distinguishes the ball? Its [[term:hue]]: red, in sun and in shade. In OpenCV's HSV images, the hue is from 0 to 179 (see [[canny_stages#5]]), and red is near 0. The white parts of the ball have no colour: their *[[term:saturation]]* is low. So we count the hues inside the box of the first frame, but only where the saturation is above 140:
+
+# %%
+hsv_frames = [cv2.cvtColor(frame, cv2.COLOR_BGR2HSV) for frame in frames]
+col, row, width, height = true_boxes[0]
+patch = hsv_frames[0][row:row + height, col:col + width]
+hues = patch[patch[:, :, 1] > 140][:, 0]
+histogram = np.bincount(hues // 10, minlength=18)  # 18 bins of 10 hues
+weights = (255 * histogram / histogram.max()).astype(np.uint8)
+print(len(hues), "pixels of", patch[:, :, 0].size)
+print(weights)
+
+# %% [markdown]
+# The result is a *[[term:histogram]]* with 18 *bins*: 18 numbers, each for 10 hues. We scale it so that the largest number is 255, and call the numbers *weights*. Only the hues 0 to 19 have a weight.
+#
+# Now we go back from the histogram to an image: each pixel gets the weight of its hue. This is the *[[term:back-projection]]*. A bright pixel means: many pixels of the ball have this colour. In general, with any number of bins, the hue h belongs to the bin h · bins // 180. With an array of bin numbers as an index, NumPy looks all of them up at once:
+
+# %%
+few_weights = np.array([200, 90, 0, 10], np.uint8)  # 4 bins of 45 hues
+small = np.array([[0, 44, 45], [90, 134, 179]])
+bins = small * 4 // 180
+print(bins)
+print(few_weights[bins])
+
+# %% [markdown]
+# An HSV image has the dtype uint8. **Predict** what NumPy computes as the bin of the hue 25, with 18 bins. (It should be 25 · 18 // 180 = 450 // 180 = 2. Remember [[grayscale]].)
+
+# %% role="predict"
+guess_bin = None  # your guess: which bin?
+
+# %%
+hue = np.array([25], np.uint8)
+wrong_bin = int((hue * 18 // 180)[0])
+print("450 in uint8:", (hue * 18)[0])
+compare_guess(guess_bin, wrong_bin)
+
+# %% [markdown]
+# 450 does not fit into uint8: 450 − 256 = 194 is left, and the bin is wrong. So first widen, then compute: `hue.astype(int)`. OpenCV's `calcBackProject` does all of this in one call, for a histogram with 18 bins of the hues 0 to 180. We also need the condition on the saturation:
+
+# %%
+def ball_weights(hsv):
+    """The back-projection of the ball's colours, (360, 640) uint8."""
+    scaled = weights.astype(np.float32).reshape(-1, 1)
+    image = cv2.calcBackProject([hsv], [0], scaled, [0, 180], 1)
+    return np.where(hsv[:, :, 1] > 140, image, 0)
+
+
+show([frames[40], ball_weights(hsv_frames[40])], ["frame 40", "back-projection"],
+     text=figure_texts["weights"])
+
+# %% [markdown]
+# The ball is bright. But so are the toy car, the pattern of the rug, and a few books.
+
+# %%
+# Check: the numbers in this section, and by hand the same weights as OpenCV
+assert weights[2:].max() == 0 and wrong_bin == 1 and (hue * 18)[0] == 194
+by_hand = weights[hsv_frames[40][:, :, 0] // 10]
+assert (np.where(hsv_frames[40][:, :, 1] > 140, by_hand, 0) == ball_weights(hsv_frames[40])).all()
+assert few_weights[bins].tolist() == [[200, 200, 90], [0, 0, 10]]
+
+# %% [markdown]
+# ### Your turn: back-projection
+#
+# Write `backproject(hue, weights)`. The result must be uint8, like the weights. `math` and `np` are imported for you.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `hue`: (H, W) uint8, from 0 to 179; `weights`: (bins,) uint8, one weight for each bin | (H, W) uint8: for each pixel, the weight of the bin `hue * bins // 180`, where bins is the length of `weights` | `backproject(hue, weights)` with the hues `[[0, 44, 179]]` and the weights `[200, 90, 0, 10]` returns `[[200, 200, 10]]` |
+
+# %% role="exercise"
+exercise(
+    "tracking-backproject",
+    title="Back-projection",
+    function="backproject",
+    hint="weights[hue.astype(int) * len(weights) // 180]",
+    hints=(
+        "In which bin is each pixel, and in which dtype do you compute this?",
+        "1. Widen the hue: hue.astype(int).\n"
+        "2. Multiply by the number of bins, len(weights), and divide by 180 with //.\n"
+        "3. Use the array of bins as an index into the weights.",
+        "bins = hue.astype(int) * ... // ...\nreturn weights[...]",
+    ),
+    explanation="Widen, compute, then look up: the product reaches 179 * bins, which does not fit into uint8. The array of"
+    " bins has the shape of the image, so weights[bins] has this shape too, and the dtype of the weights.",
+    another_way="You can also compute a table of 180 weights once, and look each hue up in it: table[hue].",
+)
+
+
+def bins_of(hue, weights):
+    return hue.astype(int) * len(weights) // 180
+
+
+def some_weights(rng, count):
+    weights = rng.integers(1, 255, count, dtype=np.uint8)
+    weights[int(rng.integers(0, count))] = 255
+    return weights
+
+
+def some_hues(rng, shape):
+    hue = rng.integers(0, 180, shape, dtype=np.uint8)
+    hue[0, 0], hue[-1, -1] = 0, 179
+    return hue
+
+
+# %% role="answer"
+def backproject(hue, weights):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def backproject(hue, weights):
+    bins = hue.astype(int) * len(weights) // 180
+    return weights[bins]
+
+
+# %% role="check"
+check("tracking-backproject", backproject)
+
+
+# %% role="case" title="18 bins" points=1
+def inputs(rng):
+    hue = np.array([[3, 12, 25, 44], [60, 90, 135, 179]], np.uint8)
+    return [(hue, some_weights(rng, 18)), (some_hues(rng, (5, 6)), some_weights(rng, 18))]
+
+
+# %% role="case" title="other numbers of bins" points=1 hint="Is the number of bins the length of weights, and not always 18?"
+def inputs(rng):
+    return [(some_hues(rng, (4, 7)), some_weights(rng, count)) for count in (4, 32, 50)]
+
+
+# %% role="hidden" title="any image" points=1 hint="Do you widen the hue before you multiply?"
+def inputs(rng):
+    counts = [int(count) for count in rng.integers(3, 90, 3)]
+    return [(some_hues(rng, (12, 17)), some_weights(rng, count)) for count in counts]
+
+
+# %% role="mistake" name="overflow" says="You multiplied in uint8, and large products wrapped around. First widen: hue.astype(int)."
+def backproject(hue, weights):
+    return weights[np.minimum(hue * np.uint8(len(weights)) // 180, len(weights) - 1)]
+
+
+# %% role="mistake" name="divided by 256" says="You divided by 256. OpenCV's hue ends at 179: divide by 180."
+def backproject(hue, weights):
+    return weights[hue.astype(int) * len(weights) // 256]
+
+
+# %% role="mistake" name="divided by 360" says="You divided by 360. OpenCV's hue counts steps of two degrees and ends at 179: divide by 180."
+def backproject(hue, weights):
+    return weights[hue.astype(int) * len(weights) // 360]
+
+
+# %% role="mistake" name="divided by 255" says="You divided by 255. OpenCV's hue ends at 179: divide by 180."
+def backproject(hue, weights):
+    return weights[hue.astype(int) * len(weights) // 255]
+
+
+# %% role="mistake" name="always 18 bins" says="You always divide by 10, which is right for 18 bins only. The number of bins is len(weights)."
+def backproject(hue, weights):
+    return weights[np.minimum(hue // 10, len(weights) - 1)]
+
+
+# %% role="mistake" name="numbers of the bins" says="These are the numbers of the bins. Look up the weight of each of them: weights[bins]."
+def backproject(hue, weights):
+    return bins_of(hue, weights).astype(np.uint8)
+
+
+# %% role="mistake" name="nearest bin" says="You rounded to the nearest bin. A bin begins at its first hue: use //, which rounds down."
+def backproject(hue, weights):
+    return weights[np.minimum(np.rint(hue.astype(int) * len(weights) / 180).astype(int), len(weights) - 1)]
+
+
+# %% role="mistake" name="one bin too far" says="Your bins are one too high: bins count from 0. Leave the + 1 out."
+def backproject(hue, weights):
+    return weights[np.minimum(bins_of(hue, weights) + 1, len(weights) - 1)]
+
+
+# %% role="mistake" name="one bin too low" says="Your bins are one too low: the hue 0 is in bin 0. Leave the - 1 out."
+def backproject(hue, weights):
+    return weights[bins_of(hue, weights) - 1]
+
+
+# %% role="mistake" name="reversed" says="You looked up the bins from the other end. The hue 0 has the first weight, weights[0]."
+def backproject(hue, weights):
+    return weights[::-1][bins_of(hue, weights)]
+
+
+# %% role="mistake" name="white or black" says="You return 255 or 0. Return the weight itself."
+def backproject(hue, weights):
+    return np.where(solution(hue, weights) >= 128, 255, 0).astype(np.uint8)
+
+
+# %% role="mistake" name="0 to 1" says="You divided the weights by 255. Return the weights as they are, in uint8."
+def backproject(hue, weights):
+    return solution(hue, weights) / 255
+
+
+# %% role="mistake" name="weights multiplied with the hue" says="You multiplied the weight with the hue. The result is the weight itself, weights[bins]."
+def backproject(hue, weights):
+    return (solution(hue, weights).astype(int) * hue).clip(0, 255).astype(np.uint8)
+
+
+# %% [markdown]
+# ## 3 · Mean shift (13 minutes)
+#
+# The ball moves a little from frame to frame. So we begin with the box of the frame before, look at the weights **inside this box**, and move the box so that its middle is at their *[[term:center of mass]]*. There we look again, and so on, until the box stays where it is. This is *[[term:mean shift]]*.
+#
+# First one row of weights. The center of mass is the mean of the column numbers, in which each column counts as much as its weight:
+
+# %%
+line = np.array([0, 0, 10, 30, 10])
+cols = np.arange(5)
+total = line.sum()
+mean_col = (line * cols).sum() / total
+print("total", total, "  mean column", mean_col)
+
+# %% [markdown]
+# The weights lie around column 3. The box is 5 columns wide, and its middle is at 5 / 2 = 2.5, so it moves by 3 − 2.5 = 0.5 columns. A box has whole columns: OpenCV rounds the shift, and so do we, with Python's `round`. (For exactly half of a column, both take the *even* number: `round(0.5)` is 0 and `round(1.5)` is 2.)
+#
+# In two dimensions, columns and rows are computed in the same way. `window.sum(axis=0)` adds up each column, `window.sum(axis=1)` each row. Here the weights lie in the lower right corner. **Predict** by how many columns the box moves.
+
+# %% role="predict"
+guess_shift = None  # your guess: how many columns?
+
+# %%
+window = np.array([[0, 0, 0, 0, 0, 0],
+                   [0, 0, 0, 0, 10, 10],
+                   [0, 0, 0, 0, 10, 10]])
+rows_total, cols_total = window.sum(axis=1), window.sum(axis=0)
+print("per column", cols_total, "  per row", rows_total)
+mean_col = (cols_total * np.arange(6)).sum() / window.sum()
+mean_row = (rows_total * np.arange(3)).sum() / window.sum()
+print("mean column", mean_col, "  mean row", mean_row)
+compare_guess(guess_shift, round(mean_col - 6 / 2))
+
+# %%
+# Check: the numbers in this section
+assert total == 50 and (line * cols).sum() / total == 3 and round(0.5) == 0 and round(1.5) == 2
+assert (mean_col, mean_row) == (4.5, 1.5) and round(mean_col - 6 / 2) == 2
+
+# %% [markdown]
+# Two more rules, again as in OpenCV: the box must stay inside the image, and if the weights in the box are all 0, it stays where it is.
+#
+# ### Your turn: one step of mean shift
+#
+# Write `mean_shift_step(weights, box)`: one step, not all of them.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `weights`: (H, W) uint8; `box`: (col, row, width, height), whole numbers, inside the image | the moved box, four whole numbers (col, row, width, height) | with the weights of the prediction and the box `(0, 0, 6, 3)`, the shift would be 2 columns, but the box must stay inside the image: `(0, 0, 6, 3)` |
+
+# %% role="exercise"
+exercise(
+    "tracking-mean-shift",
+    title="One step of mean shift",
+    function="mean_shift_step",
+    hint="New column: col + round(mean_col - width / 2), not below 0 and not above the width of the image minus the width of the box; the same for the row.",
+    hints=(
+        "Which part of weights is inside the box, and where in this part is the center of mass?",
+        "1. Cut the window out: rows row to row + height, columns col to col + width.\n"
+        "2. If its sum is 0, return the box as it is.\n"
+        "3. Compute the mean column and the mean row of the window, as above.\n"
+        "4. Add the rounded shift to col and row: round(mean_col - width / 2).\n"
+        "5. Keep both inside the image, with min and max.",
+        "col, row, width, height = box\nwindow = weights[row:row + height, ...]\ntotal = window.sum()\nif total == 0:\n"
+        "    return box\nmean_col = (window.sum(axis=0) * np.arange(width)).sum() / total\nmean_row = ...\n"
+        "col = col + round(mean_col - width / 2)\nrow = ...\n"
+        "col = min(max(col, 0), weights.shape[1] - width)\nrow = ...\nreturn col, row, width, height",
+    ),
+    explanation="The numbers of rows and columns are counted inside the window, so the mean minus half of the size is the way"
+    " from the middle of the box to the center of mass. The sums are whole numbers, so the result is exactly OpenCV's."
+    " The test for 0 comes before the division.",
+    another_way="You can also use np.nonzero and np.average with weights, or two loops that add up weight, weight * col and"
+    " weight * row.",
+)
+
+
+def means_of(window):
+    """The mean column and the mean row; None without weights."""
+    total = window.sum()
+    if total == 0:
+        return None
+    col = (window.sum(axis=0) * np.arange(window.shape[1])).sum() / total
+    row = (window.sum(axis=1) * np.arange(window.shape[0])).sum() / total
+    return col, row
+
+
+def step_with(weights, box, shift, inside=True, window=None):
+    """A step with another shift: shift(mean, size, start) for columns and rows."""
+    col, row, width, height = box
+    cut = weights[row : row + height, col : col + width] if window is None else window
+    means = means_of(cut)
+    if means is None:
+        return box
+    col, row = (int(shift(*given)) for given in zip(means, (width, height), (col, row), strict=True))
+    if inside:
+        col = min(max(col, 0), weights.shape[1] - width)
+        row = min(max(row, 0), weights.shape[0] - height)
+    return col, row, width, height
+
+
+def right_shift(mean, size, start):
+    return start + round(mean - size / 2)
+
+
+def blob(rng, shape, center, size=5):
+    """Weights around a center (row, col), and a few weak ones anywhere."""
+    weights = rng.integers(0, 4, shape, dtype=np.uint8)
+    row, col = center
+    part = weights[max(row - size, 0) : row + size, max(col - size, 0) : col + size + 2]
+    part[:] = rng.integers(100, 255, part.shape)
+    return weights
+
+
+# %% role="answer"
+def mean_shift_step(weights, box):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def mean_shift_step(weights, box):
+    col, row, width, height = box
+    window = weights[row : row + height, col : col + width]
+    total = window.sum()
+    if total == 0:
+        return box
+    mean_col = (window.sum(axis=0) * np.arange(width)).sum() / total
+    mean_row = (window.sum(axis=1) * np.arange(height)).sum() / total
+    col = col + round(mean_col - width / 2)
+    row = row + round(mean_row - height / 2)
+    col = min(max(col, 0), weights.shape[1] - width)
+    row = min(max(row, 0), weights.shape[0] - height)
+    return col, row, width, height
+
+
+# %% role="check"
+check("tracking-mean-shift", mean_shift_step)
+
+
+# %% role="case" title="a spot in the box" points=1
+def inputs(rng):
+    left = int(rng.integers(12, 15))
+    return [(blob(rng, (30, 40), (20, 26)), (left, 10, 16, 14)), (blob(rng, (30, 40), (9, 10)), (7, 6, 13, 17))]
+
+
+# %% role="case" title="at the border, and nothing in the box" points=1 hint="Does the box stay inside the image, and does it stay where it is if all weights in it are 0?"
+def inputs(rng):
+    corner = blob(rng, (24, 32), (21, 28), 4)
+    first = blob(rng, (24, 32), (1, 2), 3)
+    empty = np.zeros((24, 32), np.uint8)
+    empty[20:, 25:] = rng.integers(100, 255, (4, 7))
+    return [(corner, (18, 12, 13, 10)), (first, (1, 1, 12, 11)), (empty, (3, 4, 10, 9))]
+
+
+# %% role="hidden" title="any box" points=1 hint="Is every number that you use counted inside the box, and is the shift rounded?"
+def inputs(rng):
+    calls = []
+    for _ in range(4):
+        row, col = int(rng.integers(4, 36)), int(rng.integers(4, 44))
+        box = (min(max(col - 8, 0), 30), min(max(row - 4, 0), 25), int(rng.integers(10, 18)), int(rng.integers(9, 14)))
+        calls.append((blob(rng, (40, 50), (row, col)), box))
+    return [*calls, (np.zeros((40, 50), np.uint8), (5, 6, 7, 8))]
+
+
+# %% role="mistake" name="the center of mass as the corner" says="You put the corner of the box to the center of mass. Its middle belongs there: subtract half of the width and of the height."
+def mean_shift_step(weights, box):
+    return step_with(weights, box, lambda mean, size, start: start + round(mean))
+
+
+# %% role="mistake" name="without the place of the box" says="Your column and row are counted from the corner of the box. Add the col and the row of the box."
+def mean_shift_step(weights, box):
+    return step_with(weights, box, lambda mean, size, start: round(mean - size / 2))
+
+
+# %% role="mistake" name="middle of the pixels" says="Your box is a pixel too far to the right or too low. Subtract width / 2, as OpenCV does, and not (width - 1) / 2; and use round, which does not always round up."
+def mean_shift_step(weights, box):
+    return step_with(weights, box, lambda mean, size, start: start + round(mean - (size - 1) / 2))
+
+
+# %% role="mistake" name="cut off" says="You used int, which cuts the digits off. Use round, which takes the nearest whole number."
+def mean_shift_step(weights, box):
+    return step_with(weights, box, lambda mean, size, start: start + int(mean - size / 2))
+
+
+# %% role="mistake" name="rounded down" says="You rounded down (// or floor). Use round, which takes the nearest whole number."
+def mean_shift_step(weights, box):
+    return step_with(weights, box, lambda mean, size, start: start + math.floor(mean - size / 2))
+
+
+# %% role="mistake" name="the other direction" says="The box moves away from the weights: the shift is mean - width / 2, not the other way round."
+def mean_shift_step(weights, box):
+    return step_with(weights, box, lambda mean, size, start: start - round(mean - size / 2))
+
+
+# %% role="mistake" name="not kept inside" says="Your box leaves the image. Keep col between 0 and weights.shape[1] - width, and row between 0 and weights.shape[0] - height."
+def mean_shift_step(weights, box):
+    return step_with(weights, box, right_shift, inside=False)
+
+
+# %% role="mistake" name="only the left and upper border" says="Your box stays inside at the left and at the top, but not at the right and at the bottom: col must not be above weights.shape[1] - width."
+def mean_shift_step(weights, box):
+    col, row, width, height = step_with(weights, box, right_shift, inside=False)
+    return max(col, 0), max(row, 0), width, height
+
+
+# %% role="mistake" name="all weights equal" says="Each pixel with a weight counts the same in your mean. Multiply by the weights."
+def mean_shift_step(weights, box):
+    col, row, width, height = box
+    return step_with(weights, box, right_shift, window=(weights[row : row + height, col : col + width] > 0).astype(int))
+
+
+# %% role="mistake" name="the brightest pixel" says="You moved the box to the pixel with the largest weight. Use the center of mass: all weights in the box count."
+def mean_shift_step(weights, box):
+    col, row, width, height = box
+    window = weights[row : row + height, col : col + width]
+    return step_with(weights, box, right_shift, window=((window == window.max()) & (window > 0)).astype(int))
+
+
+# %% role="mistake" name="the whole image" says="You took the center of mass of the whole image. Only the weights inside the box count: weights[row:row + height, col:col + width]."
+def mean_shift_step(weights, box):
+    means, (_, _, width, height) = means_of(weights), box
+    if means is None:
+        return box
+    col, row = round(means[0] - width / 2), round(means[1] - height / 2)
+    return min(max(col, 0), weights.shape[1] - width), min(max(row, 0), weights.shape[0] - height), width, height
+
+
+# %% role="mistake" name="all the steps" says="You repeated the step until the box stays. The task asks for one step."
+def mean_shift_step(weights, box):
+    for _ in range(10):
+        box = solution(weights, box)
+    return box
+
+
+# %% role="mistake" name="columns and rows exchanged" says="Columns and rows are exchanged: window.sum(axis=0) has one number per column, and belongs to col."
+def mean_shift_step(weights, box):
+    col, row, width, height = box
+    means = means_of(weights[row : row + height, col : col + width])
+    if means is None:
+        return box
+    col, row = col + round(means[1] - width / 2), row + round(means[0] - height / 2)
+    return min(max(col, 0), weights.shape[1] - width), min(max(row, 0), weights.shape[0] - height), width, height
+
+
+# %% role="mistake" name="row before column" says="The order is (col, row, width, height); you return row before col."
+def mean_shift_step(weights, box):
+    col, row, width, height = solution(weights, box)
+    return row, col, width, height
+
+
+# %% role="mistake" name="only column and row" says="You return two numbers. Return the whole box: col, row, width, height."
+def mean_shift_step(weights, box):
+    return solution(weights, box)[:2]
+
+
+# %% [markdown]
+# OpenCV's `meanShift` repeats the step up to 10 times, or until the box stays. (The tuple `(3, 10, 1)` says this: stop at whichever of both comes first.)
+
+# %%
+image = ball_weights(hsv_frames[10])
+steps, box = cv2.meanShift(image, true_boxes[0], (3, 10, 1))
+print("steps", steps, "  box", box, "  true box", true_boxes[10])
+
+# %% [markdown]
+# ## 4 · The whole drive, and a failure (6 minutes)
+#
+# We track the ball through all 90 frames: each frame begins with the box of the frame before. Beside mean shift we use `cv2.CamShift` (*[[term:CamShift]]*). After the mean shift, it computes a new width and height from the weights, because the ball grows as the robot comes nearer.
+#
+# In the first frame, the box is right. A box counts as a hit if its IoU with the true box is at least 0.5. **Predict** in how many of the 90 frames mean shift hits the ball.
+
+# %% role="predict"
+guess_hits = None  # your guess: in how many of 90 frames?
+
+# %% tags=["long"]
+def overlap(a, b):
+    """The IoU of two boxes, from their masks."""
+    masks = np.zeros((2, 360, 640), bool)
+    for mask, (col, row, width, height) in zip(masks, (a, b)):
+        mask[row:row + height, col:col + width] = True
+    return (masks[0] & masks[1]).sum() / (masks[0] | masks[1]).sum()
+
+
+def track(tracker):
+    """The boxes of all frames; the tracker is cv2.meanShift or cv2.CamShift."""
+    box, boxes = true_boxes[0], []
+    for hsv in hsv_frames:
+        _, box = tracker(ball_weights(hsv), box, (3, 10, 1))
+        boxes.append(box)
+    return boxes
+
+
+mean_shift_boxes = track(cv2.meanShift)
+mean_shift_iou = [overlap(a, b) for a, b in zip(mean_shift_boxes, true_boxes)]
+compare_guess(guess_hits, sum(value >= 0.5 for value in mean_shift_iou))
+
+# %%
+camshift_boxes = track(cv2.CamShift)
+camshift_iou = [overlap(a, b) for a, b in zip(camshift_boxes, true_boxes)]
+print("CamShift hits:", sum(value >= 0.5 for value in camshift_iou))
+figure = Figure(figsize=(7, 3), layout="constrained")
+axes = figure.subplots()
+axes.plot(np.round(mean_shift_iou, 3), label="mean shift")
+axes.plot(np.round(camshift_iou, 3), "--", label="CamShift")
+axes.set(xlabel="frame", ylabel="IoU", ylim=(0, 1))
+axes.legend()
+show_figure(figure, text=figure_texts["iou"])
+
+# %%
+shown = []
+for k in (0, 30, 60, 89):
+    image = with_box(frames[k], true_boxes[k])
+    image = with_box(image, mean_shift_boxes[k], (0, 220, 255))
+    shown.append(with_box(image, camshift_boxes[k], (0, 200, 0)))
+show(shown, ["frame 0", "frame 30", "frame 60", "frame 89"], columns=2,
+     text=figure_texts["boxes"])
+
+# %% tags=["long"]
+# Check: the numbers in this section, and one step by hand is one step of OpenCV, on 60 boxes
+assert sum(value >= 0.5 for value in mean_shift_iou) == 25
+assert sum(value >= 0.5 for value in camshift_iou) == 2 and mean_shift_iou[89] < 0.1
+for seed in range(60):
+    rng = np.random.default_rng(seed)
+    start = (*rng.integers(0, (540, 280)).tolist(), *rng.integers(20, 80, 2).tolist())
+    image = ball_weights(hsv_frames[seed])
+    window = image[start[1] : start[1] + start[3], start[0] : start[0] + start[2]]
+    mass = max(window.sum(), 1)
+    moved_col = start[0] + round((window.sum(axis=0) * np.arange(start[2])).sum() / mass - start[2] / 2)
+    moved_row = start[1] + round((window.sum(axis=1) * np.arange(start[3])).sum() / mass - start[3] / 2)
+    inside = (min(max(moved_col, 0), 640 - start[2]), min(max(moved_row, 0), 360 - start[3]), *start[2:])
+    assert cv2.meanShift(image, start, (3, 1, 1))[1] == (inside if window.any() else start)
+
+# %% [markdown]
+# Both trackers fail. **Mean shift** keeps the size of its box. The ball grows from 31 to 189 pixels, and the box ends on one of its red stripes. **CamShift** may grow, but it follows everything red: together with the rug and the car, its box becomes much too wide. Other trackers of OpenCV are not better here: they look at the image only, and there, a ball that comes nearer *is* something that changes.
+#
+# **Repair it**: the size of the ball changes in the image, but not in the room. So let us track where things are on the **floor**, in metres.
+#
+# This is a good place for a pause.
+#
+# ## 5 · Places on the floor (8 minutes)
+#
+# Where is the ball on the floor? You need three things: its pixel, its depth, and the [[term:pose]] of the camera. From pixel and depth, the ray gives a point in front of the camera, as in [[obstacles_ahead#2]]. The pose takes this point into the room: `pose.apply(point)` gives x, y and z in metres, where z is the height above the floor. (Here we take the pose from the recording. [[term:odometry|Odometry]] gives it as well, with some error.)
+
+# %%
+info = recording.camera_info
+camera = CameraModel(info.width, info.height, info.k[0], info.k[4],
+                     info.k[2], info.k[5], tuple(info.d)).every(2)
+pose = Pose.from_vector(recording.pose("camera", 20))
+col, row, width, height = true_boxes[20]
+center_col, center_row = col + width // 2, row + height // 2
+ray = camera.unproject((center_col, center_row))
+z = recording.depth(20)[center_row, center_col] / 1000
+print("in front of the camera:", (ray * z).round(2))
+print("in the room:           ", pose.apply(ray * z).round(2))
+print("true middle of the ball", recording.pose("ball", 20)[:3].round(2))
+
+# %% [markdown]
+# The depth shows the *front* of the ball; its middle is 11 cm behind it.
+#
+# And without a depth image, as on the real robot? If the object stands on the floor, its **lowest pixel** is enough. Its ray goes down to the floor, and there z = 0. From the camera at the height h, the ray loses `-direction[2]` metres of height for each metre of depth, so it meets the floor at the depth h / −direction[2]:
+
+# %%
+lowest = camera.unproject((center_col, row + height - 1))
+direction = pose.rotation @ lowest  # the ray, in the room's axes
+depth_of_floor = pose.position[2] / -direction[2]
+floor_point = pose.position + depth_of_floor * direction
+print("h", pose.position[2].round(2), "  meets the floor at", floor_point[:2].round(2))
+floor_error = math.dist(floor_point[:2], recording.pose("ball", 20)[:2])
+print("distance from the true place:", round(100 * floor_error), "cm")
+depth_of_width = camera.fx * 0.22 / width  # the ball is 0.22 m wide
+middle = pose.apply(camera.unproject((center_col, center_row)) * depth_of_width)
+width_error = math.dist(middle[:2], recording.pose("ball", 20)[:2])
+print("with the depth from the width:", round(100 * width_error), "cm")
+
+# %% [markdown]
+# For a box, the first way is good. A ball is round: the ray just below it passes the place where it touches the floor, and meets the floor behind it. Who knows the real width of an object can compute the depth from its width in the image, f · 0.22 / width: a ball that is twice as far looks half as wide.
+#
+# The depth image needs no such knowledge. With it, we find all red things that stand on the floor:
+#
+# 1. A pixel is red if its weight is at least 128. [[term:connected component|Connected]] red pixels form one spot; spots of fewer than 15 pixels are left out.
+# 2. The depth of a spot is the [[term:median]] of its pixels, and its ray goes through its middle.
+# 3. Only what is 3 to 25 cm above the floor and nearer than 3.5 m can be ball or car: this leaves out the rug, the books and the sofa.
+# 4. The middle of a thing is about 8 cm behind its front. (The ball has a radius of 11 cm, the car of about 6 cm.)
+# 5. The things are sorted by their real size, the largest first: pixels · depth².
+
+# %% tags=["long"]
+def find_red(hsv, depth, camera, pose):
+    """The places (x, y) of red things on the floor, in metres, largest first."""
+    red = (ball_weights(hsv) >= 128).astype(np.uint8)
+    count, numbers, stats, centers = cv2.connectedComponentsWithStats(red)
+    things = []
+    for number in range(1, count):  # 0 is the background
+        pixels = stats[number, cv2.CC_STAT_AREA]
+        if pixels < 15:
+            continue
+        z = np.median(depth[numbers == number]) / 1000
+        ray = camera.unproject(centers[number])
+        if z < 3.5 and 0.03 < pose.apply(ray * z)[2] < 0.25:
+            x, y, _ = pose.apply(ray * (z + 0.08))
+            things.append((pixels * z**2, x, y))
+    things.sort(reverse=True)
+    return np.array([(x, y) for _, x, y in things]).reshape(-1, 2)
+
+# %%
+poses = [Pose.from_vector(recording.pose("camera", k)) for k in range(90)]
+places = [find_red(hsv_frames[k], recording.depth(k), camera, poses[k])
+          for k in range(90)]
+true_ball = np.array([recording.pose("ball", k)[:2] for k in range(90)])
+true_car = np.array([recording.pose("toycar", k)[:2] for k in range(90)])
+print("found in frame 20:", places[20].round(2).tolist())
+print("ball", true_ball[20].round(2), "  car", true_car[20].round(2))
+
+# %%
+distances = [100 * np.hypot(*(places[k] - true_ball[k]).T).min() for k in range(90)]
+print("nearest to the ball: median", round(np.median(distances), 1), "cm, at most",
+      round(max(distances), 1), "cm")
+
+# %% [markdown]
+# In 75 of the 90 frames, something red is found less than 5 cm from the ball. But there are other red things as well, and in some frames the error is large: when the car drives past the ball, both together are **one** spot.
+
+# %%
+red = ball_weights(hsv_frames[46]) >= 128
+show([frames[46], red], ["frame 46", "red"], rows=(130, 280), cols=(130, 400),
+     text=figure_texts["merged"])
+
+# %%
+# Check: the numbers in this section
+assert round(100 * floor_error) == 17 and round(100 * width_error) == 1
+assert round(np.median(distances), 1) == 2.3 and round(max(distances), 1) == 20.8
+assert sum(distance < 5 for distance in distances) == 75
+
+# %% [markdown]
+# ## 6 · The Kalman filter (13 minutes)
+#
+# We know two things about the ball: where it should be now, since it rolled in a certain direction with a certain speed, and where we see it now. Both are uncertain. How do we combine them?
+#
+# First with one number. The ball should be at 2.00 m, and this is uncertain by 0.1 m. We measure 2.40 m, and the measurement is uncertain by 0.2 m. The [[term:variance]] is the square of this uncertainty: 0.01 and 0.04. The *gain* says how far we go from the expected place towards the measured place:
+#
+# $$\text{gain} = \frac{\text{variance of the prediction}}{\text{variance of the prediction} + \text{variance of the measurement}}$$
+#
+# **Predict** the combined place.
+
+# %% role="predict"
+guess_place = None  # your guess: how many metres?
+
+# %%
+expected, expected_variance = 2.00, 0.1**2
+measured, measured_variance = 2.40, 0.2**2
+gain = expected_variance / (expected_variance + measured_variance)
+combined = expected + gain * (measured - expected)
+combined_variance = (1 - gain) * expected_variance
+print("gain", round(gain, 2), "  variance", round(combined_variance, 4))
+compare_guess(guess_place, round(combined, 2), "m")
+
+# %% [markdown]
+# The result lies nearer to the more certain number, and it is more certain than both: its variance is 0.008.
+#
+# The *[[term:Kalman filter]]* does this for several numbers together, its *[[term:state]]*. For a ball on a line these are its place and its speed. A matrix, the *[[term:covariance]]*, contains the variances on its diagonal. The other numbers say how two of the numbers belong together.
+#
+# **One frame later**: after dt = 0.1 s, the new place is place + 0.1 · speed. This is a product with a matrix F. `@` multiplies each row of F with the state, and adds up:
+
+# %%
+F = np.array([[1, 0.1], [0, 1]])
+state = np.array([2.0, 0.5])  # 2 m, 0.5 m/s
+covariance = np.array([[0.01, 0], [0, 0.25]])
+Q = np.array([[0.0001, 0], [0, 0.01]])
+print("state", (F @ state).round(4))
+print((F @ covariance @ F.T + Q).round(4))
+
+# %% [markdown]
+# The place is now 2.05 m. The covariance has changed too: the place is less certain (0.0126 instead of 0.01), because the speed is not certain. The number 0.025 beside the diagonal says: if the ball is farther than expected, it is probably also faster. `F @ covariance @ F.T` computes this, where `F.T` is the *transposed* matrix, with rows and columns exchanged. *Q* adds what the model does not know: the ball may become faster or slower.
+#
+# ### Your turn: predict
+#
+# Write `predict(state, covariance, F, Q)`.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `state`: (n,) float; `covariance`, `F`, `Q`: (n, n) float | two arrays: the predicted state (n,), and its covariance (n, n) | `predict(state, covariance, F, Q)` with the numbers above returns `[2.05, 0.5]` and `[[0.0126, 0.025], [0.025, 0.26]]` |
+
+# %% role="exercise"
+exercise(
+    "tracking-predict",
+    title="Kalman filter: predict",
+    function="predict",
+    tolerance=1e-9,
+    hint="The state is F @ state, the covariance is F @ covariance @ F.T + Q.",
+    hints=(
+        "Which matrix moves the state on by one frame, and on which two sides of the covariance must it stand?",
+        "1. The new state: F times the state, with @.\n"
+        "2. The new covariance: F times the covariance times F transposed, plus Q.\n"
+        "3. Return both, the state first.",
+        "return F @ state, F @ ... @ F.T + ...",
+    ),
+    explanation="A covariance has two axes, and F changes both: once from the left for its rows, once transposed from the"
+    " right for its columns. Q makes the state less certain with every frame that passes without a measurement.",
+    another_way="You can also write np.dot(F, state) and F.dot(covariance).dot(F.T) + Q.",
+)
+
+
+def motion(dt):
+    matrix = np.eye(4)
+    matrix[0, 2] = matrix[1, 3] = dt
+    return matrix
+
+
+def random_covariance(rng, size, scale=1.0):
+    """Symmetric and positive: rounded, with a strong diagonal."""
+    part = rng.uniform(-0.1, 0.1, (size, size)).round(3)
+    return scale * (np.diag(rng.uniform(0.5, 1.5, size).round(3)) + part + part.T)
+
+
+# %% role="answer"
+def predict(state, covariance, F, Q):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def predict(state, covariance, F, Q):
+    return F @ state, F @ covariance @ F.T + Q
+
+
+# %% role="check"
+check("tracking-predict", predict)
+
+
+# %% role="case" title="place and speed on a line" points=1
+def inputs(rng):
+    F = np.array([[1, 0.1], [0, 1]])
+    return [(np.array([2.0, 0.5]), np.array([[0.01, 0], [0, 0.25]]), F, np.array([[0.0001, 0], [0, 0.01]])),
+            (rng.uniform(-2, 2, 2).round(2), random_covariance(rng, 2), F, random_covariance(rng, 2, 0.1))]
+
+
+# %% role="case" title="place and speed on the floor" points=1 hint="Is F on the left side of the covariance, and F.T on its right side?"
+def inputs(rng):
+    return [(rng.uniform(-2, 2, 4).round(2), random_covariance(rng, 4), motion(dt), random_covariance(rng, 4, 0.1))
+            for dt in (0.1, 0.25)]
+
+
+# %% role="hidden" title="any matrices" points=1 hint="F @ covariance @ F.T + Q"
+def inputs(rng):
+    sizes = (2, 3, 4)
+    return [(rng.uniform(-2, 2, n).round(2), random_covariance(rng, n), rng.uniform(-1, 1, (n, n)).round(2),
+             random_covariance(rng, n, 0.2)) for n in sizes]
+
+
+# %% role="mistake" name="without Q" says="Q is missing: each prediction makes the state less certain. Add Q to the covariance."
+def predict(state, covariance, F, Q):
+    return F @ state, F @ covariance @ F.T
+
+
+# %% role="mistake" name="minus Q" says="You subtracted Q. A prediction makes the state less certain: add Q."
+def predict(state, covariance, F, Q):
+    return F @ state, F @ covariance @ F.T - Q
+
+
+# %% role="mistake" name="without the transposed matrix" says="The second F must be transposed: F @ covariance @ F.T."
+def predict(state, covariance, F, Q):
+    return F @ state, F @ covariance @ F + Q
+
+
+# %% role="mistake" name="transposed on the left" says="F and F.T are exchanged: F stands on the left of the covariance, F.T on its right."
+def predict(state, covariance, F, Q):
+    return F @ state, F.T @ covariance @ F + Q
+
+
+# %% role="mistake" name="F only from the left" says="F is missing on the right side of the covariance: F @ covariance @ F.T."
+def predict(state, covariance, F, Q):
+    return F @ state, F @ covariance + Q
+
+
+# %% role="mistake" name="element by element" says="You multiplied the covariance element by element, with *. Matrices are multiplied with @."
+def predict(state, covariance, F, Q):
+    return F @ state, F * covariance * F.T + Q
+
+
+# %% role="mistake" name="state not predicted" says="Your state has not changed. The predicted state is F @ state."
+def predict(state, covariance, F, Q):
+    return state, F @ covariance @ F.T + Q
+
+
+# %% role="mistake" name="covariance not predicted" says="Only Q was added to your covariance. F changes it too: F @ covariance @ F.T + Q."
+def predict(state, covariance, F, Q):
+    return F @ state, covariance + Q
+
+
+# %% role="mistake" name="added to the state" says="You added F @ state to the state. F @ state is the new state itself: F already contains the old place."
+def predict(state, covariance, F, Q):
+    return state + F @ state, F @ covariance @ F.T + Q
+
+
+# %% role="mistake" name="state times F" says="state @ F multiplies with the columns of F. Write F @ state."
+def predict(state, covariance, F, Q):
+    return state @ F, F @ covariance @ F.T + Q
+
+
+# %% role="mistake" name="the other order" says="The order is wrong: return the state first, then the covariance."
+def predict(state, covariance, F, Q):
+    return F @ covariance @ F.T + Q, F @ state
+
+
+# %% role="mistake" name="Q in between" says="Q is added too early: you multiplied it with F as well. Write F @ covariance @ F.T + Q."
+def predict(state, covariance, F, Q):
+    return F @ state, F @ (covariance + Q) @ F.T
+
+
+# %% [markdown]
+# **With the measurement**: it is the same as with one number, with matrices instead of numbers. The matrix H says what we measure: here only the place, the first number of the state. *R* is the variance of the measurement. In place of a division, there is the *inverse* matrix, `np.linalg.inv`:
+
+# %%
+state, covariance = F @ state, F @ covariance @ F.T + Q
+H = np.array([[1.0, 0.0]])
+R = np.array([[0.01]])
+S = H @ covariance @ H.T + R  # variance of prediction and measurement together
+gain = covariance @ H.T @ np.linalg.inv(S)
+surprise = np.array([2.15]) - H @ state  # measured minus expected
+print("S", S.round(4), "  gain", gain.ravel().round(3), "  surprise", surprise.round(3))
+print("state", (state + gain @ surprise).round(3))
+
+# %% [markdown]
+# We measured only the place, but the speed was corrected too: from 0.5 m/s to 0.611 m/s. The ball was farther than expected, so it is probably faster. This is what the number beside the diagonal is for. The covariance becomes smaller, as with one number: (1 − gain) · variance, where 1 is now `np.eye(n)`, the *identity matrix*, and the gain is `gain @ H`.
+#
+# OpenCV has the whole filter, `cv2.KalmanFilter`. With the same matrices it gives the same numbers:
+
+# %% tags=["long"]
+def new_filter(place, dt=0.1, push=0.3, error=0.03):
+    """A Kalman filter for a thing on the floor: its state is x, y and both speeds.
+
+    push: how much the speed may change, in m/s²; error: of a measurement, in m."""
+    kalman = cv2.KalmanFilter(4, 2, 0, cv2.CV_64F)
+    kalman.transitionMatrix = np.array(
+        [[1, 0, dt, 0], [0, 1, 0, dt], [0, 0, 1, 0], [0, 0, 0, 1.0]])
+    kalman.measurementMatrix = np.eye(2, 4)
+    per_push = np.array([[dt**2 / 2, 0], [0, dt**2 / 2], [dt, 0], [0, dt]])
+    kalman.processNoiseCov = push**2 * per_push @ per_push.T
+    kalman.measurementNoiseCov = error**2 * np.eye(2)
+    kalman.statePost = np.array([[place[0]], [place[1]], [0.0], [0.0]])
+    kalman.errorCovPost = np.diag([0.01, 0.01, 0.25, 0.25])
+    return kalman
+
+
+kalman = new_filter([2.0, 1.0])
+kalman.predict()
+kalman.correct(np.array([[2.05], [0.98]]))
+print("state", kalman.statePost.ravel().round(3))
+
+# %% tags=["long"]
+# Check: the numbers in this section, and OpenCV's filter against the formulas, over 50 measurements
+assert round(gain[1, 0], 3) == 1.106 and abs(combined - 2.08) < 1e-9 and abs(combined_variance - 0.008) < 1e-9
+assert (state + gain @ surprise).round(3).tolist() == [2.106, 0.611]
+kalman = new_filter([2.0, 1.0])
+x, P, T = kalman.statePost.copy(), kalman.errorCovPost.copy(), kalman.transitionMatrix
+for place in np.random.default_rng(0).normal(0, 1, (50, 2, 1)):
+    x, P = T @ x, T @ P @ T.T + kalman.processNoiseCov
+    G = P[:, :2] @ np.linalg.inv(P[:2, :2] + kalman.measurementNoiseCov)
+    x, P = x + G @ (place - x[:2]), P - G @ P[:2]
+    predicted = kalman.predict()
+    assert np.abs(kalman.correct(place) - x).max() < 1e-9 and np.abs(kalman.errorCovPost - P).max() < 1e-9
+
+# %% [markdown]
+# ### Your turn: update
+#
+# Write `update(state, covariance, measurement, H, R)`.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `state`: (n,) float; `covariance`: (n, n) float; `measurement`: (m,) float; `H`: (m, n) float; `R`: (m, m) float | two arrays: the corrected state (n,), and its covariance (n, n) | `update(state, covariance, np.array([2.15]), H, R)` with the numbers above returns about `[2.106, 0.611]` and `[[0.0056, 0.0111], [0.0111, 0.2323]]` |
+
+# %% role="exercise"
+exercise(
+    "tracking-update",
+    title="Kalman filter: update",
+    function="update",
+    tolerance=1e-9,
+    hint="S = H @ covariance @ H.T + R, gain = covariance @ H.T @ inv(S); state + gain @ (measurement - H @ state), and (identity - gain @ H) @ covariance.",
+    hints=(
+        "Which four lines did the example need, and what changes with n numbers in the state?",
+        "1. S: the covariance, seen by H on both sides, plus R.\n"
+        "2. The gain: covariance times H transposed times the inverse of S.\n"
+        "3. The new state: the state plus the gain times (measurement minus H times the state).\n"
+        "4. The new covariance: (identity matrix minus gain times H) times the covariance.",
+        "S = H @ covariance @ H.T + ...\ngain = covariance @ ... @ np.linalg.inv(...)\n"
+        "state = state + gain @ (measurement - ...)\ncovariance = (np.eye(len(state)) - gain @ ...) @ covariance\n"
+        "return state, covariance",
+    ),
+    explanation="H @ state is the measurement that we expect, and S its covariance together with the measurement's own. The gain"
+    " weighs both, and it also corrects what was not measured, through the numbers beside the diagonal. After a measurement,"
+    " the state is more certain: the covariance becomes smaller.",
+    another_way="You can also write covariance - gain @ S @ gain.T, or use np.linalg.solve in place of the inverse.",
+)
+
+
+def gain_of(covariance, H, R):
+    return covariance @ H.T @ np.linalg.inv(H @ covariance @ H.T + R)
+
+
+def updated(state, covariance, measurement, H, gain):
+    return state + gain @ (measurement - H @ state), (np.eye(len(state)) - gain @ H) @ covariance
+
+
+def random_covariance(rng, size, scale=1.0):
+    """Symmetric and positive: rounded, with a strong diagonal."""
+    part = rng.uniform(-0.15, 0.15, (size, size)).round(3)
+    return scale * (np.diag(rng.uniform(0.6, 1.5, size).round(3)) + part + part.T)
+
+
+# %% role="answer"
+def update(state, covariance, measurement, H, R):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def update(state, covariance, measurement, H, R):
+    S = H @ covariance @ H.T + R
+    gain = covariance @ H.T @ np.linalg.inv(S)
+    state = state + gain @ (measurement - H @ state)
+    covariance = (np.eye(len(state)) - gain @ H) @ covariance
+    return state, covariance
+
+
+# %% role="check"
+check("tracking-update", update)
+
+
+# %% role="case" title="place and speed on a line" points=1
+def inputs(rng):
+    H = np.array([[1.0, 0.0]])
+    covariance = np.array([[0.0126, 0.025], [0.025, 0.26]])
+    return [(np.array([2.05, 0.5]), covariance, np.array([2.15]), H, np.array([[0.01]])),
+            (rng.uniform(-2, 2, 2).round(2), random_covariance(rng, 2), rng.uniform(-2, 2, 1).round(2), H, np.array([[0.25]]))]
+
+
+# %% role="case" title="place and speed on the floor" points=1 hint="Is S the covariance seen by H, plus R, and does the gain use its inverse?"
+def inputs(rng):
+    return [(rng.uniform(-2, 2, 4).round(2), random_covariance(rng, 4), rng.uniform(-2, 2, 2).round(2), np.eye(2, 4),
+             random_covariance(rng, 2, scale)) for scale in (0.1, 1.0)]
+
+
+# %% role="hidden" title="any matrices" points=1 hint="Is each product in the right order?"
+def inputs(rng):
+    sizes = ((3, 1), (3, 2), (4, 2))
+    return [(rng.uniform(-2, 2, n).round(2), random_covariance(rng, n), rng.uniform(-2, 2, m).round(2),
+             rng.uniform(-1, 1, (m, n)).round(2), random_covariance(rng, m, 0.5)) for n, m in sizes]
+
+
+# %% role="mistake" name="without R" says="R is missing in S: then the measurement counts as exact. S = H @ covariance @ H.T + R."
+def update(state, covariance, measurement, H, R):
+    return updated(state, covariance, measurement, H, gain_of(covariance, H, 0 * R))
+
+
+# %% role="mistake" name="minus R" says="You subtracted R. The uncertainties of prediction and measurement add up: S = H @ covariance @ H.T + R."
+def update(state, covariance, measurement, H, R):
+    return updated(state, covariance, measurement, H, gain_of(covariance, H, -R))
+
+
+# %% role="mistake" name="without the inverse" says="You multiplied by S. The gain divides by it: multiply by its inverse, np.linalg.inv(S)."
+def update(state, covariance, measurement, H, R):
+    gain = covariance @ H.T @ (H @ covariance @ H.T + R)
+    return updated(state, covariance, measurement, H, gain)
+
+
+# %% role="mistake" name="gain without S" says="S is missing in the gain: covariance @ H.T @ np.linalg.inv(S)."
+def update(state, covariance, measurement, H, R):
+    return updated(state, covariance, measurement, H, covariance @ H.T)
+
+
+# %% role="mistake" name="inverse of R" says="You took the inverse of R alone. The gain needs the inverse of S = H @ covariance @ H.T + R."
+def update(state, covariance, measurement, H, R):
+    return updated(state, covariance, measurement, H, covariance @ H.T @ np.linalg.inv(R))
+
+
+# %% role="mistake" name="expected minus measured" says="The state moves away from the measurement: the difference is the measurement minus H @ state."
+def update(state, covariance, measurement, H, R):
+    gain = gain_of(covariance, H, R)
+    return state - gain @ (measurement - H @ state), (np.eye(len(state)) - gain @ H) @ covariance
+
+
+# %% role="mistake" name="the whole measurement" says="You added gain @ measurement. The gain belongs to the difference, measurement - H @ state."
+def update(state, covariance, measurement, H, R):
+    gain = gain_of(covariance, H, R)
+    return state + gain @ measurement, (np.eye(len(state)) - gain @ H) @ covariance
+
+
+# %% role="mistake" name="covariance not corrected" says="Your covariance has not changed. A measurement makes the state more certain: (np.eye(n) - gain @ H) @ covariance."
+def update(state, covariance, measurement, H, R):
+    return solution(state, covariance, measurement, H, R)[0], covariance
+
+
+# %% role="mistake" name="state not corrected" says="Your state has not changed. Add gain @ (measurement - H @ state)."
+def update(state, covariance, measurement, H, R):
+    return state, solution(state, covariance, measurement, H, R)[1]
+
+
+# %% role="mistake" name="larger covariance" says="Your covariance becomes larger: use np.eye(n) minus gain @ H, not plus."
+def update(state, covariance, measurement, H, R):
+    gain = gain_of(covariance, H, R)
+    return state + gain @ (measurement - H @ state), (np.eye(len(state)) + gain @ H) @ covariance
+
+
+# %% role="mistake" name="only what the gain takes away" says="You return gain @ H @ covariance. This is what the measurement takes away: subtract it from the covariance."
+def update(state, covariance, measurement, H, R):
+    gain = gain_of(covariance, H, R)
+    return state + gain @ (measurement - H @ state), gain @ H @ covariance
+
+
+# %% role="mistake" name="covariance on the left" says="The order of the last product is exchanged: (np.eye(n) - gain @ H) stands on the left of the covariance."
+def update(state, covariance, measurement, H, R):
+    gain = gain_of(covariance, H, R)
+    return state + gain @ (measurement - H @ state), covariance @ (np.eye(len(state)) - gain @ H)
+
+
+# %% role="mistake" name="one instead of the identity matrix" says="1 - gain @ H subtracts from 1 everywhere. The 1 of matrices is np.eye(n), which has ones on its diagonal only."
+def update(state, covariance, measurement, H, R):
+    gain = gain_of(covariance, H, R)
+    return state + gain @ (measurement - H @ state), (1 - gain @ H) @ covariance
+
+
+# %% role="mistake" name="the other order" says="The order is wrong: return the state first, then the covariance."
+def update(state, covariance, measurement, H, R):
+    return solution(state, covariance, measurement, H, R)[::-1]
+
+
+# %% role="mistake" name="state used twice" says="You computed the difference with the corrected state and added it once more. Correct the state once."
+def update(state, covariance, measurement, H, R):
+    gain = gain_of(covariance, H, R)
+    state, covariance = updated(state, covariance, measurement, H, gain)
+    return state + gain @ (measurement - H @ state), covariance
+
+
+# %% [markdown]
+# ## 7 · Who is who? (6 minutes)
+#
+# Two *tracks*, of ball and car, and in each frame several red things. Which thing belongs to which track?
+#
+# A distance in metres is not a good measure: 10 cm mean much for a track that knows its place to 3 cm, and little for one that has not been seen for a second. So we divide by the uncertainty S: surprise · S⁻¹ · surprise is the squared distance in units of the expected error. A pair with more than 9.21 is refused: only 1 % of the right pairs are that far. This limit is called a *[[term:gate]]*.
+
+# %%
+def costs_of(filters, places):
+    """(tracks, things): the squared distances, in units of the expected error."""
+    costs = np.zeros((len(filters), len(places)))
+    for number, kalman in enumerate(filters):
+        S = kalman.errorCovPre[:2, :2] + kalman.measurementNoiseCov
+        surprise = places - kalman.statePre[:2].T
+        costs[number] = ((surprise @ np.linalg.inv(S)) * surprise).sum(axis=1)
+    return costs
+
+# %% [markdown]
+# The simple rule: **each track takes the thing that is nearest to it**. The better rule: choose the pairs **together**, so that the sum of the costs is as small as possible, and no thing is given to two tracks. This is an *[[term:assignment]]* problem, and SciPy solves it:
+
+# %%
+example = np.array([[1.0, 8.0], [2.0, 99.0]])  # two tracks, two things
+print("each for itself:", example.argmin(axis=1))
+print("joint:          ", linear_sum_assignment(example)[1])
+
+# %% [markdown]
+# Both tracks are nearest to thing 0. Each for itself, they both take it. Jointly, track 0 takes thing 1, so that track 1 can have thing 0: this costs 8 + 2, and the other choice 1 + 99.
+
+# %% tags=["long"]
+def for_itself(costs):
+    return list(enumerate(costs.argmin(axis=1))) if costs.size else []
+
+
+def jointly(costs):
+    return list(zip(*linear_sum_assignment(np.minimum(costs, 100))))
+
+
+class Tracker:
+    """Tracks the things that it saw first; a track ends after 2 s without any."""
+
+    def __init__(self, assign):
+        self.assign = assign
+        self.filters, self.misses = {}, {}
+
+    def step(self, places):
+        if not self.filters:
+            self.filters = {number: new_filter(place) for number, place in enumerate(places)}
+            self.misses = dict.fromkeys(self.filters, 0)
+        numbers = list(self.filters)
+        for number in numbers:
+            self.filters[number].predict()
+            self.misses[number] += 1
+        costs = costs_of(self.filters.values(), places)
+        for row, thing in self.assign(costs):
+            if costs[row, thing] < 9.21:
+                self.filters[numbers[row]].correct(places[thing].reshape(2, 1))
+                self.misses[numbers[row]] = 0
+        for number in numbers:
+            if self.misses[number] > 20:
+                del self.filters[number]
+
+    def place(self, number):
+        return self.filters[number].statePost[:2, 0].copy()
+
+# %% [markdown]
+# Without a thing inside its gate, a track is only predicted: it *coasts*. The ball is track 0 (it is the largest red thing), the car is track 1. First each track for itself. **Predict** how many centimetres the track of the ball is away from the ball in frame 60, after the car has driven past.
+
+# %% role="predict"
+guess_swap = None  # your guess: how many centimetres?
+
+# %%
+def run(assign):
+    """The places of tracks 0 and 1 in frames 0 to 60, (61, 2, 2)."""
+    tracker, path = Tracker(assign), []
+    for k in range(61):
+        tracker.step(places[k])
+        path.append([tracker.place(0), tracker.place(1)])
+    return np.array(path)
+
+
+alone, joint = run(for_itself), run(jointly)
+error_alone = 100 * np.hypot(*(alone[:, 0] - true_ball[:61]).T)
+compare_guess(guess_swap, round(error_alone[60]), "cm")
+
+# %% tags=["long"]
+def score(path):
+    """Errors in cm of ball and car, and how often the ball's track changed the object."""
+    ball = 100 * np.hypot(*(path[:, 0] - true_ball[:61]).T)
+    car = 100 * np.hypot(*(path[:, 1] - true_car[:61]).T)
+    with_car = np.hypot(*(path[:, 0] - true_car[:61]).T) < ball / 100
+    return ball, car, int((with_car[1:] != with_car[:-1]).sum())
+
+
+for name, path in (("each for itself", alone), ("joint", joint)):
+    ball, car, switches = score(path)
+    print(f"{name:16} ball: median {np.median(ball):.1f} cm, max {ball.max():.1f} cm"
+          f"   car: max {car.max():.1f} cm   identity switches: {switches}")
+
+# %% tags=["long"]
+figure = Figure(figsize=(8, 4), layout="constrained")
+for axes, path, title in zip(figure.subplots(1, 2, sharey=True), (alone, joint),
+                             ("each for itself", "joint assignment")):
+    axes.plot(*true_ball[:61].T, color="0.6", linewidth=6)
+    axes.plot(*true_car[:61].T, color="0.6", linewidth=6)
+    axes.plot(*path[:, 0].round(3).T, "r", label="track of the ball")
+    axes.plot(*path[:, 1].round(3).T, "b--", label="track of the car")
+    axes.set(title=title, xlabel="x (m)", ylabel="y (m)", aspect="equal")
+    axes.legend()
+show_figure(figure, text=figure_texts["paths"])
+
+# %%
+# Check: the numbers in this section
+ball, car, switches = score(alone)
+assert round(ball[60]) == 44 and ball.max() == ball[60] and switches == 1
+ball, car, switches = score(joint)
+assert ball.max() < 9 and car.max() < 9 and switches == 0 and linear_sum_assignment(example)[1].tolist() == [1, 0]
+
+# %% [markdown]
+# While both are one spot, both tracks take this spot. The car drives on, the track of the ball has learnt the speed of the car, and drives on with it: an *[[term:identity switch]]*. With **joint assignment**, the spot goes to the car, whose track fits better, and the track of the ball coasts for a few frames, until it sees the ball again.
+#
+# ## 8 · Follow the ball (7 minutes)
+#
+# Now the robot in the room follows the ball. It knows its own pose from odometry. The camera stands 0.21 m before the axle, 0.20 m above the floor, and looks ahead: its right is the robot's −y, its down is −z, its ahead is x. These are the columns of the rotation. The command turns the robot towards the ball, and keeps 0.8 m between camera and ball.
+
+# %% tags=["long"]
+def camera_pose(robot_pose):
+    ahead = np.array([[0.0, 0, 1], [-1, 0, 0], [0, -1, 0]])
+    return robot_pose @ Pose(ahead, np.array([0.21, 0.0, 0.20]))
+
+
+def command_to(place, robot_pose):
+    """The speeds that keep the camera 0.8 m from a place on the floor."""
+    x, y, _ = robot_pose.inverse().apply(np.array([*place, 0.0]))
+    x = x - 0.21  # from the camera
+    linear = min(max(math.hypot(x, y) - 0.8, -0.3), 0.3)
+    angular = min(max(1.5 * math.atan2(y, x), -1.0), 1.0)
+    return round(linear, 2), round(angular, 2)
+
+
+def follow(tracker, frame, depth, camera, robot_pose):
+    """One look: the command for the robot."""
+    hsv = cv2.cvtColor(frame, cv2.COLOR_BGR2HSV)
+    tracker.step(find_red(hsv, depth, camera, camera_pose(robot_pose)))
+    if 0 not in tracker.filters:
+        return 0.0, 0.4  # look for it
+    return command_to(tracker.place(0), robot_pose)
+
+# %% [markdown]
+# First in the simulation, for 6 seconds. The robot sees the ball 1.7 m ahead, and the car drives through between them. **Predict** the distance between camera and ball at the end.
+
+# %% role="predict"
+guess_kept = None  # your guess: how many metres?
+
+# %% tags=["long"]
+robot = Simulation(seed=1, start=(0.7, 0.2, 0.0), time=1.0)
+tracker, images, kept = Tracker(jointly), [robot.frame()], []
+for _ in range(60):
+    counted = robot.odometry()
+    robot_pose = Pose.planar(counted.x, counted.y, counted.yaw)
+    linear, angular = follow(tracker, robot.frame(), robot.depth(),
+                             robot.depth_camera(), robot_pose)
+    robot.step(linear, angular, dt=0.1)
+    kept.append(math.dist(robot.pose("ball")[:2], robot.pose("camera")[:2]))
+images.append(robot.frame())
+print("distances:", [round(value, 1) for value in kept[::10]])
+compare_guess(guess_kept, round(kept[-1], 1), "m")
+
+# %%
+show(images, ["at the start", "after 6 s"], text=figure_texts["follow"])
+
+# %%
+# Check: the robot kept its distance
+assert round(kept[0], 1) == 1.7 and 0.77 < kept[-1] < 0.85 and not robot.bumped
+
+# %% [markdown]
+# Now the same in ROS. The node sees only what the robot publishes: image, depth, camera info and odometry. It publishes the place of the ball as a `PoseStamped`, all tracks as a `MarkerArray` (which RViz and Foxglove draw), and the command. Image and depth of one moment have the same stamp; the node waits until it has both.
+
+# %% tags=["long"]
+if ros_available():
+    from geometry_msgs.msg import PoseStamped, Twist
+    from imgproc_course.messages import image_to_array
+    from nav_msgs.msg import Odometry
+    from rclpy.node import Node
+    from rclpy.qos import qos_profile_sensor_data
+    from sensor_msgs.msg import CameraInfo, Image
+    from visualization_msgs.msg import Marker, MarkerArray
+
+    class FollowNode(Node):
+        def __init__(self, context=None):
+            super().__init__("follow_ball", context=context)
+            self.tracker = Tracker(jointly)
+            self.camera = self.robot_pose = self.image = self.depth = None
+            self.looks = 0
+            base = "/kachaka/front_camera"
+            for kind, topic, callback in (
+                    (CameraInfo, f"{base}/camera_info", self.on_info),
+                    (Odometry, "/kachaka/odometry/odometry", self.on_odometry),
+                    (Image, f"{base}/image_raw", self.on_image),
+                    (Image, f"{base}/depth", self.on_depth)):
+                self.create_subscription(kind, topic, callback, qos_profile_sensor_data)
+            self.balls = self.create_publisher(PoseStamped, "/ball", 10)
+            self.markers = self.create_publisher(MarkerArray, "/tracks", 10)
+            self.commands = self.create_publisher(
+                Twist, "/kachaka/manual_control/cmd_vel", qos_profile_sensor_data)
+
+        def on_info(self, msg):
+            self.camera = CameraModel(msg.width, msg.height, msg.k[0], msg.k[4],
+                                      msg.k[2], msg.k[5], tuple(msg.d))
+
+        def on_odometry(self, msg):
+            place, turn = msg.pose.pose.position, msg.pose.pose.orientation
+            self.robot_pose = Pose.from_vector(
+                [place.x, place.y, place.z, turn.x, turn.y, turn.z, turn.w])
+
+        def on_image(self, msg):
+            self.image = msg
+            self.look()
+
+        def on_depth(self, msg):
+            self.depth = msg
+            self.look()
+
+        def look(self):
+            known = (self.image, self.depth, self.camera, self.robot_pose)
+            if None in known or self.image.header.stamp != self.depth.header.stamp:
+                return
+            command = Twist()
+            command.linear.x, command.angular.z = follow(
+                self.tracker, image_to_array(self.image, "bgr8"),
+                image_to_array(self.depth), self.camera, self.robot_pose)
+            self.commands.publish(command)
+            self.publish_tracks()
+            self.looks += 1
+
+        def publish_tracks(self):
+            markers = MarkerArray()
+            for number in self.tracker.filters:
+                marker = Marker(ns="tracks", id=number, type=Marker.SPHERE)
+                marker.header.frame_id = "odom"
+                marker.header.stamp = self.image.header.stamp
+                x, y = self.tracker.place(number)
+                marker.pose.position.x, marker.pose.position.y = float(x), float(y)
+                marker.pose.position.z = marker.scale.x = 0.11
+                marker.scale.y = marker.scale.z = 0.11
+                marker.color.r = marker.color.a = 1.0
+                marker.lifetime.sec = 1
+                markers.markers.append(marker)
+                if number == 0:
+                    self.balls.publish(PoseStamped(header=marker.header, pose=marker.pose))
+            self.markers.publish(markers)
+
+# %% tags=["nbval-ignore-output", "long"]
+if ros_available():
+    live_camera = open_camera("room", rate=10)
+    live_robot = Robot()
+    live_robot.restart(start=(1.2, 0.2, 0.0))
+    session = RosSession.current()
+    node = session.add_node(FollowNode(context=session.context))
+    end = time.monotonic() + 20
+    while node.looks < 30 and time.monotonic() < end:
+        time.sleep(0.1)
+    session.remove_node(node)
+    print("looks:", node.looks, "  tracks:", len(node.tracker.filters))
+    live_camera.stop()
+
+# %%
+# Check: the node looked
+assert not ros_available() or node.looks > 0
+
+# %% [markdown]
+# **On the real robot** there is no depth image of the floor: take the lowest pixel of each red spot, and its ray, as in section 5. `find_red` is the only function that changes.
+#
+# ## Recap
+#
+# A colour says where something red is, but not which thing it is. A box in the image changes its size; a place on the floor does not. A Kalman filter expects, measures and combines both. And who is who is decided for all tracks together.
+#
+# | stage | shape | dtype | range | unit |
+# |---|---|---|---|---|
+# | hue | (360, 640) | uint8 | 0 to 179 | 2 degrees |
+# | back-projection | (360, 640) | uint8 | 0 to 255 | weight |
+# | box | four numbers | int | inside the image | pixel: col, row, width, height |
+# | IoU | one number | float | 0 to 1 | |
+# | places | (N, 2) | float64 | | metre: x, y on the floor |
+# | state | (4,) | float64 | | metre and metre per second |
+# | covariance | (4, 4) | float64 | | squares and products of these |
+# | costs | (tracks, things) | float64 | 0 to infinity | squared expected errors |
+#
+# Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+
+# %%
+# Check: the numbers in the table
+assert ball_weights(hsv_frames[0]).shape == (360, 640) and hsv_frames[0][:, :, 0].max() <= 179
+assert places[0].shape[1] == 2 and kalman.statePost.shape == (4, 1) and kalman.errorCovPost.shape == (4, 4)
