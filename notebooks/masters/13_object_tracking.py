@@ -64,12 +64,12 @@ figure_texts = {
         "Left, the toy car covers a part of the ball; right, one single white spot over both.",
     ),
     "paths": (
-        "The floor from above, in metres: the true paths (gray), and what the tracker says.",
-        "Two maps. Left, the red track of the ball leaves the ball and follows the path of the car; right, with joint assignment, it stays with the ball.",
+        "The floor from above, as the robot sees it (ahead is up): the true paths (gray), and what the tracker says.",
+        "Two maps. Above, the red track of the ball leaves the end of the ball's path, and crosses the path of the car; below, with joint assignment, it stays at the ball.",
     ),
     "follow": (
         "The robot follows the ball: its first and its last frame.",
-        "Left, the ball is far away to the left; right, it is near, in the middle of the image.",
+        "Left, the ball is far away, a little left of the middle; right, it is near, a little right of the middle.",
     ),
 }
 
@@ -355,7 +355,7 @@ show([frames[40], ball_weights(hsv_frames[40])], ["frame 40", "back-projection"]
      text=figure_texts["weights"])
 
 # %% [markdown]
-# The ball is bright. But so are the toy car, the pattern of the rug, and a few books.
+# The ball is bright. But so are the toy car, the chair, the pattern of the rug, and a few books.
 
 # %%
 # Check: the numbers in this section, and by hand the same weights as OpenCV
@@ -1430,14 +1430,14 @@ for name, path in (("each for itself", alone), ("joint", joint)):
           f"   car: max {car.max():.1f} cm   identity switches: {switches}")
 
 # %% tags=["long"]
-figure = Figure(figsize=(8, 4), layout="constrained")
-for axes, path, title in zip(figure.subplots(1, 2, sharey=True), (alone, joint),
+figure = Figure(figsize=(8, 6), layout="constrained")
+for axes, path, title in zip(figure.subplots(2, 1, sharex=True), (alone, joint),
                              ("each for itself", "joint assignment")):
-    axes.plot(*true_ball[:61].T, color="0.6", linewidth=6)
-    axes.plot(*true_car[:61].T, color="0.6", linewidth=6)
-    axes.plot(*path[:, 0].round(3).T, "r", label="track of the ball")
-    axes.plot(*path[:, 1].round(3).T, "b--", label="track of the car")
-    axes.set(title=title, xlabel="x (m)", ylabel="y (m)", aspect="equal")
+    axes.plot(true_ball[:61, 1], true_ball[:61, 0], color="0.7", linewidth=6)
+    axes.plot(true_car[:61, 1], true_car[:61, 0], color="0.7", linewidth=6)
+    axes.plot(path[:, 0, 1].round(3), path[:, 0, 0].round(3), "r", label="track of the ball")
+    axes.plot(path[:, 1, 1].round(3), path[:, 1, 0].round(3), "b--", label="track of the car")
+    axes.set(title=title, xlabel="y (m), left", ylabel="x (m), ahead", aspect="equal", xlim=(1, -1.5))
     axes.legend()
 show_figure(figure, text=figure_texts["paths"])
 
@@ -1449,7 +1449,7 @@ ball, car, switches = score(joint)
 assert ball.max() < 9 and car.max() < 9 and switches == 0 and linear_sum_assignment(example)[1].tolist() == [1, 0]
 
 # %% [markdown]
-# While both are one spot, both tracks take this spot. The car drives on, the track of the ball has learnt the speed of the car, and drives on with it: an *[[term:identity switch]]*. With **joint assignment**, the spot goes to the car, whose track fits better, and the track of the ball coasts for a few frames, until it sees the ball again.
+# While both are one spot, both tracks take it, and the track of the ball is pulled towards the car. When they separate, nothing is inside its gate any more, and it drives on in the wrong direction, nearer to the car than to the ball: an *[[term:identity switch]]*. With **joint assignment**, only one track gets the spot. The track of the ball coasts for a few frames, until it sees the ball again.
 #
 # ## 8 · Follow the ball (7 minutes)
 #

@@ -149,6 +149,33 @@ def test_a_node_that_sees_depth_alone_brakes_before_the_wall(robot, collect, wai
     assert vector(poses[-1])[0] - 0.21 + 0.9 == pytest.approx(float(node.stdout), abs=0.05)
 
 
+def test_the_lessons_node_follows_the_ball_from_another_process(robot, collect, wait_until):
+    from geometry_msgs.msg import PoseStamped
+    from visualization_msgs.msg import MarkerArray
+
+    from imgproc_course.geometry import Pose
+
+    start = (1.3, 0.2, 0.0)
+    robot.restart(start=start, seed=1, lighting="day")
+    balls, tracks = collect("/ball", PoseStamped), collect("/tracks", MarkerArray)
+    node = subprocess.run(
+        [sys.executable, Path(__file__).with_name("follow_ball.py"), "5"],
+        capture_output=True,
+        text=True,
+        timeout=200,
+    )
+    assert node.returncode == 0, node.stderr
+    assert 0 < len(balls) <= int(node.stdout) and 0 < len(tracks) <= int(node.stdout)
+    assert tracks[-1].markers[0].id == 0 and tracks[-1].markers[0].pose == balls[-1].pose
+    assert balls[-1].header.frame_id == "odom"
+    true_balls, cameras = collect("/truth/pose/ball", PoseStamped), collect("/truth/pose/camera", PoseStamped)
+    wait_until(lambda: true_balls and cameras)
+    ball, camera = vector(true_balls[-1])[:2], vector(cameras[-1])[:2]
+    assert math.dist(ball, camera) == pytest.approx(0.8, abs=0.15)
+    # Odometry drifts by some centimetres, and the ball may roll on after the node's end.
+    assert math.dist(Pose.planar(*start).apply(vector(balls[-1])[:3])[:2], ball) < 0.25
+
+
 def test_the_room_refuses_impossible_options_and_takes_others(robot):
     before = robot.pose
     with pytest.raises(ValueError, match="a wall or furniture is in its way"):

@@ -1,0 +1,75 @@
+"""The lesson on tracking: its solutions give what the field's tools give, on many inputs."""
+
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+
+from imgproc_course.exercises import read_exercises
+
+MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "13_object_tracking.py"
+
+
+@pytest.fixture(scope="module")
+def solutions():
+    """The function of each exercise's solution, by its name."""
+    return {
+        exercise.function: exercise.function_of(exercise.solution, "solution")
+        for exercise in read_exercises(MASTER)
+    }
+
+
+@pytest.mark.parametrize("bins", [4, 16, 18, 30, 32, 50, 90, 180])
+def test_backproject_is_calc_back_project(solutions, bins):
+    rng = np.random.default_rng(bins)
+    hue, weights = rng.integers(0, 180, (60, 80), np.uint8), rng.integers(0, 256, bins, np.uint8)
+    hue.ravel()[:180] = np.arange(180)
+    histogram = weights.astype(np.float32).reshape(-1, 1)
+    truth = cv2.calcBackProject([hue], [0], histogram, [0, 180], 1)
+    result = solutions["backproject"](hue, weights)
+    assert result.dtype == np.uint8
+    np.testing.assert_array_equal(result, truth)
+
+
+def test_mean_shift_step_is_one_iteration_of_mean_shift_on_500_boxes(solutions):
+    rng = np.random.default_rng(0)
+    for number in range(500):
+        weights = cv2.blur(rng.integers(0, 256, (90, 120), np.uint8), (9, 9))
+        weights[rng.random((90, 120)) < rng.choice([0.5, 0.99, 1.0])] = 0
+        box = (*rng.integers(0, (70, 50)).tolist(), *rng.integers(1, (50, 40)).tolist())
+        truth = cv2.meanShift(weights, box, (cv2.TERM_CRITERIA_COUNT, 1, 0))[1]
+        assert solutions["mean_shift_step"](weights, box) == tuple(truth), number
+
+
+def test_iou_is_that_of_the_masks(solutions):
+    rng = np.random.default_rng(1)
+    values = []
+    for _ in range(300):
+        boxes = [(*rng.integers(0, 20, 2).tolist(), *rng.integers(1, 20, 2).tolist()) for _ in range(2)]
+        masks = np.zeros((2, 40, 40), bool)
+        for mask, (col, row, width, height) in zip(masks, boxes, strict=True):
+            mask[row : row + height, col : col + width] = True
+        values.append((masks[0] & masks[1]).sum() / (masks[0] | masks[1]).sum())
+        assert solutions["iou"](*boxes) == pytest.approx(values[-1], abs=1e-12)
+    assert min(values) == 0 and max(values) > 0.5
+
+
+def test_predict_and_update_are_opencvs_kalman_filter(solutions):
+    rng = np.random.default_rng(2)
+    tool = cv2.KalmanFilter(4, 2, 0, cv2.CV_64F)
+    F, H = np.eye(4) + np.diag([0.1, 0.1], 2), np.eye(2, 4)
+    Q, R = np.diag([0.001, 0.002, 0.03, 0.04]), np.array([[0.01, 0.002], [0.002, 0.02]])
+    tool.transitionMatrix, tool.measurementMatrix = F, H
+    tool.processNoiseCov, tool.measurementNoiseCov = Q, R
+    tool.errorCovPost, tool.statePost = np.eye(4), np.ones((4, 1))
+    state, covariance = np.ones(4), np.eye(4)
+    for measurement in rng.normal(0, 1, (200, 2)):
+        state, covariance = solutions["predict"](state, covariance, F, Q)
+        np.testing.assert_allclose(tool.predict().ravel(), state, rtol=0, atol=1e-12)
+        np.testing.assert_allclose(tool.errorCovPre, covariance, rtol=0, atol=1e-12)
+        state, covariance = solutions["update"](state, covariance, measurement, H, R)
+        np.testing.assert_allclose(
+            tool.correct(measurement.reshape(2, 1)).ravel(), state, rtol=0, atol=1e-12
+        )
+        np.testing.assert_allclose(tool.errorCovPost, covariance, rtol=0, atol=1e-12)
