@@ -1557,7 +1557,7 @@ assert not ros_available() or 0 < node.distance < 0.6
 # | scan | (90,) | float64 | 0 to infinity | metre |
 # | time to collision | one number | float | 0 to infinity | second |
 #
-# Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+# **Next:** [[object_tracking]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
 
 # %%
 # Check: the numbers in the table

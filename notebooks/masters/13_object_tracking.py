@@ -780,7 +780,7 @@ guess_hits = None  # your guess: in how many of 90 frames?
 def overlap(a, b):
     """The IoU of two boxes, from their masks."""
     masks = np.zeros((2, 360, 640), bool)
-    for mask, (col, row, width, height) in zip(masks, (a, b)):
+    for mask, (col, row, width, height) in zip(masks, (a, b), strict=True):
         mask[row:row + height, col:col + width] = True
     return (masks[0] & masks[1]).sum() / (masks[0] | masks[1]).sum()
 
@@ -795,12 +795,12 @@ def track(tracker):
 
 
 mean_shift_boxes = track(cv2.meanShift)
-mean_shift_iou = [overlap(a, b) for a, b in zip(mean_shift_boxes, true_boxes)]
+mean_shift_iou = [overlap(a, b) for a, b in zip(mean_shift_boxes, true_boxes, strict=True)]
 compare_guess(guess_hits, sum(value >= 0.5 for value in mean_shift_iou))
 
 # %%
 camshift_boxes = track(cv2.CamShift)
-camshift_iou = [overlap(a, b) for a, b in zip(camshift_boxes, true_boxes)]
+camshift_iou = [overlap(a, b) for a, b in zip(camshift_boxes, true_boxes, strict=True)]
 print("CamShift hits:", sum(value >= 0.5 for value in camshift_iou))
 figure = Figure(figsize=(7, 3), layout="constrained")
 axes = figure.subplots()
@@ -1365,7 +1365,7 @@ def for_itself(costs):
 
 
 def jointly(costs):
-    return list(zip(*linear_sum_assignment(np.minimum(costs, 100))))
+    return list(zip(*linear_sum_assignment(np.minimum(costs, 100)), strict=True))
 
 
 class Tracker:
@@ -1432,7 +1432,7 @@ for name, path in (("each for itself", alone), ("joint", joint)):
 # %% tags=["long"]
 figure = Figure(figsize=(8, 6), layout="constrained")
 for axes, path, title in zip(figure.subplots(2, 1, sharex=True), (alone, joint),
-                             ("each for itself", "joint assignment")):
+                             ("each for itself", "joint assignment"), strict=True):
     axes.plot(true_ball[:61, 1], true_ball[:61, 0], color="0.7", linewidth=6)
     axes.plot(true_car[:61, 1], true_car[:61, 0], color="0.7", linewidth=6)
     axes.plot(path[:, 0, 1].round(3), path[:, 0, 0].round(3), "r", label="track of the ball")

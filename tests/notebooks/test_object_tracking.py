@@ -69,7 +69,5 @@ def test_predict_and_update_are_opencvs_kalman_filter(solutions):
         np.testing.assert_allclose(tool.predict().ravel(), state, rtol=0, atol=1e-12)
         np.testing.assert_allclose(tool.errorCovPre, covariance, rtol=0, atol=1e-12)
         state, covariance = solutions["update"](state, covariance, measurement, H, R)
-        np.testing.assert_allclose(
-            tool.correct(measurement.reshape(2, 1)).ravel(), state, rtol=0, atol=1e-12
-        )
+        np.testing.assert_allclose(tool.correct(measurement.reshape(2, 1)).ravel(), state, rtol=0, atol=1e-12)
         np.testing.assert_allclose(tool.errorCovPost, covariance, rtol=0, atol=1e-12)
