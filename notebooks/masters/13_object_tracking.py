@@ -296,6 +296,11 @@ def iou(a, b):
     return round(solution(a, b), 2)
 
 
+# %% role="mistake" name="whole division" says="// gives a whole number, so your result is 0 or 1. Divide with /."
+def iou(a, b):
+    return float(solution(a, b) // 1)
+
+
 # %% role="mistake" name="distance of the union" says="You return 1 - IoU, which is 0 for equal boxes. Return the IoU itself."
 def iou(a, b):
     return 1 - solution(a, b)
@@ -749,6 +754,26 @@ def mean_shift_step(weights, box):
     return min(max(col, 0), weights.shape[1] - width), min(max(row, 0), weights.shape[0] - height), width, height
 
 
+# %% role="mistake" name="borders exchanged" says="The two sizes of the image are exchanged: weights.shape[0] is the number of rows, and limits row; weights.shape[1] limits col."
+def mean_shift_step(weights, box):
+    col, row, width, height = step_with(weights, box, right_shift, inside=False)
+    if means_of(weights[box[1] : box[1] + height, box[0] : box[0] + width]) is None:
+        return box
+    return min(max(col, 0), weights.shape[0] - width), min(max(row, 0), weights.shape[1] - height), width, height
+
+
+# %% role="mistake" name="divided by the pixels" says="You divided by the number of pixels (or took a mean of the products). Divide by the sum of the weights, so that each pixel counts as much as its weight."
+def mean_shift_step(weights, box):
+    col, row, width, height = box
+    window = weights[row : row + height, col : col + width]
+    if not window.any():
+        return box
+    share = window.sum() / window.size
+    means = [mean * share for mean in means_of(window)]
+    col, row = col + round(means[0] - width / 2), row + round(means[1] - height / 2)
+    return min(max(col, 0), weights.shape[1] - width), min(max(row, 0), weights.shape[0] - height), width, height
+
+
 # %% role="mistake" name="row before column" says="The order is (col, row, width, height); you return row before col."
 def mean_shift_step(weights, box):
     col, row, width, height = solution(weights, box)
@@ -1102,6 +1127,11 @@ def predict(state, covariance, F, Q):
     return F @ covariance @ F.T + Q, F @ state
 
 
+# %% role="mistake" name="rounded" says="The numbers are rounded. Return the exact numbers, and leave round out."
+def predict(state, covariance, F, Q):
+    return (F @ state).round(2), (F @ covariance @ F.T + Q).round(2)
+
+
 # %% role="mistake" name="Q in between" says="Q is added too early: you multiplied it with F as well. Write F @ covariance @ F.T + Q."
 def predict(state, covariance, F, Q):
     return F @ state, F @ (covariance + Q) @ F.T
@@ -1276,6 +1306,12 @@ def update(state, covariance, measurement, H, R):
 def update(state, covariance, measurement, H, R):
     gain = gain_of(covariance, H, R)
     return state - gain @ (measurement - H @ state), (np.eye(len(state)) - gain @ H) @ covariance
+
+
+# %% role="mistake" name="plus the expected measurement" says="You added H @ state to the measurement. The gain belongs to their difference: measurement - H @ state."
+def update(state, covariance, measurement, H, R):
+    gain = gain_of(covariance, H, R)
+    return state + gain @ (measurement + H @ state), (np.eye(len(state)) - gain @ H) @ covariance
 
 
 # %% role="mistake" name="the whole measurement" says="You added gain @ measurement. The gain belongs to the difference, measurement - H @ state."

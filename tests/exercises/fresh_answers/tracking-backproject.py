@@ -18,6 +18,7 @@ def backproject(hue, weights):
     bins = hue.astype(int) * len(weights) // 180
     return weights[bins].mean()
 
-# %% name="a list of lists" origin="fresh" sentence="Return an array: weights[bins] gives one." must_say=["array"] kind="type"
+# %% name="the first row" origin="fresh" sentence="Return all rows of the image, not the first." must_say=["row|shape|\\(H, W\\)"] kind="shape"
 def backproject(hue, weights):
-    return [[weights[int(h) * len(weights) // 180] + 1 for h in row] for row in hue]
+    bins = hue.astype(int) * len(weights) // 180
+    return weights[bins][0]

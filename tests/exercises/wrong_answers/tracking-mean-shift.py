@@ -103,7 +103,7 @@ def mean_shift_step(weights, box):
     row = min(max(row, 0), weights.shape[0] - height)
     return col, row, width, height
 
-# %% name="leaves the image" origin="new" sentence="Keep the box inside the image." must_say=["inside"] kind="value"
+# %% name="leaves the image" origin="new" sentence="Keep the box inside the image." must_say=["inside|leaves"] kind="value"
 def mean_shift_step(weights, box):
     col, row, width, height = box
     window = weights[row:row + height, col:col + width]
