@@ -67,6 +67,10 @@ figure_texts = {
         "The floor from above, as the robot sees it (ahead is up): the true paths (gray), and what the tracker says.",
         "Two maps. Above, the red track of the ball leaves the end of the ball's path, and crosses the path of the car; below, with joint assignment, it stays at the ball.",
     ),
+    "live": (
+        "What the node saw last.",
+        "The ball on the floor of the living room, in front of the robot.",
+    ),
     "follow": (
         "The robot follows the ball: its first and its last frame.",
         "Left, the ball is far away, a little left of the middle; right, it is near, a little right of the middle.",
@@ -363,7 +367,7 @@ show([frames[40], ball_weights(hsv_frames[40])], ["frame 40", "back-projection"]
 # The ball is bright. But so are the toy car, the chair, the pattern of the rug, and a few books.
 
 # %%
-# Check: the numbers in this section, and by hand the same weights as OpenCV
+# Check: the numbers, and by hand the same weights
 assert weights[2:].max() == 0 and wrong_bin == 1 and (hue * 18)[0] == 194
 by_hand = weights[hsv_frames[40][:, :, 0] // 10]
 assert (np.where(hsv_frames[40][:, :, 1] > 140, by_hand, 0) == ball_weights(hsv_frames[40])).all()
@@ -544,7 +548,7 @@ print("mean column", mean_col, "  mean row", mean_row)
 compare_guess(guess_shift, round(mean_col - 6 / 2))
 
 # %%
-# Check: the numbers in this section, and OpenCV moves this box by the same two columns
+# Check: the numbers, and OpenCV moves this box too
 assert total == 50 and (line * cols).sum() / total == 3 and round(0.5) == 0 and round(1.5) == 2
 assert (mean_col, mean_row) == (4.5, 1.5) and round(mean_col - 6 / 2) == 2
 larger = np.pad(window, ((0, 7), (0, 6))).astype(np.uint8)
@@ -892,14 +896,17 @@ floor_point = pose.position + depth_of_floor * direction
 print("h", pose.position[2].round(2), "  meets the floor at", floor_point[:2].round(2))
 floor_error = math.dist(floor_point[:2], recording.pose("ball", 20)[:2])
 print("distance from the true place:", round(100 * floor_error), "cm")
-depth_of_width = camera.fx * 0.22 / width  # the ball is 0.22 m wide
-middle = pose.apply(camera.unproject((center_col, center_row)) * depth_of_width)
-width_error = math.dist(middle[:2], recording.pose("ball", 20)[:2])
-print("with the depth from the width:", round(100 * width_error), "cm")
 
 # %% [markdown]
-# For a box, the first way is good. A ball is round: the ray just below it passes the place where it touches the floor, and meets the floor behind it. Who knows the real width of an object can compute the depth from its width in the image, f · 0.22 / width: a ball that is twice as far looks half as wide.
-#
+# For a box, this is a good way. A ball is round: the ray just below it passes the place where it touches the floor, and meets the floor behind it. But we know that the ball is 0.22 m wide, and a ball that is twice as far looks half as wide:
+
+# %%
+depth_of_width = camera.fx * 0.22 / width
+middle = pose.apply(ray * depth_of_width)
+width_error = math.dist(middle[:2], recording.pose("ball", 20)[:2])
+print("distance from the true place:", round(100 * width_error), "cm")
+
+# %% [markdown]
 # The depth image needs no such knowledge. With it, we find all red things that stand on the floor:
 #
 # 1. A pixel is red if its weight is at least 128. [[term:connected component|Connected]] red pixels form one spot; spots of fewer than 15 pixels are left out.
@@ -1178,7 +1185,7 @@ kalman.correct(np.array([[2.05], [0.98]]))
 print("state", kalman.statePost.ravel().round(3))
 
 # %% tags=["long"]
-# Check: the numbers in this section, and OpenCV's filter against the formulas, over 50 measurements
+# Check: the numbers, and OpenCV's filter has the same
 assert round(gain[1, 0], 3) == 1.106 and abs(combined - 2.08) < 1e-9 and abs(combined_variance - 0.008) < 1e-9
 assert (state + gain @ surprise).round(3).tolist() == [2.106, 0.611]
 kalman = new_filter([2.0, 1.0])
@@ -1426,8 +1433,9 @@ class Tracker:
         costs = costs_of(self.filters.values(), places)
         for row, thing in self.assign(costs):
             if costs[row, thing] < 9.21:
-                self.filters[numbers[row]].correct(places[thing].reshape(2, 1))
-                self.misses[numbers[row]] = 0
+                number = numbers[row]
+                self.filters[number].correct(places[thing].reshape(2, 1))
+                self.misses[number] = 0
         for number in numbers:
             if self.misses[number] > 20:
                 del self.filters[number]
@@ -1641,6 +1649,7 @@ if ros_available():
     session.remove_node(node)
     print("looks:", node.looks, "  tracks:", len(node.tracker.filters))
     live_camera.stop()
+    show(image_to_array(node.image, "bgr8"), text=figure_texts["live"])
 
 # %%
 # Check: the node looked

@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
-from imgproc_course.exercises import read_exercises
+from imgproc_course.exercises import read_exercises, run_cases
 
 MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "13_object_tracking.py"
 
@@ -71,3 +71,12 @@ def test_predict_and_update_are_opencvs_kalman_filter(solutions):
         state, covariance = solutions["update"](state, covariance, measurement, H, R)
         np.testing.assert_allclose(tool.correct(measurement.reshape(2, 1)).ravel(), state, rtol=0, atol=1e-12)
         np.testing.assert_allclose(tool.errorCovPost, covariance, rtol=0, atol=1e-12)
+
+
+def test_feedback_on_matrices_does_not_explain_their_product():
+    def predict(state, covariance, F, Q):
+        return F @ state, F @ covariance
+
+    exercise = next(e for e in read_exercises(MASTER) if e.function == "predict")
+    feedback = repr(run_cases(exercise, predict))
+    assert "tracking-predict: 0 of 2 checks pass" in feedback and "value by value" not in feedback
