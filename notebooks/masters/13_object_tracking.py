@@ -2,7 +2,7 @@
 # jupyter:
 #   imgproc_course:
 #     title: Object tracking
-#     minutes: 70
+#     minutes: 75
 # ---
 
 # %% [markdown]
@@ -17,7 +17,7 @@
 # - keep two objects apart that look the same, by joint assignment,
 # - write a node that follows a ball.
 #
-# **Time** about 70 minutes, with a pause after section 4. **You need** [[obstacles_ahead]] and [[arrays]]. Only the last part of section 8 needs ROS 2.
+# **Time** about 75 minutes, with a pause after section 4. **You need** [[obstacles_ahead]] and [[arrays]]. Only the last part of section 8 needs ROS 2.
 
 # %% role="given" exercise=["tracking-iou", "tracking-backproject", "tracking-mean-shift", "tracking-predict", "tracking-update"]
 import math
