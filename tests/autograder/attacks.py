@@ -39,6 +39,7 @@ class Attack:
     outcomes    the outcomes that its cases may have
     reported    text that the public case's message must contain
     unreported  text that it must not contain, "" if there is none
+    slow        it takes long until its limit ends it: only the benchmark grades it
     """
 
     number: int
@@ -47,6 +48,7 @@ class Attack:
     outcomes: frozenset = field(default_factory=lambda: frozenset({"wrong"}))
     reported: str = ""
     unreported: str = ""
+    slow: bool = False
 
     @property
     def title(self):
@@ -58,11 +60,11 @@ WRONG = "\ndef double(pixels):\n    return np.zeros(pixels.shape, np.uint8)\n"
 ATTACKS = []
 
 
-def attack(number, name, source, *outcomes, reported="", unreported="", wrong=True):
-    """Add an attack; `wrong` appends an honest wrong answer."""
+def attack(number, name, source, *outcomes, wrong=True, **more):
+    """Add an attack; `wrong` appends an honest wrong answer, `more` are fields of it."""
     if isinstance(source, str):
         source = dedent(source) + (WRONG if wrong else "")
-    ATTACKS.append(Attack(number, name, source, frozenset(outcomes or ("wrong",)), reported, unreported))
+    ATTACKS.append(Attack(number, name, source, frozenset(outcomes or ("wrong",)), **more))
 
 
 # ---------------------------------------------------------------- comments for nbval, and malformed sources
@@ -1677,6 +1679,210 @@ for _number, _name, _body in (
     attack(_number, _name, CONSTANTS.replace("BODY", _body), wrong=False)
 
 
+# ---------------------------------------------------------------- five more of each kind
+
+for _number, _name, _form in (
+    (
+        401,
+        "a form of an array of structures",
+        {"type": "ndarray", "dtype": "u1,u1", "shape": [6], "data": "AAAA"},
+    ),
+    (
+        402,
+        "a form whose shape holds words",
+        {"type": "ndarray", "dtype": "uint8", "shape": ["3", "4"], "data": ""},
+    ),
+    (
+        403,
+        "a form of a thousand axes",
+        {"type": "ndarray", "dtype": "uint8", "shape": [1] * 1000, "data": "AA=="},
+    ),
+    (404, "a form whose type is a megabyte of words", {"type": "float" * 200_000, "value": 1.0}),
+    (
+        405,
+        "a form of a dict whose items have no value",
+        {"type": "dict", "items": [[{"type": "str", "value": "\ud800"}], [], [1, 2, 3]]},
+    ),
+):
+    attack(_number, _name, FORGED.format(form=repr(_form)), "hostile", "wrong", wrong=False)
+
+for _number, _name, _tries in (
+    (
+        411,
+        "another time for the machine",
+        """
+        for step in (
+            lambda: time.clock_settime(time.CLOCK_REALTIME, 0.0),
+            lambda: ctypes.CDLL(None).adjtimex(ctypes.create_string_buffer(b"\\x02", 256)) < 0 and 1 / 0,
+        ):
+            try:
+                step()
+                left.append("time")
+            except (OSError, ArithmeticError):
+                pass
+        """,
+    ),
+    (
+        412,
+        "a program in the kernel, and counters of everything",
+        """
+        for number in (321, 298, 323, 425):  # bpf, perf_event_open, userfaultfd, io_uring_setup
+            space = ctypes.create_string_buffer(512)
+            left += [number] * (libc.syscall(number, 0, space, 120, -1, 0) >= 0)
+        """,
+    ),
+    (
+        413,
+        "a control group of its own, and the memory of all",
+        """
+        for path in ("/sys/fs/cgroup", "/sys/fs/cgroup/memory", "/proc/kcore", "/dev/mem", "/proc/sysrq-trigger"):
+            left += [path] * os.access(path, os.W_OK)
+        """,
+    ),
+    (
+        414,
+        "a terminal that the next one reads from",
+        """
+        try:
+            controller, terminal = os.openpty()
+            left += ["note"] * (os.ttyname(terminal) != "/dev/pts/0")
+            stay(lambda: os.write(controller, b"note"))
+        except OSError:
+            pass
+        """,
+    ),
+    (
+        415,
+        "a limit or a priority of a process that is not its own",
+        """
+        import resource
+        for pid in (1, os.getppid(), 2, 3):
+            for step in (
+                lambda: resource.prlimit(pid, resource.RLIMIT_NOFILE, (8, 8)),
+                lambda: os.setpriority(os.PRIO_PROCESS, pid, 19),
+                lambda: os.sched_setaffinity(pid, {0}),
+            ):
+                try:
+                    left += [step()] if pid and pid != os.getpid() else []
+                except OSError:
+                    pass
+        """,
+    ),
+):
+    _body = "\n".join(f"    {line}" for line in dedent(_tries).strip().splitlines())
+    attack(_number, _name, MARKS.format(tries=_body), "raised", reported="left []", wrong=False)
+
+for _number, _name, _body, _slow in (
+    (421, "a regular expression that never ends", "__import__('re').match('(a+)+$', 'a' * 64 + 'b')", False),
+    (422, "a sum over more numbers than there is time", "sum(range(10**13))", True),
+    (423, "a number with more digits than there is time", "str(3 ** 3 ** 20)", False),
+    (
+        424,
+        "a list that is sorted for ever",
+        "sorted(range(10), key=lambda n: [None for _ in iter(int, 1)])",
+        False,
+    ),
+    (
+        425,
+        "alarms as fast as the system sends them",
+        "signal = __import__('signal')\n    signal.signal(signal.SIGALRM, lambda *a: None)\n"
+        "    signal.setitimer(signal.ITIMER_REAL, 1e-6, 1e-6)\n    for _ in iter(int, 1): pass",
+        True,
+    ),
+):
+    _source = f"def double(pixels):\n    {_body}\n    return pixels\n"
+    attack(_number, _name, _source, "time", "raised", "memory", wrong=False, slow=_slow)
+
+USES = """
+import importlib.util, os, subprocess, sys
+def double(pixels):
+    BODY
+    return cv2.add(pixels, pixels)
+"""
+for _number, _name, _body in (
+    (
+        431,
+        "another Python that may import everything",
+        "code = 'import cv2, sys, numpy as n; a = n.frombuffer(sys.stdin.buffer.read(), n.uint8);'\n"
+        "    code += 'sys.stdout.buffer.write(cv2.add(a, a).tobytes())'\n"
+        "    data = subprocess.run([sys.executable, '-c', code], input=pixels.tobytes(), capture_output=True)\n"
+        "    return np.frombuffer(data.stdout, np.uint8).reshape(pixels.shape)",
+    ),
+    (
+        432,
+        "the module from every folder that could have it",
+        "for folder, _, files in os.walk('/'):\n"
+        "        if any(name.startswith('cv2') for name in files): sys.path.insert(0, folder)\n"
+        "    import cv2",
+    ),
+    (
+        433,
+        "an import hook of its own",
+        "sys.meta_path[:] = [m for m in sys.meta_path if 'Path' in repr(m)]\n    import cv2",
+    ),
+    (
+        434,
+        "the library behind the module, without Python",
+        "import ctypes.util\n    cv2 = ctypes.CDLL(ctypes.util.find_library('opencv_core') or 'libopencv_core.so')",
+    ),
+    (
+        435,
+        "the module out of memory that something else has mapped",
+        "maps = [line.split()[-1] for line in open('/proc/self/maps') if 'cv2' in line]\n"
+        "    spec = importlib.util.spec_from_file_location('cv2', maps[0])\n"
+        "    cv2 = importlib.util.module_from_spec(spec)",
+    ),
+):
+    attack(_number, _name, USES.replace("BODY", _body), "raised", "refused module", "time", wrong=False)
+
+for _number, _name, _body in (
+    (
+        441,
+        "what is most frequent in the remembered answer",
+        "return np.full_like(pixels, np.bincount(ANSWERS[0]).argmax())",
+    ),
+    (442, "white above the middle, black below", "return np.where(pixels > 127, 255, 0).astype(np.uint8)"),
+    (443, "one bit more", "return pixels | 128"),
+    (444, "the input of the next call, guessed", "return np.roll(pixels, 1)"),
+    (
+        445,
+        "a table of remembered values, the nearest for others",
+        "near = np.abs(KNOWN[0].astype(int)[:, None] - pixels.ravel()).argmin(axis=0)\n"
+        "    return ANSWERS[0][near].reshape(pixels.shape)",
+    ),
+):
+    attack(_number, _name, CONSTANTS.replace("BODY", _body), wrong=False)
+
+for _number, _name, _body in (
+    (451, "every descriptor is closed", "__import__('os').closerange(0, 256)\n    return pixels"),
+    (452, "no depth is left for the check", "__import__('sys').setrecursionlimit(30)\n    return pixels"),
+    (
+        453,
+        "an array without memory of its own",
+        "return np.lib.stride_tricks.as_strided(pixels, (1 << 15, 1 << 15), (0, 0))",
+    ),
+    (
+        454,
+        "a class of array that fails whenever it is looked at",
+        "class Fails(np.ndarray):\n        def __array_finalize__(self, other): raise SystemError('no')\n"
+        "        def __getattribute__(self, name): raise SystemError(name)\n"
+        "    return np.ndarray.__new__(Fails, pixels.shape, np.uint8)",
+    ),
+    (
+        455,
+        "an exception that is its own cause",
+        "error = ValueError('x')\n    error.__cause__ = error.__context__ = error\n    raise error",
+    ),
+):
+    attack(
+        _number,
+        _name,
+        f"def double(pixels):\n    {_body}\n",
+        *("wrong", "crashed", "raised", "memory", "hostile", "time", "output"),
+        wrong=False,
+    )
+
+
 # ---------------------------------------------------------------- grading them all
 
 
@@ -1723,12 +1929,13 @@ def show_values(exercise):
             answer_images(None, name, expected, actual, wrong)
 
 
-def grade_attacks(key, *, quiet=True, **options):
+def grade_attacks(key, attacks=ATTACKS, *, quiet=True, **options):
     """Grade an honest submission, then each attack with an honest submission after it.
 
     Parameters
     ----------
     key : Key of MASTERS
+    attacks : list of Attack
     quiet : bool or None, as tqdm's `disable`
     options : as `autograde` takes them
 
@@ -1737,7 +1944,7 @@ def grade_attacks(key, *, quiet=True, **options):
     list of AttackResult
     """
     submissions = [("alone", LESSON, RIGHT)]
-    for attack in ATTACKS:
+    for attack in attacks:
         submissions.append((attack.title, LESSON, RIGHT | {"attacked-double": attack.source}))
         submissions.append((f"after {attack.title}", LESSON, RIGHT))
     graded = autograde(submissions, key, **({"limits": SHORT} | options))
@@ -1745,7 +1952,7 @@ def grade_attacks(key, *, quiet=True, **options):
     results = {result.name: result for result in bar}
     return [
         AttackResult(attack, results[attack.title], results[f"after {attack.title}"], results["alone"])
-        for attack in ATTACKS
+        for attack in attacks
     ]
 
 

@@ -9,8 +9,10 @@ import io
 import json
 import os
 import socket
+import warnings
 import zipfile
 from dataclasses import dataclass
+from datetime import datetime
 from pathlib import Path
 
 from submissions import answers_of, cell_of, notebook, write
@@ -484,6 +486,53 @@ def _deep_folders(folder, light):
         os.close(descriptor)
         descriptor = deeper
     os.close(descriptor)
+
+
+@attack(
+    221,
+    "the neighbour's name in capitals",
+    folder="221 THE NEIGHBOUR'S NAME IN CAPITALS, NEIGHBOUR",
+)
+def _capitals(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light), datetime(2099, 1, 1))
+
+
+@attack(
+    222,
+    "the neighbour's name and a mark that nobody sees",
+    folder="222 the neighbour's name and a mark that nobody sees, neighbour\u200b",
+)
+def _unseen_mark(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light), datetime(2099, 1, 1))
+
+
+@attack(223, "one name twice in a zip", "submitted 2 times")
+def _one_name_twice(folder, light):
+    answers = [wrong_notebook(light), notebook(light, answers_of(light, "untouched"))]
+    with warnings.catch_warnings(action="ignore"):
+        _zip(folder, [(f"{LESSON}.ipynb", json.dumps(lesson)) for lesson in answers])
+
+
+@attack(224, "names of another system in a zip", "but came from 224")
+def _names_of_another_system(folder, light):
+    names = (f"..\\{_neighbour_of(folder)}\\{LESSON}.ipynb", f"C:\\{LESSON}.ipynb", f"{LESSON}.ipynb:x")
+    _zip(folder, [(name, json.dumps(wrong_notebook(light))) for name in (f"{LESSON}.ipynb", *names)])
+
+
+@attack(225, "a notebook of three hundred thousand cells", "at most 5000 are read")
+def _many_cells(folder, light):
+    lesson = wrong_notebook(light)
+    lesson["cells"] += [{"cell_type": "code", "source": "", "metadata": {}, "outputs": []}] * 300_000
+    write(folder / f"{LESSON}.ipynb", lesson)
+
+
+@attack(226, "a zip that asks for a password", "locked with a password")
+def _password(folder, light):
+    path = _zip(folder, [(f"{LESSON}.ipynb", json.dumps(wrong_notebook(light)))])
+    data = bytearray(path.read_bytes())
+    for signature, place in ((b"PK\x03\x04", 6), (b"PK\x01\x02", 8)):  # the flags of a member: encrypted
+        data[data.index(signature) + place] |= 1
+    path.write_bytes(data)
 
 
 # ---------------------------------------------------------------- grading them all
