@@ -1415,17 +1415,20 @@ def jointly(costs):
 
 
 class Tracker:
-    """Tracks the things that it saw first; a track ends after 2 s without any."""
+    """A thing that is 0.5 m from all tracks begins one; 2 s without a thing end it."""
 
     def __init__(self, assign):
         self.assign = assign
-        self.filters, self.misses = {}, {}
+        self.filters, self.misses, self.count = {}, {}, 0
 
     def step(self, places):
-        if not self.filters:
-            for number, place in enumerate(places):
-                self.filters[number] = new_filter(place)
-                self.misses[number] = 0
+        if 0 not in self.filters:  # begin: the largest thing is track 0
+            self.filters, self.misses, self.count = {}, {}, 0
+        for place in places:
+            if all(math.dist(place, self.place(number)) > 0.5 for number in self.filters):
+                self.filters[self.count] = new_filter(place)
+                self.misses[self.count] = 0
+                self.count += 1
         numbers = list(self.filters)
         for number in numbers:
             self.filters[number].predict()

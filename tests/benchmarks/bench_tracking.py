@@ -79,7 +79,7 @@ def floor_errors(drive, lesson, places, assign, push, error):
     tracker, ball, car = lesson["Tracker"](assign), [], []
     make = lesson["new_filter"]
     tracker.filters = {number: make(place, 0.1, push, error) for number, place in enumerate(places[0])}
-    tracker.misses = dict.fromkeys(tracker.filters, 0)
+    tracker.misses, tracker.count = dict.fromkeys(tracker.filters, 0), len(places[0])
     last = [None, None]
     for found in places:
         tracker.step(found)
