@@ -1,14 +1,18 @@
 """Links between lessons and into the glossary, clicked as a learner does."""
 
+import shutil
+
 import nbformat
 import pytest
-from jupyter_page import ROOT
+from jupyter_page import OPEN_NOTEBOOK, ROOT
 from nbformat.v4 import new_markdown_cell, new_notebook
 
 from imgproc_course.authoring.build import lesson_notebook
+from imgproc_course.authoring.handout import hand_out
 from imgproc_course.authoring.masters import find_masters, read_master
 from imgproc_course.authoring.pages import build_pages
 from imgproc_course.authoring.references import References
+from imgproc_course.working_copies import update_lessons
 
 pytestmark = pytest.mark.browser
 MASTERS = ROOT / "notebooks" / "masters"
@@ -42,3 +46,21 @@ def page(lab, open_notebook):
 def test_a_link_leads_to_its_heading(page, link, heading):
     page.locator(".jp-Notebook a", has_text=link).first.click()
     page.wait_for_function(IN_VIEW, arg=heading, timeout=20_000)
+
+
+def test_a_link_into_the_glossary_works_from_each_place_of_a_lesson(lab, tab):
+    for folder in ("notebooks", "my_lessons", "handout"):
+        target = lab[1] / "places" / folder
+        if folder == "notebooks":
+            shutil.copytree(ROOT / folder, target, ignore=shutil.ignore_patterns("masters"))
+        elif folder == "my_lessons":
+            update_lessons(target=target)
+        else:
+            hand_out(target, ROOT / "notebooks", ["grayscale"])
+        (lesson,) = target.glob("*_grayscale.ipynb")
+        page = tab()
+        page.evaluate(OPEN_NOTEBOOK, f"places/{folder}/{lesson.name}")
+        page.locator(".jp-Notebook a", has_text="gamma-encoded").first.click()
+        page.wait_for_function(IN_VIEW, arg="gamma", timeout=60_000)
+        path = page.evaluate("window.jupyterapp.shell.currentWidget.context.path")
+        assert path == f"places/{folder}/glossary.ipynb"

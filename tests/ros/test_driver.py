@@ -52,10 +52,19 @@ def test_keys_drive_the_robot_and_x_ends(wait_until):
         os.close(ours)
 
 
-def test_without_a_terminal_it_shows_the_robot_until_a_signal(start_python):
+def test_without_a_terminal_it_shows_the_robot_until_a_signal(start_python, session):
+    from imgproc_course.ros import Robot
+
     process = start_python(DRIVE.format("status_seconds=0.1, lighting='evening'"))
     assert process.stdout.readline().startswith("started: the room (seed 0, evening, 640×360) at 5 Hz on ")
     assert PLACE.match(process.stdout.readline()).groups() == ("0.00", "0.00", "0", "0")
+    second = start_python(DRIVE.format("status_seconds=0.1, lighting='evening'"))
+    assert second.stdout.readline().startswith(f"joined the robot of python -c (pid {process.pid}): the room")
     process.send_signal(signal.SIGINT)
     out, err = process.communicate(timeout=60)
     assert (process.returncode, err, out.splitlines()[-1]) == (0, "", "stopped")
+    with Robot() as robot:
+        assert robot.pose == (0, 0, 0)  # it goes on for the second
+    second.send_signal(signal.SIGINT)
+    out, err = second.communicate(timeout=60)
+    assert (second.returncode, err, out.splitlines()[-1]) == (0, "", "stopped")

@@ -39,7 +39,8 @@ def test_without_loop_it_ends_by_itself(run_python):
     )
 
 
-def test_it_joins_a_camera_that_runs_and_leaves_it_running(start_python):
+def test_it_joins_a_camera_that_runs_and_leaves_it_running(start_python, session):
+    from imgproc_course.ros import ImageSubscriber
     from imgproc_course.ros.robot_process import User
 
     first = start_python(PLAY.format("speed=3.0"))
@@ -53,6 +54,10 @@ def test_it_joins_a_camera_that_runs_and_leaves_it_running(start_python):
     third = start_python(PLAY.format("switch=True"))
     assert third.stdout.readline().startswith(f"joined the camera of {name}: drive at 10 Hz")
     assert first.stderr.readline().startswith(f"{User('python -c', third.pid)} has switched the robot: ")
+    first.send_signal(signal.SIGINT)  # the one that started it
+    out, _ = first.communicate(timeout=60)
+    assert out == f"left; the camera goes on for {User('python -c', third.pid)}\n"
+    assert ImageSubscriber("/kachaka/front_camera/image_raw").wait(60).shape == (720, 1280, 3)
 
 
 def test_the_status_line_without_subscribers(start_python):
