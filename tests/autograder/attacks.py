@@ -39,7 +39,7 @@ class Attack:
     outcomes    the outcomes that its cases may have
     reported    text that the public case's message must contain
     unreported  text that it must not contain, "" if there is none
-    slow        it takes long until its limit ends it: only the benchmark grades it
+    slow        it takes long until its limit ends it
     """
 
     number: int

@@ -2,6 +2,7 @@
 
 import math
 import os
+import signal
 import subprocess
 import sys
 import time
@@ -158,22 +159,27 @@ def test_the_lessons_node_follows_the_ball_from_another_process(robot, collect, 
     start = (1.3, 0.2, 0.0)
     robot.restart(start=start, seed=1, lighting="day")
     balls, tracks = collect("/ball", PoseStamped), collect("/tracks", MarkerArray)
-    node = subprocess.run(
-        [sys.executable, Path(__file__).with_name("follow_ball.py"), "5"],
-        capture_output=True,
-        text=True,
-        timeout=200,
-    )
-    assert node.returncode == 0, node.stderr
-    assert 0 < len(balls) <= int(node.stdout) and 0 < len(tracks) <= int(node.stdout)
+    true_balls, cameras = collect("/truth/pose/ball", PoseStamped), collect("/truth/pose/camera", PoseStamped)
+
+    def distance():
+        return math.dist(vector(true_balls[-1])[:2], vector(cameras[-1])[:2])
+
+    def error():  # odometry drifts by some centimetres
+        ball = Pose.planar(*start).apply(vector(balls[-1])[:3])
+        return math.dist(ball[:2], vector(true_balls[-1])[:2])
+
+    wait_until(lambda: true_balls and cameras)
+    assert distance() > 1.2
+    program = Path(__file__).with_name("follow_ball.py")
+    with subprocess.Popen([sys.executable, program, "inf"], stdout=subprocess.PIPE, text=True) as node:
+        try:  # on a busy machine it looks seldom, and drives slowly
+            wait_until(lambda: balls and abs(distance() - 0.8) < 0.15 and error() < 0.25, 150)
+        finally:
+            node.send_signal(signal.SIGINT)
+        looks = int(node.communicate(timeout=60)[0])
+    assert 0 < len(balls) <= looks + 1 and 0 < len(tracks) <= looks + 1  # ended between sending and counting
     assert tracks[-1].markers[0].id == 0 and tracks[-1].markers[0].pose == balls[-1].pose
     assert balls[-1].header.frame_id == "odom"
-    true_balls, cameras = collect("/truth/pose/ball", PoseStamped), collect("/truth/pose/camera", PoseStamped)
-    wait_until(lambda: true_balls and cameras)
-    ball, camera = vector(true_balls[-1])[:2], vector(cameras[-1])[:2]
-    assert math.dist(ball, camera) == pytest.approx(0.8, abs=0.15)
-    # Odometry drifts by some centimetres, and the ball may roll on after the node's end.
-    assert math.dist(Pose.planar(*start).apply(vector(balls[-1])[:3])[:2], ball) < 0.25
 
 
 def test_the_room_refuses_impossible_options_and_takes_others(robot):
@@ -226,45 +232,6 @@ def test_a_client_says_what_is_wrong(robot, monkeypatch):
         other.drive(0.1, 0)
 
 
-def test_after_its_process_was_killed_the_notebook_goes_on(robot, wait_until, caplog):
-    from imgproc_course.ros import ImageSubscriber, open_camera
-
-    robot.restart(start=(0.4, -0.3, 0.0))
-    robot.drive(0.2, 0.0, seconds=1.0)
-    assert robot.pose[0] > 0.05
-    with ImageSubscriber(f"{CAMERA}/image_raw") as subscriber:
-        subscriber.wait(30)
-        for process in psutil.process_iter(["cmdline"]):
-            command = process.info["cmdline"] or []
-            is_robot = "camera_publisher import main" in " ".join(command)
-            if is_robot and command[-3] == os.environ["ROS_DOMAIN_ID"]:
-                process.kill()
-        wait_until(lambda: any("ended unexpectedly" in record.message for record in caplog.records))
-        with open_camera("room", rate=15):
-            assert subscriber.wait(60).shape == (360, 640, 3)
-            assert robot.pose[0] == pytest.approx(0, abs=1e-9)  # it has begun again
-            robot.drive(0.0, 1.0, seconds=0.5)
-            assert robot.pose[2] > 0.05
-
-
-@pytest.mark.parametrize(
-    ("options", "message"),
-    [
-        ({"seed": 3, "source": "recording"}, "seed 3 with source 'recording': only the room"),
-        ({"rate": 0}, "rate must be 1 to 60 images per second, got 0"),
-        ({"size": 640}, r"size must be \(width, height\), got 640"),
-        ({"start": (1, 2)}, r"start must be \(x, y, yaw\) in metres and radians, got \(1, 2\)"),
-        ({"start": (1, 2, math.nan)}, "start must be"),
-        ({"speed": 2.0}, "speed 2.0 with source 'room': only a recording"),
-    ],
-)
-def test_bad_options(options, message):
-    from imgproc_course.ros import open_camera
-
-    with pytest.raises(ValueError, match=message):
-        open_camera(**{"source": "room"} | options)
-
-
 def test_a_program_that_waits_during_a_restart_gets_the_next_odometry(robot):
     from nav_msgs.msg import Odometry
     from rclpy.qos import qos_profile_sensor_data
@@ -293,3 +260,48 @@ def test_a_program_that_waits_during_a_restart_gets_the_next_odometry(robot):
         assert publish_until(pool.submit(lambda: other.scan), scan, LaserScan()) == LaserScan()
         assert publish_until(x, odometry, after) == 2.0
     RosSession().run(lambda: [node.destroy_publisher(publisher) for publisher in (odometry, scan)])
+
+
+def test_after_its_process_was_killed_the_notebook_goes_on(robot, wait_until, caplog):
+    from imgproc_course.ros import ImageSubscriber, open_camera
+
+    robot.restart(start=(0.4, -0.3, 0.0))
+    robot.drive(0.2, 0.0, seconds=1.0)
+    assert robot.pose[0] > 0.05
+    with ImageSubscriber(f"{CAMERA}/image_raw") as subscriber:
+        subscriber.wait(30)
+        for process in psutil.process_iter(["cmdline"]):
+            command = process.info["cmdline"] or []
+            is_robot = "camera_publisher import main" in " ".join(command)
+            if is_robot and command[-3] == os.environ["ROS_DOMAIN_ID"]:
+                process.kill()
+        wait_until(lambda: any("ended unexpectedly" in record.message for record in caplog.records))
+        with open_camera("room", rate=15):
+            assert subscriber.wait(60).shape == (360, 640, 3)
+            assert robot.pose[0] == pytest.approx(0, abs=1e-9)  # it has begun again
+
+            def turns():
+                robot.drive(0.0, 1.0, seconds=0.5)
+                return robot.pose[2] > 0.05
+
+            # Fast DDS lists the killed robot's subscription for 20 s, so Robot cannot see when the new one is
+            # there: the first commands may be lost.
+            wait_until(turns)
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        ({"seed": 3, "source": "recording"}, "seed 3 with source 'recording': only the room"),
+        ({"rate": 0}, "rate must be 1 to 60 images per second, got 0"),
+        ({"size": 640}, r"size must be \(width, height\), got 640"),
+        ({"start": (1, 2)}, r"start must be \(x, y, yaw\) in metres and radians, got \(1, 2\)"),
+        ({"start": (1, 2, math.nan)}, "start must be"),
+        ({"speed": 2.0}, "speed 2.0 with source 'room': only a recording"),
+    ],
+)
+def test_bad_options(options, message):
+    from imgproc_course.ros import open_camera
+
+    with pytest.raises(ValueError, match=message):
+        open_camera(**{"source": "room"} | options)
