@@ -32,7 +32,3 @@ c.ServerApp.use_redirect_file = not (
 
 # An image follows its slider at once, not 40 ms later.
 c.ServerApp.kernel_websocket_connection_class = "imgproc_course.lab_websocket.PromptWebsocketConnection"
-
-# labconfig/default_setting_overrides.json sets windowingMode to "none": with "contentVisibility", the default
-# of JupyterLab 4.6, heights of cells out of view are estimates, and a link into another notebook can end
-# beside its heading.

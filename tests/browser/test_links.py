@@ -6,6 +6,7 @@ import nbformat
 import pytest
 from jupyter_page import OPEN_NOTEBOOK, ROOT
 from nbformat.v4 import new_markdown_cell, new_notebook
+from playwright.sync_api import TimeoutError as PlaywrightTimeoutError
 
 from imgproc_course.authoring.build import lesson_notebook
 from imgproc_course.authoring.handout import hand_out
@@ -42,10 +43,26 @@ def page(lab, open_notebook):
     return open_notebook("links.ipynb").page
 
 
+def click(page, source, link, heading):
+    """Clicks a link of the notebook `source`, and waits until the heading is in view.
+
+    JupyterLab 4.6 scrolls once, before all cells above have their height: on a busy machine it can
+    end beside the heading. Not if the notebook is open already: then a second click leads there.
+    """
+    for is_last in (False, True):
+        page.locator(".jp-Notebook:visible a", has_text=link).first.click()
+        try:
+            page.wait_for_function(IN_VIEW, arg=heading, timeout=60_000 if is_last else 20_000)
+            return
+        except PlaywrightTimeoutError:
+            if is_last:
+                raise
+        page.evaluate("path => window.jupyterapp.commands.execute('docmanager:open', {path})", source)
+
+
 @pytest.mark.parametrize(("link", "heading"), TARGETS)
 def test_a_link_leads_to_its_heading(page, link, heading):
-    page.locator(".jp-Notebook a", has_text=link).first.click()
-    page.wait_for_function(IN_VIEW, arg=heading, timeout=20_000)
+    click(page, "links.ipynb", link, heading)
 
 
 def test_a_link_into_the_glossary_works_from_each_place_of_a_lesson(lab, tab):
@@ -59,8 +76,8 @@ def test_a_link_into_the_glossary_works_from_each_place_of_a_lesson(lab, tab):
             hand_out(target, ROOT / "notebooks", ["grayscale"])
         (lesson,) = target.glob("*_grayscale.ipynb")
         page = tab()
-        page.evaluate(OPEN_NOTEBOOK, f"places/{folder}/{lesson.name}")
-        page.locator(".jp-Notebook a", has_text="gamma-encoded").first.click()
-        page.wait_for_function(IN_VIEW, arg="gamma", timeout=60_000)
+        source = f"places/{folder}/{lesson.name}"
+        page.evaluate(OPEN_NOTEBOOK, source)
+        click(page, source, "gamma-encoded", "gamma")
         path = page.evaluate("window.jupyterapp.shell.currentWidget.context.path")
         assert path == f"places/{folder}/glossary.ipynb"
