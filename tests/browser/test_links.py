@@ -17,10 +17,13 @@ from imgproc_course.working_copies import update_lessons
 
 pytestmark = pytest.mark.browser
 MASTERS = ROOT / "notebooks" / "masters"
-IN_VIEW = """text => [...document.querySelectorAll(".jp-Notebook :is(h1, h2, h3)")].some(heading => {
-    const {top, bottom} = heading.getBoundingClientRect();
+# A cell that is not rendered yet when JupyterLab scrolls there stays Markdown source: .cm-line.
+HEADINGS = ".jp-Notebook :is(h1, h2, h3, .cm-line)"
+IN_VIEW = f"""text => [...document.querySelectorAll("{HEADINGS}")].some(heading => {{
+    const {{top, bottom}} = heading.getBoundingClientRect();
     return heading.textContent.includes(text) && heading.offsetParent && top >= 0 && bottom <= innerHeight;
-})"""
+}})"""
+OPEN_TOO = "path => { window.jupyterapp.commands.execute('docmanager:open', {path}); }"
 TEXT = "[[canny_stages#8]] | [[term:Otsu's method]] | [[term:zero padding]] | [[term:ROS]] | [[grayscale]]"
 TARGETS = [
     ("section 8 of lesson", "Edge tracking by hysteresis"),
@@ -57,7 +60,7 @@ def click(page, source, link, heading):
         except PlaywrightTimeoutError:
             if is_last:
                 raise
-        page.evaluate("path => window.jupyterapp.commands.execute('docmanager:open', {path})", source)
+        page.evaluate(OPEN_TOO, source)
 
 
 @pytest.mark.parametrize(("link", "heading"), TARGETS)
