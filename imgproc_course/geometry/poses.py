@@ -1,4 +1,4 @@
-"""Poses: rigid transforms, a rotation and a position."""
+"""Poses: rigid transforms, a rotation and a position; the one between two point sets; the error of a path."""
 
 import math
 from dataclasses import dataclass
@@ -100,3 +100,55 @@ def rotation_about(axis, angle):
     if axis == "y":
         return np.array([[c, 0, s], [0, 1, 0], [-s, 0, c]], float)
     return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]], float)
+
+
+def rigid_motion(before, after):
+    """The Pose whose `apply` takes the points before to those after, with the smallest sum of squares.
+
+    before, after : (N, 3), at least 3 pairs that do not lie on one line; metres. Flat sets are no exception:
+        the rotation is never a reflection.
+
+    Raises
+    ------
+    ValueError : other shapes, NaN or infinity, or points on one line
+
+    Source: Kabsch, A solution for the best rotation to relate two sets of vectors, 1976; as
+    scipy.spatial.transform.Rotation.align_vectors of the points less their means.
+    """
+    before, after = corresponding_points(before, after, columns=3, least=3)
+    center, center_after = before.mean(0), after.mean(0)
+    u, sizes, vt = np.linalg.svd((after - center_after).T @ (before - center))
+    if sizes[1] <= 1e-9 * sizes[0]:
+        raise ValueError(f"these {len(before)} points lie on one line: turning about it changes nothing")
+    u[:, 2] *= np.sign(np.linalg.det(u) * np.linalg.det(vt))
+    rotation = u @ vt
+    return Pose(rotation, center_after - rotate(rotation, center))
+
+
+def ate(positions, true_positions):
+    """Absolute trajectory error in metres: root mean square of the distances of paths (N, 2) or (N, 3).
+
+    The paths are not aligned before, unlike in many tables: both must be given in one frame.
+
+    Raises
+    ------
+    ValueError : other shapes, NaN or infinity
+
+    Source: Sturm et al., A Benchmark for the Evaluation of RGB-D SLAM Systems, 2012, equation 3.
+    """
+    columns = 2 if np.shape(true_positions)[-1:] == (2,) else 3
+    positions, true_positions = corresponding_points(positions, true_positions, columns, least=1)
+    return float(np.sqrt(((positions - true_positions) ** 2).sum(1).mean()))
+
+
+def corresponding_points(first, second, columns, least):
+    """Both as (N, columns) float64, N at least `least`; ValueError for what is not."""
+    first, second = np.asarray(first, float), np.asarray(second, float)
+    if first.shape != second.shape or first.shape[1:] != (columns,) or len(first) < least:
+        raise ValueError(
+            f"needs two point sets of one shape (N, {columns}) with N >= {least}, "
+            f"got {first.shape} and {second.shape}"
+        )
+    if not (np.isfinite(first).all() and np.isfinite(second).all()):
+        raise ValueError("points must be finite numbers; leave out the pairs that hold NaN or infinity")
+    return first, second
