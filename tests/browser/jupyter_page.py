@@ -15,6 +15,7 @@ from pathlib import Path
 
 import nbformat
 from accessibility import violations
+from playwright.sync_api import TimeoutError as PlaywrightTimeoutError
 from playwright.sync_api import sync_playwright
 
 ROOT = Path(__file__).parents[2]
@@ -74,10 +75,32 @@ OPEN_NOTEBOOK = """async name => {
     await widget.context.ready;
     await widget.sessionContext.ready;
 }"""
+# Sets window.hasRun when the next command that runs cells has run them all, or has stopped at an error.
+WATCH_RUN = """() => {
+    window.hasRun = false;
+    const {commandExecuted} = window.jupyterapp.commands;
+    const watch = (_, {id, result}) => {
+        if (!/^(notebook|runmenu):run/.test(id)) return;
+        commandExecuted.disconnect(watch);
+        result.finally(() => { window.hasRun = true; });
+    };
+    commandExecuted.connect(watch);
+}"""
+# The code cells as JupyterLab holds them, drawn or not: execution count, and texts of errors and stderr.
+CODE_CELLS = """path => {
+    const widgets = [...window.jupyterapp.shell.widgets("main")];
+    const {content} = widgets.find(widget => widget.context?.path === path);
+    return content.widgets.map(cell => cell.model).filter(model => model.type === "code").map(model => ({
+        count: model.executionCount,
+        errors: model.outputs.toJSON().filter(output => output.traceback || output.name === "stderr")
+            .map(output => (output.traceback ?? [output.text]).flat().join("\\n")),
+    }));
+}"""
 CLOSE_ALL = (
     """() => { for (const widget of [...window.jupyterapp.shell.widgets("main")]) widget.dispose(); }"""
 )
 VIEW = "img.widget-image"
+ANSI_CODE = re.compile(r"\x1b\[[\d;]*m")
 TRACEBACK = re.compile(r"Traceback \(most recent call last\)|Cell In\[\d+\], line \d+")
 
 
@@ -217,25 +240,27 @@ class NotebookPage:
 
     def run_all(self, timeout=240):
         """Runs all cells from the menu, and waits until they have run."""
+        self.page.evaluate(WATCH_RUN)
         self.page.get_by_role("menuitem", name="Run", exact=True).click()
         self.page.get_by_role("menuitem", name="Run All Cells", exact=True).click()
-        self.wait_until_run(timeout)
+        self._wait_until_run(timeout)
 
     def run_cell(self, number, timeout=60):
         """Runs one code cell with Ctrl-Enter."""
         self.page.locator(".jp-CodeCell .cm-content").nth(number).click()
+        self.page.evaluate(WATCH_RUN)
         self.page.keyboard.press("Control+Enter")
-        self.wait_until_run(timeout)
+        self._wait_until_run(timeout)
 
-    def wait_until_run(self, timeout):
-        """Waits until no cell shows an asterisk: all have a number, except those after an error."""
-        deadline = time.monotonic() + timeout
-        self.page.wait_for_timeout(300)
-        while "[*]:" in self.prompts() or not any(re.search(r"\d", prompt) for prompt in self.prompts()):
-            if time.monotonic() > deadline:
-                self.screenshot("not_finished")
-                raise TimeoutError(f"cells still running after {timeout} s: {self.prompts()}")
-            self.page.wait_for_timeout(100)
+    def _wait_until_run(self, timeout):
+        try:
+            self.page.wait_for_function("window.hasRun", timeout=1000 * timeout)
+        except PlaywrightTimeoutError:
+            self.screenshot("not_finished")
+            raise TimeoutError(f"cells still running after {timeout} s: {self.prompts()}") from None
+
+    def _code_cells(self):
+        return self.page.evaluate(CODE_CELLS, self._name)
 
     def prompts(self):
         """The prompts of the code cells; a folded cell has none."""
@@ -281,14 +306,16 @@ class NotebookPage:
         return element["y"] - first_cell["y"]
 
     def errors(self):
-        """Text of every traceback in the notebook, also outside the visible part of the page."""
+        """Text of every traceback in the notebook, of cells and in widgets."""
         mimes = ("application/vnd.jupyter.stderr", "application/vnd.jupyter.error")
-        selector = ", ".join(f'.jp-OutputArea-output[data-mime-type="{mime}"]' for mime in mimes)
-        return [text for text in self.page.locator(selector).all_text_contents() if TRACEBACK.search(text)]
+        in_widgets = ", ".join(f'.jupyter-widgets [data-mime-type="{mime}"]' for mime in mimes)
+        texts = [ANSI_CODE.sub("", text) for cell in self._code_cells() for text in cell["errors"]]
+        texts += self.page.locator(in_widgets).all_text_contents()
+        return [text for text in texts if TRACEBACK.search(text)]
 
     def not_run(self):
         """Numbers of the code cells that have not finished."""
-        return [k for k, prompt in enumerate(self.prompts()) if not re.search(r"\d", prompt)]
+        return [k for k, cell in enumerate(self._code_cells()) if cell["count"] is None]
 
     def images_per_second(self, seconds=3.0, selector=VIEW, number=0):
         """Images that the browser decodes per second: {"loads": all, "changes": different from the last}."""

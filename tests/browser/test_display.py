@@ -190,7 +190,7 @@ def test_a_view_goes_on_while_another_cell_runs(notebook, lab):
         page.wait_until(lambda: page.images_per_second(0.5)["loads"] > 0)
     assert "[*]:" in page.prompts()
     (lab[1] / "go on").touch()
-    page.wait_until_run(60)
+    page.wait_until(lambda: "[*]:" not in page.prompts())
 
 
 def test_tune_follows_its_range_slider_and_resets(notebook):

@@ -6,7 +6,6 @@ import nbformat
 import pytest
 from jupyter_page import OPEN_NOTEBOOK, ROOT
 from nbformat.v4 import new_markdown_cell, new_notebook
-from playwright.sync_api import TimeoutError as PlaywrightTimeoutError
 
 from imgproc_course.authoring.build import lesson_notebook
 from imgproc_course.authoring.handout import hand_out
@@ -17,16 +16,28 @@ from imgproc_course.working_copies import update_lessons
 
 pytestmark = pytest.mark.browser
 MASTERS = ROOT / "notebooks" / "masters"
-# A cell that is not rendered yet when JupyterLab scrolls there stays Markdown source: .cm-line.
-HEADINGS = ".jp-Notebook :is(h1, h2, h3, .cm-line)"
-IN_VIEW = f"""text => [...document.querySelectorAll("{HEADINGS}")].some(heading => {{
-    const {{top, bottom}} = heading.getBoundingClientRect();
-    return heading.textContent.includes(text) && heading.offsetParent && top >= 0 && bottom <= innerHeight;
-}})"""
-OPEN_TOO = "path => { window.jupyterapp.commands.execute('docmanager:open', {path}); }"
+# Whether a link has led to its heading: it is in view, or its cell is the active one. JupyterLab 4.6 scrolls
+# once, before the cells above have their height: on a busy machine it can end beside the heading.
+AT_HEADING = """heading => {
+    const active = window.jupyterapp.shell.currentWidget.content.activeCell;
+    const isInView = node => {
+        const {top, bottom} = node.getBoundingClientRect();
+        return node.textContent.includes(heading) && node.offsetParent && top >= 0 && bottom <= innerHeight;
+    };
+    return active?.model.sharedModel.source.match(/^#+ .*/m)?.[0].includes(heading)
+        || [...document.querySelectorAll(".jp-Notebook :is(h1, h2, h3)")].some(isInView);
+}"""
+# Opens a notebook beside the others, or brings it to the front, and shows the cell with a text.
+SHOW = """async ([path, text]) => {
+    const app = window.jupyterapp;
+    const {content, context, id} = await app.commands.execute("docmanager:open", {path});
+    await context.ready;
+    app.shell.activateById(id);
+    await content.scrollToCell(content.widgets.find(cell => cell.model.sharedModel.source.includes(text)));
+}"""
 TEXT = "[[canny_stages#8]] | [[term:Otsu's method]] | [[term:zero padding]] | [[term:ROS]] | [[grayscale]]"
 TARGETS = [
-    ("section 8 of lesson", "Edge tracking by hysteresis"),
+    ("Section 8 of lesson", "Edge tracking by hysteresis"),
     ("Otsu's method", "Otsu's method"),
     ("zero padding", "border handling"),
     ("ROS", "ROS 2"),
@@ -47,20 +58,11 @@ def page(lab, open_notebook):
 
 
 def click(page, source, link, heading):
-    """Clicks a link of the notebook `source`, and waits until the heading is in view.
-
-    JupyterLab 4.6 scrolls once, before all cells above have their height: on a busy machine it can
-    end beside the heading. Not if the notebook is open already: then a second click leads there.
-    """
-    for is_last in (False, True):
-        page.locator(".jp-Notebook:visible a", has_text=link).first.click()
-        try:
-            page.wait_for_function(IN_VIEW, arg=heading, timeout=60_000 if is_last else 20_000)
-            return
-        except PlaywrightTimeoutError:
-            if is_last:
-                raise
-        page.evaluate(OPEN_TOO, source)
+    """Clicks a link of the notebook `source`, and waits until JupyterLab is at the heading."""
+    page.evaluate(SHOW, [source, link])
+    page.locator(".jp-NotebookPanel:not(.lm-mod-hidden) a", has_text=link).first.click()
+    page.wait_for_function("path => window.jupyterapp.shell.currentWidget.context.path !== path", arg=source)
+    page.wait_for_function(AT_HEADING, arg=heading)
 
 
 @pytest.mark.parametrize(("link", "heading"), TARGETS)

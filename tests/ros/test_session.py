@@ -163,13 +163,16 @@ def test_adding_a_node_of_the_same_name_replaces_it(session, wait_until, capfd, 
     nodes = [add(value) for value in (1, 2, 3)]
     assert session.add_node(nodes[2]) is nodes[2]
     wait_until(lambda: session.node.count_publishers("/mine/gray") == 1)
-    assert {int(images.wait(20)[0, 0]) for _ in range(8)} == {3}
+    # Images of the nodes before may still lie in the queue; a node that still ran would mix its own in.
+    levels = []
+    wait_until(lambda: levels.append(int(images.wait(20)[0, 0])) or levels[-8:] == [3] * 8)
     assert session.node.get_node_names_and_namespaces().count(("mine", "/")) == 1
     services = session.node.get_service_names_and_types_by_node("mine", "/")
     assert sum(name == "/mine/set_parameters" for name, _ in services) == 1
     broken = add(None)
     with pytest.raises(TimeoutError, match=r"1 s: /mine publishes it, but process must return a dict"):
-        images.wait(1)
+        for _ in range(20):  # the last images of the node before
+            images.wait(1)
     assert broken.statistics()["failed"] and elsewhere.get_parameter("low").value == 1
     assert "rosout" not in capfd.readouterr().err and caplog.records == []
 
@@ -186,9 +189,9 @@ def test_adding_a_plain_node_of_the_same_name_replaces_it(session, wait_until, c
         node.create_timer(0.02, lambda p=publisher, n=number: p.publish(Int32(data=n)))
         session.add_node(node)
     wait_until(lambda: session.node.count_publishers("/by_hand/number") == 1)
-    received.clear()
-    wait_until(lambda: len(received) > 5)
-    assert set(received) == {3} and "rosout" not in capfd.readouterr().err
+    # Numbers of the nodes before may still lie in the queue; a node that still ran would mix its own in.
+    wait_until(lambda: received[-10:] == [3] * 10)
+    assert "rosout" not in capfd.readouterr().err
 
 
 def test_destroying_a_subscription_while_spinning_is_safe(session, wait_until, caplog):
