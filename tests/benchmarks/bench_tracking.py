@@ -196,9 +196,10 @@ def main():
     os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
     cv2.setNumThreads(1)
     sys.path.append(str(FOLLOW_BALL.parent))
-    from follow_ball import lesson_definitions
+    from follow_ball import ball_histogram
+    from lesson_nodes import lesson_definitions
 
-    lesson, drive = lesson_definitions(), Drive()
+    lesson, drive = lesson_definitions("object_tracking", weights=ball_histogram()), Drive()
     print_boxes(drive, lesson)
     failed = print_settings(drive, lesson)
     if SECONDS:

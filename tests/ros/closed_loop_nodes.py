@@ -12,15 +12,13 @@ import sys
 
 import cv2
 import numpy as np
-import rclpy
 from geometry_msgs.msg import Twist, Vector3
-from rclpy.executors import ExternalShutdownException
+from lesson_nodes import spin
 from rclpy.node import Node
 from rclpy.qos import qos_profile_sensor_data
 from sensor_msgs.msg import CameraInfo, Image, LaserScan
 
 from imgproc_course.messages import image_to_array
-from imgproc_course.ros import dds_profile  # chooses the profile, before rclpy is imported
 
 CAMERA = "/kachaka/front_camera"
 CAMERA_HEIGHT = 0.20  # m above the floor
@@ -38,7 +36,7 @@ class Loop(Node):
         super().__init__(f"brake_by_{name}" if name != "marker" else "go_to_marker")
         self._commands = self.create_publisher(Twist, "/kachaka/manual_control/cmd_vel", 10)
         self.create_subscription(message_type, topic, self._on_message, qos_profile_sensor_data)
-        self._standing, self._has_moved = 0, False
+        self.standing, self._has_moved = 0, False
         self.distance = None
 
     def _on_message(self, msg):
@@ -48,9 +46,7 @@ class Loop(Node):
         linear, angular = decision
         self._commands.publish(Twist(linear=Vector3(x=linear), angular=Vector3(z=angular)))
         is_standing = linear == 0 and angular == 0
-        self._standing = self._standing + 1 if is_standing else 0
-        if self._standing > STANDING:
-            raise ExternalShutdownException
+        self.standing = self.standing + 1 if is_standing else 0
 
 
 class CameraLoop(Loop):
@@ -140,19 +136,6 @@ def brake(free):
     return 0.0 if free < 0.01 else min(SPEED, 0.08 + free)
 
 
-def main():
-    rclpy.init()
-    node = {"depth": BrakeByDepth, "scan": BrakeByScan, "marker": GoToMarker}[sys.argv[1]]()
-    try:
-        rclpy.spin(node)
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        print(node.distance, flush=True)
-        node.destroy_node()
-        rclpy.try_shutdown()
-
-
 if __name__ == "__main__":
-    print(f"{dds_profile()}", file=sys.stderr)
-    main()
+    nodes = {"depth": BrakeByDepth, "scan": BrakeByScan, "marker": GoToMarker}
+    spin(nodes[sys.argv[1]], lambda node: node.standing > STANDING, lambda node: node.distance)

@@ -2,35 +2,15 @@
 
     python tests/ros/follow_ball.py SECONDS     ends after so many seconds of the robot's stamps
 
-It takes the imports, functions and classes of the lesson's master, and the numbers that they read; no cell
-that opens a camera runs. It sees published topics alone. At its end it prints how often it looked.
+It takes the imports, functions and classes of the lesson's master, and the numbers that they read. It sees
+published topics alone. At its end it prints how often it looked.
 """
 
-import ast
 import sys
-from pathlib import Path
 
 import cv2
 import numpy as np
-
-from imgproc_course.authoring.masters import read_master
-from imgproc_course.ros import dds_profile  # chooses the profile, before rclpy is imported
-
-MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "13_object_tracking.py"
-DEFINITIONS = ast.Import | ast.ImportFrom | ast.FunctionDef | ast.ClassDef
-
-
-def lesson_definitions():
-    """The names that the lesson's cells define; of `if ros_available():`, what stands in it."""
-    names = {"weights": ball_histogram()}
-    for cell in read_master(MASTER).cells:
-        if cell.kind != "code" or cell.role not in ("", "given"):
-            continue
-        for node in ast.parse(cell.source).body:
-            inner = node.body if isinstance(node, ast.If) else [node]
-            definitions = [statement for statement in inner if isinstance(statement, DEFINITIONS)]
-            exec(compile(ast.Module(definitions, []), cell.id, "exec"), names)
-    return names
+from lesson_nodes import lesson_definitions, looked_for, spin
 
 
 def ball_histogram():
@@ -45,28 +25,6 @@ def ball_histogram():
     return (255 * counts / counts.max()).astype(np.uint8)
 
 
-def main():
-    lesson = lesson_definitions()
-    import rclpy
-
-    rclpy.init()
-    node = lesson["FollowNode"]()
-    first = newest = None
-    try:
-        while rclpy.ok() and (first is None or newest - first < float(sys.argv[1])):
-            rclpy.spin_once(node, timeout_sec=1.0)
-            if node.looks:
-                stamp = node.image.header.stamp
-                newest = stamp.sec + stamp.nanosec / 1e9
-                first = newest if first is None else first
-    except KeyboardInterrupt:
-        pass
-    finally:
-        print(node.looks, flush=True)
-        node.destroy_node()
-        rclpy.try_shutdown()
-
-
 if __name__ == "__main__":
-    print(f"{dds_profile()}", file=sys.stderr)
-    main()
+    lesson = lesson_definitions("object_tracking", weights=ball_histogram())
+    spin(lesson["FollowNode"], looked_for(float(sys.argv[1])), lambda node: node.looks)

@@ -1,0 +1,62 @@
+"""What the programs of this folder share: a node as a lesson defines it, and the loop that spins a node."""
+
+import ast
+import sys
+from pathlib import Path
+
+import rclpy
+from rclpy.executors import ExternalShutdownException
+
+from imgproc_course.authoring.masters import read_master
+from imgproc_course.ros import dds_profile  # chooses the profile, before the first node
+
+MASTERS = Path(__file__).parents[2] / "notebooks" / "masters"
+DEFINITIONS = ast.Import | ast.ImportFrom | ast.FunctionDef | ast.ClassDef
+
+
+def lesson_definitions(lesson, **names):
+    """The imports, functions and classes of a lesson's master, and the names given, which they may read.
+
+    No cell that opens a camera runs; of `if ros_available():`, what stands in it.
+    """
+    (master,) = MASTERS.glob(f"*_{lesson}.py")
+    for cell in read_master(master).cells:
+        if cell.kind != "code" or cell.role not in ("", "given"):
+            continue
+        for node in ast.parse(cell.source).body:
+            inner = node.body if isinstance(node, ast.If) else [node]
+            definitions = [statement for statement in inner if isinstance(statement, DEFINITIONS)]
+            exec(compile(ast.Module(definitions, []), cell.id, "exec"), names)
+    return names
+
+
+def spin(make_node, is_over, result):
+    """Spins a node until is_over(node) or Ctrl-C, and prints result(node)."""
+    print(dds_profile(), file=sys.stderr)
+    rclpy.init()
+    node = make_node()
+    try:
+        while rclpy.ok() and not is_over(node):
+            rclpy.spin_once(node, timeout_sec=1.0)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        print(result(node), flush=True)
+        node.destroy_node()
+        rclpy.try_shutdown()
+
+
+def looked_for(seconds):
+    """The function that tells whether a node's images span so many seconds of the robot's stamps."""
+    first = None
+
+    def is_over(node):
+        nonlocal first
+        if not node.looks:
+            return False
+        stamp = node.image.header.stamp
+        newest = stamp.sec + stamp.nanosec / 1e9
+        first = newest if first is None else first
+        return newest - first >= seconds
+
+    return is_over
