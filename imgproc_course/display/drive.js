@@ -91,7 +91,7 @@ function makeMap(root) {
 function render({model, el}) {
     const root = add(el, "div", {
         class: "imgproc-drive", tabindex: "0", role: "application", "aria-label": `Drive the robot. ${HELP}`,
-        // JupyterLab leaves the keys in here alone: in its command mode, A and D are commands.
+        // JupyterLab leaves all keys in here alone: beside S is X, which cuts the cell in its command mode.
         "data-lm-suppress-shortcuts": "true",
     });
     const showMap = makeMap(root);
