@@ -63,6 +63,22 @@ def answer_images(argument, name, expected, actual, wrong):
     return images
 
 
+def given_images(arguments):
+    """The arguments of a call that are images, drawn.
+
+    Parameters
+    ----------
+    arguments : iterable of (name, value)
+
+    Returns
+    -------
+    list of AnswerImage
+    """
+    return [
+        _draw_values(f"given {name}", value, _limits(value)) for name, value in arguments if is_image(value)
+    ]
+
+
 def is_image(values):
     """Whether values are drawn: (H, W), (H, W, 3) or (H, W, 4), and too many for a table of numbers."""
     if not isinstance(values, np.ndarray) or values.size <= MOST_NUMBERS:

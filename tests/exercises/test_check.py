@@ -265,6 +265,16 @@ def test_the_first_wrong_image_of_several_is_drawn(write_master):
     ]
 
 
+def test_beside_a_wrong_answer_that_is_no_image_the_given_images_are_drawn(write_master):
+    write_master(
+        solution='# %% role="solution"\ndef double(pixels):\n    return int(pixels.max())',
+        case='# %% role="case" title="Size"\ndef inputs(rng):\n    return (np.full((20, 20), 200, "u1"),)',
+        second="",
+    )
+    html = check("test-double", lambda pixels: 5)._repr_html_()
+    assert re.findall(r'alt="([^"]*)"', html) == ["given pixels: 20 rows, 20 cols"]
+
+
 def test_a_message_is_shown_by_its_fields_and_a_table_of_its_bytes(write_master):
     write_master(
         exercise=(
