@@ -139,8 +139,7 @@ def test_stop_start_snapshot_and_running_the_cell_again(notebook, lab):
     page.wait_for_image()
     page.press_button("Stop")
     page.page.get_by_text("stopped after").wait_for()
-    page.page.wait_for_timeout(300)
-    assert page.images_per_second(1)["loads"] == 0
+    page.wait_until(lambda: page.images_per_second(1)["loads"] == 0)  # the last ones may be on their way
     page.press_button("Snapshot")
     page.page.get_by_text("saved as .snapshots[0] and snapshot-001.png").wait_for()
     assert (lab[1] / "snapshot-001.png").stat().st_size > 1000
@@ -246,11 +245,14 @@ def left_top_width(page, selector):
 def test_sliders_are_long_enough_beside_the_image_or_below_it(tuner_page, width, is_beside):
     tuner_page.wait_for_image()
     tuner_page.page.set_viewport_size({"width": width, "height": 1000})
-    tuner_page.page.wait_for_timeout(500)
-    image = left_top_width(tuner_page, VIEW)
-    slider = left_top_width(tuner_page, ".noUi-target")
-    assert slider[2] > 240
-    assert (slider[0] > image[0] + image[2], slider[1] < image[1] + 100) == (is_beside, is_beside)
+
+    def has_its_place():  # JupyterLab arranges its parts some time later
+        image, slider = (left_top_width(tuner_page, selector) for selector in (VIEW, ".noUi-target"))
+        return slider[2] > 240 and (
+            (slider[0] > image[0] + image[2], slider[1] < image[1] + 100) == (is_beside, is_beside)
+        )
+
+    tuner_page.wait_until(has_its_place)
     column = left_top_width(tuner_page, ".noUi-target")[0]
     for control in (".widget-checkbox input", ".widget-dropdown select"):
         assert abs(left_top_width(tuner_page, control)[0] - column) < 12

@@ -31,7 +31,7 @@ def test_lesson_runs_without_an_error_in_the_browser(lesson: Path, lab, open_not
     views = page.page.locator(VIEW)
     source = lesson.read_text(encoding="utf-8")
     if '"view.stop()' in source:  # the lesson stops its view, which keeps the last image
-        assert page.images_per_second(1)["changes"] <= 1
+        page.wait_until(lambda: page.images_per_second(1)["changes"] <= 1)
     elif "live_view(" in source:
         page.wait_until(lambda: any(changes(page, number) for number in range(views.count())))
     if page.page.locator(".noUi-handle").count():

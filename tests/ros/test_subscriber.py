@@ -454,8 +454,7 @@ def test_a_subscriber_without_references_is_deleted(send, subscribe, session, wa
     wait_until(lambda: send.publisher.get_subscription_count() == 1)
     watch = weakref.ref(subscriber)
     del subscriber
-    gc.collect()
-    assert watch() is None
+    wait_until(lambda: gc.collect() >= 0 and watch() is None)  # a callback may just hold it
     wait_until(lambda: send.publisher.get_subscription_count() == 0)
 
 
