@@ -112,7 +112,7 @@ def write_notebook(path, cells):
     return path
 
 
-def _free_port():
+def free_port():
     with socket.socket() as probe:
         probe.bind(("127.0.0.1", 0))
         return probe.getsockname()[1]
@@ -142,7 +142,7 @@ def running_lab(folder, scratch):
     folder : Path of the notebooks
     scratch : Path for settings, workspaces and history, to keep the user's own unchanged
     """
-    port = _free_port()
+    port = free_port()
     settings = scratch / "jupyterlab_settings_dir/@jupyterlab/apputils-extension"
     settings.mkdir(parents=True)
     (settings / "notification.jupyterlab-settings").write_text('{"fetchNews": "false"}')
