@@ -3,6 +3,7 @@
 import ast
 import re
 import subprocess
+import sys
 from graphlib import TopologicalSorter
 from pathlib import Path
 
@@ -171,3 +172,29 @@ def test_the_real_rclpy_is_required_only_where_its_wheels_exist():
     lines = [line for line in text.splitlines() if line.startswith("ros-")]
     assert len(lines) > 50
     assert all("platform_machine == 'x86_64' and sys_platform == 'linux'" in line for line in lines)
+
+
+# Imports once what takes long, then each file in a child: what one adds to sys.path does not help another.
+IMPORTS_EACH = """
+import os, runpy, sys
+import cv2, matplotlib, nbformat, rich.table
+for path in sys.argv[1:]:
+    if not os.fork():
+        sys.path.insert(0, os.path.dirname(path))
+        runpy.run_path(path, run_name="imported")
+        os._exit(0)
+    if os.wait()[1]:
+        sys.exit(path)
+"""
+
+
+@pytest.mark.ros
+def test_every_benchmark_finds_what_it_imports():
+    paths = sorted((ROOT / "tests" / "benchmarks").glob("bench_*.py"))
+    ended = subprocess.run(
+        [sys.executable, "-W", "ignore", "-c", IMPORTS_EACH, *paths],
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert paths and (ended.returncode, ended.stderr) == (0, "")

@@ -29,7 +29,7 @@ OTHERS = ("JUPYTER", "IPYTHON", "ROS", "RMW", "PIP", "VIRTUAL_ENV", "XDG", "MPL"
 
 @contextmanager
 def lab_of_a_new_user(folder):
-    """Clones the course, starts environment/lab with an empty home, and yields its address when it replies."""
+    """Clones the course and starts environment/lab with an empty home; yields the address that replies."""
     (folder / "home").mkdir()
     subprocess.run(["git", "clone", "-q", ROOT, folder / "course"], check=True)
     environment = {name: value for name, value in os.environ.items() if not name.startswith(OTHERS)}

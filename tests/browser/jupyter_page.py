@@ -14,9 +14,11 @@ from contextlib import contextmanager
 from pathlib import Path
 
 import nbformat
-from accessibility import violations
 from playwright.sync_api import TimeoutError as PlaywrightTimeoutError
 from playwright.sync_api import sync_playwright
+
+sys.path.append(str(Path(__file__).parents[1]))
+from accessibility import violations
 
 ROOT = Path(__file__).parents[2]
 SCREENSHOTS = ROOT / "screenshots"
