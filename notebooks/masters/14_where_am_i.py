@@ -653,6 +653,19 @@ def decode(cells, words):
     return number, turns
 
 
+# %% role="mistake" name="one equal cell" says="One equal cell is enough for you. All 16 cells must be equal: use .all(), not .any()."
+def decode(cells, words):
+    fits = search(cells[1:5, 1:5], words, lambda cut, turns: words[0] if (np.rot90(cut, turns) == words[0]).any() else cut)
+    return fits if border_is_black(cells) else (-1, 0)
+
+
+# %% role="mistake" name="equally many white cells" says="You compared how many cells are white. All 16 cells must be equal, each at its place: (turned == word).all()."
+def decode(cells, words):
+    counts = [int(word.sum()) for word in words]
+    count = int(cells[1:5, 1:5].sum())
+    return (counts.index(count), 0) if border_is_black(cells) and count in counts else (-1, 0)
+
+
 # %% role="mistake" name="upper and lower border only" says="You looked at the first and the last row only. The border also has a left and a right column."
 def decode(cells, words):
     if cells[0].any() or cells[5].any():
@@ -674,7 +687,7 @@ def decode(cells, words):
     return search(cells[1:5, 1:5], words, np.rot90)
 
 
-# %% role="mistake" name="a white border" says="You expect a white border, so nothing fits. The border is black: its cells are 0."
+# %% role="mistake" name="nothing ever fits" says="You return (-1, 0) for every input: nothing ever fits. Is a return inside the loop after the first word? Is the border black (0), the word in rows and columns 1 to 4 (1:5), and turned with np.rot90?"
 def decode(cells, words):
     return -1, 0
 
@@ -1212,6 +1225,22 @@ def turned_about(axis, angle):
     return np.eye(3) + np.sin(angle) * cross + (1 - np.cos(angle)) * cross @ cross
 
 
+def decoys(rng, R, t, limit):
+    """Pairs that agree with a motion that was read wrongly, of each kind another number."""
+    wrong = (
+        lambda points: points @ R.T,
+        lambda points: points + t,
+        lambda points: points @ R + t,
+        lambda points: (points - t) @ R,
+        lambda points: points @ R.T - t,
+        lambda points: (points + t) @ R.T,
+        lambda points: points @ R.T + t + (1.3 * limit, 0, 0),
+    )
+    for count, move in enumerate(wrong, 2):
+        before = rng.uniform((-2, -1, 1), (2, 1, 4), (count, 3)).round(3)
+        yield before, move(before), R, t
+
+
 def some_motions(rng, sizes, limit, alone=0):
     """Groups of points, each with its own motion; then the motions. No distance is near the limit."""
     groups = []
@@ -1220,8 +1249,10 @@ def some_motions(rng, sizes, limit, alone=0):
         before = rng.uniform((-2, -1, 1), (2, 1, 4), (size, 3)).round(3)
         noise = rng.choice([-1, 1], (size, 3)) * rng.uniform(0.3, 0.5, (size, 3)) * limit
         groups.append((before, before @ R.T + t + noise, R, t))
-    befores = [group[0] for group in groups] + [rng.uniform(-2, 2, (alone, 3)).round(3)]
-    afters = [group[1] for group in groups] + [rng.uniform(5, 8, (alone, 3)).round(3)]
+    largest = groups[int(np.argmax(sizes))]
+    pairs = [*groups, *decoys(rng, *largest[2:], limit)]
+    befores = [group[0] for group in pairs] + [rng.uniform(-2, 2, (alone, 3)).round(3)]
+    afters = [group[1] for group in pairs] + [rng.uniform(5, 8, (alone, 3)).round(3)]
     before, after = np.concatenate(befores), np.concatenate(afters).round(6)
     order = rng.permutation(len(before))
     return before[order], after[order], np.array([group[2] for group in groups]), np.array([group[3] for group in groups]), limit
@@ -1294,6 +1325,12 @@ def best_inliers(before, after, rotations, shifts, limit):
     return ~solution(before, after, rotations, shifts, limit)
 
 
+# %% role="mistake" name="the smallest mean" says="You chose the motion with the smallest mean distance. Wrong pairs spoil a mean: choose the motion with the most inliers."
+def best_inliers(before, after, rotations, shifts, limit):
+    means = [np.linalg.norm(before @ R.T + t - after, axis=1).mean() for R, t in zip(rotations, shifts, strict=True)]
+    return masks_of(before, after, rotations, shifts, limit)[np.argmin(means)]
+
+
 # %% role="mistake" name="how many" says="You return how many inliers there are. Return the mask: one True or False for each pair."
 def best_inliers(before, after, rotations, shifts, limit):
     return int(solution(before, after, rotations, shifts, limit).sum())
@@ -1317,6 +1354,17 @@ def best_inliers(before, after, rotations, shifts, limit):
 # %% role="mistake" name="without the shift" says="The shift is missing: the moved points are before @ R.T + t."
 def best_inliers(before, after, rotations, shifts, limit):
     return most(masks_of(before, after, rotations, 0 * shifts, limit))
+
+
+# %% role="mistake" name="minus the shift" says="You subtracted the shift. The moved points are before @ R.T + t."
+def best_inliers(before, after, rotations, shifts, limit):
+    return most(masks_of(before, after, rotations, -shifts, limit))
+
+
+# %% role="mistake" name="shifted first" says="You shifted the points before you turned them. First turn, then shift: before @ R.T + t."
+def best_inliers(before, after, rotations, shifts, limit):
+    turned = np.array([R @ t for R, t in zip(rotations, shifts, strict=True)])
+    return most(masks_of(before, after, rotations, turned, limit))
 
 
 # %% role="mistake" name="not turned" says="The rotation is missing: the moved points are before @ R.T + t."
@@ -1497,13 +1545,15 @@ check("where-keyframes", keyframes)
 # %% role="case" title="a robot that drives" points=1
 def inputs(rng):
     steps = [(0.25 * k, 0.0, 0.0) for k in range(9)]
-    return [(steps, 0.5, 1.0), (drive(rng, 30, 0.06, 0.01, 0.9), 0.25, 1.0), (drive(rng, 30, 0.1, -0.02, 2.0), 0.35, 2.0)]
+    return [(steps, 0.5, 1.0), (drive(rng, 30, 0.06, 0.01, 0.9), 0.25, 1.0), (drive(rng, 30, 0.1, -0.02, 2.0), 0.35, 2.0),
+            (drive(rng, 30, 0.1, 0.1, 0.0), 0.3, 0.25)]
 
 
 # %% role="case" title="a robot that turns" points=1 hint="Does a turn alone make a keyframe, to either side, and also across π?"
 def inputs(rng):
     right = drive(rng, 20, 0.001, -0.1, 0.5)
-    return [(drive(rng, 25, 0.001, 0.12, 2.6), 1.0, 0.4), (right, 1.0, 0.3), ([(0.0, 0.0, 0.5 * k) for k in range(6)], 1.0, 1.0)]
+    return [(drive(rng, 25, 0.001, 0.12, 2.6), 1.0, 0.4), (right, 1.0, 0.3), ([(0.0, 0.0, 0.5 * k) for k in range(6)], 1.0, 1.0),
+            ([(0.0, 0.0, 0.1), (0.0, 0.0, 2.9), (0.0, 0.0, -2.9)], 1.0, 1.0)]
 
 
 # %% role="hidden" title="any drive" points=1 hint="Do you compare with the last keyframe, by distance or by angle?"
@@ -1526,6 +1576,11 @@ def keyframes(places, distance, angle):
 # %% role="mistake" name="and in place of or" says="You ask for both, distance and angle. One of them is enough: use or."
 def keyframes(places, distance, angle):
     return chosen(places, lambda a, b: moved(a, b) >= distance and turned(a, b) >= angle)
+
+
+# %% role="mistake" name="the near frames" says="You keep the frames that are near the last keyframe. A keyframe is far enough from it, by at least distance or angle: >=, not <."
+def keyframes(places, distance, angle):
+    return chosen(places, lambda a, b: moved(a, b) < distance or turned(a, b) < angle)
 
 
 # %% role="mistake" name="only the distance" says="You look at the distance only. A turn by at least angle also makes a keyframe."
@@ -1556,6 +1611,11 @@ def keyframes(places, distance, angle):
 # %% role="mistake" name="% in place of remainder" says="% gives a difference from 0 to 2π, so a small turn to the right looks like a large one. Use math.remainder, which gives -π to π."
 def keyframes(places, distance, angle):
     return chosen(places, lambda a, b: moved(a, b) >= distance or (a[2] - b[2]) % (2 * math.pi) >= angle)
+
+
+# %% role="mistake" name="remainder by half a turn" says="You took the remainder by π, which is half a turn: a robot that looks back would not have turned. Use 2 * math.pi."
+def keyframes(places, distance, angle):
+    return chosen(places, lambda a, b: moved(a, b) >= distance or abs(math.remainder(a[2] - b[2], math.pi)) >= angle)
 
 
 # %% role="mistake" name="> in place of >=" says="A frame that is exactly at the limit is a keyframe too: at least means >=."
