@@ -1676,7 +1676,7 @@ assert not ros_available() or node.looks > 0
 # | covariance | (4, 4) | float64 | | squares and products of these |
 # | costs | (tracks, things) | float64 | 0 to infinity | squared expected errors |
 #
-# Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+# **Next:** [[where_am_i]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
 
 # %%
 # Check: the numbers in the table

@@ -8,7 +8,7 @@
 # %% [markdown]
 # # Where am I?
 #
-# A robot that counts the turns of its wheels believes that it knows where it is, and it is wrong: its odometry drifts. In this lesson the robot *looks*. First it sees a marker on the wall, and computes its own place from four corners. Then it does without a marker: it follows hundreds of points of the room from image to image. At the end, a node draws the way of the robot, beside the way that the wheels count.
+# A robot that counts the turns of its wheels believes that it knows where it is, and it is wrong: its odometry drifts. In this lesson the robot *looks*. First it sees a marker, and computes its own place from four corners. Then it does without a marker: it follows hundreds of points of the room from image to image. At the end, a node draws the way of the robot, beside the way that the wheels count.
 #
 # **You will be able to**
 # - compute the homography of a flat thing from four corners,
@@ -67,7 +67,7 @@ figure_texts = {
     ),
     "inliers": (
         "White: pairs that agree with the motion of the robot. Red: pairs that do not.",
-        "The living room with white lines on walls and furniture, and red lines, many of them at the person, the ball and the edges of things.",
+        "The living room with white lines on walls and furniture, and red lines, most of them on the rug and at the edges of furniture.",
     ),
     "paths": (
         "The drive from above. With a step for each frame the path leaves the truth; with a step for every tenth frame it stays.",
@@ -88,7 +88,7 @@ figure_texts = {
 #
 # In [[drive_the_robot#4]] the robot drove a small square, and its wheels were wrong by 15 cm at the end. The wheels count only steps, and each small error stays. There are two better ways:
 #
-# - **Look at something whose place you know.** A [[term:marker]] hangs on the wall; we know its place in the room. From how it looks, the robot computes where it is itself. This has no [[term:drift]], but it needs the marker.
+# - **Look at something whose place you know.** A [[term:marker]] stands in front of the wall; we know its place in the room. From how it looks in the image, the robot computes where it is itself. This has no [[term:drift]], but it needs the marker.
 # - **Look at how the room moves.** From one frame to the next, all points of the room move a little. From this, the robot computes how it moved itself. This is called *[[term:visual odometry]]*.
 #
 # OpenCV finds the marker, and gives its four corners, always in the same order: the upper left corner of its pattern is the first, then clockwise.
@@ -430,7 +430,7 @@ print(words.shape)
 print(words[7])
 
 # %% [markdown]
-# This is the word that we have read. But a robot can also see a marker that hangs turned, or look at it from above: then its word is turned by a quarter, a half or three quarters. `np.rot90(word, 1)` turns it to the left by one quarter, `np.rot90(word, 2)` by two.
+# This is the word that we have read. But a marker can also hang turned, or the robot looks at it from another side: then its word is turned by a quarter, a half or three quarters. `np.rot90(word, 1)` turns it to the left by one quarter, `np.rot90(word, 2)` by two.
 #
 # **Predict** how many of the 16 cells of word 7 still agree with the word after one quarter turn.
 
@@ -544,7 +544,7 @@ def decode(cells, words):
 check("where-decode", decode)
 
 
-# %% role="case" title="markers that hang upright, and turned ones" points=1
+# %% role="case" title="upright markers, and turned ones" points=1
 def inputs(rng):
     words = some_words(rng, 10)
     return [(seen_cells(words[7], 0), words), (seen_cells(words[3], 1), words), (seen_cells(words[5], 3), words), (seen_cells(words[8], 2), words)]
@@ -697,7 +697,7 @@ def decode(cells, words):
 #
 # The four corners say still more. If the marker has its real size of 0.25 m, its homography contains where the marker is, as seen from the camera: its [[term:pose]]. `homography_pose` of the course's package takes it out; OpenCV's `cv2.solvePnP` computes it from the corners directly. (PnP means *[[term:perspective-n-point]]*: the pose from n points.)
 #
-# The homography knows nothing of the lens's [[term:distortion]], so it gets rays with depth 1 in place of pixels. The marker's x is to its right, its y is up, and its z comes out of the wall.
+# The homography knows nothing of the lens's [[term:distortion]], so it gets rays with depth 1 in place of pixels. The marker's x is to its right, its y is up, and its z comes out of its front.
 
 # %%
 info = recording.camera_info
@@ -713,8 +713,8 @@ print("right, down, ahead:", seen.position.round(2))
 # So the marker is more than two metres ahead. We want the opposite: where is the *camera* in the room? We know where the marker is in the room. Its pose, and then the inverse of what the camera sees: this is the pose of the camera.
 
 # %% tags=["long"]
-right, wall, up = Pose.from_vector(recording.pose("marker", 0)).rotation.T
-marker = Pose(np.column_stack([right, up, -wall]), recording.pose("marker", 0)[:3])
+right, back, up = Pose.from_vector(recording.pose("marker", 0)).rotation.T
+marker = Pose(np.column_stack([right, up, -back]), recording.pose("marker", 0)[:3])
 true_poses = [Pose.from_vector(recording.pose("camera", k)) for k in range(90)]
 true_places = np.array([pose.position for pose in true_poses])
 square_3d = np.column_stack([square, np.zeros(4)])
@@ -1122,7 +1122,7 @@ def find_motion(before, after):
 # %% [markdown]
 # ## 6 · Many pairs are wrong (8 minutes)
 #
-# The room does not stand still: the person walks, the ball rolls, the car drives. And some points jump from the edge of a thing to the wall behind it. So many pairs do not tell the motion of the robot. You know the remedy: [[term:RANSAC]]. Draw three pairs, compute their motion, count the [[term:inlier|inliers]], repeat.
+# The room does not stand still: the person walks, the ball rolls, the car drives. And some points jump: from the edge of a thing to the wall behind it, or from one stripe of the rug to the next one, which looks the same. So many pairs do not tell the motion of the robot. You know the remedy: [[term:RANSAC]]. Draw three pairs, compute their motion, count the [[term:inlier|inliers]], repeat.
 #
 # A pair is an inlier if the moved point is nearer to its partner than 2 % of its depth: far points are less exact.
 
@@ -1258,6 +1258,14 @@ def some_motions(rng, sizes, limit, alone=0):
     return before[order], after[order], np.array([group[2] for group in groups]), np.array([group[3] for group in groups]), limit
 
 
+def spread_out(rng):
+    """Four pairs agree with the second motion, three with the first; but the first is nearer to all in the mean."""
+    before = rng.uniform((-2, -1, 1), (2, 1, 4), (10, 3)).round(3)
+    ways = rng.permutation([0.0] * 4 + [10.0] * 3 + [12.0] * 3)
+    after = before + np.column_stack([ways, np.zeros(10), np.zeros(10)])
+    return before, after, np.array([np.eye(3)] * 2), np.array([[10.0, 0, 0], [0, 0, 0]]), 0.5
+
+
 # %% role="answer"
 def best_inliers(before, after, rotations, shifts, limit):
     raise NotImplementedError("your turn: delete this line and write the function")
@@ -1280,7 +1288,7 @@ check("where-inliers", best_inliers)
 
 # %% role="case" title="three motions" points=1
 def inputs(rng):
-    return [some_motions(rng, (4, 9, 5), 0.05, 3), some_motions(rng, (3, 5, 11), 0.1, 4)]
+    return [some_motions(rng, (4, 9, 5), 0.05, 3), some_motions(rng, (3, 5, 11), 0.1, 4), spread_out(rng)]
 
 
 # %% role="case" title="equally many" points=1 hint="If two motions have equally many inliers, the first one counts: use >, not >=."
@@ -1438,13 +1446,13 @@ print("every frame: ATE", round(100 * ate(every, true_places), 1), "cm")
 compare_guess(guess_every, round(error_every, 1), "cm")
 
 # %% tags=["long"]
-figure = Figure(figsize=(8, 3.5), layout="constrained")
+figure = Figure(figsize=(8, 2.4), layout="constrained")
 axes = figure.subplots()
 axes.plot(true_places[:, 0], true_places[:, 1], color="0.7", linewidth=6, label="truth")
 axes.plot(*every[:, :2].round(3).T, "r", label="every frame")
 axes.plot(*tenth[:, :2].round(3).T, "b.--", label="every tenth frame")
 axes.set(xlabel="x (m), ahead", ylabel="y (m), left", aspect="equal")
-axes.legend()
+axes.legend(loc="lower left")
 show_figure(figure, text=figure_texts["paths"])
 
 # %%
@@ -1742,12 +1750,12 @@ print("keyframes:", odometry.count)
 compare_guess(guess_camera, round(error_camera, 1), "cm")
 
 # %% tags=["long"]
-figure = Figure(figsize=(8, 4), layout="constrained")
+figure = Figure(figsize=(8, 2.8), layout="constrained")
 axes = figure.subplots()
 for name, path, style in (("truth", truth, "0.7"), ("wheels", wheels, "r--"), ("camera", seen, "b")):
     axes.plot(*np.array(path)[:, :2].round(3).T, style, label=name, linewidth=6 if name == "truth" else 2)
 axes.set(xlabel="x (m), ahead", ylabel="y (m), left", aspect="equal")
-axes.legend()
+axes.legend(loc="lower left")
 show_figure(figure, text=figure_texts["room"])
 
 # %%
@@ -1841,7 +1849,7 @@ if ros_available():
     live_camera.stop()
     print("looks:", node.looks, "  poses in the path:", len(node.path.poses))
     places = [pose.pose.position for pose in node.path.poses]
-    figure = Figure(figsize=(8, 3.5), layout="constrained")
+    figure = Figure(figsize=(8, 2.8), layout="constrained")
     axes = figure.subplots()
     axes.plot([place.x for place in places], [place.y for place in places], "b", label="camera")
     axes.plot([place[0] for place in node.wheels], [place[1] for place in node.wheels],

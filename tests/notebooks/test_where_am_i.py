@@ -1,0 +1,92 @@
+"""The lesson "Where am I?": its solutions give what the field's tools give, on many inputs."""
+
+import itertools
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+from imgproc_course.exercises import read_exercises
+from imgproc_course.geometry import homography, rigid_motion
+
+MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "14_where_am_i.py"
+
+
+@pytest.fixture(scope="module")
+def solutions():
+    """The function of each exercise's solution, by its name."""
+    return {
+        exercise.function: exercise.function_of(exercise.solution, "solution")
+        for exercise in read_exercises(MASTER)
+    }
+
+
+def test_find_homography_is_get_perspective_transform_and_the_packages(solutions):
+    rng = np.random.default_rng(0)
+    square = np.array([(-1.0, 1), (1, 1), (1, -1), (-1, -1)])
+    for _ in range(200):
+        points, pixels = (square + rng.uniform(-0.4, 0.4, (4, 2)) for _ in range(2))
+        points, pixels = points * 3, (pixels * 40 + rng.uniform(60, 400, 2)).astype(np.float32).astype(float)
+        points = points.astype(np.float32).astype(float)
+        result = solutions["find_homography"](points, pixels)
+        tool = cv2.getPerspectiveTransform(points.astype(np.float32), pixels.astype(np.float32))
+        np.testing.assert_allclose(result, homography(points, pixels), rtol=0, atol=1e-8)
+        np.testing.assert_allclose(result, tool, rtol=0, atol=1e-4)  # the tool's own error is up to 1e-5
+
+
+def test_decode_is_the_dictionarys_identify(solutions):
+    dictionary = cv2.aruco.getPredefinedDictionary(cv2.aruco.DICT_4X4_50)
+    sides = [cv2.aruco.generateImageMarker(dictionary, number, 6) // 255 for number in range(50)]
+    words = np.array([cells[1:5, 1:5] for cells in sides])
+    for number, cells in enumerate(sides):
+        for turns in range(4):
+            seen = np.rot90(cells, -turns).copy()
+            found, tool, back = dictionary.identify(np.ascontiguousarray(seen[1:5, 1:5]), 0.0)
+            assert found and (tool, (4 - back) % 4) == (number, turns)  # it counts to the other side
+            assert solutions["decode"](seen, words) == (number, turns)
+            seen[2, 3] ^= 1  # no word is one cell away from another
+            assert solutions["decode"](seen, words) == (-1, 0)
+
+
+def test_find_motion_is_scipys_align_vectors_and_the_packages(solutions):
+    rng = np.random.default_rng(1)
+    for number in range(200):
+        before = rng.normal(0, 1, (int(rng.integers(4, 60)), 3)) * (1, 1, 0.01 if number % 2 else 1)
+        turn, shift = Rotation.random(rng=rng), rng.normal(0, 2, 3)
+        after = turn.apply(before) + shift + rng.normal(0, 0.02, before.shape)
+        rotation, translation = solutions["find_motion"](before, after)
+        tool, _ = Rotation.align_vectors(after - after.mean(axis=0), before - before.mean(axis=0))
+        np.testing.assert_allclose(rotation, tool.as_matrix(), rtol=0, atol=1e-9)
+        package = rigid_motion(before, after)
+        np.testing.assert_allclose(rotation, package.rotation, rtol=0, atol=1e-9)
+        np.testing.assert_allclose(translation, package.position, rtol=0, atol=1e-9)
+
+
+def test_best_inliers_finds_those_that_moved_alike(solutions):
+    rng = np.random.default_rng(2)
+    for _ in range(50):
+        before, is_still = rng.uniform(-2, 2, (60, 3)), rng.random(60) < 0.6
+        turns, shifts = Rotation.random(5, rng=rng).as_matrix(), rng.normal(0, 1, (5, 3))
+        after = before @ turns[3].T + shifts[3] + rng.uniform(-0.005, 0.005, (60, 3))
+        after[~is_still] += 1
+        result = solutions["best_inliers"](before, after, turns, shifts, 0.05)
+        assert result.dtype == bool
+        np.testing.assert_array_equal(result, is_still)
+
+
+def test_between_two_keyframes_no_frame_is_far_from_the_first(solutions):
+    rng = np.random.default_rng(3)
+    steps = np.column_stack([rng.normal(0, 0.05, (400, 2)), rng.normal(0, 0.1, 400)]).cumsum(axis=0)
+    numbers = solutions["keyframes"](steps.tolist(), 0.2, 0.3)
+    bounds = [*numbers, len(steps)]
+    assert numbers[0] == 0 and 20 < len(numbers) < 400
+    for first, end in itertools.pairwise(bounds):
+        far = (np.linalg.norm(steps[first:end, :2] - steps[first, :2], axis=1) >= 0.2) | (
+            np.abs(steps[first:end, 2] - steps[first, 2]) >= 0.3
+        )
+        assert not far.any()
+        if end < len(steps):
+            dx, dy, dyaw = steps[end] - steps[first]
+            assert np.hypot(dx, dy) >= 0.2 or abs(dyaw) >= 0.3
