@@ -799,6 +799,8 @@ half_camera = camera.every(2)
 def follow(before, after):
     """Pixels of points in both images: two arrays (N, 2), as (column, row)."""
     start = cv2.goodFeaturesToTrack(before, 400, 0.001, 7)
+    if start is None:  # a bare wall has no corners
+        return np.zeros((0, 2)), np.zeros((0, 2))
     end, _, _ = cv2.calcOpticalFlowPyrLK(before, after, start, None)
     back, _, _ = cv2.calcOpticalFlowPyrLK(after, before, end, None)
     near = np.linalg.norm(back - start, axis=2).ravel() < 0.5  # pixels
@@ -1712,9 +1714,14 @@ class VisualOdometry:
         before, after = two_clouds(*self.key, gray, depth, camera)
         if len(before) < 10:
             return True  # it sees nothing, and goes on from where it was
-        motion, near = ransac_motion(before, after)
-        self.pose = self.key_pose @ motion.inverse()
+        try:
+            motion, near = ransac_motion(before, after)
+        except ValueError:  # fewer than three pairs agree
+            return True
         way = np.linalg.norm(motion.position)
+        if way > 0.5:  # no robot jumps so far
+            return True
+        self.pose = self.key_pose @ motion.inverse()
         angle = math.acos(min(1.0, (np.trace(motion.rotation) - 1) / 2))
         return bool(way > 0.15 or angle > math.radians(10) or near.sum() < 40)
 
@@ -1763,7 +1770,7 @@ show_figure(figure, text=figure_texts["room"])
 assert round(error_wheels) == 22 and error_camera < 6 and not robot.bumped and len(truth) == 40
 
 # %% [markdown]
-# And where it sees nothing? In front of a bare wall there are no points to follow, and the camera is worse than the wheels. Real robots combine both, with a Kalman filter as in [[object_tracking#6]].
+# And where it sees nothing? A bare wall has no corners, so there are no points to follow. The class then takes the pose from before, and the camera is worse than the wheels. Real robots combine both, with a Kalman filter as in [[object_tracking#6]].
 #
 # Now the same as a node. It sees only what the robot publishes. It begins where the wheels say that it is, and then goes its own way. It publishes its pose as `Odometry`, and the way until now as a `Path`; RViz and Foxglove draw both.
 
