@@ -182,6 +182,51 @@ def test_the_lessons_node_follows_the_ball_from_another_process(robot, collect, 
     assert balls[-1].header.frame_id == "odom"
 
 
+def test_the_lessons_node_sees_from_another_process_where_the_robot_drives(robot, collect, wait_until):
+    from geometry_msgs.msg import PoseStamped
+    from nav_msgs.msg import Odometry
+    from nav_msgs.msg import Path as PathMessage
+
+    from imgproc_course.geometry import Pose, ate
+
+    start = (0.2, 0.0, 0.0)
+    robot.restart(start=start, seed=1, lighting="day")
+    seen = collect("/visual_odometry/odometry", Odometry)
+    paths, true_poses = (
+        collect("/visual_odometry/path", PathMessage),
+        collect("/truth/pose/robot", PoseStamped),
+    )
+
+    def places():  # (seen, true) of the images of which both have arrived
+        truth = {stamp(msg): vector(msg)[:3] for msg in list(true_poses)}
+        return [
+            (Pose.planar(*start).apply(vector(msg.pose)[:3]), truth[stamp(msg)])
+            for msg in list(seen)
+            if stamp(msg) in truth
+        ]
+
+    program = Path(__file__).with_name("visual_odometry.py")
+    with subprocess.Popen([sys.executable, program, "inf"], stdout=subprocess.PIPE, text=True) as node:
+        try:
+            wait_until(places)
+            while places()[-1][1][0] < start[0] + 0.35:
+                newest = stamp(true_poses[-1])
+                robot.drive(0.2, 0.1)  # for 0.5 s: it never drives farther than the node has looked
+                wait_until(lambda newest=newest: stamp(seen[-1]) >= newest)
+            robot.stop()
+            wait_until(lambda: len(paths) > 2)
+        finally:
+            node.send_signal(signal.SIGINT)
+        looks = int(node.communicate(timeout=60)[0])
+    assert 3 < len(seen) <= looks + 1  # ended between sending and counting
+    found, true = np.array(places()).transpose(1, 0, 2)
+    assert ate(found, true) < 0.05 < np.linalg.norm(true[-1] - true[0])
+    published = {stamp(msg): msg.pose.pose for msg in seen}
+    path = [msg for msg in paths[-1].poses if stamp(msg) in published]
+    assert path and all(msg.pose == published[stamp(msg)] for msg in path)
+    assert {msg.header.frame_id for msg in [*path, *seen]} == {"odom"} and len(path) <= looks + 1
+
+
 def test_the_room_refuses_impossible_options_and_takes_others(robot):
     before = robot.pose
     with pytest.raises(ValueError, match="a wall or furniture is in its way"):
