@@ -35,7 +35,6 @@ from imgproc_course.autograder.sandbox.inside import confine
 from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.autograder.screening import reason_not_to_run
 from imgproc_course.autograder.verdict import CaseRun, verdict_on
-from imgproc_course.exercises.cell_syntax import parts_of
 
 # A kernel that ended like this may have been ended by something else than the answer.
 _RUN_AGAIN_AFTER = ("crashed", "memory")
@@ -64,7 +63,7 @@ class ExerciseKernel:
         message_id = f"cell-{self._cell_count}"
         case = self._exercise_run.case_of_cell(self._cell_count)
         if case is None:
-            self._sources_before += parts_of(cell_input)
+            self._sources_before.append(cell_input)
         else:
             self._run_case(case, cell_input, message_id)
         self._add_message(message_id, "status", execution_state="idle")
@@ -132,7 +131,7 @@ class ExerciseRun:
         Parameters
         ----------
         case : KeyCase
-        sources_before : list of str, the statements of the given cells and of the answer
+        sources_before : list of str, the given cells and the answer
         source : str, its check cell
 
         Returns
@@ -174,15 +173,9 @@ class ExerciseRun:
         self._kernel = self._kernel_factory.start(
             self._exercise.allowed, self._kernel_seconds, self._next_request
         )
-        run = CaseRun()
-        for source_before in sources_before:
-            answer_run = self._kernel.run(source_before)
-            # A statement that fails costs only itself; the first error is the one to report.
-            if answer_run.ended or not run.answer.error[0]:
-                run.answer = self._answer_run = answer_run
-            if run.ended:
-                break
-        else:
+        self._answer_run = self._kernel.run_statements(sources_before)
+        run = CaseRun(answer=self._answer_run)
+        if not run.ended:
             self._run_check(run, case, source)
         if not run.passed:
             self.close()

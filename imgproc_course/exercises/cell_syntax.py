@@ -160,11 +160,13 @@ def parts_of(source):
     list of str, one for each statement; the lines of the answer keep their numbers. The whole source if it
     does not parse, or says how the rest is to be read (`from __future__ import ...`)
     """
+    return [part for cell in cells_of(source) for part in _statements_as_text(cell)]
+
+
+def cells_of(source):
+    """What `compose` took along and the answer itself, if there is both: a list of str."""
     definitions, mark, answer = source.partition(f"{ANSWER_MARK}\n")
-    if not mark:
-        definitions, answer = "", source
-    parts = [part for part in (definitions, answer) if part]
-    return [piece for part in parts for piece in _statements_as_text(part)]
+    return [cell for cell in (definitions, answer) if cell] if mark else [source] * bool(source)
 
 
 def _statements_as_text(source):

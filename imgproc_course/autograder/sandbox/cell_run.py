@@ -43,7 +43,7 @@ class CellRun:
             return True
         if kind == "stream" and len(self.printed) < _MAX_TEXT:
             self.printed = (self.printed + content["text"])[:_MAX_TEXT]
-        elif kind == "error":
+        elif kind == "error" and not self.error[0]:  # of several statements, the first that fails is reported
             self._set_error(content)
         elif kind in ("display_data", "execute_result") and MIME in content["data"]:
             self.answers.append(content["data"][MIME])

@@ -15,6 +15,7 @@ from contextlib import suppress
 from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.autograder.sandbox.allowed_modules import module_access
 from imgproc_course.autograder.sandbox.cell_run import LOOK_SECONDS, CellRun
+from imgproc_course.exercises.cell_syntax import cells_of, parts_of
 
 _STARTS = 3  # of a fork server that is not ready in time
 _CONTENT_TYPES = {
@@ -49,6 +50,19 @@ class ForkedKernel:
     def run(self, code):
         """Run one cell; returns its CellRun."""
         return self._request({"code": code})
+
+    def run_statements(self, sources):
+        """Run cells of which each statement that fails costs only itself.
+
+        Parameters
+        ----------
+        sources : list of str
+
+        Returns
+        -------
+        CellRun of all together, with the first error
+        """
+        return self._request({"cells": [cell for source in sources for cell in _cells_to_send(source)]})
 
     def deliver(self, inputs, seconds):
         """Send the inputs of the next check (see `check_cell.deliver`); returns a CellRun, as for a cell."""
@@ -156,6 +170,16 @@ class ForkedKernel:
                 self._fork_server.end(kernel_id, patience=0)
             else:
                 self._fork_server.drop(kernel_id)
+
+
+def _cells_to_send(source):
+    """A source as the kernel takes it: whole cells where it can tell the statements apart by itself."""
+    for cell in cells_of(source):
+        parts = parts_of(cell)
+        if len(parts) > 1 and "async" not in cell and "await" not in cell:
+            yield {"code": cell, "apart": True}
+        else:
+            yield from ({"code": part, "apart": False} for part in parts)
 
 
 def _parse_message(line):

@@ -17,6 +17,7 @@ from jupyter_client.manager import KernelManager
 from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.autograder.sandbox.allowed_modules import module_access
 from imgproc_course.autograder.sandbox.cell_run import LOOK_SECONDS, CellRun
+from imgproc_course.exercises.cell_syntax import parts_of
 
 _OWN_THREADS = 16  # of ipykernel itself, at most; they count as processes
 _SOCKETS = "/course/kernel"  # the shared folder as the sandbox sees it
@@ -119,6 +120,16 @@ class IPykernelClient:
             elif kind in ("stream", "display_data", "execute_result", "error"):
                 run.add(kind, content)
         return run
+
+    def run_statements(self, sources):
+        """Run cells as `ForkedKernel.run_statements` does: each statement is a cell here."""
+        whole = CellRun()
+        for part in (part for source in sources for part in parts_of(source)):
+            run = self.run(part)
+            whole.ended, whole.error = run.ended, whole.error if whole.error[0] else run.error
+            if run.ended:
+                break
+        return whole
 
     def deliver(self, inputs, seconds):
         """Send the inputs of the next check, by a cell."""

@@ -1,6 +1,7 @@
 """An IPython shell without ZMQ: it reads cells from a socket and writes messages, as lines of JSON.
 
-In:  {"n": 3, "code": "..."}, or {"n": 3, "case": {...}}, the inputs of the next check
+In:  {"n": 3, "code": "..."}, or {"n": 3, "case": {...}}, the inputs of the next check, or
+     {"n": 3, "cells": [{"code": "...", "apart": true}]}; if "apart", a statement that fails ends only itself
 Out: {"n": 3, "type": "stream" | "display_data" | "execute_result" | "update_display_data" | "clear_output" |
       "error" | "idle", "content": {...}}, with the content of Jupyter's messages
 """
@@ -157,6 +158,7 @@ class CellShell(InteractiveShell):
     input_transformer_manager = Instance(FastTransformer, ())
     system = InteractiveShell.system_piped
     readline_use = False
+    statements_apart = False  # whether a statement that fails ends only itself, and not its cell
 
     def init_history(self):
         super().init_history()
@@ -165,6 +167,14 @@ class CellShell(InteractiveShell):
     def should_run_async(self, raw_cell, **options):
         # IPython compiles the cell to find out; for most cells a look at the text is enough.
         return ("await" in raw_cell or "async" in raw_cell) and super().should_run_async(raw_cell, **options)
+
+    async def run_ast_nodes(self, nodelist, cell_name, **options):
+        if not self.statements_apart:
+            return await super().run_ast_nodes(nodelist, cell_name, **options)
+        has_failed = False
+        for node in nodelist:
+            has_failed |= bool(await super().run_ast_nodes([node], cell_name, **options))
+        return has_failed
 
     def enable_gui(self, gui=None):
         pass
@@ -192,7 +202,7 @@ def make_shell():
     """The one shell of the fork server; each fork continues with its copy."""
     # A database would be one open file that all forks share.
     shell = CellShell.instance(config=Config({"HistoryManager": {"enabled": False, "hist_file": ":memory:"}}))
-    shell.colors = "nocolor"
+    shell.colors, shell.xmode = "nocolor", "Minimal"  # nobody reads a traceback
     shell.user_ns["__name__"] = "__main__"
     return shell
 
@@ -213,12 +223,13 @@ def serve(shell, descriptor, deliver):
         WRITER.cell, WRITER.output_left = request["n"], _MOST_OUTPUT
         if "case" in request:
             deliver(request["case"])
-        if not request.get("code"):  # a delivery, or a question whether the kernel is alive
-            WRITER.send("idle", ename="", evalue="")
-            continue
-        result = runner.run(request["code"])
-        _flush()
-        error = result.error_before_exec or result.error_in_exec
+        error = None
+        for cell in request.get("cells") or [{"code": request.get("code"), "apart": False}]:
+            if cell["code"]:  # else a delivery, or a question whether the kernel is alive
+                shell.statements_apart = cell["apart"]
+                error_of_cell = runner.run(cell["code"])
+                error = error_of_cell if error is None else error
+                _flush()
         name = "" if error is None else type(error).__name__
         WRITER.send("idle", ename=name, evalue="" if error is None else _text_of(error))
 
@@ -230,6 +241,11 @@ class _CellRunner:
         self._shell, self._loop = shell, None
 
     def run(self, code):
+        """Run a cell; returns the exception that ended it, or None."""
+        result = self._run(code)
+        return result.error_before_exec or result.error_in_exec
+
+    def _run(self, code):
         if self._loop is None and "async" not in code and "await" not in code:
             return self._shell.run_cell(code, store_history=False)
         if self._loop is None:
