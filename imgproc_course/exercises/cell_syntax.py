@@ -125,18 +125,31 @@ BLANK = "blank"
 
 def _body_digest(statement):
     """BLANK for a stub (`...`, `pass`, NotImplementedError first), a digest of another short body, or ""."""
-    if not isinstance(statement, _FUNCTIONS):
-        return ""
-    body = statement.body
-    if isinstance(body[0], ast.Expr) and isinstance(body[0].value, ast.Constant):
-        body = body[1:]  # a docstring, or ...
-    if not body or [*map(type, body)] == [ast.Pass] or _is_not_implemented(body[0]):
+    if _is_blank(statement):
         return BLANK
+    body = _body(statement)
+    if not 0 < len(body) <= _LONGEST_STUB:
+        return ""
     try:
-        text = ast.dump(ast.Module(body[:_LONGEST_STUB], []))
+        text = ast.dump(ast.Module(body, []))
     except (RecursionError, MemoryError):
         return ""
-    return "" if len(body) > _LONGEST_STUB else hashlib.sha256(text.encode("utf-8", "replace")).hexdigest()
+    return hashlib.sha256(text.encode("utf-8", "replace")).hexdigest()
+
+
+def _body(statement):
+    """The statements of a function without its docstring or `...`; of anything else none."""
+    body = statement.body if isinstance(statement, _FUNCTIONS) else []
+    is_text = body and isinstance(body[0], ast.Expr) and isinstance(body[0].value, ast.Constant)
+    return body[1:] if is_text else body
+
+
+def _is_blank(statement):
+    """Whether a statement is a stub."""
+    if not isinstance(statement, _FUNCTIONS):
+        return False
+    body = _body(statement)
+    return not body or [*map(type, body)] == [ast.Pass] or _is_not_implemented(body[0])
 
 
 def _is_not_implemented(statement):
@@ -239,7 +252,7 @@ def _imports_apart(node):
 def _statement(node):
     source, binds = ast.unparse(node), frozenset(names_bound_by(node))
     reads = frozenset(_names_read(source))
-    return Statement(_kind_of(node), binds, reads, source, _body_digest(node) == BLANK)
+    return Statement(_kind_of(node), binds, reads, source, _is_blank(node))
 
 
 def _kind_of(node):
@@ -402,7 +415,7 @@ def _without_stub(source, function):
     except UNPARSABLE:
         return source
     own = [statement for statement in statements if _callable_name(statement) == function]
-    stubs = [statement for statement in own if _body_digest(statement) == BLANK]
+    stubs = [statement for statement in own if _is_blank(statement)]
     if len(stubs) in (0, len(own)):
         return source
     lines = source.split("\n")
