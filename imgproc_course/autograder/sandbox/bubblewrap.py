@@ -13,7 +13,7 @@ import signal
 import subprocess
 import sys
 import sysconfig
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
@@ -83,7 +83,7 @@ class Limits:
 
     def for_system(self, seconds):
         """The limits that the operating system enforces on a kernel that may use so many seconds."""
-        return asdict(self) | {"cpu": int(-(-(seconds + self.grace) // 1))}
+        return vars(self) | {"cpu": int(-(-(seconds + self.grace) // 1))}
 
     def deadline(self, seconds):
         """Seconds of wall time after which a kernel is ended from outside, whatever it does."""
