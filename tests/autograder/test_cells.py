@@ -73,6 +73,16 @@ def test_a_cell_does_what_it_does_in_jupyterlab(kernel, code, printed, error):
     assert printed is None or run.printed.replace("\r\n", "\n") == printed
 
 
+@pytest.mark.parametrize("comment", ["", "# nothing to await"])
+def test_a_statement_that_fails_costs_only_itself(kernel, comment):
+    # `return` is a syntax error that only compiling the statement finds.
+    answer = "1 / 0\nsecond = first + 1\nreturn 5\nraise KeyError('k')\ndef third():\n    return second\n"
+    run = kernel.run_statements(["first = 1", answer + comment])
+    assert (run.ended, run.error) == ("", ("ZeroDivisionError", "division by zero"))
+    assert kernel.run("print(third())\ndel third").printed == "2\n"
+    assert kernel.run_statements(["first = 3\nsecond = 4"]).error == ("", "")
+
+
 def test_input_is_refused_with_an_explanation(kernel):
     run = kernel.run("input('name?')")
     assert run.error[0] in ("RuntimeError", "StdinNotImplementedError")

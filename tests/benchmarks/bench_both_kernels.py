@@ -1,0 +1,38 @@
+"""Grade every sample answer of tests/autograder/test_pool.py with the forked kernel and with Jupyter's own.
+
+The results must be equal. The test suite does the same with some of them: an ipykernel starts in seconds.
+
+    .venv/bin/python tests/benchmarks/bench_both_kernels.py
+"""
+
+import sys
+import tempfile
+import time
+from pathlib import Path
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "autograder"))
+
+from attacks import MASTERS, SEED
+from test_pool import PATIENT, SAMPLES, doubles, submissions_of
+
+from imgproc_course.autograder.make_answer_key import make_key
+from imgproc_course.autograder.pool import autograde
+
+
+def main():
+    names = [name for name in SAMPLES if name != "prints beside"]  # only one of them sees what C code prints
+    graded = {}
+    with tempfile.TemporaryDirectory(prefix="bench-") as folder:
+        key = make_key(MASTERS, SEED, Path(folder) / "key")
+        for kernel in ("fast", "ipykernel"):
+            begun = time.monotonic()
+            results = autograde(submissions_of({}, names), key, kernel=kernel, workers=2, limits=PATIENT)
+            graded[kernel] = {result.name: doubles(result) for result in results}
+            print(f"{kernel}: {len(names)} answers in {time.monotonic() - begun:.0f} s")
+    differing = [name for name in names if graded["fast"][name] != graded["ipykernel"][name]]
+    print(f"equal results: {len(names) - len(differing)} of {len(names)} {differing or ''}")
+    raise SystemExit(1 if differing else 0)
+
+
+if __name__ == "__main__":
+    main()
