@@ -299,6 +299,12 @@ def wheel_speeds(linear, angular, distance):
     return abs(left), abs(right)
 
 
+# %% role="mistake" name="rounded" says="The results are rounded. Return the exact numbers, and leave round out: only the print in the lesson rounds."
+def wheel_speeds(linear, angular, distance):
+    left, right = solution(linear, angular, distance)
+    return round(left, 2), round(right, 2)
+
+
 # %% [markdown]
 # ## 3 · Where the robot is after a step (8 minutes)
 #
@@ -537,6 +543,12 @@ def next_pose(x, y, yaw, linear, angular, dt):
     return moved(x, y, yaw, linear, angular, dt, math.radians(yaw + angular * dt / 2))
 
 
+# %% role="mistake" name="rounded" says="The results are rounded. Return the exact numbers, and leave round out: only the print in the lesson rounds."
+def next_pose(x, y, yaw, linear, angular, dt):
+    x, y, yaw = solution(x, y, yaw, linear, angular, dt)
+    return round(x, 4), round(y, 4), round(yaw, 3)
+
+
 # %% [markdown]
 # ## 4 · The messages of a moving robot (4 minutes)
 #
@@ -615,7 +627,7 @@ class SquareDriver:
 
 # %% [markdown]
 # - `missing` is how much of this side is left, in metres: `math.dist` is the distance between two points. The robot drives slower when little is left.
-# - `turn` is how far the robot must still turn, in radians. While it drives, it also corrects small errors of its direction: `3 * turn`.
+# - `turn` is how far the robot must still turn, in radians. While it drives, it also corrects small errors of its direction: `3 * turn`. `max(-1.0, min(1.0, …))` keeps the angular velocity between −1 and 1 rad/s.
 #
 # Drive a square with sides of 0.6 m. `robot.odometry()` is what the wheels say, and `robot.pose("robot")` is the truth, which only a simulation knows.
 
@@ -866,6 +878,11 @@ def stopping_distance(speed, deceleration, rate, latency):
 # %% role="mistake" name="speed not squared" says="The speed is not squared in the way of braking: speed ** 2 / (2 * deceleration)."
 def stopping_distance(speed, deceleration, rate, latency):
     return speed * (1 / rate + latency) + speed / (2 * deceleration)
+
+
+# %% role="mistake" name="twice the speed, or the time of braking" says="Your way of braking has the speed, not its square, and the 2 is lost: speed / deceleration is the time of braking, in seconds. The way is speed ** 2 / (2 * deceleration). (In Python, * 2 doubles a number, and ** 2 squares it.)"
+def stopping_distance(speed, deceleration, rate, latency):
+    return speed * (1 / rate + latency) + speed / deceleration
 
 
 # %% role="mistake" name="parentheses missing" says="Parentheses are missing: / 2 * deceleration divides by 2 and then multiplies by the deceleration. Write / (2 * deceleration)."

@@ -88,3 +88,11 @@ def next_pose(x, y, yaw, linear, angular, dt):
     x = x + linear * dt * math.cos(middle)
     y = y + linear * dt * math.sin(middle)
     return x, y, math.remainder(yaw + angular * dt, math.pi)
+
+# %% name="rounded as the print" origin="new" sentence="You rounded: only the print in the lesson rounds, return the exact numbers." must_say=["round"] kind="value"
+def next_pose(x, y, yaw, linear, angular, dt):
+    middle = yaw + angular * dt / 2
+    x = x + linear * dt * math.cos(middle)
+    y = y + linear * dt * math.sin(middle)
+    yaw = math.remainder(yaw + angular * dt, 2 * math.pi)
+    return round(x, 4), round(y, 4), round(yaw, 3)

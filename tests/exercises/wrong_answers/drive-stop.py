@@ -65,3 +65,14 @@ def stopping_distance(speed, deceleration, rate, latency):
 # %% name="calls the function of the lesson" origin="new" sentence="distance_of is another cell's function, and it takes only the speed: compute with the arguments." must_say=["distance_of|argument|cell|defin"] kind="other-cell"
 def stopping_distance(speed, deceleration, rate, latency):
     return distance_of(speed)
+
+# %% name="* 2 for ** 2" origin="new" sentence="* 2 doubles the speed; ** 2 squares it." must_say=["squar", "\\*\\* ?2"] kind="value"
+def stopping_distance(speed, deceleration, rate, latency):
+    before = speed * (1 / rate + latency)
+    braking = speed * 2 / (2 * deceleration)
+    return before + braking
+
+# %% name="the time of braking as a way" origin="new" sentence="speed / deceleration is the time of braking; the way is speed ** 2 / (2 * deceleration)." must_say=["time", "\\*\\* ?2"] kind="value"
+def stopping_distance(speed, deceleration, rate, latency):
+    before = speed * (1 / rate + latency)
+    return before + speed / deceleration

@@ -66,3 +66,10 @@ def wheel_speeds(linear, angular, distance):
 def wheel_speeds(linear, angular, distance):
     turn = math.degrees(angular) * distance / 2
     return linear - turn, linear + turn
+
+# %% name="rounded as the print" origin="new" sentence="You rounded: only the print in the lesson rounds, return the exact numbers." must_say=["round"] kind="value"
+def wheel_speeds(linear, angular, distance):
+    half = distance / 2
+    left = linear - angular * half
+    right = linear + angular * half
+    return round(left, 2), round(right, 2)
