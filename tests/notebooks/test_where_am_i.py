@@ -1,5 +1,6 @@
 """The lesson "Where am I?": its solutions give what the field's tools give, on many inputs."""
 
+import importlib.util
 import itertools
 from pathlib import Path
 
@@ -9,7 +10,7 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from imgproc_course.exercises import read_exercises
-from imgproc_course.geometry import homography, rigid_motion
+from imgproc_course.geometry import CameraModel, Pose, homography, rigid_motion
 
 MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "14_where_am_i.py"
 
@@ -90,3 +91,18 @@ def test_between_two_keyframes_no_frame_is_far_from_the_first(solutions):
         if end < len(steps):
             dx, dy, dyaw = steps[end] - steps[first]
             assert np.hypot(dx, dy) >= 0.2 or abs(dyaw) >= 0.3
+
+
+def test_in_front_of_a_bare_wall_the_pose_stays():
+    spec = importlib.util.spec_from_file_location(
+        "lesson_nodes", MASTER.parents[2] / "tests/ros/lesson_nodes.py"
+    )
+    lesson_nodes = importlib.util.module_from_spec(spec)
+    spec.loader.exec_module(lesson_nodes)
+    start = Pose.planar(1.0, 2.0, 0.5)
+    odometry = lesson_nodes.lesson_definitions("where_am_i", detector=None)["VisualOdometry"](start)
+    camera = CameraModel(640, 360, 352, 352, 320, 180, (0,) * 5)
+    wall, depth = np.full((360, 640), 180, np.uint8), np.full((360, 640), 900, np.uint16)
+    for number in (1, 2, 3):
+        np.testing.assert_allclose(odometry.step(wall, depth, camera).vector, start.vector, rtol=0, atol=0)
+        assert odometry.count == number  # each look begins again
