@@ -182,7 +182,7 @@ def odometry(frames, method, every):
     step = Pose(np.eye(3), np.zeros(3))
     for a, b in pairwise(numbers):
         found = motion(frames, a, b, matches)
-        is_lost = found is None or np.linalg.norm(found.position) > FARTHEST
+        is_lost = found is None or bool(np.linalg.norm(found.position) > FARTHEST)
         lost += is_lost
         step = step if is_lost else found.inverse()
         poses.append(poses[-1] @ step)
