@@ -810,6 +810,11 @@ def inliers(points, normal, offset, tolerance):
     return solution(points, normal, 0, tolerance)
 
 
+# %% role="mistake" name="absolute value before the offset" says="You took the absolute value before you added the offset. Add first, then take np.abs of the whole height: np.abs(points @ normal + offset)."
+def inliers(points, normal, offset, tolerance):
+    return np.abs(points @ normal) + offset < tolerance
+
+
 # %% role="mistake" name="offset subtracted" says="You subtracted the offset. The height is points @ normal + offset."
 def inliers(points, normal, offset, tolerance):
     return solution(points, normal, -offset, tolerance)
@@ -1099,6 +1104,12 @@ def nearest_obstacle(forward, left, height, width):
 def nearest_obstacle(forward, left, height, width):
     mask = (np.abs(left) <= width / 2) & standing(height)
     return float(forward[mask].max()) if mask.any() else math.inf
+
+
+# %% role="mistake" name="the farthest, 0 for a free corridor" says="You return the farthest obstacle. The nearest one has the smallest forward: begin with best = math.inf, and keep what is smaller."
+def nearest_obstacle(forward, left, height, width):
+    mask = (np.abs(left) <= width / 2) & standing(height)
+    return float(forward[mask].max(initial=0))
 
 
 # %% role="mistake" name="the mean" says="You return the mean of all obstacles. The nearest one has the smallest forward: min."

@@ -474,6 +474,16 @@ def backproject(hue, weights):
     return weights[np.minimum(hue // 10, len(weights) - 1)]
 
 
+# %% role="mistake" name="always 18 bins, and overflow" says="Two things are wrong: hue is uint8, so hue * 18 does not fit (widen it: hue.astype(int)), and the number of bins is len(weights), not always 18."
+def backproject(hue, weights):
+    return weights[hue * 18 // 180]
+
+
+# %% role="mistake" name="divided by the number of bins" says="You divided by the number of bins. A bin has 180 / bins hues: multiply by the number of bins, and divide by 180."
+def backproject(hue, weights):
+    return weights[hue.astype(int) // len(weights)]
+
+
 # %% role="mistake" name="numbers of the bins" says="These are the numbers of the bins. Look up the weight of each of them: weights[bins]."
 def backproject(hue, weights):
     return bins_of(hue, weights).astype(np.uint8)
@@ -1109,6 +1119,21 @@ def predict(state, covariance, F, Q):
     return F @ state, F * covariance * F.T + Q
 
 
+# %% role="mistake" name="state element by element" says="You multiplied the state with *, value by value, so it became a matrix. F @ state multiplies each row of F with the state, and adds up."
+def predict(state, covariance, F, Q):
+    return F * state, F @ covariance @ F.T + Q
+
+
+# %% role="mistake" name="everything element by element" says="You multiplied with *, value by value, so the state became a matrix. Matrices are multiplied with @: F @ state, and F @ covariance @ F.T + Q."
+def predict(state, covariance, F, Q):
+    return F * state, F * covariance * F.T + Q
+
+
+# %% role="mistake" name="Q added to the state" says="You added Q to the state. Q belongs to the covariance: the state is F @ state, the covariance is F @ covariance @ F.T + Q."
+def predict(state, covariance, F, Q):
+    return F @ state + Q, F @ covariance @ F.T
+
+
 # %% role="mistake" name="state not predicted" says="Your state has not changed. The predicted state is F @ state."
 def predict(state, covariance, F, Q):
     return state, F @ covariance @ F.T + Q
@@ -1353,6 +1378,22 @@ def update(state, covariance, measurement, H, R):
 def update(state, covariance, measurement, H, R):
     gain = gain_of(covariance, H, R)
     return state + gain @ (measurement - H @ state), covariance @ (np.eye(len(state)) - gain @ H)
+
+
+# %% role="mistake" name="gain element by element" says="You multiplied the gain with *, value by value. The gain is a matrix: gain @ (measurement - H @ state)."
+def update(state, covariance, measurement, H, R):
+    S = H @ covariance @ H.T + R
+    gain = covariance @ H.T @ np.linalg.inv(S)
+    state = state + gain * (measurement - H @ state)
+    return state, (np.eye(len(state)) - gain @ H) @ covariance
+
+
+# %% role="mistake" name="covariance element by element" says="The state is right. The covariance was multiplied with *, value by value: (np.eye(len(state)) - gain @ H) @ covariance."
+def update(state, covariance, measurement, H, R):
+    S = H @ covariance @ H.T + R
+    gain = covariance @ H.T @ np.linalg.inv(S)
+    state = state + gain @ (measurement - H @ state)
+    return state, (np.eye(len(state)) - gain @ H) * covariance
 
 
 # %% role="mistake" name="one instead of the identity matrix" says="1 - gain @ H subtracts from 1 everywhere. The 1 of matrices is np.eye(n), which has ones on its diagonal only."

@@ -60,3 +60,7 @@ def inliers(points, normal, offset, tolerance):
     if np.abs(points @ normal + offset) < tolerance:
         return True
     return False
+
+# %% name="abs before the offset" origin="new" sentence="Take the absolute value of the whole height, after the offset is added." must_say=["abs", "offset"] kind="value"
+def inliers(points, normal, offset, tolerance):
+    return np.abs(points @ normal) + offset < tolerance

@@ -106,3 +106,11 @@ def nearest_obstacle(forward, left, height, width):
     if not mask.any():
         return math.inf
     return forward[mask].min()
+
+# %% name="a loop that keeps the largest" origin="new" sentence="You keep the largest forward: begin with math.inf and keep the smaller one." must_say=["farthest|largest|small", "inf"] kind="value"
+def nearest_obstacle(forward, left, height, width):
+    best = 0
+    for f, l, h in zip(forward.ravel(), left.ravel(), height.ravel()):
+        if abs(l) <= width / 2 and 0.03 < h < 0.40 and f > best:
+            best = f
+    return best

@@ -69,3 +69,13 @@ def backproject(hue, weights):
 def backproject(hue, weights):
     hue[:] = weights[hue.astype(int) * len(weights) // 180]
     return hue
+
+# %% name="18 bins in uint8" origin="new" sentence="Widen first, and take the number of bins from len(weights)." must_say=["astype|widen|fit|overflow|uint8", "len"] kind="value"
+def backproject(hue, weights):
+    bins = hue * 18 // 180
+    return weights[bins]
+
+# %% name="divided by the number of bins" origin="new" sentence="You divided by the number of bins: a bin has 180 / bins hues, so it is hue * bins // 180." must_say=["divid", "180"] kind="value"
+def backproject(hue, weights):
+    bins = hue.astype(int) // len(weights)
+    return weights[bins]

@@ -58,3 +58,11 @@ def predict(state, covariance, F, Q):
 def predict(state, covariance, F, Q):
     state = F @ state
     covariance = F @ covariance @ F.T + Q
+
+# %% name="stars everywhere" origin="new" sentence="* works value by value: multiply matrices with @." must_say=["@"] kind="shape"
+def predict(state, covariance, F, Q):
+    return F * state, F * covariance * F.T + Q
+
+# %% name="Q at the state" origin="new" sentence="Q belongs to the covariance, not to the state." must_say=["Q", "covariance"] kind="shape"
+def predict(state, covariance, F, Q):
+    return F @ state + Q, F @ covariance @ F.T
