@@ -511,8 +511,21 @@ _ADVICE = (
     ),
     (
         "ValueError",
+        "matmul: .* \\(size (\\d+) is different from (\\d+)\\)",
+        "@ needs as many columns on its left as rows on its right: here \\2 and \\1. Which shape has"
+        " each part? (Value by value, arrays are multiplied with *.)",
+    ),
+    (
+        "ValueError",
         "^shapes .* not aligned|matmul",
-        "@ and np.dot multiply matrices. Value by value, arrays are multiplied with *.",
+        "@ and np.dot need as many columns on the left as rows on the right. Which shape has each part?"
+        " (Value by value, arrays are multiplied with *.)",
+    ),
+    (
+        "ValueError",
+        "cannot convert float NaN to integer",
+        "NaN is the result of 0 divided by 0: a sum of nothing, or of zeros. Test for that before you"
+        " divide.",
     ),
     (
         "ModuleNotFoundError",

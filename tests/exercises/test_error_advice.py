@@ -97,7 +97,9 @@ ADVICE = {
     "a[0, 0] = values": "One number is needed here, and this is a whole list.",
     "np.zeros(0).max()": "an empty array has no maximum",
     'np.frombuffer(b"abc", "u1")[0] = 1': "Work on a copy: array.copy().",
-    "a @ a": "Value by value, arrays are multiplied with *.",
+    "a @ a": "as many columns on its left as rows on its right: here 6 and 5. Which shape has each part?",
+    "np.dot(a, a)": "Value by value, arrays are multiplied with *.",
+    'round(float("nan"))': "NaN is the result of 0 divided by 0",
     "import sklearns": "No library with the name sklearns is installed here.",
 }
 
