@@ -1530,6 +1530,10 @@ def drive(rng, count, speed, turn, start=0.0):
     return places
 
 
+def forth_and_back(places):
+    return [*places, *places[-2::-1]]
+
+
 # %% role="answer"
 def keyframes(places, distance, angle):
     raise NotImplementedError("your turn: delete this line and write the function")
@@ -1556,7 +1560,7 @@ check("where-keyframes", keyframes)
 def inputs(rng):
     steps = [(0.25 * k, 0.0, 0.0) for k in range(9)]
     return [(steps, 0.5, 1.0), (drive(rng, 30, 0.06, 0.01, 0.9), 0.25, 1.0), (drive(rng, 30, 0.1, -0.02, 2.0), 0.35, 2.0),
-            (drive(rng, 30, 0.1, 0.1, 0.0), 0.3, 0.25)]
+            (drive(rng, 30, 0.1, 0.1, 0.0), 0.3, 0.25), ([(x, 0.0, 0.0) for x in (0.0, 0.3, 0.1, 0.3, 0.1, 0.6)], 0.5, 1.0)]
 
 
 # %% role="case" title="a robot that turns" points=1 hint="Does a turn alone make a keyframe, to either side, and also across π?"
@@ -1568,7 +1572,8 @@ def inputs(rng):
 
 # %% role="hidden" title="any drive" points=1 hint="Do you compare with the last keyframe, by distance or by angle?"
 def inputs(rng):
-    return [(drive(rng, 50, 0.07, 0.06, 1.0), 0.4, 0.5), (drive(rng, 40, 0.1, -0.09, -2.5), 0.3, 0.6), (drive(rng, 30, 0.02, 0.2, 0.0), 0.3, 0.7)]
+    return [(drive(rng, 50, 0.07, 0.06, 1.0), 0.4, 0.5), (drive(rng, 40, 0.1, -0.09, -2.5), 0.3, 0.6), (drive(rng, 30, 0.02, 0.2, 0.0), 0.3, 0.7),
+            (forth_and_back(drive(rng, 9, 0.06, 0.01, 0.4)), 0.4, 1.0)]
 
 
 # %% role="mistake" name="compared with the frame before" says="You compare each frame with the frame before it. Compare it with the last keyframe, places[numbers[-1]]: small steps add up."
@@ -1586,6 +1591,17 @@ def keyframes(places, distance, angle):
 # %% role="mistake" name="and in place of or" says="You ask for both, distance and angle. One of them is enough: use or."
 def keyframes(places, distance, angle):
     return chosen(places, lambda a, b: moved(a, b) >= distance and turned(a, b) >= angle)
+
+
+# %% role="mistake" name="the way added up" says="You add up the steps since the last keyframe. A robot that drives forth and back is near it again: compare the two places, with math.dist."
+def keyframes(places, distance, angle):
+    numbers, way = [0], 0.0
+    for k in range(1, len(places)):
+        way += moved(places[k], places[k - 1])
+        if way >= distance or turned(places[k], places[numbers[-1]]) >= angle:
+            numbers.append(k)
+            way = 0.0
+    return numbers
 
 
 # %% role="mistake" name="the near frames" says="You keep the frames that are near the last keyframe. A keyframe is far enough from it, by at least distance or angle: >=, not <."
@@ -1847,10 +1863,10 @@ if ros_available():
     session = RosSession.current()
     node = session.add_node(VisualOdometryNode(context=session.context))
     for angular, looks in ((0.4, 10), (-0.4, 25), (0.4, 35)):
-        live_robot.drive(0.25, angular)
-        end = time.monotonic() + 10
+        end = time.monotonic() + 12
         while node.looks < looks and time.monotonic() < end:
-            time.sleep(0.05)
+            live_robot.drive(0.25, angular)  # again and again: an old command stops the robot
+            time.sleep(0.1)
     live_robot.stop()
     session.remove_node(node)
     live_camera.stop()

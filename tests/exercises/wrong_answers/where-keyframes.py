@@ -150,3 +150,14 @@ def keyframes(places, distance, angle):
         if math.dist(a[:2], key[:2]) >= distance or turned >= angle:
             numbers.append(k)
     return numbers
+
+# %% name="way added up" origin="new" sentence="The robot may come back: compare the place with that of the last keyframe." must_say=["add up|last keyframe"] kind="value"
+def keyframes(places, distance, angle):
+    numbers, way = [0], 0.0
+    for k in range(1, len(places)):
+        way += math.dist(places[k][:2], places[k - 1][:2])
+        turn = abs(math.remainder(places[k][2] - places[numbers[-1]][2], 2 * math.pi))
+        if way >= distance or turn >= angle:
+            numbers.append(k)
+            way = 0.0
+    return numbers
