@@ -249,7 +249,7 @@ assert best == otsu_threshold(marker) == int(opencv_best)
 # %% [markdown]
 # ## 4 · Two more examples (4 minutes)
 #
-# Otsu's method on the sign on the wall, and on a photograph of a man with a camera, one of scikit-image's example images (CC0, free to use).
+# Otsu's method on the sign on the wall (we only print its threshold), and on a photograph of a man with a camera, one of scikit-image's example images (CC0, free to use).
 
 # %%
 from skimage import data
@@ -661,7 +661,7 @@ def otsu(gray):
     return 127
 
 
-# %% role="mistake" name="always 0" says="Your function returned 0 for every image. If return is inside the for loop, the function ends with the first t: move it to the left, below the loop. If not, see that best_t gets a new value in the loop."
+# %% role="mistake" name="always 0" says="Your function returned 0 for every image. Is return inside the for loop? Then the function ends with the first t: move it to the left, below the loop. If not, best_t never got a new value, because no variance was larger than 0. Print w0, w1 and the variance for one t: the shares need /, not //, and ** 2 belongs to the difference of the two means."
 def otsu(gray):
     return 0
 

@@ -67,7 +67,7 @@ figure_texts = {
         "The rim of the ball as a ring in all colours of the rainbow, beside the coloured outlines of the marker.",
     ),
     "small": (
-        "In each row only the pixel with the largest magnitude keeps its value.",
+        "In each row only the peak keeps its value.",
         "Three five by five grids: gray levels of a soft step, their magnitudes, and the magnitudes of one column only.",
     ),
     "thinned": (

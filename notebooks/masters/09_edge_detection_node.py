@@ -538,6 +538,15 @@ def near(mask, tolerance):
     return result
 
 
+# %% role="mistake" name="a negative slice at the border, numbers" says="Two things are wrong. Near the top and the left border the window is empty, because row - tolerance is negative there: pad the mask with False first. And the result must be bool: np.zeros(mask.shape, dtype=bool)."
+def near(mask, tolerance):
+    result = np.zeros(mask.shape)
+    for row, col in np.ndindex(mask.shape):
+        rows = slice(row - tolerance, row + tolerance + 1)
+        result[row, col] = mask[rows, col - tolerance : col + tolerance + 1].any()
+    return result
+
+
 # %% role="mistake" name="the border left out" says="The pixels on the border are always False, as if they were left out. Pad the mask with False, and visit every pixel."
 def near(mask, tolerance):
     inside = np.zeros_like(mask)
@@ -860,6 +869,14 @@ def f1_score(edges, outlines, tolerance):
 def f1_score(edges, outlines, tolerance):
     hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
     return f1_of(hits, 255 * edge_count, detected, outline_count)
+
+
+# %% role="mistake" name="edge pixels counted as 255, nan without edges" says="The edge pixels were counted 255 times, because edges holds 0 and 255. Make a mask first, edges > 0, and count with it. And without edges or outlines you divide by 0, which gives nan: return 0.0 before you divide."
+def f1_score(edges, outlines, tolerance):
+    hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
+    with np.errstate(all="ignore"):
+        precision, recall = np.float64(hits) / (255 * edge_count), np.float64(detected) / outline_count
+    return 2 * precision * recall / (precision + recall) if precision + recall else 0.0
 
 
 # %% role="mistake" name="always 0" says="Your result is always 0.0. An edge pixel is 255, not 1: find the edge pixels with edges > 0."

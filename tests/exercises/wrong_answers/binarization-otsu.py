@@ -345,3 +345,19 @@ def otsu(gray):
         if v > best:
             best, best_t = v, t
     return best_t
+
+# %% name="whole shares" origin="new" sentence="// makes every share 0, so every variance is 0: shares need /." must_say=["share|w0", "/, not //|/ "] kind="value"
+def otsu(gray):
+    histogram = np.bincount(gray.ravel(), minlength=256)
+    best_t, best_variance = 0, 0
+    for t in range(256):
+        below, above = histogram[: t + 1].sum(), histogram[t + 1 :].sum()
+        if below == 0 or above == 0:
+            continue
+        w0, w1 = below // gray.size, above // gray.size
+        mean0 = (np.arange(t + 1) * histogram[: t + 1]).sum() / below
+        mean1 = (np.arange(t + 1, 256) * histogram[t + 1 :]).sum() / above
+        variance = w0 * w1 * (mean1 - mean0) ** 2
+        if variance > best_variance:
+            best_t, best_variance = t, variance
+    return best_t

@@ -543,3 +543,20 @@ def f1_score(edges, outlines, tolerance):
     if precision + recall == 0:
         return 0.0
     return 2 * precision * recall / (precision + recall)
+
+# %% name="edges used as a mask" origin="new" sentence="edges is 0 or 255, so its sum counts 255 for each pixel: begin with found = edges > 0." must_say=["255", "edges > 0|mask"] kind="value"
+def f1_score(edges, outlines, tolerance):
+    def near(mask):
+        height, width = mask.shape
+        padded = np.pad(mask, tolerance)
+        result = np.zeros_like(mask)
+        for row in range(2 * tolerance + 1):
+            for col in range(2 * tolerance + 1):
+                result |= padded[row : row + height, col : col + width]
+        return result
+
+    precision = (edges & near(outlines)).sum() / edges.sum()
+    recall = (outlines & near(edges)).sum() / outlines.sum()
+    if precision + recall == 0:
+        return 0.0
+    return 2 * precision * recall / (precision + recall)

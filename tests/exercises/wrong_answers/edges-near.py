@@ -200,3 +200,12 @@ def near(mask, tolerance):
         for c in range(2 * tolerance + 1):
             out = out | p[r:r+h, c:c+w]
     return out
+
+# %% name="negative slice, float64" origin="new" sentence="At the border row - tolerance is negative, so the slice is empty: pad the mask; and make a bool array." must_say=["negative|empty", "bool"] kind="value"
+def near(mask, tolerance):
+    result = np.zeros(mask.shape)
+    for row in range(mask.shape[0]):
+        for col in range(mask.shape[1]):
+            if mask[row - tolerance : row + tolerance + 1, col - tolerance : col + tolerance + 1].any():
+                result[row, col] = True
+    return result
