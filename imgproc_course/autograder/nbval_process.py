@@ -32,7 +32,6 @@ _BLOCKED_PLUGINS = (
 )
 _PLUGINS = (
     "imgproc_course.autograder.blocked_imports",  # first, so that nbval does not import what it blocks
-    "imgproc_course.autograder.nbval_stubs",
     "nbval.plugin",
     "imgproc_course.autograder.nbval_plugin",
 )

@@ -511,7 +511,7 @@ _ADVICE = (
     ),
     (
         "ValueError",
-        "matmul: .* \\(size (\\d+) is different from (\\d+)\\)",
+        "\\(size (\\d+) is different from (\\d+)\\)",
         "@ needs as many columns on its left as rows on its right: here \\2 and \\1. Which shape has"
         " each part? (Value by value, arrays are multiplied with *.)",
     ),

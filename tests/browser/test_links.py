@@ -6,6 +6,7 @@ import nbformat
 import pytest
 from jupyter_page import OPEN_NOTEBOOK, ROOT
 from nbformat.v4 import new_markdown_cell, new_notebook
+from playwright.sync_api import TimeoutError as PlaywrightTimeoutError
 
 from imgproc_course.authoring.build import lesson_notebook
 from imgproc_course.authoring.handout import hand_out
@@ -33,7 +34,8 @@ SHOW = """async ([path, text]) => {
     const {content, context, id} = await app.commands.execute("docmanager:open", {path});
     await context.ready;
     app.shell.activateById(id);
-    await content.scrollToCell(content.widgets.find(cell => cell.model.sharedModel.source.includes(text)));
+    const cell = content.widgets.find(cell => cell.model.sharedModel.source.includes(text));
+    cell.node.scrollIntoView();
 }"""
 TEXT = "[[canny_stages#8]] | [[term:Otsu's method]] | [[term:zero padding]] | [[term:ROS]] | [[grayscale]]"
 TARGETS = [
@@ -58,11 +60,24 @@ def page(lab, open_notebook):
 
 
 def click(page, source, link, heading):
-    """Clicks a link of the notebook `source`, and waits until JupyterLab is at the heading."""
+    """Clicks a link of the notebook `source`, and waits until JupyterLab is at the heading.
+
+    On a busy machine JupyterLab 4.6 may open the notebook and stay at its top: a second click then leads on.
+    """
+    for is_last in (False, True):
+        go(page, source, link)
+        try:
+            page.wait_for_function(AT_HEADING, arg=heading, timeout=60_000 if is_last else 20_000)
+            return
+        except PlaywrightTimeoutError:
+            if is_last:
+                raise
+
+
+def go(page, source, link):
     page.evaluate(SHOW, [source, link])
     page.locator(".jp-NotebookPanel:not(.lm-mod-hidden) a", has_text=link).first.click()
     page.wait_for_function("path => window.jupyterapp.shell.currentWidget.context.path !== path", arg=source)
-    page.wait_for_function(AT_HEADING, arg=heading)
 
 
 @pytest.mark.parametrize(("link", "heading"), TARGETS)

@@ -197,6 +197,8 @@ def test_the_segment_of_a_killed_process_is_removed_and_that_of_a_running_one_st
     living, killed = (start_python(HOLDS_A_SEGMENT, ROS_DOMAIN_ID=domain) for domain in ("18", "19"))
     living_segments, killed_segments = living.stdout.readline().split(), killed.stdout.readline().split()
     assert living_segments and killed_segments and not set(living_segments) & set(killed_segments)
+    for name in killed_segments:  # a session that starts elsewhere removes those that are ten seconds old
+        os.utime(profile.SHARED_MEMORY / name)
     killed.kill()
     killed.wait()
     assert all((profile.SHARED_MEMORY / name).exists() for name in killed_segments)
@@ -204,7 +206,7 @@ def test_the_segment_of_a_killed_process_is_removed_and_that_of_a_running_one_st
     assert profile.remove_stale_segments(older_than=2000) == 0
     for name in (*living_segments, *killed_segments):  # only these: others may be about to lock theirs
         os.utime(profile.SHARED_MEMORY / name, (long_ago, long_ago))
-    assert profile.remove_stale_segments(older_than=500) >= len(killed_segments)
+    profile.remove_stale_segments(older_than=500)
     assert not any((profile.SHARED_MEMORY / name).exists() for name in killed_segments)
     assert all((profile.SHARED_MEMORY / name).exists() for name in living_segments)
 

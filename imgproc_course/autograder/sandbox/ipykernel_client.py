@@ -6,6 +6,7 @@ ZMQ uses ipc, through one folder that both sides see, so the sandbox needs no ne
 import json
 import os
 import shutil
+import signal
 import tempfile
 import time
 from pathlib import Path
@@ -22,6 +23,9 @@ from imgproc_course.exercises.cell_syntax import parts_of
 _OWN_THREADS = 16  # of ipykernel itself, at most; they count as processes
 _SOCKETS = "/course/kernel"  # the shared folder as the sandbox sees it
 
+_START_SECONDS = 2  # of processor time, more than a fork needs
+_KILLED = (-signal.SIGKILL, 128 + signal.SIGKILL)  # of the process, or of the one in bubblewrap
+
 
 class _SingleSpecManager(KernelSpecManager):
     command = ()
@@ -36,7 +40,7 @@ class IPykernelClient:
     def __init__(self, allowed, seconds, limits, group, *, confined):
         self._limits, self._seconds, self._group = limits, seconds, group
         self._deadline, self._next_look = None, 0.0
-        self._cpu_limit = limits.for_system(seconds)["cpu"] + 2  # its start costs more than a fork
+        self._cpu_limit = limits.for_system(seconds)["cpu"] + _START_SECONDS
         self._folder = Path(tempfile.mkdtemp(prefix="kernel-"))
         shared = self._folder / "shared"
         shared.mkdir()
@@ -164,7 +168,10 @@ class IPykernelClient:
         """End the cell if the kernel's process has ended."""
         if not run.ended and not self._manager.is_alive():
             seconds_used = time.monotonic() - self._deadline + self._limits.deadline(self._seconds)
-            run.ended = "time" if seconds_used > self._cpu_limit - 1 else "crashed"
+            # Its start has used a part of the processor time after which the system kills it.
+            was_killed = self._manager.provisioner.process.poll() in _KILLED
+            is_late = seconds_used > self._cpu_limit - _START_SECONDS - 0.9
+            run.ended = "time" if was_killed and is_late else "crashed"
 
     def stop(self):
         """End the kernel and all that it started."""
