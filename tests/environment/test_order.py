@@ -40,5 +40,5 @@ def test_the_scope_that_one_worker_runs(conftest, test, scope):
 def test_long_tests_come_first_and_the_others_keep_their_order(conftest):
     names = ["tests/imaging/b.py::t", "tests/test_cli.py::t", "tests/ros/a.py::t", "tests/browser/a.py::t"]
     items = [SimpleNamespace(nodeid=name) for name in names]
-    conftest.pytest_collection_modifyitems(items)
+    conftest.pytest_collection_modifyitems(SimpleNamespace(getoption=lambda name: False), items)
     assert [item.nodeid for item in items] == [names[3], names[2], names[0], names[1]]
