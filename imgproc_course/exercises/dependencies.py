@@ -23,7 +23,7 @@ class Dependencies:
     refused   modules that the exercise does not allow, sorted
     foreign   names that another cell defines, sorted; without those that grading takes along
     taken     names that another cell defines, and that grading takes along (see `split_taken`), sorted
-    origins   {foreign name: its import line, "function" for a function of another cell, or "value"}
+    origins   {name that another cell defines: its import line, "function" for a function of it, or "value"}
     names     {refused module: the name by which the answer uses it}
     """
 
@@ -91,8 +91,8 @@ def split_taken(dependencies, sources, arguments):
         for name, origin in dependencies.origins.items()
         if name not in arguments and (origin != "value" or _is_made_again(name, statements))
     }
-    origins = {name: origin for name, origin in dependencies.origins.items() if name not in taken}
-    return replace(dependencies, foreign=tuple(sorted(origins)), taken=tuple(sorted(taken)), origins=origins)
+    foreign = dependencies.origins.keys() - taken
+    return replace(dependencies, foreign=tuple(sorted(foreign)), taken=tuple(sorted(taken)))
 
 
 def _is_made_again(name, statements, visiting=()):

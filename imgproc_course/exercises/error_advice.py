@@ -90,7 +90,8 @@ def _ambiguous(_match, source):
         return "max() and min() compare single numbers. For arrays write np.maximum or np.minimum."
     return (
         "`if` and `while` need one True or False, and a comparison of an array gives many, one for each"
-        " value. Work with the mask itself (np.where, array[mask] = ...), or ask mask.any() or mask.all()."
+        " value. In a loop over the pixels compare one value: array[row, col]. Outside a loop work with the"
+        " mask itself (np.where, array[mask] = ...), or ask mask.any() or mask.all()."
     )
 
 
@@ -113,7 +114,7 @@ def _article(type_name):
     return {"numpy.ndarray": "an array", "list": "a list", "dict": "a dict"}.get(type_name, type_name)
 
 
-def _broadcast(match, _source):
+def _broadcast(match, source):
     shapes_as_text = re.findall(r"\([\d,]*\)", match.string)
     # a += b names the shape of a twice
     shapes = list(dict.fromkeys(tuple(map(int, re.findall(r"\d+", shape))) for shape in shapes_as_text))
@@ -122,6 +123,16 @@ def _broadcast(match, _source):
         return (
             f"{advice} One of these is empty. A slice is empty if it ends before it begins; a negative index,"
             " such as row - 1 in row 0, counts from the end."
+        )
+    if len(shapes) == 2 and "axis=" in source and 1 in map(len, shapes):
+        return (
+            f"{advice} After sum(axis=0) or mean(axis=0) there is one number for each column, after axis=1 one"
+            " for each row. Are rows and columns, or width and height, exchanged?"
+        )
+    if len(shapes) == 2 and len(shapes[0]) > 1 == len(shapes[1]):
+        return (
+            f"{advice} The second one, with one axis, has no value for each pixel. If it is a table, use its"
+            " length, len(table), or look values up in it: table[index]."
         )
     if len(shapes) != 2 or len(shapes[0]) != len(shapes[1]):
         return advice
@@ -243,6 +254,10 @@ def _why_too_few(size, count, shape, source):
         return "step is the number of bytes of a row; the columns of an image are its pixels, width."
     if count == 3 * size:
         return "Is this one value for each pixel? A colour pixel has 3 values (bytes), a row width * 3."
+    if shape == [3, 3]:
+        return (
+            "A 3 × 3 matrix has 9 numbers. If the function before gives several results, is this the right one?"
+        )
     if shape[-1] == 3:
         return "Was too much cropped, or has a pixel not 3 values? In a message, encoding says how many."
     return "Was too much cropped, or is this the shape of another image?"

@@ -116,7 +116,8 @@ def _refusals(result):
 def _notes(result):
     exercise = result.exercise
     names = ", ".join(exercise.names)
-    for foreign, origin in sorted(result.dependencies.origins.items()):
+    for foreign in result.dependencies.foreign:
+        origin = result.dependencies.origins[foreign]
         if foreign in exercise.names:
             advice = f"Take {foreign} as the argument: def {exercise.function}({names}):"
         elif origin == "function":
@@ -131,10 +132,17 @@ def _notes(result):
 
 
 def _taken_along(result):
-    """What grading takes along from other cells, for an answer that passes."""
-    names, exercise = result.dependencies.taken, result.exercise
-    if names and not exercise.practice:
-        yield f"{exercise.function}() uses {', '.join(names)} of another cell. Grading takes that along."
+    """What grading takes along from other cells. In a wrong answer, a value may stand for an argument."""
+    dependencies, exercise = result.dependencies, result.exercise
+    values = [name for name in dependencies.taken if dependencies.origins[name] == "value"]
+    if values and not all(case_result.passed for case_result in result.results):
+        yield (
+            f"{exercise.function}() uses {', '.join(values)} of another cell, which is the same in every call."
+            f" Should it be computed from the arguments ({', '.join(exercise.names)})?"
+        )
+    elif dependencies.taken and not exercise.practice:
+        names = ", ".join(dependencies.taken)
+        yield f"{exercise.function}() uses {names} of another cell. Grading takes that along."
 
 
 def _explain_case(result, case_result):

@@ -365,7 +365,7 @@ exercise(
     function="otsu",
     time_limit=10,
     allowed=("scipy",),
-    hint="For each t from 0 to 255 compute the shares and the means of the two classes, gray <= t and gray > t. Keep the first t with the largest between-class variance.",
+    hint="For each t from 0 to 255 compute the shares and the means of the two classes, gray <= t and gray > t. Keep the first t with the largest between-class variance. After the loop, return this t, and not its variance.",
     hints=(
         "Take the eight pixels of section 3 and t = 25. Which pixels are in class 0? Which two shares and which two means do you need? How would you remember the best t while you try the next one?",
         "1. Begin with best_t = 0 and best_variance = 0.\n2. Loop over t in range(256).\n3. Select the two classes with masks.\n4. If one of them is empty, go on with the next t (continue).\n5. Compute the variance from the two sizes and the two means.\n6. If it is larger than the best variance, store both t and the variance.\n7. Return best_t after the loop.",
@@ -664,6 +664,11 @@ def otsu(gray):
 # %% role="mistake" name="always 0" says="Your function returned 0 for every image. Is return inside the for loop? Then the function ends with the first t: move it to the left, below the loop. If not, best_t never got a new value, because no variance was larger than 0. Print w0, w1 and the variance for one t: the shares need /, not //, and ** 2 belongs to the difference of the two means."
 def otsu(gray):
     return 0
+
+
+# %% role="mistake" name="the first t that splits" says="Your loop ends with the first t that splits the image, because return is still inside the loop. Move return to the left, below the whole loop, so that every t is tried."
+def otsu(gray):
+    return int(gray.min()) if gray.min() < gray.max() else None
 
 
 # %% role="mistake" name="always 255" says="Your function returned 255 for every image, the last t of the loop. Return the t with the largest between-class variance: store it in the loop."

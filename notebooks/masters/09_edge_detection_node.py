@@ -503,6 +503,24 @@ def near(mask, tolerance):
     return combined(mask, tolerance, lambda row, col: row < 0 and col < 0)
 
 
+# %% role="mistake" name="range(3)" says="Your square always has 3 rows and columns, as with range(3); this is right for tolerance 1 alone. It needs 2 * tolerance + 1 of each: tolerance on both sides of the pixel, and the pixel itself."
+def near(mask, tolerance):
+    height, width = mask.shape
+    padded, result = np.pad(mask, tolerance), np.zeros_like(mask)
+    for row, col in np.ndindex(3, 3):
+        result |= padded[row : row + height, col : col + width]
+    return result
+
+
+# %% role="mistake" name="range(tolerance + 2)" says="Your square has tolerance + 2 rows and columns; this is right for tolerance 1 alone. It needs 2 * tolerance + 1 of each: tolerance on both sides of the pixel, and the pixel itself."
+def near(mask, tolerance):
+    height, width = mask.shape
+    padded, result = np.pad(mask, tolerance), np.zeros_like(mask)
+    for row, col in np.ndindex(tolerance + 2, tolerance + 2):
+        result |= padded[row : row + height, col : col + width]
+    return result
+
+
 # %% role="mistake" name="range one too short" says="The square is one row and one column too small, as with range(2 * tolerance). It has 2 * tolerance + 1 rows and columns."
 def near(mask, tolerance):
     return combined(mask, tolerance, lambda row, col: row < tolerance and col < tolerance) | mask
@@ -818,6 +836,12 @@ def f1_score(edges, outlines, tolerance):
     return (hits / edge_count + detected / outline_count) / 2
 
 
+# %% role="mistake" name="the plain mean, nan" says="That is the arithmetic mean of precision and recall. F1 is their harmonic mean, 2 * precision * recall / (precision + recall), which is low if one of them is low. And without edges or outlines you divide by 0, which gives nan: return 0.0 before you divide."
+def f1_score(edges, outlines, tolerance):
+    hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
+    return (share(hits, edge_count) + share(detected, outline_count)) / 2
+
+
 # %% role="mistake" name="the factor 2" says="Your result is half of F1: the factor 2 is missing. F1 is 2 * precision * recall / (precision + recall)."
 def f1_score(edges, outlines, tolerance):
     return solution(edges, outlines, tolerance) / 2
@@ -919,6 +943,21 @@ def f1_score(edges, outlines, tolerance):
     grown_edges, grown_outlines = window(edges > 0, tolerance), window(outlines, tolerance)
     both = int((grown_edges & grown_outlines).sum())
     return f1_of(both, int(grown_edges.sum()), both, int(grown_outlines.sum()))
+
+
+# %% role="mistake" name="the grown masks counted, nan" says="The pixels of the grown masks were counted. Count only the edge pixels and the outline pixels themselves: edge pixels & grown outlines, outline pixels & grown edges. And without edges or outlines you divide by 0, which gives nan: return 0.0 before you divide."
+def f1_score(edges, outlines, tolerance):
+    grown_edges, grown_outlines = window(edges > 0, tolerance), window(outlines, tolerance)
+    both = (grown_edges & grown_outlines).sum()
+    precision, recall = share(both, grown_edges.sum()), share(both, grown_outlines.sum())
+    return 0.0 if precision + recall == 0 else 2 * precision * recall / (precision + recall)
+
+
+# %% role="mistake" name="outlines missed without the tolerance" says="Your number of missed outline pixels ignores the tolerance, because it counts each outline pixel that is not exactly on an edge. An outline pixel is missed only if no edge is near it: outlines & ~near(found, tolerance)."
+def f1_score(edges, outlines, tolerance):
+    hits, edge_count, _, _ = counts(edges, outlines, tolerance)
+    missed = int((outlines & ~(edges > 0)).sum())
+    return f1_of(hits, edge_count, hits, hits + missed)
 
 
 # %% role="mistake" name="pairs of pixels" says="You counted pairs of an edge pixel and an outline pixel, so one pixel can count several times. Count each pixel once: stop after its first near pixel (break), or use any."

@@ -482,7 +482,7 @@ exercise(
     function="executable_of",
     practice=True,
     time_limit=5,
-    hint="The parts are: install, package, lib, package, executable. The executable has the name of the package.",
+    hint="The parts are: install, package, lib, package, executable. The executable has the name of the package. install and package are the arguments: their values differ from call to call, so type no name of a folder but lib.",
     hints=(
         "Look at the path in section 6: which folders come after install, and how often does the name of the"
         " package occur?",
@@ -597,6 +597,11 @@ def executable_of(install, package):
 # %% role="mistake" name="a fixed package: the edge node" says="You typed image_edge_detection. Use the argument package, so that the function works for other packages too."
 def executable_of(install, package):
     return f"{install}/image_edge_detection/lib/image_edge_detection/image_edge_detection"
+
+
+# %% role="mistake" name="the workspace of the lesson typed" says="You typed the folder of the lesson, ros2_ws/install. Use the argument install: it is the whole path of that folder, and another workspace has another one."
+def executable_of(install, package):
+    return f"ros2_ws/install/{package}/lib/{package}/{package}"
 
 
 # %% role="mistake" name="the example's result" says="You typed the result of the example. Use the arguments install and package, so that the function works for other packages too."

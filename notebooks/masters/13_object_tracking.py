@@ -266,6 +266,29 @@ def iou(a, b):
     return float(both_of(a, b))
 
 
+# %% role="mistake" name="width and height as ends" says="You read a[2] and a[3] as the right and the lower end of the box. They are the width and the height: the right end is a[0] + a[2], the lower end a[1] + a[3]."
+def iou(a, b):
+    width, height = (min(a[k + 2], b[k + 2]) - max(a[k], b[k]) for k in (0, 1))
+    both = max(width, 0) * max(height, 0)
+    return both / (a[2] * a[3] + b[2] * b[3] - both)
+
+
+# %% role="mistake" name="width and height as ends, also in the areas" says="You read a[2] and a[3] as the right and the lower end of the box. They are the width and the height: the right end is a[0] + a[2], the lower end a[1] + a[3], and the area a[2] * a[3]."
+def iou(a, b):
+    width, height = (min(a[k + 2], b[k + 2]) - max(a[k], b[k]) for k in (0, 1))
+    both = max(width, 0) * max(height, 0)
+    areas = [(box[2] - box[0]) * (box[3] - box[1]) for box in (a, b)]
+    return both / (sum(areas) - both)
+
+
+# %% role="mistake" name="width and height exchanged" says="Width and height are exchanged: a box is (col, row, width, height), so the columns end at a[0] + a[2], and the rows at a[1] + a[3]."
+def iou(a, b):
+    width = min(a[0] + a[3], b[0] + b[3]) - max(a[0], b[0])
+    height = min(a[1] + a[2], b[1] + b[2]) - max(a[1], b[1])
+    both = max(width, 0) * max(height, 0)
+    return both / (a[2] * a[3] + b[2] * b[3] - both)
+
+
 # %% role="mistake" name="only the columns" says="You compared the columns only. The intersection also has a height, from the rows."
 def iou(a, b):
     width = max(common(a, b, 0), 0)
@@ -387,6 +410,7 @@ exercise(
     "tracking-backproject",
     title="Back-projection",
     function="backproject",
+    exact_type=True,
     hint="weights[hue.astype(int) * len(weights) // 180]",
     hints=(
         "In which bin is each pixel, and in which dtype do you compute this?",
@@ -580,7 +604,7 @@ exercise(
     "tracking-mean-shift",
     title="One step of mean shift",
     function="mean_shift_step",
-    hint="New column: col + round(mean_col - width / 2), not below 0 and not above the width of the image minus the width of the box; the same for the row.",
+    hint="A box is (col, row, width, height). New column: col + round(mean_col - width / 2), not below 0 and not above the width of the image minus the width of the box; the same for the row.",
     hints=(
         "Which part of weights is inside the box, and where in this part is the center of mass?",
         "1. Cut the window out: rows row to row + height, columns col to col + width.\n"
@@ -666,7 +690,8 @@ check("tracking-mean-shift", mean_shift_step)
 # %% role="case" title="a spot in the box" points=1
 def inputs(rng):
     left = int(rng.integers(12, 15))
-    return [(blob(rng, (30, 40), (20, 26)), (left, 10, 16, 14)), (blob(rng, (30, 40), (9, 10)), (7, 6, 13, 17))]
+    return [(blob(rng, (30, 40), (20, 26)), (left, 10, 16, 14)), (blob(rng, (30, 40), (9, 10)), (7, 6, 13, 17)),
+            (blob(rng, (30, 40), (12, 25)), (14, 9, 12, 12))]
 
 
 # %% role="case" title="at the border, and nothing in the box" points=1 hint="Does the box stay inside the image, and does it stay where it is if all weights in it are 0?"
@@ -765,6 +790,18 @@ def mean_shift_step(weights, box):
     if means is None:
         return box
     col, row = col + round(means[1] - width / 2), row + round(means[0] - height / 2)
+    return min(max(col, 0), weights.shape[1] - width), min(max(row, 0), weights.shape[0] - height), width, height
+
+
+# %% role="mistake" name="rows and columns of the window exchanged" says="Rows and columns are exchanged in the window. An array is indexed rows first: weights[row : row + height, col : col + width]."
+def mean_shift_step(weights, box):
+    col, row, width, height = box
+    window = weights[col : col + width, row : row + height]
+    if not window.any():
+        return box
+    cols, rows = window.sum(axis=0) * np.arange(width), window.sum(axis=1) * np.arange(height)
+    col = col + round(cols.sum() / window.sum() - width / 2)
+    row = row + round(rows.sum() / window.sum() - height / 2)
     return min(max(col, 0), weights.shape[1] - width), min(max(row, 0), weights.shape[0] - height), width, height
 
 

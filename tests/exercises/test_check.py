@@ -523,6 +523,19 @@ def test_names_of_other_cells_say_where_they_come_from():
     assert "Points here: 0 of 3." in text
 
 
+def test_a_value_of_another_cell_in_a_wrong_answer_is_no_argument(monkeypatch):
+    runs = CellRuns()
+    runs.start("factor = 3", "a-cell")
+    monkeypatch.setattr(checking, "RUNS", runs)
+    namespace = {"factor": 3, "__name__": __name__}
+    source = "def double(pixels):\n    return pixels * factor\n"
+    linecache.cache["<answer>"] = (len(source), None, source.splitlines(keepends=True), "<answer>")
+    exec(compile(source, "<answer>", "exec"), namespace)
+    text = repr(check("test-double", namespace["double"]))
+    assert "double() uses factor of another cell, which is the same in every call." in text
+    assert "computed from the arguments (pixels)?" in text and "takes that along" not in text
+
+
 def test_a_practice_exercise_speaks_of_no_grading(write_master):
     write_master(
         exercise=(

@@ -361,3 +361,34 @@ def otsu(gray):
         if variance > best_variance:
             best_t, best_variance = t, variance
     return best_t
+
+# %% name="the variance of other classes" origin="new" sentence="You return the largest variance. Return the t that has it." must_say=["variance", "return|this t|the t"] kind="value" must_not_say=["always|every image"]
+def otsu(gray):
+    counts = np.bincount(gray.ravel())
+    best = 0
+    for t in range(256):
+        w0 = counts[:t].sum()
+        w1 = counts[t:].sum()
+        m0 = gray[gray < t].mean()
+        m1 = gray[gray > t].mean()
+        v = w0 * w1 * (m0 - m1) ** 2
+        if v > best:
+            best = v
+    return best
+
+# %% name="return at the end of the loop" origin="new" sentence="The return is still inside the loop, so the function ends with the first t that splits the image: move it below the loop." must_say=["return", "loop", "below|after|outside|left"] kind="value" must_not_say=["//", "shares need"]
+def otsu(gray):
+    best_t = 0
+    best_variance = 0
+    for t in range(256):
+        below = gray[gray <= t]
+        above = gray[gray > t]
+        if below.size == 0 or above.size == 0:
+            continue
+        w0 = below.size / gray.size
+        w1 = above.size / gray.size
+        variance = w0 * w1 * (below.mean() - above.mean()) ** 2
+        if variance > best_variance:
+            best_variance = variance
+            best_t = t
+        return best_t

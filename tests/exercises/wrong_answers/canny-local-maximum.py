@@ -150,3 +150,20 @@ def keep_peaks(magnitude):
 # %% name="a threshold of 200" origin="walk" sentence="A peak is greater than its neighbours, whatever its size." must_say=["neighbour"] must_not_say=["largest magnitude of the row"] kind="value"
 def keep_peaks(magnitude):
     return np.where(magnitude > 200, magnitude, 0)
+
+# %% name="the length 8 typed" origin="new" sentence="You typed the length of the example, 8. Another row has another length: magnitude.size." must_say=["8|length", "another|size|len"] kind="error" must_not_say=["pad the image"]
+def keep_peaks(magnitude):
+    zero_padded = np.pad(magnitude, 1)
+    result = np.zeros(8, dtype=np.int32)
+    for col in range(8):
+        if magnitude[col] > zero_padded[col] and magnitude[col] >= zero_padded[col + 2]:
+            result[col] = magnitude[col]
+    return result
+
+# %% name="the pixels 1 to 6 typed" origin="new" sentence="You typed 7: another row has another length, magnitude.size. And the ends are pixels, too." must_say=["7|length", "another|size|len", "ends"] kind="error"
+def keep_peaks(magnitude):
+    result = np.zeros_like(magnitude)
+    for col in range(1, 7):
+        if magnitude[col] > magnitude[col - 1] and magnitude[col] >= magnitude[col + 1]:
+            result[col] = magnitude[col]
+    return result

@@ -285,3 +285,29 @@ def my_sobel(gray):
             grad_col[row, col] = (window * kernel).sum()
             grad_row[row, col] = (window * kernel.T).sum()
     return grad_row, grad_col
+
+# %% name="windows moved by one" origin="new" sentence="The windows begin one row and one column too early: the window of pixel (row, col) is padded[row : row + 3, col : col + 3]." must_say=["window", "one row|too early|row : row \\+ 3"] kind="value" must_not_say=["zeros", "not padded"]
+def my_sobel(gray):
+    kernel = np.array([[-1, 0, 1], [-2, 0, 2], [-1, 0, 1]])
+    padded = np.pad(gray, 1, mode="edge").astype(np.int32)
+    grad_row = np.zeros(gray.shape, dtype=np.int32)
+    grad_col = np.zeros(gray.shape, dtype=np.int32)
+    for row in range(1, gray.shape[0]):
+        for col in range(1, gray.shape[1]):
+            window = padded[row - 1 : row + 2, col - 1 : col + 2]
+            grad_col[row, col] = (window * kernel).sum()
+            grad_row[row, col] = (window * kernel.T).sum()
+    return grad_row, grad_col
+
+# %% name="windows moved by one, the border left out" origin="new" sentence="The windows begin one row and one column too early: the window of pixel (row, col) is padded[row : row + 3, col : col + 3], for every pixel." must_say=["window", "one row|too early|row : row \\+ 3", "every"] kind="value" must_not_say=["zeros", "not padded"]
+def my_sobel(gray):
+    kernel = np.array([[-1, 0, 1], [-2, 0, 2], [-1, 0, 1]])
+    padded = np.pad(gray, 1, mode="edge").astype(np.int32)
+    grad_row = np.zeros(gray.shape, dtype=np.int32)
+    grad_col = np.zeros(gray.shape, dtype=np.int32)
+    for row in range(1, gray.shape[0] - 1):
+        for col in range(1, gray.shape[1] - 1):
+            window = padded[row - 1 : row + 2, col - 1 : col + 2]
+            grad_col[row, col] = (window * kernel).sum()
+            grad_row[row, col] = (window * kernel.T).sum()
+    return grad_row, grad_col

@@ -464,3 +464,45 @@ def suppress(magnitude, sector):
             elif s == 4: keep = v > p[r, c+2] and v > p[r+2, c]
             if keep: out[r, c] = v
     return out
+
+# %% name="sector without row and col" origin="new" sentence="sector is the whole array; the sector of this pixel is sector[row, col]." must_say=["one value|whole array|\\[row, col\\]", "\\[row, col\\]"] kind="error"
+def suppress(magnitude, sector):
+    height, width = magnitude.shape
+    padded = np.pad(magnitude, 1)
+    thinned = np.zeros_like(magnitude)
+    for row in range(height):
+        for col in range(width):
+            value = magnitude[row, col]
+            s = sector
+            if s == 0:
+                a, b = padded[row + 1, col], padded[row + 1, col + 2]
+            elif s == 1:
+                a, b = padded[row, col], padded[row + 2, col + 2]
+            elif s == 2:
+                a, b = padded[row, col + 1], padded[row + 2, col + 1]
+            else:
+                a, b = padded[row, col + 2], padded[row + 2, col]
+            if value > a and value >= b:
+                thinned[row, col] = value
+    return thinned
+
+# %% name="the padded array read at row and col" origin="new" sentence="After the padding pixel (row, col) is at padded[row + 1, col + 1]." must_say=["padded\\[row \\+ 1, col \\+ 1\\]"] kind="value" must_not_say=["sector is read"]
+def suppress(magnitude, sector):
+    height, width = magnitude.shape
+    padded = np.pad(magnitude, 1)
+    thinned = np.zeros_like(magnitude)
+    for row in range(height):
+        for col in range(width):
+            value = padded[row, col]
+            s = sector[row, col]
+            if s == 0:
+                keep = value > padded[row, col - 1] and value >= padded[row, col + 1]
+            elif s == 1:
+                keep = value > padded[row - 1, col - 1] and value > padded[row + 1, col + 1]
+            elif s == 2:
+                keep = value > padded[row - 1, col] and value >= padded[row + 1, col]
+            else:
+                keep = value > padded[row - 1, col + 1] and value > padded[row + 1, col - 1]
+            if keep:
+                thinned[row, col] = value
+    return thinned

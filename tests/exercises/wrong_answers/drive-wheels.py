@@ -73,3 +73,9 @@ def wheel_speeds(linear, angular, distance):
     left = linear - angular * half
     right = linear + angular * half
     return round(left, 2), round(right, 2)
+
+# %% name="half of the cell above" origin="new" sentence="half is the value of an earlier cell: use the argument distance." must_say=["half", "argument"] kind="value"
+def wheel_speeds(linear, angular, distance):
+    left = linear - angular * half
+    right = linear + angular * half
+    return left, right

@@ -560,3 +560,63 @@ def f1_score(edges, outlines, tolerance):
     if precision + recall == 0:
         return 0.0
     return 2 * precision * recall / (precision + recall)
+
+# %% name="the mean of both, nan without edges" origin="new" sentence="This is the arithmetic mean; F1 is the harmonic mean. And without edges you divide by 0." must_say=["harmonic", "mean", "divide"] kind="value"
+def near(mask, tolerance):
+    height, width = mask.shape
+    padded = np.pad(mask, tolerance)
+    result = np.zeros_like(mask)
+    for row in range(2 * tolerance + 1):
+        for col in range(2 * tolerance + 1):
+            result |= padded[row : row + height, col : col + width]
+    return result
+
+
+def f1_score(edges, outlines, tolerance):
+    found = edges > 0
+    precision = (found & near(outlines, tolerance)).sum() / found.sum()
+    recall = (outlines & near(found, tolerance)).sum() / outlines.sum()
+    if precision + recall == 0:
+        return 0.0
+    return (precision + recall) / 2
+
+# %% name="both masks grown, nan without edges" origin="new" sentence="Count the edge pixels and the outline pixels themselves, not those of the grown masks. And without edges you divide by 0." must_say=["grown|themselves", "divide"] kind="value"
+def near(mask, tolerance):
+    height, width = mask.shape
+    padded = np.pad(mask, tolerance)
+    result = np.zeros_like(mask)
+    for row in range(2 * tolerance + 1):
+        for col in range(2 * tolerance + 1):
+            result |= padded[row : row + height, col : col + width]
+    return result
+
+
+def f1_score(edges, outlines, tolerance):
+    found = edges > 0
+    precision = (near(found, tolerance) & near(outlines, tolerance)).sum() / near(found, tolerance).sum()
+    recall = (near(outlines, tolerance) & near(found, tolerance)).sum() / near(outlines, tolerance).sum()
+    if precision + recall == 0:
+        return 0.0
+    return 2 * precision * recall / (precision + recall)
+
+# %% name="missed outlines without the tolerance" origin="new" sentence="An outline pixel is missed only if no edge is near it: fn = outlines & ~near(found, tolerance)." must_say=["missed", "tolerance|near"] kind="value"
+def near(mask, tolerance):
+    height, width = mask.shape
+    padded = np.pad(mask, tolerance)
+    result = np.zeros_like(mask)
+    for row in range(2 * tolerance + 1):
+        for col in range(2 * tolerance + 1):
+            result |= padded[row : row + height, col : col + width]
+    return result
+
+
+def f1_score(edges, outlines, tolerance):
+    found = edges == 255
+    tp = (found & near(outlines, tolerance)).sum()
+    fp = (found & ~near(outlines, tolerance)).sum()
+    fn = (outlines & ~found).sum()
+    if tp == 0:
+        return 0.0
+    precision = tp / (tp + fp)
+    recall = tp / (tp + fn)
+    return 2 * precision * recall / (precision + recall)

@@ -209,3 +209,23 @@ def near(mask, tolerance):
             if mask[row - tolerance : row + tolerance + 1, col - tolerance : col + tolerance + 1].any():
                 result[row, col] = True
     return result
+
+# %% name="three shifts for every tolerance" origin="new" sentence="range(3) is right for tolerance 1 only: the square has 2 * tolerance + 1 rows and columns." must_say=["3|always", "2 \\* tolerance \\+ 1"] kind="value"
+def near(mask, tolerance):
+    height, width = mask.shape
+    padded = np.pad(mask, tolerance)
+    result = np.zeros_like(mask)
+    for row in range(3):
+        for col in range(3):
+            result |= padded[row : row + height, col : col + width]
+    return result
+
+# %% name="tolerance + 2 shifts" origin="new" sentence="The square has 2 * tolerance + 1 rows and columns, not tolerance + 2." must_say=["tolerance \\+ 2", "2 \\* tolerance \\+ 1"] kind="value"
+def near(mask, tolerance):
+    height, width = mask.shape
+    padded = np.pad(mask, tolerance)
+    result = np.zeros_like(mask)
+    for row in range(tolerance + 2):
+        for col in range(tolerance + 2):
+            result |= padded[row : row + height, col : col + width]
+    return result

@@ -123,3 +123,11 @@ def executable_of(install, package):
 # %% name="lib twice" origin="walk" sentence="lib stands once in the path, after the name of the package." must_say=["\\blib\\b", "once|twice"] kind="value"
 def executable_of(install, package):
     return f"{install}/lib/{package}/lib/{package}"
+
+# %% name="the workspace of the lesson typed" origin="new" sentence="You typed ros2_ws/install: use the argument install." must_say=["typed|ros2_ws", "argument"] kind="value"
+def executable_of(install, package):
+    return "ros2_ws/install/" + package + "/lib/" + package + "/" + package
+
+# %% name="another folder typed" origin="new" sentence="install is an argument: its value differs from call to call." must_say=["argument", "folder|value"] kind="value"
+def executable_of(install, package):
+    return "/home/me/ros2_ws/install/" + package + "/lib/" + package + "/" + package

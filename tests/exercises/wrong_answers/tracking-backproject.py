@@ -79,3 +79,16 @@ def backproject(hue, weights):
 def backproject(hue, weights):
     bins = hue.astype(int) // len(weights)
     return weights[bins]
+
+# %% name="the hue times the weights" origin="new" sentence="The weights are a table with one value for each bin: multiply by their number, len(weights), and look the bin up: weights[bins]." must_say=["table|look", "len\\("] kind="error"
+def backproject(hue, weights):
+    bins = hue.astype(int) * weights // 180
+    return weights[bins]
+
+# %% name="a float result" origin="new" sentence="The values are right, but the task asks for uint8." must_say=["values are right", "uint8"] kind="dtype"
+def backproject(hue, weights):
+    result = np.zeros(hue.shape)
+    for row in range(hue.shape[0]):
+        for col in range(hue.shape[1]):
+            result[row, col] = weights[int(hue[row, col]) * len(weights) // 180]
+    return result

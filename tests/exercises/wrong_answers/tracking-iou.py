@@ -102,3 +102,19 @@ def iou(a, b):
 def iou(a, b):
     both = max(0, min(a.right, b.right) - max(a.left, b.left))
     return both / (a.area + b.area - both)
+
+# %% name="width taken as the end" origin="new" sentence="a[2] is the width: the right end is a[0] + a[2]." must_say=["width", "end", "a\\[0\\] \\+ a\\[2\\]"] kind="value"
+def iou(a, b):
+    width = min(a[2], b[2]) - max(a[0], b[0])
+    height = min(a[3], b[3]) - max(a[1], b[1])
+    both = max(width, 0) * max(height, 0)
+    return both / (a[2] * a[3] + b[2] * b[3] - both)
+
+# %% name="width taken as the end, in the areas too" origin="new" sentence="a[2] is the width: the right end is a[0] + a[2], and the area a[2] * a[3]." must_say=["width", "end", "area"] kind="value"
+def iou(a, b):
+    width = max(min(a[2], b[2]) - max(a[0], b[0]), 0)
+    height = max(min(a[3], b[3]) - max(a[1], b[1]), 0)
+    both = width * height
+    area_a = (a[2] - a[0]) * (a[3] - a[1])
+    area_b = (b[2] - b[0]) * (b[3] - b[1])
+    return both / (area_a + area_b - both)

@@ -229,3 +229,33 @@ def mean_shift_step(weights, box):
     col = min(max(col, 0), weights.shape[1] - width)
     row = min(max(row, 0), weights.shape[0] - height)
     return col, row, width, height
+
+# %% name="rows and columns of the window exchanged" origin="new" sentence="An array is indexed rows first: weights[row : row + height, col : col + width]." must_say=["rows", "exchanged|rows first"] kind="error" must_not_say=["padding"]
+def mean_shift_step(weights, box):
+    col, row, width, height = box
+    window = weights[col : col + width, row : row + height]
+    total = window.sum()
+    if total == 0:
+        return box
+    mean_col = (window.sum(axis=0) * np.arange(width)).sum() / total
+    mean_row = (window.sum(axis=1) * np.arange(height)).sum() / total
+    col = col + round(mean_col - width / 2)
+    row = row + round(mean_row - height / 2)
+    col = min(max(col, 0), weights.shape[1] - width)
+    row = min(max(row, 0), weights.shape[0] - height)
+    return col, row, width, height
+
+# %% name="the axes of the sums exchanged" origin="new" sentence="The axes are exchanged: axis=0 gives one number for each column, and belongs to mean_col." must_say=["column", "axis=0", "exchanged"] kind="error" must_not_say=["padding"]
+def mean_shift_step(weights, box):
+    col, row, width, height = box
+    window = weights[row : row + height, col : col + width]
+    total = window.sum()
+    if total == 0:
+        return box
+    mean_col = (window.sum(axis=1) * np.arange(width)).sum() / total
+    mean_row = (window.sum(axis=0) * np.arange(height)).sum() / total
+    col = col + round(mean_col - width / 2)
+    row = row + round(mean_row - height / 2)
+    col = max(0, min(col, weights.shape[1] - width))
+    row = max(0, min(row, weights.shape[0] - height))
+    return col, row, width, height
