@@ -126,8 +126,8 @@ def _broadcast(match, source):
         )
     if len(shapes) == 2 and "axis=" in source and 1 in map(len, shapes):
         return (
-            f"{advice} After sum(axis=0) or mean(axis=0) there is one number for each column, after axis=1 one"
-            " for each row. Are rows and columns, or width and height, exchanged?"
+            f"{advice} After sum(axis=0) or mean(axis=0) there is one number for each column, after axis=1"
+            " one for each row. Are rows and columns, or width and height, exchanged?"
         )
     if len(shapes) == 2 and len(shapes[0]) > 1 == len(shapes[1]):
         return (
@@ -255,9 +255,7 @@ def _why_too_few(size, count, shape, source):
     if count == 3 * size:
         return "Is this one value for each pixel? A colour pixel has 3 values (bytes), a row width * 3."
     if shape == [3, 3]:
-        return (
-            "A 3 × 3 matrix has 9 numbers. If the function before gives several results, is this the right one?"
-        )
+        return "A 3 × 3 matrix has 9 numbers. If a function gave several results, is this the right one?"
     if shape[-1] == 3:
         return "Was too much cropped, or has a pixel not 3 values? In a message, encoding says how many."
     return "Was too much cropped, or is this the shape of another image?"

@@ -137,8 +137,8 @@ def _taken_along(result):
     values = [name for name in dependencies.taken if dependencies.origins[name] == "value"]
     if values and not all(case_result.passed for case_result in result.results):
         yield (
-            f"{exercise.function}() uses {', '.join(values)} of another cell, which is the same in every call."
-            f" Should it be computed from the arguments ({', '.join(exercise.names)})?"
+            f"{exercise.function}() uses {', '.join(values)} of another cell, which is the same in every"
+            f" call. Should it be computed from the arguments ({', '.join(exercise.names)})?"
         )
     elif dependencies.taken and not exercise.practice:
         names = ", ".join(dependencies.taken)
