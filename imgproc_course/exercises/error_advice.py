@@ -124,7 +124,8 @@ def _broadcast(match, source):
             f"{advice} One of these is empty. A slice is empty if it ends before it begins; a negative index,"
             " such as row - 1 in row 0, counts from the end."
         )
-    if len(shapes) == 2 and "axis=" in source and 1 in map(len, shapes):
+    is_mixed = len(shapes) == 2 and 1 in map(len, shapes)
+    if is_mixed and ("axis=" in source or shapes[0][0] == shapes[1][0]):
         return (
             f"{advice} After sum(axis=0) or mean(axis=0) there is one number for each column, after axis=1"
             " one for each row. Are rows and columns, or width and height, exchanged?"
@@ -156,11 +157,17 @@ def _broadcast(match, source):
     return advice
 
 
-def _index_outside(match, _source):
+def _index_outside(match, source):
     axis, size = match[2], int(match[3])
     advice = f"Python counts from 0, so {size - 1} is the last index of axis {axis}."
     if axis == "2":
         return f"{advice} Axis 2 of a colour image holds its channels."
+    indices = [node.slice for node in _nodes(source) if isinstance(node, ast.Subscript)]
+    if indices and all(isinstance(index, ast.Name) for index in indices):
+        return (
+            f"{advice} Where does the index come from: a loop that ends at another length, or a value that"
+            " was rounded up?"
+        )
     return (
         f"{advice} Does the loop end at the shape of this array, or at that of another, such as a padded one?"
         " If it reads neighbours of a pixel, pad the image (np.pad): then pixels at the border have"
@@ -259,6 +266,19 @@ def _why_too_few(size, count, shape, source):
     if shape[-1] == 3:
         return "Was too much cropped, or has a pixel not 3 values? In a message, encoding says how many."
     return "Was too much cropped, or is this the shape of another image?"
+
+
+def _matrix_product(match, source):
+    advice = (
+        f"@ needs as many columns on its left as rows on its right: here {match[2]} and {match[1]}. Which"
+        " shape has each part?"
+    )
+    if "diag" in source or ".T" in source:
+        return (
+            f"{advice} np.diag of n numbers is n × n. With points in rows, (N, 3), a.T @ b is 3 × 3, and"
+            " a @ b.T is N × N."
+        )
+    return f"{advice} (Value by value, arrays are multiplied with *.)"
 
 
 def _zero_division(_match, source):
@@ -524,9 +544,14 @@ _ADVICE = (
     ),
     (
         "ValueError",
-        "\\(size (\\d+) is different from (\\d+)\\)",
-        "@ needs as many columns on its left as rows on its right: here \\2 and \\1. Which shape has"
-        " each part? (Value by value, arrays are multiplied with *.)",
+        r"\(size (\d+) is different from (\d+)\)",
+        _matrix_product,
+    ),
+    (
+        "ValueError",
+        "matmul: .* does not have enough dimensions",
+        "On one side of @ stands a single number. mean() and sum() without axis give one number for the whole"
+        " array; with axis=0 they give one for each column.",
     ),
     (
         "ValueError",

@@ -283,6 +283,18 @@ def wheel_speeds(linear, angular, distance):
     return solution(linear, math.degrees(angular), distance)
 
 
+# %% role="mistake" name="the turn times the linear velocity" says="You multiplied the turn by the linear velocity, so a robot that turns on the spot would not turn its wheels. The speed of the turn is angular * distance / 2 alone."
+def wheel_speeds(linear, angular, distance):
+    turn = linear * angular * distance / 2
+    return linear - turn, linear + turn
+
+
+# %% role="mistake" name="parentheses too wide" says="Your parentheses also multiply the linear velocity by half the distance. Only the angular velocity belongs to it: linear - angular * half."
+def wheel_speeds(linear, angular, distance):
+    half = distance / 2
+    return (linear - angular) * half, (linear + angular) * half
+
+
 # %% role="mistake" name="a fixed distance" says="You typed 0.20 m, or 0.10 m, the distance of this robot. Use the argument distance, so that the function works for other robots too."
 def wheel_speeds(linear, angular, distance):
     return solution(linear, angular, 0.2)

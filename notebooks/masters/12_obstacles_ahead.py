@@ -542,6 +542,14 @@ def plane_of(a, b, c):
     return normal, float(-(normal @ a))
 
 
+# %% role="mistake" name="divided by the signed sum" says="You divided by the sum of the three numbers. The length is the root of the sum of their squares: np.linalg.norm(normal)."
+def plane_of(a, b, c):
+    normal = np.cross(b - a, c - a)
+    normal = normal / normal.sum()
+    normal = -normal if normal[1] > 0 else normal
+    return normal, float(-(normal @ a))
+
+
 # %% role="mistake" name="divided by the largest" says="You divided by the largest number of the vector. Divide by its length: np.linalg.norm(normal)."
 def plane_of(a, b, c):
     normal = np.cross(b - a, c - a)
@@ -1003,11 +1011,11 @@ def standing(height):
 
 
 def scene(rng, nearest, high=0.5):
-    """Ten points: floor, something low, something high, beside the corridor on both sides, and obstacles in it."""
-    forward = np.array([0.4, 0.45, high, 0.55, 0.6, 0.65, 0.7, nearest, nearest + 0.6, nearest + 1.2])
-    left = np.array([0.0, 0.05, -0.02, 0.3, -0.35, 0.22, -0.21, -0.12, 0.1, 0.02])
-    height = np.array([0.0, 0.02, 0.9, 0.2, 0.2, 0.1, 0.1, 0.15, 0.3, 0.05])
-    order = rng.permutation(10)
+    """Floor, something low, something high, beside the corridor on both sides, obstacles in it, and a near floor."""
+    forward = np.array([0.4, 0.45, high, 0.55, 0.6, 0.65, 0.7, nearest, nearest + 0.6, nearest + 1.2, 0.2])
+    left = np.array([0.0, 0.05, -0.02, 0.3, -0.35, 0.22, -0.21, -0.12, 0.1, 0.02, 0.6])
+    height = np.array([0.0, 0.02, 0.9, 0.2, 0.2, 0.1, 0.1, 0.15, 0.3, 0.05, 0.0])
+    order = rng.permutation(11)
     return forward[order], left[order], height[order]
 
 
@@ -1116,6 +1124,23 @@ def nearest_obstacle(forward, left, height, width):
 def nearest_obstacle(forward, left, height, width):
     mask = (np.abs(left) <= width / 2) & standing(height)
     return float(forward[mask].mean()) if mask.any() else math.inf
+
+
+# %% role="mistake" name="the nearest of all points" says="Your minimum is that of all points, although you made a mask. Select the points in the corridor first: forward[mask].min()."
+def nearest_obstacle(forward, left, height, width):
+    mask = (np.abs(left) <= width / 2) & standing(height)
+    return float(forward.min()) if mask.any() else math.inf
+
+
+# %% role="mistake" name="the first point" says="You return the first point in the corridor. The points have no order: take the smallest forward, forward[mask].min()."
+def nearest_obstacle(forward, left, height, width):
+    mask = (np.abs(left) <= width / 2) & standing(height)
+    return float(forward[mask][0]) if mask.any() else math.inf
+
+
+# %% role="mistake" name="times the mask" says="You multiplied forward by the mask, so each point outside the corridor has the distance 0, and the minimum is 0. Select the points in it: forward[mask].min()."
+def nearest_obstacle(forward, left, height, width):
+    return float((forward * ((np.abs(left) <= width / 2) & standing(height))).min())
 
 
 # %% role="mistake" name="the index" says="You return the index of a point, as argmin gives it. Return the distance: min."

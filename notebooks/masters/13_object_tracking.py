@@ -399,7 +399,7 @@ assert few_weights[bins].tolist() == [[200, 200, 90], [0, 0, 10]]
 # %% [markdown]
 # ### Your turn: back-projection
 #
-# Write `backproject(hue, weights)`. The result must be uint8, like the weights. `math` and `np` are imported for you.
+# Write `backproject(hue, weights)`. The dtype counts: the result must be uint8, like the weights. `math` and `np` are imported for you.
 #
 # | Input | Output | Example call |
 # |---|---|---|

@@ -213,7 +213,7 @@ exercise(
     title="The homography of four corners",
     function="find_homography",
     tolerance=1e-5,
-    hint="Two rows for each corner; the last row of the third result of np.linalg.svd, in the shape (3, 3), divided by its last number.",
+    hint="Two rows for each corner, the second one with 0, 0, 0 in front; then the last row (not a column) of the third result of np.linalg.svd, in the shape (3, 3), divided by its last number, H[2, 2].",
     hints=(
         "Which two rows of nine numbers does one corner give, and which vector gives 0 with all eight rows?",
         "1. Begin with an empty list of rows.\n"
@@ -346,6 +346,13 @@ def find_homography(points, pixels):
 # %% role="mistake" name="minus at the last number only" says="A sign is wrong: also -u * x and -u * y have a minus, and the same with v."
 def find_homography(points, pixels):
     return null_matrix(rows_of(points, pixels, 1.0, -1.0))
+
+
+# %% role="mistake" name="plus in the row of v" says="The row of u is right, but the row of v has a wrong sign: it ends with -v * x, -v * y, -v."
+def find_homography(points, pixels):
+    rows = rows_of(points, pixels)
+    rows[1::2, 6:] *= -1
+    return null_matrix(rows)
 
 
 # %% role="mistake" name="u and v exchanged" says="u and v are exchanged: the row with x, y, 1 in front has the products with u, and u is the first number of a pixel."
@@ -1008,6 +1015,12 @@ def find_motion(before, after):
     return with_shift(U @ np.diag([np.linalg.det(U @ V), 1, 1]) @ V, before, after)
 
 
+# %% role="mistake" name="value by value" says="You multiplied U, the diagonal matrix and V with *, value by value. Matrices are multiplied with @: U @ np.diag(...) @ V."
+def find_motion(before, after):
+    U, V = decomposed(before, after)
+    return with_shift(U * np.diag([1, 1, np.linalg.det(U @ V)]) * V, before, after)
+
+
 # %% role="mistake" name="always -1" says="You always change the sign of the last column. Change it only for a mirror: multiply by the determinant of U @ V, not by -1."
 def find_motion(before, after):
     U, V = decomposed(before, after)
@@ -1237,6 +1250,7 @@ def decoys(rng, R, t, limit):
         lambda points: points @ R.T - t,
         lambda points: (points + t) @ R.T,
         lambda points: points @ R.T + t + (1.3 * limit, 0, 0),
+        lambda points: points @ R.T + t + (0.7 * limit, 0.7 * limit, 0.7 * limit),
     )
     for count, move in enumerate(wrong, 2):
         before = rng.uniform((-2, -1, 1), (2, 1, 4), (count, 3)).round(3)
@@ -1396,6 +1410,17 @@ def best_inliers(before, after, rotations, shifts, limit):
 def best_inliers(before, after, rotations, shifts, limit):
     masks = [np.abs(before @ R.T + t - after).sum(axis=1) < limit for R, t in zip(rotations, shifts, strict=True)]
     return most(np.array(masks))
+
+
+# %% role="mistake" name="each coordinate alone" says="You compare the distances in x, y and z with the limit one by one. A pair can be too far in all three together: take the length of the difference, np.linalg.norm with axis=1."
+def best_inliers(before, after, rotations, shifts, limit):
+    masks = [(np.abs(before @ R.T + t - after) < limit).all(axis=1) for R, t in zip(rotations, shifts, strict=True)]
+    return most(np.array(masks))
+
+
+# %% role="mistake" name="False everywhere" says="Your mask is False for every pair, so no mask was kept. np.linalg.norm needs axis=1: without it you get one number for the whole cloud, and not one for each pair. If it has axis=1, look whether best gets the new mask."
+def best_inliers(before, after, rotations, shifts, limit):
+    return np.zeros(len(before), bool)
 
 
 # %% role="mistake" name="without abs" says="You looked at the sign of the sum: a difference can be negative. Take its length, np.linalg.norm with axis=1."
@@ -1558,15 +1583,15 @@ check("where-keyframes", keyframes)
 
 # %% role="case" title="a robot that drives" points=1
 def inputs(rng):
-    steps = [(0.25 * k, 0.0, 0.0) for k in range(9)]
-    return [(steps, 0.5, 1.0), (drive(rng, 30, 0.06, 0.01, 0.9), 0.25, 1.0), (drive(rng, 30, 0.1, -0.02, 2.0), 0.35, 2.0),
-            (drive(rng, 30, 0.1, 0.1, 0.0), 0.3, 0.25), ([(x, 0.0, 0.0) for x in (0.0, 0.3, 0.1, 0.3, 0.1, 0.6)], 0.5, 1.0)]
+    steps = [(0.25 * k, 0.0, 0.0) for k in range(7)]
+    return [(steps, 0.5, 1.0), (drive(rng, 8, 0.12, 0.01, 0.9), 0.25, 1.0), (drive(rng, 8, 0.2, -0.04, 2.0), 0.35, 2.0),
+            (drive(rng, 8, 0.2, 0.2, 0.0), 0.3, 0.35), ([(x, 0.0, 0.0) for x in (0.0, 0.3, 0.1, 0.3, 0.1, 0.6, 0.0)], 0.5, 1.0)]
 
 
 # %% role="case" title="a robot that turns" points=1 hint="Does a turn alone make a keyframe, to either side, and also across π?"
 def inputs(rng):
-    right = drive(rng, 20, 0.001, -0.1, 0.5)
-    return [(drive(rng, 25, 0.001, 0.12, 2.6), 1.0, 0.4), (right, 1.0, 0.3), ([(0.0, 0.0, 0.5 * k) for k in range(6)], 1.0, 1.0),
+    right = drive(rng, 7, 0.001, -0.25, 0.5)
+    return [(drive(rng, 8, 0.001, 0.3, 2.6), 1.0, 0.4), (right, 1.0, 0.3), ([(0.0, 0.0, 0.5 * k) for k in range(6)], 1.0, 1.0),
             ([(0.0, 0.0, 0.1), (0.0, 0.0, 2.9), (0.0, 0.0, -2.9)], 1.0, 1.0)]
 
 
@@ -1683,6 +1708,26 @@ def keyframes(places, distance, angle):
 def keyframes(places, distance, angle):
     numbers = solution(places, distance, angle)
     return [k in numbers for k in range(len(places))]
+
+
+# %% role="mistake" name="degrees" says="You compare degrees with angle, which is in radians, so nearly every turn is large enough. Leave math.degrees out."
+def keyframes(places, distance, angle):
+    return chosen(places, lambda a, b: moved(a, b) >= distance or math.degrees(turned(a, b)) >= angle)
+
+
+# %% role="mistake" name="begins at the origin" says="Your list begins empty, and your last keyframe is (0, 0, 0). Frame 0 is the first keyframe, wherever the robot stands: begin with numbers = [0] and compare with places[0]."
+def keyframes(places, distance, angle):
+    numbers, last = [], (0.0, 0.0, 0.0)
+    for k, place in enumerate(places):
+        if moved(place, last) >= distance or turned(place, last) >= angle:
+            numbers.append(k)
+            last = place
+    return numbers
+
+
+# %% role="mistake" name="the first frame at this place" says="places.index finds the first frame at a place, and a robot can come back to it. Take the number of the frame from the loop: for k in range(1, len(places))."
+def keyframes(places, distance, angle):
+    return [places.index(places[k]) for k in solution(places, distance, angle)]
 
 
 # %% role="mistake" name="squared distance" says="You compare the squared distance. Take the root: math.dist gives the distance itself."

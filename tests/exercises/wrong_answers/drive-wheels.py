@@ -79,3 +79,15 @@ def wheel_speeds(linear, angular, distance):
     left = linear - angular * half
     right = linear + angular * half
     return left, right
+
+# %% name="the turn times the linear velocity" origin="new" sentence="The turn does not depend on the linear velocity: angular * distance / 2." must_say=["linear velocity", "turn"] kind="value"
+def wheel_speeds(linear, angular, distance):
+    half = distance / 2
+    left = linear - linear * angular * half
+    right = linear + linear * angular * half
+    return left, right
+
+# %% name="parentheses around the sum" origin="new" sentence="Only the angular velocity is multiplied by half the distance." must_say=["angular", "half"] kind="value"
+def wheel_speeds(linear, angular, distance):
+    half = distance / 2
+    return (linear - angular) * half, (linear + angular) * half

@@ -114,3 +114,22 @@ def nearest_obstacle(forward, left, height, width):
         if abs(l) <= width / 2 and 0.03 < h < 0.40 and f > best:
             best = f
     return best
+
+# %% name="the mask not used" origin="new" sentence="You take the minimum of all points. Take that of the points in the mask: forward[mask].min()." must_say=["forward\\[mask\\]", "all points|select"] kind="value" must_not_say=["height is not used"]
+def nearest_obstacle(forward, left, height, width):
+    mask = (abs(left) <= width / 2) & (height > 0.03) & (height < 0.40)
+    if mask.any():
+        return forward.min()
+    return math.inf
+
+# %% name="the first point of the mask" origin="new" sentence="The first point need not be the nearest: take the minimum." must_say=["first", "smallest|min"] kind="value"
+def nearest_obstacle(forward, left, height, width):
+    mask = (abs(left) <= width / 2) & (height > 0.03) & (height < 0.40)
+    if mask.sum() == 0:
+        return math.inf
+    return forward[mask][0]
+
+# %% name="forward times the mask" origin="new" sentence="Points outside become 0 and are the minimum: select with forward[mask]." must_say=["forward\\[mask\\]", "0"] kind="value" must_not_say=["fixed"]
+def nearest_obstacle(forward, left, height, width):
+    mask = (abs(left) <= width / 2) & (height > 0.03) & (height < 0.40)
+    return (forward * mask).min()

@@ -123,3 +123,11 @@ def plane_of(a, b, c):
     if normal[1] > 0:
         normal = -normal
     return normal, -(normal @ a)
+
+# %% name="divided by normal.sum()" origin="new" sentence="The length is np.linalg.norm(normal), not the sum." must_say=["sum", "length|norm"] kind="value"
+def plane_of(a, b, c):
+    normal = np.cross(b - a, c - a)
+    normal = normal / normal.sum()
+    if normal[1] > 0:
+        normal = -normal
+    return normal, -(normal @ a)

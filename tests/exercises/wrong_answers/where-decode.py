@@ -160,3 +160,14 @@ def decode(cells, words):
                 return number, turns
             else:
                 return -1, 0
+
+# %% name="fifty words assumed" origin="new" sentence="The number of words is len(words): not every call has 50." must_say=["length|len\\("] kind="error" must_not_say=["np.pad", "pixel"]
+def decode(cells, words):
+    inside = cells[1:5, 1:5]
+    if cells.sum() != inside.sum():
+        return -1, 0
+    for number in range(50):
+        for turns in range(4):
+            if (np.rot90(inside, turns) == words[number]).all():
+                return number, turns
+    return -1, 0

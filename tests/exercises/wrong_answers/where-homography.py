@@ -119,3 +119,62 @@ def find_homography(points, pixels):
         rows.append([0, 0, 0, x, y, 1, -v * x, -v * y, -v])
     H = np.linalg.solve(np.array(rows), np.zeros(8)).reshape(3, 3)
     return H / H[2, 2]
+
+# %% name="the last column of the third result" origin="new" sentence="Take the last row of the third result, not its last column." must_say=["last row"] kind="value"
+def find_homography(points, pixels):
+    rows = []
+    for (x, y), (u, v) in zip(points, pixels):
+        rows.append([x, y, 1, 0, 0, 0, -u * x, -u * y, -u])
+        rows.append([0, 0, 0, x, y, 1, -v * x, -v * y, -v])
+    _, _, V = np.linalg.svd(np.array(rows))
+    H = V[:, -1].reshape(3, 3)
+    return H / H[2, 2]
+
+# %% name="one row for each corner" origin="new" sentence="Each corner gives two rows, one for u and one for v." must_say=["two rows"] kind="value"
+def find_homography(points, pixels):
+    rows = []
+    for (x, y), (u, v) in zip(points, pixels):
+        rows.append([x, y, 1, 0, 0, 0, -u * x, -u * y, -u])
+    _, _, V = np.linalg.svd(np.array(rows))
+    H = V[-1].reshape(3, 3)
+    return H / H[2, 2]
+
+# %% name="row v begins like row u" origin="new" sentence="The row of v begins with three zeros." must_say=["row of v|second", "0, 0, 0|zeros"] kind="value"
+def find_homography(points, pixels):
+    rows = []
+    for (x, y), (u, v) in zip(points, pixels):
+        rows.append([x, y, 1, 0, 0, 0, -u * x, -u * y, -u])
+        rows.append([x, y, 1, 0, 0, 0, -v * x, -v * y, -v])
+    _, _, V = np.linalg.svd(np.array(rows))
+    H = V[-1].reshape(3, 3)
+    return H / H[2, 2]
+
+# %% name="the first result of the decomposition" origin="new" sentence="U has 8 numbers in a row: the vector is in the third result." must_say=["9 numbers|third", "result"] kind="error" must_not_say=["cropped", "pixel not 3"]
+def find_homography(points, pixels):
+    rows = []
+    for (x, y), (u, v) in zip(points, pixels):
+        rows.append([x, y, 1, 0, 0, 0, -u * x, -u * y, -u])
+        rows.append([0, 0, 0, x, y, 1, -v * x, -v * y, -v])
+    U, s, V = np.linalg.svd(np.array(rows))
+    H = U[-1].reshape(3, 3)
+    return H / H[2, 2]
+
+# %% name="the singular values" origin="new" sentence="The second result holds the singular values: the vector is in the third one." must_say=["9 numbers|third", "result|one"] kind="error" must_not_say=["cropped", "pixel not 3"]
+def find_homography(points, pixels):
+    rows = []
+    for (x, y), (u, v) in zip(points, pixels):
+        rows.append([x, y, 1, 0, 0, 0, -u * x, -u * y, -u])
+        rows.append([0, 0, 0, x, y, 1, -v * x, -v * y, -v])
+    _, s, V = np.linalg.svd(np.array(rows))
+    H = s.reshape(3, 3)
+    return H / H[2, 2]
+
+# %% name="plus signs in the row of v" origin="new" sentence="In the row of v the minus signs are missing." must_say=["v", "sign"] kind="value"
+def find_homography(points, pixels):
+    rows = []
+    for (x, y), (u, v) in zip(points, pixels):
+        rows.append([x, y, 1, 0, 0, 0, -u * x, -u * y, -u])
+        rows.append([0, 0, 0, x, y, 1, v * x, v * y, v])
+    _, _, V = np.linalg.svd(np.array(rows))
+    H = V[-1].reshape(3, 3)
+    return H / H[2, 2]

@@ -129,3 +129,22 @@ def best_inliers(before, after, rotations, shifts, limit):
         if near.sum() > best.sum():
             best = near
     return best
+
+# %% name="norm without axis" origin="new" sentence="np.linalg.norm needs axis=1 for one distance for each pair." must_say=["axis=1", "each pair"] kind="value" must_not_say=["never stored"]
+def best_inliers(before, after, rotations, shifts, limit):
+    best = np.zeros(len(before), bool)
+    for R, t in zip(rotations, shifts):
+        distances = np.linalg.norm(before @ R.T + t - after)
+        near = distances < limit
+        if near.sum() > best.sum():
+            best = near
+    return best
+
+# %% name="each coordinate below the limit" origin="new" sentence="The distance is the length of the difference, not each coordinate alone." must_say=["length", "x, y and z|coordinate"] kind="value"
+def best_inliers(before, after, rotations, shifts, limit):
+    best = np.zeros(len(before), bool)
+    for R, t in zip(rotations, shifts):
+        near = (abs(before @ R.T + t - after) < limit).all(axis=1)
+        if near.sum() > best.sum():
+            best = near
+    return best

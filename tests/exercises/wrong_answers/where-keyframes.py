@@ -161,3 +161,39 @@ def keyframes(places, distance, angle):
             numbers.append(k)
             way = 0.0
     return numbers
+
+# %% name="degrees compared with radians" origin="new" sentence="angle is in radians: leave math.degrees out." must_say=["degrees", "radians"] kind="value"
+def keyframes(places, distance, angle):
+    numbers = [0]
+    for k in range(1, len(places)):
+        x, y, yaw = places[k]
+        key_x, key_y, key_yaw = places[numbers[-1]]
+        moved = math.dist((x, y), (key_x, key_y))
+        turned = abs(math.remainder(yaw - key_yaw, 2 * math.pi))
+        if moved >= distance or math.degrees(turned) >= angle:
+            numbers.append(k)
+    return numbers
+
+# %% name="begins empty at the origin" origin="new" sentence="Frame 0 is missing: begin with [0], and with the place of frame 0." must_say=["frame 0", "empty|missing", "\\[0\\]"] kind="value"
+def keyframes(places, distance, angle):
+    numbers = []
+    last = (0, 0, 0)
+    for k in range(len(places)):
+        x, y, yaw = places[k]
+        moved = math.hypot(x - last[0], y - last[1])
+        turned = abs(math.remainder(yaw - last[2], 2 * math.pi))
+        if moved >= distance or turned >= angle:
+            numbers.append(k)
+            last = places[k]
+    return numbers
+
+# %% name="the number by places.index" origin="new" sentence="A robot can come back to a place: take the number from the loop." must_say=["places.index|come back", "loop|number of the frame"] kind="value"
+def keyframes(places, distance, angle):
+    numbers = [0]
+    last = places[0]
+    for place in places:
+        turned = abs(math.remainder(place[2] - last[2], 2 * math.pi))
+        if math.dist(place[:2], last[:2]) >= distance or turned >= angle:
+            numbers.append(places.index(place))
+            last = place
+    return numbers

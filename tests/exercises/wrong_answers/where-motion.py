@@ -110,3 +110,45 @@ def find_motion(before, after):
     U, _, V = np.linalg.svd((after - a).T @ (before - b))
     R = U @ np.diag([1, 1, np.linalg.det(U @ V)]) @ V
     return R.round(2), (a - R @ b).round(2)
+
+# %% name="two numbers on the diagonal" origin="new" sentence="The diagonal has three numbers: 1, 1 and the determinant." must_say=["diag", "n × n|three"] kind="error" must_not_say=["value by value"]
+def find_motion(before, after):
+    b = before - before.mean(axis=0)
+    a = after - after.mean(axis=0)
+    U, _, V = np.linalg.svd(a.T @ b)
+    R = U @ np.diag([1, np.linalg.det(U @ V)]) @ V
+    return R, after.mean(axis=0) - R @ before.mean(axis=0)
+
+# %% name="a @ b.T" origin="new" sentence="The product must be 3 × 3: a.T @ b." must_say=["a.T @ b", "3 × 3"] kind="error" must_not_say=["value by value"]
+def find_motion(before, after):
+    b = before - before.mean(axis=0)
+    a = after - after.mean(axis=0)
+    U, _, V = np.linalg.svd(a @ b.T)
+    R = U @ np.diag([1, 1, np.linalg.det(U @ V)]) @ V
+    return R, after.mean(axis=0) - R @ before.mean(axis=0)
+
+# %% name="U * diag * V" origin="new" sentence="Matrices are multiplied with @, not with *." must_say=["@", "value by value|not with"] kind="value"
+def find_motion(before, after):
+    b = before - before.mean(axis=0)
+    a = after - after.mean(axis=0)
+    U, _, V = np.linalg.svd(a.T @ b)
+    R = U * np.diag([1, 1, np.linalg.det(U @ V)]) * V
+    return R, after.mean(axis=0) - R @ before.mean(axis=0)
+
+# %% name="the mean over the columns" origin="new" sentence="axis=1 gives one number for each point; the mean of a cloud is axis=0." must_say=["axis=0", "each row|each point|each column"] kind="error" must_not_say=["table"]
+def find_motion(before, after):
+    before_mean = before.mean(axis=1)
+    after_mean = after.mean(axis=1)
+    b = before - before_mean
+    a = after - after_mean
+    U, _, V = np.linalg.svd(a.T @ b)
+    R = U @ np.diag([1, 1, np.linalg.det(U @ V)]) @ V
+    return R, after_mean - R @ before_mean
+
+# %% name="the mean of all numbers" origin="new" sentence="mean() without axis is one number: take axis=0." must_say=["axis=0", "single|one number"] kind="error" must_not_say=["value by value"]
+def find_motion(before, after):
+    b = before - before.mean()
+    a = after - after.mean()
+    U, _, V = np.linalg.svd(a.T @ b)
+    R = U @ np.diag([1, 1, np.linalg.det(U @ V)]) @ V
+    return R, after.mean() - R @ before.mean()
