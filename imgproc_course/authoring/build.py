@@ -97,12 +97,22 @@ def compare_lessons(masters_dir, lessons_dir, names=(), progress=print):
         result.problems += lesson_file_differences(files, Path(lessons_dir))
         result.built.append(path.stem)
     if not names:
-        try:
-            result.problems += page_differences(build_pages(masters_dir), lessons_dir)
-        except MasterError as error:
-            result.problems.append(str(error))
-        result.problems += _orphans(masters_dir, lessons_dir)
+        result.problems += compare_other_files(masters_dir, lessons_dir)
     return result
+
+
+def compare_other_files(masters_dir, lessons_dir):
+    """How the pages differ from their sources, and which files have no master; a list of str.
+
+    Parameters
+    ----------
+    As `build`.
+    """
+    try:
+        problems = page_differences(build_pages(masters_dir), lessons_dir)
+    except MasterError as error:
+        problems = [str(error)]
+    return problems + _orphans(masters_dir, lessons_dir)
 
 
 def _write_lesson_files(files, folder, *, with_solutions):
@@ -163,13 +173,14 @@ def read_valid_master(path):
     return master
 
 
-def build_lesson(master, stored_path=None):
+def build_lesson(master, stored_path=None, executed=None):
     """The lesson of a master, executed.
 
     Parameters
     ----------
     master : Master
     stored_path : Path of the lesson as built before, or None; a cell whose output varies keeps its stored one
+    executed : NotebookNode, `lesson_notebook` with the outputs of its execution; is executed here if omitted
 
     Returns
     -------
@@ -179,7 +190,8 @@ def build_lesson(master, stored_path=None):
     ------
     MasterError : an error in a cell, or an output that is not reproducible; names lesson and cell
     """
-    lesson = _execute_master(master, solved=False)
+    lesson = executed or _execute_master(master, solved=False)
+    normalize(lesson, master)
     _keep_varying_outputs(lesson, stored_path, master)
     refuse_traces(lesson, master)
     return lesson
@@ -197,6 +209,7 @@ def build_solved(master):
     NotebookNode
     """
     twin = _execute_master(master, solved=True)
+    normalize(twin, master)
     refuse_traces(twin, master)
     return twin
 
@@ -206,7 +219,6 @@ def _execute_master(master, *, solved):
     with tempfile.TemporaryDirectory(prefix="checks-") as folder:
         _write_lesson_files(lesson_files(master), Path(folder), with_solutions=True)
         execute(notebook, master.path, checks_dir=Path(folder) / CHECKS)
-    normalize(notebook, master)
     return notebook
 
 

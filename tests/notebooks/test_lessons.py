@@ -1,4 +1,4 @@
-"""Every lesson as shipped, and its solved twin: run by nbval, validated, and run without ROS.
+"""Every lesson as shipped, and its solved twin: run by nbval, built from its master, and run without ROS.
 
 Lessons and masters are found, never listed.
 """
@@ -12,17 +12,23 @@ import subprocess
 import sys
 import sysconfig
 from pathlib import Path
-from types import SimpleNamespace
 
 import nbformat
 import pytest
+from nbformat import NotebookNode
 
 sys.path.append(str(Path(__file__).parent))
 from solved_twin import solved_twin
 
-from imgproc_course.authoring.build import INDEX
+from imgproc_course.authoring.build import (
+    INDEX,
+    build_lesson,
+    compare_other_files,
+    differences,
+    lesson_notebook,
+)
 from imgproc_course.authoring.execute import execute
-from imgproc_course.authoring.lesson_files import lesson_files
+from imgproc_course.authoring.lesson_files import lesson_file_differences, lesson_files
 from imgproc_course.authoring.masters import find_masters, read_master
 from imgproc_course.authoring.validation import validate_exercise
 from imgproc_course.exercises import read_exercises
@@ -42,7 +48,7 @@ OURS = (
 
 
 # nbval alone, as the autograder starts it: other plugins and JupyterLab's modules cost seconds per notebook.
-NBVAL = ["-p", "imgproc_course.autograder.blocked_imports", "-p", "nbval.plugin", "--nbval"]
+PLUGINS = ["-p", "imgproc_course.autograder.blocked_imports", "-p", "nbval.plugin", "-p", "recorded_outputs"]
 
 
 def by_lesson(paths):
@@ -64,30 +70,39 @@ def test_the_task_says_whether_the_type_counts(path):
 
 
 def run_nbval(path, folder):
-    """nbval's exit code for a notebook, and its output."""
+    """Let nbval execute a notebook and compare it; returns the outputs of each cell, by its id."""
     environment = {name: value for name, value in os.environ.items() if name not in OURS}
+    recorded = folder / "outputs.json"
+    options = ["-p", "no:cacheprovider", "-q", *PLUGINS, "--nbval", f"--outputs={recorded}"]
     process = subprocess.run(
-        [sys.executable, "-m", "pytest", "-p", "no:cacheprovider", "-q", *NBVAL, str(path)],
-        cwd=NOTEBOOKS.parent,
+        [sys.executable, "-m", "pytest", *options, str(path)],
+        cwd=Path(__file__).parent,  # of the plugin that records
         env=environment | {"IPYTHONDIR": str(folder / ".ipython"), "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1"},
         capture_output=True,
         text=True,
     )
-    return process.returncode, process.stdout[-4000:] + process.stderr[-2000:]
+    assert process.returncode == 0, process.stdout[-4000:] + process.stderr[-2000:]
+    return json.loads(recorded.read_text(), object_hook=NotebookNode)
 
 
-def test_every_master_has_its_lesson_and_every_lesson_its_master():
+def test_every_master_has_its_lesson_and_every_other_file_its_source():
     assert MASTERS
     lessons = {path.stem for path in NOTEBOOKS.glob("*.ipynb")} - {"glossary"}
     assert [path.stem for path in MASTERS] == sorted(lessons)
+    assert compare_other_files(NOTEBOOKS / "masters", NOTEBOOKS) == []
 
 
-@pytest.mark.parametrize("master", by_lesson(MASTERS))
-def test_nbval_finds_the_lesson_as_shipped(master, tmp_path):
+@pytest.mark.parametrize("path", by_lesson(MASTERS))
+def test_nbval_finds_the_lesson_as_shipped_and_the_master_gives_the_same(path, tmp_path):
     # A copy: what a lesson writes beside itself must not land among the shipped ones.
-    path = shutil.copy(NOTEBOOKS / f"{master.stem}.ipynb", tmp_path)
-    code, output = run_nbval(path, tmp_path)
-    assert code == 0, output
+    shipped = NOTEBOOKS / f"{path.stem}.ipynb"
+    outputs = run_nbval(shutil.copy(shipped, tmp_path), tmp_path)
+    master = read_master(path)
+    executed = lesson_notebook(master)
+    for cell in executed.cells:
+        if cell.cell_type == "code":
+            cell.outputs = outputs.get(cell.id, [])
+    assert differences(build_lesson(master, shipped, executed), shipped) == []
 
 
 @pytest.mark.parametrize("master", by_lesson(MASTERS))
@@ -95,8 +110,7 @@ def test_nbval_finds_every_check_of_the_solved_twin_passing(master, tmp_path):
     shipped = nbformat.read(NOTEBOOKS / f"{master.stem}.ipynb", as_version=4)
     path = tmp_path / f"{master.stem}.ipynb"
     nbformat.write(solved_twin(read_master(master), shipped), path)
-    code, output = run_nbval(path, tmp_path)
-    assert code == 0, output
+    run_nbval(path, tmp_path)
 
 
 @pytest.mark.parametrize("exercise", exercise_params())
@@ -123,15 +137,16 @@ def test_every_known_mistake_is_caught_under_its_own_name(exercise):
 
 @pytest.mark.parametrize("path", by_lesson(MASTERS))
 def test_the_checks_that_a_lesson_carries_say_what_the_master_says(path, tmp_path):
-    """For the stub, the solution and each known mistake."""
-    exercises = read_exercises(path)
-    carried = SimpleNamespace(name=path.stem, exercises=exercises, handed_out={})
-    for name, text in lesson_files(carried).items():
+    """For the stub, the solution and each known mistake; and the stored ones are those of the master."""
+    master = read_master(path)
+    files = lesson_files(master)
+    assert lesson_file_differences(files, NOTEBOOKS) == []
+    for name, text in files.items():
         (tmp_path / name).parent.mkdir(exist_ok=True)
         (tmp_path / name).write_text(text)
         assert len(text) < 500_000
-    for exercise in exercises:
-        data = read_check_file(tmp_path / "checks" / f"{path.stem}.json").exercise(exercise.id)
+    for exercise in master.exercises:
+        data = read_check_file(tmp_path / "checks" / f"{master.name}.json").exercise(exercise.id)
         answers = {"stub": exercise.stub, "solution": exercise.solution}
         functions = [exercise.function_of(source, label) for label, source in answers.items()]
         functions += [
