@@ -71,6 +71,10 @@ def _folder(nodeid):
 
 
 def pytest_collection_modifyitems(config, items):
+    if config.getoption("--first-of-each-file"):
+        firsts = {item.nodeid.partition("::")[0]: item for item in reversed(items)}.values()
+        config.hook.pytest_deselected(items=[item for item in items if item not in firsts])
+        items[:] = [item for item in items if item in firsts]
     if config.getoption("--once-more"):
         for item in items:
             if item.get_closest_marker("ros") or item.get_closest_marker("browser"):
@@ -102,6 +106,9 @@ def pytest_xdist_make_scheduler(config, log):
 def pytest_addoption(parser):
     parser.addoption(
         "--no-skips", action="store_true", help="count a skipped test as a failure (as in .ci/run)"
+    )
+    parser.addoption(
+        "--first-of-each-file", action="store_true", help="run one test of each kind, the first of each file"
     )
     # DDS and JupyterLab have races of their own on a busy machine. The summary lists every such test: what
     # it lists is looked into, it is no habit.

@@ -42,3 +42,13 @@ def test_long_tests_come_first_and_the_others_keep_their_order(conftest):
     items = [SimpleNamespace(nodeid=name) for name in names]
     conftest.pytest_collection_modifyitems(SimpleNamespace(getoption=lambda name: False), items)
     assert [item.nodeid for item in items] == [names[3], names[2], names[0], names[1]]
+
+
+def test_of_each_file_the_first_test_can_be_chosen(conftest):
+    names = ["tests/ros/a.py::t[1]", "tests/ros/a.py::t[2]", "tests/ros/b.py::s", "tests/ros/b.py::t"]
+    items, deselected = [SimpleNamespace(nodeid=name) for name in names], []
+    hook = SimpleNamespace(pytest_deselected=lambda items: deselected.extend(items))
+    config = SimpleNamespace(getoption=lambda name: name == "--first-of-each-file", hook=hook)
+    chosen = list(items)
+    conftest.pytest_collection_modifyitems(config, chosen)
+    assert chosen == [items[0], items[2]] and deselected == [items[1], items[3]]
