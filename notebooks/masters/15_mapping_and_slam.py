@@ -102,7 +102,7 @@ def scan_points(scan):
 start = (0.45, -1.0, 0.0)
 robot = Simulation(seed=5, start=start)
 scans, counted, truth = [], [], []
-for look in range(33):
+for _ in range(33):
     scans.append(scan_points(robot.scan()))
     counted.append(robot.odometry()[:3])
     x, y, _, _, _, qz, qw = robot.pose("robot")
@@ -232,6 +232,10 @@ def far_cell(rng, start, rows, cols):
     return int(start[0] + rows * rng.choice([-1, 1])), int(start[1] + cols * rng.choice([-1, 1]))
 
 
+def far_ray(rng):
+    return (20, 20), far_cell(rng, (20, 20), int(rng.integers(5, 9)), int(rng.integers(10, 14)))
+
+
 # %% role="answer"
 def ray_cells(start, end):
     raise NotImplementedError("your turn: delete this line and write the function")
@@ -262,7 +266,8 @@ def inputs(rng):
 
 # %% role="case" title="all directions" points=1 hint="Do you use the larger of both ways as the number of steps, and the sign of each way?"
 def inputs(rng):
-    return [((5, 5), (1, 7)), ((6, 9), (4, 2)), ((0, 8), (9, 3)), ((8, 3), (0, 3)), ((7, 7), (3, 3)), ((2, 9), (4, 5)), ((9, 1), (7, 5))]
+    return [((5, 5), (1, 7)), ((6, 9), (4, 2)), ((0, 8), (9, 3)), ((8, 3), (0, 3)), ((7, 7), (3, 3)), ((2, 9), (4, 5)), ((9, 1), (7, 5)),
+            far_ray(rng)]
 
 
 # %% role="hidden" title="any rays" points=1 hint="Are both ends there, and is a half rounded away from the start in every direction?"
@@ -434,7 +439,7 @@ print(change)
 
 # %%
 few = np.array([-5.9, 0.0, 5.9])
-print(np.clip(few + [-0.4, -0.4, 0.85], -6, 6))
+print(np.clip(few + np.array([-0.4, -0.4, 0.85]), -6, 6))
 
 # %%
 # Check: the numbers in this section
@@ -531,7 +536,7 @@ check("mapping-scan", add_scan)
 # %% role="case" title="one ray, and two rays that cross" points=1
 def inputs(rng):
     cross = [[(1, 0), (1, 1), (1, 2), (1, 3)], [(1, 0), (1, 1), (0, 2)], [(1, 0), (1, 1), (1, 2)]]
-    return [(np.zeros((1, 3)), [[(0, 0), (0, 1), (0, 2)]], 0.7, 0.4), (np.zeros((3, 4)), cross, 0.7, 0.4)]
+    return [(np.zeros((1, 3)), [[(0, 0), (0, 1), (0, 2)]], 0.7, 0.4), (np.zeros((3, 4)), cross, round(float(rng.uniform(0.6, 0.8)), 2), 0.4)]
 
 
 # %% role="case" title="a map that knows something already" points=1 hint="Do you add to the old map, and does each cell stay between -6 and 6?"
@@ -716,7 +721,7 @@ def cells_of(points):
 def make_map(poses, scans):
     """The log-odds (110, 150) after all scans."""
     grid = np.zeros((110, 150))
-    for pose, points in zip(poses, scans):
+    for pose, points in zip(poses, scans, strict=True):
         scanner = cells_of(to_room(pose, np.array([[0.156, 0.0]])))[0]
         grid = update_grid(grid, scanner, cells_of(to_room(pose, points)))
     return grid
@@ -892,8 +897,8 @@ def error_with(first, second, measured, yaw=None, side=1.0, angle=wrapped):
 
 def any_edge(rng, yaw, turn, off=0.2):
     """An edge whose first pose has this yaw, and that turns by so much; the motion is measured with an error."""
-    x, y = rng.uniform(-2, 2, 2).round(2).tolist()
-    ahead, left = float(rng.uniform(0.5, 1.5).round(2)), float(rng.uniform(-0.8, 0.8).round(2))
+    x, y, left = rng.uniform(-0.8, 0.8, 3).round(2).tolist()
+    ahead = round(float(rng.uniform(0.5, 1.5)), 2)
     c, s = math.cos(yaw), math.sin(yaw)
     second = (round(x + c * ahead - s * left, 4), round(y + s * ahead + c * left, 4), round(wrapped(yaw + turn), 4))
     errors = rng.uniform(0.05, off, 3) * rng.choice([-1, 1], 3)
@@ -927,7 +932,8 @@ def inputs(rng):
 # %% role="case" title="angles across π" points=1 hint="Is the angle between -π and π at the very end?"
 def inputs(rng):
     return [any_edge(rng, 2.9, 0.7), any_edge(rng, -2.8, -0.9), ((0.0, 0.0, 3.0), (1.0, 0.5, -3.0), (1.0, 0.5, 0.2)),
-            ((0.5, 0.0, -1.5), (0.0, 1.0, 1.4), (0.3, 0.2, -2.9)), ((0.5, 0.0, 1.5), (0.0, 1.0, -1.4), (0.3, 0.2, 2.9))]
+            ((0.5, 0.0, -1.5), (0.0, 1.0, 1.4), (0.3, 0.2, -2.9)), ((0.5, 0.0, 1.5), (0.0, 1.0, -1.4), (0.3, 0.2, 2.9)),
+            ((0.0, 0.0, 1.0), (1.0, 0.2, -1.2), (0.8, 0.1, -0.1))]
 
 
 # %% role="hidden" title="any edges" points=1 hint="Are ahead and left computed with the first yaw, and is the measured motion subtracted?"
@@ -1224,11 +1230,13 @@ def inputs(rng):
 
 # %% role="case" title="exactly at the limits" points=1 hint="At most and at least: a value that is exactly at the limit counts, of all three limits."
 def inputs(rng):
-    places = [(0.0, 0.0), (1.0, 0.0), (2.0, 0.0), (2.0, 1.0), (1.0, 1.0), (0.0, 0.5)]
+    x, y = rng.integers(-3, 4, 2).tolist()
+    places = [(x + 0.0, y + 0.0), (x + 1.0, y + 0.0), (x + 2.0, y + 0.0), (x + 2.0, y + 1.0), (x + 1.0, y + 1.0), (x + 0.0, y + 0.5)]
     shares = np.full((6, 6), 0.75)
     low = shares.copy()
     low[0, 5] = low[1, 4] = 0.74
-    return [(places, shares, 1.0, 3, 0.75), (places, low, 0.5, 2, 0.75), (places, low, 1.0, 3, 0.75)]
+    return [(places, shares, 1.0, 3, 0.75), (places, shares, 1.0, 2, 0.7), (places, shares, 1.2, 3, 0.7), (places, shares, 0.3, 3, 0.7),
+            (places, low, 0.5, 2, 0.75), (places, low, 1.0, 3, 0.75)]
 
 
 # %% role="hidden" title="two rounds" points=1 hint="Do you look at all pairs, in the order of i, and is each pair at least gap poses apart?"
@@ -1446,7 +1454,7 @@ def linearize(first, second, motion):
 # %%
 first, second, motion = np.array([1.0, 1.0, 0.5]), np.array([2.0, 3.0, 0.9]), (1.5, 1.0, 0.4)
 error, by_first, by_second = linearize(first, second, motion)
-turned, _, _ = linearize(first + [0, 0, 1e-6], second, motion)
+turned, _, _ = linearize(first + np.array([0, 0, 1e-6]), second, motion)
 print("tried:   ", ((turned - error) / 1e-6).round(3))
 print("computed:", by_first[:, 2].round(3))
 
@@ -1574,7 +1582,8 @@ check("mapping-step", graph_step)
 def inputs(rng):
     line = np.array([[0.0, 0, 0], [1, 0, 0], [2, 0, 0]])
     edges = [(0, 1, (1.0, 0.0, 0.0), (1.0, 1.0)), (1, 2, (1.0, 0.0, 0.0), (1.0, 1.0)), (0, 2, (1.7, 0.1, 0.1), (1.0, 1.0))]
-    return [(line[:2].copy(), [(0, 1, (1.2, 0.0, 0.0), (1.0, 1.0))]), (line, edges)]
+    measured = round(float(rng.uniform(1.1, 1.4)), 2)
+    return [(line[:2].copy(), [(0, 1, (measured, 0.0, 0.0), (1.0, 1.0))]), (line, edges)]
 
 
 # %% role="case" title="a loop" points=1 hint="Do the weights count, two of them the place's, and are the blocks in the columns of i and j?"

@@ -1,0 +1,36 @@
+# %% name="only the last pose" origin="fresh" sentence="Every later pose can close a loop, not only the last one." must_say=["last|every later|all"] kind="value"
+def find_loops(places, shares, radius, gap, least):
+    j = len(places) - 1
+    return [(i, j) for i in range(j - gap + 1) if math.dist(places[i], places[j]) <= radius and shares[i, j] >= least]
+
+# %% name="far" origin="fresh" sentence="At most radius apart: <=." must_say=["<=|at most"] kind="value"
+def find_loops(places, shares, radius, gap, least):
+    return [(i, j) for i in range(len(places)) for j in range(i + gap, len(places))
+            if math.dist(places[i], places[j]) >= radius and shares[i, j] >= least]
+
+# %% name="each pair twice" origin="fresh" sentence="Each pair once, with i before j." must_say=["twice|once"] kind="value"
+def find_loops(places, shares, radius, gap, least):
+    loops = []
+    for i in range(len(places)):
+        for j in range(len(places)):
+            if abs(i - j) >= gap and math.dist(places[i], places[j]) <= radius and shares[min(i, j), max(i, j)] >= least:
+                loops.append((i, j))
+    return loops
+
+# %% name="count" origin="fresh" sentence="Return the list of pairs, not how many." must_say=["list|pairs"] kind="type"
+def find_loops(places, shares, radius, gap, least):
+    count = 0
+    for i in range(len(places)):
+        for j in range(i + gap, len(places)):
+            if math.dist(places[i], places[j]) <= radius and shares[i, j] >= least:
+                count += 1
+    return count
+
+# %% name="only neighbours" origin="fresh" sentence="At least gap poses apart: from i + gap on." must_say=["gap"] kind="value"
+def find_loops(places, shares, radius, gap, least):
+    loops = []
+    for i in range(len(places)):
+        for j in range(i + 1, min(i + gap + 1, len(places))):
+            if math.dist(places[i], places[j]) <= radius and shares[i, j] >= least:
+                loops.append((i, j))
+    return loops
