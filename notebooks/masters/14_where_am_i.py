@@ -1948,7 +1948,7 @@ assert not ros_available() or node.looks == len(node.path.poses) > 0
 # | shift | (3,) | float64 | | metre |
 # | inliers | (N,) | bool | False, True | |
 #
-# Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+# **Next:** [[mapping_and_slam]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
 
 # %%
 # Check: the numbers in the table

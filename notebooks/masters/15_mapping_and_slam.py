@@ -1880,10 +1880,13 @@ if ros_available():
     from rclpy.qos import qos_profile_sensor_data
     from sensor_msgs.msg import LaserScan
 
+    def seconds(msg):
+        return msg.header.stamp.sec + msg.header.stamp.nanosec / 1e9
+
     class MappingNode(Node):
         def __init__(self, context=None):
             super().__init__("mapping", context=context)
-            self.mapper, self.wheels, self.looks = Mapper(), None, 0
+            self.mapper, self.scan, self.looks = Mapper(), None, 0
             self.before = self.grid = self.before_path = None  # before: the last map without a loop
             self.create_subscription(Odometry, "/kachaka/odometry/odometry",
                                      self.on_odometry, qos_profile_sensor_data)
@@ -1892,18 +1895,22 @@ if ros_available():
             self.grids = self.create_publisher(OccupancyGrid, "/map", 10)
             self.paths = self.create_publisher(Path, "/mapping/path", 10)
 
-        def on_odometry(self, msg):
-            place, turn = msg.pose.pose.position, msg.pose.pose.orientation
-            self.wheels = (place.x, place.y, 2 * math.atan2(turn.z, turn.w))
-
         def on_scan(self, msg):
+            self.scan = msg  # an older one that still waits is left out
+
+        def on_odometry(self, msg):
+            if self.scan is None or seconds(msg) < seconds(self.scan):
+                return  # the wheels have not yet counted as far as the scan
+            scan, self.scan = self.scan, None
+            place, turn = msg.pose.pose.position, msg.pose.pose.orientation
+            wheels = (place.x, place.y, 2 * math.atan2(turn.z, turn.w))
             self.looks += 1
-            if self.wheels is None or not self.mapper.add(self.wheels, self.points(msg)):
+            if not self.mapper.add(wheels, self.points(scan)):
                 return
             self.grid = make_map(self.mapper.poses, self.mapper.scans)
             if not self.mapper.loops:
                 self.before, self.before_path = self.grid, self.mapper.poses
-            self.publish(msg.header.stamp)
+            self.publish(scan.header.stamp)
 
         def points(self, msg):
             """The scanner is turned to the left by 90 degrees, and 0.156 m before the axle."""
@@ -1937,7 +1944,7 @@ if ros_available():
 if ros_available():
     live_camera = open_camera("room", rate=10)
     live_robot = Robot()
-    live_robot.restart(start=(0.45, -0.5, 0.0), seed=5)
+    live_robot.restart(start=(0.45, -0.4, 0.0), seed=5)
     session = RosSession.current()
     node = session.add_node(MappingNode(context=session.context))
     end = time.monotonic() + 30

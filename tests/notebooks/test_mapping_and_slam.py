@@ -1,0 +1,93 @@
+"""The lesson "Mapping and SLAM": its solutions give what the field's tools give, on many inputs."""
+
+from pathlib import Path
+
+import numpy as np
+import pytest
+from skimage.draw import line
+
+from imgproc_course.exercises import read_exercises
+from imgproc_course.geometry import (
+    grid_ray,
+    log_odds,
+    optimize_pose_graph,
+    relative_pose,
+    update_grid,
+    wrap_angle,
+)
+
+MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "15_mapping_and_slam.py"
+
+
+@pytest.fixture(scope="module")
+def solutions():
+    """The function of each exercise's solution, by its name."""
+    return {
+        exercise.function: exercise.function_of(exercise.solution, "solution")
+        for exercise in read_exercises(MASTER)
+    }
+
+
+def test_ray_cells_is_scikit_images_line_and_the_packages(solutions):
+    rng = np.random.default_rng(0)
+    for _ in range(1000):
+        start, end = rng.integers(0, 60, (2, 2)).tolist()
+        if start == end:
+            continue
+        cells = solutions["ray_cells"](tuple(start), tuple(end))
+        assert cells == list(zip(*(axis.tolist() for axis in line(*start, *end)), strict=True))
+        assert cells == [tuple(cell) for cell in grid_ray(start, end).tolist()]
+
+
+def test_add_scan_is_the_packages_update_grid(solutions):
+    rng = np.random.default_rng(1)
+    for _ in range(100):
+        grid, robot = rng.uniform(-6, 6, (12, 15)), rng.integers(0, 12, 2)
+        ends = rng.integers(0, 12, (20, 2))
+        ends = ends[(ends != robot).any(axis=1)]
+        rays = [[tuple(cell) for cell in grid_ray(robot, end).tolist()] for end in ends]
+        before = grid.copy()
+        result = solutions["add_scan"](grid, rays, 0.7, 0.4)
+        package = update_grid(grid, robot, ends, occupied=log_odds(0.7), free=log_odds(0.4))
+        np.testing.assert_allclose(result, package, rtol=0, atol=1e-12)
+        np.testing.assert_array_equal(grid, before)
+
+
+def test_edge_error_is_relative_pose_less_the_measured_motion(solutions):
+    rng = np.random.default_rng(2)
+    for _ in range(200):
+        first, second, measured = rng.uniform(-3, 3, (3, 3))
+        package = relative_pose(first, second) - measured
+        package[2] = wrap_angle(package[2])
+        np.testing.assert_allclose(
+            solutions["edge_error"](first, second, measured), package, rtol=0, atol=1e-12
+        )
+
+
+def test_some_steps_of_graph_step_are_the_packages_optimum(solutions):
+    rng = np.random.default_rng(3)
+    for _ in range(10):
+        truth = np.cumsum(rng.uniform((0.5, -0.2, 0.2), (1, 0.2, 0.6), (9, 3)), axis=0)
+        edges = []
+        for i, j in [*((k, k + 1) for k in range(8)), (0, 8), (1, 7)]:
+            motion = relative_pose(truth[i], truth[j]) + rng.normal(0, 0.02, 3)
+            edges.append((i, j, tuple(motion), (rng.uniform(10, 100), rng.uniform(10, 100))))
+        poses = truth + rng.normal(0, 0.05, truth.shape) * (np.arange(9) > 0)[:, np.newaxis]
+        result = poses
+        for _ in range(8):
+            result = solutions["graph_step"](result, edges)
+        difference = result - optimize_pose_graph(poses, edges)
+        difference[:, 2] = wrap_angle(difference[:, 2])
+        np.testing.assert_allclose(difference, 0, rtol=0, atol=1e-8)
+
+
+def test_find_loops_asks_for_all_three_conditions(solutions):
+    rng = np.random.default_rng(4)
+    for _ in range(50):
+        places, shares = rng.uniform(-1, 1, (12, 2)), rng.random((12, 12))
+        i, j = np.indices((12, 12))
+        distance = np.linalg.norm(places[i] - places[j], axis=2)
+        pairs = np.argwhere((j - i >= 4) & (distance <= 0.8) & (shares >= 0.5))
+        assert solutions["find_loops"](places.tolist(), shares, 0.8, 4, 0.5) == [
+            tuple(pair) for pair in pairs.tolist()
+        ]
