@@ -341,8 +341,17 @@ def ray_cells(start, end):
 
 # %% role="mistake" name="the smaller way" says="The number of steps is the larger of both ways, not the smaller one: max, not min."
 def ray_cells(start, end):
-    steps = min(abs(end[0] - start[0]), abs(end[1] - start[1]))
-    return line_of(start, end, steps) if steps else [start]
+    return line_of(start, end, max(1, min(abs(end[0] - start[0]), abs(end[1] - start[1]))))
+
+
+# %% role="mistake" name="diagonal first" says="Your ray goes diagonally first, and then straight. Spread the smaller way over all steps: compute row and column by the formula for each k."
+def ray_cells(start, end):
+    (row, col), cells = start, [start]
+    while (row, col) != tuple(end):
+        row += (end[0] > row) - (end[0] < row)
+        col += (end[1] > col) - (end[1] < col)
+        cells.append((row, col))
+    return cells
 
 
 # %% role="mistake" name="signs forgotten" says="The ray goes down and to the right only. If a way is negative, multiply the steps by -1."
@@ -386,7 +395,7 @@ def ray_cells(start, end):
 
 
 # %% [markdown]
-# ## 3 · How sure is a cell? (11 minutes)
+# ## 3 · How sure is a cell? (10 minutes)
 #
 # One scan can be wrong: a ray hits the leg of a person who walks by, or passes a corner. So each scan only makes a cell *more* or *less* likely to be occupied. If a ray ends in a cell, something is there with a [[term:probability]] of 0.7, as long as we know nothing else. If a ray passes through it, with 0.4.
 #
@@ -693,7 +702,7 @@ def add_scan(grid, rays, hit, passed):
 
 
 # %% [markdown]
-# ## 4 · Two maps of one room (8 minutes)
+# ## 4 · Two maps of one room (7 minutes)
 #
 # Our map has 110 × 150 cells of 5 cm. Its first cell is at x = −1.5 m and y = −2.7 m. A scan is given as the robot sees it, so first its points go into the room, turned and shifted by the pose of the robot, as in [[drive_the_robot]]. Then each point has a cell:
 
@@ -1038,6 +1047,12 @@ def edge_error(first, second, measured):
     return np.abs(solution(first, second, measured))
 
 
+# %% role="mistake" name="absolute angle" says="The sign of the angle is lost: a turn to the right is negative. Leave abs out."
+def edge_error(first, second, measured):
+    ahead, left, angle = solution(first, second, measured)
+    return np.array([ahead, left, abs(angle)])
+
+
 # %% role="mistake" name="squared" says="You return the squares. Return the differences themselves."
 def edge_error(first, second, measured):
     return solution(first, second, measured) ** 2
@@ -1069,7 +1084,7 @@ def edge_error(first, second, measured):
 
 
 # %% [markdown]
-# ## 6 · I have been here before (11 minutes)
+# ## 6 · I have been here before (10 minutes)
 #
 # With the edges of the wheels alone, nothing can be corrected: each pose follows from the one before, and no edge contradicts another. We need an edge that goes back: the robot must notice that it is at a place where it has been. This is a *[[term:loop closure]]*. A person would recognize the sofa. The robot compares two scans: if they come from almost the same place, they lie on each other after a small shift and turn. This is called *[[term:scan matching]]*.
 #
@@ -1389,7 +1404,7 @@ def find_loops(places, shares, radius, gap, least):
 
 
 # %% [markdown]
-# ## 7 · Pull the graph straight (13 minutes)
+# ## 7 · Pull the graph straight (12 minutes)
 #
 # Now some edges contradict each other. First on a line: three poses at x = 0, 1 and 2. The wheels have measured 1.0 and 1.0. Then the robot compares the scans, and measures that the last pose is only 1.7 after the first. The errors of the three edges:
 
@@ -1797,6 +1812,10 @@ new_map = make_map(poses, scans)
 new_precision, new_recall = grid_precision_recall(new_map, real)
 compare_guess(guess_precision, round(new_precision, 2))
 
+# %%
+# Check: precision and recall of the new map
+assert 0.97 < new_precision < 0.995 and 0.95 < new_recall < 0.99
+
 # %% tags=["nbval-ignore-output", "long"]
 figure = Figure(figsize=(9, 3.7), layout="constrained")
 left, right = figure.subplots(1, 2)
@@ -1807,7 +1826,7 @@ show_figure(figure, text=figure_texts["closed"])
 # %%
 # Check: the numbers in this section
 new_error = ate(poses[:, :2], truth[:, :2])
-assert len(loops) == len(motions) == 6 and new_error < 0.02 and new_precision > 0.95 and new_recall > 0.94
+assert len(loops) == len(motions) == 6 and new_error < 0.02
 assert round(100 * ate(wheels[:, :2], truth[:, :2])) == 36 and min(shares[pair] for pair in loops) > 0.9
 
 # %% [markdown]

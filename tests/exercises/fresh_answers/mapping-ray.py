@@ -27,7 +27,7 @@ def ray_cells(start, end):
         cells.append((row, col))
     return cells
 
-# %% name="diagonal, then straight" origin="fresh" sentence="Spread the rows over the whole ray." must_say=["nearest|formula"] kind="value"
+# %% name="diagonal, then straight" origin="fresh" sentence="Take the nearest row in each step, so that the rows spread over the whole ray." must_say=["nearest|formula"] kind="value"
 def ray_cells(start, end):
     row, col = start
     cells = [start]

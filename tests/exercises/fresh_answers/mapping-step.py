@@ -49,7 +49,7 @@ def graph_step(poses, edges):
     return result
 
 
-# %% name="wrong sign of by_first" origin="fresh" sentence="Write the blocks as they are." must_say=["sign"] kind="value"
+# %% name="wrong sign of by_first" origin="fresh" sentence="Write the blocks as they are: by_first has the wrong sign here." must_say=["sign"] kind="value"
 def graph_step(poses, edges):
     J = np.zeros((3 * len(edges), 3 * len(poses)))
     errors, weights = [], []
