@@ -125,6 +125,7 @@ show_figure(figure, text=figure_texts["scan"])
 
 # %%
 # Check: the numbers in this section
+assert round(sum(math.dist(a, b) for a, b in zip(truth[:-1, :2], truth[1:, :2], strict=True)), 1) == 6.3
 assert len(scans) == 33 and wheels.shape == truth.shape == (33, 3) and not robot.bumped
 assert math.dist(truth[0, :2], truth[-1, :2]) < 0.1 and 25 < robot.time < 27
 
@@ -145,7 +146,7 @@ print("exact rows:", exact)
 compare_guess(guess_row, round(exact[2]))
 
 # %% [markdown]
-# The exact row is 0.8, and the nearest whole row is 1. What if the exact row is 0.5? Then both rows are equally near, and we take the one that is **farther from the start**. Python's `round` does not do that: `round(0.5)` is 0, and `round(1.5)` is 2. So we compute with whole numbers. For a way of so many rows, `(2 * k * rows + steps) // (2 * steps)` is the number of rows after step k. Look at a ray of 2 rows and 4 columns:
+# The exact row is 0.8, and the nearest whole row is 1. What if the exact row is 0.5? Then both rows are equally near, and we take the one that is **farther from the start**. Python's `round` does not do that: `round(0.5)` is 0, and `round(1.5)` is 2. So we compute with whole numbers. For a way of so many rows, `(2 * k * rows + steps) // (2 * steps)` is the number of rows after step k: it is rows · k / steps + 1/2, rounded down, and times 2 above and below, so that all numbers stay whole. Look at a ray of 2 rows and 4 columns:
 
 # %%
 rows, steps = 2, 4
@@ -433,7 +434,7 @@ while level <= 0:
 compare_guess(guess_hits, hits)
 
 # %% [markdown]
-# Now a whole scan, in a small grid. The robot stands in the cell (1, 0). One ray passes two cells and ends in (1, 3); another one ends in (0, 2). In one scan, **each cell changes once**, no matter how many rays pass: rays near the robot share their cells. First we collect the changes in a grid of their own, and write the ends last:
+# Now a whole scan, in a small grid. The robot stands in the cell (1, 0). One ray passes two cells and ends in (1, 3); another one ends in (0, 2). In one scan, **each cell changes once**, no matter how many rays pass: rays near the robot share their cells. First we collect the changes in a grid of their own, one cell at a time, and write the ends last:
 
 # %%
 change = np.zeros((3, 4))
@@ -770,7 +771,7 @@ precision, recall = grid_precision_recall(true_map, real)
 print("true poses:  precision", round(precision, 2), "  recall", round(recall, 2))
 
 # %% [markdown]
-# That is with the true poses, which a robot does not know. It knows its wheels. At the end of the circle the robot is back at its start. **Predict** how far away from it the wheels believe to be, in centimetres.
+# That is with the true poses, which a robot does not know. It knows its wheels. In [[drive_the_robot#4]], they were wrong by 15 cm after a small square. Now the robot is back at its start, after 6.3 m in a circle. **Predict** how far from its true place it is according to the wheels, in centimetres.
 
 # %% role="predict"
 guess_wheels = None  # your guess: how many centimetres?
@@ -1336,6 +1337,13 @@ def find_loops(places, shares, radius, gap, least):
     return sorted(pairs + [(j, i) for i, j in pairs])
 
 
+# %% role="mistake" name="both orders, each with its share" says="You look at pairs in both orders. Only j after i counts: begin the inner loop at i + gap."
+def find_loops(places, shares, radius, gap, least):
+    count = len(places)
+    pairs = [(i, j) for i in range(count) for j in range(count) if abs(i - j) >= gap]
+    return [(i, j) for i, j in pairs if apart(places, i, j) <= radius and shares[i, j] >= least]
+
+
 # %% role="mistake" name="in the order of j" says="The order is wrong: all pairs of i = 0 first, then those of i = 1. Make i the outer loop."
 def find_loops(places, shares, radius, gap, least):
     return sorted(solution(places, shares, radius, gap, least), key=lambda pair: pair[::-1])
@@ -1346,7 +1354,7 @@ def find_loops(places, shares, radius, gap, least):
     return [(i, j) for i, j in solution(places, shares, radius, gap, least) if j < len(places) - 1]
 
 
-# %% role="mistake" name="the first pose only" says="You look for loops to pose 0 only. Every earlier pose can close one."
+# %% role="mistake" name="the first pose only" says="You look for loops to pose 0 only. Every earlier pose can close one. Or does return stand inside of the outer loop?"
 def find_loops(places, shares, radius, gap, least):
     return [(i, j) for i, j in solution(places, shares, radius, gap, least) if i == 0]
 
@@ -1423,6 +1431,8 @@ J = np.array([[-1.0, 1, 0],
 J = J[:, 1:]  # the first pose is fixed: leave its column out
 
 # %% [markdown]
+# Why leave the column out? All poses could move together without changing any error, so there would be no single solution: `solve` would stop with *Singular matrix*.
+#
 # The step that makes the sum of squares smallest follows from one equation, which `np.linalg.solve` solves:
 #
 # $$J^T J \cdot \text{step} = -J^T \cdot \text{errors}$$
