@@ -174,11 +174,11 @@ METHODS = {
 }
 
 
-def odometry(frames, method, every):
-    """(ATE in cm, error at the end in cm, ms per pair, times lost) of every so-many-th frame's pose."""
+def odometry_poses(frames, method, every):
+    """(poses of every so-many-th frame, times lost)."""
     features, motion = METHODS[method]
     matches, numbers = Matches(frames, features), range(0, len(frames.grays), every)
-    poses, lost, started = [frames.poses[0]], 0, time.process_time()
+    poses, lost = [frames.poses[0]], 0
     step = Pose(np.eye(3), np.zeros(3))
     for a, b in pairwise(numbers):
         found = motion(frames, a, b, matches)
@@ -186,8 +186,15 @@ def odometry(frames, method, every):
         lost += is_lost
         step = step if is_lost else found.inverse()
         poses.append(poses[-1] @ step)
-    milliseconds = 1000 * (time.process_time() - started) / (len(numbers) - 1)
-    return (*path_errors(poses, [frames.poses[k] for k in numbers]), milliseconds, lost)
+    return poses, lost
+
+
+def odometry(frames, method, every):
+    """(ATE in cm, error at the end in cm, ms per pair, times lost) of every so-many-th frame's pose."""
+    started = time.process_time()
+    poses, lost = odometry_poses(frames, method, every)
+    milliseconds = 1000 * (time.process_time() - started) / (len(poses) - 1)
+    return (*path_errors(poses, frames.poses[::every]), milliseconds, lost)
 
 
 def path_errors(poses, true_poses):

@@ -1,5 +1,6 @@
 """The robot in the room, in a process of its own: its topics have the simulation's values, and it drives."""
 
+import itertools
 import math
 import os
 import signal
@@ -54,6 +55,11 @@ def stamp(msg):
 def vector(msg):
     p, q = msg.pose.position, msg.pose.orientation
     return np.array([p.x, p.y, p.z, q.x, q.y, q.z, q.w])
+
+
+def planar(msg):
+    x, y, _, _, _, qz, qw = vector(msg)
+    return x, y, 2 * math.atan2(qz, qw)
 
 
 def test_what_it_sees_is_what_the_simulation_sees_there(robot, collect, wait_until):
@@ -225,6 +231,50 @@ def test_the_lessons_node_sees_from_another_process_where_the_robot_drives(robot
     path = [msg for msg in paths[-1].poses if stamp(msg) in published]
     assert path and all(msg.pose == published[stamp(msg)] for msg in path)
     assert {msg.header.frame_id for msg in [*path, *seen]} == {"odom"} and len(path) <= looks + 1
+
+
+def test_the_lessons_node_closes_a_loop_from_another_process(robot, collect, wait_until):
+    from geometry_msgs.msg import PoseStamped
+    from nav_msgs.msg import OccupancyGrid
+    from nav_msgs.msg import Path as PathMessage
+
+    from imgproc_course.geometry import ate, relative_pose
+
+    start = (0.45, -0.5, 0.0)
+    robot.restart(start=start, seed=5, lighting="day")
+    grids, paths = collect("/map", OccupancyGrid), collect("/mapping/path", PathMessage)
+    true_poses = collect("/truth/pose/robot", PoseStamped)
+
+    def has_snapped():  # a closed loop moves poses that were there before
+        robot.drive(0.3, 0.6)
+        places = [np.array([vector(pose)[:2] for pose in path.poses]) for path in list(paths)]
+        return any(
+            np.abs(after[: len(before)] - before).max() > 0.001
+            for before, after in itertools.pairwise(places)
+        )
+
+    program = [sys.executable, Path(__file__).with_name("mapping.py")]
+    with subprocess.Popen(program, stdout=subprocess.PIPE, text=True) as node:
+        try:
+            wait_until(has_snapped, 150)
+            robot.stop()
+            wait_until(lambda: grids[-1].header.stamp == paths[-1].header.stamp)
+        finally:
+            node.send_signal(signal.SIGINT)
+        looks, keyframes, loops = map(int, node.communicate(timeout=60)[0].split())
+    assert loops >= 1 and 12 < len(paths[-1].poses) <= keyframes <= looks
+    # The newest pose of each path is that of the scan at its stamp. The map begins where the node began.
+    truth = {stamp(msg): planar(msg) for msg in true_poses}
+    known = {len(path.poses) - 1: truth[stamp(path)] for path in paths if stamp(path) in truth}
+    mapped, true = np.array([planar(paths[-1].poses[k]) for k in known]), np.array(list(known.values()))
+    mapped_way, true_way = (relative_pose(poses[0], poses)[:, :2] for poses in (mapped, true))
+    assert len(known) > 3 and ate(mapped_way, true_way) < 0.15 < np.linalg.norm(true_way, axis=1).max()
+    info, percent = grids[-1].info, np.array(grids[-1].data)
+    corner = info.origin.position.y, info.origin.position.x
+    row, col = ((mapped[-1, 1::-1] - corner) / info.resolution).astype(int)
+    assert 0 <= percent[row * info.width + col] < 20  # free, where the robot is
+    assert percent.min() == -1 and (percent > 80).sum() > 100 and len(percent) == info.width * info.height
+    assert grids[-1].header.frame_id == paths[-1].header.frame_id == "odom"
 
 
 def test_the_room_refuses_impossible_options_and_takes_others(robot):
