@@ -554,6 +554,12 @@ _ADVICE = (
         " array; with axis=0 they give one for each column.",
     ),
     (
+        "LinAlgError",
+        "Singular matrix",
+        "The equations have no single solution: a row or a column of the matrix is 0, or follows from others."
+        " Is each unknown in an equation, and is what must stay fixed left out?",
+    ),
+    (
         "ValueError",
         "^shapes .* not aligned|matmul",
         "@ and np.dot need as many columns on the left as rows on the right. Which shape has each part?"

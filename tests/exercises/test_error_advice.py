@@ -28,6 +28,7 @@ ADVICE = {
     "not mask": "For an array write ~ before it.",
     "if a > 3:\n    pass": "`if` and `while` need one True or False",
     "max(a, a)": "For arrays write np.maximum or np.minimum.",
+    "np.linalg.solve(np.zeros((3, 3)), np.ones(3))": "The equations have no single solution",
     "a.shape[2]": "The shape of a gray image has two numbers",
     "set(a)": "set() cannot hold the rows of an array. np.unique(array)",
     "{a: 1}": "Write the key as text, in quotes.",
