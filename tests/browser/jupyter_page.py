@@ -98,6 +98,12 @@ CODE_CELLS = """path => {
             .map(output => (output.traceback ?? [output.text]).flat().join("\\n")),
     }));
 }"""
+# Shows stored outputs as if the cells had been run here: JupyterLab shows HTML of others without its styles.
+TRUST = """path => {
+    const widgets = [...window.jupyterapp.shell.widgets("main")];
+    const {content} = widgets.find(widget => widget.context?.path === path);
+    for (const cell of content.widgets) cell.model.trusted = true;
+}"""
 CLOSE_ALL = (
     """() => { for (const widget of [...window.jupyterapp.shell.widgets("main")]) widget.dispose(); }"""
 )
@@ -246,6 +252,10 @@ class NotebookPage:
         self.page.get_by_role("menuitem", name="Run", exact=True).click()
         self.page.get_by_role("menuitem", name="Run All Cells", exact=True).click()
         self._wait_until_run(timeout)
+
+    def trust(self):
+        """Shows the stored outputs as if the cells had been run here."""
+        self.page.evaluate(TRUST, self._name)
 
     def run_cell(self, number, timeout=60):
         """Runs one code cell with Ctrl-Enter."""

@@ -1,5 +1,9 @@
-"""Every lesson, opened and run as a learner does: no error, readable, live views change, sliders move."""
+"""Every lesson, opened as a learner does, can be read; one with widgets is run: views change, sliders move.
 
+tests/notebooks runs all lessons, and holds what they show to the stored outputs.
+"""
+
+import re
 import shutil
 from pathlib import Path
 
@@ -9,6 +13,7 @@ from jupyter_page import ROOT, VIEW
 pytestmark = pytest.mark.browser
 
 LESSONS = sorted((ROOT / "notebooks").glob("[0-9][0-9]_*.ipynb"))
+HAS_WIDGETS = re.compile(r"(?<![.\w])(live_view|tune|drive)\(")
 
 
 def test_there_are_lessons():
@@ -22,14 +27,18 @@ def changes(page, number):
 
 
 @pytest.mark.parametrize("lesson", LESSONS, ids=lambda path: path.stem)
-def test_lesson_runs_without_an_error_in_the_browser(lesson: Path, lab, open_notebook):
+def test_everybody_can_read_a_lesson_and_its_widgets_work(lesson: Path, lab, open_notebook):
     shutil.copy(lesson, lab[1] / lesson.name)
     page = open_notebook(lesson.name, by_address=lesson == LESSONS[0])  # as environment/lab opens it
-    page.run_all()
-    assert page.errors() == []
-    assert page.not_run() == []
-    views = page.page.locator(VIEW)
     source = lesson.read_text(encoding="utf-8")
+    if HAS_WIDGETS.search(source):
+        page.run_all()
+        assert page.errors() == []
+        assert page.not_run() == []
+    else:
+        page.trust()
+        page.page.set_viewport_size({"width": 1400, "height": 30_000})  # axe-core reads what is in the window
+    views = page.page.locator(VIEW)
     if '"view.stop()' in source:  # the lesson stops its view, which keeps the last image
         page.wait_until(lambda: page.images_per_second(1)["changes"] <= 1)
     elif "live_view(" in source:
@@ -45,4 +54,5 @@ def test_lesson_runs_without_an_error_in_the_browser(lesson: Path, lab, open_not
     for theme in ("Dark", "Light"):
         page.set_theme(theme)
         assert page.violations() == []
+    page.page.set_viewport_size({"width": 1400, "height": 1000})
     page.screenshot(lesson.stem, VIEW if views.count() else "figure img, .jp-Cell")
