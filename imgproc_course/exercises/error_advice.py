@@ -549,7 +549,7 @@ _ADVICE = (
     ),
     (
         "ValueError",
-        "matmul: .* does not have enough dimensions",
+        "does not have enough dimensions",
         "On one side of @ stands a single number. mean() and sum() without axis give one number for the whole"
         " array; with axis=0 they give one for each column.",
     ),
