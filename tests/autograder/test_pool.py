@@ -375,6 +375,19 @@ def test_a_sandbox_that_is_killed_while_it_starts_is_started_again(monkeypatch, 
     assert "cannot make a sandbox here (exit code -9)" in bubblewrap.sandbox_problem.__wrapped__()
 
 
+def test_a_fork_server_that_has_ended_is_closed_and_started_again():
+    """What it leaves open would be a ResourceWarning, which is an error here."""
+    with KernelFactory() as kernels:
+        kernels.start((), 5.0).stop()
+        process = kernels._fork_server._process
+        process.kill()
+        process.wait()
+        del process  # nothing here may keep it alive
+        kernel = kernels.start((), 5.0)
+        assert not kernel.run("1 + 1").ended
+        kernel.stop()
+
+
 class KillsKernels(KernelFactory):
     """Kills the first kernels that it starts."""
 

@@ -4,7 +4,7 @@ import shutil
 
 import nbformat
 import pytest
-from jupyter_page import OPEN_NOTEBOOK, ROOT
+from jupyter_page import OPEN_NOTEBOOK, ROOT, open_tab
 from nbformat.v4 import new_markdown_cell, new_notebook
 from playwright.sync_api import TimeoutError as PlaywrightTimeoutError
 
@@ -91,7 +91,7 @@ def test_a_link_leads_to_its_heading(page, link, heading):
     click(page, "links.ipynb", link, heading)
 
 
-def test_a_link_into_the_glossary_works_from_each_place_of_a_lesson(lab, tab, tmp_path):
+def test_a_link_into_the_glossary_works_from_each_place_of_a_lesson(lab, browser, tmp_path):
     places = f"places-{tmp_path.name}"  # of its own if the test runs again
     for folder in ("notebooks", "my_lessons", "handout"):
         target = lab[1] / places / folder
@@ -102,9 +102,12 @@ def test_a_link_into_the_glossary_works_from_each_place_of_a_lesson(lab, tab, tm
         else:
             hand_out(target, ROOT / "notebooks", ["grayscale"])
         (lesson,) = target.glob("*_grayscale.ipynb")
-        page = tab()
+        page = open_tab(
+            browser, lab[0]
+        )  # a fresh one: in a tab that has opened all lessons, JupyterLab stays at the top
         source = f"{places}/{folder}/{lesson.name}"
         page.evaluate(OPEN_NOTEBOOK, source)
         click(page, source, "gamma-encoded", "gamma")
         path = page.evaluate("window.jupyterapp.shell.currentWidget.context.path")
         assert path == f"{places}/{folder}/glossary.ipynb"
+        page.close()

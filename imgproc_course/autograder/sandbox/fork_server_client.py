@@ -253,6 +253,7 @@ class ForkServer:
         int, the kernel's id
         """
         if self._process is None or self._process.poll() is not None:
+            self._close()
             self.start()
         self._fork_count += 1
         access = module_access(tuple(allowed))  # while the server loads
@@ -314,15 +315,18 @@ class ForkServer:
 
     def stop(self):
         """End the process and every kernel; the next fork starts another process."""
-        if self._control is not None:
-            self._control.close()
-            self._control = None
         if self._process is not None:
             with suppress(ProcessLookupError):
                 os.killpg(self._process.pid, 9)
             self._process.wait()
-            if self._process.stderr:
-                self._process.stderr.close()
+        self._close()
+
+    def _close(self):
+        if self._control is not None:
+            self._control.close()
+            self._control = None
+        if self._process is not None:
+            self._process.stderr.close()
 
 
 def _start_process(control, group, *, confined):
