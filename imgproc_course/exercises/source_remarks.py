@@ -159,8 +159,10 @@ def _values_as_indices(node):
     if not isinstance(node.target, ast.Name):
         return
     value, array = node.target.id, node.iter.id
-    indices = (ast.walk(inner.slice) for inner in ast.walk(node) if isinstance(inner, ast.Subscript))
-    if any(isinstance(part, ast.Name) and part.id == value for index in indices for part in index):
+    subscripts = [inner for inner in ast.walk(node) if isinstance(inner, ast.Subscript)]
+    # A value that has indices of its own, as in change[ray[:-1]], is no index itself.
+    names = {part for inner in subscripts for part in ast.walk(inner.slice) if isinstance(part, ast.Name)}
+    if any(name.id == value for name in names - {inner.value for inner in subscripts}):
         yield (
             f"for {value} in {array} gives the values of {array}, not their positions. For positions write a"
             f" loop over range({array}.shape[0])."

@@ -89,6 +89,7 @@ def test_values_as_indices_are_named_if_an_index_was_outside():
     assert remark.startswith("for col in values gives the values of values, not their positions.")
     assert remarks(source) == []
     assert remarks(source.replace("in values", "in range(3)"), {"IndexError"}) == []
+    assert remarks(source.replace("[col]", "[col[:-1]]"), {"IndexError"}) == []
 
 
 def test_a_source_that_is_not_known_gives_no_remark():
