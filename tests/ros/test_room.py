@@ -275,6 +275,26 @@ def test_the_lessons_node_closes_a_loop_from_another_process(robot, collect, wai
     assert 0 <= percent[row * info.width + col] < 20  # free, where the robot is
     assert percent.min() == -1 and (percent > 80).sum() > 100 and len(percent) == info.width * info.height
     assert grids[-1].header.frame_id == paths[-1].header.frame_id == "odom"
+def test_the_lessons_node_reads_the_sign_from_another_process(robot, collect, wait_until):
+    from sensor_msgs.msg import Image
+    from std_msgs.msg import String
+
+    robot.restart(start=(3.4, -0.3, 0.0), seed=1, lighting="day")
+    texts, images = collect("/text_reader/text", String), collect(f"{CAMERA}/image_raw", Image)
+    program = Path(__file__).with_name("text_reader.py")
+    with subprocess.Popen([sys.executable, program, "inf"], stdout=subprocess.PIPE, text=True) as node:
+        try:
+            wait_until(lambda: len([msg for msg in texts if msg.data.endswith(" KITCHEN")]) >= 2, 150)
+        finally:
+            node.send_signal(signal.SIGINT)
+        looks = int(node.communicate(timeout=60)[0])
+    read = [msg.data.split(maxsplit=3) for msg in texts if msg.data.endswith(" KITCHEN")]
+    stamps = [when for when, *_ in read]
+    assert len(set(stamps)) == len(stamps) <= looks + 1  # ended between sending and counting
+    assert looks < len(images)  # the others are dropped on purpose
+    sent = {f"{sec}.{nanosec:09d}" for sec, nanosec in map(stamp, images)}
+    assert sent & set(stamps)  # the time of the image, not of the reading
+    assert all((x, y) == ("x=0.00", "y=0.00") for _, x, y, _ in read)  # the robot stands: its odometry is 0
 
 
 def test_the_room_refuses_impossible_options_and_takes_others(robot):

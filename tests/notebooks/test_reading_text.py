@@ -1,0 +1,74 @@
+"""The lesson "Reading text": its solutions give what the field's tools give, on many inputs."""
+
+from pathlib import Path
+
+import cv2
+import numpy as np
+import onnxruntime
+import pytest
+import rapidocr
+
+from imgproc_course.exercises import read_exercises
+
+MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "16_reading_text.py"
+
+
+@pytest.fixture(scope="module")
+def solutions():
+    """The function of each exercise's solution, by its name."""
+    return {
+        exercise.function: exercise.function_of(exercise.solution, "solution")
+        for exercise in read_exercises(MASTER)
+    }
+
+
+def test_label_is_connected_components_up_to_the_order(solutions):
+    rng = np.random.default_rng(0)
+    for number in range(60):
+        mask = rng.random((int(rng.integers(1, 30)), int(rng.integers(1, 40)))) < 0.1 + 0.01 * number
+        labels = solutions["label"](mask)
+        count, tool = cv2.connectedComponents(mask.astype(np.uint8), connectivity=8)
+        pairs = np.unique(np.stack([labels.ravel(), tool.ravel()]), axis=1)
+        assert pairs.shape[1] == len(set(pairs[0])) == len(set(pairs[1]))  # one to one
+        assert labels.max() + 1 == count and (labels[~mask] == 0).all()
+        firsts = [int(np.argmax(labels.ravel() == i)) for i in range(1, count)]
+        assert firsts == sorted(firsts)
+
+
+def test_ncc_is_match_template(solutions):
+    rng = np.random.default_rng(1)
+    for _ in range(100):
+        a, b = rng.integers(0, 256, (2, 24, 24)).astype(np.float32)
+        b = b + rng.uniform(-2, 2) * a
+        tool = cv2.matchTemplate(a, b, cv2.TM_CCOEFF_NORMED)[0, 0]
+        assert solutions["ncc"](a.astype(float), b.astype(float)) == pytest.approx(tool, abs=1e-4)
+    assert solutions["ncc"](np.full((3, 3), 5.0), np.eye(3)) == 0.0
+
+
+def test_edit_distance_is_a_metric_and_counts_single_steps(solutions):
+    distance, rng = solutions["edit_distance"], np.random.default_rng(2)
+    texts = ["".join(rng.choice(list("ABC"), int(rng.integers(0, 8)))) for _ in range(14)]
+    for a in texts:
+        assert distance(a, a) == 0 and distance("", a) == len(a)
+        assert all(distance(a, a[:k] + "X" + a[k:]) == 1 for k in range(len(a) + 1))
+        for b in texts:
+            assert distance(a, b) == distance(b, a) >= abs(len(a) - len(b))
+            assert all(distance(a, b) <= distance(a, c) + distance(c, b) for c in texts)
+    assert distance("kitten", "sitting") == 3 and distance("intention", "execution") == 5
+
+
+def test_decode_is_what_rapidocr_reads(solutions):
+    from rapidocr.ch_ppocr_rec.utils import CTCLabelDecode
+
+    model = Path(rapidocr.__file__).parent / "models" / "PP-OCRv6_rec_small.onnx"
+    network = onnxruntime.InferenceSession(model, providers=["CPUExecutionProvider"])
+    listed = network.get_modelmeta().custom_metadata_map["character"].splitlines()
+    tool, rng = CTCLabelDecode(character=listed.copy()), np.random.default_rng(3)
+    characters = ["", *listed, " "]
+    assert len(tool.character) == 18710 and tool.character[1:] == characters[1:]
+    for _ in range(30):
+        path = rng.choice(rng.integers(0, 18710, 5).tolist() + [0, 0], 40)
+        scores = rng.uniform(0, 0.3, (40, 18710)).astype(np.float32)
+        scores[range(40), path] = 0.9
+        ((text, _),), _ = tool(scores[None])
+        assert solutions["decode"](scores, characters) == text
