@@ -5,18 +5,36 @@
 It sees published topics alone: image and odometry. At its end it prints how often it looked.
 """
 
+import ast
 import sys
 
 import rapidocr
-from lesson_nodes import lesson_definitions, looked_for, spin
+from lesson_nodes import MASTERS, lesson_definitions, looked_for, spin
+
+from imgproc_course.authoring.masters import read_master
 
 
 def reading_text():
-    one_thread = {
-        f"EngineConfig.onnxruntime.{kind}_op_num_threads": 1 for kind in ("intra", "inter")
-    }
+    one_thread = {f"EngineConfig.onnxruntime.{kind}_op_num_threads": 1 for kind in ("intra", "inter")}
     reader = rapidocr.RapidOCR(params={"Global.log_level": "error", **one_thread})
     return lesson_definitions("reading_text", reader=reader)
+
+
+def lesson_with_data():
+    """The lesson's functions with what its cells compute for them: rectified signs, templates, the network."""
+    names, cells = reading_text(), read_master(next(MASTERS.glob("*_reading_text.py"))).cells
+    needed = {"recording", "info", "camera", "right_m", "points", "signs", "LETTERS", "templates"}
+    needed |= {"model", "options", "network", "listed", "all_characters"}
+    for cell in cells:
+        if cell.kind != "code" or cell.role not in ("", "given"):
+            continue
+        for node in ast.parse(cell.source).body:
+            targets = node.targets if isinstance(node, ast.Assign) else []
+            stored = {name.id for t in targets for name in ast.walk(t) if isinstance(name, ast.Name)}
+            attribute = any(isinstance(target, ast.Attribute) for target in targets)
+            if stored & needed and (not attribute or "options" in stored):
+                exec(compile(ast.Module([node], []), cell.id, "exec"), names)
+    return names
 
 
 if __name__ == "__main__":
