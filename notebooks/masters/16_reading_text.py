@@ -64,11 +64,11 @@ figure_texts = {
     ),
     "curve": (
         "Characters right in the first line, frame by frame. From frame 29 to 41, a person stands before the sign.",
-        "A line for single frames that jumps between 2 and 7 characters in the first half, with a hole in the middle, and stays at 7 in the second half; a line for the mean of ten frames above it.",
+        "A gray line for single frames jumps between 0 and 7 in the first half, and is almost always 7 in the second half; a blue line for the mean of ten frames is above it.",
     ),
     "touching": (
-        "The second line, and its components: letters that touch each other have the same gray level.",
-        "Above, the blurred line ROOM 204; below, few large spots in place of seven characters.",
+        "The second line, and its components: both letters O are one component, and the 2 breaks into two.",
+        "Above, the blurred line ROOM 204; below, its components in different gray levels.",
     ),
     "mean": (
         "The third line in frame 89 alone, and the mean of ten and of thirty rectified frames.",
@@ -434,6 +434,13 @@ def label(mask):
 # %% role="mistake" name="zeros" says="Your label image is full of zeros: no pixel ever got a number. Is the test for ink and for no number right, and does the first pixel come on the stack?"
 def label(mask):
     return np.zeros(mask.shape, int)
+
+
+# %% role="mistake" name="gaps in the numbers" says="Your numbers have gaps: you add 1 to the count for each pixel of ink. Add 1 only if the pixel has no number yet."
+def label(mask):
+    labels, ink = solution(mask), mask.cumsum()
+    firsts = [0] + [int(ink[np.argmax(labels.ravel() == i)]) for i in range(1, labels.max() + 1)]
+    return np.array(firsts)[labels]
 
 
 # %% role="mistake" name="border left out" says="Pixels at the border of the image have no number. The test for inside must allow row 0, column 0, the last row and the last column."
@@ -833,7 +840,7 @@ exercise(
 )
 
 
-def distance(a, b, insert=1, delete=1, replace=1, keep=0, top=None, left=None):
+def distance(a, b, insert=1, delete=1, replace=1, keep=0, top=None, left=None, choose=min):
     """The table of costs; top and left: its first row and column, if they do not count up."""
     table = np.zeros((len(a) + 1, len(b) + 1), int)
     table[:, 0] = range(len(a) + 1) if left is None else left
@@ -841,7 +848,7 @@ def distance(a, b, insert=1, delete=1, replace=1, keep=0, top=None, left=None):
     for i in range(1, len(a) + 1):
         for j in range(1, len(b) + 1):
             change = replace if a[i - 1] != b[j - 1] else keep
-            table[i, j] = min(table[i - 1, j] + delete, table[i, j - 1] + insert, table[i - 1, j - 1] + change)
+            table[i, j] = choose(table[i - 1, j] + delete, table[i, j - 1] + insert, table[i - 1, j - 1] + change)
     return table
 
 
@@ -999,6 +1006,16 @@ def edit_distance(a, b):
 # %% role="mistake" name="always 0" says="You return 0 for every input. Does the loop write into table[i, j], and do you return the last number of the table?"
 def edit_distance(a, b):
     return 0
+
+
+# %% role="mistake" name="last row and column not filled" says="The loops end too early, so the last number of the table is still 0: range(1, len(a)) ends before len(a). Use range(1, len(a) + 1), and the same for b."
+def edit_distance(a, b):
+    return 0 if a and b else len(a + b)
+
+
+# %% role="mistake" name="the largest of three" says="You took the largest of the three numbers. Take the smallest one: min."
+def edit_distance(a, b):
+    return int(distance(a, b, choose=max)[-1, -1])
 
 
 # %% role="mistake" name="equal or not" says="You say only whether the texts are equal. Count the steps."
@@ -1342,7 +1359,7 @@ assert network_text(name_line) == "KITCHEN"
 # %% [markdown]
 # ## 7 · Planned failures (4 minutes)
 #
-# **Touching letters.** The second line has eight characters, seven without the space. It is small, and at the size of our rectified sign its letters touch each other.
+# **Touching letters.** The second line has seven characters and a space. It is small and blurred. Some of its letters touch each other, others break into parts.
 
 # %%
 gray = signs[89, 64:90, 56:192].mean(axis=2).round().astype(np.uint8)
@@ -1395,7 +1412,13 @@ assert min(third[:-2]) >= 10 and third[-2] <= 9 and third[-1] <= 6
 assert whole == [True] * 4 and not any(enlarged) and len(widths) < 7
 
 # %%
-show(strips,
+def stretched(strip):
+    """The strip with its full contrast, from 0 to 255."""
+    low, high = int(strip.min()), int(strip.max())
+    return ((strip.astype(int) - low) * 255 // (high - low)).astype(np.uint8)
+
+
+show([stretched(strip) for strip in strips],
      ["frame 89", "mean of 10", "mean of 30"], columns=1, text=figure_texts["mean"])
 
 # %% [markdown]
