@@ -807,7 +807,7 @@ compare_guess(guess_steps, table[6, 7])
 
 # %%
 # Check: the numbers in this section
-assert table[6, 7] == 2 and sum(a != b for a, b in zip(first, second)) == 6
+assert table[6, 7] == 2 and sum(a != b for a, b in zip(first, second, strict=False)) == 6
 
 # %% [markdown]
 # ### Your turn: edit distance
@@ -1400,7 +1400,7 @@ def third_line(sign):
 
 
 strips = [third_line(signs[89]), third_line(mean_sign(89, 10)), third_line(mean_sign(89, 30))]
-for number, strip in zip((1, 10, 30), strips):
+for number, strip in zip((1, 10, 30), strips, strict=True):
     text = network_text(strip)
     print(f"{number:2} frames: {text!r}, edit distance {distance_of(text, LINES[2])}")
 
@@ -1514,4 +1514,4 @@ assert not ros_available() or node.looks > 0
 # Check: the numbers in the table
 assert signs[0].shape == (120, 248, 3) and ink.shape == (40, 208) and labels.dtype == np.int32
 assert templates["A"].shape == (24, 24) and column_scores.dtype == np.float32
-assert 0 <= column_scores.min() and column_scores.max() <= 1.001
+assert column_scores.min() >= 0 and column_scores.max() <= 1.001

@@ -1,5 +1,5 @@
-"""Reading text: by hand and by rapidocr over the recorded drive's 90 frames, and the lesson's node for a minute
-in the room.
+"""Reading text: by hand and by rapidocr over the recorded drive's 90 frames, and the lesson's node for a
+minute in the room.
 
 Printed per line of the sign: frames read without an error, and the share of characters that is right
 (edit distance). By hand from single rectified frames and from means of ten; the network from whole frames,
@@ -97,7 +97,9 @@ def read_live():
         session.node.create_subscription(
             Image, "/kachaka/front_camera/image_raw", images.append, qos_profile_sensor_data
         )
-        with subprocess.Popen([sys.executable, NODE, str(SECONDS)], stdout=subprocess.PIPE, text=True) as node:
+        with subprocess.Popen(
+            [sys.executable, NODE, str(SECONDS)], stdout=subprocess.PIPE, text=True
+        ) as node:
             try:
                 looks = int(node.communicate(timeout=10 * SECONDS + 60)[0])
             except subprocess.TimeoutExpired:

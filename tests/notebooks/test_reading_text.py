@@ -67,7 +67,7 @@ def test_decode_is_what_rapidocr_reads(solutions):
     characters = ["", *listed, " "]
     assert len(tool.character) == 18710 and tool.character[1:] == characters[1:]
     for _ in range(30):
-        path = rng.choice(rng.integers(0, 18710, 5).tolist() + [0, 0], 40)
+        path = rng.choice([*rng.integers(0, 18710, 5).tolist(), 0, 0], 40)
         scores = rng.uniform(0, 0.3, (40, 18710)).astype(np.float32)
         scores[range(40), path] = 0.9
         ((text, _),), _ = tool(scores[None])

@@ -21,7 +21,7 @@ def reading_text():
 
 
 def lesson_with_data():
-    """The lesson's functions with what its cells compute for them: rectified signs, templates, the network."""
+    """The lesson's functions and what its cells compute for them: signs, templates, network."""
     names, cells = reading_text(), read_master(next(MASTERS.glob("*_reading_text.py"))).cells
     needed = {"recording", "info", "camera", "right_m", "points", "signs", "LETTERS", "templates"}
     needed |= {"model", "options", "network", "listed", "all_characters"}
