@@ -1439,9 +1439,6 @@ if ros_available():
     from sensor_msgs.msg import Image
     from std_msgs.msg import String
 
-    newest_only = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=1,
-                             reliability=ReliabilityPolicy.BEST_EFFORT)
-
     class TextNode(Node):
         """Publishes every text that it reads, with the time and the place of the robot."""
 
@@ -1450,6 +1447,8 @@ if ros_available():
             self.read = read
             self.place = self.image = None
             self.looks = 0
+            newest_only = QoSProfile(history=HistoryPolicy.KEEP_LAST, depth=1,
+                                     reliability=ReliabilityPolicy.BEST_EFFORT)
             self.create_subscription(Odometry, "/kachaka/odometry/odometry",
                                      self.on_odometry, newest_only)
             self.create_subscription(Image, "/kachaka/front_camera/image_raw",
