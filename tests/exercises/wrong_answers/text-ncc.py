@@ -58,7 +58,7 @@ def ncc(a, b):
     below = a.std(ddof=1) * b.std(ddof=1)
     return 0.0 if below == 0 else float(((a - a.mean()) * (b - b.mean())).mean() / below)
 
-# %% name="squared differences" origin="new" sentence="Multiply the two images, do not subtract one from the other." must_say=["products"] kind="value"
+# %% name="squared differences" origin="new" sentence="Add the products of the two images, do not subtract one from the other." must_say=["products"] kind="value"
 def ncc(a, b):
     return float(((a - b) ** 2).sum())
 
