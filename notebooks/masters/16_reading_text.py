@@ -1422,7 +1422,7 @@ show([stretched(strip) for strip in strips],
      ["frame 89", "mean of 10", "mean of 30"], columns=1, text=figure_texts["mean"])
 
 # %% [markdown]
-# In every single frame, at least ten of the 27 characters are wrong. The mean of 30 frames has only a few errors, and a person can read it. It needs the exact place of the robot in each frame, so that all signs lie on each other.
+# In five single frames, at least ten of the 27 characters are wrong. The mean of 30 frames has only a few errors, and a person can read it. It needs the exact place of the robot in each frame, so that all signs lie on each other.
 #
 # ## 8 · Live (3 minutes)
 #
