@@ -2012,7 +2012,7 @@ assert not ros_available() or (node.looks > 0 and len(node.mapper.poses) > 0)
 # | error of an edge | (3,) | float64 | | metre, metre, radian |
 # | Jacobian of the circle | (114, 96) | float64 | | |
 #
-# Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+# **Next:** [[reading_text]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
 
 # %%
 # Check: the numbers in the table

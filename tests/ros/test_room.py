@@ -275,6 +275,8 @@ def test_the_lessons_node_closes_a_loop_from_another_process(robot, collect, wai
     assert 0 <= percent[row * info.width + col] < 20  # free, where the robot is
     assert percent.min() == -1 and (percent > 80).sum() > 100 and len(percent) == info.width * info.height
     assert grids[-1].header.frame_id == paths[-1].header.frame_id == "odom"
+
+
 def test_the_lessons_node_reads_the_sign_from_another_process(robot, collect, wait_until):
     from sensor_msgs.msg import Image
     from std_msgs.msg import String
