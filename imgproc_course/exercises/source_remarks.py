@@ -33,6 +33,7 @@ def remarks_on_source(function, errors=(), hints=()):
     remarks = [text for node in ast.walk(tree) for text in _remarks_on_node(node, source)]
     if isinstance(tree, ast.FunctionDef):
         remarks += _remarks_on_function(tree)
+        remarks += _axes_of_positions(tree, errors)
     if "IndexError" in errors:
         remarks += [text for node in ast.walk(tree) for text in _values_as_indices(node)]
     if any(" @ " in hint for hint in hints):
@@ -146,6 +147,22 @@ def _remarks_on_function(tree):
                 f"The loop for {target.id} in ... writes over the argument {target.id}. Give the variable"
                 " of the loop another name."
             )
+
+
+def _axes_of_positions(tree, errors):
+    """argmax and argmin along the wrong axis, or along none, if the positions led to an error."""
+    parameters = {argument.arg for argument in tree.args.args}
+    for call in ast.walk(tree):
+        name = getattr(getattr(call, "func", None), "attr", "")
+        if name not in ("argmax", "argmin"):
+            continue
+        is_numpy = ast.unparse(call.func.value) in ("np", "numpy")
+        given = [*([] if is_numpy else [call.func.value]), *call.args, *(key.value for key in call.keywords)]
+        array, *axes = [ast.unparse(value) for value in given] or [""]
+        if "IndexError" in errors and axes == ["0"]:
+            yield f"{name}(axis=0) gives a row's position for each column. For each row, write axis=1."
+        if "TypeError" in errors and not axes and array in parameters:
+            yield f"{name}() without axis gives one position in all. {name}(axis=1) gives one for each row."
 
 
 def _is_stub_line(statement):

@@ -92,6 +92,20 @@ def test_values_as_indices_are_named_if_an_index_was_outside():
     assert remarks(source.replace("[col]", "[col[:-1]]"), {"IndexError"}) == []
 
 
+def test_positions_along_the_wrong_axis_or_none_are_named_if_they_led_to_an_error():
+    source = "def f(scores):\n    for i in scores.argmax(axis=0):\n        pass\n"
+    for call in ("scores.argmax(axis=0)", "scores.argmax(0)", "np.argmax(scores, axis=0)"):
+        (remark,) = remarks(source.replace("scores.argmax(axis=0)", call), {"IndexError"})
+        assert remark == "argmax(axis=0) gives a row's position for each column. For each row, write axis=1."
+    for call in ("scores.argmax(axis=1)", "argmax(0)", "np.argmax()"):
+        assert remarks(source.replace("scores.argmax(axis=0)", call), {"IndexError", "TypeError"}) == []
+    for call in ("scores.argmin()", "np.argmin(scores)"):
+        (remark,) = remarks(source.replace("scores.argmax(axis=0)", call), {"TypeError"})
+        assert remark.startswith("argmin() without axis gives one position in all.")
+    assert remarks(source) == remarks(source.replace("axis=0", ""), {"IndexError"}) == []
+    assert remarks(source.replace("scores.argmax(axis=0)", "scores[0].argmax()"), {"TypeError"}) == []
+
+
 def test_a_source_that_is_not_known_gives_no_remark():
     assert remarks_on_source(len) == []
 

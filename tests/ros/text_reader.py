@@ -24,7 +24,7 @@ def lesson_with_data():
     """The lesson's functions and what its cells compute for them: signs, templates, network."""
     names, cells = reading_text(), read_master(next(MASTERS.glob("*_reading_text.py"))).cells
     needed = {"recording", "info", "camera", "right_m", "points", "signs", "LETTERS", "templates"}
-    needed |= {"model", "options", "network", "listed", "all_characters"}
+    needed |= {"model", "options", "network", "listed", "all_characters", "network_errors"}
     for cell in cells:
         if cell.kind != "code" or cell.role not in ("", "given"):
             continue
