@@ -227,7 +227,7 @@ assert cv2.connectedComponents(small.astype(np.uint8), connectivity=4)[0] - 1 ==
 # |---|---|---|
 # | `mask`: (H, W) bool, `True` is ink | (H, W) whole numbers: 0 where the mask is `False`; the pixels of each component (8-connectivity) have the same number. The numbers are 1, 2, 3 and so on, in the order in which you meet the components row by row, from left to right | `label(small)[0]` is `[1, 1, 0, 0, 2]`, `label(small)[1]` is `[0, 0, 1, 0, 2]` |
 #
-# `np.argwhere(mask)` gives (row, col) of all pixels of ink in exactly this order.
+# `np.argwhere(mask)` gives (row, col) of all pixels of ink in exactly this order. (OpenCV numbers some components in another order, so its result can differ.)
 
 # %% role="exercise"
 exercise(
@@ -257,31 +257,29 @@ EIGHT = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if (i, j) != (0, 0)]
 FOUR = [(-1, 0), (1, 0), (0, -1), (0, 1)]
 
 
-def filled(mask, steps, starts=None, wrap=False, columns=None):
-    """The label image by flood fill over the given steps to neighbours, and so many columns."""
+def filled(mask, steps, starts=None, tested=True, first=0, columns=None):
+    """The label image by flood fill over the given steps; first: the lowest row and column that is allowed."""
     labels, count, columns = np.zeros(mask.shape, int), 0, columns or mask.shape[1]
     for start in np.argwhere(mask).tolist() if starts is None else starts:
         stack = [tuple(start)] if labels[tuple(start)] == 0 else []
         count += len(stack)
         while stack:
             row, col = stack.pop()
-            if wrap:
-                row, col = row % mask.shape[0], col % mask.shape[1]
-            inside = 0 <= row < mask.shape[0] and 0 <= col < columns
-            if inside and mask[row, col] and labels[row, col] == 0:
+            inside = first <= row < mask.shape[0] and first <= col < columns
+            if (inside or not tested) and mask[row, col] and labels[row, col] == 0:
                 labels[row, col] = count
                 stack += [(row + i, col + j) for i, j in steps]
     return labels
 
 
-def one_pass(mask):
-    """Each pixel takes the smallest number of its neighbours before it; nothing is joined afterwards."""
+def one_pass(mask, choose=min):
+    """Each pixel takes a number of its neighbours before it; nothing is joined afterwards."""
     labels, count = np.zeros(mask.shape, int), 0
     for row, col in np.argwhere(mask).tolist():
         near = [labels[row + i, col + j] for i, j in ((-1, -1), (-1, 0), (-1, 1), (0, -1))
                 if row + i >= 0 and 0 <= col + j < mask.shape[1] and labels[row + i, col + j]]
         count += not near
-        labels[row, col] = min(near, default=count)
+        labels[row, col] = choose(near) if near else count
     return labels
 
 
@@ -328,7 +326,7 @@ def inputs(rng):
     return [(spots(rng),), (spots(rng, 8, 13),)]
 
 
-# %% role="case" title="at the borders" points=1 hint="A pixel at the border has fewer neighbours: is each row and column inside the image, and never negative?"
+# %% role="case" title="at the borders" points=1 hint="Is each row and column inside the image, and never negative? Are the numbers in the order in which you meet the components?"
 def inputs(rng):
     mask = spots(rng)
     mask[5, 0] = mask[5, -1] = mask[0, 8] = mask[-1, 0] = True
@@ -370,14 +368,45 @@ def label(mask):
     return one_pass(mask)
 
 
+# %% role="mistake" name="one pass, the last neighbour" says="Two parts that meet farther down keep different numbers, like the two sides of a U. The numbers of parts that meet must become one."
+def label(mask):
+    return one_pass(mask, lambda near: near[-1])
+
+
+# %% role="mistake" name="one pass, the first neighbour" says="Two parts that meet farther down keep different numbers, like the two sides of a U. The numbers of parts that meet must become one."
+def label(mask):
+    return one_pass(mask, lambda near: near[0])
+
+
 # %% role="mistake" name="negative indices" says="At the border, the index -1 is the other side of the image, so components wrap around. Test that row and col are at least 0 and inside the image."
 def label(mask):
-    return filled(mask, EIGHT, wrap=True)
+    return filled(mask, EIGHT, tested=False)
+
+
+# %% role="mistake" name="negative indices, upper limits tested" says="At the border, the index -1 is the other side of the image, so components wrap around. Test also that row and col are at least 0."
+def label(mask):
+    return filled(mask, EIGHT, first=-min(mask.shape))
 
 
 # %% role="mistake" name="the number of rows for the columns" says="Columns on the right have no number: you compare col with the number of rows. mask.shape[0] is the number of rows, mask.shape[1] the number of columns."
 def label(mask):
     return filled(mask, EIGHT, columns=min(mask.shape))
+
+
+# %% role="mistake" name="rows and columns exchanged" says="Rows and columns are exchanged in the test for the border: mask.shape is (rows, columns). A row is compared with mask.shape[0], a column with mask.shape[1]."
+def label(mask):
+    columns, rows = mask.shape
+    labels, count = np.zeros(mask.shape, int), 0
+    for start in np.argwhere(mask):
+        if labels[tuple(start)] == 0:
+            count += 1
+            stack = [tuple(start)]
+            while stack:
+                row, col = stack.pop()
+                if 0 <= row < rows and 0 <= col < columns and mask[row, col] and labels[row, col] == 0:
+                    labels[row, col] = count
+                    stack += [(row + i, col + j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
+    return labels
 
 
 # %% role="mistake" name="column by column" says="Your numbers are in the order of the columns. Meet the components row by row, from left to right, as np.argwhere(mask) does."
@@ -428,6 +457,18 @@ def label(mask):
 # %% role="mistake" name="how many" says="You return how many components there are. Return the label image: the number of each pixel."
 def label(mask):
     return int(solution(mask).max())
+
+
+# %% role="mistake" name="the count as well" says="You return two things, the count and the label image. Return only the label image."
+def label(mask):
+    labels = solution(mask)
+    return int(labels.max()), labels
+
+
+# %% role="mistake" name="the label image and the count" says="You return two things, the label image and the count. Return only the label image."
+def label(mask):
+    labels = solution(mask)
+    return labels, int(labels.max())
 
 
 # %% role="mistake" name="sizes" says="You wrote the size of the component into its pixels. Write its number: 1, 2, 3 and so on."
@@ -513,7 +554,7 @@ show([np.kron(row, np.ones((3, 3), np.uint8)) for row in (font_row, np.hstack(se
      ["the font", "the sign"], columns=1, text=figure_texts["glyphs"])
 
 # %% [markdown]
-# How much does a component look like a glyph? The *[[term:normalized cross-correlation]]* (NCC) says it with one number. Subtract from each image its own mean; multiply both, pixel by pixel, and add the products; divide by the root of both sums of squares:
+# How much does a component look like a glyph? The *[[term:normalized cross-correlation]]* (NCC) says it with one number from −1 to 1. Subtract from each image its own mean (written ā); multiply both, pixel by pixel, and add the products. Then add the squares of each image, multiply the two sums, and divide by the square root of this product:
 #
 # $$\text{NCC} = \frac{\sum (a - \bar a)(b - \bar b)}{\sqrt{\sum (a - \bar a)^2 \; \sum (b - \bar b)^2}}$$
 #
@@ -574,8 +615,8 @@ def centered(a):
     return a - a.mean()
 
 
-def quotient(products, squares):
-    return float(products / np.sqrt(squares)) if squares > 0 else 0.0
+def quotient(products, squares, without_form=0.0):
+    return float(products / np.sqrt(squares)) if squares > 0 else without_form
 
 
 def norm2(a):
@@ -631,6 +672,17 @@ def ncc(a, b):
     return quotient((a * b).sum(), norm2(a) * norm2(b))
 
 
+# %% role="mistake" name="means not subtracted, 0 / 0" says="Subtract from each image its own mean first; without this, two bright images always look alike. And test for an image without form: 0 / 0 is nan."
+def ncc(a, b):
+    return quotient((a * b).sum(), norm2(a) * norm2(b), float("nan"))
+
+
+# %% role="mistake" name="means of the columns" says="You subtracted a mean of each column (axis=0). Subtract one mean, that of the whole image: a.mean()."
+def ncc(a, b):
+    a, b = a - a.mean(axis=0), b - b.mean(axis=0)
+    return quotient((a * b).sum(), norm2(a) * norm2(b))
+
+
 # %% role="mistake" name="mean of a only" says="You subtracted the mean of a only. Subtract the mean of b from b as well."
 def ncc(a, b):
     return quotient((centered(a) * b).sum(), norm2(centered(a)) * norm2(b))
@@ -666,6 +718,23 @@ def ncc(a, b):
 def ncc(a, b):
     squares = norm2(centered(a)) * norm2(centered(b))
     return float((centered(a) * centered(b)).sum() / squares) if squares else 0.0
+
+
+# %% role="mistake" name="without the root, 0 / 0" says="The square root is missing: divide by the root of both sums of squares. And test for an image without form: 0 / 0 is nan."
+def ncc(a, b):
+    squares = norm2(centered(a)) * norm2(centered(b))
+    return float((centered(a) * centered(b)).sum() / squares) if squares else float("nan")
+
+
+# %% role="mistake" name="roots added" says="You added the two roots. Multiply them: the root of both sums of squares, multiplied."
+def ncc(a, b):
+    roots = norm2(centered(a)) ** 0.5, norm2(centered(b)) ** 0.5
+    return float((centered(a) * centered(b)).sum() / sum(roots)) if all(roots) else 0.0
+
+
+# %% role="mistake" name="standardized, and summed" says="Divided by its standard deviation, each image still has a sum of squares of N, the number of pixels. Take the mean of the products, not the sum."
+def ncc(a, b):
+    return solution(a, b) * a.size
 
 
 # %% role="mistake" name="squares of a only" says="You divided by the sum of squares of a. The root contains both: the sum of squares of a, times the sum of squares of b."
@@ -857,6 +926,16 @@ def distance(a, b, insert=1, delete=1, replace=1, keep=0, top=None, left=None, c
     return table
 
 
+def table_7_8(a, b):
+    """The example's code with its own numbers, 7 and 8, which end in an IndexError for short texts."""
+    table = np.zeros((7, 8), int)
+    table[:, 0], table[0, :] = range(7), range(8)
+    for i in range(1, 7):
+        for j in range(1, 8):
+            table[i, j] = min(table[i - 1, j] + 1, table[i, j - 1] + 1, table[i - 1, j - 1] + (a[i - 1] != b[j - 1]))
+    return int(table[6, 7])
+
+
 def damaged(rng, word, steps):
     """The word after some random steps."""
     for _ in range(steps):
@@ -900,6 +979,26 @@ def inputs(rng):
 def inputs(rng):
     pairs = [(damaged(rng, "the floor", 3), damaged(rng, "The floor is clear", 2)), (damaged(rng, "KITCHENETTE", 4), "CHICKEN"), ("", "XY")]
     return [*pairs, ("ABCA", "BAC"), ("PLEASE", "P")]
+
+
+# %% role="mistake" name="the size of the example" says="The numbers 6, 7 and 8 belong to the example. Write len(a) + 1 and len(b) + 1, and return table[len(a), len(b)]."
+def edit_distance(a, b):
+    return table_7_8(a, b)
+
+
+# %% role="mistake" name="one character too far" says="Row i belongs to the character a[i - 1], and column j to b[j - 1]: Python counts from 0."
+def edit_distance(a, b):
+    return b[len(b)] if a and b else len(a + b)
+
+
+# %% role="mistake" name="sizes exchanged" says="The table has len(a) + 1 rows and len(b) + 1 columns, in this order: rows belong to a, columns to b."
+def edit_distance(a, b):
+    table = np.zeros((len(b) + 1, len(a) + 1), int)
+    table[:, 0], table[0, :] = range(len(b) + 1), range(len(a) + 1)
+    for i in range(1, len(a) + 1):
+        for j in range(1, len(b) + 1):
+            table[i, j] = min(table[i - 1, j] + 1, table[i, j - 1] + 1, table[i - 1, j - 1] + (a[i - 1] != b[j - 1]))
+    return int(table[len(a), len(b)])
 
 
 # %% role="mistake" name="place by place" says="You compare the texts place by place. After one inserted letter all others are moved by one: fill the table with the three kinds of steps."
@@ -1197,16 +1296,16 @@ def text_of(path, characters):
     return text
 
 
-def spelled(rng, word, characters):
-    """Scores whose best characters spell a word: runs of letters, blanks between equal ones and elsewhere."""
-    path = [0]
+def spelled(rng, word, characters, around=1, highest=0.95):
+    """Scores whose best characters spell a word: runs of letters, blanks between equal ones, elsewhere, and around."""
+    path = [0] * around
     for k, letter in enumerate(word):
         if k and (word[k - 1] == letter or rng.random() < 0.5):
             path += [0] * int(rng.integers(1, 3))
         path += [characters.index(letter)] * int(rng.integers(1, 4))
-    path += [0, 0]
-    scores = rng.uniform(0, 0.4, (len(path), len(characters))).round(2)
-    scores[range(len(path)), path] = rng.uniform(0.5, 0.95, len(path)).round(2)
+    path += [0] * 2 * around
+    scores = rng.uniform(0, 0.3, (len(path), len(characters))).round(2)
+    scores[range(len(path)), path] = rng.uniform(0.35, highest, len(path)).round(2)
     return scores, characters
 
 
@@ -1237,12 +1336,12 @@ def inputs(rng):
 
 # %% role="case" title="runs and blanks" points=1 hint="A blank between two equal letters says that there are two of them: look at the row before, also if it is a blank."
 def inputs(rng):
-    return [spelled(rng, "LOLLO", "-LO"), spelled(rng, "22002", "_024"), spelled(rng, "SEEN", "*NES")]
+    return [spelled(rng, "OLLO", "-LO", around=0), spelled(rng, "22004", "_024", around=0), spelled(rng, "SEEN", "*NES", highest=0.48)]
 
 
 # %% role="hidden" title="any text" points=1 hint="First one of each run of equal characters, then no blanks; the first character of characters is the blank."
 def inputs(rng):
-    return [spelled(rng, "BALLOON", "-NOLAB"), spelled(rng, "NOON 1001", "#10 NO"), spelled(rng, "BASSOON", "-OSNAB")]
+    return [spelled(rng, "BALLOON", "-NOLAB", around=0), spelled(rng, "NOON 100N", "#10 NO", around=0), spelled(rng, "BASSOON", "-OSNAB", highest=0.48)]
 
 
 # %% role="mistake" name="blanks first" says="You left out the blanks before you looked for repeated characters, so two equal letters became one. Compare with the row before, also if it is a blank."
@@ -1286,8 +1385,17 @@ def decode(scores, characters):
 
 # %% role="mistake" name="axis 0" says="You took the best row of each character. Take the best character of each row: argmax(axis=1)."
 def decode(scores, characters):
-    path = scores.argmax(axis=0) % len(characters)
-    return text_of(path.tolist(), characters)
+    return text_of(scores.argmax(axis=0).tolist(), characters)
+
+
+# %% role="mistake" name="no axis, a loop" says="argmax() without axis gives one position in all. Take one for each row: argmax(axis=1)."
+def decode(scores, characters):
+    return text_of(scores.argmax(), characters)
+
+
+# %% role="mistake" name="no axis, a length" says="argmax() without axis gives one position in all, and it has no length. Take one for each row: argmax(axis=1)."
+def decode(scores, characters):
+    return text_of(range(len(scores.argmax())), characters)
 
 
 # %% role="mistake" name="the smallest score" says="You took the smallest score of each row. The best character has the largest one: argmax."
@@ -1332,6 +1440,34 @@ def decode(scores, characters):
 # %% role="mistake" name="first letter missing" says="The first letter is missing. The loop over k begins with a letter that has no row before: it is new."
 def decode(scores, characters):
     return solution(scores, characters)[1:]
+
+
+# %% role="mistake" name="the first row left out" says="The first row is missing in your loop. It has no row before, so its character is always new."
+def decode(scores, characters):
+    path = scores.argmax(axis=1).tolist()
+    return "".join(characters[i] for k, i in enumerate(path) if k and i and i != path[k - 1])
+
+
+# %% role="mistake" name="before the first row" says="For k = 0, best[k - 1] is best[-1], the last row. The first row has no row before, so its character is always new: k == 0 or ..."
+def decode(scores, characters):
+    path = scores.argmax(axis=1).tolist()
+    return "".join(characters[i] for k, i in enumerate(path) if i and i != path[k - 1])
+
+
+# %% role="mistake" name="a threshold" says="You take a character only if its score is above 0.5. Take the one with the largest score of the row, also if this is below 0.5."
+def decode(scores, characters):
+    return text_of(np.where(scores.max(axis=1) > 0.5, scores.argmax(axis=1), 0).tolist(), characters)
+
+
+# %% role="mistake" name="seven rows" says="The 7 belongs to the example. Go through all rows: len(scores)."
+def decode(scores, characters):
+    return text_of(scores.argmax(axis=1).tolist()[:7], characters)
+
+
+# %% role="mistake" name="the minus as the blank" says='You compare with "-". The blank is the character at position 0, and can be written in another way: compare the position with 0.'
+def decode(scores, characters):
+    path = scores.argmax(axis=1).tolist()
+    return "".join(characters[i] for k, i in enumerate(path) if characters[i] != "-" and (k == 0 or i != path[k - 1]))
 
 
 # %% role="mistake" name="last letter missing" says="The last letter is missing. Go through all rows to the end."
