@@ -13,7 +13,6 @@ from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
 
 from imgproc_course.authoring.atomic_write import write_file
 from imgproc_course.authoring.execute import execute, normalize, output_texts, refuse_traces
-from imgproc_course.authoring.glossary import GLOSSARY_PAGE
 from imgproc_course.authoring.lesson_files import lesson_file_differences, lesson_files
 from imgproc_course.authoring.lesson_names import lesson_name
 from imgproc_course.authoring.masters import find_masters, read_master
@@ -303,7 +302,7 @@ def _read_stored(path):
 def _orphans(masters_dir, lessons_dir):
     masters, folder = {path.stem for path in _masters_to_build(masters_dir)}, Path(lessons_dir)
     paths = [path for path in sorted(folder.glob("*.ipynb")) if path.stem not in masters]
-    paths = [path for path in paths if path.name != GLOSSARY_PAGE] + pages_without_source(masters_dir, folder)
+    paths += pages_without_source(masters_dir, folder)
     names = {lesson_name(master) for master in masters}
     for subfolder in (CHECKS, SOLUTIONS):
         paths += [path for path in sorted(folder.glob(f"{subfolder}/*.json")) if path.stem not in names]

@@ -7,19 +7,15 @@ spellings = ["structuring elements"]     other forms of the word, and words that
 ordinary = true                          also an ordinary English word, which `early_uses` does not look for
 """
 
-import re
 import tomllib
 from dataclasses import dataclass
 from functools import lru_cache
-from importlib.metadata import version
 from pathlib import Path
-
-from nbformat.v4 import new_markdown_cell, new_notebook
 
 from imgproc_course.exercises.percent_script import MasterError
 
 GLOSSARY = "glossary.toml"
-GLOSSARY_PAGE = "glossary.ipynb"
+GLOSSARY_PAGE = "glossary.md"  # no notebook: JupyterLab draws hundreds of cells late
 _KEYS = {"lesson", "definition", "spellings", "ordinary"}
 _INTRODUCTION = """\
 # Glossary
@@ -48,12 +44,8 @@ class Term:
 
     @property
     def address(self):
-        """The target of a link to its entry; JupyterLab finds a cell that it has not drawn only by its id."""
-        return f"{GLOSSARY_PAGE}#cell-id={self.cell_id}"
-
-    @property
-    def cell_id(self):
-        return f"term-{re.sub('[^a-z0-9]+', '-', self.name.casefold())}"
+        """The target of a link to its entry: JupyterLab's name of its heading."""
+        return f"{GLOSSARY_PAGE}#{self.name.replace(' ', '-')}"
 
 
 def read_glossary(path):
@@ -102,11 +94,11 @@ def _read_term(path, name, entry):
     return Term(name, entry["lesson"], entry["definition"].strip(), tuple(forms), ordinary)
 
 
-# ---------------------------------------------------------------- the notebook
+# ---------------------------------------------------------------- the page
 
 
-def glossary_notebook(terms, references):
-    """The glossary as learners read it: one cell per term, with a heading to which the lessons link.
+def glossary_page(terms, references):
+    """The glossary as learners read it: a heading per term, to which the lessons link.
 
     Parameters
     ----------
@@ -115,16 +107,11 @@ def glossary_notebook(terms, references):
 
     Returns
     -------
-    NotebookNode
+    str, Markdown
 
     Raises
     ------
     MasterError : a term whose lesson does not exist, or an unknown reference in a definition
     """
-    cells = [new_markdown_cell(_INTRODUCTION, id="glossary")]
-    for term in terms:
-        text = references.in_prose(f"### {term.name}\n\n{term.definition}\n\n→ [[{term.lesson}]]")
-        cells.append(new_markdown_cell(text, id=term.cell_id))
-    metadata = {"lesson": "glossary", "title": "Glossary", "version": version("imgproc-course")}
-    kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
-    return new_notebook(cells=cells, metadata={"kernelspec": kernel, "imgproc_course": metadata})
+    entries = [f"### {term.name}\n\n{term.definition}\n\n→ [[{term.lesson}]]" for term in terms]
+    return "\n\n".join([_INTRODUCTION, *map(references.in_prose, entries)]) + "\n"

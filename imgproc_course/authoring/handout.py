@@ -8,11 +8,13 @@ from importlib.metadata import version
 from pathlib import Path
 
 from imgproc_course.authoring.atomic_write import write_file
+from imgproc_course.authoring.glossary import GLOSSARY_PAGE
 from imgproc_course.authoring.learner_files import CHECKS, SOLUTIONS, without_outputs
 from imgproc_course.authoring.lesson_names import lesson_name
 from imgproc_course.authoring.masters import find_lessons
 from imgproc_course.exercises.progress import LEARNERS_FOLDER
 
+_PAGES = (".ipynb", ".html")
 _ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same files give the same bytes
 
 
@@ -56,7 +58,7 @@ def hand_out(folder, source, names=(), *, with_solutions=False, zipped=False):
     if source.resolve() in (folder.resolve(), *folder.resolve().parents):
         raise HandoutError(f"{folder} is in the folder of the lessons, {source}; give another folder")
     # Nothing else: a teacher's folder may hold a key, or submissions.
-    pages = [path for path in sorted(source.iterdir()) if path.suffix in (".ipynb", ".html")]
+    pages = [path for path in sorted(source.iterdir()) if path.suffix in _PAGES or path.name == GLOSSARY_PAGE]
     files = {path.name: without_outputs(path.read_bytes()) for path in pages if path not in left_out}
     for path in chosen:
         files |= _exercise_files(source, path, with_solutions)

@@ -2,10 +2,8 @@
 
 from pathlib import Path
 
-import nbformat
-
 from imgproc_course.authoring.cheat_sheet import CHEAT_SHEET, cheat_sheet_page
-from imgproc_course.authoring.glossary import GLOSSARY, GLOSSARY_PAGE, glossary_notebook, read_glossary
+from imgproc_course.authoring.glossary import GLOSSARY, GLOSSARY_PAGE, glossary_page, read_glossary
 from imgproc_course.authoring.references import References
 
 
@@ -27,7 +25,7 @@ def build_pages(masters_dir):
     masters_dir, pages = Path(masters_dir), {}
     glossary, cheat_sheet = masters_dir / GLOSSARY, masters_dir / CHEAT_SHEET
     if terms := read_glossary(glossary):
-        pages[GLOSSARY_PAGE] = nbformat.writes(glossary_notebook(terms, References(glossary))) + "\n"
+        pages[GLOSSARY_PAGE] = glossary_page(terms, References(glossary))
     if cheat_sheet.exists():
         pages[CHEAT_SHEET] = cheat_sheet_page(cheat_sheet)
     return pages

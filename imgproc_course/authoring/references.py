@@ -5,7 +5,7 @@ In prose a reference becomes a link. In code and in the texts of exercises it be
     [[grayscale]]           [lesson 04, Grayscale](04_grayscale.ipynb)                lesson 04
     [[grayscale#3]]         [section 3 of lesson 04](04_grayscale.ipynb#cell-id=...)  section 3 of lesson 04
     [[grayscale|any text]]  [any text](04_grayscale.ipynb)                            any text
-    [[term:mask|masks]]     [masks](glossary.ipynb#cell-id=...)                       masks
+    [[term:mask|masks]]     [masks](glossary.md#mask)                                masks
 """
 
 import difflib

@@ -322,6 +322,6 @@ hint("start-count", step=1)
 # |---|---|---|---|---|
 # | *frame*, from the recording or the topic | (720, 1280, 3) | uint8 | 0 to 255 | intensity of blue, green, red |
 #
-# The [glossary](glossary.ipynb) explains the words of the course. Many words in the lessons are links to it.
+# The [glossary](glossary.md) explains the words of the course. Many words in the lessons are links to it.
 #
 # **Next:** [[arrays]]. Before you go on, choose **File → Close and Shut Down Notebook**.

@@ -22,7 +22,7 @@ overview()
 # %% [markdown]
 # ## Beside the lessons
 #
-# - [Glossary](glossary.ipynb): every term of the course in one or two sentences, with the lesson that introduces it.
+# - [Glossary](glossary.md): every term of the course in one or two sentences, with the lesson that introduces it.
 # - [Cheat sheet](cheat_sheet.html): two pages to print: arrays, message fields, the stages of Canny, ROS commands.
 # - Stuck in an exercise? Add a cell (press **Esc**, then `b`), and call `hint` in it, such as `hint("grayscale-luma")`: it shows the next of three hints. `solution("grayscale-luma")` opens after three tries.
 #

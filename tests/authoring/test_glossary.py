@@ -1,7 +1,6 @@
 import sys
 from pathlib import Path
 
-import nbformat
 import pytest
 
 sys.path.append(str(Path(__file__).parents[1] / "notebooks"))
@@ -49,17 +48,16 @@ def glossary(tmp_path):
     return write
 
 
-def test_the_glossary_is_a_notebook_in_alphabetical_order(glossary, write_master):
+def test_the_glossary_is_a_page_in_alphabetical_order(glossary, write_master):
     write_master(name="01_blur"), write_master(name="02_sharpen")
-    assert build_pages(glossary().parent).keys() == {"glossary.ipynb"}
-    page = nbformat.reads(build_pages(glossary().parent)["glossary.ipynb"], as_version=4)
-    nbformat.validate(page)
-    assert {cell.cell_type for cell in page.cells} == {"markdown"}
-    headings = [cell.source.splitlines()[0] for cell in page.cells]
+    assert build_pages(glossary().parent).keys() == {"glossary.md"}
+    page = build_pages(glossary().parent)["glossary.md"]
+    headings = [line for line in page.splitlines() if line.startswith("#")]
+    assert headings[0] == "# Glossary"
     assert headings[1:] == ["### edge", "### edge detector", "### median filter", "### view", "### Zoom"]
-    assert page.cells[-1].source == (
-        "### Zoom\n\nTo enlarge, as in [lesson 01, Doubling](01_blur.ipynb). See [median"
-        " filters](glossary.ipynb#cell-id=term-median-filter).\n\n→ [lesson 01, Doubling](01_blur.ipynb)"
+    assert page.endswith(
+        "\n\n### Zoom\n\nTo enlarge, as in [lesson 01, Doubling](01_blur.ipynb). See [median"
+        " filters](glossary.md#median-filter).\n\n→ [lesson 01, Doubling](01_blur.ipynb)\n"
     )
 
 
@@ -92,16 +90,16 @@ def test_build_writes_the_glossary_and_reports_a_difference(glossary, tmp_path):
     (masters / "02_sharpen.py").write_text("# %% [markdown]\n# # No title\n")
     result = build(masters, lessons, tmp_path / "solved")
     assert result.built == [] and not any("glossary" in problem for problem in result.problems)
-    assert (lessons / "glossary.ipynb").read_text() == build_pages(masters)["glossary.ipynb"]
+    assert (lessons / "glossary.md").read_text() == build_pages(masters)["glossary.md"]
     assert not any("glossary" in problem for problem in compare_lessons(masters, lessons).problems)
     glossary(GLOSSARY.replace("A border.", "A line."))
-    difference = "glossary.ipynb: it differs from its source in masters/; run imgproc-course build"
+    difference = "glossary.md: it differs from its source in masters/; run imgproc-course build"
     assert difference in compare_lessons(masters, lessons).problems
     glossary("[")
     assert any("not TOML" in problem for problem in compare_lessons(masters, lessons).problems)
     (masters / "glossary.toml").unlink()
     problems = build(masters, lessons, tmp_path / "solved").problems
-    assert "glossary.ipynb: it has no master; delete it, or restore its master" in problems
+    assert "glossary.md: it has no master; delete it, or restore its master" in problems
 
 
 # ---------------------------------------------------------------- words before their introduction
@@ -122,7 +120,7 @@ print(figure_texts, dict(caption="A median filter."))
 EXPLAINED = """
 # %% [markdown]
 # A [[term:median filter|filter]], then a median filter. A [[term:edge detector]].
-# The [whole glossary](glossary.ipynb).
+# The [whole glossary](glossary.md).
 """
 
 

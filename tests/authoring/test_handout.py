@@ -26,13 +26,15 @@ def lessons(tmp_path):
     folder = tmp_path / "lessons"
     write_lesson(folder / "01_sums.ipynb", SUM, CHECK)
     write_lesson(folder / "02_words.ipynb", nbformat.v4.new_markdown_cell("# Words", id="words-1"))
-    write_lesson(folder / "glossary.ipynb", SUM)
+    write_lesson(folder / "index.ipynb", SUM)
     for name in (
         "checks/sums.json",
         "solutions/sums.json",
         "masters/01_sums.py",
         "key/answers.json",
         "key.seed",
+        "glossary.md",
+        "notes.md",
     ):
         (folder / name).parent.mkdir(exist_ok=True)
         (folder / name).write_text(name)
@@ -61,10 +63,10 @@ def test_learners_get_lessons_without_outputs_and_their_checks(hand_out, tmp_pat
     assert hand_out() == (0, f"Lessons handed out: 2, without solutions, in {tmp_path}/handout/\n")
     files = files_in(tmp_path / "handout")
     assert sorted(files) == [
-        ".course.json", "01_sums.ipynb", "02_words.ipynb", "checks/sums.json", "glossary.ipynb",
+        ".course.json", "01_sums.ipynb", "02_words.ipynb", "checks/sums.json", "glossary.md", "index.ipynb",
     ]  # fmt: skip
     assert files["checks/sums.json"] == b"checks/sums.json"
-    for name in ("01_sums.ipynb", "glossary.ipynb"):
+    for name in ("01_sums.ipynb", "index.ipynb"):
         cell = json.loads(files[name])["cells"][0]
         assert (cell["source"], cell["outputs"], cell["execution_count"]) == (["2 + 3"], [], None)
 
@@ -78,7 +80,7 @@ def test_solutions_only_if_the_teacher_says_so(hand_out, tmp_path):
 def test_one_lesson(hand_out, tmp_path, name):
     hand_out(name)
     assert sorted(files_in(tmp_path / "handout")) == [
-        ".course.json", "01_sums.ipynb", "checks/sums.json", "glossary.ipynb",
+        ".course.json", "01_sums.ipynb", "checks/sums.json", "glossary.md", "index.ipynb",
     ]  # fmt: skip
 
 
@@ -98,7 +100,7 @@ def test_a_file_that_differs_is_never_replaced(hand_out, lessons, tmp_path):
     hand_out()
     before = files_in(tmp_path / "handout")
     (tmp_path / "handout" / "02_words.ipynb").write_text("a learner's work")
-    (lessons / "glossary.ipynb").unlink()
+    (lessons / "glossary.md").unlink()
     write_lesson(lessons / "03_more.ipynb", SUM)
     code, text = hand_out()
     assert (code, text) == (

@@ -43,14 +43,8 @@ def test_in_prose_references_are_links(references):
     section = "[section 2 of lesson 03](03_blur.ipynb#cell-id=blur-9)"
     assert references.in_prose("In [[blur#2]].") == f"In {section}."
     assert references.in_prose("One. [[blur#2]] is two.") == f"One. {section.replace('[s', '[S')} is two."
-    assert (
-        references.in_prose("A [[term:gray level]]")
-        == "A [gray level](glossary.ipynb#cell-id=term-gray-level)"
-    )
-    assert (
-        references.in_prose("[[term:Gray levels|Levels]]")
-        == "[Levels](glossary.ipynb#cell-id=term-gray-level)"
-    )
+    assert references.in_prose("A [[term:gray level]]") == "A [gray level](glossary.md#gray-level)"
+    assert references.in_prose("[[term:Gray levels|Levels]]") == "[Levels](glossary.md#gray-level)"
     code = "`[[blur]]` and ``x[[`rows`]]``, [[1, 2], [3, 4]]"
     assert references.in_prose(code) == code
 

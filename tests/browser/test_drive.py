@@ -65,7 +65,7 @@ def numbers(page):
 
 def wait_for(page, condition):
     """Waits until the numbers fulfil a condition; on a busy machine the robot drives only now and then."""
-    page.wait_until(lambda: condition(*numbers(page)), timeout=150)
+    page.wait_until(lambda: (values := numbers(page)) and condition(*values), timeout=150)
 
 
 def wait_for_stop(page):
