@@ -679,6 +679,17 @@ def ncc(a, b):
     return quotient((a * b).sum(), norm2(a) * norm2(b), float("nan"))
 
 
+# %% role="mistake" name="means not subtracted, form tested" says="Subtract from each image its own mean first; without this, two bright images always look alike."
+def ncc(a, b):
+    return quotient((a * b).sum(), norm2(a) * norm2(b)) if np.ptp(a) and np.ptp(b) else 0.0
+
+
+# %% role="mistake" name="means of the rows" says="You subtracted a mean of each row (axis=1). Subtract one mean, that of the whole image: a.mean()."
+def ncc(a, b):
+    a, b = a - a.mean(axis=1, keepdims=True), b - b.mean(axis=1, keepdims=True)
+    return quotient((a * b).sum(), norm2(a) * norm2(b))
+
+
 # %% role="mistake" name="means of the columns" says="You subtracted a mean of each column (axis=0). Subtract one mean, that of the whole image: a.mean()."
 def ncc(a, b):
     a, b = a - a.mean(axis=0), b - b.mean(axis=0)
@@ -737,6 +748,11 @@ def ncc(a, b):
 # %% role="mistake" name="standardized, and summed" says="Divided by its standard deviation, each image still has a sum of squares of N, the number of pixels. Take the mean of the products, not the sum."
 def ncc(a, b):
     return solution(a, b) * a.size
+
+
+# %% role="mistake" name="standardized, and summed, 0 / 0" says="Divided by its standard deviation, each image still has a sum of squares of N, the number of pixels. Take the mean of the products, not the sum. And test for an image without form: 0 / 0 is nan."
+def ncc(a, b):
+    return solution(a, b) * a.size if np.ptp(a) and np.ptp(b) else float("nan")
 
 
 # %% role="mistake" name="squares of a only" says="You divided by the sum of squares of a. The root contains both: the sum of squares of a, times the sum of squares of b."
@@ -1225,7 +1241,7 @@ assert min(distances["whole frame, Please keep the floor clear"]) == 25
 assert max(errors_network[:29] + errors_network[42:]) == 0 < min(errors_network[29:42])
 
 # %% [markdown]
-# The network reads KITCHEN in 77 frames, ROOM 204 in 40, and the third line in none. It fails to read KITCHEN only in the frames 29 to 41, while a person walks past. The reader by hand has trouble from frame 18 on, before the person comes: noise makes letters touch, and H and C become one D (MTDEN in frame 20). The mean helps against the noise, and at first also against the person, because it still contains frames from before. In frame 42, the reader by hand finds IKITCHEN: its first I is a leg.
+# The network reads KITCHEN in 77 frames, ROOM 204 in 40, and the third line in none. It fails to read KITCHEN only in the frames 29 to 41, while a person walks past. The reader by hand has trouble from frame 18 on, before the person comes: noise makes letters touch, and C and H become one D (MTDEN in frame 20). The mean helps against the noise, and at first also against the person, because it still contains frames from before. In frame 42, the reader by hand finds IKITCHEN: its first I is a leg.
 #
 # ## 6 · How a network spells (12 minutes)
 #
@@ -1451,6 +1467,12 @@ def decode(scores, characters):
 def decode(scores, characters):
     path = scores.argmax(axis=1).tolist()
     return "".join(characters[i] for k, i in enumerate(path) if k and i and i != path[k - 1])
+
+
+# %% role="mistake" name="compared with the row after" says="You compare each row with the row after it, and leave out the last row: so a letter at the end is missing. Compare with the row before."
+def decode(scores, characters):
+    path = scores.argmax(axis=1).tolist()
+    return "".join(characters[path[k]] for k in range(len(path) - 1) if path[k] and path[k] != path[k + 1])
 
 
 # %% role="mistake" name="before the first row" says="For k = 0, best[k - 1] is best[-1], the last row. The first row has no row before, so its character is always new: k == 0 or ..."
