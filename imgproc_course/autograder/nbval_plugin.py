@@ -15,10 +15,10 @@ import math
 import os
 import re
 import socket
+import sys
 import time
 from pathlib import Path
 
-import nbval.plugin
 import pytest
 
 from imgproc_course.autograder.answer_key import load_key
@@ -171,7 +171,7 @@ class ExerciseRun:
         self.close()
         self._kernel_seconds = seconds_of(self._exercise, case)
         self._kernel = self._kernel_factory.start(
-            self._exercise.allowed, self._kernel_seconds, self._next_request
+            self._exercise.allowed, self._kernel_seconds, self._requests_after(case)
         )
         self._answer_run = self._kernel.run_statements(sources_before)
         run = CaseRun(answer=self._answer_run)
@@ -180,6 +180,18 @@ class ExerciseRun:
         if not run.passed:
             self.close()
         return run
+
+    def _requests_after(self, case):
+        """The requests of the kernels that will probably be needed after the one for a case.
+
+        An answer that has failed one case mostly fails the next one too, and that one needs its own kernel.
+        """
+        requests = [self._next_request] if self._next_request else []
+        next_case = next(iter(self._exercise.cases[self._exercise.cases.index(case) + 1 :]), None)
+        has_failed = any(not run.passed for run in self.runs.values())
+        if has_failed and next_case is not None and next_case.id not in self.runs:
+            requests.append((self._exercise.allowed, seconds_of(self._exercise, next_case)))
+        return requests
 
     def _run_check(self, run, case, source):
         exercise = self._exercise
@@ -305,6 +317,12 @@ class GradingPlugin:
         notebook.nb = None
 
     @pytest.hookimpl
+    def pytest_configure(self):
+        import nbval.plugin
+
+        nbval.plugin.RunningKernel = ExerciseKernel
+
+    @pytest.hookimpl
     def pytest_runtest_logreport(self, report):
         self._phases.append(f"{report.when} {report.outcome}")
 
@@ -336,9 +354,9 @@ def _with_answer(notebook, exercise, source):
     return notebook | {"cells": cells}
 
 
-def pytest_configure(config):
+def main():
+    """What an nbval process does: pytest with nbval, which is imported while the fork server loads."""
     # If the other side ended before this line, the socket is closed, and reading the settings fails.
     confine.die_with_parent()
-    nbval.plugin.RunningKernel = ExerciseKernel
     connection = socket.socket(fileno=int(os.environ.pop(SOCKET_VARIABLE)))
-    config.pluginmanager.register(GradingPlugin(connection), "imgproc_course_grading")
+    sys.exit(pytest.main(sys.argv[1:], plugins=[GradingPlugin(connection)]))

@@ -33,8 +33,8 @@ _BLOCKED_PLUGINS = (
 _PLUGINS = (
     "imgproc_course.autograder.blocked_imports",  # first, so that nbval does not import what it blocks
     "nbval.plugin",
-    "imgproc_course.autograder.nbval_plugin",
 )
+_PROGRAM = "from imgproc_course.autograder import nbval_plugin; nbval_plugin.main()"
 
 _of_thread = threading.local()
 _running = {}
@@ -131,7 +131,7 @@ class NbvalProcess:
             raise
 
     def _start(self, folder, connection):
-        command = [sys.executable, "-I", "-m", "pytest", "-c", str(folder / "pytest.ini")]
+        command = [sys.executable, "-I", "-c", _PROGRAM, "-c", str(folder / "pytest.ini")]
         command += ["--rootdir", str(folder), "--noconftest", "--color=no", "-q", "-s"]
         for name in _BLOCKED_PLUGINS:
             command += ["-p", f"no:{name}"]

@@ -428,7 +428,7 @@ def test_a_kernel_that_is_killed_twice_costs_nobody_a_point(key, right):
 def test_an_nbval_process_loads_nothing_that_only_teachers_tools_need():
     code = (
         "import sys; import imgproc_course.autograder.blocked_imports; "
-        "import imgproc_course.autograder.nbval_plugin; "
+        "import imgproc_course.autograder.nbval_plugin, nbval.plugin; "
         "heavy = ('jupytext', 'rfc3987_syntax', 'isoduration', 'arrow', 'cv2', 'matplotlib'); "
         "print([name for name in heavy if sys.modules.get(name)])"
     )

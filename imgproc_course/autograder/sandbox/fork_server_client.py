@@ -11,6 +11,7 @@ import socket
 import subprocess
 import time
 from contextlib import suppress
+from functools import lru_cache
 
 from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.autograder.sandbox.allowed_modules import module_access
@@ -172,14 +173,17 @@ class ForkedKernel:
                 self._fork_server.drop(kernel_id)
 
 
+@lru_cache(maxsize=16)  # every case that fails has a kernel of its own, with the same cells
 def _cells_to_send(source):
     """A source as the kernel takes it: whole cells where it can tell the statements apart by itself."""
+    cells = []
     for cell in cells_of(source):
         parts = parts_of(cell)
         if len(parts) > 1 and "async" not in cell and "await" not in cell:
-            yield {"code": cell, "apart": True}
+            cells.append({"code": cell, "apart": True})
         else:
-            yield from ({"code": part, "apart": False} for part in parts)
+            cells += [{"code": part, "apart": False} for part in parts]
+    return cells
 
 
 def _parse_message(line):

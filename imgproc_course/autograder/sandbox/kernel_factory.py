@@ -1,4 +1,4 @@
-"""Give out kernels of either kind, one after another. The next kernel is forked while one is at work."""
+"""Give out kernels of either kind, one after another. The next kernels are forked while one is at work."""
 
 from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.autograder.sandbox.cgroups import ProcessGroup
@@ -25,16 +25,16 @@ class KernelFactory:
         self._fork_server = ForkServer(self._group, confined=self._confined)
         if kind == "fast":
             self._fork_server.start()
-        self._spare, self._spare_request = None, None
+        self._spares = {}  # request: the kernel that waits for it
 
-    def start(self, allowed, seconds, next_request=None):
+    def start(self, allowed, seconds, next_requests=()):
         """Start a new kernel.
 
         Parameters
         ----------
         allowed : sequence of str, modules that it has beside those that every answer may use
         seconds : float, processor time that the first case may use, and with it all that share the kernel
-        next_request : (allowed, seconds) of the kernel that will be needed next, or None
+        next_requests : iterable of (allowed, seconds), of the kernels that will probably be needed next
 
         Returns
         -------
@@ -46,29 +46,27 @@ class KernelFactory:
             from imgproc_course.autograder.sandbox.ipykernel_client import IPykernelClient
 
             return IPykernelClient(*request, self.limits, self._group, confined=self._confined)
-        if self._spare_request == request and not self._spare.is_alive():
-            self._drop_spare()
-        if self._spare_request == request:
-            kernel, self._spare, self._spare_request = self._spare, None, None
-        else:
-            kernel = self._fork(request)
-        next_request = next_request and (tuple(next_request[0]), next_request[1])
-        if self._spare_request != next_request:
-            self._drop_spare()
-            self._spare, self._spare_request = next_request and self._fork(next_request), next_request
+        kernel = self._spares.pop(request, None)
+        if kernel is not None and not kernel.is_alive():
+            kernel.stop()
+            kernel = None
+        kernel = kernel or self._fork(request)
+        self._keep_spares([(tuple(allowed), seconds) for allowed, seconds in next_requests])
         return kernel
 
     def _fork(self, request):
         return ForkedKernel(self._fork_server, *request, self.limits)
 
-    def _drop_spare(self):
-        if self._spare is not None:
-            self._spare.stop()
-        self._spare, self._spare_request = None, None
+    def _keep_spares(self, requests):
+        """Let a kernel wait for each of these requests, and no others."""
+        for request in [request for request in self._spares if request not in requests]:
+            self._spares.pop(request).stop()
+        for request in requests:
+            self._spares[request] = self._spares.get(request) or self._fork(request)
 
     def close(self):
         """End all kernels and the fork server."""
-        self._drop_spare()
+        self._keep_spares([])
         self._fork_server.stop()
         self._group.remove()
 

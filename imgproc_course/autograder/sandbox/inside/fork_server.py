@@ -52,6 +52,7 @@ def _warm_up(cell_shell, shell, check_cell):
         "del f, emit",
     ):
         cell_shell.run_cell(code, store_history=False)
+    cell_shell.display_formatter.format(0)  # makes the formatters, else each kernel would
     sys.stdout, sys.stderr = streams
     os.close(shell.WRITER.descriptor)
 
