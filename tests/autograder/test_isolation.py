@@ -40,17 +40,22 @@ OUTCOMES = {
 }
 
 
-# An ipykernel starts for seconds: one answer of each outcome.
+# An ipykernel starts for seconds: one answer of each outcome, bench_both_kernels.py asks all of them.
 @pytest.mark.parametrize(
     ("kernel", "names"), [("fast", OUTCOMES), ("ipykernel", ["works once", "begins late", "ends later"])]
 )
 def test_what_one_check_leaves_behind_neither_costs_nor_helps_another(key, right, kernel, names):
+    assert outcomes_of(names, key, right, kernel) == {name: OUTCOMES[name] for name in names}
+
+
+def outcomes_of(names, key, right, kernel):
+    """{name: outcomes of the cases of `mean`} of some of ANSWERS."""
     submissions = [(name, LESSON, right | {"attacked-mean": ANSWERS[name]}) for name in names]
     outcomes = {}
     for result in autograde(submissions, key, kernel=kernel, workers=2, limits=SHORT):
         (mean,) = [exercise for exercise in result.exercises if exercise.id == "attacked-mean"]
         outcomes[result.name] = [case.outcome for case in mean.cases]
-    assert outcomes == {name: OUTCOMES[name] for name in names}
+    return outcomes
 
 
 @contextlib.contextmanager
@@ -84,6 +89,22 @@ def test_checks_share_a_kernel_as_long_as_they_pass(key, right):
     assert kernels_for(key, ANSWERS["works once"], names) == (3, [True] * 3)
     late = f"def mean(values):\n    return {MEAN} if len(values) > 5 else 0.0"
     assert kernels_for(key, late, names) == (3, [False, True, False])
+
+
+def test_once_a_case_has_failed_a_kernel_waits_for_the_next_one(key, right):
+    with exercise_run_of(key) as (exercise_run, given, [(first, check), (second, _)]):
+        exercise_run.run(first, [*given, right["attacked-mean"]], check)
+        assert exercise_run._requests_after(first) == []
+        exercise_run.close()
+        exercise_run.run(first, [*given, "def mean(values):\n    return 0.0"], check)
+        (request,) = exercise_run._requests_after(first)
+        assert exercise_run._requests_after(second) == []
+        kernels = exercise_run._kernel_factory
+        kernels.start((), 1.0, [request]).stop()
+        fork_count = kernels._fork_server._fork_count
+        kernel = kernels.start(*request)
+        assert (kernel.run("1").ended, kernels._fork_server._fork_count) == ("", fork_count)
+        kernel.stop()
 
 
 def test_a_case_is_compared_once_and_nbval_reads_that_verdict(key, right, monkeypatch):

@@ -1,6 +1,7 @@
 """Grade every sample answer of tests/autograder/test_pool.py with the forked kernel and with Jupyter's own.
 
-The results must be equal. The test suite does the same with some of them: an ipykernel starts in seconds.
+The results must be equal. Then both grade the answers of tests/autograder/test_isolation.py, of which a check
+leaves something behind. The test suite does the same with some of them: an ipykernel starts in seconds.
 
     .venv/bin/python tests/benchmarks/bench_both_kernels.py
 """
@@ -12,7 +13,8 @@ from pathlib import Path
 
 sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "autograder"))
 
-from attacks import MASTERS, SEED
+from attacks import MASTERS, RIGHT, SEED
+from test_isolation import OUTCOMES, outcomes_of
 from test_pool import PATIENT, SAMPLES, doubles, submissions_of
 
 from imgproc_course.autograder.make_answer_key import make_key
@@ -29,9 +31,15 @@ def main():
             results = autograde(submissions_of({}, names), key, kernel=kernel, workers=2, limits=PATIENT)
             graded[kernel] = {result.name: doubles(result) for result in results}
             print(f"{kernel}: {len(names)} answers in {time.monotonic() - begun:.0f} s")
+        left = {kernel: outcomes_of(OUTCOMES, key, RIGHT, kernel) for kernel in graded}
     differing = [name for name in names if graded["fast"][name] != graded["ipykernel"][name]]
     print(f"equal results: {len(names) - len(differing)} of {len(names)} {differing or ''}")
-    raise SystemExit(1 if differing else 0)
+    unlike = [
+        f"{kernel}: {name}" for kernel in left for name in OUTCOMES if left[kernel][name] != OUTCOMES[name]
+    ]
+    count = len(left) * len(OUTCOMES)
+    print(f"neither costs nor helps another check: {count - len(unlike)} of {count} {unlike or ''}")
+    raise SystemExit(1 if differing or unlike else 0)
 
 
 if __name__ == "__main__":
