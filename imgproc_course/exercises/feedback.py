@@ -332,7 +332,7 @@ def _table(rows):
         for row in rows
     )
     table = f'<table style="border-collapse: collapse; margin: 2px 0 4px">{"".join(lines)}</table>'
-    return f'<div style="overflow-x: auto">{table}</div>'
+    return f'<div style="overflow-x: auto" tabindex="0">{table}</div>'
 
 
 def _figures(result, call):

@@ -47,7 +47,7 @@ class Help:
     def _repr_html_(self):
         body = f'<div style="font-weight: 600">{html.escape(self.heading)}</div>{_paragraphs(self.text)}'
         if self.code:
-            body += f'<pre style="{_CODE}">{html.escape(self.code)}</pre>'
+            body += f'<pre style="{_CODE}" tabindex="0">{html.escape(self.code)}</pre>'
         return f'<div style="{_FRAME}">{body}{_paragraphs(self.more)}</div>'
 
 

@@ -241,6 +241,7 @@ def test_an_answer_of_two_arrays_is_two_tables(write_master):
         "Points"
     ) in text.replace("    Hint: Widen.\n", "")  # no tables of the part that is right
     html = check("test-double", swapped)._repr_html_()
+    assert html.count("overflow-x: auto") == html.count('tabindex="0"') > 0  # the keyboard scrolls a table
     assert html.count("<table") == 3 and html.count("font-weight: 700") == 8
     assert all("white-space: nowrap" in cell for cell in re.findall("<td[^>]*>", html))
 
