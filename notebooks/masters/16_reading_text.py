@@ -1193,7 +1193,7 @@ network_errors = {
         "qqpqqqqrqqrqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqqq",
     "enlarged, ROOM 204":
         "888888888888888888888888888888888887888888888"
-        "888888880483824888888888588888821481000000000",
+        "888888880483824888888888888588821481000000000",
 }
 distances = {name: [int(digit, 36) for digit in digits]
              for name, digits in network_errors.items()}
