@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 
 import rclpy
-from rclpy.executors import ExternalShutdownException
+from rclpy.signals import SignalHandlerOptions
 
 from imgproc_course.authoring.masters import read_master
 from imgproc_course.ros import dds_profile  # chooses the profile, before the first node
@@ -33,12 +33,12 @@ def lesson_definitions(lesson, **names):
 def spin(make_node, is_over, result):
     """Spins a node until is_over(node) or Ctrl-C, and prints result(node)."""
     print(dds_profile(), file=sys.stderr)
-    rclpy.init()
+    rclpy.init(signal_handler_options=SignalHandlerOptions.NO)  # Ctrl-C must not end it while it publishes
     node = make_node()
     try:
         while rclpy.ok() and not is_over(node):
             rclpy.spin_once(node, timeout_sec=1.0)
-    except (KeyboardInterrupt, ExternalShutdownException):
+    except KeyboardInterrupt:
         pass
     finally:
         print(result(node), flush=True)
