@@ -1,6 +1,7 @@
 """What the programs of this folder share: a node as a lesson defines it, and the loop that spins a node."""
 
 import ast
+import signal
 import sys
 from pathlib import Path
 
@@ -33,13 +34,14 @@ def lesson_definitions(lesson, **names):
 def spin(make_node, is_over, result):
     """Spins a node until is_over(node) or Ctrl-C, and prints result(node)."""
     print(dds_profile(), file=sys.stderr)
-    rclpy.init(signal_handler_options=SignalHandlerOptions.NO)  # Ctrl-C must not end it while it publishes
+    # An exception, or the end of the context, may come in the middle of a callback: Ctrl-C sets a flag.
+    interrupts = []
+    rclpy.init(signal_handler_options=SignalHandlerOptions.NO)
+    signal.signal(signal.SIGINT, lambda *_: interrupts.append(True))
     node = make_node()
     try:
-        while rclpy.ok() and not is_over(node):
+        while not interrupts and not is_over(node):
             rclpy.spin_once(node, timeout_sec=1.0)
-    except KeyboardInterrupt:
-        pass
     finally:
         print(result(node), flush=True)
         node.destroy_node()
