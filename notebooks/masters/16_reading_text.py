@@ -1728,7 +1728,7 @@ assert round(5.5934 - recording.pose("camera", 89)[0]) == 3
 # | edit distance | one number | int | 0 to the longer length | steps |
 # | scores of the network | (T, 18710) | float32 | 0 to 1 | |
 #
-# This is the last lesson for now. The robot drives, keeps its distance, follows a ball, knows its place, draws a map and reads. Which two of these would you join in a node of your own? Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+# **Next:** [[recognising_objects]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
 
 # %%
 # Check: the numbers in the table

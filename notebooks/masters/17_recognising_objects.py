@@ -1,0 +1,1469 @@
+# ---
+# jupyter:
+#   imgproc_course:
+#     title: Recognising objects
+#     minutes: 60
+# ---
+
+# %% [markdown]
+# # Recognising objects
+#
+# A robot that is told "go to the chair" must know which of the things before it is a chair. In this lesson you describe a thing by the directions of its edges, and teach the robot twelve kinds of things with examples. Then you find one certain thing again, from another place. And you learn how a score can look excellent and be wrong.
+#
+# **You will be able to**
+# - compute the histogram of oriented gradients of a cell (HOG),
+# - classify by the nearest mean, and by a linear classifier,
+# - read and compute a confusion matrix,
+# - divide data into training and test without leakage,
+# - find a known thing by keypoints, a homography and RANSAC.
+#
+# **Time** about 60 minutes, with a pause after section 4. **You need** [[canny_stages]], [[obstacles_ahead]] and [[where_am_i]]. Only the last part of section 8 needs ROS 2.
+
+# %% role="given" exercise=["objects-cell", "objects-mean", "objects-confusion", "objects-inliers"]
+import numpy as np
+
+# %% role="given" exercise=["objects-inliers"]
+from imgproc_course.geometry import homography
+
+# %% tags=["long"]
+import time
+
+import cv2
+from matplotlib.figure import Figure
+from skimage.feature import hog
+from sklearn.linear_model import RidgeClassifier
+
+from imgproc_course.display import show, show_figure
+from imgproc_course.exercises import check, compare_guess, hint, solution
+from imgproc_course.geometry import CameraModel, Pose
+from imgproc_course.recording import open_recording
+from imgproc_course.ros import Robot, RosSession, open_camera, ros_available
+from imgproc_course.simulation import Simulation
+
+recording = open_recording("drive")
+
+# %%
+# The captions and alt texts of the figures
+figure_texts = {
+    "crops": (
+        "One crop of each class, from the first half of the drive. Each has 64 × 64 pixels.",
+        "Twelve small square images: door, sofa, table, chair, box, ball, shelf, sign, marker, plant, person, toy.",
+    ),
+    "cells": (
+        "The chair, and the histograms of its 8 × 8 cells. Each line shows one bin: it lies along the edge, and is bright if the bin is large.",
+        "On the left a gray image of a chair; on the right small stars of lines that follow its legs and its back.",
+    ),
+    "confusion": (
+        "The confusion matrix of the test crops. The numbers on the diagonal are right; all others are errors.",
+        "A table of twelve rows and columns with numbers; most of them are on the diagonal, dark ones in other places.",
+    ),
+    "scores": (
+        "The same two classifiers, tested in four ways. The line shows what guessing gives.",
+        "Pairs of bars for HOG and colours: both are high for random crops, lower for the second half; in the evening the bar of colours is down at the line.",
+    ),
+    "evening": (
+        "The same view in the recorded drive, and in the room in the evening.",
+        "Two images of the living room from the same place: one in daylight, one dark, in warm light.",
+    ),
+    "matches": (
+        "Frame 30. Green points are inliers of the best homography, red ones are wrong matches. The green frame is the marker in the place that the homography gives.",
+        "The living room with a small green quadrilateral around the marker, green points inside it, and some red points far away.",
+    ),
+    "live": (
+        "The last image that the node looked at, with its labels.",
+        "The living room with boxes around some things, and a word above each box.",
+    ),
+}
+
+# %% [markdown]
+# ## 1 · Twelve classes (4 minutes)
+#
+# A *[[term:object class|class]]* is a kind of thing: chair, ball, person. *[[term:classification|To classify]]* means to say the class of an image. The recorded drive has a [[term:label image]] for each frame, so we know the right answers. We cut out the largest component of each class, with a margin of 10 %, and bring it to 64 × 64 pixels. Such a part of an image is a [[term:crop]].
+
+# %%
+CLASSES = {3: "door", 5: "sofa", 6: "table", 7: "chair", 8: "box", 9: "ball",
+           10: "shelf", 12: "sign", 13: "marker", 15: "plant", 16: "person", 17: "toy"}
+thing_names = list(CLASSES.values())
+
+
+def cut_out(frame, left, top, width, height):
+    """The crop of a box with a margin: (64, 64, 3) uint8."""
+    margin = max(width, height) // 10
+    part = frame[max(top - margin, 0):top + height + margin,
+                 max(left - margin, 0):left + width + margin]
+    return cv2.resize(part, (64, 64), interpolation=cv2.INTER_AREA)
+
+# %%
+def crops_of(frame, labels):
+    """The crops of a frame, and the class of each: 0 for a door, 1 for a sofa, ..."""
+    crops, classes = [], []
+    for place, number in enumerate(CLASSES):
+        mask = (labels == number).astype(np.uint8)
+        boxes = cv2.connectedComponentsWithStats(mask)[2][1:]  # without the background
+        if len(boxes) and boxes[:, 4].max() >= 400:
+            box = boxes[boxes[:, 4].argmax()]
+            crops.append(cut_out(frame, *box[:4].tolist()))
+            classes.append(place)
+    return crops, classes
+
+# %% [markdown]
+# We learn from the first half of the drive (every third of the frames 0 to 44), and test with its end (every third of the frames 60 to 89). What the classifier learns from is called *[[term:training data]]*; what it is tested with, *[[term:test data]]*.
+
+# %%
+def crops_of_frames(numbers):
+    crops, classes = [], []
+    for k in numbers:
+        more_crops, more_classes = crops_of(recording.frame(k), recording.labels(k))
+        crops += more_crops
+        classes += more_classes
+    return crops, np.array(classes)
+
+
+train_crops, train_classes = crops_of_frames(range(0, 45, 3))
+test_crops, test_classes = crops_of_frames(range(60, 90, 3))
+print(len(train_crops), "crops to learn from,", len(test_crops), "to test")
+
+# %%
+first_crops = [train_crops[list(train_classes).index(place)] for place in range(12)]
+show(first_crops, thing_names, columns=6, text=figure_texts["crops"])
+
+# %%
+# Check: the numbers in this section
+assert len(train_crops) == 180 and len(test_crops) == 102 and set(test_classes.tolist()) == set(range(12))
+assert train_crops[0].shape == (64, 64, 3) and train_crops[0].dtype == np.uint8
+
+# %% [markdown]
+# ## 2 · The directions of the edges (14 minutes)
+#
+# Two chairs in different light have different gray levels, but their edges run in the same directions. So we describe a crop by its gradients (you know them from [[canny_stages]]). For each pixel: the pixel to the right minus the pixel to the left, and the pixel below minus the pixel above. A small example, with a bright part on the right:
+
+# %%
+small = np.array([[10, 10, 10, 50],
+                  [10, 10, 50, 50],
+                  [10, 10, 50, 50],
+                  [10, 10, 50, 90]])
+grad_row = np.zeros((4, 4))
+grad_col = np.zeros((4, 4))
+grad_row[1:-1] = small[2:] - small[:-2]
+grad_col[:, 1:-1] = small[:, 2:] - small[:, :-2]
+print(grad_row)
+print(grad_col)
+
+# %% [markdown]
+# The *orientation* of a gradient is its angle, from 0 up to 180 degrees: a step from dark to bright and a step from bright to dark have the same one. `np.arctan2(grad_row, grad_col)` gives the angle in radians, from −π to π; we make degrees of it, and `% 180` brings it into 0 to 180.
+#
+# **Predict** the orientation of a gradient with 0 along the row and −40 along the column (a step from dark below to bright above).
+
+# %% role="predict"
+guess_angle = None  # your guess: how many degrees?
+
+# %%
+angle = np.degrees(np.arctan2(-40.0, 0.0))
+print("angle:", angle)
+compare_guess(guess_angle, angle % 180, "degrees")
+
+# %% [markdown]
+# Nine *bins* of 20 degrees each: bin 0 is from 0 up to 20, bin 1 from 20 up to 40, and so on. Each pixel adds its magnitude to the bin of its orientation. For three pixels:
+
+# %%
+three_rows = np.array([0.0, 30, -40])
+three_cols = np.array([-50.0, 40, 0])
+angles = np.degrees(np.arctan2(three_rows, three_cols)) % 180
+magnitudes = np.hypot(three_rows, three_cols)  # the L2 norm
+bins = (angles // 20).astype(int)
+histogram = np.zeros(9)
+for i in range(3):
+    histogram[bins[i]] += magnitudes[i]
+print(angles.round(1), magnitudes, bins)
+print(histogram / 3)  # the mean of the three pixels
+
+# %%
+# Check: the numbers in this section
+assert angle % 180 == 90 and bins.tolist() == [0, 1, 4] and magnitudes.round(9).tolist() == [50, 50, 40]
+assert grad_row[1].tolist() == [0, 0, 40, 0] and grad_col[1].tolist() == [0, 40, 40, 0]
+
+# %% [markdown]
+# ### Your turn: the histogram of a cell
+#
+# Write `cell_histogram(grad_row, grad_col)`.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `grad_row`, `grad_col`: the gradients of the pixels of one cell, both (H, W) float | (9,) float: for each bin of 20 degrees, the sum of the magnitudes (L2 norm) of its pixels, divided by the number of all pixels of the cell | `cell_histogram(np.array([[0.0, 30, -40]]), np.array([[-50.0, 40, 0]]))` returns about `[16.67, 16.67, 0, 0, 13.33, 0, 0, 0, 0]` |
+
+# %% role="exercise"
+exercise(
+    "objects-cell",
+    title="The histogram of a cell",
+    function="cell_histogram",
+    tolerance=1e-6,
+    hint="Orientation in degrees, % 180, // 20 is the bin; add the magnitude np.hypot(grad_row, grad_col) to it; divide by the number of pixels.",
+    hints=(
+        "Which two numbers do you need of each pixel, and which of them says where you add the other one?",
+        "1. The orientation of each pixel: arctan2, in degrees, % 180.\n"
+        "2. The bin of each pixel: the orientation // 20, as a whole number.\n"
+        "3. The magnitude of each pixel.\n"
+        "4. Begin with nine zeros. Go through all pixels, and add the magnitude to the bin.\n"
+        "5. Divide by the number of pixels.",
+        "angles = np.degrees(np.arctan2(grad_row, grad_col)) % ...\nbins = (angles // 20).astype(int)\n"
+        "magnitudes = np.hypot(...)\nhistogram = np.zeros(9)\n"
+        "for i, magnitude in zip(bins.ravel(), magnitudes.ravel()):\n    histogram[i] += ...\n"
+        "return histogram / grad_row.size",
+    ),
+    explanation="ravel() makes a row of all pixels, so one loop is enough. A strong edge counts more than a weak one, because it"
+    " adds its magnitude. Where the gray levels do not change, the magnitude is 0, and the orientation does not matter.",
+    another_way="Without a loop: np.bincount(bins.ravel(), weights=magnitudes.ravel(), minlength=9) / grad_row.size.",
+)
+
+
+def folded(degrees, period=180.0):
+    return degrees % period
+
+
+def orientations(grad_row, grad_col):
+    return folded(np.degrees(np.arctan2(grad_row, grad_col)))
+
+
+def histogram_of(angles, magnitudes, width=20.0, count=9):
+    bins = np.floor(angles / width).astype(int) % count
+    return np.bincount(bins.ravel(), weights=magnitudes.ravel(), minlength=count) / angles.size
+
+
+def gradients(rng, rows=4, cols=4):
+    """Whole numbers in all four quadrants, some flat pixels, and steps along one axis only."""
+    grad_row = rng.integers(-60, 61, (rows, cols)).astype(float)
+    grad_col = rng.integers(-60, 61, (rows, cols)).astype(float)
+    grad_row[0, 0], grad_col[0, 0] = 0.0, -rng.integers(20, 60)
+    grad_row[0, 1], grad_col[0, 1] = 0.0, rng.integers(20, 60)
+    grad_row[0, 2], grad_col[0, 2] = -rng.integers(20, 60), 0.0
+    grad_row[1, 0], grad_col[1, 0] = 0.0, 0.0
+    grad_row[1, 1], grad_col[1, 1] = -31.0, -rng.integers(40, 80)
+    grad_row[1, 2], grad_col[1, 2] = 33.0, -rng.integers(12, 30)
+    return grad_row, grad_col
+
+
+# %% role="answer"
+def cell_histogram(grad_row, grad_col):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def cell_histogram(grad_row, grad_col):
+    angles = np.degrees(np.arctan2(grad_row, grad_col)) % 180
+    bins = (angles // 20).astype(int)
+    magnitudes = np.hypot(grad_row, grad_col)
+    histogram = np.zeros(9)
+    for i, magnitude in zip(bins.ravel(), magnitudes.ravel(), strict=True):
+        histogram[i] += magnitude
+    return histogram / grad_row.size
+
+
+# %% role="check"
+check("objects-cell", cell_histogram)
+
+
+# %% role="case" title="a small cell" points=1
+def inputs(rng):
+    return [gradients(rng), gradients(rng, 3, 5)]
+
+
+# %% role="case" title="dark to bright, and bright to dark" points=1 hint="A gradient and its negative have the same orientation: use % 180."
+def inputs(rng):
+    grad_row, grad_col = gradients(rng)
+    return [(grad_row, grad_col), (-grad_row, -grad_col)]
+
+
+# %% role="hidden" title="any cell" points=1 hint="Is the orientation in degrees from 0 to 180, and does each pixel add its magnitude?"
+def inputs(rng):
+    return [gradients(rng, 8, 8), gradients(rng, 6, 7)]
+
+
+# %% role="mistake" name="pixels counted" says="You count the pixels of each bin. Add the magnitude of each pixel, so that a strong edge counts more than a weak one."
+def cell_histogram(grad_row, grad_col):
+    return histogram_of(orientations(grad_row, grad_col), np.ones_like(grad_row))
+
+
+# %% role="mistake" name="row and column exchanged" says="The gradients are exchanged: arctan2 takes the gradient along the row axis first, np.arctan2(grad_row, grad_col)."
+def cell_histogram(grad_row, grad_col):
+    return solution(grad_col, grad_row)
+
+
+# %% role="mistake" name="not divided" says="Divide the sums by the number of pixels of the cell: grad_row.size."
+def cell_histogram(grad_row, grad_col):
+    return solution(grad_row, grad_col) * grad_row.size
+
+
+# %% role="mistake" name="L1 norm" says="You added the L1 norm, |grad_row| + |grad_col|. The magnitude is the L2 norm here: np.hypot(grad_row, grad_col)."
+def cell_histogram(grad_row, grad_col):
+    return histogram_of(orientations(grad_row, grad_col), abs(grad_row) + abs(grad_col))
+
+
+# %% role="mistake" name="squared magnitude" says="You added the square of the magnitude. Take the square root of the sum of squares: np.hypot."
+def cell_histogram(grad_row, grad_col):
+    return histogram_of(orientations(grad_row, grad_col), grad_row**2 + grad_col**2)
+
+
+# %% role="mistake" name="radians" says="Your angles are in radians, so all are in bin 0. Make degrees of them: np.degrees(...)."
+def cell_histogram(grad_row, grad_col):
+    return histogram_of(np.arctan2(grad_row, grad_col) % 180, np.hypot(grad_row, grad_col))
+
+
+# %% role="mistake" name="radians, signed" says="Your angles are in radians: make degrees of them with np.degrees(...), and then use % 180."
+def cell_histogram(grad_row, grad_col):
+    return histogram_of(np.arctan2(grad_row, grad_col), np.hypot(grad_row, grad_col))
+
+
+# %% role="mistake" name="absolute angle" says="You took the absolute value of the angle, so -30 became 30. Its orientation is 150: use % 180."
+def cell_histogram(grad_row, grad_col):
+    angles = abs(np.degrees(np.arctan2(grad_row, grad_col))) % 180
+    return histogram_of(angles, np.hypot(grad_row, grad_col))
+
+
+# %% role="mistake" name="all the way round" says="Your bins go from 0 to 360 degrees, with 40 degrees each. An orientation is from 0 to 180: use % 180, and bins of 20 degrees."
+def cell_histogram(grad_row, grad_col):
+    angles = np.degrees(np.arctan2(grad_row, grad_col)) % 360
+    return histogram_of(angles, np.hypot(grad_row, grad_col), width=40.0)
+
+
+# %% role="mistake" name="negative angles left out" says="Pixels with a negative angle are missing. Bring all angles into 0 to 180 with % 180."
+def cell_histogram(grad_row, grad_col):
+    angles = np.degrees(np.arctan2(grad_row, grad_col))
+    return histogram_of(np.abs(angles), np.where((angles >= 0) & (angles < 180), np.hypot(grad_row, grad_col), 0.0))
+
+
+# %% role="mistake" name="nearest bin" says="You rounded to the nearest bin. Bin 0 is from 0 up to 20 degrees: use // 20, which rounds down."
+def cell_histogram(grad_row, grad_col):
+    angles = orientations(grad_row, grad_col)
+    return histogram_of(np.round(angles / 20) * 20.0, np.hypot(grad_row, grad_col))
+
+
+# %% role="mistake" name="eight bins" says="You have eight bins. Nine bins of 20 degrees make 180."
+def cell_histogram(grad_row, grad_col):
+    return histogram_of(orientations(grad_row, grad_col), np.hypot(grad_row, grad_col), 22.5, 8)
+
+
+# %% role="mistake" name="bins of 22.5 degrees" says="Your bins have 22.5 degrees, so the last one stays empty. Nine bins have 20 degrees each: // 20."
+def cell_histogram(grad_row, grad_col):
+    return histogram_of(orientations(grad_row, grad_col), np.hypot(grad_row, grad_col), 22.5, 9)
+
+
+# %% role="mistake" name="bins of 10 degrees" says="Your bins do not have 20 degrees: 180 degrees divided by nine bins is 20."
+def cell_histogram(grad_row, grad_col):
+    return histogram_of(orientations(grad_row, grad_col) / 2, np.hypot(grad_row, grad_col))
+
+
+# %% role="mistake" name="mean of each bin" says="You divided each bin by the number of its own pixels. Divide all by the number of pixels of the whole cell."
+def cell_histogram(grad_row, grad_col):
+    counts = np.round(histogram_of(orientations(grad_row, grad_col), np.ones_like(grad_row)) * grad_row.size)
+    return solution(grad_row, grad_col) * grad_row.size / np.maximum(counts, 1)
+
+
+# %% role="mistake" name="sum is 1" says="You divided by the sum of the histogram. Divide by the number of pixels: the light is removed later, for a whole block."
+def cell_histogram(grad_row, grad_col):
+    histogram = solution(grad_row, grad_col)
+    return histogram / histogram.sum()
+
+
+# %% role="mistake" name="length 1" says="You divided by the length of the histogram. Divide by the number of pixels: the light is removed later, for a whole block."
+def cell_histogram(grad_row, grad_col):
+    histogram = solution(grad_row, grad_col)
+    return histogram / np.sqrt((histogram * histogram).sum())
+
+
+# %% role="mistake" name="largest magnitude" says="Each of your bins has the largest magnitude of its pixels, or the last one: you write with =. Add them with +=."
+def cell_histogram(grad_row, grad_col):
+    bins, magnitudes = (orientations(grad_row, grad_col) // 20).astype(int).ravel(), np.hypot(grad_row, grad_col).ravel()
+    return np.array([magnitudes[bins == i].max(initial=0.0) for i in range(9)]) / grad_row.size
+
+
+# %% role="mistake" name="last magnitude" says="Each of your bins has only the magnitude of its last pixel. histogram[i] = ... overwrites; histogram[bins] += ... with an array of bins also counts each bin once. Add pixel by pixel in a loop, or use np.bincount."
+def cell_histogram(grad_row, grad_col):
+    histogram = np.zeros(9)
+    histogram[(orientations(grad_row, grad_col) // 20).astype(int).ravel()] = np.hypot(grad_row, grad_col).ravel()
+    return histogram / grad_row.size
+
+
+# %% role="mistake" name="divided by the rows" says="You divided by the number of rows. Divide by the number of all pixels: grad_row.size."
+def cell_histogram(grad_row, grad_col):
+    return solution(grad_row, grad_col) * grad_row.size / len(grad_row)
+
+
+# %% role="mistake" name="divided by nine" says="You divided by the number of bins. Divide by the number of pixels of the cell: grad_row.size."
+def cell_histogram(grad_row, grad_col):
+    return solution(grad_row, grad_col) * grad_row.size / 9
+
+
+# %% role="mistake" name="the largest bin" says="You return only the number of the largest bin. Return the whole histogram, nine numbers."
+def cell_histogram(grad_row, grad_col):
+    return int(solution(grad_row, grad_col).argmax())
+
+
+# %% role="mistake" name="backwards" says="Your bins are in the opposite order: the rows count downwards here, so do not change the sign of a gradient."
+def cell_histogram(grad_row, grad_col):
+    return solution(-grad_row, grad_col)
+
+
+# %% role="mistake" name="bins moved" says="Your bins are moved by one: bin 0 is from 0 up to 20 degrees. Use the orientation // 20, without + 1 or - 1."
+def cell_histogram(grad_row, grad_col):
+    return np.roll(solution(grad_row, grad_col), 1)
+
+
+# %% role="mistake" name="zeros" says="Your histogram is full of zeros. Does the loop add the magnitudes to it?"
+def cell_histogram(grad_row, grad_col):
+    return np.zeros(9)
+
+
+# %% [markdown]
+# A crop has 8 × 8 cells of 8 × 8 pixels. In bright light all gradients are larger. So four neighbouring cells make a **block**, and the 36 numbers of a block are divided by their length. One strong edge must not hide all others: what is larger than 0.2 becomes 0.2, and the block is divided by its length again. For a block of four numbers:
+
+# %%
+def normalized(block):
+    return block / np.sqrt((block * block).sum() + 1e-10)  # no division by 0
+
+
+block = np.array([3.0, 0, 4, 0])
+once = normalized(block)
+print(once.round(2), np.minimum(once, 0.2).round(2), normalized(np.minimum(once, 0.2)).round(2))
+
+# %% [markdown]
+# All blocks together are the *[[term:histogram of oriented gradients]]*, HOG. Blocks overlap: the next one begins one cell farther. **Predict** of how many numbers the HOG of a crop consists (64 cells, 2 × 2 cells in a block, 9 bins in a cell).
+
+# %% role="predict"
+guess_numbers = None  # your guess: how many numbers?
+
+# %%
+def gray_of(crop):
+    return cv2.cvtColor(crop, cv2.COLOR_BGR2GRAY)
+
+
+def hog_of(crop):
+    """The histogram of oriented gradients of a crop, (1764,) float."""
+    return hog(gray_of(crop), orientations=9, pixels_per_cell=(8, 8),
+               cells_per_block=(2, 2), block_norm="L2-Hys")
+
+
+features = hog_of(first_crops[3])
+print(features.shape, features.dtype, "range", features.min().round(2), "to", features.max().round(2))
+compare_guess(guess_numbers, len(features), "numbers")
+
+# %% [markdown]
+# There are 7 × 7 blocks with 36 numbers. The function is scikit-image's `hog`; OpenCV's `HOGDescriptor` divides each magnitude between two bins and several cells, so its numbers are a little different. A list of numbers that describes an image is called a *[[term:feature vector]]*.
+
+# %% tags=["nbval-ignore-output"]
+chair = first_crops[3]
+_, stars = hog(gray_of(chair), orientations=9, pixels_per_cell=(8, 8),
+               cells_per_block=(2, 2), block_norm="L2-Hys", visualize=True)
+stars = np.clip(stars * 255 / np.percentile(stars, 99), 0, 255).round().astype(np.uint8)
+show([cv2.resize(gray_of(chair), (320, 320), interpolation=cv2.INTER_NEAREST),
+      cv2.resize(stars, (320, 320), interpolation=cv2.INTER_NEAREST)],
+     ["chair", "histograms of its cells"], text=figure_texts["cells"])
+
+# %%
+# Check: the numbers in this section
+assert len(features) == 1764 == 7 * 7 * 36 and features.min() >= 0 and features.max() <= 1
+assert once.round(9).tolist() == [0.6, 0, 0.8, 0] and stars.shape == (64, 64)
+scaled = hog(gray_of(chair).astype(float) * 0.5, 9, (8, 8), (2, 2), "L2-Hys")
+assert abs(scaled - features).max() < 1e-3  # half the light, the same features
+
+# %% [markdown]
+# ## 3 · The nearest mean (9 minutes)
+#
+# The simplest classifier: take the **mean** of the feature vectors of each class. A new vector belongs to the class whose mean is nearest. With two numbers for each thing:
+
+# %%
+vectors = np.array([[1.0, 1], [3, 1], [6, 8], [8, 6], [7, 7]])
+classes = np.array([3, 3, 5, 5, 5])
+new = np.array([[4.0, 3]])
+for number in np.unique(classes):  # 3 and 5
+    mean = vectors[classes == number].mean(axis=0)
+    distance = np.sqrt(((new[0] - mean) ** 2).sum())
+    print("class", number, "mean", mean, "distance", distance.round(2))
+
+# %% [markdown]
+# The new thing has class 3. For many new things at once, `new[:, None] - means` subtracts each mean from each new vector. Its shape is (new, classes, numbers). **Predict** the shape of the distances of 102 crops with 1764 numbers each to 12 means: how many distances are there?
+
+# %% role="predict"
+guess_distances = None  # your guess: how many distances?
+
+# %%
+train = np.array([hog_of(crop) for crop in train_crops])
+test = np.array([hog_of(crop) for crop in test_crops])
+means = np.array([train[train_classes == place].mean(axis=0) for place in range(12)])
+distances = np.sqrt(((test[:, None] - means) ** 2).sum(axis=2))
+print(train.shape, test.shape, means.shape, distances.shape)
+compare_guess(guess_distances, distances.size)
+
+# %%
+# Check: the numbers in this section
+assert distances.shape == (102, 12) and np.hypot(2, 2).round(2) == 2.83 and np.hypot(3, 4) == 5
+
+# %% [markdown]
+# ### Your turn: the nearest mean
+#
+# Write `nearest_mean(vectors, classes, new)`.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `vectors`: (N, D) float; `classes`: (N,) whole numbers, the class of each vector, in any order, not always 0, 1, 2; `new`: (M, D) float | (M,) whole numbers: for each new vector, the class whose mean has the smallest Euclidean distance to it | `nearest_mean(vectors, classes, new)` returns `[3]` |
+
+# %% role="exercise"
+exercise(
+    "objects-mean",
+    title="The nearest mean",
+    function="nearest_mean",
+    hint="One mean for each number in np.unique(classes); all distances; argmin gives positions, and the classes are at these positions.",
+    hints=(
+        "Of which rows of vectors do you take a mean, and what does the position of the smallest distance say?",
+        "1. The different classes: np.unique(classes).\n"
+        "2. For each of them the mean of its vectors, with axis=0.\n"
+        "3. The distances of each new vector to each mean: (M, number of classes).\n"
+        "4. The position of the smallest distance in each row.\n"
+        "5. The class at this position.",
+        "numbers = np.unique(classes)\nmeans = np.array([vectors[classes == number].mean(axis=...) for number in numbers])\n"
+        "distances = ((new[:, None] - ...) ** 2).sum(axis=2)\nreturn numbers[distances.argmin(axis=...)]",
+    ),
+    explanation="The square root is left out: the smallest square belongs to the smallest distance. argmin gives a position in"
+    " numbers, and not a class.",
+    another_way="A loop over new is also right: for each vector a list of its distances, and numbers[np.argmin(list)].",
+)
+
+
+def means_of(vectors, classes, statistic=np.mean):
+    numbers = np.unique(classes)
+    return numbers, np.array([statistic(vectors[classes == number], axis=0) for number in numbers])
+
+
+def nearest(numbers, means, new, power=2):
+    return numbers[(abs(new[:, None] - means) ** power).sum(axis=2).argmin(axis=1)]
+
+
+def groups(rng, numbers, size=4, columns=3, many=16):
+    """Vectors of some classes with different spread, and new ones that are clearly nearest to one mean."""
+    centres = rng.permutation(np.array([[2, 2, 5], [9, 4, 1], [5, 10, 8], [12, 11, 3], [1, 9, 12]]))[:len(numbers)]
+    centres = np.pad(centres, ((0, 0), (0, columns - 3)), mode="wrap").astype(float)
+    vectors, classes = [], []
+    for i, (number, centre) in enumerate(zip(numbers, centres, strict=True)):
+        some = centre + rng.integers(-2, 3, (size + i, columns))
+        some[0] += rng.integers(5, 12, columns) * rng.choice([-1, 1], columns)  # far away: median, neighbours
+        vectors.append(some)
+        classes += [number] * len(some)
+    vectors, classes = np.concatenate(vectors), np.array(classes)
+    order = rng.permutation(len(classes))
+    vectors, classes = vectors[order], classes[order]
+    means = means_of(vectors, classes)[1]
+    new = []
+    while len(new) < many:
+        one = rng.integers(-2, 15, columns).astype(float)
+        distances = np.sort(((one - means) ** 2).sum(axis=1))
+        if distances[1] - distances[0] > 1:
+            new.append(one)
+    return vectors, classes, np.array(new)
+
+
+# %% role="answer"
+def nearest_mean(vectors, classes, new):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def nearest_mean(vectors, classes, new):
+    numbers = np.unique(classes)
+    means = np.array([vectors[classes == number].mean(axis=0) for number in numbers])
+    distances = ((new[:, None] - means) ** 2).sum(axis=2)
+    return numbers[distances.argmin(axis=1)]
+
+
+# %% role="check"
+check("objects-mean", nearest_mean)
+
+
+# %% role="case" title="three classes" points=1
+def inputs(rng):
+    return [groups(rng, (0, 1, 2)), groups(rng, (2, 3, 4), many=20)]
+
+
+# %% role="case" title="any class numbers" points=1 hint="argmin gives a position among the classes. Which class is at this position?"
+def inputs(rng):
+    return [groups(rng, (3, 7, 12, 16), many=20), groups(rng, (5, 9, 17), columns=4)]
+
+
+# %% role="hidden" title="any vectors" points=1 hint="Is it the mean of each class (axis=0), the Euclidean distance, and the class at the position of the smallest?"
+def inputs(rng):
+    return [groups(rng, (2, 6, 8, 11), columns=5, many=24), groups(rng, (1, 4, 10), 6, many=20)]
+
+
+# %% role="mistake" name="nearest neighbour" says="You take the class of the nearest single vector. Take the mean of each class first, and then the nearest mean."
+def nearest_mean(vectors, classes, new):
+    return nearest(classes, vectors, new)
+
+
+# %% role="mistake" name="the farthest" says="You take the mean that is farthest away. Take the smallest distance: argmin."
+def nearest_mean(vectors, classes, new):
+    numbers, means = means_of(vectors, classes)
+    return numbers[((new[:, None] - means) ** 2).sum(axis=2).argmax(axis=1)]
+
+
+# %% role="mistake" name="positions" says="You return positions among the classes. Return the classes at these positions: numbers[positions]."
+def nearest_mean(vectors, classes, new):
+    numbers, means = means_of(vectors, classes)
+    return nearest(np.arange(len(numbers)) if numbers[0] else np.arange(len(numbers)) + 1, means, new)
+
+
+# %% role="mistake" name="sums" says="You compare with the sum of the vectors of each class. Divide it by their number: .mean(axis=0)."
+def nearest_mean(vectors, classes, new):
+    return nearest(*means_of(vectors, classes, np.sum), new)
+
+
+# %% role="mistake" name="medians" says="You compare with the median of each class. Take the mean: .mean(axis=0)."
+def nearest_mean(vectors, classes, new):
+    return nearest(*means_of(vectors, classes, np.median), new)
+
+
+# %% role="mistake" name="absolute differences" says="You added the absolute differences. The Euclidean distance adds their squares."
+def nearest_mean(vectors, classes, new):
+    return nearest(*means_of(vectors, classes), new, power=1)
+
+
+# %% role="mistake" name="differences without squares" says="You added the differences with their signs, so they cancel out. Square them first."
+def nearest_mean(vectors, classes, new):
+    numbers, means = means_of(vectors, classes)
+    return numbers[(new[:, None] - means).sum(axis=2).argmin(axis=1)]
+
+
+# %% role="mistake" name="largest difference" says="You compare the largest difference only. The Euclidean distance adds the squares of all differences."
+def nearest_mean(vectors, classes, new):
+    numbers, means = means_of(vectors, classes)
+    return numbers[abs(new[:, None] - means).max(axis=2).argmin(axis=1)]
+
+
+# %% role="mistake" name="first number only" says="You compare only the first number of each vector. Add the squares of all differences: .sum(axis=2)."
+def nearest_mean(vectors, classes, new):
+    numbers, means = means_of(vectors, classes)
+    return nearest(numbers, means[:, :1], new[:, :1])
+
+
+# %% role="mistake" name="products" says="You take the largest sum of products. Here it is the smallest distance between the vector and the mean."
+def nearest_mean(vectors, classes, new):
+    numbers, means = means_of(vectors, classes)
+    return numbers[(new[:, None] * means).sum(axis=2).argmax(axis=1)]
+
+
+# %% role="mistake" name="first vector of a class" says="You compare with the first vector of each class. Take the mean of all its vectors."
+def nearest_mean(vectors, classes, new):
+    numbers = np.unique(classes)
+    return nearest(numbers, np.array([vectors[classes == number][0] for number in numbers]), new)
+
+
+# %% role="mistake" name="last vector of a class" says="You compare with the last vector of each class. Take the mean of all its vectors."
+def nearest_mean(vectors, classes, new):
+    numbers = np.unique(classes)
+    return nearest(numbers, np.array([vectors[classes == number][-1] for number in numbers]), new)
+
+
+# %% role="mistake" name="one new vector" says="You return the class of the first new vector only. Return one class for each new vector."
+def nearest_mean(vectors, classes, new):
+    return solution(vectors, classes, new)[:1]
+
+
+# %% role="mistake" name="in the order of first appearance" says="The means and the classes are in a different order: you list the classes as they come, but take the means in the order of np.unique. Use the same list for both."
+def nearest_mean(vectors, classes, new):
+    numbers, means = means_of(vectors, classes)
+    return nearest(np.array(list(dict.fromkeys(classes.tolist()))[::-1]), means, new)
+
+
+# %% role="mistake" name="the last class left out" says="One class is never found: the last one. Take all numbers of np.unique(classes)."
+def nearest_mean(vectors, classes, new):
+    numbers, means = means_of(vectors, classes)
+    return nearest(numbers[:-1], means[:-1], new)
+
+
+# %% role="mistake" name="the first class left out" says="One class is never found: the first one. Take all numbers of np.unique(classes)."
+def nearest_mean(vectors, classes, new):
+    numbers, means = means_of(vectors, classes)
+    return nearest(numbers[1:], means[1:], new)
+
+
+# %% role="mistake" name="distances" says="You return the smallest distances. Return the class of each new vector."
+def nearest_mean(vectors, classes, new):
+    _, means = means_of(vectors, classes)
+    return np.sqrt(((new[:, None] - means) ** 2).sum(axis=2).min(axis=1))
+
+
+# %% role="mistake" name="all distances" says="You return all distances. Take the position of the smallest one in each row, and the class at this position."
+def nearest_mean(vectors, classes, new):
+    _, means = means_of(vectors, classes)
+    return np.sqrt(((new[:, None] - means) ** 2).sum(axis=2))
+
+
+# %% role="mistake" name="means" says="You return the means. Return the class of each new vector."
+def nearest_mean(vectors, classes, new):
+    return means_of(vectors, classes)[1]
+
+
+# %% role="mistake" name="one class for all" says="You return the class that is most frequent, for each new vector. Compare each new vector with the means."
+def nearest_mean(vectors, classes, new):
+    return np.full(len(new), np.bincount(classes).argmax())
+
+
+# %% role="mistake" name="argmin over the new vectors" says="argmin went over the new vectors. Take the smallest distance of each new vector: with distances of shape (M, classes) this is argmin(axis=1)."
+def nearest_mean(vectors, classes, new):
+    _, means = means_of(vectors, classes)
+    return ((new[:, None] - means) ** 2).sum(axis=2).argmin(axis=0)
+
+
+# %% [markdown]
+# Now the real crops. The *[[term:accuracy]]* is the share of right classes. As a comparison: the same with 16 × 16 gray levels, and with the colours of the crop. The colours are a histogram of 12 hues and 6 saturations (see [[object_tracking#2]]).
+
+# %%
+def colours_of(crop):
+    """The histogram of hue and saturation, as square roots of shares: (72,) float."""
+    hsv = cv2.cvtColor(crop, cv2.COLOR_BGR2HSV)
+    counts = cv2.calcHist([hsv], [0, 1], None, [12, 6], [0, 180, 0, 256])
+    return np.sqrt(counts.ravel() / 4096)
+
+
+def pixels_of(crop):
+    small = cv2.resize(gray_of(crop), (16, 16), interpolation=cv2.INTER_AREA)
+    return small.ravel().astype(float)
+
+# %% tags=["long"]
+def by_nearest_mean(vectors, classes, new):
+    means = np.array([vectors[classes == place].mean(axis=0) for place in range(12)])
+    return ((new[:, None] - means) ** 2).sum(axis=2).argmin(axis=1)
+
+
+def vectors_of(function, crops):
+    return np.array([function(crop) for crop in crops])
+
+
+for name, function in (("gray levels", pixels_of), ("HOG", hog_of), ("colours", colours_of)):
+    predicted = by_nearest_mean(vectors_of(function, train_crops), train_classes,
+                                vectors_of(function, test_crops))
+    right = (predicted == test_classes).sum()
+    print(f"{name:12} {right:3} of {len(test_classes)} right, accuracy {right / 102:.2f}")
+
+# %%
+# Check: the accuracies of the three kinds of features
+nearest_right = [(by_nearest_mean(vectors_of(f, train_crops), train_classes, vectors_of(f, test_crops)) == test_classes).sum()
+                 for f in (pixels_of, hog_of, colours_of)]
+assert [round(right / 102, 2) for right in nearest_right] == [0.60, 0.71, 0.80]
+
+# %% [markdown]
+# Gray levels are the weakest: if the thing moves by some pixels, all of them change. Colours seem to be the best. Keep this in mind until section 6.
+#
+# ## 4 · Which class for which? (9 minutes)
+#
+# One number does not say *what* goes wrong. A *[[term:confusion matrix]]* does: its row is the true class, its column is the predicted class, and each number counts how often this happened. Five things of three classes:
+
+# %%
+small_truth = [0, 0, 1, 2, 2]
+small_predicted = [0, 1, 1, 2, 2]
+matrix = np.zeros((3, 3), int)
+for row, col in zip(small_truth, small_predicted, strict=True):
+    matrix[row, col] += 1
+print(matrix)
+
+# %% [markdown]
+# The right ones are on the diagonal: `np.trace(matrix)` adds it up. **Predict** the accuracy of this small example in percent.
+
+# %% role="predict"
+guess_accuracy = None  # your guess: how many percent?
+
+# %%
+compare_guess(guess_accuracy, round(100 * np.trace(matrix) / matrix.sum()), "%")
+
+# %%
+# Check: the numbers in this section
+assert matrix.tolist() == [[1, 1, 0], [0, 1, 0], [0, 0, 2]]
+
+# %% [markdown]
+# ### Your turn: the confusion matrix
+#
+# Write `confusion(truth, predicted, count)`.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `truth`, `predicted`: two arrays of N whole numbers from 0 to count − 1; `count`: the number of classes | (count, count) whole numbers: row i, column j counts how often the true class was i and the predicted class was j | `confusion(np.array([0, 0, 1, 2, 2]), np.array([0, 1, 1, 2, 2]), 3)` returns `[[1, 1, 0], [0, 1, 0], [0, 0, 2]]` |
+
+# %% role="exercise"
+exercise(
+    "objects-confusion",
+    title="The confusion matrix",
+    function="confusion",
+    hint="Zeros of shape (count, count); for each pair add 1 at row truth, column predicted.",
+    hints=(
+        "Which row and which column does a pair of true and predicted class belong to?",
+        "1. A matrix of zeros, count rows and count columns, of whole numbers.\n"
+        "2. Go through truth and predicted together.\n"
+        "3. Add 1 to the number in the row of the true class, and the column of the predicted one.\n"
+        "4. Return the matrix.",
+        "matrix = np.zeros((count, ...), int)\nfor row, col in zip(truth, ...):\n    matrix[row, col] += ...\nreturn matrix",
+    ),
+    explanation="The size is count, also if the last classes do not occur. Each pair adds 1, so the sum of the matrix is the"
+    " number of pairs.",
+    another_way="Without a loop: np.bincount(truth * count + predicted, minlength=count * count).reshape(count, count).",
+)
+
+
+def counted(truth, predicted, count):
+    return np.bincount(truth * count + predicted, minlength=count * count).reshape(count, count)
+
+
+def answers_of(rng, count, used, many=30):
+    """True and predicted classes; the last classes do not occur, and some pairs occur often."""
+    truth = rng.integers(0, used, many)
+    predicted = np.where(rng.random(many) < 0.5, truth, rng.integers(0, used, many))
+    truth[:6], predicted[:6] = [0, 0, 0, 1, 2, 2], [1, 1, 2, 1, 0, 2]
+    return truth, predicted, count
+
+
+# %% role="answer"
+def confusion(truth, predicted, count):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def confusion(truth, predicted, count):
+    matrix = np.zeros((count, count), int)
+    for row, col in zip(truth, predicted, strict=True):
+        matrix[row, col] += 1
+    return matrix
+
+
+# %% role="check"
+check("objects-confusion", confusion)
+
+
+# %% role="case" title="four classes" points=1
+def inputs(rng):
+    return [answers_of(rng, 4, 4), answers_of(rng, 4, 4, 20)]
+
+
+# %% role="case" title="classes that do not occur" points=1 hint="The matrix has count rows and count columns, also if a class does not occur."
+def inputs(rng):
+    return [answers_of(rng, 6, 4), answers_of(rng, 5, 3, 16)]
+
+
+# %% role="hidden" title="any classes" points=1 hint="Rows are the truth, columns are predicted; does each pair add 1?"
+def inputs(rng):
+    return [answers_of(rng, 7, 5, 60), answers_of(rng, 12, 11, 90)]
+
+
+# %% role="mistake" name="transposed" says="Rows and columns are exchanged: the row is the true class, the column is the predicted one."
+def confusion(truth, predicted, count):
+    return counted(predicted, truth, count)
+
+
+# %% role="mistake" name="each pair once" says="Each pair counts only once: matrix[truth, predicted] += 1 with arrays adds 1 only once at each place. Use a loop."
+def confusion(truth, predicted, count):
+    return np.minimum(counted(truth, predicted, count), 1)
+
+
+# %% role="mistake" name="only the right ones" says="Only the right ones are counted. The errors belong into the matrix too, beside the diagonal."
+def confusion(truth, predicted, count):
+    return np.diag(np.diag(counted(truth, predicted, count)))
+
+
+# %% role="mistake" name="only the errors" says="Only the errors are counted. The right ones belong into the matrix too, on the diagonal."
+def confusion(truth, predicted, count):
+    matrix = counted(truth, predicted, count)
+    return matrix - np.diag(np.diag(matrix))
+
+
+# %% role="mistake" name="shares of a row" says="You divided each row by its sum. Return the counts, as whole numbers."
+def confusion(truth, predicted, count):
+    matrix = counted(truth, predicted, count)
+    return matrix / np.maximum(matrix.sum(axis=1, keepdims=True), 1)
+
+
+# %% role="mistake" name="shares of a column" says="You divided each column by its sum. Return the counts, as whole numbers."
+def confusion(truth, predicted, count):
+    matrix = counted(truth, predicted, count)
+    return matrix / np.maximum(matrix.sum(axis=0, keepdims=True), 1)
+
+
+# %% role="mistake" name="shares of all" says="You divided by the number of all pairs. Return the counts, as whole numbers."
+def confusion(truth, predicted, count):
+    return counted(truth, predicted, count) / len(truth)
+
+
+# %% role="mistake" name="accuracy" says="You return the accuracy. Return the whole matrix."
+def confusion(truth, predicted, count):
+    return float((truth == predicted).mean())
+
+
+# %% role="mistake" name="how many are right" says="You return how many are right. Return the whole matrix."
+def confusion(truth, predicted, count):
+    return int((truth == predicted).sum())
+
+
+# %% role="mistake" name="the diagonal" says="You return only the diagonal. Return the whole matrix, with the errors beside it."
+def confusion(truth, predicted, count):
+    return np.diag(counted(truth, predicted, count)).copy()
+
+
+# %% role="mistake" name="symmetric" says="You add each pair at both places. Add 1 only in the row of the true class and the column of the predicted one."
+def confusion(truth, predicted, count):
+    matrix = counted(truth, predicted, count)
+    return matrix + matrix.T
+
+
+# %% role="mistake" name="the truth alone" says="You count only how often each true class occurs. The column is the predicted class: matrix[row, col] += 1."
+def confusion(truth, predicted, count):
+    return counted(truth, truth, count)
+
+
+# %% role="mistake" name="the predictions alone" says="You count only how often each class was predicted. The row is the true class: matrix[row, col] += 1."
+def confusion(truth, predicted, count):
+    return counted(predicted, predicted, count)
+
+
+# %% role="mistake" name="only classes that occur" says="Your matrix is too small: classes that do not occur have no row. Its size is count."
+def confusion(truth, predicted, count):
+    size = max(truth.max(), predicted.max()) + 1
+    return counted(truth, predicted, count)[:size, :size] if size < count else counted(truth, predicted, count)[:-1, :-1]
+
+
+# %% role="mistake" name="one too large" says="Your matrix is too large: classes begin with 0, so count rows and columns are enough."
+def confusion(truth, predicted, count):
+    return np.pad(counted(truth, predicted, count), (0, 1))
+
+
+# %% role="mistake" name="moved by one" says="Your counts are one row and one column too far: class 0 has row 0 and column 0. Leave out + 1."
+def confusion(truth, predicted, count):
+    return np.roll(counted(truth, predicted, count), (1, 1), (0, 1))
+
+
+# %% role="mistake" name="moved back by one" says="Your counts are one row and one column too early: class 0 has row 0 and column 0. Leave out - 1."
+def confusion(truth, predicted, count):
+    return np.roll(counted(truth, predicted, count), (-1, -1), (0, 1))
+
+
+# %% role="mistake" name="first pair missing" says="The first pair is missing. Go through all pairs, from position 0."
+def confusion(truth, predicted, count):
+    return counted(truth[1:], predicted[1:], count)
+
+
+# %% role="mistake" name="last pair missing" says="The last pair is missing. Go through all pairs to the end: range(len(truth))."
+def confusion(truth, predicted, count):
+    return counted(truth[:-1], predicted[:-1], count)
+
+
+# %% role="mistake" name="first pair only" says="Only the first pair is counted. Is return inside the loop? Return the matrix after it."
+def confusion(truth, predicted, count):
+    return counted(truth[:1], predicted[:1], count)
+
+
+# %% role="mistake" name="starts with ones" says="Each number is one too high. Begin with zeros: np.zeros((count, count), int)."
+def confusion(truth, predicted, count):
+    return counted(truth, predicted, count) + 1
+
+
+# %% role="mistake" name="zeros" says="Your matrix is full of zeros. Does the loop add 1 for each pair?"
+def confusion(truth, predicted, count):
+    return np.zeros((count, count), int)
+
+
+# %% role="mistake" name="class numbers added" says="You add the number of the class. Add 1 for each pair."
+def confusion(truth, predicted, count):
+    return counted(truth, predicted, count) * np.arange(count)[:, None]
+
+
+# %% [markdown]
+# ## 5 · A linear classifier (4 minutes)
+#
+# The nearest mean treats all 1764 numbers alike. A *[[term:linear classifier]]* learns which of them matter. For each class it has a list of *[[term:weight|weights]]*, one for each number of the feature vector. It multiplies, adds everything up, and adds one more number, the *bias*. The class with the largest score wins. With two numbers and three classes:
+
+# %%
+small_weights = np.array([[1.0, 0], [0, 1], [-1, -1]])
+small_bias = np.array([0.0, -1, 5])
+vector = np.array([2.0, 4])
+for i in range(3):
+    print("class", i, "score", (small_weights[i] * vector).sum() + small_bias[i])
+print("in one line:", small_weights @ vector + small_bias)
+
+# %% [markdown]
+# scikit-learn (BSD-3 licence) finds the weights: `RidgeClassifier` takes those whose scores are nearest to 1 for the right class and to −1 for all others, and keeps the weights small. It takes a few hundredths of a second.
+
+# %%
+model = RidgeClassifier(alpha=1.0).fit(train, train_classes)
+weights, bias = model.coef_, model.intercept_
+scores = test @ weights.T + bias
+predicted = scores.argmax(axis=1)
+print("weights", weights.shape, "bias", bias.shape, "scores", scores.shape)
+print((predicted == test_classes).sum(), "of", len(test_classes), "right")
+
+# %% [markdown]
+# These 12 × 1765 numbers are the whole classifier. A node needs only them, and no scikit-learn: one multiplication of a matrix.
+
+# %% tags=["long"]
+matrix = np.zeros((12, 12), int)
+for row, col in zip(test_classes, predicted, strict=True):
+    matrix[row, col] += 1
+figure = Figure(figsize=(7, 5.6), layout="constrained")
+axes = figure.subplots()
+axes.imshow(matrix, cmap="Blues")
+for row, col in np.argwhere(matrix).tolist():
+    axes.text(col, row, matrix[row, col], ha="center", va="center",
+              color="w" if matrix[row, col] > 6 else "k")
+axes.set_xticks(range(12), thing_names, rotation=60)
+axes.set_yticks(range(12), thing_names)
+axes.set(xlabel="predicted class", ylabel="true class")
+show_figure(figure, text=figure_texts["confusion"])
+
+# %%
+# Check: the numbers in this section, and that the model decides in the same way
+assert (small_weights @ vector + small_bias).tolist() == [2, 3, -1]
+assert (model.predict(test) == predicted).all() and round((predicted == test_classes).mean(), 2) == 0.78
+in_order = np.sort(scores, axis=1)
+assert (in_order[:, -1] - in_order[:, -2]).min() > 1e-4  # no decision depends on rounding
+assert weights.shape == (12, 1764) and np.trace(matrix) == (predicted == test_classes).sum()
+
+# %% [markdown]
+# ## 6 · Planned failures (6 minutes)
+#
+# **Leakage.** Many people mix all examples, and take a random part of them for the test:
+
+# %%
+def score_of(vectors, classes, new, new_classes):
+    """How many percent a linear classifier has right."""
+    predicted = RidgeClassifier(alpha=1.0).fit(vectors, classes).predict(new)
+    return round(100 * (predicted == new_classes).mean())
+
+
+def random_score(vectors, classes):
+    order = np.random.default_rng(0).permutation(len(classes))
+    first, second = order[:180], order[180:]
+    return score_of(vectors[first], classes[first], vectors[second], classes[second])
+
+# %% [markdown]
+# At the end of the drive, the linear classifier had 78 % right. **Predict** how many percent it has right, if we divide our 282 crops at random.
+
+# %% role="predict"
+guess_random = None  # your guess: how many percent?
+
+# %%
+all_classes = np.concatenate([train_classes, test_classes])
+hog_random = random_score(np.concatenate([train, test]), all_classes)
+hog_end = score_of(train, train_classes, test, test_classes)
+print("end of the drive:", hog_end, "%")
+compare_guess(guess_random, hog_random, "%")
+
+# %% [markdown]
+# Nothing got better. Neighbouring frames look almost the same; in a random split, one of them is in the training data and the other one in the test. So the classifier has seen the answers. This is called *[[term:leakage]]*. Divide by time, by place, or by room: test as the robot will meet the world.
+#
+# **Colours.** In section 3, colours were best. Now the same room, the same places, in the evening.
+
+# %%
+evening_crops, evening_classes = [], []
+room = Simulation(seed=1, size=(1280, 720), lighting="evening", time=6.0)
+for k in range(60, 90, 3):
+    room.look(recording.pose("camera", k))
+    labels = room.labels().repeat(2, axis=0).repeat(2, axis=1)  # they have half the size
+    more_crops, more_classes = crops_of(room.frame(), labels)
+    evening_crops += more_crops
+    evening_classes += more_classes
+
+# %%
+show([recording.frame(87)[::2, ::2], room.frame()[::2, ::2]],
+     ["frame 87 of the drive", "in the evening"], text=figure_texts["evening"])
+
+# %% [markdown]
+# **Predict** how many percent are right with colours in the evening. (At the end of the drive, it was 85 %.)
+
+# %% role="predict"
+guess_evening = None  # your guess: how many percent?
+
+# %%
+train_colours, test_colours, evening_colours = (
+    vectors_of(colours_of, crops) for crops in (train_crops, test_crops, evening_crops))
+colour_evening = score_of(train_colours, train_classes, evening_colours, evening_classes)
+evening = vectors_of(hog_of, evening_crops)
+hog_evening = score_of(train, train_classes, evening, evening_classes)
+print("HOG in the evening:", hog_evening, "%")
+compare_guess(guess_evening, colour_evening, "%")
+
+# %% tags=["long"]
+colour_end = score_of(train_colours, train_classes, test_colours, test_classes)
+colour_random = random_score(np.concatenate([train_colours, test_colours]), all_classes)
+figure = Figure(figsize=(7, 3), layout="constrained")
+axes = figure.subplots()
+places = np.arange(3)
+axes.bar(places - 0.2, [hog_random, hog_end, hog_evening], 0.38, label="HOG", color="b")
+axes.bar(places + 0.2, [colour_random, colour_end, colour_evening], 0.38,
+         label="colours", color="orange")
+axes.axhline(100 / 12, color="0.4", linestyle="--", label="guessing")
+axes.set_xticks(places, ["random crops", "end of the drive", "evening"])
+axes.set(ylabel="right (%)", ylim=(0, 100))
+axes.legend()
+show_figure(figure, text=figure_texts["scores"])
+
+# %%
+# Check: the numbers in this section
+assert (hog_random, hog_end, hog_evening) == (96, 78, 70) and (colour_random, colour_end, colour_evening) == (90, 85, 8)
+assert len(evening_crops) == 102 and len(all_classes) == 282 and round(100 / 12) == 8
+
+# %% [markdown]
+# With colours, the robot only guesses in the evening: one of twelve classes is right in 8 %. The lamp changes every colour, but not the directions of the edges. A feature that wins in one room can lose in the next one.
+#
+# ## 7 · This very thing (12 minutes)
+#
+# Until now: *a* chair. Now: *this* thing, and where exactly. Such a single thing is called an *[[term:instance]]*. The plate with the marker hangs on the wall; we take its image from frame 88, and look for it in frame 30. Small patches around corners and spots are described by numbers that stay nearly the same if the thing is turned or farther away: **SIFT** finds such *[[term:keypoint|keypoints]]*, and the *[[term:descriptor]]* of each one, 128 numbers. It is related to HOG: histograms of gradient directions, of 4 × 4 cells.
+
+# %%
+rows, cols = np.nonzero(recording.labels(88) == 13)  # 13 is the marker
+plate = cv2.cvtColor(recording.frame(88), cv2.COLOR_BGR2GRAY)[
+    rows.min() - 4:rows.max() + 5, cols.min() - 4:cols.max() + 5]
+plate = cv2.resize(plate, None, fx=2, fy=2, interpolation=cv2.INTER_CUBIC)
+sift = cv2.SIFT_create(3000)
+plate_keypoints, plate_descriptors = sift.detectAndCompute(plate, None)
+
+# %% [markdown]
+# For each descriptor of the plate we take the two nearest ones of the frame. The match counts only if the best one is clearly nearer than the second one (less than 0.8 of its distance; *Lowe's ratio test*).
+
+# %%
+def matches_in(frame):
+    """Places on the plate and in the frame that look alike: two arrays (N, 2)."""
+    keypoints, descriptors = sift.detectAndCompute(cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY), None)
+    pairs = cv2.BFMatcher(cv2.NORM_L2).knnMatch(plate_descriptors, descriptors, k=2)
+    clear = [best for best, second in pairs if best.distance < 0.8 * second.distance]
+    return (np.array([plate_keypoints[match.queryIdx].pt for match in clear]),
+            np.array([keypoints[match.trainIdx].pt for match in clear]))
+
+# %% tags=["nbval-ignore-output"]
+plate_points, frame_points = matches_in(recording.frame(30))
+print(len(plate_keypoints), "keypoints on the plate,", len(plate_points), "clear matches")
+
+# %%
+# Check: enough matches
+assert len(plate_points) >= 10
+
+# %% [markdown]
+# Some matches are wrong. The plate is flat, so a [[term:homography]] takes its points to the frame ([[where_am_i#2]]), and [[term:RANSAC]] finds the one that most matches agree with. Draw four matches; `homography` computes the matrix of these four. Then move **all** points with it: multiply (x, y, 1) by the matrix, and divide by the third number. For three points:
+
+# %%
+example_points = np.array([[0.0, 0], [10, 0], [10, 20]])
+example_pixels = np.array([[5.0, 7], [14, 7], [90, 3]])
+H = np.array([[1.0, 0, 5], [0, 1, 7], [0.05, 0, 1]])
+with_one = np.column_stack([example_points, np.ones(3)])  # x, y, 1
+moved = with_one @ H.T
+moved = moved[:, :2] / moved[:, 2:]
+print(moved.round(2))
+distances = np.linalg.norm(moved - example_pixels, axis=1)
+print("distances:", distances.round(2))
+
+# %% [markdown]
+# **Predict** how many of the three are inliers, if the limit is 8 pixels.
+
+# %% role="predict"
+guess_near = None  # your guess: how many?
+
+# %%
+near = distances < 8
+print(near)
+compare_guess(guess_near, near.sum())
+
+# %%
+# Check: the numbers in this section
+assert moved.round(9).tolist() == [[5, 7], [10, 7 / 1.5], [10, 18]] or abs(moved - [[5, 7], [10, 7 / 1.5], [10, 18]]).max() < 1e-9
+assert near.tolist() == [True, True, False]
+
+# %% [markdown]
+# ### Your turn: the inliers of the best sample
+#
+# The random numbers are given: each row of `samples` holds the positions of four matches. Write `find_inliers(points, pixels, samples, limit)`. `homography(four_points, four_pixels)` of the course's package computes the (3, 3) matrix.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `points`, `pixels`: (N, 2) float, the two places of each match; `samples`: (M, 4) whole numbers; `limit`: float, in pixels | (N,) bool: the inliers of the sample whose homography has the most of them; if two have equally many, of the first one. An inlier is a match whose moved point is less than `limit` from its pixel | `find_inliers(plate_points, frame_points, samples, 3.0)` |
+
+# %% role="exercise"
+exercise(
+    "objects-inliers",
+    title="The inliers of the best sample",
+    function="find_inliers",
+    allowed=("imgproc_course.geometry",),
+    hint="For each sample: H = homography(points[sample], pixels[sample]); move all points, divide by the third number; the distances < limit; keep the mask with the largest sum.",
+    hints=(
+        "Of which matches is the homography computed, and with which do you compare it?",
+        "1. Begin with a mask in which all are False.\n"
+        "2. For each sample, the homography of its four points and pixels.\n"
+        "3. Move all points: (x, y, 1) times the matrix, divided by the third number.\n"
+        "4. The distance of each moved point to its pixel, and whether it is less than the limit.\n"
+        "5. If there are more inliers than in the best mask until now, keep this mask.",
+        "best = np.zeros(len(points), bool)\nwith_one = np.column_stack([points, np.ones(len(points))])\n"
+        "for sample in samples:\n    H = homography(points[sample], ...)\n    moved = with_one @ H.T\n"
+        "    moved = moved[:, :2] / ...\n    near = np.linalg.norm(moved - ..., axis=1) < limit\n"
+        "    if near.sum() > ...:\n        best = near\nreturn best",
+    ),
+    explanation="points[sample] takes the four rows at once. with_one @ H.T moves each row. The division makes the difference"
+    " between a homography and a plain linear map: far parts of the plate are smaller.",
+    another_way="cv2.findHomography(points, pixels, cv2.RANSAC, limit) draws the samples itself, and returns the matrix and the mask.",
+)
+
+
+def moved_by(H, points, divide=True):
+    moved = np.column_stack([points, np.ones(len(points))]) @ H.T
+    return moved[:, :2] / moved[:, 2:] if divide else moved[:, :2]
+
+
+def masks_of(points, pixels, samples, near):
+    return np.array([near(homography(points[s], pixels[s]), points, pixels) for s in samples])
+
+
+def distance(H, points, pixels):
+    return np.linalg.norm(moved_by(H, points) - pixels, axis=1)
+
+
+def most(masks):
+    return masks[np.argmax(masks.sum(axis=1))]
+
+
+def some_homography(rng):
+    H = np.array([[1.0, 0.2, 40], [-0.1, 0.9, 60], [0.0, 0.0, 1]])
+    H[:2, :2] += rng.uniform(-0.25, 0.25, (2, 2)).round(3)
+    H[:2, 2] += rng.uniform(-40, 40, 2).round(1)
+    H[2, :2] = rng.uniform(0.001, 0.003, 2).round(5)
+    return H
+
+
+OFFSETS = np.array([[0.8, 0.8], [-0.8, 0.8], [0.8, -0.8], [0.2, 3.0], [0.1, -4.0], [0.3, 5.0], [3.0, 0.2], [-4.0, 0.1],
+                    [0.6, 0.6], [-0.6, 0.6], [0.85, 0.0], [0.0, -0.85], [0.1, 0.05], [1.3, 0.0], [0.0, 1.7]])
+
+
+def some_matches(rng, sizes, limit, alone=3):
+    """Groups of matches, each with its own homography and four exact ones; then the samples. No distance is near the limit."""
+    points, pixels, samples, start = [], [], [], 0
+    for size in sizes:
+        H = some_homography(rng)
+        four = np.array([[5.0, 8], [92, 4], [95, 90], [7, 97]]) + rng.uniform(-4, 4, (4, 2)).round(2)
+        more = rng.uniform(5, 95, (size - 4, 2)).round(2)
+        angle = rng.uniform(0, 2 * np.pi, size - 4)
+        noise = rng.uniform(0.3, 0.5, (size - 4, 1)) * limit * np.column_stack([np.cos(angle), np.sin(angle)])
+        extra = rng.uniform(5, 95, (len(OFFSETS), 2)).round(2) if size == max(sizes) else np.zeros((0, 2))
+        offsets = OFFSETS[:len(extra)] * limit
+        points += [four, more, extra]
+        pixels += [moved_by(H, four), moved_by(H, more) + noise, moved_by(H, extra) + offsets]
+        samples.append(np.arange(start, start + 4))
+        start += size + len(extra)
+    points.append(rng.uniform(0, 100, (alone, 2)).round(2))
+    pixels.append(rng.uniform(500, 700, (alone, 2)).round(2))
+    points, pixels = np.concatenate(points), np.concatenate(pixels)
+    order = rng.permutation(len(points))
+    places = np.argsort(order)
+    return points[order], pixels[order], places[np.array(samples)], limit
+
+
+# %% role="answer"
+def find_inliers(points, pixels, samples, limit):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def find_inliers(points, pixels, samples, limit):
+    best = np.zeros(len(points), bool)
+    with_one = np.column_stack([points, np.ones(len(points))])
+    for sample in samples:
+        H = homography(points[sample], pixels[sample])
+        moved = with_one @ H.T
+        moved = moved[:, :2] / moved[:, 2:]
+        near = np.linalg.norm(moved - pixels, axis=1) < limit
+        if near.sum() > best.sum():
+            best = near
+    return best
+
+
+# %% role="check"
+check("objects-inliers", find_inliers)
+
+
+# %% role="case" title="three samples" points=1
+def inputs(rng):
+    return [some_matches(rng, (6, 12, 7), 3.0), some_matches(rng, (5, 7, 13), 4.0)]
+
+
+# %% role="case" title="equally many" points=1 hint="If two samples have equally many inliers, the first one counts: use >, not >=."
+def inputs(rng):
+    return [some_matches(rng, (6, 11, 11, 5), 3.0), some_matches(rng, (9, 9, 5), 5.0)]
+
+
+# %% role="hidden" title="any matches" points=1 hint="Do you move all points, divide by the third number, and compare the distance with the limit?"
+def inputs(rng):
+    return [some_matches(rng, sizes, limit, 5) for sizes, limit in (((7, 14, 9), 2.0), ((13, 8, 13), 4.0), ((6, 10, 6, 15), 3.0))]
+
+
+# %% role="mistake" name="not divided" says="You did not divide by the third number: moved[:, :2] / moved[:, 2:]."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: np.linalg.norm(moved_by(H, a, False) - b, axis=1) < limit))
+
+
+# %% role="mistake" name="the last of equals" says="If two samples have equally many inliers, the first one counts. Use > in place of >=."
+def find_inliers(points, pixels, samples, limit):
+    masks = masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) < limit)
+    return masks[len(masks) - 1 - np.argmax(masks[::-1].sum(axis=1))]
+
+
+# %% role="mistake" name="the fewest" says="You kept the sample with the fewest inliers. Keep the one with the most."
+def find_inliers(points, pixels, samples, limit):
+    masks = masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) < limit)
+    return masks[np.argmin(masks.sum(axis=1))]
+
+
+# %% role="mistake" name="the last sample" says="You return the inliers of the last sample. Keep those of the sample with the most."
+def find_inliers(points, pixels, samples, limit):
+    return distance(homography(points[samples[-1]], pixels[samples[-1]]), points, pixels) < limit
+
+
+# %% role="mistake" name="the first sample" says="You return the inliers of the first sample. Is return inside the loop? Compare all samples first."
+def find_inliers(points, pixels, samples, limit):
+    return distance(homography(points[samples[0]], pixels[samples[0]]), points, pixels) < limit
+
+
+# %% role="mistake" name="outliers" says="You return the outliers. An inlier is nearer than the limit: <."
+def find_inliers(points, pixels, samples, limit):
+    return ~solution(points, pixels, samples, limit)
+
+
+# %% role="mistake" name="squared distance" says="You compare the squared distance with the limit. Take its square root, or compare with limit ** 2."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) ** 2 < limit))
+
+
+# %% role="mistake" name="sum of the differences" says="You added the absolute differences of both columns. The distance is the root of the sum of their squares: np.linalg.norm(..., axis=1)."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: abs(moved_by(H, a) - b).sum(axis=1) < limit))
+
+
+# %% role="mistake" name="each difference alone" says="You compare the two differences each with the limit. Compare the distance: np.linalg.norm(..., axis=1)."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: abs(moved_by(H, a) - b).max(axis=1) < limit))
+
+
+# %% role="mistake" name="first coordinate only" says="You compare only the first coordinate. The distance contains both: np.linalg.norm(..., axis=1)."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: abs(moved_by(H, a) - b)[:, 0] < limit))
+
+
+# %% role="mistake" name="second coordinate only" says="You compare only the second coordinate. The distance contains both: np.linalg.norm(..., axis=1)."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: abs(moved_by(H, a) - b)[:, 1] < limit))
+
+
+# %% role="mistake" name="back to the plate" says="You moved the pixels back to the points, so your distances are not in pixels of the frame. Move the points: homography(points[sample], pixels[sample])."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: distance(np.linalg.inv(H), b, a) < limit))
+
+
+# %% role="mistake" name="transposed" says="The matrix is transposed: each row (x, y, 1) is multiplied from the left, with_one @ H.T."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: distance(H.T, a, b) < limit))
+
+
+# %% role="mistake" name="one homography of all" says="You computed one homography of all matches. The wrong ones spoil it: compute it of the four matches of each sample."
+def find_inliers(points, pixels, samples, limit):
+    return distance(homography(points, pixels), points, pixels) < limit
+
+
+# %% role="mistake" name="all samples together" says="You joined the inliers of all samples. Return those of the best sample only."
+def find_inliers(points, pixels, samples, limit):
+    return masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) < limit).any(axis=0)
+
+
+# %% role="mistake" name="only the sample" says="You return only the four matches of the sample. All matches that are near count as inliers."
+def find_inliers(points, pixels, samples, limit):
+    masks = masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) < limit)
+    return np.isin(np.arange(len(points)), samples[np.argmax(masks.sum(axis=1))])
+
+
+# %% role="mistake" name="how many" says="You return how many inliers there are. Return the mask: True or False for each match."
+def find_inliers(points, pixels, samples, limit):
+    return int(solution(points, pixels, samples, limit).sum())
+
+
+# %% role="mistake" name="positions" says="You return the positions of the inliers. Return the mask: True or False for each match."
+def find_inliers(points, pixels, samples, limit):
+    return np.flatnonzero(solution(points, pixels, samples, limit))
+
+
+# %% role="mistake" name="the matrix" says="You return the homography. Return the mask of its inliers."
+def find_inliers(points, pixels, samples, limit):
+    best = np.argmax(masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) < limit).sum(axis=1))
+    return homography(points[samples[best]], pixels[samples[best]])
+
+
+# %% role="mistake" name="half the limit" says="Some matches are missing: compare the distance with the limit itself."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) < limit / 2))
+
+
+# %% role="mistake" name="nobody" says="Your mask is False everywhere. Do you keep the mask of a sample that has more inliers than the best one until now?"
+def find_inliers(points, pixels, samples, limit):
+    return np.zeros(len(points), bool)
+
+
+# %% [markdown]
+# OpenCV's `cv2.findHomography` draws the samples itself. **Predict** how many percent of the matches in frame 30 are inliers.
+
+# %% role="predict"
+guess_share = None  # your guess: how many percent?
+
+# %% tags=["nbval-ignore-output"]
+H, mask = cv2.findHomography(plate_points, frame_points, cv2.RANSAC, 3.0)
+inliers = mask.ravel() == 1
+print(inliers.sum(), "of", len(inliers), "matches are inliers")
+compare_guess(guess_share, round(100 * inliers.mean()), "%")
+
+# %%
+# Check: the place of the plate agrees with the label image
+height, width = plate.shape
+corners = np.array([[[0.0, 0], [width, 0], [width, height], [0, height]]])
+quad = cv2.perspectiveTransform(corners, H)[0]
+rows, cols = np.nonzero(recording.labels(30) == 13)
+assert inliers.sum() >= 8
+assert abs(quad.mean(axis=0) - [cols.mean(), rows.mean()]).max() < 6
+
+# %% tags=["nbval-ignore-output"]
+height, width = plate.shape
+corners = np.array([[[0.0, 0], [width, 0], [width, height], [0, height]]])
+quad = cv2.perspectiveTransform(corners, H)[0].round().astype(int)
+view = recording.frame(30)[150:570, 240:1040].copy()
+cv2.polylines(view, [quad - [240, 150]], True, (0, 255, 0), 2)
+for point, is_inlier in zip(frame_points.round().astype(int) - [240, 150], inliers, strict=True):
+    colour = (0, 255, 0) if is_inlier else (0, 0, 255)
+    cv2.circle(view, point.tolist(), 4, colour, 2)
+show(view, "frame 30", text=figure_texts["matches"])
+
+# %%
+# Check: the marker is in the part that is shown
+assert 240 < cols.min() and cols.max() < 1040 and 150 < rows.min() and rows.max() < 570
+
+# %% [markdown]
+# Eight inliers that agree on one homography are hardly chance. A class says what a thing is, an instance says which one, and where each of its points is.
+
+# %% [markdown]
+# ## 8 · Live (4 minutes)
+#
+# LIVE-PLACEHOLDER
+#
+# ## Recap
+#
+# A feature vector describes an image by numbers, HOG by the directions of its edges. A classifier learns which numbers belong to which class. Its score is worth something only if the test data are new: another time, another place, another light. A single flat thing is found by keypoints, a homography and RANSAC.
+#
+# | stage | shape | dtype | range | unit |
+# |---|---|---|---|---|
+# | crop | (64, 64, 3) | uint8 | 0 to 255 | intensity |
+# | histogram of a cell | (9,) | float64 | 0 or more | gray levels |
+# | HOG | (1764,) | float64 | 0 to 1 | |
+# | colours | (72,) | float32 | 0 to 1 | root of a share |
+# | weights, bias | (12, 1764), (12,) | float64 | | |
+# | confusion matrix | (12, 12) | int64 | 0 or more | crops |
+# | descriptors of SIFT | (N, 128) | float32 | 0 to 255 | |
+# | homography | (3, 3) | float64 | `H[2, 2]` is 1 | |
+#
+# Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+
+# %%
+# Check: the numbers in the table
+assert features.dtype == weights.dtype == bias.dtype == np.float64 and matrix.dtype == np.int64
+assert train_colours.shape[1] == 72 and train_colours.dtype == np.float32 and 0 <= train_colours.min() <= train_colours.max() <= 1
+assert plate_descriptors.shape[1] == 128 and plate_descriptors.dtype == np.float32 and plate_descriptors.max() <= 255
