@@ -303,14 +303,9 @@ def cell_histogram(grad_row, grad_col):
     return histogram_of(orientations(grad_row, grad_col), grad_row**2 + grad_col**2)
 
 
-# %% role="mistake" name="radians" says="Your angles are in radians, so all are in bin 0. Make degrees of them: np.degrees(...)."
+# %% role="mistake" name="radians" says="Your angles are in radians, so all are in the first or the last bin. Make degrees of them, np.degrees(...), and then use % 180."
 def cell_histogram(grad_row, grad_col):
     return histogram_of(np.arctan2(grad_row, grad_col) % 180, np.hypot(grad_row, grad_col))
-
-
-# %% role="mistake" name="radians, signed" says="Your angles are in radians: make degrees of them with np.degrees(...), and then use % 180."
-def cell_histogram(grad_row, grad_col):
-    return histogram_of(np.arctan2(grad_row, grad_col), np.hypot(grad_row, grad_col))
 
 
 # %% role="mistake" name="absolute angle" says="You took the absolute value of the angle, so -30 became 30. Its orientation is 150: use % 180."
@@ -1242,10 +1237,11 @@ def some_matches(rng, sizes, limit, alone=3):
         noise = rng.uniform(0.3, 0.5, (size - 4, 1)) * limit * np.column_stack([np.cos(angle), np.sin(angle)])
         extra = rng.uniform(5, 95, (len(OFFSETS), 2)).round(2) if size == max(sizes) else np.zeros((0, 2))
         offsets = OFFSETS[:len(extra)] * limit
-        points += [four, more, extra]
-        pixels += [moved_by(H, four), moved_by(H, more) + noise, moved_by(H, extra) + offsets]
+        for_transposed = rng.uniform(5, 95, (3, 2)).round(2)
+        points += [four, more, extra, for_transposed]
+        pixels += [moved_by(H, four), moved_by(H, more) + noise, moved_by(H, extra) + offsets, moved_by(H.T, for_transposed)]
         samples.append(np.arange(start, start + 4))
-        start += size + len(extra)
+        start += size + len(extra) + 3
     points.append(rng.uniform(0, 100, (alone, 2)).round(2))
     pixels.append(rng.uniform(500, 700, (alone, 2)).round(2))
     points, pixels = np.concatenate(points), np.concatenate(pixels)
@@ -1396,7 +1392,7 @@ def find_inliers(points, pixels, samples, limit):
     return most(masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) < limit / 2))
 
 
-# %% role="mistake" name="nobody" says="Your mask is False everywhere. Do you keep the mask of a sample that has more inliers than the best one until now?"
+# %% role="mistake" name="nobody" says="Your mask is False everywhere. Is the limit compared with one distance for each match, and do you keep the mask of a sample that has more inliers than the best one until now?"
 def find_inliers(points, pixels, samples, limit):
     return np.zeros(len(points), bool)
 

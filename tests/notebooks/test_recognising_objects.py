@@ -1,0 +1,84 @@
+"""The lesson "Recognising objects": its solutions give what the field's tools give, on many inputs."""
+
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from skimage.feature import hog
+from sklearn.metrics import confusion_matrix
+from sklearn.neighbors import NearestCentroid
+
+from imgproc_course.exercises import read_exercises
+from imgproc_course.recording import open_recording
+
+MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "17_recognising_objects.py"
+
+
+@pytest.fixture(scope="module")
+def solutions():
+    """The function of each exercise's solution, by its name."""
+    return {
+        exercise.function: exercise.function_of(exercise.solution, "solution")
+        for exercise in read_exercises(MASTER)
+    }
+
+
+def test_hog_of_solved_cells_is_skimage(solutions):
+    def normalized(block):
+        return block / np.sqrt((block * block).sum() + 1e-10)
+
+    gray = cv2.cvtColor(open_recording("drive").frame(0), cv2.COLOR_BGR2GRAY)
+    rng = np.random.default_rng(0)
+    for _ in range(30):
+        row, col = rng.integers(0, (720 - 64, 1280 - 64))
+        crop = gray[row : row + 64, col : col + 64].astype(float)
+        grad_row, grad_col = np.zeros((2, 64, 64))
+        grad_row[1:-1] = crop[2:] - crop[:-2]
+        grad_col[:, 1:-1] = crop[:, 2:] - crop[:, :-2]
+        cells = np.array(
+            [
+                [solutions["cell_histogram"](grad_row[i : i + 8, j : j + 8], grad_col[i : i + 8, j : j + 8]) for j in range(0, 64, 8)]
+                for i in range(0, 64, 8)
+            ]
+        )
+        blocks = [
+            normalized(np.minimum(normalized(cells[i : i + 2, j : j + 2].ravel()), 0.2))
+            for i in range(7)
+            for j in range(7)
+        ]
+        tool = hog(crop, orientations=9, pixels_per_cell=(8, 8), cells_per_block=(2, 2), block_norm="L2-Hys")
+        assert tool.max() > 0.1
+        np.testing.assert_allclose(np.concatenate(blocks), tool, atol=1e-6)
+
+
+def test_nearest_mean_is_nearest_centroid(solutions):
+    rng = np.random.default_rng(1)
+    for _ in range(40):
+        classes = rng.permutation(np.repeat([2, 3, 7, 11], rng.integers(2, 9, 4)))
+        vectors = rng.normal(0, 1, (len(classes), 20)) + classes[:, None] * rng.normal(0, 0.2, 20)
+        new = rng.normal(0, 1, (50, 20))
+        tool = NearestCentroid().fit(vectors, classes).predict(new)
+        assert (solutions["nearest_mean"](vectors, classes, new) == tool).all() and len(set(tool.tolist())) > 1
+
+
+def test_confusion_is_confusion_matrix(solutions):
+    rng = np.random.default_rng(2)
+    for _ in range(100):
+        count = int(rng.integers(2, 15))
+        truth, predicted = rng.integers(0, rng.integers(1, count + 1), (2, int(rng.integers(1, 200))))
+        tool = confusion_matrix(truth, predicted, labels=range(count))
+        assert (solutions["confusion"](truth, predicted, count) == tool).all()
+
+
+def test_find_inliers_finds_what_opencv_finds(solutions):
+    rng = np.random.default_rng(3)
+    for _ in range(20):
+        points = rng.uniform(0, 200, (60, 2))
+        H = np.array([[1, 0.2, 50], [-0.1, 0.9, 80], [0.001, 0.0005, 1]]) + rng.normal(0, 1e-4, (3, 3))
+        pixels = cv2.perspectiveTransform(points[None], H)[0] + rng.normal(0, 0.1, (60, 2))
+        pixels[40:] = rng.uniform(600, 1200, (20, 2))
+        samples = np.array([rng.choice(60, 4, replace=False) for _ in range(200)])
+        mask = solutions["find_inliers"](points, pixels, samples, 5.0)
+        _, tool = cv2.findHomography(points, pixels, cv2.RANSAC, 5.0)
+        assert mask.tolist() == [True] * 40 + [False] * 20 == (tool.ravel() == 1).tolist()
