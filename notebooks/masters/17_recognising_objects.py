@@ -369,6 +369,11 @@ def cell_histogram(grad_row, grad_col):
     return histogram / np.sqrt((histogram * histogram).sum())
 
 
+# %% role="mistake" name="whole magnitudes" says="Your magnitudes are cut to whole numbers. Begin with np.zeros(9), which has floats, and add the magnitude itself."
+def cell_histogram(grad_row, grad_col):
+    return histogram_of(orientations(grad_row, grad_col), np.floor(np.hypot(grad_row, grad_col)))
+
+
 # %% role="mistake" name="largest magnitude" says="Each of your bins has the largest magnitude of its pixels, or the last one: you write with =. Add them with +=."
 def cell_histogram(grad_row, grad_col):
     bins, magnitudes = (orientations(grad_row, grad_col) // 20).astype(int).ravel(), np.hypot(grad_row, grad_col).ravel()
@@ -647,6 +652,13 @@ def nearest_mean(vectors, classes, new):
     return numbers[(new[:, None] * means).sum(axis=2).argmax(axis=1)]
 
 
+# %% role="mistake" name="one number for each class" says="Each of your means is one number. The mean of a class has as many numbers as a vector: .mean(axis=0)."
+def nearest_mean(vectors, classes, new):
+    numbers = np.unique(classes)
+    means = np.array([vectors[classes == number].mean() for number in numbers])
+    return nearest(numbers, means[:, None], new.mean(axis=1)[:, None])
+
+
 # %% role="mistake" name="first vector of a class" says="You compare with the first vector of each class. Take the mean of all its vectors."
 def nearest_mean(vectors, classes, new):
     numbers = np.unique(classes)
@@ -920,7 +932,7 @@ def confusion(truth, predicted, count):
 # %% role="mistake" name="only classes that occur" says="Your matrix is too small: classes that do not occur have no row. Its size is count."
 def confusion(truth, predicted, count):
     size = max(truth.max(), predicted.max()) + 1
-    return counted(truth, predicted, count)[:size, :size] if size < count else counted(truth, predicted, count)[:-1, :-1]
+    return counted(truth, predicted, count)[:size, :size]
 
 
 # %% role="mistake" name="one too large" says="Your matrix is too large: classes begin with 0, so count rows and columns are enough."
@@ -1231,7 +1243,8 @@ def some_homography(rng):
 
 
 OFFSETS = np.array([[0.8, 0.8], [-0.8, 0.8], [0.8, -0.8], [0.2, 3.0], [0.1, -4.0], [0.3, 5.0], [3.0, 0.2], [-4.0, 0.1],
-                    [0.6, 0.6], [-0.6, 0.6], [0.85, 0.0], [0.0, -0.85], [0.1, 0.05], [1.3, 0.0], [0.0, 1.7]])
+                    [0.6, 0.6], [-0.6, 0.6], [0.85, 0.0], [0.0, -0.85], [0.1, 0.05], [1.3, 0.0], [0.0, 1.7],
+                    [0.55, 0.0], [0.0, -0.55], [0.48, 0.0]])
 
 
 def some_matches(rng, sizes, limit, alone=3):
@@ -1245,11 +1258,12 @@ def some_matches(rng, sizes, limit, alone=3):
         noise = rng.uniform(0.3, 0.5, (size - 4, 1)) * limit * np.column_stack([np.cos(angle), np.sin(angle)])
         extra = rng.uniform(5, 95, (len(OFFSETS), 2)).round(2) if size == max(sizes) else np.zeros((0, 2))
         offsets = OFFSETS[:len(extra)] * limit
-        for_transposed = rng.uniform(5, 95, (3, 2)).round(2)
-        points += [four, more, extra, for_transposed]
-        pixels += [moved_by(H, four), moved_by(H, more) + noise, moved_by(H, extra) + offsets, moved_by(H.T, for_transposed)]
+        three = rng.uniform(5, 95, (3, 2)).round(2)
+        points += [four, more, extra, three, moved_by(H, three)]  # the last ones agree with the inverse
+        pixels += [moved_by(H, four), moved_by(H, more) + noise, moved_by(H, extra) + offsets]
+        pixels += [moved_by(H.T, three), three]
         samples.append(np.arange(start, start + 4))
-        start += size + len(extra) + 3
+        start += size + len(extra) + 6
     points.append(rng.uniform(0, 100, (alone, 2)).round(2))
     pixels.append(rng.uniform(500, 700, (alone, 2)).round(2))
     points, pixels = np.concatenate(points), np.concatenate(pixels)
@@ -1283,7 +1297,7 @@ check("objects-inliers", find_inliers)
 
 # %% role="case" title="three samples" points=1
 def inputs(rng):
-    return [some_matches(rng, (6, 12, 7), 3.0), some_matches(rng, (5, 7, 13), 4.0)]
+    return [some_matches(rng, (6, 12, 7), 3.0), some_matches(rng, (5, 7, 13), 5.0)]
 
 
 # %% role="case" title="equally many" points=1 hint="If two samples have equally many inliers, the first one counts: use >, not >=."
@@ -1358,12 +1372,17 @@ def find_inliers(points, pixels, samples, limit):
     return most(masks_of(points, pixels, samples, lambda H, a, b: distance(np.linalg.inv(H), b, a) < limit))
 
 
-# %% role="mistake" name="transposed" says="The matrix is transposed: each row (x, y, 1) is multiplied from the left, with_one @ H.T."
+# %% role="mistake" name="the inverse" says="Your homography goes from the pixels to the points. Exchange its arguments: homography(points[sample], pixels[sample])."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: distance(np.linalg.inv(H), a, b) < limit))
+
+
+# %% role="mistake" name="transposed" says="Your moved points all lie near (0, 0): the matrix is transposed, or the division is by a wrong number. Compute with_one @ H.T, and divide by the third number, moved[:, 2:]."
 def find_inliers(points, pixels, samples, limit):
     return most(masks_of(points, pixels, samples, lambda H, a, b: distance(H.T, a, b) < limit))
 
 
-# %% role="mistake" name="one homography of all" says="You computed one homography of all matches. The wrong ones spoil it: compute it of the four matches of each sample."
+# %% role="mistake" name="one homography of all" says="Your mask is False everywhere, or nearly. Is the homography computed of the four matches of each sample, and not of all? And do you keep a mask that has more inliers than the best one until now?"
 def find_inliers(points, pixels, samples, limit):
     return distance(homography(points, pixels), points, pixels) < limit
 
@@ -1398,11 +1417,6 @@ def find_inliers(points, pixels, samples, limit):
 # %% role="mistake" name="half the limit" says="Some matches are missing: compare the distance with the limit itself."
 def find_inliers(points, pixels, samples, limit):
     return most(masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) < limit / 2))
-
-
-# %% role="mistake" name="nobody" says="Your mask is False everywhere. Is the limit compared with one distance for each match, and do you keep the mask of a sample that has more inliers than the best one until now?"
-def find_inliers(points, pixels, samples, limit):
-    return np.zeros(len(points), bool)
 
 
 # %% [markdown]

@@ -49,7 +49,7 @@ def find_inliers(points, pixels, samples, limit):
             best = near
     return best
 
-# %% name="list of masks" origin="fresh" sentence="Return the best mask only." must_say=["mask|best|array"] kind="value"
+# %% name="list of masks" origin="fresh" sentence="Return the best mask only." must_say=["mask|best|array|first sample"] kind="value"
 def find_inliers(points, pixels, samples, limit):
     best = np.zeros(len(points), bool)
     with_one = np.column_stack([points, np.ones(len(points))])
