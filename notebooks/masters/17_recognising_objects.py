@@ -1200,7 +1200,7 @@ assert near.tolist() == [True, True, False]
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `points`, `pixels`: (N, 2) float, the two places of each match; `samples`: (M, 4) whole numbers; `limit`: float, in pixels | (N,) bool: the inliers of the sample whose homography has the most of them; if two have equally many, of the first one. An inlier is a match whose moved point is less than `limit` from its pixel | `find_inliers(plate_points, frame_points, samples, 3.0)` |
+# | `points`, `pixels`: (N, 2) float, the two places of each match; `samples`: (M, 4) whole numbers, four matches in each row, of which no three lie on one line; `limit`: float, in pixels | (N,) bool: the inliers of the sample whose homography has the most of them; if two have equally many, of the first one. An inlier is a match whose moved point is less than `limit` from its pixel | `find_inliers(plate_points, frame_points, samples, 3.0)` |
 
 # %% role="exercise"
 exercise(

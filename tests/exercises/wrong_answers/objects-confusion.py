@@ -71,7 +71,7 @@ def confusion(truth, predicted, count):
 def confusion(truth, predicted, count):
     return np.array([((truth == c) & (predicted == c)).sum() for c in range(count)])
 
-# %% name="off by one" origin="new" sentence="Go through all pairs: range(len(truth))." must_say=["last"] kind="value"
+# %% name="off by one" origin="new" sentence="The last pair is missing: go through all pairs, range(len(truth))." must_say=["last"] kind="value"
 def confusion(truth, predicted, count):
     matrix = np.zeros((count, count), int)
     for i in range(len(truth) - 1):

@@ -127,7 +127,7 @@ def find_inliers(points, pixels, samples, limit):
             best = near
     return best
 
-# %% name="squared" origin="new" sentence="Compare the distance, or limit ** 2." must_say=["square"] kind="value"
+# %% name="squared" origin="new" sentence="You compare the squared distance: take the root, or limit ** 2." must_say=["square"] kind="value"
 def find_inliers(points, pixels, samples, limit):
     best = np.zeros(len(points), bool)
     with_one = np.column_stack([points, np.ones(len(points))])
