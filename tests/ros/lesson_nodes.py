@@ -31,6 +31,23 @@ def lesson_definitions(lesson, **names):
     return names
 
 
+def run_assignments(lesson, needed, names):
+    """Adds what a lesson's cells compute for the names needed to its definitions, in the lesson's order.
+
+    An assignment to an attribute runs only if the name that it belongs to is needed.
+    """
+    (master,) = MASTERS.glob(f"*_{lesson}.py")
+    for cell in read_master(master).cells:
+        if cell.kind != "code" or cell.role not in ("", "given"):
+            continue
+        for node in ast.parse(cell.source).body:
+            targets = node.targets if isinstance(node, ast.Assign) else []
+            stored = {part.id for t in targets for part in ast.walk(t) if isinstance(part, ast.Name)}
+            if stored & needed:
+                exec(compile(ast.Module([node], []), cell.id, "exec"), names)
+    return names
+
+
 def spin(make_node, is_over, result):
     """Spins a node until is_over(node) or Ctrl-C, and prints result(node)."""
     print(dds_profile(), file=sys.stderr)

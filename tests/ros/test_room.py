@@ -299,6 +299,36 @@ def test_the_lessons_node_reads_the_sign_from_another_process(robot, collect, wa
     assert all((x, y) == ("x=0.00", "y=0.00") for _, x, y, _ in read)  # the robot stands: its odometry is 0
 
 
+def test_the_lessons_node_names_things_above_them_from_another_process(robot, collect, wait_until):
+    from geometry_msgs.msg import PoseStamped
+    from sensor_msgs.msg import Image
+    from visualization_msgs.msg import Marker, MarkerArray
+
+    start = (0.45, -1.0, 0.0)
+    robot.restart(start=start, seed=1, lighting="day")
+    labels, images = collect("/objects/labels", MarkerArray), collect(f"{CAMERA}/image_raw", Image)
+    poses = collect("/truth/pose/marker", PoseStamped)
+
+    def named(name):
+        return [marker for msg in list(labels) for marker in msg.markers if marker.text == name]
+
+    program = Path(__file__).with_name("object_recogniser.py")
+    with subprocess.Popen([sys.executable, program, "inf"], stdout=subprocess.PIPE, text=True) as node:
+        try:
+            wait_until(lambda: poses and all(len(named(name)) >= 2 for name in ("chair", "marker", "table")), 150)
+        finally:
+            node.send_signal(signal.SIGINT)
+        looks = int(node.communicate(timeout=60)[0])
+    assert len(labels) <= looks + 1  # ended between sending and counting
+    sent = set(map(stamp, images))
+    for label in named("marker"):
+        assert label.type == Marker.TEXT_VIEW_FACING and label.header.frame_id == "odom"
+        assert stamp(label) in sent
+        place = vector(label)[:3] + (*start[:2], 0)  # odom begins at the start
+        x, y, z = vector(poses[0])[:3]
+        assert np.abs(place[:2] - (x, y)).max() < 0.15 and z < place[2] < z + 0.5  # above the plate
+
+
 def test_the_room_refuses_impossible_options_and_takes_others(robot):
     before = robot.pose
     with pytest.raises(ValueError, match="a wall or furniture is in its way"):

@@ -5,13 +5,10 @@
 It sees published topics alone: image and odometry. At its end it prints how often it looked.
 """
 
-import ast
 import sys
 
 import rapidocr
-from lesson_nodes import MASTERS, lesson_definitions, looked_for, spin
-
-from imgproc_course.authoring.masters import read_master
+from lesson_nodes import lesson_definitions, looked_for, run_assignments, spin
 
 
 def reading_text():
@@ -22,19 +19,9 @@ def reading_text():
 
 def lesson_with_data():
     """The lesson's functions and what its cells compute for them: signs, templates, network."""
-    names, cells = reading_text(), read_master(next(MASTERS.glob("*_reading_text.py"))).cells
     needed = {"recording", "info", "camera", "right_m", "points", "signs", "LETTERS", "templates"}
     needed |= {"model", "options", "network", "listed", "all_characters", "network_errors"}
-    for cell in cells:
-        if cell.kind != "code" or cell.role not in ("", "given"):
-            continue
-        for node in ast.parse(cell.source).body:
-            targets = node.targets if isinstance(node, ast.Assign) else []
-            stored = {name.id for t in targets for name in ast.walk(t) if isinstance(name, ast.Name)}
-            attribute = any(isinstance(target, ast.Attribute) for target in targets)
-            if stored & needed and (not attribute or "options" in stored):
-                exec(compile(ast.Module([node], []), cell.id, "exec"), names)
-    return names
+    return run_assignments("reading_text", needed, reading_text())
 
 
 if __name__ == "__main__":
