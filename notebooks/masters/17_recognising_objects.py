@@ -139,7 +139,7 @@ assert train_crops[0].shape == (64, 64, 3) and train_crops[0].dtype == np.uint8
 # %% [markdown]
 # ## 2 · The directions of the edges (13 minutes)
 #
-# Two chairs in different light have different gray levels, but their edges run in the same directions. So we describe a crop by its gradients (you know them from [[canny_stages]]). For each pixel: the pixel to the right minus the pixel to the left, and the pixel below minus the pixel above. A small example, with a bright part on the right:
+# Two chairs in different light have different gray levels, but their edges run in the same directions. So we describe a crop by its gradients (you know them from [[canny_stages]]). For each pixel: the pixel to the right minus the pixel to the left, and the pixel below minus the pixel above. At the border of the image one of the two is missing, so the gradient is 0 there. A small example, with a bright part on the right:
 
 # %%
 small = np.array([[10, 10, 10, 50],
@@ -156,7 +156,7 @@ print(grad_col)
 # %% [markdown]
 # The *orientation* of a gradient is its angle, from 0 up to 180 degrees: a step from dark to bright and a step from bright to dark have the same one. `np.arctan2(grad_row, grad_col)` gives the angle in radians, from −π to π; we make degrees of it, and `% 180` brings it into 0 to 180.
 #
-# **Predict** the orientation of a gradient with 0 along the row and −40 along the column (a step from dark below to bright above).
+# **Predict** the orientation of a pixel with `grad_row` = −40 and `grad_col` = 0: the pixel below is darker by 40 than the pixel above, and left and right are equal.
 
 # %% role="predict"
 guess_angle = None  # your guess: how many degrees?
@@ -494,7 +494,16 @@ for number in np.unique(classes):  # 3 and 5
     print("class", number, "mean", mean, "distance", distance.round(2))
 
 # %% [markdown]
-# The new thing has class 3. For many new things at once, `new[:, None] - means` subtracts each mean from each new vector. Its shape is (new, classes, numbers). **Predict** the shape of the distances of 102 crops with 1764 numbers each to 12 means: how many distances are there?
+# The new thing has class 3. For many new things at once, `new[:, None] - means` subtracts each mean from each new vector. Its shape is (new, classes, numbers). (A loop over the new vectors does the same.) For one new vector, two classes and two numbers:
+
+# %%
+two_means = np.array([[2.0, 1], [7, 7]])
+differences = new[:, None] - two_means
+print(differences.shape, differences.tolist())
+print("squared distances:", (differences ** 2).sum(axis=2))
+
+# %% [markdown]
+# **Predict** how many distances there are from 102 crops to 12 means, with 1764 numbers each.
 
 # %% role="predict"
 guess_distances = None  # your guess: how many distances?
@@ -509,7 +518,7 @@ compare_guess(guess_distances, distances.size)
 
 # %%
 # Check: the numbers in this section
-assert distances.shape == (102, 12) and np.hypot(2, 2).round(2) == 2.83 and np.hypot(3, 4) == 5
+assert (differences ** 2).sum(axis=2).tolist() == [[8, 25]] and distances.shape == (102, 12) and np.hypot(2, 2).round(2) == 2.83 and np.hypot(3, 4) == 5
 
 # %% [markdown]
 # ### Your turn: the nearest mean
@@ -1129,7 +1138,7 @@ assert (hog_random, hog_end, hog_evening) == (96, 78, 70) and (colour_random, co
 assert len(evening_crops) == 102 and len(all_classes) == 282 and round(100 / 12) == 8
 
 # %% [markdown]
-# With colours, the robot only guesses in the evening: one of twelve classes is right in 8 %. The lamp changes every colour, but not the directions of the edges. A feature that wins in one room can lose in the next one.
+# With colours, the robot only guesses in the evening: one of twelve classes is right in 8 %. The lamp changes every colour, but the directions of the edges only a little. A feature that wins in one room can lose in the next one.
 #
 # ## 7 · This very thing (10 minutes)
 #
@@ -1196,7 +1205,7 @@ assert near.tolist() == [True, True, False]
 # %% [markdown]
 # ### Your turn: the inliers of the best sample
 #
-# The random numbers are given: each row of `samples` holds the positions of four matches. Write `find_inliers(points, pixels, samples, limit)`. `homography(four_points, four_pixels)` of the course's package computes the (3, 3) matrix.
+# Four points of which three lie on one line give no homography (`homography` raises a `ValueError`), so such samples are left out. The random numbers are given: each row of `samples` holds the positions of four matches. Write `find_inliers(points, pixels, samples, limit)`. `homography(four_points, four_pixels)` of the course's package computes the (3, 3) matrix.
 #
 # | Input | Output | Example call |
 # |---|---|---|
@@ -1645,7 +1654,7 @@ if ros_available():
     node = session.add_node(ObjectsNode(class_of, context=session.context))
     received = []
     session.node.create_subscription(MarkerArray, "/objects/labels", received.append, 10)
-    end = time.monotonic() + 15
+    end = time.monotonic() + 60
     while node.looks < 10 and time.monotonic() < end:
         time.sleep(0.1)
     session.remove_node(node)
@@ -1654,7 +1663,8 @@ if ros_available():
     for marker in received[-1].markers if received else []:
         place = marker.pose.position
         print(f"{marker.text:8} at x = {place.x:.2f} m, y = {place.y:.2f} m")
-    show(image_to_array(node.image, "bgr8"), text=figure_texts["live"])
+    if node.looks:
+        show(image_to_array(node.image, "bgr8"), text=figure_texts["live"])
 
 # %%
 # Check: the node looked
