@@ -315,7 +315,9 @@ def test_the_lessons_node_names_things_above_them_from_another_process(robot, co
     program = Path(__file__).with_name("object_recogniser.py")
     with subprocess.Popen([sys.executable, program, "inf"], stdout=subprocess.PIPE, text=True) as node:
         try:
-            wait_until(lambda: poses and all(len(named(name)) >= 2 for name in ("chair", "marker", "table")), 150)
+            wait_until(
+                lambda: poses and all(len(named(name)) >= 2 for name in ("chair", "marker", "table")), 150
+            )
         finally:
             node.send_signal(signal.SIGINT)
         looks = int(node.communicate(timeout=60)[0])
@@ -324,7 +326,7 @@ def test_the_lessons_node_names_things_above_them_from_another_process(robot, co
     for label in named("marker"):
         assert label.type == Marker.TEXT_VIEW_FACING and label.header.frame_id == "odom"
         assert stamp(label) in sent
-        place = vector(label)[:3] + (*start[:2], 0)  # odom begins at the start
+        place = vector(label)[:3] + np.array([*start[:2], 0])  # odom begins at the start
         x, y, z = vector(poses[0])[:3]
         assert np.abs(place[:2] - (x, y)).max() < 0.15 and z < place[2] < z + 0.5  # above the plate
 
