@@ -146,8 +146,11 @@ def best_inliers(points, pixels, random, draws=500):
     best = np.zeros(len(points), bool)
     for _ in range(draws):
         sample = random.choice(len(points), 4, replace=False)
-        with np.errstate(all="ignore"):
-            near = np.linalg.norm(moved(homography(points[sample], pixels[sample]), points) - pixels, axis=1)
+        try:
+            place = moved(homography(points[sample], pixels[sample]), points)
+        except ValueError:  # three of the four lie on one line
+            continue
+        near = np.linalg.norm(place - pixels, axis=1)
         inliers = near < NEAR
         best = inliers if inliers.sum() > best.sum() else best
     return best
