@@ -25,7 +25,10 @@ _IMPORTS = {
     **{name: f"from math import {name}" for name in ("sin", "cos", "tan", "atan2", "hypot", "radians")},
     "norm": "from numpy.linalg import norm",
 }
-_WHOLE_INDEX = "An index is a whole number, and / makes a float. Divide with //, or use int()."
+_WHOLE_INDEX = (
+    "An index is a whole number, and / makes a float. Divide whole numbers with //; with floats, // gives a"
+    " float too: use int(), or .astype(int) for an array."
+)
 
 
 def advice_on(error, message, line="", parameters=None, function=""):
@@ -181,6 +184,8 @@ def _unpack(match, source):
             f"The shape has another number of parts than the {match[1]} names on the left. A colour image has"
             " three, rows, columns and channels; a gray image has two. .shape[:2] are the first two."
         )
+    if re.match(r"for .+ in [^()\[\]]+,", source):
+        return "To go through two sequences together write zip: for a, b in zip(first, second):"
     if source.startswith("for "):
         return "A loop over a dictionary gives only its keys. For keys and values write dictionary.items()."
     return (
@@ -412,6 +417,11 @@ _ADVICE = (
         "TypeError",
         "'(?:numpy.)?float\\d*' object cannot be interpreted as an integer",
         _WHOLE_INDEX.replace("An index", "A count"),
+    ),
+    (
+        "TypeError",
+        r"^Cannot interpret '\d+' as a data type",
+        "The shape is one argument, in parentheses of its own: np.zeros((rows, columns)).",
     ),
     (
         "TypeError",

@@ -268,7 +268,7 @@ check("objects-cell", cell_histogram)
 
 # %% role="case" title="a small cell" points=1
 def inputs(rng):
-    return [gradients(rng), gradients(rng, 3, 5)]
+    return [gradients(rng), gradients(rng, 3, 5), tuple(np.abs(gradients(rng, 5, 3)))]  # at last: empty bins
 
 
 # %% role="case" title="dark to bright, and bright to dark" points=1 hint="A gradient and its negative have the same orientation: use % 180."
@@ -1387,14 +1387,17 @@ def some_matches(rng, sizes, limit, alone=3):
         more = rng.uniform(5, 95, (size - 4, 2)).round(2)
         angle = rng.uniform(0, 2 * np.pi, size - 4)
         noise = rng.uniform(0.3, 0.5, (size - 4, 1)) * limit * np.column_stack([np.cos(angle), np.sin(angle)])
-        extra = rng.uniform(5, 95, (len(OFFSETS), 2)).round(2) if size == max(sizes) else np.zeros((0, 2))
+        extra, far = np.zeros((2, 0, 2))
+        if size == max(sizes):
+            extra = rng.uniform(5, 95, (len(OFFSETS), 2)).round(2)
+            far = -np.full((1, 2), 0.999 / H[2, :2].sum()).round(2)  # its moved point is very far away
         offsets = OFFSETS[:len(extra)] * limit
         three = rng.uniform(5, 95, (3, 2)).round(2)
-        points += [four, more, extra, three, moved_by(H, three)]  # the last ones agree with the inverse
-        pixels += [moved_by(H, four), moved_by(H, more) + noise, moved_by(H, extra) + offsets]
+        points += [four, more, extra, far, three, moved_by(H, three)]  # the last ones agree with the inverse
+        pixels += [moved_by(H, four), moved_by(H, more) + noise, moved_by(H, extra) + offsets, far + 700]
         pixels += [moved_by(H.T, three), three]
         samples.append(np.arange(start, start + 4))
-        start += size + len(extra) + 6
+        start += size + len(extra) + len(far) + 6
     points.append(rng.uniform(0, 100, (alone, 2)).round(2))
     pixels.append(rng.uniform(500, 700, (alone, 2)).round(2))
     points, pixels = np.concatenate(points), np.concatenate(pixels)
