@@ -127,6 +127,8 @@ def _broadcast(match, source):
             f"{advice} One of these is empty. A slice is empty if it ends before it begins; a negative index,"
             " such as row - 1 in row 0, counts from the end."
         )
+    if re.search(r"\[:, ?-?\d\]", source):
+        return f"{advice} array[:, 2] has one axis; array[:, 2:3] keeps it as a column, with a row for each."
     is_mixed = len(shapes) == 2 and 1 in map(len, shapes)
     if is_mixed and ("axis=" in source or shapes[0][0] == shapes[1][0]):
         return (

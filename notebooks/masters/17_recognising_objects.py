@@ -318,6 +318,15 @@ def cell_histogram(grad_row, grad_col):
     return histogram_of(angles, np.hypot(grad_row, grad_col))
 
 
+# %% role="mistake" name="absolute angle, 180 degrees" says="An angle of exactly 180 degrees gets bin 9, which does not exist. And the absolute value of -30 is 30, but its orientation is 150. Use % 180 for all angles."
+def cell_histogram(grad_row, grad_col):
+    bins = (abs(np.degrees(np.arctan2(grad_row, grad_col))) // 20).astype(int)
+    histogram = np.zeros(9)
+    for i, magnitude in zip(bins.ravel(), np.hypot(grad_row, grad_col).ravel(), strict=True):
+        histogram[i] += magnitude
+    return histogram / grad_row.size
+
+
 # %% role="mistake" name="all the way round" says="Your bins go from 0 to 360 degrees, with 40 degrees each. An orientation is from 0 to 180: use % 180, and bins of 20 degrees."
 def cell_histogram(grad_row, grad_col):
     angles = np.degrees(np.arctan2(grad_row, grad_col)) % 360
@@ -972,6 +981,20 @@ def confusion(truth, predicted, count):
     return matrix / np.maximum(matrix.sum(axis=1, keepdims=True), 1)
 
 
+# %% role="mistake" name="divided by the sums of the rows" says="You divided by the sums of the rows. Return the counts, as whole numbers."
+def confusion(truth, predicted, count):
+    matrix = counted(truth, predicted, count)
+    with np.errstate(all="ignore"):
+        return matrix / matrix.sum(axis=1)
+
+
+# %% role="mistake" name="shares of a row, and nan" says="You divided each row by its sum. Return the counts, as whole numbers."
+def confusion(truth, predicted, count):
+    matrix = counted(truth, predicted, count)
+    with np.errstate(all="ignore"):
+        return matrix / matrix.sum(axis=1, keepdims=True)
+
+
 # %% role="mistake" name="shares of a column" says="You divided each column by its sum. Return the counts, as whole numbers."
 def confusion(truth, predicted, count):
     matrix = counted(truth, predicted, count)
@@ -1081,7 +1104,7 @@ def confusion(truth, predicted, count):
     return counted(truth, predicted, count) + 1
 
 
-# %% role="mistake" name="zeros" says="Your matrix is full of zeros. Does the loop add 1 for each pair?"
+# %% role="mistake" name="zeros" says="Your matrix is full of zeros. Does the loop add 1 for each pair? (matrix[truth][predicted] with arrays changes only a copy.)"
 def confusion(truth, predicted, count):
     return np.zeros((count, count), int)
 
@@ -1311,7 +1334,7 @@ H = homography(six_points[samples[1]], six_pixels[samples[1]])
 moved = np.column_stack([six_points, np.ones(6)]) @ H.T
 moved = moved[:, :2] / moved[:, 2:]
 assert (np.linalg.norm(moved - six_pixels, axis=1) < 3.0).tolist() == [True] * 5 + [False]
-homography(six_points[samples[0]], six_pixels[samples[0]])  # no three on one line
+assert homography(six_points[samples[0]], six_pixels[samples[0]]).shape == (3, 3)  # no three on one line
 
 # %% [markdown]
 # ### Your turn: the inliers of the best sample
@@ -1504,6 +1527,11 @@ def find_inliers(points, pixels, samples, limit):
 # %% role="mistake" name="back to the plate" says="You moved the pixels back to the points, so your distances are not in pixels of the frame. Move the points: homography(points[sample], pixels[sample])."
 def find_inliers(points, pixels, samples, limit):
     return most(masks_of(points, pixels, samples, lambda H, a, b: distance(np.linalg.inv(H), b, a) < limit))
+
+
+# %% role="mistake" name="pixels moved" says="You moved the pixels. Move the points, and compare them with the pixels."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: distance(H, b, a) < limit))
 
 
 # %% role="mistake" name="the inverse" says="Your homography goes from the pixels to the points. Exchange its arguments: homography(points[sample], pixels[sample])."

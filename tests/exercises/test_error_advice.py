@@ -35,6 +35,7 @@ ADVICE = {
     "{a}": "Curly brackets without a key and a colon make a set",
     "a * kernel": "it slides over it, and each pixel",
     "a.sum(axis=0) * np.arange(5)": "after axis=1 one for each row. Are rows and columns",
+    "a / a[:, 2]": "array[:, 2:3] keeps it as a column",
     "a * values": "use its length, len(table), or look values up in it: table[index].",
     "np.zeros(8).reshape(3, 3)": "A 3 × 3 matrix has 9 numbers.",
     "a[1:] - a[:-2]": "These two differ by 1: look where each slice begins and ends,",

@@ -90,3 +90,62 @@ def cell_histogram(grad_row, grad_col):
     for i, m in zip(bins.ravel(), np.hypot(grad_row, grad_col).ravel()):
         histogram[i] += int(m)
     return histogram / grad_row.size
+
+# %% name="180 degrees" origin="walk" sentence="Exactly 180 degrees gets bin 9: use % 180 for all angles." must_say=["% 180", "bin 9|180 degrees"] must_not_say=["padded"] kind="error"
+def cell_histogram(grad_row, grad_col):
+    histogram = np.zeros(9)
+    h, w = grad_row.shape
+    for i in range(h):
+        for j in range(w):
+            angle = np.degrees(np.arctan2(grad_row[i, j], grad_col[i, j]))
+            if angle < 0:
+                angle = angle + 180
+            histogram[int(angle // 20)] += np.hypot(grad_row[i, j], grad_col[i, j])
+    return histogram / (h * w)
+
+# %% name="no minlength" origin="walk" sentence="An empty bin counts too: minlength=9." must_say=["empty bin|minlength"] kind="shape"
+def cell_histogram(grad_row, grad_col):
+    angles = np.degrees(np.arctan2(grad_row, grad_col)) % 180
+    magnitudes = np.hypot(grad_row, grad_col)
+    bins = (angles // 20).astype(int)
+    return np.bincount(bins.ravel(), magnitudes.ravel()) / bins.size
+
+# %% name="always 64 pixels" origin="walk" sentence="A cell has grad_row.size pixels, not always 64." must_say=["64|number of pixels", "size"] kind="value"
+def cell_histogram(grad_row, grad_col):
+    angles = np.degrees(np.arctan2(grad_row, grad_col)) % 180
+    magnitudes = np.hypot(grad_row, grad_col)
+    bins = (angles // 20).astype(int)
+    histogram = np.zeros(9)
+    for b, m in zip(bins.ravel(), magnitudes.ravel()):
+        histogram[b] += m
+    return histogram / 64
+
+# %% name="divided by the width" origin="walk" sentence="Divide by the number of all pixels, not of the columns." must_say=["column|width", "all pixels"] must_not_say=["number of rows"] kind="value"
+def cell_histogram(grad_row, grad_col):
+    histogram = np.zeros(9)
+    h, w = grad_row.shape
+    for i in range(h):
+        for j in range(w):
+            angle = np.degrees(np.arctan2(grad_row[i, j], grad_col[i, j])) % 180
+            histogram[int(angle // 20)] += np.hypot(grad_row[i, j], grad_col[i, j])
+    return histogram / w
+
+# %% name="a row of bins at once" origin="walk" sentence="A row of bins counts each bin once: add pixel by pixel." must_say=["once", "pixel by pixel|ravel|loop"] kind="value"
+def cell_histogram(grad_row, grad_col):
+    angles = np.degrees(np.arctan2(grad_row, grad_col)) % 180
+    magnitudes = np.hypot(grad_row, grad_col)
+    bins = (angles // 20).astype(int)
+    histogram = np.zeros(9)
+    for i in range(len(bins)):
+        histogram[bins[i]] += magnitudes[i]
+    return histogram / bins.size
+
+# %% name="float bins" origin="walk" sentence="// of floats gives a float: make whole numbers with astype(int)." must_say=["astype\\(int\\)|int\\(", "float"] must_not_say=["^Divide with //,"] kind="error"
+def cell_histogram(grad_row, grad_col):
+    angles = np.degrees(np.arctan2(grad_row, grad_col)) % 180
+    magnitudes = np.hypot(grad_row, grad_col)
+    bins = angles // 20
+    histogram = np.zeros(9)
+    for b, m in zip(bins.ravel(), magnitudes.ravel()):
+        histogram[b] += m
+    return histogram / bins.size

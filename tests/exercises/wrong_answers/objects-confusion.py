@@ -90,3 +90,55 @@ def confusion(truth, predicted, count):
     matrix = np.zeros((count, count), int)
     for t, p in zip(truth, predicted):
         matrix[t, p] += 1
+
+# %% name="sums of the rows, no keepdims" origin="walk" sentence="Return the counts, do not divide by the sums of the rows." must_say=["counts", "sums? of the row|row"] kind="value"
+def confusion(truth, predicted, count):
+    matrix = np.zeros((count, count))
+    for row, col in zip(truth, predicted):
+        matrix[row, col] += 1
+    return matrix / matrix.sum(axis=1)
+
+# %% name="one row shared" origin="walk" sentence="All rows are one list: make a new one for each row." must_say=["rows?", "one list|same list"] kind="value"
+def confusion(truth, predicted, count):
+    table = [[0] * count] * count
+    for t, p in zip(truth, predicted):
+        table[t][p] += 1
+    return np.array(table)
+
+# %% name="range(count)" origin="walk" sentence="Go through all pairs: range(len(truth))." must_say=["all pairs|len\\(truth\\)"] kind="value"
+def confusion(truth, predicted, count):
+    matrix = np.zeros((count, count), int)
+    for i in range(count):
+        matrix[truth[i], predicted[i]] += 1
+    return matrix
+
+# %% name="errors twice" origin="walk" sentence="Add an error once, at row truth, column predicted." must_say=["both places|once"] kind="value"
+def confusion(truth, predicted, count):
+    matrix = np.zeros((count, count), int)
+    for t, p in zip(truth, predicted):
+        matrix[t, p] += 1
+        if t != p:
+            matrix[p, t] += 1
+    return matrix
+
+# %% name="two loops" origin="walk" sentence="Go through both together: zip(truth, predicted)." must_say=["zip|together"] kind="value"
+def confusion(truth, predicted, count):
+    matrix = np.zeros((count, count), int)
+    for row in truth:
+        for col in predicted:
+            matrix[row, col] += 1
+    return matrix
+
+# %% name="no zip" origin="walk" sentence="Go through both together with zip." must_say=["zip"] must_not_say=["dictionary"] kind="error"
+def confusion(truth, predicted, count):
+    matrix = np.zeros((count, count), int)
+    for i, j in truth, predicted:
+        matrix[i, j] += 1
+    return matrix
+
+# %% name="shape as two arguments" origin="walk" sentence="The shape is one argument: np.zeros((count, count))." must_say=["\\(\\("] kind="error"
+def confusion(truth, predicted, count):
+    matrix = np.zeros(count, count)
+    for i, j in zip(truth, predicted):
+        matrix[i, j] += 1
+    return matrix

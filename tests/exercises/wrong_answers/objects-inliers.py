@@ -203,3 +203,119 @@ def find_inliers(points, pixels, samples, limit):
         near = np.linalg.norm(moved - pixels, axis=1) < limit
         if near.sum() > best.sum():
             best = near
+
+# %% name="computed again from the inliers" origin="walk" sentence="Return the inliers of the sample's own homography, do not compute it again." must_say=["again|sample's own"] must_not_say=["multiplies value by value"] kind="value"
+def find_inliers(points, pixels, samples, limit):
+    with_one = np.column_stack([points, np.ones(len(points))])
+    best = np.zeros(len(points), bool)
+    for sample in samples:
+        H = homography(points[sample], pixels[sample])
+        moved = with_one @ H.T
+        moved = moved[:, :2] / moved[:, 2:]
+        distances = np.linalg.norm(moved - pixels, axis=1)
+        inliers = distances < limit
+        if inliers.sum() > best.sum():
+            best = inliers
+    H = homography(points[best], pixels[best])
+    moved = with_one @ H.T
+    moved = moved[:, :2] / moved[:, 2:]
+    return np.linalg.norm(moved - pixels, axis=1) < limit
+
+# %% name="axis=0" origin="walk" sentence="One distance for each match: axis=1." must_say=["axis=1"] must_not_say=["multiplies value by value"] kind="value"
+def find_inliers(points, pixels, samples, limit):
+    with_one = np.column_stack([points, np.ones(len(points))])
+    best = np.zeros(len(points), bool)
+    for sample in samples:
+        H = homography(points[sample], pixels[sample])
+        moved = with_one @ H.T
+        moved = moved[:, :2] / moved[:, 2:]
+        distances = np.linalg.norm(moved - pixels, axis=0)
+        inliers = distances < limit
+        if inliers.sum() > best.sum():
+            best = inliers
+    return best
+
+# %% name="len, last of equals" origin="walk" sentence="Count the inliers with near.sum(), not with len." must_say=["sum\\(", "len"] must_not_say=["multiplies value by value"] kind="value"
+def find_inliers(points, pixels, samples, limit):
+    with_one = np.column_stack([points, np.ones(len(points))])
+    best = np.zeros(len(points), bool)
+    for sample in samples:
+        H = homography(points[sample], pixels[sample])
+        moved = with_one @ H.T
+        moved = moved[:, :2] / moved[:, 2:]
+        distances = np.linalg.norm(moved - pixels, axis=1)
+        inliers = distances < limit
+        if len(inliers) > len(best):
+            best = inliers
+    return best
+
+# %% name="len" origin="walk" sentence="Count the inliers with near.sum(), not with len." must_say=["sum\\(", "len"] must_not_say=["multiplies value by value"] kind="value"
+def find_inliers(points, pixels, samples, limit):
+    with_one = np.column_stack([points, np.ones(len(points))])
+    count = 0
+    for sample in samples:
+        H = homography(points[sample], pixels[sample])
+        moved = with_one @ H.T
+        moved = moved[:, :2] / moved[:, 2:]
+        distances = np.linalg.norm(moved - pixels, axis=1)
+        inliers = distances < limit
+        if len(inliers) > count:
+            count = len(inliers)
+            best = inliers
+    return best
+
+# %% name="only the sample moved" origin="walk" sentence="Move all points, not only the four of the sample." must_say=["all points"] must_not_say=["same for every input"] kind="shape"
+def find_inliers(points, pixels, samples, limit):
+    with_one = np.column_stack([points, np.ones(len(points))])
+    best = np.zeros(len(points), bool)
+    for sample in samples:
+        H = homography(points[sample], pixels[sample])
+        moved = with_one[sample] @ H.T
+        moved = moved[:, :2] / moved[:, 2:]
+        distances = np.linalg.norm(moved - pixels[sample], axis=1)
+        inliers = distances < limit
+        if inliers.sum() > best.sum():
+            best = inliers
+    return best
+
+# %% name="smallest sum of distances" origin="walk" sentence="Keep the sample with the most inliers, not with the smallest sum of distances." must_say=["most inliers"] must_not_say=["multiplies value by value"] kind="value"
+def find_inliers(points, pixels, samples, limit):
+    with_one = np.column_stack([points, np.ones(len(points))])
+    smallest = 1e12
+    for sample in samples:
+        H = homography(points[sample], pixels[sample])
+        moved = with_one @ H.T
+        moved = moved[:, :2] / moved[:, 2:]
+        distances = np.linalg.norm(moved - pixels, axis=1)
+        if distances.sum() < smallest:
+            smallest = distances.sum()
+            best = distances < limit
+    return best
+
+# %% name="pixels moved" origin="walk" sentence="Move the points, not the pixels." must_say=["moved? the p"] must_not_say=["multiplies value by value"] kind="value"
+def find_inliers(points, pixels, samples, limit):
+    with_one = np.column_stack([pixels, np.ones(len(points))])
+    best = np.zeros(len(points), bool)
+    for sample in samples:
+        H = homography(points[sample], pixels[sample])
+        moved = with_one @ H.T
+        moved = moved[:, :2] / moved[:, 2:]
+        distances = np.linalg.norm(moved - points, axis=1)
+        inliers = distances < limit
+        if inliers.sum() > best.sum():
+            best = inliers
+    return best
+
+# %% name="third numbers without a column" origin="walk" sentence="moved[:, 2] has one axis: write moved[:, 2:]." must_say=[":, 2:"] must_not_say=["multiplies value by value", "width and height"] kind="error"
+def find_inliers(points, pixels, samples, limit):
+    with_one = np.column_stack([points, np.ones(len(points))])
+    best = np.zeros(len(points), bool)
+    for sample in samples:
+        H = homography(points[sample], pixels[sample])
+        moved = with_one @ H.T
+        moved = moved[:, :2] / moved[:, 2]
+        distances = np.linalg.norm(moved - pixels, axis=1)
+        inliers = distances < limit
+        if inliers.sum() > best.sum():
+            best = inliers
+    return best

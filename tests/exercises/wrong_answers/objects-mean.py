@@ -78,3 +78,44 @@ def nearest_mean(vectors, classes, new):
     numbers = np.unique(classes)
     means = np.array([vectors[classes == c].mean(axis=0) for c in numbers])
     result = numbers[((new[:, None] - means) ** 2).sum(axis=2).argmin(axis=1)]
+
+# %% name="in the order of appearance" origin="walk" sentence="The means are in the order of np.unique, the classes in the order in which they come: use one list for both." must_say=["order"] kind="value"
+def nearest_mean(vectors, classes, new):
+    names = []
+    for c in classes:
+        if c not in names:
+            names.append(c)
+    means = np.array([vectors[classes == k].mean(axis=0) for k in np.unique(classes)])
+    return np.array(names)[((new[:, None] - means) ** 2).sum(axis=2).argmin(axis=1)]
+
+# %% name="sum before the square" origin="walk" sentence="Square the differences before you add them." must_say=["square"] must_not_say=["^Each of your means is one number"] kind="value"
+def nearest_mean(vectors, classes, new):
+    numbers = np.unique(classes)
+    means = np.array([vectors[classes == k].mean(axis=0) for k in numbers])
+    result = []
+    for v in new:
+        distances = [np.sqrt((v - m).sum() ** 2) for m in means]
+        result.append(numbers[np.argmin(distances)])
+    return np.array(result)
+
+# %% name="twelve classes" origin="walk" sentence="Classes that do not occur have the mean nan: use np.unique(classes)." must_say=["np.unique", "nan|occur"] kind="value"
+def nearest_mean(vectors, classes, new):
+    means = np.array([vectors[classes == place].mean(axis=0) for place in range(12)])
+    return ((new[:, None] - means) ** 2).sum(axis=2).argmin(axis=1)
+
+# %% name="best not set back" origin="walk" sentence="Begin with a large distance again for each new vector." must_say=["begin", "new vector"] kind="value"
+def nearest_mean(vectors, classes, new):
+    result = np.zeros(len(new), int)
+    best = 1e9
+    for i in range(len(new)):
+        for k in np.unique(classes):
+            d = np.sqrt(((new[i] - vectors[classes == k].mean(axis=0)) ** 2).sum())
+            if d < best:
+                best = d
+                result[i] = k
+    return result
+
+# %% name="classes at the positions" origin="walk" sentence="The positions belong to np.unique(classes), not to classes." must_say=["np.unique", "position"] kind="value"
+def nearest_mean(vectors, classes, new):
+    means = np.array([vectors[classes == k].mean(axis=0) for k in np.unique(classes)])
+    return classes[((new[:, None] - means) ** 2).sum(axis=2).argmin(axis=1)]
