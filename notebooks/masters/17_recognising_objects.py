@@ -817,7 +817,7 @@ def nearest_mean(vectors, classes, new):
 
 
 # %% [markdown]
-# Now the real crops. The *[[term:accuracy]]* is the share of right classes. As a comparison: the same with 16 × 16 gray levels, and with the colours of the crop. The colours are a histogram of 12 hues and 6 saturations (see [[object_tracking#2]]).
+# Now the real crops. The *[[term:accuracy]]* is the share of right classes. As a comparison: the same with 16 × 16 gray levels, and with the colours of the crop. The colours are a histogram of 12 hues and 6 saturations (see [[object_tracking#2]]); the square root makes large shares count less.
 
 # %%
 def colours_of(crop):
@@ -1688,7 +1688,7 @@ names = [class_of(cut_out(small_frame, *box)) for box, _ in things]
 print(len(things), "things")
 
 # %% [markdown]
-# A person sees these things, in the same order:
+# A person sees these things, in the same order (a skirting board is the narrow strip at the foot of a wall):
 
 # %%
 seen_names = ["chair", "shelf", "sofa", "marker", "ball", "waste bin", "skirting board", "slippers"]
