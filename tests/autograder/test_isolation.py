@@ -127,3 +127,23 @@ def test_a_case_is_compared_once_and_nbval_reads_that_verdict(key, right, monkey
             assert StoredVerdict(exercise_run, "a case that did not run") != {}
     assert [run.passed for run in runs.values()] == [True, True, False, False]
     assert len(comparisons) == 4
+
+
+STATE = """import random, signal, sys
+print(sorted(name for name in globals() if not name.startswith("_")))
+print(random.random(), np.random.random(), signal.getitimer(signal.ITIMER_PROF))
+print(signal.getsignal(signal.SIGINT).__name__, sys.exc_info(), sys.stdout.name)
+print(get_ipython().execution_count, _, __, sorted(get_ipython().user_ns_hidden)[:3], In, Out)"""
+
+
+def test_a_kernel_that_has_waited_is_as_a_new_one():
+    """While it waits, it has run cells of ours."""
+    texts = []
+    with KernelFactory("fast") as kernel_factory:
+        for _ in range(3):  # a new one, then two that have waited
+            kernel = kernel_factory.start((), 5.0, [((), 5.0)])
+            run = kernel.run_statements([STATE])
+            texts.append((run.printed, run.error))
+            kernel.stop()
+    assert "random" in texts[0][0] and texts[0][1] == ("", "")
+    assert texts[1:] == texts[:1] * 2

@@ -37,7 +37,7 @@ class KernelEnded(Exception):
 class ForkedKernel:
     """A kernel that was forked from a `ForkServer`."""
 
-    def __init__(self, fork_server, allowed, seconds, limits):
+    def __init__(self, fork_server, allowed, seconds, limits, *, has_time=False):
         self._fork_server, self._limits = fork_server, limits
         self._seconds, self._deadline = seconds, None
         self._next_look, self._has_looked = 0.0, False
@@ -46,7 +46,8 @@ class ForkedKernel:
         our_end, kernel_end = socket.socketpair()
         self._socket = our_end
         with kernel_end:
-            self._id = fork_server.fork(kernel_end.fileno(), allowed, limits.for_system(seconds))
+            limits = limits.for_system(seconds)
+            self._id = fork_server.fork(kernel_end.fileno(), allowed, limits, has_time=has_time)
 
     def run(self, code):
         """Run one cell; returns its CellRun."""
@@ -243,7 +244,7 @@ class ForkServer:
         errors = self._process.stderr.read().decode(errors="replace")
         return " ".join(errors.split())[-400:] or "it was killed"
 
-    def fork(self, descriptor, allowed, limits):
+    def fork(self, descriptor, allowed, limits, *, has_time=False):
         """Fork a kernel.
 
         Parameters
@@ -251,6 +252,7 @@ class ForkServer:
         descriptor : int, of the kernel's socket
         allowed : sequence of str, modules that it has beside those that every answer may use
         limits : dict, from `Limits.for_system`
+        has_time : bool, the kernel will wait for its first cell; it uses this time to run that one faster
 
         Returns
         -------
@@ -269,6 +271,7 @@ class ForkServer:
             "bound": access.bound,
             "names": access.names,
             "limits": limits,
+            "has_time": has_time,
         }
         data = [json.dumps(order).encode()]
         try:

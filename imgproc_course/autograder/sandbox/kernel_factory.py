@@ -54,15 +54,15 @@ class KernelFactory:
         self._keep_spares([(tuple(allowed), seconds) for allowed, seconds in next_requests])
         return kernel
 
-    def _fork(self, request):
-        return ForkedKernel(self._fork_server, *request, self.limits)
+    def _fork(self, request, *, has_time=False):
+        return ForkedKernel(self._fork_server, *request, self.limits, has_time=has_time)
 
     def _keep_spares(self, requests):
         """Let a kernel wait for each of these requests, and no others."""
         for request in [request for request in self._spares if request not in requests]:
             self._spares.pop(request).stop()
         for request in requests:
-            self._spares[request] = self._spares.get(request) or self._fork(request)
+            self._spares[request] = self._spares.get(request) or self._fork(request, has_time=True)
 
     def close(self):
         """End all kernels and the fork server."""

@@ -1,7 +1,8 @@
 """The process that forks kernels: it has the imports loaded, and never runs code of a learner's.
 
 `fork_server_client` starts it with a socket (SOCK_SEQPACKET). It takes these orders:
-    {"op": "fork", "id": 7, "bound": [...], "names": [...], "limits": {...}}, with the kernel's socket
+    {"op": "fork", "id": 7, "bound": [...], "names": [...], "limits": {...}, "has_time": true}, with the
+                                              kernel's socket; "has_time" if it will wait for its first cell
     {"op": "end", "id": 7, "patience": 1.0}   kill the kernel and all that it started; reply how it had ended
     {"op": "drop", "id": 7}                   the same; reply null at once if it had started nothing
 It ends when its socket is closed.
@@ -33,14 +34,21 @@ def _load():
 
     cell_shell = shell.make_shell()
     cell_shell.user_ns["np"] = np
-    _warm_up(cell_shell, shell, check_cell)
+
+    def warm_up():
+        _warm_up(cell_shell, shell, check_cell)
+
+    warm_up()
     # Answers may draw from NumPy's global generator; its state is the same in each fork.
     np.random.seed(0)  # noqa: NPY002 - the global generator is meant, not one of ours
-    return cell_shell, shell.serve, check_cell.refuse_input, refusal.allow_modules, check_cell.deliver
+    return cell_shell, shell.serve, check_cell, refusal.allow_modules, warm_up
 
 
 def _warm_up(cell_shell, shell, check_cell):
-    """Run what every kernel will run, so that all that is loaded at first use is loaded already."""
+    """Run what every kernel will run, so that all that is loaded at first use is loaded already.
+
+    A fork that does it too, while it waits, has its own copies of the memory pages that a cell writes to.
+    """
     shell.WRITER.descriptor = os.open(os.devnull, os.O_WRONLY)
     streams = sys.stdout, sys.stderr
     sys.stdout, sys.stderr = shell.OutputStream("stdout"), shell.OutputStream("stderr")
@@ -75,12 +83,14 @@ def _run_kernel(control, descriptor, order, settings, loaded):
         else:
             confine.die_with_parent()
             confine.set_limits(order["limits"] | {"processes": 4096})
-        cell_shell, serve, refuse_input, allow_modules, deliver = loaded
-        random.seed(0)  # Python draws another seed in each fork
-        refuse_input()
+        cell_shell, serve, check_cell, allow_modules, warm_up = loaded
+        check_cell.refuse_input()
         allow_modules(order["names"])
+        if order["has_time"]:
+            warm_up()
+        random.seed(0)  # Python draws another seed in each fork
         exit_code = 71  # the learner's code ended it
-        serve(cell_shell, descriptor, deliver)
+        serve(cell_shell, descriptor, check_cell.deliver)
         exit_code = 0
     finally:
         os._exit(exit_code)
