@@ -2,9 +2,7 @@
 
 import numpy as np
 
-from .room_model import NO_JOINT
-
-UNSEEN = -2
+from ..geometry.poses import rotate
 
 
 class TriangleDepth:
@@ -12,7 +10,7 @@ class TriangleDepth:
 
     def __init__(self, room, model, pinhole):
         """model : the camera with its lens; pinhole : the model of the drawn image of numbers"""
-        self._room = room
+        self._names = room.joint_names
         rays = model.rays()
         pixels = np.rint(pinhole.project(rays))
         col = np.clip(pixels[..., 0], 0, pinhole.width - 1).astype(np.intp)
@@ -21,8 +19,14 @@ class TriangleDepth:
             pinhole.height - 1 - row
         ) * pinhole.width + col  # the drawn image's first row is at the bottom
         self._rays = np.moveaxis(rays, -1, 0)[:2].astype(np.float32)
-        self._joint = np.concatenate([[UNSEEN], room.joint])
         self._label = np.concatenate([[0], room.label]).astype(np.uint8)
+        # Columns of all triangles, so that some of them are taken quickly: the joint, the plane (normal and
+        # offset), and the corners (x y z, x y z, x y z).
+        self._joint = room.joint
+        self._plane = np.vstack([room.normals.T, room.offsets])
+        self._corners = np.ascontiguousarray(room.triangles.reshape(-1, 9).T, float)
+        # By triangle number, of what the newest image shows: as _update_planes says.
+        self._planes = np.zeros((5, len(self._label)), np.float32)
 
     def numbers(self, image):
         """The triangle number of each of the camera's pixels, intp, of the drawn image of numbers."""
@@ -38,48 +42,53 @@ class TriangleDepth:
         On a silhouette a ray can pass beside the triangle that its pixel shows, and would run far along its
         plane: the depth stays within the triangle's own, and 2 % more.
         """
-        per_depth, nearest, farthest = self._planes(numbers, camera, joint_poses)
+        self._update_planes(numbers, camera, joint_poses)
+        a, b, c, nearest, farthest = self._planes
         x, y = self._rays
-        slope = per_depth[0][numbers] * x
-        slope += per_depth[1][numbers] * y
-        slope += per_depth[2][numbers]
+        slope, part = np.take(a, numbers), np.take(b, numbers)
+        slope *= x
+        part *= y
+        slope += part
+        slope += np.take(c, numbers)
+        grazing = slope <= 0
         with np.errstate(divide="ignore"):
-            depth = 1 / slope
-        depth[slope <= 0] = np.inf  # grazing: the triangle's far end
-        np.minimum(depth, farthest[numbers], out=depth)
-        np.maximum(depth, nearest[numbers], out=depth)
-        return depth
+            depth = np.divide(1, slope, out=slope)
+        depth[grazing] = np.inf  # the triangle's far end
+        np.minimum(depth, np.take(farthest, numbers), out=depth)
+        return np.maximum(depth, np.take(nearest, numbers), out=depth)
 
-    def _planes(self, numbers, camera, joint_poses):
-        """Of each triangle in the image its plane, (a, b, c) with 1 / depth = a x + b y + c, and its depths.
+    def _update_planes(self, numbers, camera, joint_poses):
+        """Computes of each triangle in the image (a, b, c) with 1 / depth = a x + b y + c, and its depths.
 
-        Arrays over all triangle numbers: 0 for triangles that are not in the image, and for the number 0.
+        Of the number 0 all stay 0; of triangles that are not in the image they are old, and not read.
         """
-        room, count = self._room, len(self._label)
-        visible = np.zeros(count, bool)
+        visible = np.zeros(len(self._label), bool)
         visible[numbers] = True
         visible[0] = False
         visible_numbers = np.flatnonzero(visible)
-        rotation, position = self._to_camera(self._joint[visible_numbers], camera, joint_poses)
-        per_depth = np.zeros((3, count), np.float32)
-        nearest, farthest = np.zeros(count, np.float32), np.zeros(count, np.float32)
-        normals = [dot(row, room.normals[visible_numbers - 1].T) for row in rotation]
-        offsets = room.offsets[visible_numbers - 1] + dot(normals, position)
+        rows = visible_numbers - 1
+        rotation, position = self._to_camera(np.take(self._joint, rows), camera, joint_poses)
+        *normal, offset = np.take(self._plane, rows, 1)
+        normals = [dot(row, normal) for row in rotation]
+        offsets = offset + dot(normals, position)
+        corners = np.take(self._corners, rows, 1).reshape(3, 3, -1)
+        a, b, c = (dot(rotation[2], corner) + position[2] for corner in corners)
         with np.errstate(divide="ignore", invalid="ignore"):
-            per_depth[:, visible_numbers] = np.nan_to_num(np.stack(normals) / offsets)
-        a, b, c = (dot(rotation[2], room.triangles[visible_numbers - 1, k].T) + position[2] for k in range(3))
-        nearest[visible_numbers] = np.minimum(np.minimum(a, b), c) * 0.98 - 0.005
-        farthest[visible_numbers] = np.maximum(np.maximum(a, b), c) * 1.02 + 0.005
-        return per_depth, nearest, farthest
+            self._planes[:3, visible_numbers] = np.nan_to_num(np.stack(normals) / offsets)
+        self._planes[3, visible_numbers] = np.minimum(np.minimum(a, b), c) * 0.98 - 0.005
+        self._planes[4, visible_numbers] = np.maximum(np.maximum(a, b), c) * 1.02 + 0.005
 
     def _to_camera(self, joint, camera, joint_poses):
         """Rotations (3, 3, N) and positions (3, N) into the optical frame, of triangles of joints (N,)."""
-        names, to_camera = self._room.joint_names, camera.inverse()
-        rotations, positions = np.zeros((len(names) + 1, 3, 3)), np.zeros((len(names) + 1, 3))
-        for k in np.unique(joint):  # NO_JOINT is -1: the last one
-            pose = to_camera if k == NO_JOINT else to_camera @ joint_poses[names[k]]
-            rotations[k], positions[k] = pose.rotation, pose.position
-        return np.moveaxis(rotations[joint], 0, -1), positions[joint].T
+        camera = camera.inverse()
+        poses = [joint_poses[name] for name in self._names]
+        rotations = np.stack([pose.rotation.T for pose in poses])
+        rotations = rotate(camera.rotation, rotations).swapaxes(1, 2)
+        positions = camera.apply(np.stack([pose.position for pose in poses]))
+        # NO_JOINT is -1: the last one
+        rotations = np.concatenate([rotations, camera.rotation[None]]).reshape(-1, 9)
+        positions = np.concatenate([positions, camera.position[None]])
+        return np.take(rotations.T, joint, 1).reshape(3, 3, -1), np.take(positions.T, joint, 1)
 
 
 def dot(first, second):

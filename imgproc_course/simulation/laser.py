@@ -36,13 +36,6 @@ def cut(triangles, height):
     return np.stack(ends, 1)
 
 
-def near(triangles, pose, height):
-    """Those triangles (N, 3, 3) that reach above and below a height when the pose has placed them."""
-    x, y, z = pose.rotation[2]
-    heights = x * triangles[..., 0] + y * triangles[..., 1] + z * triangles[..., 2] + pose.position[2]
-    return triangles[(heights.min(1) <= height) & (heights.max(1) > height)]
-
-
 def cast(segments, x, y, yaw):
     """Distance (RAYS,) float64 to the first segment on each ray from (x, y), the first ray towards yaw."""
     angles = [yaw + k * 2 * math.pi / RAYS for k in range(RAYS)]
@@ -84,21 +77,34 @@ class Laser:
     def __init__(self, room, seed=None):
         self._seed = seed
         self._still = cut(room.triangles[room.joint < 0], MOUNT[1])
-        self._parts = {name: room.triangles[room.joint == k] for k, name in enumerate(room.joint_names)}
-        self._reach = {name: float(np.abs(part).max()) * 3**0.5 for name, part in self._parts.items()}
+        self._names = room.joint_names
+        moving = room.joint >= 0
+        self._joint = room.joint[moving]
+        # Columns: x y z of each corner of each triangle
+        self._moving = np.ascontiguousarray(np.moveaxis(room.triangles[moving], 0, -1), float)
 
     def scan(self, robot, joint_poses, step):
         """robot : (x, y, yaw) of base_link."""
-        moving = [
-            cut(joint_poses[name].apply(near(part, joint_poses[name], MOUNT[1])), MOUNT[1])
-            for name, part in self._parts.items()
-            if abs(joint_poses[name].position[2] - MOUNT[1]) < self._reach[name]
-        ]
+        moving = cut(self._near(joint_poses, MOUNT[1]), MOUNT[1])
         x, y, yaw = robot
         x, y = x + MOUNT[0] * math.cos(yaw), y + MOUNT[0] * math.sin(yaw)
-        distance = cast(np.concatenate([self._still, *moving]), round(x, 9), round(y, 9), yaw)
+        distance = cast(np.concatenate([self._still, moving]), round(x, 9), round(y, 9), yaw)
         if self._seed is not None:
             distance = distance + NOISE * np.random.default_rng([self._seed, 4, step]).standard_normal(RAYS)
         distance[(distance < RANGE_MIN) | (distance > RANGE_MAX)] = np.inf
         ranges = np.round(distance, 6).astype(np.float32)
         return LaserScan(0.0, 2 * math.pi / RAYS, RANGE_MIN, RANGE_MAX, ranges)
+
+    def _near(self, joint_poses, height):
+        """Those triangles (N, 3, 3) of movers, in the map, that reach above and below a height."""
+        poses = [joint_poses[name] for name in self._names]
+        positions = np.stack([pose.position for pose in poses])
+        rotations = np.stack([pose.rotation for pose in poses])
+        (x, y, z), lift = np.take(rotations[:, 2].T, self._joint, 1), np.take(positions[:, 2], self._joint)
+        a, b, c = (x * corner[0] + y * corner[1] + z * corner[2] + lift for corner in self._moving)
+        lowest, highest = np.minimum(np.minimum(a, b), c), np.maximum(np.maximum(a, b), c)
+        rows = np.flatnonzero((lowest <= height) & (highest > height))
+        rotation = np.moveaxis(rotations[self._joint[rows]], 0, -1)  # (3, 3, N)
+        corners = np.take(self._moving, rows, 2)
+        placed = [[row[0] * x + row[1] * y + row[2] * z for row in rotation] for x, y, z in corners]
+        return np.moveaxis(np.array(placed), -1, 0) + positions[self._joint[rows]][:, None]

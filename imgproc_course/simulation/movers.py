@@ -171,7 +171,10 @@ class Movers:
         return True, True
 
     def joint_poses(self, tree):
-        """The pose of every joint in the map, {name: Pose}; `tree` has each joint's parent and offset."""
+        """The pose of every joint in the map, {name: Pose}.
+
+        tree : each joint's parent and offset, {name: {"parent": …, "offset": …}}, parents first
+        """
         (x, y, yaw), phase, amplitude = walk(self.person_time)
         (u, v, z, heading), turn = car_path(self.car_time)
         poses = {
@@ -180,7 +183,7 @@ class Movers:
             "ball": Pose(self.ball.rotation, np.array([self.ball.x, self.ball.y, self.ball.height])),
         }
         angles = gait(phase, amplitude) | dict.fromkeys([n for n in tree if n.startswith("wheel")], turn)
-        for name in sorted(tree, key=lambda n: depth_in(tree, n)):
+        for name in tree:
             if name not in poses:
                 offset = np.array(tree[name]["offset"])
                 if name == "hip":
@@ -204,10 +207,6 @@ class _Floor:
         if 0 < distance < self._free_space.distance(x, y):
             return (x - nearest[0]) / distance, (y - nearest[1]) / distance
         return self._free_space.away(x, y)
-
-
-def depth_in(tree, name):
-    return 0 if tree[name]["parent"] is None else 1 + depth_in(tree, tree[name]["parent"])
 
 
 def rounded(pose):

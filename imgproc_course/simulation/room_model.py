@@ -22,7 +22,7 @@ class RoomModel:
 
     triangles (N, 3, 3) float32, metres · texture (N, 3, 2) float32 · label (N,) uint8 · joint (N,) int,
     NO_JOINT for what stands still · atlas (N,) int, index into ATLASES · normals (N, 3) and offsets (N,)
-    float64 of the planes
+    float64 of the planes · joint_tree {name: parent and offset}, parents first
     """
 
     triangles: np.ndarray
@@ -42,6 +42,7 @@ def load_room():
     with np.load(FILES / "geometry.npz") as file:
         arrays = dict(file)
     description = json.loads((FILES / "scene.json").read_text(encoding="utf-8"))
+    tree = description["joint_tree"]
     parts = []
     for number, atlas in enumerate(ATLASES):
         triangles, texture = arrays[f"{atlas}_vertices"], arrays[f"{atlas}_uv"]
@@ -66,10 +67,16 @@ def load_room():
         normals,
         offsets,
         description["joints"],
-        description["joint_tree"],
+        {name: tree[name] for name in sorted(tree, key=lambda name: generation(tree, name))},
         {name: np.array(pose) for name, pose in description["markers"].items()},
         {int(number): name for number, name in description["labels"].items()},
     )
+
+
+def generation(tree, name):
+    """How many joints there are above this one."""
+    parent = tree[name]["parent"]
+    return 0 if parent is None else 1 + generation(tree, parent)
 
 
 def bisect(triangles, texture, label, longest):
@@ -101,19 +108,19 @@ class FreeSpace:
 
     def __init__(self):
         with np.load(FILES / "free_space.npz") as file:
-            self._millimetres = file["distance"]
+            self._millimetres = file["distance"].tolist()  # single numbers are read faster from a list
             self._origin = file["origin"].tolist()
             self._cell = float(file["cell"])
 
     def distance(self, x, y):
         """Metres from (x, y) to the nearest obstacle, between the cells' centers; 0 outside of the room."""
         col, row = (x - self._origin[0]) / self._cell - 0.5, (y - self._origin[1]) / self._cell - 0.5
-        height, width = self._millimetres.shape
+        height, width = len(self._millimetres), len(self._millimetres[0])
         if not (0 <= col < width - 1 and 0 <= row < height - 1):
             return 0.0
         i, j = int(row), int(col)
         down, right = row - i, col - j
-        (a, b), (c, d) = self._millimetres[i : i + 2, j : j + 2].tolist()
+        (a, b), (c, d) = (line[j : j + 2] for line in self._millimetres[i : i + 2])
         return ((a * (1 - right) + b * right) * (1 - down) + (c * (1 - right) + d * right) * down) / 1000
 
     def away(self, x, y, reach=0.02):

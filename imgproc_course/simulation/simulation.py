@@ -164,7 +164,7 @@ class Simulation:
         view, maps = self._views["frame"]
         self._renderer.place(self._joint_poses())
         drawn = self._renderer.render(view, self._camera_pose("front"))
-        image = cv2.remap(cv2.cvtColor(drawn, cv2.COLOR_BGRA2BGR), *maps, cv2.INTER_LINEAR)
+        image = cv2.cvtColor(cv2.remap(drawn, *maps, cv2.INTER_LINEAR), cv2.COLOR_BGRA2BGR)
         if self._sensor is None:
             return image
         return self._sensor(image, self._steps, 0.0 if self._look else self._drive.angular)
