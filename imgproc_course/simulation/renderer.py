@@ -105,12 +105,22 @@ def textured(triangles, texture, normals=None):
     return geom_node(vertex_format, rows[new], indices)
 
 
+@functools.cache
+def float_format():
+    """Points x y z 1 and colors of floats: those vertices that this renderer reads fastest."""
+    array = p3d.GeomVertexArrayFormat()
+    array.add_column(p3d.InternalName.get_vertex(), 4, p3d.GeomEnums.NT_float32, p3d.GeomEnums.C_point)
+    array.add_column(p3d.InternalName.get_color(), 4, p3d.GeomEnums.NT_float32, p3d.GeomEnums.C_color)
+    return p3d.GeomVertexFormat.register_format(p3d.GeomVertexFormat(array))
+
+
 def numbered(triangles, numbers):
     """Each triangle in one flat color: its number, low byte in blue."""
-    rows = np.zeros((len(triangles) * 3, 16), np.uint8)
-    rows[:, :12] = triangles.reshape(-1, 3).astype(np.float32).view(np.uint8).reshape(-1, 12)
-    rows[:, 12:] = np.repeat(color_bytes(numbers >> 16, numbers >> 8 & 255, numbers & 255, 255), 3, 0)
-    return geom_node(p3d.GeomVertexFormat.get_v3c4(), rows, np.arange(len(rows)))
+    rows = np.ones((len(triangles) * 3, 8), np.float32)
+    rows[:, :3] = triangles.reshape(-1, 3)
+    colors = np.column_stack([numbers >> 16, numbers >> 8 & 255, numbers & 255]) / 255
+    rows[:, 4:7] = np.repeat(colors, 3, 0)
+    return geom_node(float_format(), rows, np.arange(len(rows)))
 
 
 def color_bytes(red, green, blue, alpha):
