@@ -304,6 +304,9 @@ class Renderer:
         rows[:, :12] = vertices.astype(np.float32).view(np.uint8).reshape(-1, 12)
         node = geom_node(p3d.GeomVertexFormat.get_v3c4(), rows, indices)
         self._sheen_rows = rows
+        # It changes with each image: without these its bounds would be computed as often.
+        node.modify_geom(0).set_bounds(p3d.OmniBoundingVolume())
+        node.set_bounds(p3d.OmniBoundingVolume())
         path = self._root.attach_new_node(node)
         path.set_attrib(p3d.ColorAttrib.make_vertex())
         path.set_transparency(p3d.TransparencyAttrib.M_alpha)
