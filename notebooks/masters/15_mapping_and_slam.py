@@ -546,7 +546,8 @@ check("mapping-scan", add_scan)
 # %% role="case" title="one ray, and two rays that cross" points=1
 def inputs(rng):
     cross = [[(1, 0), (1, 1), (1, 2), (1, 3)], [(1, 0), (1, 1), (0, 2)], [(1, 0), (1, 1), (1, 2)]]
-    return [(np.zeros((1, 3)), [[(0, 0), (0, 1), (0, 2)]], 0.7, 0.4), (np.zeros((3, 4)), cross, round(float(rng.uniform(0.6, 0.8)), 2), 0.4)]
+    hit = round(float(rng.uniform(0.6, 0.8)), 2)
+    return [(np.zeros((1, 3)), [[(0, 0), (0, 1), (0, 2)]], 0.7, 0.4), (np.zeros((3, 4)), cross, hit, 0.4), (np.zeros((3, 4)), cross[::-1], hit, 0.4)]
 
 
 # %% role="case" title="a map that knows something already" points=1 hint="Do you add to the old map, and does each cell stay between -6 and 6?"
@@ -559,7 +560,8 @@ def inputs(rng):
 # %% role="hidden" title="any scan" points=1 hint="Does each cell change once, and does a hit win? Is the given grid unchanged?"
 def inputs(rng):
     return [(one_map(rng, (8, 9)), fan(rng, (8, 9), 14), 0.7, 0.4), (np.zeros((7, 7)), fan(rng, (7, 7), 20), 0.9, 0.35),
-            (np.array([[5.9, -5.95, 0.0, 5.9]]), [[(0, 0), (0, 1), (0, 2), (0, 3)], [(0, 0), (0, 1), (0, 2)]], 0.65, 0.4)]
+            (np.array([[5.9, -5.95, 0.0, 5.9]]), [[(0, 0), (0, 1), (0, 2), (0, 3)], [(0, 0), (0, 1), (0, 2)]], 0.65, 0.4),
+            (np.array([[5.9, -5.95, 0.0, 5.9]]), [[(0, 0), (0, 1), (0, 2)], [(0, 0), (0, 1), (0, 2), (0, 3)]], 0.65, 0.4)]
 
 
 # %% role="mistake" name="each ray counts" says="You add for each ray: a cell that many rays pass changes many times. In one scan, each cell changes once: write the change into a grid of zeros with =, not with +=."
