@@ -5,7 +5,24 @@ environment/room/README.md says how the room was made.
 """
 
 from .drive import Odometry
+from .faces import draw_face, put_face, random_identity
+from .hands import GESTURES, Hand, draw_hand, gesture_track, hand_mask, random_hand
 from .laser import LaserScan
 from .simulation import CAMERA, TOF_CAMERA, Simulation
 
-__all__ = ["CAMERA", "TOF_CAMERA", "LaserScan", "Odometry", "Simulation"]
+__all__ = [
+    "CAMERA",
+    "GESTURES",
+    "TOF_CAMERA",
+    "Hand",
+    "LaserScan",
+    "Odometry",
+    "Simulation",
+    "draw_face",
+    "draw_hand",
+    "gesture_track",
+    "hand_mask",
+    "put_face",
+    "random_hand",
+    "random_identity",
+]

@@ -12,7 +12,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from imgproc_course.simulation import Simulation
+from imgproc_course.simulation import GESTURES, Simulation, draw_hand, gesture_track, random_hand
 from imgproc_course.simulation.movers import Movers
 from imgproc_course.simulation.renderer import Renderer
 
@@ -25,7 +25,7 @@ OLDER = {
 
 
 def digest(steps=12, lighting="day"):
-    """SHA-256 of everything that a short drive gives."""
+    """SHA-256 of everything that a short drive gives, and of a hand and gestures."""
     with Simulation(7, time=1.0, lighting=lighting) as room:
         total = hashlib.sha256()
         for k in range(steps):
@@ -39,6 +39,11 @@ def digest(steps=12, lighting="day"):
                     room.scan().ranges,
                 ):
                     total.update(np.ascontiguousarray(array).tobytes())
+        random = np.random.default_rng(7)
+        hand = random_hand(random, 4, (360, 640))
+        total.update(draw_hand(room.frame(), hand, 12, random).tobytes())
+        for gesture in GESTURES:
+            total.update(gesture_track(gesture, random).tobytes())
         total.update(
             repr((room.odometry(), room.pose("ball").tolist(), room.pose("robot").tolist())).encode()
         )
