@@ -1854,7 +1854,7 @@ assert not ros_available() or node.looks > 0
 # | descriptors of SIFT | (N, 128) | float32 | 0 to 255 | |
 # | homography | (3, 3) | float64 | `H[2, 2]` is 1 | |
 #
-# This is the last lesson for now. The robot drives, keeps its distance, follows a ball, knows its place, draws a map, reads, and names things. Which two of these would you join in a node of your own? Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+# **Next:** [[faces]]. Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
 
 # %%
 # Check: the numbers in the table

@@ -330,6 +330,122 @@ def test_the_lessons_node_names_things_above_them_from_another_process(robot, co
         assert np.abs(place[:2] - (x, y)).max() < 0.15 and z < place[2] < z + 0.5  # above the plate
 
 
+def test_the_lessons_node_hides_a_face_before_anything_stores_it(robot, collect, wait_until, tmp_path):
+    from rclpy.qos import qos_profile_sensor_data
+    from sensor_msgs.msg import Image
+
+    from imgproc_course.messages import array_to_image, image_to_array
+    from imgproc_course.recording import open_recording
+    from imgproc_course.ros import RosSession, record
+    from imgproc_course.simulation import put_face, random_identity
+
+    robot.restart(start=(0.4, -0.3, 0.2), seed=1, lighting="day")
+    session, sent = RosSession(), {}
+    publisher = session.node.create_publisher(Image, "/visitor/image", qos_profile_sensor_data)
+    visitor = random_identity(np.random.default_rng(3))
+
+    def visit(msg):
+        sent[stamp(msg)] = put_face(image_to_array(msg, "bgr8"), visitor, 240, 90, 160)
+        publisher.publish(array_to_image(sent[stamp(msg)][0], "bgr8", msg.header))
+
+    images = session.node.create_subscription(Image, f"{CAMERA}/image_raw", visit, qos_profile_sensor_data)
+    anonymised = collect("/anonymiser/image", Image)
+    program = [sys.executable, Path(__file__).with_name("anonymiser.py"), "/visitor/image"]
+    with subprocess.Popen(program, stdout=subprocess.PIPE, text=True) as node:
+        try:
+            wait_until(lambda: anonymised or node.poll() is not None, 150)
+            with record("/anonymiser/image", tmp_path / "stored") as recorder:
+                wait_until(lambda: recorder.counts["/anonymiser/image"] >= 5)
+        finally:
+            node.send_signal(signal.SIGINT)
+        frames, faces = map(int, node.communicate(timeout=60)[0].split())
+    session.run(
+        lambda: [session.node.destroy_subscription(images), session.node.destroy_publisher(publisher)]
+    )
+    assert 5 <= recorder.counts["/anonymiser/image"] <= frames + 1  # ended between sending and counting
+    assert faces >= 5
+    with open_recording(tmp_path / "stored") as stored:
+        assert list(stored.topics) == ["/anonymiser/image"]
+        for k in range(len(stored)):
+            frame, (left, top, width, height) = sent[stamp(stored.message(k))]
+            same = (stored.frame(k) == frame).all(axis=2)
+            face = np.s_[top + height // 5 : top + height * 4 // 5, left + width // 5 : left + width * 4 // 5]
+            assert same[face].mean() < 0.05  # by chance a pixel has the color that hides it
+            same[80:270, 230:420] = True
+            assert same.mean() > 0.9  # a false alarm may hide a part of the room
+
+
+def test_the_lessons_node_obeys_a_hand_from_another_process(robot, collect, wait_until):
+    from geometry_msgs.msg import Twist
+    from nav_msgs.msg import Odometry
+    from rclpy.qos import qos_profile_sensor_data
+    from sensor_msgs.msg import Image
+    from std_msgs.msg import String
+
+    from imgproc_course.messages import array_to_image
+    from imgproc_course.ros import RosSession
+    from imgproc_course.simulation import Hand, draw_hand, gesture_track
+
+    robot.restart(start=(0.4, -0.3, 0.0), seed=1, lighting="day")
+    gestures, commands = (
+        collect("/gestures/gesture", String),
+        collect("/kachaka/manual_control/cmd_vel", Twist),
+    )
+    wheels = collect("/kachaka/wheel_odometry/wheel_odometry", Odometry)
+    images = RosSession().node.create_publisher(Image, "/webcam/image_raw", qos_profile_sensor_data)
+    room = np.full((180, 240, 3), 200, np.uint8)
+
+    def look_at(image):  # each image has one command; the next image waits for it
+        count, sent = len(commands), -math.inf
+
+        def is_answered():
+            nonlocal sent
+            if time.monotonic() - sent > 5:  # at first, and if it was lost
+                images.publish(array_to_image(image, "bgr8"))
+                sent = time.monotonic()
+            return len(commands) > count
+
+        wait_until(is_answered)
+        return commands[-1].angular.z
+
+    def show(gesture, fingers):  # the hand is still in the last image
+        for x, y in gesture_track(gesture, np.random.default_rng(23), noise=0.02):
+            assert look_at(draw_hand(room, Hand(fingers, 110 + 50 * y, 120 + 80 * x, 36))) == 0
+
+    def names():
+        return [msg.data for msg in gestures]
+
+    def yaw():
+        return planar(wheels[-1].pose)[2]
+
+    def stands():
+        return wheels[-1].twist.twist.angular.z == 0
+
+    program = [sys.executable, Path(__file__).with_name("obey_gestures.py")]
+    with subprocess.Popen(program, stdout=subprocess.PIPE, text=True) as node:
+        try:
+            wait_until(lambda: images.get_subscription_count())
+            assert [look_at(room) for _ in range(5)] == [0] * 5  # no hand, no motion
+            show("swipe left", 2)
+            assert look_at(room) > 0
+            wait_until(lambda: wheels[-1].twist.twist.angular.z > 0.05)
+            wait_until(stands)  # without images there are no commands
+            turned = yaw()
+            assert 0.02 < turned < 0.6
+            show("stop", 5)
+            assert [look_at(room) for _ in range(10)] == [0] * 10  # it does not turn on
+            show("swipe right", 2)
+            assert yaw() == pytest.approx(turned, abs=0.01)
+            wait_until(lambda: look_at(room) == 0)
+            wait_until(stands)
+            assert yaw() - turned == pytest.approx(-math.pi / 4, abs=0.25)
+            wait_until(lambda: names() == ["swipe left", "palm", "swipe right"])
+        finally:
+            node.send_signal(signal.SIGINT)
+        assert len(commands) <= int(node.communicate(timeout=60)[0])
+    RosSession().run(lambda: RosSession().node.destroy_publisher(images))
+
+
 def test_the_room_refuses_impossible_options_and_takes_others(robot):
     before = robot.pose
     with pytest.raises(ValueError, match="a wall or furniture is in its way"):

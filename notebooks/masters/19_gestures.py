@@ -1,0 +1,2068 @@
+# ---
+# jupyter:
+#   imgproc_course:
+#     title: Gestures
+#     minutes: 100
+# ---
+
+# %% [markdown]
+# # Gestures
+#
+# You stand in the living room and raise your hand: the robot stops. You swipe to the left: the robot turns to the left. In this lesson you count the raised fingers of a hand in three ways, by its outline, by a circle, and with a small neural network. Then you compare movements that are not equally fast. At the end, the robot in the room obeys your hand.
+#
+# **You will be able to**
+# - compute the convex hull of points,
+# - find the valleys between the fingers (convexity defects),
+# - count fingers on a circle around the palm,
+# - train a small neural network, and test it honestly,
+# - compare two movements by dynamic time warping.
+#
+# **Time** about 100 minutes, with a pause after section 4. **You need** [[canny_stages]] and [[recognising_objects]]. Only the last part of section 7 needs ROS 2.
+
+# %% role="given" exercise=["gestures-hull", "gestures-valley", "gestures-runs", "gestures-dtw"]
+import numpy as np
+
+# %% tags=["long"]
+import time
+
+import cv2
+from matplotlib.figure import Figure
+from sklearn.neural_network import MLPClassifier
+
+from imgproc_course.display import show, show_figure
+from imgproc_course.exercises import check, compare_guess, hint, solution
+from imgproc_course.recording import open_recording
+from imgproc_course.ros import Robot, RosSession, open_camera, ros_available
+from imgproc_course.simulation import GESTURES, Hand, draw_hand, gesture_track, hand_mask, random_hand
+
+recording = open_recording("drive")
+
+# %%
+# The captions and alt texts of the figures
+figure_texts = {
+    "gloves": (
+        "Six drawn hands, with 0 to 5 raised fingers.",
+        "Six small images of a green hand before the living room: a fist, then hands with one to five raised fingers.",
+    ),
+    "mask": (
+        "The green pixels of the hand with four fingers, and the largest circle that fits inside.",
+        "Left, a green hand with four fingers before the room; right, its white mask on black, with a gray circle in the palm.",
+    ),
+    "chain": (
+        "The chain after (4, 0) has been added. The gray points were removed from it, because the path turned to the left there.",
+        "Five points. A blue line goes from the left point over the second one to the right point, which is the highest; two gray points lie below the line.",
+    ),
+    "hull": (
+        "The outline of the hand (yellow) and its convex hull (white), drawn twice as large. Red points: the deepest points of valleys that count.",
+        "A hand with four fingers; a white polygon around it touches the finger tips, and three red points are between the fingers.",
+    ),
+    "circle": (
+        "The circle around the palm, drawn twice as large. Where it crosses the hand it is red; below is the arm.",
+        "A mask of a hand with four fingers; a circle around the palm crosses the four fingers and the arm in red, and is blue between them.",
+    ),
+    "tables": (
+        "The number of fingers (row) and the answer (column), for valleys plus one, and for the circle.",
+        "Two tables with six rows and columns. On the left the rows 0 and 1 are both in column 1; on the right all large numbers are on the diagonal.",
+    ),
+    "crops": (
+        "What the network sees of six hands: 16 × 16 pixels each.",
+        "Six very coarse white hands on black; the fingers are two pixels wide.",
+    ),
+    "tracks": (
+        "One track of each gesture. The green point is its first point.",
+        "Six small diagrams: a line to the left, a line to the right, a line upwards, a short line left and right, a circle, and a small tangle for stop.",
+    ),
+    "pairs": (
+        "The x of the wave and of its reference. The gray lines join the points that are compared. With dynamic time warping, most of them are almost level: each point is compared with one at nearly the same x.",
+        "Two diagrams with the same two wavy lines. On the left, upright gray lines join them, many of them long; on the right, most of the gray lines are almost level.",
+    ),
+    "live": (
+        "The hand that the node saw last.",
+        "A drawn green hand with five fingers before the living room.",
+    ),
+}
+
+# %% [markdown]
+# ## 1 · A hand in a glove (8 minutes)
+#
+# Nobody's hand was photographed for this lesson: the hands are drawn from random numbers, so we know how many fingers each of them raises. They wear a green glove, because green occurs hardly anywhere in the room. `random_hand` draws the place, the size and the turn of a hand; `draw_hand` draws it over a frame, with noise.
+
+# %%
+background = cv2.resize(recording.frame(30)[:, 160:1120], (240, 180), interpolation=cv2.INTER_AREA)
+rng = np.random.default_rng(3)
+hands = [random_hand(rng, fingers) for fingers in range(6)]
+images = [draw_hand(background, hand, noise=12, rng=rng) for hand in hands]
+print(images[0].shape, images[0].dtype)
+show(images, [f"{fingers} raised" for fingers in range(6)], columns=3, text=figure_texts["gloves"])
+
+# %% [markdown]
+# The hand is found by its colour, like the ball in [[object_tracking]]: a median filter against the noise, then the [[term:hue]] of green and enough [[term:saturation]], then the largest [[term:connected component]].
+
+# %%
+def find_glove(frame):
+    """The mask of the largest green thing in a frame: (H, W) uint8, 0 or 1."""
+    hsv = cv2.cvtColor(cv2.medianBlur(frame, 5), cv2.COLOR_BGR2HSV)
+    hue, saturation = hsv[..., 0], hsv[..., 1]
+    green = (hue > 50) & (hue < 80) & (saturation > 90)
+    _, numbers, boxes, _ = cv2.connectedComponentsWithStats(green.astype(np.uint8))
+    if len(boxes) == 1:  # only the background: no green thing
+        return np.zeros(green.shape, np.uint8)
+    return (numbers == 1 + boxes[1:, 4].argmax()).astype(np.uint8)
+
+# %% [markdown]
+# **Predict** the IoU of the mask that we find and of the true mask of the hand with four fingers, in percent (see [[object_tracking#1]]).
+
+# %% role="predict"
+guess_iou = None  # your guess: how many percent?
+
+# %%
+mask = find_glove(images[4])
+true_mask = hand_mask(hands[4])
+both, either = (mask & true_mask).sum(), (mask | true_mask).sum()
+print("both:", both, "  at least one:", either)
+compare_guess(guess_iou, round(100 * both / either), "%")
+
+# %% [markdown]
+# Where is the palm? `cv2.distanceTransform` computes for each pixel of the mask how far it is to the nearest pixel outside. Where this distance is largest is the center of the largest circle that fits into the hand, and the distance is its radius. On a small mask:
+
+# %%
+small_mask = np.zeros((7, 9), np.uint8)
+small_mask[1:6, 1:6] = 1
+small_mask[3, 6:8] = 1
+print(cv2.distanceTransform(small_mask, cv2.DIST_L2, 5).round(1))
+
+# %%
+def palm_of(mask):
+    """The center of the palm and its radius, in pixels: row, col, radius."""
+    distances = cv2.distanceTransform(mask, cv2.DIST_L2, 5)
+    row, col = np.unravel_index(distances.argmax(), mask.shape)
+    return int(row), int(col), float(distances.max())
+
+
+row, col, radius = palm_of(mask)
+print(f"row {row}, col {col}, radius {radius:.1f} pixels")
+view = cv2.circle(mask * 255, (col, row), round(radius), 128, 2)
+show([images[4], view], ["four fingers", "mask"], text=figure_texts["mask"])
+
+# %% [markdown]
+# `argmax` of an image counts the pixels row by row; `np.unravel_index` makes a row and a column of this number.
+
+# %%
+# Check: the numbers in this section
+assert small_mask.sum() == 27
+
+# %% [markdown]
+# ## 2 · A rubber band around points (19 minutes)
+#
+# Stretch a rubber band around the hand and let it go: it touches the finger tips, and spans the valleys between them. The shape of the band is called the *[[term:convex hull]]*. Its corners are points of the hand, and the band turns in the same direction at each of them.
+#
+# A path goes from a to b and then to c. To which side does it turn? One number tells it: the third number of the [[term:cross product]] of the two directions b − a and c − a. (In an image nothing has a z, so its other two numbers are 0.) Points are (x, y) here, as in OpenCV: x to the right, y **down**.
+
+# %% role="given" exercise=["gestures-hull", "gestures-valley"]
+def turn(a, b, c):
+    """Positive if the path a, b, c turns to the right, negative if to the left, 0 if it is straight."""
+    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0])
+
+# %%
+print("right:", turn((0, 0), (4, 0), (6, 3)))
+print("straight:", turn((0, 0), (2, 1), (6, 3)))
+
+# %% [markdown]
+# **Predict** to which side the path (0, 4), (1, 2), (2, 2) turns.
+
+# %% role="predict"
+guess_side = None  # your guess: "left" or "right"?
+
+# %%
+value = turn((0, 4), (1, 2), (2, 2))
+print("turn:", value)
+compare_guess(guess_side, "right" if value > 0 else "left")
+
+# %% [markdown]
+# We sort the points from left to right, and go over them from the left. The upper side of the band turns only to the right. So we keep a **chain** of points that turns to the right everywhere. Before a new point is added, we look at the last two points of the chain: if the path over them to the new point does not turn to the right, the last point of the chain is inside the band, and we remove it. Then we look again, because one more may have to go.
+
+# %%
+chain = [(0, 4), (1, 2), (2, 2), (3, 3)]
+new = (4, 0)
+print("turn:", turn(chain[-2], chain[-1], new))
+
+# %% [markdown]
+# This is a turn to the left, so (3, 3) must go. Then the last two points are (1, 2) and (2, 2). **Predict** whether (2, 2) must go as well.
+
+# %% role="predict"
+guess_goes = None  # your guess: "yes" or "no"?
+
+# %%
+chain.pop()  # removes the last point
+value = turn(chain[-2], chain[-1], new)
+print(chain, "  turn:", value)
+compare_guess(guess_goes, "yes" if value <= 0 else "no")
+
+# %% [markdown]
+# Once more: we look again after each point that was removed. At last, the new point is added.
+
+# %%
+chain.pop()
+print(chain, "  turn:", turn(chain[-2], chain[-1], new))
+chain.append(new)
+print(chain)
+
+# %% tags=["long"]
+figure = Figure(figsize=(4.5, 3.2), layout="constrained")
+axes = figure.subplots()
+axes.plot(*zip(*chain, strict=True), "b-o", label="chain")
+axes.plot([2, 3], [2, 3], "o", color="0.6", label="removed")
+for x, y in [(0, 4), (1, 2), (2, 2), (3, 3), (4, 0)]:
+    axes.annotate(f"({x}, {y})", (x, y), xytext=(8, -12), textcoords="offset points")
+axes.set(xlabel="x (pixels)", ylabel="y (pixels), down", xlim=(-0.4, 5), ylim=(4.6, -0.8))
+axes.legend(loc="lower right")
+show_figure(figure, text=figure_texts["chain"])
+
+# %% [markdown]
+# The lower side of the band: the same over the sorted points **backwards**, from right to left, with a new chain. This chain also turns only to the right. Each of the two chains ends where the other one begins, so the last point of each is left out.
+
+# %%
+# Check: the numbers in this section
+assert turn((0, 0), (4, 0), (6, 3)) == 12 and turn((0, 0), (2, 1), (6, 3)) == 0
+assert turn((0, 4), (1, 2), (2, 2)) == 2 and value == -2 and turn((0, 4), (1, 2), new) == 4
+assert turn((1, 2), (2, 2), (3, 3)) > 0 > turn((2, 2), (3, 3), new) and chain == [(0, 4), (1, 2), (4, 0)]
+example = np.array([[2, 2], [0, 4], [4, 0], [3, 3], [1, 2], [4, 4]], np.int32)
+assert sorted(cv2.convexHull(example)[:, 0].tolist()) == [[0, 4], [1, 2], [4, 0], [4, 4]]
+
+# %% [markdown]
+# ### Your turn: the convex hull
+#
+# `sorted(points.tolist())` makes a list of points `[x, y]`, sorted from left to right; of points with the same x, the one with the smaller y is first. `turn` is given. Write `convex_hull(points)`.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `points`: (N, 2) whole numbers, each row x, y; all different, in any order, not all on one line | (M, 2) whole numbers: the corners of the convex hull. The first corner is the point with the smallest x (of several: with the smallest y); then clockwise on the screen, first over the upper side. A point in the middle of a straight side is no corner | `convex_hull(np.array([[2, 2], [0, 4], [4, 0], [3, 3], [1, 2], [4, 4]]))` returns `[[0, 4], [1, 2], [4, 0], [4, 4]]` |
+
+# %% role="exercise"
+exercise(
+    "gestures-hull",
+    title="The convex hull",
+    function="convex_hull",
+    hint="Sort the points; for the sorted points and for the reversed ones: remove the last point of the chain while it has two points and turn(...) is not positive, then add the new one; leave out the last point of each chain.",
+    hints=(
+        "When must the last point of the chain go, and how often do you have to look?",
+        "1. Sort the points from left to right.\n"
+        "2. For the upper side, begin with an empty chain.\n"
+        "3. For each point: as long as the chain has at least two points, and the path over the last two to the new point does"
+        " not turn to the right, remove the last one. Then add the new point.\n"
+        "4. The same with the points in reverse order, for the lower side.\n"
+        "5. Leave out the last point of both chains, and join them.",
+        "corners = []\nordered = sorted(points.tolist())\nfor points_of_side in (ordered, ordered[::-1]):\n    chain = []\n"
+        "    for point in points_of_side:\n        while len(chain) >= 2 and turn(...) ...:\n            chain.pop()\n"
+        "        chain.append(...)\n    corners += chain[:...]\nreturn np.array(corners)",
+    ),
+    explanation="Each point is added once to each chain and removed at most once, so the loops are fast, although one stands in"
+    " the other. This way is called Andrew's monotone chain. It only adds and multiplies whole numbers, so there is no rounding.",
+    another_way="From each corner, the next one is the point for which all others are to the right (gift wrapping); that is slower.",
+)
+
+
+def chain_of(points, is_wrong):
+    chain = []
+    for point in points:
+        while len(chain) >= 2 and is_wrong(turn(chain[-2], chain[-1], point)):
+            chain.pop()
+        chain.append(point)
+    return chain
+
+
+def hull_of(points, is_wrong=lambda value: value <= 0, key=None):
+    ordered = sorted(points.tolist(), key=key)
+    upper, lower = chain_of(ordered, is_wrong), chain_of(ordered[::-1], is_wrong)
+    return np.array(upper[:-1] + lower[:-1])
+
+
+def one_pop(points):
+    chain = []
+    for point in points:
+        if len(chain) >= 2 and turn(chain[-2], chain[-1], point) <= 0:
+            chain.pop()
+        chain.append(point)
+    return chain
+
+
+def some_points(rng, inside=9):
+    """Three points on the left side and three on the right one, one above, one below, others inside; mixed."""
+    x, y = rng.integers(2, 14, inside), rng.integers(6, 18, inside)
+    points = set(zip(x.tolist(), y.tolist(), strict=True))
+    points |= {(0, 6), (0, 9), (0, 14), (16, 5), (16, 12), (16, 15)}
+    points |= {(int(rng.integers(3, 7)), 0), (int(rng.integers(9, 13)), 20), (2, 3), (14, 18)}
+    points = np.array(sorted(points)) + rng.integers(0, 30, 2)
+    return (points[rng.permutation(len(points))],)
+
+
+def some_grid(rng):
+    """Points in rows and columns: only four of them are corners."""
+    rows, cols = np.indices((int(rng.integers(3, 5)), int(rng.integers(4, 7))))
+    points = np.column_stack([3 * cols.ravel() + rows.ravel(), 2 * rows.ravel()]) + rng.integers(0, 30, 2)
+    return (points[rng.permutation(len(points))],)
+
+
+# %% role="answer"
+def convex_hull(points):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def convex_hull(points):
+    corners = []
+    ordered = sorted(points.tolist())
+    for points_of_side in (ordered, ordered[::-1]):
+        chain = []
+        for point in points_of_side:
+            while len(chain) >= 2 and turn(chain[-2], chain[-1], point) <= 0:
+                chain.pop()
+            chain.append(point)
+        corners += chain[:-1]
+    return np.array(corners)
+
+
+# %% role="check"
+check("gestures-hull", convex_hull)
+
+
+# %% role="case" title="some points" points=1
+def inputs(rng):
+    return [some_points(rng), some_points(rng, 14)]
+
+
+# %% role="case" title="points in straight lines" points=1 hint="A point in the middle of a straight side is no corner: there, turn is 0."
+def inputs(rng):
+    return [some_grid(rng), some_points(rng, 5)]
+
+
+# %% role="hidden" title="the pixels of a hand" points=1 hint="Do you look again after you have removed a point, and do you leave out the last point of each chain?"
+def inputs(rng):
+    from imgproc_course.simulation import hand_mask, random_hand
+
+    pixels = np.argwhere(hand_mask(random_hand(rng, int(rng.integers(2, 6)))))[:, ::-1]
+    return [(rng.permutation(pixels)[:400],), some_points(rng, 20), some_grid(rng)]
+
+
+# %% role="mistake" name="points on a side kept" says="Points in the middle of a straight side are no corners. Remove the last point also if turn is 0: the path goes straight on there."
+def convex_hull(points):
+    return hull_of(points, lambda value: value < 0)
+
+
+# %% role="mistake" name="looked once" says="After you have removed a point, look again at the last two points of the chain: one more may have to go. Use while in place of if."
+def convex_hull(points):
+    ordered = sorted(points.tolist())
+    return np.array(one_pop(ordered)[:-1] + one_pop(ordered[::-1])[:-1])
+
+
+# %% role="mistake" name="upper side only" says="These are only the corners of the upper side. Go over the points a second time, in reverse order, for the lower side."
+def convex_hull(points):
+    return np.array(chain_of(sorted(points.tolist()), lambda value: value <= 0))
+
+
+# %% role="mistake" name="upper side only, without its end" says="These are only the corners of the upper side, without the last one. Go over the points a second time, in reverse order, for the lower side."
+def convex_hull(points):
+    return np.array(chain_of(sorted(points.tolist()), lambda value: value <= 0)[:-1])
+
+
+# %% role="mistake" name="ends twice" says="The first and the last point are in both chains. Leave out the last point of each chain: chain[:-1]."
+def convex_hull(points):
+    ordered = sorted(points.tolist())
+    upper, lower = (chain_of(side, lambda value: value <= 0) for side in (ordered, ordered[::-1]))
+    return np.array(upper + lower)
+
+
+# %% role="mistake" name="closed" says="Your last corner is the first one again. Leave out the last point of the lower chain too."
+def convex_hull(points):
+    hull = solution(points)
+    return np.concatenate([hull, hull[:1]])
+
+
+# %% role="mistake" name="the other way round" says="Your corners go round in the other direction. Clockwise on the screen, the path turns to the right: turn is positive, because y points down."
+def convex_hull(points):
+    return hull_of(points, lambda value: value >= 0)
+
+
+# %% role="mistake" name="the other way round, from the right" says="Your corners go round in the other direction: you turned the list round. Return the corners in the order in which you found them."
+def convex_hull(points):
+    return solution(points)[::-1]
+
+
+# %% role="mistake" name="sorted corners" says="The corners are right, but not their order. Go along the hull, from corner to corner; do not sort them at the end."
+def convex_hull(points):
+    return np.array(sorted(solution(points).tolist()))
+
+
+# %% role="mistake" name="lower side first" says="You begin with the lower side, at the right end. Begin with the points from left to right."
+def convex_hull(points):
+    ordered = sorted(points.tolist())
+    upper, lower = (chain_of(side, lambda value: value <= 0)[:-1] for side in (ordered, ordered[::-1]))
+    return np.array(lower + upper)
+
+
+# %% role="mistake" name="begins at the top" says="Your first corner is the highest point, the one with the smallest y. Sort by x, from left to right: sorted(points.tolist()) does that."
+def convex_hull(points):
+    hull = solution(points)
+    return np.roll(hull, -np.lexsort((hull[:, 0], hull[:, 1]))[0], axis=0)
+
+
+# %% role="mistake" name="chain not started again" says="The lower side needs a new, empty chain. Yours goes on with the points of the upper side."
+def convex_hull(points):
+    ordered = sorted(points.tolist())
+    return np.array(chain_of(ordered + ordered[::-1], lambda value: value <= 0))
+
+
+# %% role="mistake" name="bounding box" says="These are the corners of the bounding box. The corners of the hull are points of the input."
+def convex_hull(points):
+    (left, top), (right, bottom) = points.min(axis=0), points.max(axis=0)
+    return np.array([[left, top], [right, top], [right, bottom], [left, bottom]])
+
+
+# %% role="mistake" name="outermost points" says="You return only the outermost points: left, up, right and down. The hull can have many more corners."
+def convex_hull(points):
+    x, y = points[:, 0], points[:, 1]
+    return points[[x.argmin(), y.argmin(), x.argmax(), y.argmax()]]
+
+
+# %% role="mistake" name="not sorted" says="You go over the points in the order in which they came. Sort them from left to right first."
+def convex_hull(points):
+    ordered = points.tolist()
+    upper, lower = (chain_of(side, lambda value: value <= 0)[:-1] for side in (ordered, ordered[::-1]))
+    return np.array(upper + lower)
+
+
+# %% role="mistake" name="sorted by x alone" says="You sort by x alone. Of points with the same x, the one with the smaller y comes first: sorted(points.tolist()) does that."
+def convex_hull(points):
+    return hull_of(points, key=lambda point: point[0])
+
+
+# %% role="mistake" name="columns sorted" says="np.sort(points, axis=0) sorts the x and the y by themselves, so the points are torn apart. Use sorted(points.tolist())."
+def convex_hull(points):
+    return hull_of(np.sort(points, axis=0))
+
+
+# %% role="mistake" name="y before x" says="Your corners are (y, x). Return x, y, as in the input."
+def convex_hull(points):
+    return solution(points)[:, ::-1]
+
+
+# %% role="mistake" name="nothing removed" says="All points are in your result. Remove the last point of the chain while the path over it does not turn to the right."
+def convex_hull(points):
+    ordered = sorted(points.tolist())
+    return np.array(ordered[:-1] + ordered[::-1][:-1])
+
+
+# %% role="mistake" name="no length test" says="A chain of one point has no turn: look only as long as the chain has at least two points, len(chain) >= 2."
+def convex_hull(points):
+    chain = []
+    return turn(chain[-2], chain[-1], points[0])
+
+
+# %% role="mistake" name="by angle" says="You sort all points by their angle, but points inside the band are still in your result. Remove the last point of the chain while the path over it does not turn to the right."
+def convex_hull(points):
+    x, y = (points - points.mean(axis=0)).T
+    return points[np.argsort(np.arctan2(y, x))]
+
+
+# %% role="mistake" name="second side not reversed" says="You go over the points twice in the same order. For the lower side, go over them in reverse order: ordered[::-1]."
+def convex_hull(points):
+    upper = chain_of(sorted(points.tolist()), lambda value: value <= 0)
+    return np.array(2 * upper[:-1])
+
+
+# %% role="mistake" name="lower side with left turns" says="The lower side also turns only to the right, if you go over the points in reverse order. Go from right to left there: ordered[::-1]."
+def convex_hull(points):
+    ordered = sorted(points.tolist())
+    upper, lower = chain_of(ordered, lambda value: value <= 0), chain_of(ordered, lambda value: value >= 0)
+    return np.array(upper[:-1] + lower[:-1])
+
+
+# %% role="mistake" name="lower side reversed, with left turns" says="Your upper side is right. The lower side also turns only to the right, because you go over it from right to left: remove the last point with <= 0 there too."
+def convex_hull(points):
+    ordered = sorted(points.tolist())
+    upper, lower = chain_of(ordered, lambda value: value <= 0), chain_of(ordered[::-1], lambda value: value >= 0)
+    return np.array(upper[:-1] + lower[:-1])
+
+
+# %% role="mistake" name="one chain for both sides" says="The lower side needs a new, empty chain. Otherwise it removes points of the upper side."
+def convex_hull(points):
+    ordered = sorted(points.tolist())
+    return np.array(chain_of(ordered + ordered[-2::-1], lambda value: value <= 0)[:-1])
+
+
+# %% role="mistake" name="neighbours in the sorted list" says="You look at three neighbours of the sorted list. Look at the last two points of the chain, which changes while you remove points, and at the new point."
+def convex_hull(points):
+    chains = []
+    for side in (sorted(points.tolist()), sorted(points.tolist())[::-1]):
+        inner = [b for a, b, c in zip(side, side[1:], side[2:], strict=False) if turn(a, b, c) > 0]
+        chains.append([side[0], *inner])
+    return np.array([*chains[0], *chains[1]])
+
+
+# %% role="mistake" name="first two points kept" says="The second point of each chain is never removed: look at the turn if the chain has at least two points, len(chain) >= 2."
+def convex_hull(points):
+    ordered = sorted(points.tolist())
+    chains = []
+    for side in (ordered, ordered[::-1]):
+        chain = []
+        for point in side:
+            while len(chain) > 2 and turn(chain[-2], chain[-1], point) <= 0:
+                chain.pop()
+            chain.append(point)
+        chains += chain[:-1]
+    return np.array(chains)
+
+
+# %% role="mistake" name="the new point compared with itself" says="The new point is in the chain already when you look at the turn. Look first, remove, and add it after that."
+def convex_hull(points):
+    ordered = sorted(points.tolist())
+    chains = []
+    for side in (ordered, ordered[::-1]):
+        chain = []
+        for point in side:
+            chain.append(point)
+            while len(chain) >= 2 and turn(chain[-2], chain[-1], point) <= 0:
+                chain.pop()
+        chains += chain[:-1]
+    return np.array(chains)
+
+
+# %% [markdown]
+# OpenCV does both steps: `cv2.findContours` finds the points of the outline of a mask, and `cv2.convexHull` its hull. The points of an outline, in order, are called a *[[term:contour]]*. `cv2.approxPolyDP` leaves out the points that lie less than 1.5 pixels from the line between their neighbours.
+
+# %%
+def outline_of(mask):
+    """The contour of the largest thing in a mask: (N, 2) points x, y."""
+    contours, _ = cv2.findContours(mask, cv2.RETR_EXTERNAL, cv2.CHAIN_APPROX_SIMPLE)
+    largest = max(contours, key=cv2.contourArea)
+    return cv2.approxPolyDP(largest, 1.5, True)[:, 0]
+
+
+outline = outline_of(mask)
+hull = cv2.convexHull(outline)[:, 0]
+print(len(outline), "points of the outline,", len(hull), "corners of the hull")
+
+# %%
+# Check: the hull contains all points of the outline
+for a, b in zip(hull, np.roll(hull, -1, axis=0), strict=True):
+    assert min(turn(a.astype(int), b.astype(int), point.astype(int)) for point in outline) >= 0
+
+# %% [markdown]
+# ## 3 · Valleys (18 minutes)
+#
+# Between two neighbouring corners of the hull, the contour goes into a valley. How deep is it? The depth of a point is its distance to the straight line through the two corners. `turn(a, b, p)` helps again: without its sign, it is the area of a parallelogram with the base from a to b, and the distance is its height. So divide it by the length of the base.
+
+# %%
+a, b, p = (0, 0), (8, 6), (4, 8)
+area = abs(turn(a, b, p))
+length = np.hypot(b[0] - a[0], b[1] - a[1])
+print("area", area, "  length", length, "  distance", area / length)
+
+# %% [markdown]
+# **Predict** the distance of the point (7, −1) to the line from (0, 0) to (8, 6), in pixels.
+
+# %% role="predict"
+guess_distance = None  # your guess: how many pixels?
+
+# %%
+print("turn:", turn(a, b, (7, -1)))
+compare_guess(guess_distance, abs(turn(a, b, (7, -1))) / length, "pixels")
+
+# %% [markdown]
+# A contour is closed: after its last point comes its first one. In a contour of six points, these are the positions after 4 and before 1:
+
+# %%
+position = (4 + 1) % 6
+while position != 1:
+    print("position", position)
+    position = (position + 1) % 6
+
+# %% [markdown]
+# For the exercise, a contour of six points. The corners are at the positions 0, 3, 4 and 5; the valley from corner 0 to corner 3 goes over the points at 1 and 2.
+
+# %%
+small_contour = np.array([[0, 0], [3, 5], [7, 1], [10, 0], [10, 12], [0, 12]])
+
+# %%
+# Check: the numbers in this section, and the example calls of the exercise
+assert area == 40 and length == 10 and turn(a, b, (7, -1)) == -50
+assert [abs(turn(small_contour[0], small_contour[3], small_contour[i])) / 10 for i in (1, 2)] == [5, 1]
+over_the_end = [abs(turn(small_contour[5], small_contour[2], small_contour[i])) / np.hypot(7, 11) for i in (0, 1)]
+assert round(over_the_end[0], 2) == 6.44 > 2 > over_the_end[1]
+
+# %% [markdown]
+# ### Your turn: the deepest point of a valley
+#
+# Write `deepest_point(contour, start, end)`. `turn` is given.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `contour`: (N, 2) whole numbers, the points x, y of a closed contour, in order; `start`, `end`: two different positions in it. At least one point after `start` and before `end` is not on the line through both | a tuple (position, depth). Of the points after `start` and before `end`, the one that is farthest from the line through the points at `start` and `end`: its position in the contour, and its distance in pixels (float). If several are equally far, the first of them on the way from `start` | `deepest_point(small_contour, 0, 3)` returns `(1, 5.0)`; `deepest_point(small_contour, 5, 2)` looks at the positions 0 and 1, and returns about `(0, 6.44)` |
+
+# %% role="exercise"
+exercise(
+    "gestures-valley",
+    title="The deepest point of a valley",
+    function="deepest_point",
+    tolerance=1e-6,
+    hint="From start + 1 (with %) to end: the distance is abs(turn(a, b, point)) divided by the length from a to b; keep the largest and its position.",
+    hints=(
+        "Which points do you look at, and what comes after the last point of the contour?",
+        "1. The two corners, and the length of the line between them.\n"
+        "2. Begin at the position after start, with % len(contour), and go on until you reach end.\n"
+        "3. The distance of each point: turn without its sign, divided by the length.\n"
+        "4. If it is larger than the largest one until now, keep it and its position.",
+        "a, b = contour[start], contour[end]\nlength = np.hypot(b[0] - a[0], b[1] - a[1])\nbest, depth = start, -1.0\n"
+        "position = (start + 1) % ...\nwhile position != ...:\n    distance = abs(turn(a, b, ...)) / ...\n"
+        "    if distance > ...:\n        best, depth = ...\n    position = ...\nreturn best, depth",
+    ),
+    explanation="% len(contour) leads from the last position to 0. With > the first of several equal points stays; the depth"
+    " begins below 0, so that the first point is always kept.",
+    another_way="Without a loop: the positions are (start + 1 + np.arange((end - start - 1) % len(contour))) % len(contour), and"
+    " argmax takes the first of the largest distances.",
+)
+
+
+def way_of(contour, start, end):
+    return (start + 1 + np.arange((end - start - 1) % len(contour))) % len(contour)
+
+
+def areas_of(contour, start, end, way):
+    return turn(contour[start], contour[end], contour[way].T)
+
+
+def length_of(contour, start, end):
+    return float(np.hypot(*(contour[end] - contour[start])))
+
+
+def deepest_of(way, depths):
+    return int(way[np.argmax(depths)]), float(max(depths))
+
+
+def some_valley(rng, heights, begin, count=6):
+    """A contour with a valley of these heights over a slanted line, mixed signs from call to call; and points outside it."""
+    along = np.array([[3, 1], [2, -3], [-1, 4], [-5, -2]][int(rng.integers(4))])
+    across = np.array([-along[1], along[0]])
+    steps = 1 + np.sort(rng.permutation(2 * len(heights))[: len(heights)])
+    valley = [step * along + height * across for step, height in zip(steps, heights, strict=True)]
+    last = (2 * len(heights) + 2) * along
+    sign = 1 if max(heights) > 0 else -1
+    far = [last + (i % 3 - 4) * along + sign * int(rng.integers(15, 25)) * across for i in range(count)]
+    points = np.array([0 * along, *valley, last, *far]) + rng.integers(20, 60, 2)
+    return np.roll(points, begin, axis=0), begin % len(points), (begin + len(heights) + 1) % len(points)
+
+
+# %% role="answer"
+def deepest_point(contour, start, end):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def deepest_point(contour, start, end):
+    a, b = contour[start], contour[end]
+    length = np.hypot(b[0] - a[0], b[1] - a[1])
+    best, depth = start, -1.0
+    position = (start + 1) % len(contour)
+    while position != end:
+        distance = float(abs(turn(a, b, contour[position])) / length)
+        if distance > depth:
+            best, depth = position, distance
+        position = (position + 1) % len(contour)
+    return best, depth
+
+
+# %% role="check"
+check("gestures-valley", deepest_point)
+
+
+# %% role="case" title="a valley" points=1
+def inputs(rng):
+    return [some_valley(rng, (1, 5, 9, 4, 2), 2), some_valley(rng, (-11, -8, -2, -3), 1), some_valley(rng, (2, 7, 3, 7, 1), 3)]
+
+
+# %% role="case" title="over the end of the contour" points=1 hint="After the last point comes the first one: (position + 1) % len(contour)."
+def inputs(rng):
+    return [some_valley(rng, (3, 4, 10, 6, 2), -3), some_valley(rng, (-1, -3, -2, -6), -1), some_valley(rng, (2, 6, 5, 6, 3), -4)]
+
+
+# %% role="hidden" title="any valley" points=1 hint="Are these only the points after start and before end, and is the distance divided by the length?"
+def inputs(rng):
+    heights = [(-2, -9, -4, -9), (4, 1, 3), (1, 3, 8, 12, 5, 2), (-5, -1, -7)]
+    return [some_valley(rng, heights[i], begin, 7) for i, begin in enumerate((-2, 4, -5, 2))]
+
+
+# %% role="mistake" name="not divided" says="You did not divide by the length of the line. turn is an area: divide it by the length from one corner to the other."
+def deepest_point(contour, start, end):
+    way = way_of(contour, start, end)
+    return deepest_of(way, abs(areas_of(contour, start, end, way)))
+
+
+# %% role="mistake" name="with sign" says="turn has a sign. It is negative if the points lie on the other side of the line: take abs(...)."
+def deepest_point(contour, start, end):
+    way = way_of(contour, start, end)
+    return deepest_of(way, areas_of(contour, start, end, way) / length_of(contour, start, end))
+
+
+# %% role="mistake" name="with sign, from -1" says="turn has a sign. It is negative if the points lie on the other side of the line: take abs(...)."
+def deepest_point(contour, start, end):
+    way = way_of(contour, start, end)
+    depths = areas_of(contour, start, end, way) / length_of(contour, start, end)
+    return deepest_of(way, depths) if depths.max() > -1 else (start, -1.0)
+
+
+# %% role="mistake" name="with sign, from 0" says="turn has a sign. It is negative if the points lie on the other side of the line: take abs(...)."
+def deepest_point(contour, start, end):
+    way = way_of(contour, start, end)
+    depths = areas_of(contour, start, end, way) / length_of(contour, start, end)
+    return deepest_of(way, depths) if depths.max() > 0 else (start, 0.0)
+
+
+# %% role="mistake" name="the last of equals" says="If several points are equally far, the first on the way counts. Use > in place of >=."
+def deepest_point(contour, start, end):
+    way = way_of(contour, start, end)[::-1]
+    return deepest_of(way, abs(areas_of(contour, start, end, way)) / length_of(contour, start, end))
+
+
+# %% role="mistake" name="the whole contour" says="You look at all points of the contour. Look only at those after start and before end."
+def deepest_point(contour, start, end):
+    way = np.arange(len(contour))
+    return deepest_of(way, abs(areas_of(contour, start, end, way)) / length_of(contour, start, end))
+
+
+# %% role="mistake" name="the other way round" says="You go from end to start. Go from start to end."
+def deepest_point(contour, start, end):
+    return solution(contour, end, start)
+
+
+# %% role="mistake" name="position in the valley" says="You count the position from the corner at start. Return the position in the contour."
+def deepest_point(contour, start, end):
+    place, depth = solution(contour, start, end)
+    return (place - start - 1) % len(contour), depth
+
+
+# %% role="mistake" name="distance to the first corner" says="You measure the distance to the corner at start. Measure the distance to the line through both corners."
+def deepest_point(contour, start, end):
+    way = way_of(contour, start, end)
+    return deepest_of(way, np.hypot(*(contour[way] - contour[start]).T))
+
+
+# %% role="mistake" name="distance to the middle" says="You measure the distance to the middle between the corners. Measure the distance to the line through both corners."
+def deepest_point(contour, start, end):
+    way = way_of(contour, start, end)
+    return deepest_of(way, np.hypot(*(contour[way] - (contour[start] + contour[end]) / 2).T))
+
+
+# %% role="mistake" name="half" says="Your depth is half as large as it should be. turn is the area of the parallelogram, so there is no division by 2."
+def deepest_point(contour, start, end):
+    place, depth = solution(contour, start, end)
+    return place, depth / 2
+
+
+# %% role="mistake" name="divided by the squared length" says="You divided by the square of the length. Take the square root: np.hypot, or np.linalg.norm."
+def deepest_point(contour, start, end):
+    place, depth = solution(contour, start, end)
+    return place, depth / length_of(contour, start, end)
+
+
+# %% role="mistake" name="L1 length" says="You divided by |x| + |y|. The length of the line is the square root of the sum of squares: np.hypot."
+def deepest_point(contour, start, end):
+    place, depth = solution(contour, start, end)
+    return place, depth * length_of(contour, start, end) / float(abs(contour[end] - contour[start]).sum())
+
+
+# %% role="mistake" name="exchanged" says="Position and depth are exchanged: return the position first."
+def deepest_point(contour, start, end):
+    return solution(contour, start, end)[::-1]
+
+
+# %% role="mistake" name="only the depth" says="You return only the depth. Return both, position and depth."
+def deepest_point(contour, start, end):
+    return solution(contour, start, end)[1]
+
+
+# %% role="mistake" name="only the position" says="You return only the position. Return both, position and depth."
+def deepest_point(contour, start, end):
+    return solution(contour, start, end)[0]
+
+
+# %% role="mistake" name="the point" says="You return the point itself. Return its position in the contour."
+def deepest_point(contour, start, end):
+    place, depth = solution(contour, start, end)
+    return contour[place], depth
+
+
+# %% role="mistake" name="whole pixels" says="You cut the depth to a whole number. Return the float."
+def deepest_point(contour, start, end):
+    place, depth = solution(contour, start, end)
+    return place, float(int(depth))
+
+
+# %% role="mistake" name="nearest" says="You keep the point that is nearest to the line. Keep the one that is farthest from it."
+def deepest_point(contour, start, end):
+    way = way_of(contour, start, end)
+    depths = abs(areas_of(contour, start, end, way)) / length_of(contour, start, end)
+    return int(way[np.argmin(depths)]), float(min(depths))
+
+
+# %% role="mistake" name="first point only" says="You look only at the first point. Is return inside the loop? Return after it."
+def deepest_point(contour, start, end):
+    way = way_of(contour, start, end)[:1]
+    return deepest_of(way, abs(areas_of(contour, start, end, way)) / length_of(contour, start, end))
+
+
+# %% role="mistake" name="first point missing" says="The first point after start is missing. Begin at start + 1."
+def deepest_point(contour, start, end):
+    way = way_of(contour, start, end)[1:]
+    return deepest_of(way, abs(areas_of(contour, start, end, way)) / length_of(contour, start, end))
+
+
+# %% role="mistake" name="last point missing" says="The last point before end is missing. Go on until the position is end."
+def deepest_point(contour, start, end):
+    way = way_of(contour, start, end)[:-1]
+    return deepest_of(way, abs(areas_of(contour, start, end, way)) / length_of(contour, start, end))
+
+
+# %% role="mistake" name="not over the end" says="If start is larger than end, range(start + 1, end) is empty. After the last point of the contour comes the first one: count with % len(contour)."
+def deepest_point(contour, start, end):
+    return solution(contour, start, end) if start < end else (start, -1.0)
+
+
+# %% role="mistake" name="not over the end, from 0" says="If start is larger than end, range(start + 1, end) is empty. After the last point of the contour comes the first one: count with % len(contour)."
+def deepest_point(contour, start, end):
+    return solution(contour, start, end) if start < end else (start, 0.0)
+
+
+# %% role="mistake" name="over the end without remainder" says="The position runs over the end of the contour. After the last point comes the first one: (position + 1) % len(contour)."
+def deepest_point(contour, start, end):
+    if start > end:
+        contour[len(contour)]
+    return solution(contour, start, end)
+
+
+# %% role="mistake" name="start + 1 without remainder" says="If start is the last position, start + 1 is too large. Take the remainder there as well: (start + 1) % len(contour)."
+def deepest_point(contour, start, end):
+    contour[start + 1]
+    return solution(contour, start, end)
+
+
+# %% role="mistake" name="not over the end, 0 and -1" says="If start is larger than end, range(start + 1, end) is empty. After the last point of the contour comes the first one: count with % len(contour)."
+def deepest_point(contour, start, end):
+    return solution(contour, start, end) if start < end else (0, -1)
+
+
+# %% role="mistake" name="not over the end, 0 and 0" says="If start is larger than end, range(start + 1, end) is empty. After the last point of the contour comes the first one: count with % len(contour)."
+def deepest_point(contour, start, end):
+    return solution(contour, start, end) if start < end else (0, 0)
+
+
+# %% role="mistake" name="beginning of the contour first" says="If several points are equally far, the first one on the way from start counts. Your way begins at position 0: go from start + 1 to the end of the contour, and then from 0."
+def deepest_point(contour, start, end):
+    way = np.sort(way_of(contour, start, end))
+    return deepest_of(way, abs(areas_of(contour, start, end, way)) / length_of(contour, start, end))
+
+
+# %% role="mistake" name="straight down" says="You measure the distance straight up or down. Measure it at a right angle to the line: divide turn by the length of the line."
+def deepest_point(contour, start, end):
+    way = way_of(contour, start, end)
+    return deepest_of(way, abs(areas_of(contour, start, end, way) / (contour[end] - contour[start])[0]))
+
+
+# %% role="mistake" name="start and end exchanged" says="If start is larger than end, you exchanged the two, so you look at the other points. Go on over the end: count with % len(contour)."
+def deepest_point(contour, start, end):
+    return solution(contour, min(start, end), max(start, end))
+
+
+# %% [markdown]
+# OpenCV finds all valleys at once. `cv2.convexityDefects` takes the contour and the positions of the hull's corners; a valley is called a *[[term:convexity defect]]* there. Each row of its result is start, end, position of the deepest point, and 256 × the depth (a whole number).
+
+# %%
+places = cv2.convexHull(outline, returnPoints=False)
+defects = cv2.convexityDefects(outline, places)[:, 0]
+for start, end, far, depth in defects[defects[:, 3] > 5 * 256]:
+    print(f"from {outline[start]} to {outline[end]}: deepest {outline[far]}, depth {depth / 256:.1f}")
+
+# %% [markdown]
+# Not every valley lies between two fingers: the edge of the palm and the arm make long, flat ones. So a valley counts if it is deep (more than 0.45 of the palm's radius) and narrow: at its deepest point, the angle between the directions to its two corners is less than 85 degrees. The cosine of this angle is the dot product of the two directions, divided by both lengths.
+
+# %%
+def valleys_of(mask):
+    """The deepest points of the valleys between fingers: a list of x, y."""
+    outline, radius = outline_of(mask), palm_of(mask)[2]
+    places = cv2.convexHull(outline, returnPoints=False)
+    defects = cv2.convexityDefects(outline, places)
+    deepest = []
+    for start, end, far, depth in defects[:, 0] if defects is not None else []:
+        u, v = outline[start] - outline[far], outline[end] - outline[far]
+        cosine = (u @ v) / (np.linalg.norm(u) * np.linalg.norm(v))
+        if depth / 256 > 0.45 * radius and cosine > np.cos(np.radians(85)):
+            deepest.append(outline[far])
+    return deepest
+
+# %%
+view = images[4].copy()
+cv2.polylines(view, [outline], True, (0, 255, 255), 1)
+cv2.polylines(view, [hull], True, (255, 255, 255), 1)
+for x, y in valleys_of(mask):
+    cv2.circle(view, (int(x), int(y)), 4, (0, 0, 255), -1)
+show(cv2.resize(view, None, fx=2, fy=2, interpolation=cv2.INTER_NEAREST), "four fingers",
+     text=figure_texts["hull"])
+
+# %% [markdown]
+# Four fingers have three valleys: one fewer than fingers. **Predict** how many valleys are found in the image with one finger, and think of the fist as well.
+
+# %% role="predict"
+guess_valleys = None  # your guess: how many valleys with one finger?
+
+# %%
+valleys = [len(valleys_of(find_glove(image))) for image in images]
+for fingers, count in enumerate(valleys):
+    print("raised:", fingers, "  valleys:", count)
+compare_guess(guess_valleys, valleys[1])
+
+# %% [markdown]
+# **The planned failure:** a fist has no valley, and one finger has no valley either. "Valleys plus one" is right from two fingers on, but it cannot tell a fist from one finger. In a robot that stops when it sees a fist this would be dangerous. Counting valleys more exactly does not help: what we need is not in this number.
+
+# %%
+# Check: the numbers in this section
+assert valleys == [0, 0, 1, 2, 3, 4]
+
+# %% [markdown]
+# ## 4 · A circle around the palm (15 minutes)
+#
+# So another idea. Draw a circle around the palm's center, twice as large as the palm's circle. Walk around it once, and count how often you come from the background onto the hand: once for each raised finger, and once for the arm.
+
+# %% tags=["long"]
+def circle_pixels(row, col, radius):
+    """The pixels of a circle in their order: rows, cols, 360 whole numbers each."""
+    # .round(6) first: processors differ in the last digits of a sine
+    angles = np.radians(np.arange(360))
+    rows = np.round((row + radius * np.sin(angles)).round(6)).astype(int)
+    cols = np.round((col + radius * np.cos(angles)).round(6)).astype(int)
+    return rows, cols
+
+
+row, col, radius = palm_of(mask)
+rows, cols = circle_pixels(row, col, 2 * radius)
+view = cv2.cvtColor(mask * 255, cv2.COLOR_GRAY2BGR)
+for r, c in zip(rows, cols, strict=True):
+    colour = (0, 0, 255) if mask[r, c] else (255, 128, 0)
+    view[r - 1:r + 2, c - 1:c + 2] = colour
+show(cv2.resize(view, None, fx=2, fy=2, interpolation=cv2.INTER_NEAREST), "four fingers",
+     text=figure_texts["circle"])
+
+# %% [markdown]
+# A row of neighbouring pixels on the circle that all belong to the hand is called a *run*. The circle is closed, so the pixel before the first one is the last one. In a Python list, `values[-1]` is just that.
+#
+# **Predict** how many runs of ones this circle of ten pixels has.
+
+# %% role="predict"
+guess_runs = None  # your guess: how many runs?
+
+# %%
+values = [1, 1, 0, 0, 1, 0, 1, 1, 0, 1]
+begins = [i for i in range(10) if values[i] == 1 and values[i - 1] == 0]
+print("runs begin at the positions", begins)
+compare_guess(guess_runs, len(begins))
+
+# %% [markdown]
+# The run at the position 9 goes on over the end, so the ones at 0 and 1 belong to it. One more trap: a part of the circle may lie outside the image. There is no hand there. NumPy does not always notice it: `mask[-1, 0]` is a pixel of the last row.
+
+# %%
+# Check: the numbers in this section
+assert begins == [4, 6, 9]
+
+# %% [markdown]
+# ### Your turn: count the runs
+#
+# For the example, a mask of 4 × 5 pixels, and a way of ten pixels, of which the last three are outside.
+
+# %%
+tiny_mask = np.array([[1, 1, 0, 1, 1],
+                      [0, 0, 0, 0, 1],
+                      [0, 0, 0, 0, 1],
+                      [1, 0, 1, 0, 0]])
+way_rows = np.array([0, 0, 0, 0, 0, 1, 2, 3, 4, -1])
+way_cols = np.array([0, 1, 2, 3, 4, 4, 5, 5, 2, 0])
+
+# %%
+# Check: the result of the example call
+inside = [0 <= r < 4 and 0 <= c < 5 and tiny_mask[r, c] == 1 for r, c in zip(way_rows, way_cols, strict=True)]
+assert inside == [True, True, False, True, True, True] + 4 * [False]
+
+# %% [markdown]
+# Write `count_runs(mask, rows, cols)`.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `mask`: (H, W) uint8, 0 or 1; `rows`, `cols`: (N,) whole numbers, the pixels of a closed way, in order. Some may lie outside the mask; they count as 0. At least one pixel of the way is 0 | whole number: how many runs of ones there are on the way. A run that goes on over the end counts once | `count_runs(tiny_mask, way_rows, way_cols)` returns `2` |
+
+# %% role="exercise"
+exercise(
+    "gestures-runs",
+    title="The runs on a circle",
+    function="count_runs",
+    hint="Make a list of the values on the way, 0 outside the mask; a run begins where the value is 1 and the one before, values[i - 1], is 0.",
+    hints=(
+        "At which pixels does a run begin, and which pixel is before the first one?",
+        "1. Make a list with the value of each pixel of the way.\n"
+        "2. A pixel is outside if its row is negative or too large, or its column: then its value is 0.\n"
+        "3. Go over the list, and count the places where the value is 1 and the value before is 0.",
+        "values = []\nfor row, col in zip(rows, cols):\n    outside = row < 0 or row >= ... or ...\n"
+        "    values.append(0 if outside else ...)\nreturn sum(values[i] == ... and values[i - 1] == ... for i in range(len(values)))",
+    ),
+    explanation="For i = 0, values[i - 1] is values[-1], the last one: so the way is closed without any more code. Each run begins"
+    " exactly once.",
+    another_way="Without a loop: padded = np.pad(mask, 1) has zeros around, np.clip(rows, -1, height) + 1 is always inside it, and"
+    " (values > np.roll(values, 1)).sum() counts.",
+)
+
+
+def values_on(mask, rows, cols, top=-1):
+    padded = np.pad(mask.astype(int), 1)
+    return padded[np.clip(rows, top, mask.shape[0]) + 1, np.clip(cols, top, mask.shape[1]) + 1]
+
+
+def runs_in(values):
+    return int(((values == 1) & (np.roll(values, 1) == 0)).sum())
+
+
+def is_outside(mask, rows, cols):
+    return (rows < 0) | (cols < 0) | (rows >= mask.shape[0]) | (cols >= mask.shape[1])
+
+
+def square_way(top, left, height, width, begin):
+    """The pixels along the sides of a rectangle, clockwise."""
+    rows = [*[top] * width, *range(top, top + height), *[top + height] * width, *range(top + height, top, -1)]
+    cols = [*range(left, left + width), *[left + width] * height, *range(left + width, left, -1), *[left] * height]
+    return np.roll(rows, begin), np.roll(cols, begin)
+
+
+def some_mask(rng, height, width):
+    mask = (rng.random((height, width)) < 0.55).astype(np.uint8)
+    mask[:2, :2] = mask[0, -2:] = mask[-2:, -1] = mask[-1, :3] = 1
+    mask[height // 2, :] = mask[:, width // 2] = 0
+    return mask
+
+
+def way_inside(rng, height=9, width=11, over=True):
+    """A way on which a run goes over the end, or begins exactly at the first pixel."""
+    mask = some_mask(rng, height, width)
+    rows, cols = square_way(1, 1, height - 3, width - 3, 0)
+    shift = int(np.flatnonzero(values_on(mask, rows, cols) == 0)[0]) + 1
+    rows, cols = np.roll(rows, -shift - 2), np.roll(cols, -shift - 2)
+    for i in (-2, -1, 0, 1):
+        mask[rows[i], cols[i]] = 1 if over or i >= 0 else 0
+    mask[rows[4:6], cols[4:6]] = 0
+    return mask, rows, cols
+
+
+def way_outside(rng, top, left, height=8, width=9, border=1):
+    """A way that leaves the mask; where it leaves and comes back, the mask has this value."""
+    mask = some_mask(rng, height, width)
+    begin = int(rng.integers(3, 9))
+    rows, cols = square_way(top, left, height - 2, width - 2, begin)
+    outside = is_outside(mask, rows, cols)
+    for i in np.flatnonzero(outside):
+        for j in (i - 1, (i + 1) % len(rows)):
+            if not outside[j]:
+                mask[rows[j], cols[j]] = border
+    return mask, rows, cols
+
+
+# %% role="answer"
+def count_runs(mask, rows, cols):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def count_runs(mask, rows, cols):
+    values = []
+    for row, col in zip(rows, cols, strict=True):
+        outside = row < 0 or row >= mask.shape[0] or col < 0 or col >= mask.shape[1]
+        values.append(0 if outside else mask[row, col])
+    count = 0
+    for i in range(len(values)):
+        if values[i] == 1 and values[i - 1] == 0:
+            count += 1
+    return count
+
+
+# %% role="check"
+check("gestures-runs", count_runs)
+
+
+# %% role="case" title="ways inside the mask" points=1 hint="A run that goes on over the end counts once: the pixel before the first one is the last one."
+def inputs(rng):
+    return [way_inside(rng), way_inside(rng, 11, 9, over=False), way_inside(rng, 12, 14)]
+
+
+# %% role="case" title="ways that leave the mask" points=1 hint="A pixel outside the mask counts as 0. Negative rows and columns are outside too."
+def inputs(rng):
+    return [way_outside(rng, -2, 2), way_outside(rng, 3, 4), way_outside(rng, 2, -1, border=0), way_inside(rng, over=False)]
+
+
+# %% role="hidden" title="a drawn hand, and any way" points=1 hint="Do you count the beginnings of runs, with pixels outside as 0, and a run over the end once?"
+def inputs(rng):
+    from imgproc_course.simulation import hand_mask, random_hand
+
+    hand = random_hand(rng, int(rng.integers(1, 6)))
+    mask = hand_mask(hand).astype(np.uint8)
+    size = int(hand.size)
+    circle = square_way(int(hand.row) - size, int(hand.col) - size, 2 * size, 2 * size, int(rng.integers(200)))
+    return [(mask, *circle), way_outside(rng, -3, -2, 9, 12), way_outside(rng, 4, 3, 10, 10, border=0), way_inside(rng, 14, 10, over=False)]
+
+
+# %% role="mistake" name="pixels counted" says="You count all ones on the way. Count only where a run begins: the value is 1, and the one before is 0."
+def count_runs(mask, rows, cols):
+    return int(values_on(mask, rows, cols).sum())
+
+
+# %% role="mistake" name="run over the end twice" says="A run that goes on over the end counts once. The pixel before the first one is the last one, values[-1]."
+def count_runs(mask, rows, cols):
+    values = values_on(mask, rows, cols)
+    return int(((values == 1) & (np.append(0, values[:-1]) == 0)).sum())
+
+
+# %% role="mistake" name="first pixel left out" says="You begin with the second pixel. If a run begins at the first one, it is missing: compare the first pixel with the last one, values[-1]."
+def count_runs(mask, rows, cols):
+    values = values_on(mask, rows, cols)
+    return int(((values[1:] == 1) & (values[:-1] == 0)).sum())
+
+
+# %% role="mistake" name="beginnings and ends" says="You count where a run begins and also where it ends. Count only the beginnings. (Or do you subtract uint8 values? There, 0 - 1 is 255.)"
+def count_runs(mask, rows, cols):
+    return 2 * runs_in(values_on(mask, rows, cols))
+
+
+# %% role="mistake" name="minus the arm" says="You took 1 off for the arm. Here return the number of runs; the arm comes later."
+def count_runs(mask, rows, cols):
+    return runs_in(values_on(mask, rows, cols)) - 1
+
+
+# %% role="mistake" name="clipped" says="You moved pixels that are outside to the border of the mask. They count as 0."
+def count_runs(mask, rows, cols):
+    return runs_in(mask[np.clip(rows, 0, mask.shape[0] - 1), np.clip(cols, 0, mask.shape[1] - 1)])
+
+
+# %% role="mistake" name="left out" says="You left out the pixels outside the mask, so the runs before and after them are joined. Such a pixel counts as 0."
+def count_runs(mask, rows, cols):
+    return runs_in(values_on(mask, rows, cols)[~is_outside(mask, rows, cols)])
+
+
+# %% role="mistake" name="outside not tested" says="Some pixels are outside the mask. Test the row and the column before you index; a negative index counts from the end, and does not raise an error."
+def count_runs(mask, rows, cols):
+    return runs_in(mask[rows, cols])
+
+
+# %% role="mistake" name="negative ones not tested" says="A negative row or column is outside too. NumPy counts it from the end, without an error: test < 0 as well."
+def count_runs(mask, rows, cols):
+    too_large = (rows >= mask.shape[0]) | (cols >= mask.shape[1])
+    values = [0 if outside else mask[row, col] for row, col, outside in zip(rows, cols, too_large, strict=True)]
+    return runs_in(np.array(values))
+
+
+# %% role="mistake" name="negative rows not tested" says="A negative row is outside too. NumPy counts it from the end, without an error: test row < 0 as well."
+def count_runs(mask, rows, cols):
+    outside = (cols < 0) | (rows >= mask.shape[0]) | (cols >= mask.shape[1])
+    return runs_in(np.array([0 if out else mask[r, c] for r, c, out in zip(rows, cols, outside, strict=True)]))
+
+
+# %% role="mistake" name="exchanged" says="Rows and columns are exchanged: mask[row, col]."
+def count_runs(mask, rows, cols):
+    return runs_in(values_on(mask, cols, rows))
+
+
+# %% role="mistake" name="columns not tested" says="A pixel can also be outside because of its column. Test both, the row and the column."
+def count_runs(mask, rows, cols):
+    outside = (rows < 0) | (rows >= mask.shape[0])
+    return runs_in(np.array([0 if out else mask[r, c] for r, c, out in zip(rows, cols, outside, strict=True)]))
+
+
+# %% role="mistake" name="rows not tested" says="A pixel can also be outside because of its row. Test both, the row and the column."
+def count_runs(mask, rows, cols):
+    outside = (cols < 0) | (cols >= mask.shape[1])
+    return runs_in(np.array([0 if out else mask[r, c] for r, c, out in zip(rows, cols, outside, strict=True)]))
+
+
+# %% role="mistake" name="one too far" says="The last row is the height - 1: a row that is equal to the height is outside already. Test row < height, not <=, and the same for the column."
+def count_runs(mask, rows, cols):
+    outside = (rows < 0) | (rows > mask.shape[0]) | (cols < 0) | (cols > mask.shape[1])
+    return runs_in(np.array([0 if out else mask[r, c] for r, c, out in zip(rows, cols, outside, strict=True)]))
+
+
+# %% role="mistake" name="ten pixels" says="You look at the first ten pixels only. The way has len(rows) pixels."
+def count_runs(mask, rows, cols):
+    values = values_on(mask, rows, cols)
+    return int(((values == 1) & (np.roll(values, 1) == 0))[:10].sum())
+
+
+# %% role="mistake" name="row 0 is outside" says="Row 0 and column 0 are inside the mask: test >= 0, not > 0."
+def count_runs(mask, rows, cols):
+    return runs_in(np.where((rows == 0) | (cols == 0), 0, values_on(mask, rows, cols)))
+
+
+# %% role="mistake" name="outside is hand" says="You count pixels outside the mask as 1. They count as 0."
+def count_runs(mask, rows, cols):
+    return runs_in(np.where(is_outside(mask, rows, cols), 1, values_on(mask, rows, cols)))
+
+
+# %% role="mistake" name="the whole mask" says="Your result does not depend on the way: you count runs in the rows of the mask. Take the pixels mask[row, col] of the way."
+def count_runs(mask, rows, cols):
+    padded = np.pad(mask.astype(int), ((0, 0), (1, 0)))
+    return int((np.diff(padded, axis=1) == 1).sum())
+
+
+# %% role="mistake" name="one at most" says="Your result is 1 if there is any run. Is return inside the loop? Return after it."
+def count_runs(mask, rows, cols):
+    return min(1, runs_in(values_on(mask, rows, cols)))
+
+
+# %% role="mistake" name="longest run" says="You return the length of the longest run. Return how many runs there are."
+def count_runs(mask, rows, cols):
+    values = values_on(mask, rows, cols)
+    lengths, length = [], 0
+    for value in np.roll(values, -int(np.flatnonzero(values == 0)[0])):
+        length = length + 1 if value else 0
+        lengths.append(length)
+    return max(lengths)
+
+
+# %% [markdown]
+# NumPy can also do it without a loop: pad the mask with zeros, and compare the values with the values rolled by one (`np.roll`). One run is the arm; the rest are fingers.
+
+# %%
+def fingers_of(mask):
+    """The number of raised fingers of the hand in a mask, by the circle around its palm."""
+    row, col, radius = palm_of(mask)
+    rows, cols = circle_pixels(row, col, 2 * radius)
+    padded = np.pad(mask, 1)
+    values = padded[np.clip(rows + 1, 0, padded.shape[0] - 1), np.clip(cols + 1, 0, padded.shape[1] - 1)]
+    runs = ((values == 1) & (np.roll(values, 1) == 0)).sum()
+    return int(max(runs - 1, 0))
+
+
+print([fingers_of(find_glove(image)) for image in images])
+
+# %% [markdown]
+# One of the six is wrong: the hand with three fingers gets a 4. Is this bad luck? Now both ways on 120 hands, with other places, sizes and turns. For each way a [[term:confusion matrix]]: the row is the true number of fingers, the column is the answer.
+
+# %% tags=["long"]
+rng = np.random.default_rng(7)
+truth, masks = [], []
+for k in range(120):
+    truth.append(k % 6)
+    hand = random_hand(rng, truth[-1])
+    masks.append(find_glove(draw_hand(background, hand, noise=12, rng=rng)))
+by_valleys = [min(len(valleys_of(mask)) + 1, 5) for mask in masks]
+by_circle = [min(fingers_of(mask), 5) for mask in masks]
+
+
+def confusion_of(truth, answers):
+    matrix = np.zeros((6, 6), int)
+    for row, col in zip(truth, answers, strict=True):
+        matrix[row, col] += 1
+    return matrix
+
+# %% [markdown]
+# **Predict** how many of the 120 hands are right by "valleys plus one".
+
+# %% role="predict"
+guess_right = None  # your guess: how many of 120?
+
+# %%
+valley_matrix, circle_matrix = confusion_of(truth, by_valleys), confusion_of(truth, by_circle)
+print("by the circle:", np.trace(circle_matrix), "of 120 right")
+compare_guess(guess_right, np.trace(valley_matrix))
+
+# %% tags=["long"]
+figure = Figure(figsize=(8, 3.6), layout="constrained")
+for axes, matrix, title in zip(figure.subplots(1, 2), (valley_matrix, circle_matrix),
+                               ("valleys plus one", "circle"), strict=True):
+    axes.imshow(matrix, cmap="Blues", vmax=20)
+    for row, col in np.argwhere(matrix).tolist():
+        axes.text(col, row, matrix[row, col], ha="center", va="center",
+                  color="w" if matrix[row, col] > 10 else "k")
+    axes.set(title=title, xlabel="answer", ylabel="raised fingers", xticks=range(6), yticks=range(6))
+show_figure(figure, text=figure_texts["tables"])
+
+# %%
+# Check: the numbers in this section
+assert [fingers_of(find_glove(image)) for image in images] == [0, 1, 2, 4, 4, 5]
+assert np.trace(valley_matrix) == 100 and valley_matrix[0].tolist() == [0, 20, 0, 0, 0, 0]
+assert np.trace(circle_matrix) == 116 and set(by_valleys) <= set(range(6)) and circle_matrix.sum() == 120
+
+# %% [markdown]
+# Valleys plus one takes all 20 fists for one finger, and makes no other error. The circle tells them apart; it makes four errors, each of them one finger too many: at the ragged edge of a finger, a single pixel of noise can be a run of its own. How would you repair that?
+#
+# This is a good place for a pause.
+#
+# ## 5 · A small network (10 minutes)
+#
+# Somebody had to invent the circle. A *[[term:neural network]]* learns from examples what to look at. The linear classifier of [[recognising_objects#5]] multiplied and added once. A network does it several times, in *layers*, and after each layer but the last, negative numbers become 0. A network with two inputs, two numbers in its *[[term:hidden layer]]*, and two classes:
+
+# %%
+vector = np.array([1.0, 3])
+hidden = np.array([[2.0, -1], [1, 1]]) @ vector + np.array([0.0, -2])
+print("before:", hidden)
+hidden = np.maximum(hidden, 0)
+print("hidden layer:", hidden)
+scores = np.array([[1.0, 0], [3, 1]]) @ hidden + np.array([1.5, 0])
+print("scores:", scores)
+
+# %% [markdown]
+# Without the zeros, all layers together would be no more than one linear classifier. Training begins with random weights, and changes them in many small steps, so that the right class gets a larger score each time.
+#
+# Our network sees a square around the palm, 16 × 16 pixels: 256 numbers from 0 to 1. It has 32 hidden numbers and six classes, 0 to 5 fingers.
+
+# %%
+def crop_of(mask):
+    """A square around the palm of a mask: (16, 16) float, from 0 to 1."""
+    row, col, radius = palm_of(mask)
+    half = round(3 * radius)
+    padded = np.pad(mask, half).astype(np.float32)
+    return cv2.resize(padded[row:row + 2 * half, col:col + 2 * half], (16, 16),
+                      interpolation=cv2.INTER_AREA)
+
+# %%
+show([crop_of(find_glove(image)) for image in images],
+     [f"{fingers} raised" for fingers in range(6)], columns=6, text=figure_texts["crops"])
+
+# %% [markdown]
+# The training data are 600 other hands, drawn at half the size, to be quick. scikit-learn's `MLPClassifier` (BSD-3 licence) trains the network in less than a second. It stops when the *loss*, a number for how wrong the scores are, hardly falls any more. Nothing is downloaded: these weights are our own.
+
+# %%
+def some_hands(seed, count, shape=(180, 240), degrees=0):
+    """Masks of so many hands, turned by an angle, and how many fingers they raise."""
+    rng = np.random.default_rng(seed)
+    fingers = np.arange(count) % 6
+    masks = []
+    for number in fingers.tolist():
+        hand = random_hand(rng, number, shape)
+        hand = hand._replace(turn=hand.turn + np.radians(degrees))  # another turn, all else equal
+        masks.append(hand_mask(hand, shape).astype(np.uint8))
+    return masks, fingers
+
+
+def rows_of(masks):
+    return np.array([crop_of(mask).ravel() for mask in masks])
+
+# %% tags=["nbval-ignore-output"]
+train_masks, train_fingers = some_hands(100, 600, (90, 120))
+network = MLPClassifier((32,), learning_rate_init=0.01, tol=0.003, n_iter_no_change=5, random_state=0)
+network.fit(rows_of(train_masks), train_fingers)
+predicted = network.predict(rows_of(masks))
+print("loss", round(network.loss_, 3), "after", network.n_iter_, "times over all examples")
+print((predicted == truth).sum(), "of 120 right, with", (predicted[::6] == 0).sum(), "of 20 fists")
+
+# %%
+# Check: the network is right with a margin, and it is small
+ordered = np.sort(network.predict_proba(rows_of(masks)), axis=1)
+assert (predicted == truth).sum() >= 119 and (predicted[::6] == 0).sum() == 20
+assert [weights.shape for weights in network.coefs_] == [(256, 32), (32, 6)] and network.n_iter_ < 60
+
+# %% [markdown]
+# The network is as good as the circle or better, also with noise, which it never saw in training. And it tells a fist from one finger. All the hands until now were turned by at most 23 degrees to each side. Now 60 hands are turned by 90 degrees more, so that the arm comes from the side. The circle has all 60 right. (Only guessing would have 10 right.)
+#
+# **Predict** how many of the 60 the network has right.
+
+# %% role="predict"
+guess_turned = None  # your guess: how many of 60?
+
+# %% tags=["nbval-ignore-output"]
+turned_masks, turned_fingers = some_hands(200, 60, degrees=90)
+answers = network.predict(rows_of(turned_masks))
+sure = network.predict_proba(rows_of(turned_masks)).max(axis=1)
+wrong = answers != turned_fingers
+print("circle:", sum(fingers_of(mask) == number for mask, number in zip(turned_masks, turned_fingers, strict=True)))
+print("wrong, and yet the probability is above 90 %:", (wrong & (sure > 0.9)).sum())
+compare_guess(guess_turned, (~wrong).sum())
+
+# %%
+# Check: the network only guesses, and often it is sure
+assert 4 <= (~wrong).sum() <= 20 and (wrong & (sure > 0.9)).sum() > 30
+assert [fingers_of(mask) for mask in turned_masks] == turned_fingers.tolist()
+assert np.degrees(max(abs(hand.turn) for hand in hands)) < 23
+
+# %% [markdown]
+# **The second planned failure:** the network has learnt these 600 hands, and not what a finger is. It knows nothing of turned hands, and does not say so: it gives a class, often with a high probability. The circle is the same from all sides. What would you change: the training data, or the crop?
+#
+# ## 6 · Movements (21 minutes)
+#
+# A wave is a movement, so one image is not enough. We follow the palm's center from frame to frame: its *[[term:tracking|track]]*, an array of points x, y. `gesture_track` makes such tracks of six gestures, with noise. No two people are equally fast, so the tracks have different lengths. A gesture is the same on the left and on the right of the image, so we subtract the mean of all points.
+
+# %%
+def centered(track):
+    return track - track.mean(axis=0)
+
+
+references = {gesture: centered(gesture_track(gesture, np.random.default_rng(5), noise=0, uneven=0))
+              for gesture in GESTURES}
+rng = np.random.default_rng(11)
+examples = {gesture: centered(gesture_track(gesture, rng)) for gesture in GESTURES}
+for gesture in GESTURES:
+    print(f"{gesture:12} {len(examples[gesture])} points")
+
+# %% tags=["long"]
+figure = Figure(figsize=(8, 5), layout="constrained")
+for axes, gesture in zip(figure.subplots(2, 3).ravel(), GESTURES, strict=True):
+    x, y = examples[gesture].T
+    axes.plot(x, y, "b.-", linewidth=1)
+    axes.plot(x[:1], y[:1], "o", color="limegreen", markersize=9)
+    axes.set(title=gesture, xlim=(-1.6, 1.6), ylim=(1.6, -1.6), aspect="equal")
+show_figure(figure, text=figure_texts["tracks"])
+
+# %% [markdown]
+# To compare two tracks of different lengths, the simplest way is to *resample* both: 24 points each, at equal times, with the points between computed by `np.interp`. Then take the mean distance of the points with the same number. The gesture whose reference is nearest is the answer.
+
+# %%
+def resample(track, count=24):
+    old, new = np.linspace(0, 1, len(track)), np.linspace(0, 1, count)
+    return np.column_stack([np.interp(new, old, track[:, 0]), np.interp(new, old, track[:, 1])])
+
+
+def plain_distance(track, other):
+    return np.linalg.norm(resample(track) - resample(other), axis=1).mean()
+
+
+def nearest_gesture(track, distance):
+    """The gesture whose reference is nearest to a track."""
+    return min(GESTURES, key=lambda gesture: distance(centered(track), references[gesture]))
+
+# %% [markdown]
+# If the speed is constant, this works: `uneven=0`. With `uneven=1`, the hand is slow at first and fast later, or the other way round. **Predict** which gesture a wave with uneven speed is taken for.
+
+# %% role="predict"
+guess_wave = None  # your guess: which of the six gestures?
+
+# %%
+even_wave = gesture_track("wave", np.random.default_rng(8), uneven=0)
+uneven_wave = gesture_track("wave", np.random.default_rng(8), uneven=1)
+print("constant speed:", nearest_gesture(even_wave, plain_distance))
+wave_answer = nearest_gesture(uneven_wave, plain_distance)
+compare_guess(guess_wave, wave_answer)
+
+# %%
+# Check: the answers do not depend on rounding
+wave_distances = sorted(plain_distance(centered(uneven_wave), references[gesture]) for gesture in GESTURES)
+assert wave_answer == "stop" and wave_distances[1] - wave_distances[0] > 0.1
+assert nearest_gesture(even_wave, plain_distance) == "wave"
+
+# %% [markdown]
+# **The third planned failure:** the hand moves to the left while the reference moves to the right. So the distance is large, and a hand that stands still in the middle is nearer. The points with the same number are at the same time, but not at the same place of the gesture.
+#
+# For simplicity, tracks of numbers: two people move from 0 to 4. One of them starts late, the other one starts at once and then waits:
+
+# %%
+late = np.array([0, 0, 0, 2, 4])
+early = np.array([0, 2, 4, 4, 4])
+print("point by point:", abs(late - early), "  sum", abs(late - early).sum())
+
+# %% [markdown]
+# It is the same movement, and yet the sum is large. So we allow that time is stretched: one point of a track may be paired with several points of the other one. Both tracks are passed through from the beginning to the end; no point is left out, and no step goes back. The sum of the distances of all pairs is the cost, and we look for the cheapest pairing. This is *[[term:dynamic time warping]]*, DTW.
+#
+# **Predict** the cost of the cheapest pairing of `late` and `early`.
+
+# %% role="predict"
+guess_cost = None  # your guess: which number?
+
+# %%
+pairs = [(0, 0), (1, 0), (2, 0), (3, 1), (4, 2), (4, 3), (4, 4)]
+cost = sum(abs(late[i] - early[j]) for i, j in pairs)
+compare_guess(guess_cost, int(cost))
+
+# %% [markdown]
+# How is the cheapest pairing found? With a table, as for the edit distance in [[reading_text#5]]. `costs[i, j]` is the cost of the first i points of one track and the first j of the other one. The pair that ends there comes after one of three earlier ones: one point less of the first track, of the second track, or of both. The border is infinite (`np.inf`), because nothing can come from there, except at the very beginning:
+
+# %%
+a, b = np.array([1, 3]), np.array([1, 2, 5])
+distances = abs(a[:, None] - b)
+costs = np.full((3, 4), np.inf)
+costs[0, 0] = 0
+costs[1, 1] = distances[0, 0] + min(costs[0, 0], costs[0, 1], costs[1, 0])
+costs[1, 2] = distances[0, 1] + min(costs[0, 1], costs[0, 2], costs[1, 1])
+costs[1, 3] = distances[0, 2] + min(costs[0, 2], costs[0, 3], costs[1, 2])
+print(distances)
+print(costs)
+
+# %% [markdown]
+# The number for i points and j points stands at [i, j], but the distance of these two points at [i − 1, j − 1], because counting begins with 0. **Predict** `costs[2, 2]`. First comes `costs[2, 1]` = 2 + min(inf, 0, inf) = 2.
+
+# %% role="predict"
+guess_table = None  # your guess: which number?
+
+# %%
+costs[2, 1] = distances[1, 0] + min(costs[1, 0], costs[1, 1], costs[2, 0])
+costs[2, 2] = distances[1, 1] + min(costs[1, 1], costs[1, 2], costs[2, 1])
+compare_guess(guess_table, costs[2, 2])
+
+# %%
+# Check: the numbers in this section
+assert abs(late - early).tolist() == [0, 2, 4, 2, 0] and cost == 0
+assert costs[1, 1:].tolist() == [0, 1, 5] and costs[2, 1] == 2 and costs[2, 2] == 1 and distances[1, 2] == 2
+points, others = np.array([[0.0, 0], [3, 4]]), np.array([[0.0, 0], [0, 0], [3, 0]])
+assert np.linalg.norm(points[1] - others[2]) == 4 and np.linalg.norm(points[1] - others[0]) == 5
+
+# %% [markdown]
+# ### Your turn: dynamic time warping
+#
+# The points of a track are (x, y); their distance is the L2 norm of the difference, `np.linalg.norm(p - q)`. Write `dtw_cost(track, other)`.
+#
+# | Input | Output | Example call |
+# |---|---|---|
+# | `track`: (N, 2) float, `other`: (M, 2) float, the points x, y of two tracks; N and M are at least 1 | float: the cost of the cheapest pairing, the sum of the distances of its pairs | `dtw_cost(np.array([[0.0, 0], [3, 4]]), np.array([[0.0, 0], [0, 0], [3, 0]]))` returns `4.0` |
+
+# %% role="exercise"
+exercise(
+    "gestures-dtw",
+    title="Dynamic time warping",
+    function="dtw_cost",
+    tolerance=1e-6,
+    hint="A table of np.inf with one row and one column more, 0 at [0, 0]; each number is the distance of two points + the smallest of its three neighbours: above, left, and above left; the result is the last one.",
+    hints=(
+        "From which three places of the table can the pair of the points i and j come?",
+        "1. A table with N + 1 rows and M + 1 columns, full of np.inf; the first number is 0.\n"
+        "2. Go over all points of both tracks, with two loops.\n"
+        "3. The distance of the two points, plus the smallest of the three neighbours before it.\n"
+        "4. Return the last number of the table.",
+        "costs = np.full((len(track) + 1, ...), np.inf)\ncosts[0, 0] = ...\nfor i in range(len(track)):\n"
+        "    for j in range(len(other)):\n        distance = np.linalg.norm(...)\n"
+        "        costs[i + 1, j + 1] = distance + min(costs[i, j], ..., ...)\nreturn costs[-1, ...]",
+    ),
+    explanation="Each number needs only the three before it, so N · M steps are enough, although there are very many pairings.",
+    another_way="Two rows of the table are enough, because each row needs only the one above.",
+)
+
+
+def norm_of(differences):
+    return np.linalg.norm(differences, axis=-1)
+
+
+def table_of(track, other, distance=norm_of, corner=1.0, border=np.inf, free=False, choose=min, above=True, left=True):
+    distances = distance(np.asarray(track)[:, None] - np.asarray(other))
+    costs = np.full((len(track) + 1, len(other) + 1), border)
+    costs[0, 0] = 0
+    if free:
+        costs[0] = 0
+    for i in range(len(track)):
+        for j in range(len(other)):
+            before = [costs[i, j] if corner else np.inf]
+            before += [costs[i, j + 1]] * above + [costs[i + 1, j]] * left
+            if not corner and i == j == 0:
+                before = [0.0]
+            costs[i + 1, j + 1] = distances[i, j] + choose(before)
+    return costs
+
+
+def some_tracks(rng, first, second):
+    """Two tracks from left to right, with some noise; the first one waits at its beginning, the second one at its end."""
+    def track(count, waits):
+        x = np.sort(rng.uniform(0, 8, count))
+        x[waits] = x[waits][0]
+        return np.column_stack([x, rng.uniform(-2, 2, count) + x / 3]).round(2)
+
+    return track(first, slice(0, first // 2 or 1)), track(second, slice(second // 2, None))
+
+
+# %% role="answer"
+def dtw_cost(track, other):
+    raise NotImplementedError("your turn: delete this line and write the function")
+
+
+# %% role="solution"
+def dtw_cost(track, other):
+    costs = np.full((len(track) + 1, len(other) + 1), np.inf)
+    costs[0, 0] = 0
+    for i in range(len(track)):
+        for j in range(len(other)):
+            distance = np.linalg.norm(track[i] - other[j])
+            costs[i + 1, j + 1] = distance + min(costs[i, j], costs[i, j + 1], costs[i + 1, j])
+    return float(costs[-1, -1])
+
+
+# %% role="check"
+check("gestures-dtw", dtw_cost)
+
+
+# %% role="case" title="short tracks" points=1
+def inputs(rng):
+    return [some_tracks(rng, 4, 5), some_tracks(rng, 6, 4), some_tracks(rng, 5, 5)]
+
+
+# %% role="case" title="longer tracks" points=1 hint="The smallest of three neighbours: above, left, and above left. The border is np.inf, except for the 0 at [0, 0]."
+def inputs(rng):
+    return [some_tracks(rng, 9, 14), some_tracks(rng, 15, 8), some_tracks(rng, 18, 17)]
+
+
+# %% role="hidden" title="gestures" points=1 hint="Is each number the distance of two points plus the smallest of its three neighbours?"
+def inputs(rng):
+    from imgproc_course.simulation import GESTURES, gesture_track
+
+    first, second = rng.choice(GESTURES[:5], 2, replace=False)
+    return [(gesture_track(str(first), rng), gesture_track(str(second), rng)), some_tracks(rng, 7, 11), some_tracks(rng, 1, 6)]
+
+
+# %% role="mistake" name="point by point" says="You compare only points with the same number. With time warping, a point may be paired with several points: fill the table."
+def dtw_cost(track, other):
+    count = min(len(track), len(other))
+    return float(norm_of(track[:count] - other[:count]).sum())
+
+
+# %% role="mistake" name="squares" says="You add the squares of the distances. Take the square root: np.linalg.norm(p - q)."
+def dtw_cost(track, other):
+    return float(table_of(track, other, lambda d: (d * d).sum(axis=-1))[-1, -1])
+
+
+# %% role="mistake" name="L1 norm" says="You add |x| and |y| of the difference. The distance of two points is the L2 norm: np.linalg.norm(p - q)."
+def dtw_cost(track, other):
+    return float(table_of(track, other, lambda d: abs(d).sum(axis=-1))[-1, -1])
+
+
+# %% role="mistake" name="x alone" says="You compare only the x of the points. A point has two numbers: np.linalg.norm(p - q)."
+def dtw_cost(track, other):
+    return float(table_of(track, other, lambda d: abs(d[..., 0]))[-1, -1])
+
+
+# %% role="mistake" name="without the neighbour above left" says="Three neighbours come before a number: above, left, and above left. You left out the one above left."
+def dtw_cost(track, other):
+    return float(table_of(track, other, corner=0.0)[-1, -1])
+
+
+# %% role="mistake" name="infinite" says="Your result is infinite. Is there a 0 at [0, 0]? All other numbers come from it. And is each number computed from the smallest, not the largest, of its three neighbours: above, left, and above left?"
+def dtw_cost(track, other):
+    return float("inf")
+
+
+# %% role="mistake" name="without the left neighbour" says="Three neighbours come before a number: above, left, and above left. You left out the one to the left, in the same row."
+def dtw_cost(track, other):
+    return float(table_of(track, other, left=False)[-1, -1])
+
+
+# %% role="mistake" name="without the neighbour above" says="Three neighbours come before a number: above, left, and above left. You left out the one above, in the same column."
+def dtw_cost(track, other):
+    return float(table_of(track, other, above=False)[-1, -1])
+
+
+# %% role="mistake" name="border of zeros" says="The first row and the first column are not added up: each number there is only its own distance. Is your border 0? Fill the table with np.inf, and write 0 only at [0, 0]."
+def dtw_cost(track, other):
+    return float(table_of(track, other, border=0.0)[-1, -1])
+
+
+# %% role="mistake" name="free beginning" says="Your first row is 0, so the second track may begin anywhere. The border is np.inf; only costs[0, 0] is 0."
+def dtw_cost(track, other):
+    return float(table_of(track, other, free=True)[-1, -1])
+
+
+# %% role="mistake" name="border as in the edit distance" says="Your border counts 0, 1, 2 as in the edit distance. Here it is np.inf; only costs[0, 0] is 0."
+def dtw_cost(track, other):
+    costs = table_of(track, other)
+    costs[0], costs[:, 0] = np.arange(len(other) + 1), np.arange(len(track) + 1)
+    distances = norm_of(np.asarray(track)[:, None] - np.asarray(other))
+    for i, j in np.ndindex(distances.shape):
+        costs[i + 1, j + 1] = distances[i, j] + min(costs[i, j], costs[i, j + 1], costs[i + 1, j])
+    return float(costs[-1, -1])
+
+
+# %% role="mistake" name="dearest" says="You take the largest of the three neighbours. Take the smallest."
+def dtw_cost(track, other):
+    distances = norm_of(np.asarray(track)[:, None] - np.asarray(other))
+    costs = np.zeros((len(track) + 1, len(other) + 1))
+    for i, j in np.ndindex(distances.shape):
+        costs[i + 1, j + 1] = distances[i, j] + max(costs[i, j], costs[i, j + 1], costs[i + 1, j])
+    return float(costs[-1, -1])
+
+
+# %% role="mistake" name="mean" says="You divided by the lengths of the tracks. Return the sum; the division comes later."
+def dtw_cost(track, other):
+    return solution(track, other) / (len(track) + len(other))
+
+
+# %% role="mistake" name="divided by the longer track" says="You divided by the length of the longer track. Return the sum."
+def dtw_cost(track, other):
+    return solution(track, other) / max(len(track), len(other))
+
+
+# %% role="mistake" name="smallest of the last row" says="You return the smallest number of the last row, so points at the end are left out. Return the last number: costs[-1, -1]."
+def dtw_cost(track, other):
+    return float(table_of(track, other)[-1].min())
+
+
+# %% role="mistake" name="before the last" says="Your result is one row and one column too early: the last number is costs[-1, -1], or costs[N, M]."
+def dtw_cost(track, other):
+    return float(table_of(track, other)[-2, -2])
+
+
+# %% role="mistake" name="the table" says="You return the whole table. Return its last number, costs[-1, -1]."
+def dtw_cost(track, other):
+    return table_of(track, other)
+
+
+# %% role="mistake" name="divided by the first track" says="You divided by the length of the first track. Return the sum."
+def dtw_cost(track, other):
+    return solution(track, other) / len(track)
+
+
+# %% role="mistake" name="a stretch costs 1" says="You add 1 to the neighbours above and to the left. A stretch costs nothing by itself: only the distance is added."
+def dtw_cost(track, other):
+    distances = norm_of(np.asarray(track)[:, None] - np.asarray(other))
+    costs = np.full((len(track) + 1, len(other) + 1), np.inf)
+    costs[0, 0] = 0
+    for i, j in np.ndindex(distances.shape):
+        costs[i + 1, j + 1] = distances[i, j] + min(costs[i, j], costs[i, j + 1] + 1, costs[i + 1, j] + 1)
+    return float(costs[-1, -1])
+
+
+# %% role="mistake" name="above left counts twice" says="You add the distance twice for the neighbour above left, as some books do. Here each pair counts once."
+def dtw_cost(track, other):
+    distances = norm_of(np.asarray(track)[:, None] - np.asarray(other))
+    costs = np.full((len(track) + 1, len(other) + 1), np.inf)
+    costs[0, 0] = 0
+    for i, j in np.ndindex(distances.shape):
+        before = (costs[i, j] + distances[i, j], costs[i, j + 1], costs[i + 1, j])
+        costs[i + 1, j + 1] = distances[i, j] + min(before)
+    return float(costs[-1, -1])
+
+
+# %% role="mistake" name="a stretch is free" says="You add the distance only to the neighbour above left. Each pair costs its distance, from whichever neighbour it comes: add it to the smallest of the three."
+def dtw_cost(track, other):
+    distances = norm_of(np.asarray(track)[:, None] - np.asarray(other))
+    costs = np.full((len(track) + 1, len(other) + 1), np.inf)
+    costs[0, 0] = 0
+    for i, j in np.ndindex(distances.shape):
+        costs[i + 1, j + 1] = min(costs[i, j] + distances[i, j], costs[i, j + 1], costs[i + 1, j])
+    return float(costs[-1, -1])
+
+
+# %% role="mistake" name="1 in place of the distance" says="This is the rule of the edit distance, with 1 for a step to the side. Here each pair costs its distance, from whichever neighbour it comes."
+def dtw_cost(track, other):
+    distances = norm_of(np.asarray(track)[:, None] - np.asarray(other))
+    costs = np.full((len(track) + 1, len(other) + 1), np.inf)
+    costs[0, 0] = 0
+    for i, j in np.ndindex(distances.shape):
+        costs[i + 1, j + 1] = min(costs[i, j] + distances[i, j], costs[i, j + 1] + 1, costs[i + 1, j] + 1)
+    return float(costs[-1, -1])
+
+
+# %% role="mistake" name="a band" says="You fill only a band of the table. One person can wait for long at the beginning, and the other one at the end: fill the whole table."
+def dtw_cost(track, other):
+    width = max(3, abs(len(track) - len(other)))
+    distances = norm_of(np.asarray(track)[:, None] - np.asarray(other))
+    costs = np.full((len(track) + 1, len(other) + 1), np.inf)
+    costs[0, 0] = 0
+    for i, j in np.ndindex(distances.shape):
+        if abs(i - j) <= width:
+            costs[i + 1, j + 1] = distances[i, j] + min(costs[i, j], costs[i, j + 1], costs[i + 1, j])
+    return float(costs[-1, -1])
+
+
+# %% role="mistake" name="centered first" says="Do not subtract the mean here: compare the points as they are."
+def dtw_cost(track, other):
+    return solution(track - track.mean(axis=0), other - other.mean(axis=0))
+
+
+# %% role="mistake" name="whole numbers" says="Your table holds only whole numbers. Fill it with np.inf, which is a float."
+def dtw_cost(track, other):
+    distances = norm_of(np.asarray(track)[:, None] - np.asarray(other))
+    costs = np.full((len(track) + 1, len(other) + 1), 10**9)
+    costs[0, 0] = 0
+    for i, j in np.ndindex(distances.shape):
+        costs[i + 1, j + 1] = distances[i, j] + min(costs[i, j], costs[i, j + 1], costs[i + 1, j])
+    return costs[-1, -1]
+
+
+# %% role="mistake" name="greedy" says="You go step by step to the cheapest next pair, and cannot correct an early choice. Fill the whole table: each number is the smallest of three, plus the distance."
+def dtw_cost(track, other):
+    i = j = 0
+    cost = norm_of(track[0] - other[0])
+    while i < len(track) - 1 or j < len(other) - 1:
+        steps = [(i + 1, j + 1), (i + 1, j), (i, j + 1)]
+        steps = [(r, c) for r, c in steps if r < len(track) and c < len(other)]
+        i, j = min(steps, key=lambda step: norm_of(track[step[0]] - other[step[1]]))
+        cost += norm_of(track[i] - other[j])
+    return float(cost)
+
+
+# %% role="mistake" name="nearest points" says="You pair each point with the nearest one of the other track. The order counts too: both tracks are passed through from the beginning to the end."
+def dtw_cost(track, other):
+    return float(norm_of(np.asarray(track)[:, None] - np.asarray(other)).min(axis=1).sum())
+
+
+# %% role="mistake" name="all pairs" says="You add up the distances of all pairs. Add only the smallest of the three neighbours to each distance."
+def dtw_cost(track, other):
+    return float(norm_of(np.asarray(track)[:, None] - np.asarray(other)).sum())
+
+
+# %% role="mistake" name="root of squares" says="You added squares, and took the root at the end. Take the root of each distance: np.linalg.norm(p - q)."
+def dtw_cost(track, other):
+    return float(np.sqrt(table_of(track, other, lambda d: (d * d).sum(axis=-1))[-1, -1]))
+
+
+# %% [markdown]
+# Now with the gestures. A longer track costs more, so we divide the cost by the number of points of both tracks. Back from the end of the table, we also find which points are paired: each pair came from the cheapest of its three neighbours.
+
+# %% tags=["long"]
+def costs_of(track, other):
+    """The table of dynamic time warping, as a list of rows."""
+    infinite = float("inf")
+    table = [[0.0] + [infinite] * len(other)]
+    for distances in np.linalg.norm(track[:, None] - other, axis=2).tolist():
+        row = [infinite]
+        for j, distance in enumerate(distances):
+            row.append(distance + min(table[-1][j], table[-1][j + 1], row[j]))
+        table.append(row)
+    return table
+
+
+def warped_distance(track, other):
+    return costs_of(track, other)[-1][-1] / (len(track) + len(other))
+
+
+def pairs_of(track, other):
+    """The cheapest pairs of points, from the last to the first."""
+    table, i, j = costs_of(track, other), len(track), len(other)
+    pairs = []
+    while i > 0:
+        pairs.append((i - 1, j - 1))
+        i, j = min([(i - 1, j - 1), (i - 1, j), (i, j - 1)], key=lambda place: table[place[0]][place[1]])
+    return pairs
+
+# %% tags=["long"]
+wave, reference = centered(uneven_wave), references["wave"]
+first, second = resample(wave), resample(reference)
+same_numbers = [(i, i) for i in range(24)]
+figure = Figure(figsize=(8, 3.4), layout="constrained")
+for axes, pairs, title in zip(figure.subplots(1, 2, sharey=True),
+                              (same_numbers, pairs_of(first, second)),
+                              ("same number", "dynamic time warping"), strict=True):
+    for i, j in pairs:
+        axes.plot([i, j], [first[i, 0].round(3), second[j, 0].round(3)], color="0.6", linewidth=1)
+    axes.plot(first[:, 0].round(3), "b.-", label="uneven wave")
+    axes.plot(second[:, 0].round(3), "r.--", label="reference")
+    axes.set(title=title, xlabel="number of the point", ylim=(-1.1, 1.5))
+    axes.legend(loc="upper center", ncols=2)
+figure.axes[0].set_ylabel("x")
+show_figure(figure, text=figure_texts["pairs"])
+
+# %% [markdown]
+# The score: 120 tracks, 20 of each gesture, with uneven speed. The plain distance is right for 105 of them.
+#
+# **Predict** for how many dynamic time warping is right.
+
+# %% role="predict"
+guess_warped = None  # your guess: how many of 120?
+
+# %%
+rng = np.random.default_rng(1)
+tracks = [(gesture, gesture_track(gesture, rng, uneven=1)) for gesture in 20 * GESTURES]
+plain_right = [gesture for gesture, track in tracks if nearest_gesture(track, plain_distance) == gesture]
+warped_right = [gesture for gesture, track in tracks if nearest_gesture(track, warped_distance) == gesture]
+for gesture in GESTURES:
+    print(f"{gesture:12} plain {plain_right.count(gesture):2}, warped {warped_right.count(gesture):2} of 20")
+compare_guess(guess_warped, len(warped_right))
+
+# %%
+# Check: the numbers in this section
+assert len(plain_right) == 105 and len(warped_right) == 120
+assert nearest_gesture(uneven_wave, warped_distance) == "wave"
+for _, track in tracks:
+    for distance in (plain_distance, warped_distance):
+        nearest, second = sorted(distance(centered(track), references[name]) for name in GESTURES)[:2]
+        assert second - nearest > 1e-6  # no answer depends on rounding
+
+# %% [markdown]
+# A movement in one direction is easy: a swipe is a swipe at any speed. What goes to and fro, the wave and the circle, needs time warping.
+#
+# ## 7 · In the room (9 minutes)
+#
+# Now the robot obeys. Images of your hand come on the topic `/webcam/image_raw`. The node looks at each of them:
+# - Five fingers are a **palm**: the robot stops at once, and forgets what it was doing. Stop always wins: how a palm moves does not matter.
+# - While a hand is seen, its track grows. When the hand is gone, the track is complete, and dynamic time warping says which gesture it was. A **swipe** turns the robot by 45 degrees (to within three), measured by its odometry.
+# - All other gestures, and movements that are far from all six: the robot stands still.
+#
+# Swipes are made with two fingers, so that they are no palm. The node sees published topics only, and publishes a `Twist` for each image.
+
+# %%
+FARTHEST = 0.35  # the distance of a track that is none of the six gestures
+
+
+def gesture_of(track):
+    """The gesture of a track, or None if it is far from all six."""
+    gesture = nearest_gesture(track, warped_distance)
+    distance = warped_distance(centered(track), references[gesture])
+    return gesture if distance < FARTHEST else None
+
+# %% tags=["long"]
+if ros_available():
+    from geometry_msgs.msg import Twist
+    from imgproc_course.messages import array_to_image, image_to_array
+    from nav_msgs.msg import Odometry
+    from rclpy.node import Node
+    from rclpy.qos import qos_profile_sensor_data
+    from sensor_msgs.msg import Image
+    from std_msgs.msg import String
+
+    class GestureNode(Node):
+        """Turns the robot by 45 degrees after a swipe, and stops it at a palm with five fingers."""
+
+        def __init__(self, fingers_of, gesture_of, context=None):
+            super().__init__("gestures", context=context)
+            self.fingers_of, self.gesture_of = fingers_of, gesture_of
+            self.image = self.yaw = self.goal = None
+            self.looks, self.is_palm, self.track, self.seen = 0, False, [], []
+            self.create_subscription(
+                Image, "/webcam/image_raw", self.on_image, qos_profile_sensor_data)
+            self.create_subscription(Odometry, "/kachaka/odometry/odometry", self.on_odometry,
+                                     qos_profile_sensor_data)
+            self.commands = self.create_publisher(
+                Twist, "/kachaka/manual_control/cmd_vel", qos_profile_sensor_data)
+            self.names = self.create_publisher(String, "~/gesture", 10)
+
+        def on_odometry(self, msg):
+            turn = msg.pose.pose.orientation
+            self.yaw = 2 * np.arctan2(turn.z, turn.w)
+
+        def on_image(self, msg):
+            if self.yaw is None:  # a turn needs the odometry
+                return
+            self.image = msg
+            gesture = self.look(image_to_array(msg, "bgr8"))
+            if gesture is not None:
+                self.seen.append(gesture)
+                self.names.publish(String(data=gesture))
+                self.obey(gesture)
+            self.commands.publish(self.command())
+            self.looks += 1
+
+        def look(self, frame):
+            """The gesture that this frame completes, or None."""
+            mask = find_glove(frame)
+            if mask.sum() < mask.size / 50:  # no hand: if there was one, its track is complete
+                track, is_palm = self.track, self.is_palm
+                self.track, self.is_palm = [], False
+                return self.gesture_of(np.array(track)) if len(track) >= 8 and not is_palm else None
+            row, col, _ = palm_of(mask)
+            self.track.append([3 * col / mask.shape[1], 3 * row / mask.shape[1]])
+            if self.is_palm or self.fingers_of(mask) < 5:
+                return None
+            self.is_palm = True  # at once: if the count is wrong, to stop is the safe side
+            return "palm"
+
+        def obey(self, gesture):
+            if gesture == "palm":
+                self.goal = None
+            elif gesture in ("swipe left", "swipe right"):
+                self.goal = self.yaw + np.radians(45 if gesture == "swipe left" else -45)
+
+        def command(self):
+            """Towards the goal; without one, stand still."""
+            command = Twist()
+            if self.goal is not None:
+                rest = (self.goal - self.yaw + np.pi) % (2 * np.pi) - np.pi  # from -π to π
+                command.angular.z = float(np.clip(2 * rest, -0.6, 0.6))
+                if abs(rest) < 0.05:
+                    self.goal, command = None, Twist()
+            return command
+
+    class HandCamera(Node):
+        """Publishes frames of hands, ten a second."""
+
+        def __init__(self, frames, context=None):
+            super().__init__("webcam", context=context)
+            self.frames, self.sent = iter(frames), 0
+            self.images = self.create_publisher(Image, "~/image_raw", qos_profile_sensor_data)
+            self.create_timer(0.1, self.publish_frame)
+
+        def publish_frame(self):
+            frame = next(self.frames, None)
+            if frame is not None:
+                msg = array_to_image(frame, "bgr8")
+                msg.header.stamp = self.get_clock().now().to_msg()
+                self.images.publish(msg)
+                self.sent += 1
+
+
+# %% [markdown]
+# `HandCamera` publishes frames as a webcam would, ten in a second. Most computers on which this course runs have no webcam, so the frames are drawn: a program plays the person. `gesture_frames` hands out the frames of one gesture, one after the other (`yield`), and then some without a hand.
+
+# %%
+def gesture_frames(gesture, rng):
+    """The frames of a gesture: a palm shows five fingers, all others two; then the hand is gone."""
+    fingers = 5 if gesture == "palm" else 2
+    hand = random_hand(rng, fingers)._replace(turn=rng.uniform(-0.2, 0.2))
+    for x, y in gesture_track("stop" if gesture == "palm" else gesture, rng, noise=0.02):
+        yield draw_hand(background, hand._replace(row=hand.row + 60 * y, col=120 + 80 * x))
+    for _ in range(5):
+        yield background
+
+
+def shown_frames(gestures):
+    rng = np.random.default_rng(0)
+    for gesture in gestures:
+        yield from gesture_frames(gesture, rng)
+
+# %% [markdown]
+# The same with your own hand in a green glove (a green sock will do): `webcam_frames` gives the frames of your webcam, mirrored, so that your left is on the left. A webcam sees you and your home. So nothing is stored here (why that matters: [[faces#8]]): each frame is looked at once and then forgotten, and only this machine receives the topic. To use it, write `webcam_frames()` in place of `shown_frames(shown)` in the cell after the next one.
+
+# %%
+def webcam_frames():
+    """The frames of the first webcam of this machine, as in a mirror. Nothing is stored."""
+    webcam = cv2.VideoCapture(0)
+    try:
+        while webcam.isOpened():
+            has_frame, frame = webcam.read()
+            if not has_frame:
+                return
+            yield cv2.resize(cv2.flip(frame, 1), (240, 180), interpolation=cv2.INTER_AREA)
+    finally:
+        webcam.release()
+
+# %% [markdown]
+# This takes about 20 seconds. The person shows a swipe to the left, a circle, a swipe to the right, and a palm before the robot has turned back all the way:
+
+# %% tags=["nbval-ignore-output", "long"]
+shown = ["swipe left", "circle", "swipe right", "palm"]
+if ros_available():
+    live_camera = open_camera("room", rate=10)
+    live_robot = Robot()
+    live_robot.restart(start=(1.2, 0.2, 0.0))
+    session = RosSession.current()
+    node = session.add_node(GestureNode(fingers_of, gesture_of, context=session.context))
+    webcam = session.add_node(HandCamera(shown_frames(shown), context=session.context))
+    yaws = []
+    end = time.monotonic() + 60
+    while "palm" not in node.seen and time.monotonic() < end:
+        time.sleep(0.1)
+        if node.yaw is not None:
+            yaws.append(float(np.degrees(node.yaw)))
+    time.sleep(1)
+    session.remove_node(webcam)
+    session.remove_node(node)
+    live_camera.stop()
+    print("images:", node.looks, "  gestures:", node.seen)
+    print(f"turned to the left at most {max(yaws):.0f} degrees, at the end {yaws[-1]:.0f}")
+    show(image_to_array(node.image, "bgr8"), text=figure_texts["live"])
+
+# %%
+# Check: the node looked
+assert not ros_available() or node.looks > 0
+
+# %% [markdown]
+# ## Recap
+#
+# The convex hull spans the valleys between the fingers, and valleys cannot tell a fist from one finger. A circle around the palm can, and does not mind how the hand is turned. A network learns to count from examples, and knows only hands like those in its examples. Dynamic time warping compares movements of different speed.
+#
+# | stage | shape | dtype | range | unit |
+# |---|---|---|---|---|
+# | mask | (180, 240) | uint8 | 0 or 1 | |
+# | outline | (N, 2) | int32 | 0 to 239 | pixels, x, y |
+# | convex hull | (M, 2) | int32 | 0 to 239 | pixels, x, y |
+# | depth of a valley | one number | float | 0 or more | pixels |
+# | crop of a mask | (16, 16) | float32 | 0 to 1 | share |
+# | track | (N, 2) | float64 | | half a swipe |
+# | cost of a pairing | one number | float | 0 or more | as the track |
+#
+# This is the last lesson for now. The robot drives, keeps its distance, follows a ball, knows its place, draws a map, reads, names things, hides faces, and obeys your hand. Which two of these would you join in a node of your own? Before you go on, choose **File → Close and Shut Down Notebook**: otherwise this lesson continues to use the robot.
+
+# %%
+# Check: the numbers in the table
+assert mask.shape == (180, 240) and mask.dtype == np.uint8 and outline.dtype == hull.dtype == np.int32
+assert crop_of(mask).dtype == np.float32 and examples["wave"].dtype == np.float64

@@ -1,0 +1,109 @@
+"""The lesson "Faces": its solutions give what the field's tools give, on many inputs."""
+
+from pathlib import Path
+
+import cv2
+import numpy as np
+import pytest
+from skimage.feature import local_binary_pattern
+from sklearn.decomposition import PCA
+
+from imgproc_course.exercises import read_exercises
+from imgproc_course.imaging import to_gray
+from imgproc_course.simulation import draw_face, random_identity
+
+MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "18_faces.py"
+
+
+@pytest.fixture(scope="module")
+def solutions():
+    """The function of each exercise's solution, by its name."""
+    return {
+        exercise.function: exercise.function_of(exercise.solution, "solution")
+        for exercise in read_exercises(MASTER)
+    }
+
+
+@pytest.fixture(scope="module")
+def faces():
+    """Gray images of drawn people, of many sizes, lights and turns."""
+    rng = np.random.default_rng(0)
+    return [
+        to_gray(draw_face(random_identity(rng), int(rng.integers(30, 90)), *rng.uniform(-0.5, 0.5, 2)))
+        for _ in range(20)
+    ]
+
+
+def test_integral_image_is_opencvs(solutions, faces):
+    for gray in faces:
+        np.testing.assert_array_equal(solutions["integral_image"](gray), cv2.integral(gray))
+
+
+def test_haar_feature_is_a_sum_of_pixels_times_weights(solutions, faces):
+    rng = np.random.default_rng(1)
+    for gray in faces:
+        row, col = (int(rng.integers(0, size - 24 + 1)) for size in gray.shape)
+        weights, boxes = np.zeros(gray.shape), []
+        for weight in (-1, 3, 2):
+            left, top = rng.integers(0, 20, 2).tolist()
+            width, height = int(rng.integers(1, 25 - left)), int(rng.integers(1, 25 - top))
+            boxes.append((left, top, width, height, weight))
+            weights[row + top : row + top + height, col + left : col + left + width] += weight
+        sums = cv2.integral(gray).astype(np.int64)
+        assert solutions["haar_feature"](sums, boxes, row, col) == (weights * gray).sum() != 0
+
+
+def test_lbp_codes_are_skimages_at_the_straight_neighbours(solutions, faces):
+    """scikit-image interpolates the diagonal ones, and goes counter-clockwise from the right."""
+    ours_of_skimages = {0: 3, 2: 1, 4: 7, 6: 5}
+    for gray in faces:
+        codes = solutions["lbp_codes"](gray)
+        tool = local_binary_pattern(gray, 8, 1)[1:-1, 1:-1].astype(np.uint8)
+        assert len(np.unique(codes)) > 20
+        for theirs, ours in ours_of_skimages.items():
+            np.testing.assert_array_equal(codes >> ours & 1, tool >> theirs & 1)
+
+
+def test_lbp_codes_turn_with_the_image(solutions, faces):
+    """A quarter turn clockwise moves every neighbour on by two, the diagonal ones too."""
+    for gray in faces:
+        codes = solutions["lbp_codes"](gray).astype(int)
+        turned = solutions["lbp_codes"](np.rot90(gray, -1).copy())
+        np.testing.assert_array_equal(turned, np.rot90((codes << 2 | codes >> 6) & 255, -1))
+
+
+def test_residue_is_that_of_sklearns_pca(solutions, faces):
+    vectors = np.array(
+        [cv2.resize(gray, (24, 24), interpolation=cv2.INTER_AREA).ravel() for gray in faces], float
+    )
+    for count in (1, 3, 8):
+        tool = PCA(count, svd_solver="full").fit(vectors[:12])
+        rebuilt = tool.inverse_transform(tool.transform(vectors))
+        for vector, again in zip(vectors, rebuilt, strict=True):
+            residue = solutions["residue"](vector, tool.mean_, tool.components_)
+            assert residue == pytest.approx(np.linalg.norm(vector - again), rel=1e-9, abs=1e-6)
+        assert np.linalg.norm(vectors[12:] - rebuilt[12:], axis=1).min() > 1
+
+
+def test_the_mosaic_is_opencvs_resize(solutions):
+    rng = np.random.default_rng(2)
+    for size in (2, 3, 5, 8):
+        frame = rng.integers(0, 256, (60, 70, 3), dtype=np.uint8)
+        left, top, columns, rows = rng.integers(1, 6, 4).tolist()
+        result = solutions["hide_boxes"](frame, [(left, top, columns * size, rows * size)], size)
+        part = np.s_[top : top + rows * size, left : left + columns * size]
+        small = cv2.resize(frame[part], (columns, rows), interpolation=cv2.INTER_AREA)
+        tool = frame.copy()
+        tool[part] = cv2.resize(small, (columns * size, rows * size), interpolation=cv2.INTER_NEAREST)
+        assert abs(result.astype(int) - tool).max() <= 1
+        assert (result[part] != frame[part]).mean() > 0.9
+
+
+def test_a_box_over_the_border_leaves_nothing_of_it_visible(solutions):
+    frame = np.random.default_rng(3).integers(0, 256, (20, 30, 3), dtype=np.uint8)
+    result = solutions["hide_boxes"](frame, [(-4, -6, 12, 11), (25, 15, 20, 20)], 100)
+    np.testing.assert_array_equal(np.unique(result[:5, :8].reshape(-1, 3), axis=0).shape, (1, 3))
+    np.testing.assert_array_equal(np.unique(result[15:, 25:].reshape(-1, 3), axis=0).shape, (1, 3))
+    kept = np.ones((20, 30), bool)
+    kept[:5, :8] = kept[15:, 25:] = False
+    np.testing.assert_array_equal(result[kept], frame[kept])
