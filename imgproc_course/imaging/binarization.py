@@ -57,7 +57,8 @@ def otsu_threshold(gray):
     ValueError : another shape or dtype
 
     Source: N. Otsu, 1979, doi:10.1109/TSMC.1979.4310076; cv2.threshold with cv2.THRESH_OTSU, in the same
-    order of operations, so that rounding decides ties in the same way.
+    order of operations, so that rounding decides ties in the same way. Intel's IPP, which OpenCV's wheels
+    call on x86-64, rounds otherwise: of two different splits that are equally good it may take the other one.
     """
     counts = np.bincount(check_gray(gray).ravel(), minlength=256).tolist()
     pixels = sum(counts)

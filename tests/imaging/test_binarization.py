@@ -1,5 +1,7 @@
 """The thresholds equal OpenCV's, also with ties and rounding."""
 
+from fractions import Fraction
+
 import cv2
 import numpy as np
 import pytest
@@ -12,8 +14,24 @@ from imgproc_course.imaging import adaptive_threshold, otsu_threshold, threshold
 METHODS = {"mean": cv2.ADAPTIVE_THRESH_MEAN_C, "gaussian": cv2.ADAPTIVE_THRESH_GAUSSIAN_C}
 
 
-def opencvs_otsu(gray):
-    return int(cv2.threshold(gray.copy(), 0, 255, cv2.THRESH_BINARY + cv2.THRESH_OTSU)[0])
+def opencvs_otsu(gray, *, ipp=False):
+    """By OpenCV's own code, or by Intel's IPP, which its wheels call on x86-64 unless it is switched off."""
+    was_used = cv2.ipp.useIPP()
+    cv2.ipp.setUseIPP(ipp)
+    try:
+        return int(cv2.threshold(gray.copy(), 0, 255, cv2.THRESH_BINARY + cv2.THRESH_OTSU)[0])
+    finally:
+        cv2.ipp.setUseIPP(was_used)
+
+
+def exact_variance(gray, level):
+    """The between-class variance as a fraction, without rounding."""
+    values = gray.ravel().tolist()
+    dark, bright = [v for v in values if v <= level], [v for v in values if v > level]
+    if not dark or not bright:
+        return Fraction(0)
+    difference = Fraction(sum(dark), len(dark)) - Fraction(sum(bright), len(bright))
+    return Fraction(len(dark) * len(bright), len(values) ** 2) * difference**2
 
 
 def test_fixed_threshold_equals_opencvs(grays, gray_frames, count):
@@ -41,6 +59,7 @@ def test_otsu_equals_opencvs(grays, gray_frames, count):
     for name, gray in [*grays.items(), *enumerate(gray_frames)]:
         before = gray.copy()
         count.compare(otsu_threshold(gray), opencvs_otsu(gray), name)
+        count.compare(otsu_threshold(gray), opencvs_otsu(gray, ipp=True), (name, "IPP"))
         assert np.array_equal(gray, before), name
     count.report("otsu_threshold on images")
 
@@ -58,6 +77,18 @@ def test_otsu_equals_opencvs_where_levels_tie(count):
 @given(gray=arrays.arrays(np.uint8, st.tuples(st.integers(1, 30), st.integers(1, 30))))
 def test_otsu_equals_opencvs_on_any_image(gray):
     assert otsu_threshold(gray) == opencvs_otsu(gray)
+
+
+def test_ipp_decides_another_way_only_between_equally_good_levels():
+    triples = [
+        np.array([[low, low + step, low + 2 * step]], np.uint8) for low in range(100) for step in (9, 50, 77)
+    ]
+    for gray in triples:  # both levels between the three pixels are equally good
+        level, ipps_level = otsu_threshold(gray), opencvs_otsu(gray, ipp=True)
+        assert level == opencvs_otsu(gray)
+        assert exact_variance(gray, level) == exact_variance(gray, ipps_level) > 0
+    gray = np.array([[20, 30, 200]], np.uint8)
+    assert exact_variance(gray, otsu_threshold(gray)) > exact_variance(gray, 20)
 
 
 def test_otsu_returns_the_lowest_of_equally_good_levels():
