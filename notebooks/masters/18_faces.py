@@ -1587,7 +1587,7 @@ blurred = [np.array([lbp_vector(cv2.blur(gray, (3, 3))) for gray in group]) for 
 assert (((blurred[1][:, None] - blurred[0]) ** 2).sum(axis=2).argmin(axis=1) == np.arange(30)).sum() > 25
 
 # %% [markdown]
-# Two planned failures in one figure. Dim light and side light defeat pixels and eigenfaces, and not LBP. Dim light changes the order of hardly any two neighbours. Side light changes most codes, but enough of them stay: the histograms are still nearest to those of the right person. But noise defeats LBP, and not the others: on smooth skin, noise decides which neighbour is brighter. (Two cures to try: for dim light, subtract from each image its mean and divide by its standard deviation; for noise, blur a little before the codes.) And a turned head moves the mouth and the eyes into other parts. No description is best for all; say in which light a score was measured.
+# Two planned failures in one figure. Dim light and side light defeat pixels and eigenfaces, and not LBP. Dim light changes the order of hardly any two neighbours. Side light changes most codes, but enough of them stay: the histograms are still nearest to those of the right person. But noise defeats LBP, and not the others: on smooth skin, noise decides which neighbour is brighter. (Two remedies to try: for dim light, subtract from each image its mean and divide by its standard deviation; for noise, blur a little before the codes.) And a turned head moves the mouth and the eyes into other parts. No description is best for all; say in which light a score was measured.
 
 # %% [markdown]
 # ## 7 · What may a robot keep? (13 minutes)
