@@ -53,10 +53,11 @@ def jupyter_server(folder, runtime, environment):
     )
     try:
         deadline = time.monotonic() + 60
-        while not (files := list(runtime.glob("jpserver-*.json"))):
+        # The server makes the file first, and then writes it.
+        while not (texts := [text for file in runtime.glob("jpserver-*.json") if (text := file.read_text())]):
             assert process.poll() is None and time.monotonic() < deadline, "the server did not start"
             time.sleep(0.05)
-        yield json.loads(files[0].read_text())["url"]
+        yield json.loads(texts[0])["url"]
     finally:
         process.terminate()
         process.wait(30)
