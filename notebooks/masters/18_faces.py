@@ -1636,7 +1636,7 @@ assert first_block.mean() == 25 and part[0:2, 4:6].mean() == 8 and part[2:4, 0:2
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `frame`: (H, W, 3) uint8; `boxes`: a list of boxes (left, top, width, height) that do not overlap, some partly outside the image; `size`: side of a block, in pixels | a new (H, W, 3) uint8 image. Each box is first cut to the image. Its blocks begin at its upper left corner; the last ones may be smaller. Each block gets the mean of its pixels (in each channel; a difference of 1 is accepted). All other pixels stay as they are. The dtype must be uint8 | `hide_boxes(recording.frame(0), [(600, 200, 64, 64)], 16)` |
+# | `frame`: (H, W, 3) uint8; `boxes`: a list of boxes (left, top, width, height) that do not overlap, some partly outside the image; `size`: side of a block, in pixels | a new (H, W, 3) uint8 image. Each box is first cut to the image. Its blocks begin at its upper left corner; the last ones may be smaller. Each block gets the mean of its pixels (in each channel; a difference of 1 is accepted). All other pixels stay as they are. The type counts: uint8 | `hide_boxes(recording.frame(0), [(600, 200, 64, 64)], 16)` |
 
 # %% role="exercise"
 exercise(
