@@ -89,7 +89,7 @@ def notebook(tmp_path):
     lines = (tmp_path / "stderr").read_text().splitlines()
     # Messages of ipykernel and debugpy themselves do not count.
     markers = ("terminate", "imgproc", "rcl", "RTPS", "Traceback")
-    assert [line for line in lines if any(marker in line for marker in markers)] == []
+    assert [line for line in lines if any(marker in line for marker in markers)] == [], "\n".join(lines)
 
 
 def test_cells_in_any_order_duplicate_nothing(notebook):
