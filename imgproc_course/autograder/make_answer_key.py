@@ -234,8 +234,7 @@ class _ExerciseKeyMaker:
         try:
             return [
                 *(kernel.run(source) for source in (*exercise.given, exercise.solution)),
-                kernel.deliver(inputs, exercise.time_limit),
-                kernel.run(_check_source(exercise.function)),
+                kernel.run_check(_check_source(exercise.function), inputs, exercise.time_limit),
             ]
         finally:
             kernel.stop()

@@ -196,9 +196,7 @@ class ExerciseRun:
     def _run_check(self, run, case, source):
         exercise = self._exercise
         inputs = self._content.inputs[case.id]
-        run.check = self._kernel.deliver(inputs, exercise.time_limit)
-        if not run.ended:
-            run.check = self._kernel.run(source)
+        run.check = self._kernel.run_check(source, inputs, exercise.time_limit)
         if not run.ended:
             expected = self._content.expected[case.id]
             run.verdict = verdict_on(

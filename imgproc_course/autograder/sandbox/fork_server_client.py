@@ -66,9 +66,9 @@ class ForkedKernel:
         """
         return self._request({"cells": [cell for source in sources for cell in _cells_to_send(source)]})
 
-    def deliver(self, inputs, seconds):
-        """Send the inputs of the next check (see `check_cell.deliver`); returns a CellRun, as for a cell."""
-        return self._request({"case": {"calls": inputs, "seconds": seconds}})
+    def run_check(self, code, inputs, seconds):
+        """Run a check cell with its inputs (see `check_cell.deliver`); returns its CellRun."""
+        return self._request({"case": {"calls": inputs, "seconds": seconds}, "code": code})
 
     def _request(self, request):
         run = CellRun()
@@ -76,6 +76,7 @@ class ForkedKernel:
             self._deadline = time.monotonic() + self._limits.deadline(self._seconds)
             self._next_look = time.monotonic() + LOOK_SECONDS
             self._fork_server.group.reset()
+        self._fork_server.finish_drops()  # nothing of the kernel before is left now
         try:
             self._send((json.dumps({"n": 1} | request) + "\n").encode("ascii"))
             bytes_left = self._limits.output
@@ -90,7 +91,9 @@ class ForkedKernel:
 
     def is_alive(self):
         """Whether it runs cells; a waiting kernel may have been ended because memory ran out."""
-        return not self.run("").ended
+        poll = select.poll()
+        poll.register(self._socket, select.POLLIN)  # it sends nothing before its first cell
+        return not poll.poll(0) or not self.run("").ended
 
     def _send(self, data):
         data = memoryview(data)
@@ -216,6 +219,7 @@ class ForkServer:
         self._control = None
         self._is_ready = False
         self._fork_count = 0
+        self._drops = 0  # that have no reply yet
 
     def start(self):
         """Start the process, without waiting until it is ready."""
@@ -296,6 +300,7 @@ class ForkServer:
         dict with "signal", "code", "cpu" (how it ended), or None if the fork server itself has ended
         """
         order = {"op": "end", "id": kernel_id, "patience": patience}
+        self.finish_drops()
         if self._control is None:
             return None
         try:
@@ -306,15 +311,24 @@ class ForkServer:
             return None
 
     def drop(self, kernel_id):
-        """End a kernel without asking how it ended."""
+        """End a kernel without asking how it ended; `finish_drops` waits for its end."""
         if self._control is None:
             return
         try:
             self._control.send(json.dumps({"op": "drop", "id": kernel_id}).encode())
-            if not self._control.recv(1 << 16):
-                self.stop()
+            self._drops += 1
         except OSError:
             self.stop()
+
+    def finish_drops(self):
+        """Wait until every kernel that was dropped has ended, with all that it had started."""
+        while self._drops:
+            self._drops -= 1
+            try:
+                if not self._control.recv(1 << 16):
+                    self.stop()
+            except OSError:
+                self.stop()
 
     def ran_out_of_memory(self):
         """Whether the processes of all its kernels together use more memory than they may."""
@@ -329,6 +343,7 @@ class ForkServer:
         self._close()
 
     def _close(self):
+        self._drops = 0
         if self._control is not None:
             self._control.close()
             self._control = None

@@ -35,7 +35,7 @@ class _SingleSpecManager(KernelSpecManager):
 
 
 class IPykernelClient:
-    """An ipykernel for the checks of an exercise; `run`, `deliver` and `stop` are those of `ForkedKernel`."""
+    """An ipykernel for the checks of an exercise; `run`, `run_check` and `stop` are those of `ForkedKernel`."""
 
     def __init__(self, allowed, seconds, limits, group, *, confined):
         self._limits, self._seconds, self._group = limits, seconds, group
@@ -135,13 +135,14 @@ class IPykernelClient:
                 break
         return whole
 
-    def deliver(self, inputs, seconds):
-        """Send the inputs of the next check, by a cell."""
+    def run_check(self, code, inputs, seconds):
+        """Run a check cell; a cell before it delivers its inputs."""
         text = json.dumps({"calls": inputs, "seconds": seconds})
-        return self.run(
+        run = self.run(
             "from imgproc_course.autograder.sandbox.inside import check_cell as _check_cell\n"
             f"_check_cell.deliver({text!r})\ndel _check_cell"
         )
+        return run if run.ended else self.run(code)
 
     def _read_reply(self, run, message_id):
         """Read the error from the reply: a cell can fail without showing it (an unknown magic)."""

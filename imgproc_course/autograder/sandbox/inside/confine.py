@@ -44,6 +44,7 @@ _LAST_CAPABILITY = 63
 EMPTY_FOLDER = "/course/nothing"  # read-only
 EXTRA, ALLOWED = "/course/extra", "/course/allowed"  # all that an exercise may allow, and what it allows
 _libc = ctypes.CDLL(None, use_errno=True)
+_mount_call, _unshare_call, _prctl, _capset = _libc.mount, _libc.unshare, _libc.prctl, _libc.capset  # once, here
 
 
 def _check(result, operation):
@@ -54,7 +55,7 @@ def _check(result, operation):
 
 def unshare(flags):
     """Move this process (with NEWPID: its next children) into new namespaces."""
-    _check(_libc.unshare(ctypes.c_int(flags)), "unshare")
+    _check(_unshare_call(ctypes.c_int(flags)), "unshare")
 
 
 def open_pid_namespace():
@@ -69,7 +70,7 @@ def return_to_pid_namespace(descriptor):
 
 def _mount(source, target, kind, flags, data=""):
     texts = [text.encode() if text else None for text in (source, target, kind)]
-    _check(_libc.mount(*texts, ctypes.c_ulong(flags), data.encode() or None), f"mount {target}")
+    _check(_mount_call(*texts, ctypes.c_ulong(flags), data.encode() or None), f"mount {target}")
 
 
 def confine(bound, limits, user):
@@ -141,16 +142,16 @@ def set_limits(limits):
 
 
 def _drop_privileges(user):
-    _check(_libc.prctl(_PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0), "no_new_privs")
+    _check(_prctl(_PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0), "no_new_privs")
     for capability in range(_LAST_CAPABILITY + 1):
-        if _libc.prctl(_PR_CAPBSET_DROP, capability, 0, 0, 0) != 0:
+        if _prctl(_PR_CAPBSET_DROP, capability, 0, 0, 0) != 0:
             break  # the last one that this system knows
     if user is not None:
         os.setgroups([])
         os.setresgid(user, user, user)
         os.setresuid(user, user, user)
     _drop_capabilities()
-    _check(_libc.prctl(_PR_SET_DUMPABLE, 1, 0, 0, 0), "dumpable")
+    _check(_prctl(_PR_SET_DUMPABLE, 1, 0, 0, 0), "dumpable")
     refuse_system_calls()
 
 
@@ -158,7 +159,7 @@ def _drop_capabilities():
     """Empty the effective, permitted and inheritable sets (capset, version 3)."""
     header = (ctypes.c_uint32 * 2)(0x20080522, 0)
     no_capabilities = (ctypes.c_uint32 * 6)(0, 0, 0, 0, 0, 0)
-    _check(_libc.capset(header, no_capabilities), "capset")
+    _check(_capset(header, no_capabilities), "capset")
 
 
 def leave_session_keyring():
@@ -185,4 +186,4 @@ def die_first():
 def die_with_parent():
     """End this process when its parent ends."""
     with suppress(OSError):
-        _check(_libc.prctl(1, signal.SIGKILL, 0, 0, 0), "pdeathsig")
+        _check(_prctl(1, signal.SIGKILL, 0, 0, 0), "pdeathsig")

@@ -19,6 +19,11 @@ import time
 
 from imgproc_course.autograder.sandbox.inside import confine
 
+_USUAL_CELLS = (
+    "def f(x):\n    return np.zeros(3) + x",
+    "from imgproc_course.autograder.sandbox.inside.check_cell import emit\n\nemit(f)",
+)
+
 
 def _load():
     """Load what kernels need; returns the shell and what each fork calls."""
@@ -35,32 +40,29 @@ def _load():
     cell_shell = shell.make_shell()
     cell_shell.user_ns["np"] = np
 
-    def warm_up():
-        _warm_up(cell_shell, shell, check_cell)
+    def warm_up(cells):
+        _warm_up(cell_shell, shell, check_cell, cells)
 
-    warm_up()
+    warm_up([*_USUAL_CELLS, "1/0"])
+    cell_shell.display_formatter.format(0)  # makes the formatters, else each kernel would
     # Answers may draw from NumPy's global generator; its state is the same in each fork.
     np.random.seed(0)  # noqa: NPY002 - the global generator is meant, not one of ours
     return cell_shell, shell.serve, check_cell, refusal.allow_modules, warm_up
 
 
-def _warm_up(cell_shell, shell, check_cell):
+def _warm_up(cell_shell, shell, check_cell, cells):
     """Run what every kernel will run, so that all that is loaded at first use is loaded already.
 
-    A fork that does it too, while it waits, has its own copies of the memory pages that a cell writes to.
+    A fork that runs the usual cells too, while it waits, has its own copies of the memory pages that they
+    write to. It leaves out what few kernels need: to report an exception takes more time than all the rest.
     """
     shell.WRITER.descriptor = os.open(os.devnull, os.O_WRONLY)
     streams = sys.stdout, sys.stderr
     sys.stdout, sys.stderr = shell.OutputStream("stdout"), shell.OutputStream("stderr")
     check_cell.deliver('{"calls": [{"tuple": [1.5]}], "seconds": 5}')
-    for code in (
-        "def f(x):\n    return np.zeros(3) + x",
-        "from imgproc_course.autograder.sandbox.inside.check_cell import emit\n\nemit(f)",
-        "1/0",
-        "del f, emit",
-    ):
+    for code in cells:
         cell_shell.run_cell(code, store_history=False)
-    cell_shell.display_formatter.format(0)  # makes the formatters, else each kernel would
+    del cell_shell.user_ns["f"], cell_shell.user_ns["emit"]
     sys.stdout, sys.stderr = streams
     os.close(shell.WRITER.descriptor)
 
@@ -87,7 +89,7 @@ def _run_kernel(control, descriptor, order, settings, loaded):
         check_cell.refuse_input()
         allow_modules(order["names"])
         if order["has_time"]:
-            warm_up()
+            warm_up(_USUAL_CELLS)
         random.seed(0)  # Python draws another seed in each fork
         exit_code = 71  # the learner's code ended it
         serve(cell_shell, descriptor, check_cell.deliver)

@@ -6,10 +6,11 @@ the module is taken. Using an empty module raises RefusedModule.
 """
 
 import dis
-import importlib
 import importlib.machinery
 import sys
 import types
+
+from imgproc_course.autograder.sandbox.inside import confine
 
 
 class RefusedModule(ModuleNotFoundError):
@@ -85,5 +86,6 @@ def allow_modules(names):
     ----------
     names : sequence of str, as `ModuleAccess.names`
     """
-    importlib.invalidate_caches()
+    # Nothing else is mounted after the fork server has loaded; to forget all folders takes longer.
+    sys.path_importer_cache.pop(confine.ALLOWED, None)
     sys.meta_path.insert(0, _Finder(names))

@@ -77,8 +77,7 @@ def refuse_system_calls():
         return
     instructions = ctypes.create_string_buffer(_PROGRAM, len(_PROGRAM))
     program = struct.pack("HxxxxxxP", len(_PROGRAM) // 8, ctypes.addressof(instructions))
-    libc = ctypes.CDLL(None, use_errno=True)
-    if libc.prctl(_PR_SET_SECCOMP, _FILTER, program, 0, 0) != 0:
+    if _prctl(_PR_SET_SECCOMP, _FILTER, program, 0, 0) != 0:
         number = ctypes.get_errno()
         raise OSError(number, f"seccomp: {os.strerror(number)}")
 
@@ -121,5 +120,6 @@ def _instruction(code, value, jump_if_true=0, jump_if_false=0):
     return struct.pack("HBBI", code, jump_if_true, jump_if_false, value)
 
 
-# Built when this module is loaded, before the first kernel is forked.
+# Made when this module is loaded, before the first kernel is forked.
+_prctl = ctypes.CDLL(None, use_errno=True).prctl
 _PROGRAM = b"".join(_filter(*_CALLS[platform.machine()])) if platform.machine() in _CALLS else b""

@@ -1,6 +1,6 @@
 """An IPython shell without ZMQ: it reads cells from a socket and writes messages, as lines of JSON.
 
-In:  {"n": 3, "code": "..."}, or {"n": 3, "case": {...}}, the inputs of the next check, or
+In:  {"n": 3, "code": "..."}; a check cell has also "case": {...}, its inputs; or
      {"n": 3, "cells": [{"code": "...", "apart": true}]}; if "apart", a statement that fails ends only itself
 Out: {"n": 3, "type": "stream" | "display_data" | "execute_result" | "update_display_data" | "clear_output" |
       "error" | "idle", "content": {...}}, with the content of Jupyter's messages
@@ -130,6 +130,10 @@ class MessageDisplayHook(DisplayHook):
         self._is_active = False
 
 
+# Without one of these characters there is no magic, no shell command and no question for help.
+_ESCAPES = re.compile(r"[%!?]|^\s*[,;/]", re.M)
+
+
 class FastTransformer(TransformerManager):
     """IPython's transformer, but faster: it searches for magics only in cells that are not plain Python.
 
@@ -137,7 +141,10 @@ class FastTransformer(TransformerManager):
     """
 
     def do_token_transforms(self, lines):
-        return lines if _is_python("".join(lines)) else super().do_token_transforms(lines)
+        source = "".join(lines)
+        if not _ESCAPES.search(source) or _is_python(source):
+            return lines
+        return super().do_token_transforms(lines)
 
 
 def _is_python(source):
@@ -225,7 +232,7 @@ def serve(shell, descriptor, deliver):
             deliver(request["case"])
         error = None
         for cell in request.get("cells") or [{"code": request.get("code"), "apart": False}]:
-            if cell["code"]:  # else a delivery, or a question whether the kernel is alive
+            if cell["code"]:  # else a question whether the kernel is alive
                 shell.statements_apart = cell["apart"]
                 error_of_cell = runner.run(cell["code"])
                 error = error_of_cell if error is None else error
