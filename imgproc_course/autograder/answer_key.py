@@ -25,7 +25,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from imgproc_course.autograder.answer_forms import read_calls
-from imgproc_course.autograder.sandbox.inside.check_cell import MIME
+from imgproc_course.autograder.sandbox.inside.answer_mime import MIME
 from imgproc_course.exercises.canonical import canonical
 from imgproc_course.exercises.input_encoding import decode
 

@@ -28,7 +28,8 @@ from imgproc_course.autograder.answer_key import (
     load_key,
 )
 from imgproc_course.autograder.sandbox import bubblewrap
-from imgproc_course.autograder.sandbox.inside.check_cell import MIME, argument_names, call_to_json
+from imgproc_course.autograder.sandbox.inside.answer_mime import MIME
+from imgproc_course.autograder.sandbox.inside.check_cell import argument_names, call_to_json
 from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.autograder.verdict import verdict_on
 from imgproc_course.exercises import running

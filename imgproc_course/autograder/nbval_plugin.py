@@ -14,25 +14,19 @@ import json
 import math
 import os
 import re
-import socket
-import sys
 import time
 from pathlib import Path
 
 import pytest
 
 from imgproc_course.autograder.answer_key import load_key
-from imgproc_course.autograder.nbval_process import SOCKET_VARIABLE
 from imgproc_course.autograder.results import (
     GradedSubmission,
     graded_exercise,
     to_json,
     ungraded_exercise,
 )
-from imgproc_course.autograder.sandbox.bubblewrap import Limits
 from imgproc_course.autograder.sandbox.cell_run import MIME, CellRun
-from imgproc_course.autograder.sandbox.inside import confine
-from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.autograder.screening import reason_not_to_run
 from imgproc_course.autograder.verdict import CaseRun, verdict_on
 
@@ -235,16 +229,21 @@ class StoredVerdict:
 
 
 class GradingPlugin:
-    """The plugin's state: the keys, the kernels, and the socket to `NbvalProcess`."""
+    """The plugin's state: the keys, the kernels, and the socket to `NbvalProcess`.
 
-    def __init__(self, connection):
-        self._lines = connection.makefile("r", encoding="utf-8")
-        self._connection = connection
-        settings = json.loads(self._lines.readline())
-        limits = Limits(**settings["limits"]) if settings["limits"] else None
-        self._kernel_factory = KernelFactory(settings["kernel"], unsafe=settings["unsafe"], limits=limits)
+    Parameters
+    ----------
+    connection : socket
+    lines : file that reads from it; its first line, the settings, has been read
+    folder : str, for the notebooks
+    kernel_factory : KernelFactory
+    """
+
+    def __init__(self, connection, lines, folder, kernel_factory):
+        self._connection, self._lines = connection, lines
+        self._kernel_factory = kernel_factory
         self._keys = {}
-        self._folder = Path(settings["folder"])
+        self._folder = Path(folder)
         self._session, self._phases, self._exception = None, [], None
 
     def serve(self, session):
@@ -350,11 +349,3 @@ def _with_answer(notebook, exercise, source):
         if cell["id"] == f"answer-{exercise.id}":
             cell["source"] = _NBVAL_COMMENT.sub(r"\1-\3", source)
     return notebook | {"cells": cells}
-
-
-def main():
-    """What an nbval process does: pytest with nbval, which is imported while the fork server loads."""
-    # If the other side ended before this line, the socket is closed, and reading the settings fails.
-    confine.die_with_parent()
-    connection = socket.socket(fileno=int(os.environ.pop(SOCKET_VARIABLE)))
-    sys.exit(pytest.main(sys.argv[1:], plugins=[GradingPlugin(connection)]))

@@ -1,7 +1,8 @@
 """The nbval processes: each thread that grades keeps one, and sends it one submission after another.
 
-An nbval process is a pytest with nbval and `nbval_plugin`. It is started so that nothing on this machine and
-nothing in a submission can configure it. It never runs learners' code: kernels do (`sandbox`).
+An nbval process is a pytest with nbval and `nbval_plugin`; its program is `nbval_main`. It is started so that
+nothing on this machine and nothing in a submission can configure it. It never runs learners' code: kernels
+do (`sandbox`).
 
 When the thread that started it ends, also because its process was killed, the system ends the nbval process,
 then the sandbox with its kernels.
@@ -34,7 +35,7 @@ _PLUGINS = (
     "imgproc_course.autograder.blocked_imports",  # first, so that nbval does not import what it blocks
     "nbval.plugin",
 )
-_PROGRAM = "from imgproc_course.autograder import nbval_plugin; nbval_plugin.main()"
+_PROGRAM = "from imgproc_course.autograder import nbval_main; nbval_main.main()"
 
 _of_thread = threading.local()
 _running = {}
@@ -117,9 +118,9 @@ class NbvalProcess:
             "folder": str(folder / "work"),
         }
         try:
+            self._send(settings)
             if not unsafe:
                 bubblewrap.require_sandbox()  # while the process starts
-            self._send(settings)
             self._receive(_START_SECONDS)
             self._is_ready = True
         except NbvalProcessKilled:

@@ -15,6 +15,7 @@ the method of MOSS.
 import ast
 import hashlib
 import json
+import os
 import resource
 import signal
 import sys
@@ -131,6 +132,7 @@ def fingerprints(answers):
 
 
 if __name__ == "__main__":
+    os.nice(5)  # grading is waited for, and this is not
     resource.setrlimit(resource.RLIMIT_AS, (_MEMORY, _MEMORY))
     for request in sys.stdin:
         signal.setitimer(signal.ITIMER_VIRTUAL, SECONDS)  # nobody handles its signal, which ends the program

@@ -10,11 +10,8 @@ import hashlib
 from functools import lru_cache
 from pathlib import Path
 
-import jinja2
-
 from imgproc_course.autograder.outcomes import TEXTS, Outcome
 from imgproc_course.autograder.sanitize import sanitize_text
-from imgproc_course.exercises.answer_images import answer_images
 from imgproc_course.exercises.error_advice import advice_on
 from imgproc_course.exercises.values import answer_parts, differing_elements
 from imgproc_course.gradebook.report_values import value_of
@@ -32,6 +29,8 @@ _NAME_ADVICE = (
 
 @lru_cache(maxsize=1)
 def _environment():
+    import jinja2  # see `prepare_templates`
+
     environment = jinja2.Environment(
         loader=jinja2.FileSystemLoader(TEMPLATES),
         autoescape=True,
@@ -40,6 +39,7 @@ def _environment():
         lstrip_blocks=True,
     )
     environment.finalize = lambda value: sanitize_text(value, 20_000) if type(value) is str else value
+    environment.markup = jinja2.utils.markupsafe.Markup
     environment.filters["capital"] = _capital
     environment.filters["count"] = count_of
     environment.filters["numbered"] = lambda name: (name, "number")
@@ -58,7 +58,9 @@ def count_of(number, noun):
 
 
 def prepare_templates():
-    """Compile the templates: it takes a quarter of a second, in which the autograder can start."""
+    """Import what draws pages, and compile the templates: the autograder can start in this time."""
+    import imgproc_course.exercises.answer_images  # noqa: F401 - Pillow
+
     for path in TEMPLATES.glob("*.html"):
         _environment().get_template(path.name)
 
@@ -68,7 +70,7 @@ def render_page(name, **content):
     style = (TEMPLATES / "style.css").read_text(encoding="utf-8")
     digest = base64.b64encode(hashlib.sha256(style.encode()).digest()).decode("ascii")
     policy = f"default-src 'none'; style-src 'sha256-{digest}'; img-src data:"
-    style = jinja2.utils.markupsafe.Markup(style)  # our file: escaping would change what the hash covers
+    style = _environment().markup(style)  # our file: escaping would change what the hash covers
     return _environment().get_template(name).render(style=style, policy=policy, **content)
 
 
@@ -202,6 +204,8 @@ def _advice_on_exception(text):
 
 
 def _values_view(case, key_exercise):
+    from imgproc_course.exercises.answer_images import answer_images
+
     call = case.failed_call
     names = [*key_exercise.arguments, *("" for _ in call.arguments)]
     tolerance = next((declared.tolerance for declared in key_exercise.cases if declared.id == case.id), 0.0)

@@ -16,8 +16,6 @@ from functools import lru_cache
 from itertools import combinations
 from pathlib import Path
 
-from jinja2.utils import markupsafe
-
 from imgproc_course.autograder.sanitize import sanitize_text
 from imgproc_course.gradebook.report import render_page
 
@@ -29,7 +27,6 @@ MOST_GROUPS = 40  # of one lesson
 MOST_VERSIONS = 6  # of an answer, that the page shows of a group
 _TRIES = 4
 _LONGEST_LINE = 20_000  # characters that a page shows
-_MARK = markupsafe.Markup("<mark>{}</mark>")
 _PROGRAM = Path(__file__).with_name("fingerprints.py")
 _NOTHING = {"shapes": {}, "prints": {}}
 
@@ -283,12 +280,16 @@ def similarity_page(groups, names):
 
 def _marked(source, similar):
     """A source as HTML, its similar lines marked; the template would take ten times as long."""
-    lines = enumerate(map(_escaped, source.split("\n")), 1)
+    from jinja2.utils import markupsafe  # see `report.prepare_templates`
+
+    mark, lines = markupsafe.Markup("<mark>{}</mark>"), enumerate(map(_escaped, source.split("\n")), 1)
     return markupsafe.Markup("\n").join(
-        _MARK.format(line) if number in similar else line for number, line in lines
+        mark.format(line) if number in similar else line for number, line in lines
     )
 
 
 @lru_cache(maxsize=10_000)
 def _escaped(line):
+    from jinja2.utils import markupsafe
+
     return markupsafe.escape(sanitize_text(line, _LONGEST_LINE))

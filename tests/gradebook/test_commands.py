@@ -191,6 +191,12 @@ def test_the_table_of_a_platform_is_filled(run, light, key_path, tmp_path):
     assert missing.exit_code == 1 and "Error: none.csv: it cannot be read" in missing.output
 
 
+def test_what_draws_pages_is_loaded_while_the_autograder_starts():
+    code = "import sys; import imgproc_course.gradebook.grade; print({'jinja2', 'PIL'} & sys.modules.keys())"
+    done = subprocess.run([sys.executable, "-I", "-c", code], capture_output=True, text=True)
+    assert (done.stdout, done.stderr) == ("set()\n", "")
+
+
 def test_without_bubblewrap_grading_needs_unsafe(light, key_path, tmp_path):
     write(tmp_path / "in" / "ada.ipynb", notebook(light, answers_of(light, "right")))
     environment = os.environ | {"PATH": str(tmp_path)}

@@ -2,7 +2,7 @@
 
 from dataclasses import dataclass, field
 
-from imgproc_course.autograder.sandbox.inside.check_cell import MIME
+from imgproc_course.autograder.sandbox.inside.answer_mime import MIME
 
 LOOK_SECONDS = 0.05  # between two looks at the memory of all processes together
 _MAX_TEXT = 2_000  # characters of an error's text, and of what a cell printed, that are kept

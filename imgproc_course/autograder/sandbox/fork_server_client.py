@@ -16,7 +16,6 @@ from functools import lru_cache
 from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.autograder.sandbox.allowed_modules import module_access
 from imgproc_course.autograder.sandbox.cell_run import LOOK_SECONDS, CellRun
-from imgproc_course.exercises.cell_syntax import cells_of, parts_of
 
 _STARTS = 3  # of a fork server that is not ready in time
 _CONTENT_TYPES = {
@@ -180,6 +179,9 @@ class ForkedKernel:
 @lru_cache(maxsize=16)  # every case that fails has a kernel of its own, with the same cells
 def _cells_to_send(source):
     """A source as the kernel takes it: whole cells where it can tell the statements apart by itself."""
+    # Its package imports NumPy; the fork server starts before that.
+    from imgproc_course.exercises.cell_syntax import cells_of, parts_of
+
     cells = []
     for cell in cells_of(source):
         parts = parts_of(cell)

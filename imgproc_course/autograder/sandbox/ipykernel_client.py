@@ -35,7 +35,7 @@ class _SingleSpecManager(KernelSpecManager):
 
 
 class IPykernelClient:
-    """An ipykernel for the checks of an exercise; `run`, `run_check` and `stop` are those of `ForkedKernel`."""
+    """An ipykernel for the checks of an exercise; its methods are those of `ForkedKernel`."""
 
     def __init__(self, allowed, seconds, limits, group, *, confined):
         self._limits, self._seconds, self._group = limits, seconds, group

@@ -44,7 +44,8 @@ _LAST_CAPABILITY = 63
 EMPTY_FOLDER = "/course/nothing"  # read-only
 EXTRA, ALLOWED = "/course/extra", "/course/allowed"  # all that an exercise may allow, and what it allows
 _libc = ctypes.CDLL(None, use_errno=True)
-_mount_call, _unshare_call, _prctl, _capset = _libc.mount, _libc.unshare, _libc.prctl, _libc.capset  # once, here
+# Looked up here, before the first kernel is forked.
+_mount_call, _unshare_call, _prctl, _capset = _libc.mount, _libc.unshare, _libc.prctl, _libc.capset
 
 
 def _check(result, operation):

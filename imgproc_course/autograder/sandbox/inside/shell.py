@@ -22,12 +22,13 @@ from IPython.core.interactiveshell import InteractiveShell
 from traitlets import Instance, Type
 from traitlets.config import Config
 
+from imgproc_course.autograder.sandbox.inside.answer_mime import MIME
+
 _BUFFER_SIZE = 8_192  # characters of a stream that are collected before they are sent
 _MOST_OUTPUT = 1_000_000  # bytes of what a cell prints and draws; nobody reads more, and more costs nothing
 
 
 _OUTPUTS = ("stream", "display_data", "update_display_data", "execute_result")
-_ANSWER = "application/vnd.imgproc-course.answer+json"  # check_cell.MIME
 
 
 class MessageWriter:
@@ -42,7 +43,7 @@ class MessageWriter:
     def send(self, kind, **content):
         text = json.dumps({"n": self.cell, "type": kind, "content": content}, default=str) + "\n"
         data = memoryview(text.encode("ascii"))
-        if kind in _OUTPUTS and _ANSWER not in content.get("data", ()):
+        if kind in _OUTPUTS and MIME not in content.get("data", ()):
             self.output_left -= len(data)
             if self.output_left < 0:
                 return
@@ -131,7 +132,7 @@ class MessageDisplayHook(DisplayHook):
 
 
 # Without one of these characters there is no magic, no shell command and no question for help.
-_ESCAPES = re.compile(r"[%!?]|^\s*[,;/]", re.M)
+_ESCAPES = re.compile(r"[%!?]|^[ \t\f]*[,;/]", re.M)
 
 
 class FastTransformer(TransformerManager):
