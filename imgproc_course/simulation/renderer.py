@@ -1,7 +1,9 @@
 """Draws the room on one processor core, with panda3d's software renderer: no GPU or display is needed."""
 
 import functools
+import itertools
 import math
+from typing import NamedTuple
 
 import cv2
 import numpy as np
@@ -32,7 +34,6 @@ BALL_LIGHT = {
     ),
 }
 SHADOWS = {"ball": (0.15, 0.15), "toycar": (0.20, 0.13), "person": (0.30, 0.26)}  # half sizes in metres
-COLOR_MASK, ID_MASK = 0, 1
 BLINDERS_ORDER = -1
 FLOOR_ORDER, SHEEN_ORDER, RUG_ORDER, SHADOW_ORDER, OTHERS_ORDER = 0, 1000, 2000, 3000, 4000
 
@@ -77,11 +78,53 @@ def index_buffer(indices):
     return primitive
 
 
-def geom_node(vertex_format, rows, indices):
-    """A node of triangles; rows (N, bytes of a vertex) in the order of the format's columns."""
-    data = p3d.GeomVertexData("triangles", vertex_format, p3d.Geom.UH_static)
+class VertexFormats:
+    """The formats of one renderer's vertices.
+
+    panda3d converts some columns in a buffer that belongs to their format, and formats of the same columns
+    are one and the same: two threads that drew with it would now and then take each other's vertices. So a
+    format has a column whose name no other renderer uses, unless nothing in it is converted: points x y z 1
+    and colors of four floats, which are also read fastest.
+    """
+
+    _numbers = itertools.count()
+
+    def __init__(self):
+        enums = p3d.GeomEnums
+        texture = ("texcoord", 2, enums.NT_float32, enums.C_texcoord)
+        normal = ("normal", 3, enums.NT_float32, enums.C_normal)
+        own = (f"renderer {next(self._numbers)}", 1, enums.NT_uint8, enums.C_other)
+        self.textured = vertex_format(texture, own)
+        self.lit = vertex_format(texture, normal, own)
+        self.shining = vertex_format(("color", 4, enums.NT_uint8, enums.C_color), own)
+        self.numbered = vertex_format(("color", 4, enums.NT_float32, enums.C_color))
+
+
+def vertex_format(*columns):
+    """Points of four floats, then these columns: name, count, type, meaning."""
+    array = p3d.GeomVertexArrayFormat()
+    array.add_column(p3d.InternalName.get_vertex(), 4, p3d.GeomEnums.NT_float32, p3d.GeomEnums.C_point)
+    for name, *rest in columns:
+        array.add_column(p3d.InternalName.make(name), *rest)
+    return p3d.GeomVertexFormat.register_format(p3d.GeomVertexFormat(array))
+
+
+def vertex_rows(columns_format, points, *columns):
+    """(N, bytes of a vertex) uint8: points (N, 3), then each column, (N, count) of the format's type."""
+    rows = np.zeros((len(points), columns_format.get_array(0).get_stride()), np.uint8)
+    start = 0
+    for column in (np.column_stack([points, np.ones(len(points))]).astype(np.float32), *columns):
+        values = np.ascontiguousarray(column).view(np.uint8)
+        rows[:, start : start + values.shape[1]] = values
+        start += values.shape[1]
+    return rows
+
+
+def geom_node(columns_format, rows, indices):
+    """A node of triangles; rows as `vertex_rows` gives them."""
+    data = p3d.GeomVertexData("triangles", columns_format, p3d.Geom.UH_static)
     data.unclean_set_num_rows(len(rows))
-    memoryview(data.modify_array(0)).cast("B")[:] = np.ascontiguousarray(rows).tobytes()
+    data.modify_array_handle(0).copy_data_from(rows.tobytes())
     geom = p3d.Geom(data)
     geom.add_primitive(index_buffer(indices))
     node = p3d.GeomNode("triangles")
@@ -89,38 +132,28 @@ def geom_node(vertex_format, rows, indices):
     return node
 
 
-def textured(triangles, texture, normals=None):
+def textured(formats, triangles, texture, normals=None):
     """Vertices that are equal in place and texture are shared: there are fewer to transform."""
     columns = [triangles.reshape(-1, 3), texture.reshape(-1, 2)]
-    vertex_format = p3d.GeomVertexFormat.get_v3t2()
     if normals is not None:
-        columns.insert(1, normals.reshape(-1, 3))
-        vertex_format = p3d.GeomVertexFormat.get_v3n3t2()
+        columns.append(normals.reshape(-1, 3))
     rows = np.concatenate(columns, 1).astype(np.float32).round(5)
     order = np.lexsort(rows.T)  # several times as fast as np.unique(axis=0)
     rows = rows[order]
     new = np.concatenate([[True], (rows[1:] != rows[:-1]).any(1)])
     indices = np.empty(len(rows), int)
     indices[order] = np.cumsum(new) - 1
-    return geom_node(vertex_format, rows[new], indices)
+    columns_format = formats.textured if normals is None else formats.lit
+    return geom_node(columns_format, vertex_rows(columns_format, rows[new, :3], rows[new, 3:]), indices)
 
 
-@functools.cache
-def float_format():
-    """Points x y z 1 and colors of floats: those vertices that this renderer reads fastest."""
-    array = p3d.GeomVertexArrayFormat()
-    array.add_column(p3d.InternalName.get_vertex(), 4, p3d.GeomEnums.NT_float32, p3d.GeomEnums.C_point)
-    array.add_column(p3d.InternalName.get_color(), 4, p3d.GeomEnums.NT_float32, p3d.GeomEnums.C_color)
-    return p3d.GeomVertexFormat.register_format(p3d.GeomVertexFormat(array))
-
-
-def numbered(triangles, numbers):
+def numbered(formats, triangles, numbers):
     """Each triangle in one flat color: its number, low byte in blue."""
-    rows = np.ones((len(triangles) * 3, 8), np.float32)
-    rows[:, :3] = triangles.reshape(-1, 3)
-    colors = np.column_stack([numbers >> 16, numbers >> 8 & 255, numbers & 255]) / 255
-    rows[:, 4:7] = np.repeat(colors, 3, 0)
-    return geom_node(float_format(), rows, np.arange(len(rows)))
+    points = triangles.reshape(-1, 3)
+    colors = np.column_stack([numbers >> 16, numbers >> 8 & 255, numbers & 255, np.full_like(numbers, 255)])
+    colors = np.repeat((colors / 255).astype(np.float32), 3, 0)
+    rows = vertex_rows(formats.numbered, points, colors)
+    return geom_node(formats.numbered, rows, np.arange(len(rows)))
 
 
 def color_bytes(red, green, blue, alpha):
@@ -210,127 +243,66 @@ def area(triangles):
     return float(np.sqrt(np.maximum(squared, 0)).sum()) / 2
 
 
-class Renderer:
-    """The scene of one simulation; of its own views `render` draws one at a time."""
+class ChunkOfTriangles(NamedTuple):
+    """Triangles of one atlas, joint (None: they stand still) and order of drawing; rows (N,) in the room."""
 
-    def __init__(self, room, lighting):
-        self._pipe = software_pipe()
-        self._engine = p3d.GraphicsEngine(self._pipe)
-        self._root = p3d.NodePath("room")
-        self._joints = {name: self._root.attach_new_node(name) for name in room.joint_tree}
-        self._order, self._chunks = 0, []
-        for number, atlas in enumerate(ATLASES):
-            self._add_atlas(room, number, atlas, lighting)
-        self._shadows = {}
-        for number, (name, size) in enumerate(SHADOWS.items()):
-            self._shadows[name] = self._add_shadow(size)
-            self._shadows[name].set_bin("fixed", SHADOW_ORDER + number)
-        self._sheen = sheen.Sheen(lighting)
-        self._sheen_geom = self._add_sheen()
+    rows: np.ndarray
+    atlas: str
+    joint: str | None
+    order: int
+    is_two_sided: bool
 
-    def _add_atlas(self, room, index, atlas, lighting):
-        texture = None if atlas == "outside" else load_texture(atlas, lighting)
+
+def chunks_of(room):
+    """Yields every ChunkOfTriangles of the room.
+
+    Their order is fixed, or it would follow addresses in memory. Floor and rug come first: what lies on them
+    is drawn without asking for depth.
+    """
+    leaf = next(k for k, v in room.label_names.items() if v == FACES_OUTWARD)
+    number = 0
+    for index, atlas in enumerate(ATLASES):
         mine = np.nonzero(room.atlas == index)[0]
-        leaf = next(k for k, v in room.label_names.items() if v == FACES_OUTWARD)
         cell = np.floor(room.triangles[mine].mean(1) / CHUNK).astype(int)
         cell[room.joint[mine] != NO_JOINT] = 0
         keys = np.column_stack([room.joint[mine], room.label[mine] == leaf, cell])
         keys -= keys.min(0)
         codes = np.ravel_multi_index(keys.T, keys.max(0) + 1)
         for code in np.unique(codes):
-            chosen = mine[codes == code]
-            number = room.joint[chosen[0]]
-            joint = None if number == NO_JOINT else room.joint_names[number]
-            parent = self._joints[joint] if joint else self._root
-            triangles, corners = room.triangles[chosen], room.texture[chosen]
-            if joint == "ball":
-                colored = parent.attach_new_node(textured(triangles, corners, unit(triangles)))
-                self._light_ball(colored, lighting)
-            else:
-                colored = parent.attach_new_node(textured(triangles, corners))
-            if texture is None:
-                colored.set_color(*SKY[lighting], 1)
-            else:
-                use_texture(colored, texture, smooth=joint is not None)
-                if joint is None and atlas not in ("room", "floor"):  # these have soft patterns
-                    self._chunks.append(Chunk(colored, texture, triangles, corners))
-            numbers = parent.attach_new_node(numbered(triangles, chosen + 1))
-            numbers.set_attrib(p3d.ColorAttrib.make_vertex())
-            # The order is fixed, or it would follow addresses in memory. Floor and rug come first: what lies
-            # on them is drawn without asking for depth.
-            self._order += 1
-            order = {"floor": FLOOR_ORDER, "rug": RUG_ORDER}.get(atlas, OTHERS_ORDER) + self._order
-            for node, other in ((colored, ID_MASK), (numbers, COLOR_MASK)):
-                node.set_bin("fixed", order)
-                node.hide(p3d.BitMask32.bit(other))
-                node.set_two_sided(bool(room.label[chosen[0]] == leaf))
-                if atlas == "signs":  # a few millimetres before the wall: they must win at any distance
-                    node.set_depth_offset(1)
+            rows = mine[codes == code]
+            joint = room.joint[rows[0]]
+            name = None if joint == NO_JOINT else room.joint_names[joint]
+            number += 1
+            order = {"floor": FLOOR_ORDER, "rug": RUG_ORDER}.get(atlas, OTHERS_ORDER) + number
+            yield ChunkOfTriangles(rows, atlas, name, order, bool(room.label[rows[0]] == leaf))
 
-    def _light_ball(self, node, lighting):
-        ambient, *lamps = BALL_LIGHT[lighting]
-        light = p3d.AmbientLight("ambient")
-        light.set_color((*ambient, 1))
-        node.set_light(self._root.attach_new_node(light))
-        for direction, color in lamps:
-            light = p3d.DirectionalLight("lamp")
-            light.set_color((*color, 1))
-            light.set_direction(direction)
-            node.set_light(self._root.attach_new_node(light))
-        material = p3d.Material()
-        material.set_diffuse((1, 1, 1, 1))
-        material.set_ambient((1, 1, 1, 1))
-        node.set_material(material)
 
-    def _add_shadow(self, size):
-        """A soft dark spot on the floor."""
-        across = (np.arange(64) - 31.5) / 32
-        distance = np.sqrt(across[:, None] ** 2 + across[None, :] ** 2)
-        spot = np.zeros((64, 64, 4), np.uint8)
-        spot[..., 3] = np.clip(1 - distance, 0, 1) * 150
-        corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], np.float32)
-        flat = np.column_stack([corners * size, np.zeros(4)])[[[0, 1, 2], [0, 2, 3]]]
-        node = self._root.attach_new_node(textured(flat, (corners[[[0, 1, 2], [0, 2, 3]]] + 1) / 2))
-        node.set_texture(as_texture(spot, p3d.Texture.F_rgba), 1)
-        node.set_transparency(p3d.TransparencyAttrib.M_alpha)
-        node.set_depth_write(False)
-        node.set_depth_test(False)
-        node.hide(p3d.BitMask32.bit(ID_MASK))
-        return node
+class Renderer:
+    """A scene of the room, for one simulation; of its own views `render` draws one at a time.
 
-    def _add_sheen(self):
-        vertices, indices = self._sheen.vertices, self._sheen.indices
-        rows = np.zeros((len(vertices), 16), np.uint8)
-        rows[:, :12] = vertices.astype(np.float32).view(np.uint8).reshape(-1, 12)
-        node = geom_node(p3d.GeomVertexFormat.get_v3c4(), rows, indices)
-        self._sheen_rows = rows
-        # It changes with each image: without these its bounds would be computed as often.
-        node.modify_geom(0).set_bounds(p3d.OmniBoundingVolume())
-        node.set_bounds(p3d.OmniBoundingVolume())
-        path = self._root.attach_new_node(node)
-        path.set_attrib(p3d.ColorAttrib.make_vertex())
-        path.set_transparency(p3d.TransparencyAttrib.M_alpha)
-        path.set_depth_write(False)
-        path.set_depth_test(False)
-        path.set_bin("fixed", SHEEN_ORDER)
-        path.hide(p3d.BitMask32.bit(ID_MASK))
-        return node
+    Two renderers share nothing: two threads can draw at the same time, each with its own.
+    """
+
+    def __init__(self, room):
+        self._pipe = software_pipe()
+        self._engine = p3d.GraphicsEngine(self._pipe)
+        self._formats = VertexFormats()
+        self._root = p3d.NodePath("room")
+        self._joints = {name: self._root.attach_new_node(name) for name in room.joint_tree}
+        for chunk in chunks_of(room):
+            node = self._add_chunk(room, chunk, self._joints[chunk.joint] if chunk.joint else self._root)
+            node.set_bin("fixed", chunk.order)
+            node.set_two_sided(chunk.is_two_sided)
+            if chunk.atlas == "signs":  # a few millimetres before the wall: they must win at any distance
+                node.set_depth_offset(1)
 
     def place(self, joint_poses):
-        """Puts every joint where its pose says, and the shadows under their owners."""
+        """Puts every joint where its pose says."""
         for name, pose in joint_poses.items():
             self._joints[name].set_mat(as_matrix(pose))
-        for name, shadow in self._shadows.items():
-            pose = joint_poses[name]
-            x, y, z = pose.position
-            if name == "ball":
-                shadow.set_pos(x, y, z - 0.11 + 0.003)
-            else:
-                shadow.set_mat(as_matrix(pose))
-                shadow.set_z(z + 0.003)
 
-    def add_view(self, camera, scale=1.0, ids=False):
-        """A view of all that a camera with a lens sees: its colors, or the number of each pixel's triangle.
+    def add_view(self, camera, scale=1.0):
+        """A view of all that a camera with a lens sees.
 
         It is drawn through a pinhole camera, `scale` times as finely; what the lens does not show is black.
         """
@@ -348,12 +320,10 @@ class Renderer:
         output.add_render_texture(texture, p3d.GraphicsOutput.RTM_copy_ram)
         output.set_clear_color((0, 0, 0, 1))
         output.set_clear_color_active(True)
-        node = p3d.Camera("camera", software_lens(pinhole))
-        node.set_camera_mask(p3d.BitMask32.bit(ID_MASK if ids else COLOR_MASK))
-        path = self._root.attach_new_node(node)
+        path = self._root.attach_new_node(p3d.Camera("camera", software_lens(pinhole)))
         output.make_display_region().set_camera(path)
         output.set_active(False)
-        blinders = path.attach_new_node(around_the_image(camera))
+        blinders = path.attach_new_node(around_the_image(self._formats, camera))
         blinders.set_color(0, 0, 0, 1)
         blinders.set_two_sided(True)
         blinders.set_bin("fixed", BLINDERS_ORDER)
@@ -363,15 +333,10 @@ class Renderer:
     def render(self, view, pose):
         """What the view sees from a pose of its optical frame: (height, width, 4) uint8 BGRA, read-only.
 
-        The first row is at the bottom. In a view of ids blue, green and red are the bytes of the triangle's
-        number, counted from 1; 0 where nothing is.
+        The first row is at the bottom.
         """
         right, down, forward = pose.rotation.T
         view.camera.set_mat(p3d.LMatrix4f(*right, 0, *forward, 0, *(-down), 0, *pose.position, 1))
-        if not (view.camera.node().get_camera_mask() & p3d.BitMask32.bit(ID_MASK)).get_word():
-            self._update_sheen(pose.position)
-            for chunk in self._chunks:
-                chunk.choose_filter(pose.position, view.pinhole.fx)
         view.blinders.show()
         view.output.set_active(True)
         self._engine.render_frame()
@@ -380,18 +345,125 @@ class Renderer:
         pixels = np.frombuffer(view.texture.get_ram_image(), np.uint8)
         return pixels.reshape(view.pinhole.height, view.pinhole.width, 4)
 
-    def _update_sheen(self, position):
-        self._sheen_rows[:, 12:] = color_bytes(*self._sheen.colors(position))
-        geom = self._sheen_geom.modify_geom(0)
-        vertices = geom.modify_vertex_data().modify_array(0)
-        memoryview(vertices).cast("B")[:] = self._sheen_rows.tobytes()
-        indices = self._sheen.indices
-        shining = self._sheen_rows[:, 15][indices].any(1)  # most of the floor near by does not
-        geom.set_primitive(0, index_buffer(indices[shining]))
-
     def close(self):
         self._engine.remove_all_windows()
         self._root.remove_node()
+
+
+class NumberRenderer(Renderer):
+    """Draws of each pixel its triangle's number, counted from 1, into blue, green and red; 0: nothing."""
+
+    def _add_chunk(self, room, chunk, parent):
+        node = parent.attach_new_node(numbered(self._formats, room.triangles[chunk.rows], chunk.rows + 1))
+        node.set_attrib(p3d.ColorAttrib.make_vertex())
+        return node
+
+
+class ColorRenderer(Renderer):
+    """Draws the colors, with the shadows of what moves and the floor's sheen."""
+
+    def __init__(self, room, lighting):
+        self._lighting, self._chunks = lighting, []
+        configure_panda3d()
+        self._textures = {atlas: load_texture(atlas, lighting) for atlas in ATLASES if atlas != "outside"}
+        super().__init__(room)
+        self._shadows = {}
+        for number, (name, size) in enumerate(SHADOWS.items()):
+            self._shadows[name] = self._add_shadow(size)
+            self._shadows[name].set_bin("fixed", SHADOW_ORDER + number)
+        self._sheen = sheen.Sheen(lighting)
+        self._sheen_geom = self._add_sheen()
+
+    def _add_chunk(self, room, chunk, parent):
+        triangles, corners = room.triangles[chunk.rows], room.texture[chunk.rows]
+        if chunk.joint == "ball":
+            node = parent.attach_new_node(textured(self._formats, triangles, corners, unit(triangles)))
+            self._light_ball(node, self._lighting)
+        else:
+            node = parent.attach_new_node(textured(self._formats, triangles, corners))
+        if chunk.atlas == "outside":
+            node.set_color(*SKY[self._lighting], 1)
+            return node
+        texture = self._textures[chunk.atlas]
+        use_texture(node, texture, smooth=chunk.joint is not None)
+        if chunk.joint is None and chunk.atlas not in ("room", "floor"):  # these have soft patterns
+            self._chunks.append(Chunk(node, texture, triangles, corners))
+        return node
+
+    def _light_ball(self, node, lighting):
+        ambient, *lamps = BALL_LIGHT[lighting]
+        light = p3d.AmbientLight("ambient")
+        light.set_color((*ambient, 1))
+        node.set_light(self._root.attach_new_node(light))
+        for number, (direction, color) in enumerate(lamps):
+            light = p3d.DirectionalLight("lamp")
+            light.set_priority(-number)  # or their order, and so a rounding, would follow addresses in memory
+            light.set_color((*color, 1))
+            light.set_direction(direction)
+            node.set_light(self._root.attach_new_node(light))
+        material = p3d.Material()
+        material.set_diffuse((1, 1, 1, 1))
+        material.set_ambient((1, 1, 1, 1))
+        node.set_material(material)
+
+    def _add_shadow(self, size):
+        """A soft dark spot on the floor."""
+        across = (np.arange(64) - 31.5) / 32
+        distance = np.sqrt(across[:, None] ** 2 + across[None, :] ** 2)
+        spot = np.zeros((64, 64, 4), np.uint8)
+        spot[..., 3] = np.clip(1 - distance, 0, 1) * 150
+        corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], np.float32)
+        flat = np.column_stack([corners * size, np.zeros(4)])[[[0, 1, 2], [0, 2, 3]]]
+        texture = (corners[[[0, 1, 2], [0, 2, 3]]] + 1) / 2
+        node = self._root.attach_new_node(textured(self._formats, flat, texture))
+        node.set_texture(as_texture(spot, p3d.Texture.F_rgba), 1)
+        node.set_transparency(p3d.TransparencyAttrib.M_alpha)
+        node.set_depth_write(False)
+        node.set_depth_test(False)
+        return node
+
+    def _add_sheen(self):
+        vertices, indices = self._sheen.vertices, self._sheen.indices
+        colors = np.zeros((len(vertices), 4), np.uint8)
+        self._sheen_rows = vertex_rows(self._formats.shining, vertices, colors)
+        node = geom_node(self._formats.shining, self._sheen_rows, indices)
+        # It changes with each image: without these its bounds would be computed as often.
+        node.modify_geom(0).set_bounds(p3d.OmniBoundingVolume())
+        node.set_bounds(p3d.OmniBoundingVolume())
+        path = self._root.attach_new_node(node)
+        path.set_attrib(p3d.ColorAttrib.make_vertex())
+        path.set_transparency(p3d.TransparencyAttrib.M_alpha)
+        path.set_depth_write(False)
+        path.set_depth_test(False)
+        path.set_bin("fixed", SHEEN_ORDER)
+        return node
+
+    def place(self, joint_poses):
+        """Puts the shadows under their owners, too."""
+        super().place(joint_poses)
+        for name, shadow in self._shadows.items():
+            pose = joint_poses[name]
+            x, y, z = pose.position
+            if name == "ball":
+                shadow.set_pos(x, y, z - 0.11 + 0.003)
+            else:
+                shadow.set_mat(as_matrix(pose))
+                shadow.set_z(z + 0.003)
+
+    def render(self, view, pose):
+        self._update_sheen(pose.position)
+        for chunk in self._chunks:
+            chunk.choose_filter(pose.position, view.pinhole.fx)
+        return super().render(view, pose)
+
+    def _update_sheen(self, position):
+        self._sheen_rows[:, 16:20] = color_bytes(*self._sheen.colors(position))
+        geom = self._sheen_geom.modify_geom(0)
+        vertices = geom.modify_vertex_data().modify_array(0)
+        vertices.modify_handle().copy_data_from(self._sheen_rows.tobytes())
+        indices = self._sheen.indices
+        shining = self._sheen_rows[:, 19][indices].any(1)  # most of the floor near by does not
+        geom.set_primitive(0, index_buffer(indices[shining]))
 
 
 def unit(vectors):
@@ -420,7 +492,7 @@ def software_lens(pinhole):
     return lens
 
 
-def around_the_image(camera):
+def around_the_image(formats, camera):
     """A frame close before the camera, from two pixels outside of its image on; it hides what is behind."""
     columns, rows = np.linspace(-2, camera.width + 1, 41), np.linspace(-2, camera.height + 1, 41)
     border = (
@@ -436,7 +508,7 @@ def around_the_image(camera):
         [np.stack([inner, next_inner, outer], 1), np.stack([outer, next_inner, next_outer], 1)]
     )
     right, down, forward = np.moveaxis(triangles, -1, 0)
-    return textured(np.stack([right, forward, -down], -1), np.zeros((len(triangles), 3, 2)))
+    return textured(formats, np.stack([right, forward, -down], -1), np.zeros((len(triangles), 3, 2)))
 
 
 def pinhole_covering(model, scale=1.0):

@@ -11,7 +11,7 @@ from .depth import TriangleDepth
 from .drive import Drive, WheelOdometry, clearance, nearest_on_body
 from .laser import Laser
 from .movers import Movers, is_on_rug
-from .renderer import Renderer, configure_panda3d
+from .renderer import ColorRenderer, NumberRenderer, configure_panda3d
 from .room_model import FreeSpace, load_room
 from .sensor import Sensor
 
@@ -31,7 +31,8 @@ class Simulation:
     """A robot that drives through the room of the recorded drive; the same calls always give the same.
 
     There is no clock and no ROS: `step` moves robot, person, car and ball, everything else looks. Several
-    simulations can be used side by side; one of them by one thread at a time.
+    simulations can be used side by side; one of them by one thread at a time, but for `frame`, which one
+    thread can call while another calls `depth` and `labels`.
 
     Parameters
     ----------
@@ -135,9 +136,13 @@ class Simulation:
     # what it sees
 
     @cached_property
-    def _renderer(self):
+    def _color_renderer(self):
         """Made with the first image: half of a simulation's start, which the motion does without."""
-        return Renderer(self._room, self._lighting)
+        return ColorRenderer(self._room, self._lighting)
+
+    @cached_property
+    def _number_renderer(self):
+        return NumberRenderer(self._room)
 
     def look(self, camera_pose):
         """Takes images from a pose of the optical frame, x y z qx qy qz qw; None: the robot's again."""
@@ -152,7 +157,7 @@ class Simulation:
         """The front camera's image, (height, width, 3) uint8 BGR."""
         if "frame" not in self._views:
             scale = 1.15 if self._model.width <= 640 else 1.0
-            view = self._renderer.add_view(self._model, scale)
+            view = self._color_renderer.add_view(self._model, scale)
             pinhole = view.pinhole
             pixels = pinhole.project(self._model.rays())
             col, row = (
@@ -162,8 +167,8 @@ class Simulation:
             maps = cv2.convertMaps(col.astype(np.float32), row.astype(np.float32), cv2.CV_16SC2)
             self._views["frame"] = view, maps
         view, maps = self._views["frame"]
-        self._renderer.place(self._joint_poses())
-        drawn = self._renderer.render(view, self._camera_pose("front"))
+        self._color_renderer.place(self._joint_poses())
+        drawn = self._color_renderer.render(view, self._camera_pose("front"))
         image = cv2.cvtColor(cv2.remap(drawn, *maps, cv2.INTER_LINEAR), cv2.COLOR_BGRA2BGR)
         if self._sensor is None:
             return image
@@ -199,14 +204,14 @@ class Simulation:
         """The triangle number of each pixel of a depth camera; kept until something moves."""
         if camera not in self._views:
             model = self.depth_camera(camera)
-            view = self._renderer.add_view(model, ids=True)
+            view = self._number_renderer.add_view(model)
             self._views[camera] = view, TriangleDepth(self._room, model, view.pinhole), [None, None]
         view, rays, kept = self._views[camera]
         pose = self._camera_pose(camera)
         key = (self._steps, pose.position.tobytes(), pose.rotation.tobytes())
         if kept[0] != key:
-            self._renderer.place(self._joint_poses())
-            kept[:] = key, rays.numbers(self._renderer.render(view, pose))
+            self._number_renderer.place(self._joint_poses())
+            kept[:] = key, rays.numbers(self._number_renderer.render(view, pose))
         return kept[1], rays
 
     def scan(self):
@@ -272,8 +277,9 @@ class Simulation:
 
     def close(self):
         """Frees the images; the simulation cannot be used any more."""
-        if "_renderer" in vars(self):
-            self._renderer.close()
+        for name in ("_color_renderer", "_number_renderer"):
+            if name in vars(self):
+                getattr(self, name).close()
 
     def __enter__(self):
         return self

@@ -12,9 +12,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from imgproc_course.simulation import GESTURES, Simulation, draw_hand, gesture_track, random_hand
+from imgproc_course.simulation import CAMERA, GESTURES, Simulation, draw_hand, gesture_track, random_hand
 from imgproc_course.simulation.movers import Movers
-from imgproc_course.simulation.renderer import Renderer
+from imgproc_course.simulation.renderer import BALL_LIGHT, ColorRenderer, NumberRenderer, Renderer
+from imgproc_course.simulation.room_model import load_room
 
 # Older instruction sets: of NumPy, of the C library and of OpenCV.
 OLDER = {
@@ -63,6 +64,69 @@ def in_a_child(connection, room):
 def test_again_and_beside_another_one_in_threads(expected):
     with ThreadPoolExecutor(2) as pool:
         assert list(pool.map(digest, (12, 12))) == [expected] * 2
+
+
+def test_one_thread_draws_the_frame_while_another_draws_depth_and_labels():
+    with Simulation(7) as alone, Simulation(7) as shared, ThreadPoolExecutor(1) as pool:
+        for _ in range(15):
+            for room in (alone, shared):
+                room.step(0.3, 0.8, 0.1)
+            others = pool.submit(lambda: (shared.depth(), shared.labels(), shared.depth("tof")))
+            assert (shared.frame() == alone.frame()).all()
+            expected = (alone.depth(), alone.labels(), alone.depth("tof"))
+            for array, other in zip(expected, others.result(), strict=True):
+                assert (array == other).all()
+
+
+def test_two_rooms_draw_in_two_threads_what_each_draws_alone():
+    starts = {"a": (0.7, -0.9, 0.3), "b": (1.0, 1.0, -0.5)}
+    rooms = {name: Simulation(1, start=start, sensor=False) for name, start in starts.items()}
+    alone = {name: (room.frame(), room.depth()) for name, room in rooms.items()}
+
+    def differences(name):
+        room = rooms[name]
+        count = 0
+        for _ in range(60):
+            room.look(room.pose("camera"))  # nothing has moved
+            count += int((room.frame() != alone[name][0]).any() or (room.depth() != alone[name][1]).any())
+        return count
+
+    with ThreadPoolExecutor(2) as pool:
+        assert list(pool.map(differences, rooms)) == [0, 0]
+    for room in rooms.values():
+        room.close()
+
+
+def test_no_two_renderers_share_what_panda3d_converts_vertices_with():
+    renderers = [
+        ColorRenderer(load_room(), "day"),
+        ColorRenderer(load_room(), "day"),
+        NumberRenderer(load_room()),
+    ]
+    formats = []
+    for renderer in renderers:
+        renderer.add_view(CAMERA.resized(160, 90))
+        nodes = [path.node() for path in renderer._root.find_all_matches("**/+GeomNode")]
+        all_formats = {node.get_geom(0).get_vertex_data().get_format() for node in nodes}
+        formats.append({str(f) for f in all_formats if f.get_array(0).get_num_columns() > 2})
+        # Four floats are read where they lie.
+        for column in (f.get_array(0).get_column(k) for f in all_formats for k in range(2)):
+            assert column.get_name().get_name() != "vertex" or column.get_num_components() == 4
+    assert [len(own) for own in formats] == [3, 3, 1]  # textured, lit, shining; textured blinders
+    assert not (formats[0] & formats[1] or formats[1] & formats[2] or formats[0] & formats[2])
+    for renderer in renderers:
+        renderer.close()
+
+
+def test_the_lamps_of_the_ball_are_added_in_a_fixed_order():
+    for lighting in ("day", "evening"):
+        renderer = ColorRenderer(load_room(), lighting)
+        lamps = [path.node() for path in renderer._root.find_all_matches("**/+DirectionalLight")]
+        ordered = sorted(lamps, key=lambda lamp: -lamp.get_priority())
+        expected = [direction for direction, _ in BALL_LIGHT[lighting][1:]]
+        assert [tuple(lamp.get_direction()) for lamp in ordered] == [pytest.approx(d) for d in expected]
+        assert len({lamp.get_priority() for lamp in lamps}) == 2
+        renderer.close()
 
 
 @pytest.mark.filterwarnings("ignore:This process .* is multi-threaded:DeprecationWarning")
