@@ -1,6 +1,7 @@
 """The checks of one exercise, one after another: what one leaves behind neither costs nor helps another."""
 
 import contextlib
+import select
 
 import pytest
 from attacks import LESSON, SHORT
@@ -8,6 +9,7 @@ from attacks import LESSON, SHORT
 from imgproc_course.autograder import verdict
 from imgproc_course.autograder.nbval_plugin import ExerciseRun, StoredVerdict
 from imgproc_course.autograder.pool import autograde
+from imgproc_course.autograder.sandbox.cell_run import CellRun
 from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.exercises.comparison import compare
 
@@ -59,13 +61,13 @@ def outcomes_of(names, key, right, kernel):
 
 
 @contextlib.contextmanager
-def exercise_run_of(key):
+def exercise_run_of(key, kind_of_factory=KernelFactory):
     """(ExerciseRun of `mean`, sources of its given cells, list of (KeyCase, source of its check cell))."""
     (exercise,) = [exercise for exercise in key.lessons[LESSON].exercises if exercise.id == "attacked-mean"]
     content = key.content(exercise.id)
     cells = {cell["id"]: "".join(cell["source"]) for cell in content.notebook["cells"]}
     given = [text for name, text in cells.items() if name.startswith("given")]
-    with KernelFactory("fast") as kernel_factory:
+    with kind_of_factory("fast") as kernel_factory:
         exercise_run = ExerciseRun(exercise, content, kernel_factory, None)
         yield exercise_run, given, [(case, cells[case.id]) for case in exercise.cases]
         exercise_run.close()
@@ -94,16 +96,77 @@ def test_checks_share_a_kernel_as_long_as_they_pass(key, right):
 def test_once_a_case_has_failed_a_kernel_waits_for_the_next_one(key, right):
     with exercise_run_of(key) as (exercise_run, given, [(first, check), (second, _)]):
         exercise_run.run(first, [*given, right["attacked-mean"]], check)
-        assert exercise_run._requests_after(first) == []
+        assert exercise_run._requests_after(first, given) == []
         exercise_run.close()
-        exercise_run.run(first, [*given, "def mean(values):\n    return 0.0"], check)
-        (request,) = exercise_run._requests_after(first)
-        assert exercise_run._requests_after(second) == []
+        sources = [*given, "def mean(values):\n    return 0.0"]
+        exercise_run.run(first, sources, check)
+        (request,) = exercise_run._requests_after(first, sources)
+        assert exercise_run._requests_after(second, sources) == []
+        assert request[2] == sources
         kernels = exercise_run._kernel_factory
-        kernels.start((), 1.0, [request]).stop()
         fork_count = kernels._fork_server._fork_count
-        kernel = kernels.start(*request)
-        assert (kernel.run("1").ended, kernels._fork_server._fork_count) == ("", fork_count)
+        kernel = kernels.start(*request[:2], sources=sources)
+        run = kernel.run_statements(sources)
+        assert (run.ended, run.error, kernels._fork_server._fork_count) == ("", ("", ""), fork_count)
+        assert kernel.run("print(mean([1]))").printed == "0.0\n"
+        kernel.stop()
+
+
+def test_an_answer_that_has_ended_its_kernel_does_not_run_beside_another(key):
+    with exercise_run_of(key) as (exercise_run, given, [(first, check), _]):
+        sources = [*given, "import os\nos._exit(3)"]
+        exercise_run.run(first, sources, check)
+        (request,) = exercise_run._requests_after(first, sources)
+        assert request[2] == ()
+
+
+def test_a_kernel_that_ran_the_answer_before_costs_no_time_or_memory(key, right):
+    class OutOfTime(KernelFactory):
+        def start(self, *request, **options):
+            kernel = super().start(*request, **options)
+            if kernel.was_prepared:
+                kernel.run_check = lambda *_: CellRun(ended="time")
+            return kernel
+
+    late = f"def mean(values):\n    return {MEAN} if len(values) > 5 else 0.0"
+    with exercise_run_of(key, OutOfTime) as (exercise_run, given, checks):
+        runs = [exercise_run.run(case, [*given, late], check) for case, check in checks]
+        assert [(run.ended, run.passed) for run in runs] == [("", False), ("", True)]
+        assert exercise_run._kernel_factory._fork_server._fork_count == 3
+
+
+ONCE = """import pathlib
+count = pathlib.Path("count")
+count.write_text(count.read_text() + "x" if count.exists() else "x")
+print(count.read_text())
+print(1 / 0)"""
+
+
+def test_a_kernel_that_waits_runs_an_answer_once_and_only_that_answer():
+    with KernelFactory("fast") as kernel_factory:
+        kernel_factory.keep_spares([((), 5.0, (ONCE,))])
+        kernel = kernel_factory.start((), 5.0, [((), 5.0, ())], sources=[ONCE])
+        assert kernel_factory._fork_server._fork_count == 2
+        run = kernel.run_statements([ONCE])
+        assert (run.printed, run.error) == ("x\n", ("ZeroDivisionError", "division by zero"))
+        assert kernel.run_statements([ONCE]).printed == "xx\n"
+        assert kernel.run("print(count.read_text())").printed == "xx\n"
+        kernel.stop()
+        kernel_factory.keep_spares([((), 5.0, (ONCE,))])
+        kernel = kernel_factory.start((), 5.0, sources=["print(2)"])  # another answer
+        assert kernel.run_statements(["print(2)"]).printed == "2\n"
+        kernel.stop()
+
+
+def test_a_kernel_that_ended_while_it_waited_is_replaced():
+    with KernelFactory("fast") as kernel_factory:
+        ends = "import os, pathlib\nos._exit(3)"
+        kernel_factory.keep_spares([((), 5.0, (ends,))])
+        (spare,) = kernel_factory._spares.values()
+        select.select([spare._socket], [], [])  # its end
+        kernel = kernel_factory.start((), 5.0, sources=[ends])
+        assert kernel.run("print(3)").printed == "3\n"
+        assert kernel_factory._fork_server._fork_count == 2
         kernel.stop()
 
 
@@ -141,7 +204,7 @@ def test_a_kernel_that_has_waited_is_as_a_new_one():
     texts = []
     with KernelFactory("fast") as kernel_factory:
         for _ in range(3):  # a new one, then two that have waited
-            kernel = kernel_factory.start((), 5.0, [((), 5.0)])
+            kernel = kernel_factory.start((), 5.0, [((), 5.0, ())])
             run = kernel.run_statements([STATE])
             texts.append((run.printed, run.error))
             kernel.stop()

@@ -393,8 +393,8 @@ class KillsKernels(KernelFactory):
 
     kills_left = 2
 
-    def start(self, *request):
-        kernel = super().start(*request)
+    def start(self, *request, **options):
+        kernel = super().start(*request, **options)
         while self.kills_left and not (running := kernels_running()):
             time.sleep(0.01)
         if self.kills_left:

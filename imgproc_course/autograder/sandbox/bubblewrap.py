@@ -13,6 +13,7 @@ import signal
 import subprocess
 import sys
 import sysconfig
+import threading
 from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
@@ -91,6 +92,7 @@ class Limits:
 
 
 _TRIALS, _TRIAL_SECONDS = 5, 60
+_trial_lock = threading.Lock()
 KILLED = (-signal.SIGKILL, 128 + signal.SIGKILL)  # exit codes: bubblewrap was killed, or what ran inside
 
 
@@ -142,7 +144,8 @@ def _error_of_trial():
 
 def require_sandbox():
     """Raise SandboxError, one line with the remedy, if there is no sandbox here."""
-    problem = sandbox_problem()
+    with _trial_lock:  # the trial of one thread serves all
+        problem = sandbox_problem()
     if problem:
         raise SandboxError(
             f"{problem}. Without a sandbox learners' code would run as you, with your files: --unsafe if you"

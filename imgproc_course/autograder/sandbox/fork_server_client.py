@@ -34,7 +34,10 @@ class KernelEnded(Exception):
 
 
 class ForkedKernel:
-    """A kernel that was forked from a `ForkServer`."""
+    """A kernel that was forked from a `ForkServer`.
+
+    was_prepared  whether it has run cells while it waited
+    """
 
     def __init__(self, fork_server, allowed, seconds, limits, *, has_time=False):
         self._fork_server, self._limits = fork_server, limits
@@ -42,6 +45,7 @@ class ForkedKernel:
         self._next_look, self._has_looked = 0.0, False
         self._cpu_limit = limits.for_system(seconds)["cpu"]
         self._buffer = b""
+        self.was_prepared, self._prepared, self._unsent = False, None, b""
         our_end, kernel_end = socket.socketpair()
         self._socket = our_end
         with kernel_end:
@@ -63,13 +67,32 @@ class ForkedKernel:
         -------
         CellRun of all together, with the first error
         """
-        return self._request({"cells": [cell for source in sources for cell in _cells_to_send(source)]})
+        if self._prepared == sources:
+            data, self._prepared = self._unsent, None
+            return self._run_request(data)
+        return self._run_request(_statements_request(sources))
+
+    def prepare(self, sources):
+        """Let it run cells while it waits, whose result the same call of `run_statements` returns.
+
+        They must have run in another kernel before: its deadline begins with `run_statements`, and only the
+        system's limits hold until then.
+        """
+        self.was_prepared = True
+        self._prepared, self._unsent = list(sources), _statements_request(sources)
+        self._fork_server.finish_drops()
+        self._socket.setblocking(False)
+        with suppress(OSError):  # it has ended, or its buffer is full
+            self._unsent = self._unsent[self._socket.send(self._unsent) :]
 
     def run_check(self, code, inputs, seconds):
         """Run a check cell with its inputs (see `check_cell.deliver`); returns its CellRun."""
         return self._request({"case": {"calls": inputs, "seconds": seconds}, "code": code})
 
     def _request(self, request):
+        return self._run_request(_line_of(request))
+
+    def _run_request(self, data):
         run = CellRun()
         if self._deadline is None:  # the clock starts with the first cell: the kernel may have waited for it
             self._deadline = time.monotonic() + self._limits.deadline(self._seconds)
@@ -77,7 +100,7 @@ class ForkedKernel:
             self._fork_server.group.reset()
         self._fork_server.finish_drops()  # nothing of the kernel before is left now
         try:
-            self._send((json.dumps({"n": 1} | request) + "\n").encode("ascii"))
+            self._send(data)
             bytes_left = self._limits.output
             while True:
                 line = self._read_line(bytes_left)
@@ -90,9 +113,12 @@ class ForkedKernel:
 
     def is_alive(self):
         """Whether it runs cells; a waiting kernel may have been ended because memory ran out."""
-        poll = select.poll()
-        poll.register(self._socket, select.POLLIN)  # it sends nothing before its first cell
-        return not poll.poll(0) or not self.run("").ended
+        try:
+            return bool(self._socket.recv(1, socket.MSG_PEEK | socket.MSG_DONTWAIT))
+        except BlockingIOError:  # it is starting, or it waits
+            return True
+        except OSError:
+            return False
 
     def _send(self, data):
         data = memoryview(data)
@@ -174,6 +200,14 @@ class ForkedKernel:
                 self._fork_server.end(kernel_id, patience=0)
             else:
                 self._fork_server.drop(kernel_id)
+
+
+def _line_of(request):
+    return (json.dumps({"n": 1} | request) + "\n").encode("ascii")
+
+
+def _statements_request(sources):
+    return _line_of({"cells": [cell for source in sources for cell in _cells_to_send(source)]})
 
 
 @lru_cache(maxsize=16)  # every case that fails has a kernel of its own, with the same cells

@@ -37,6 +37,8 @@ class _SingleSpecManager(KernelSpecManager):
 class IPykernelClient:
     """An ipykernel for the checks of an exercise; its methods are those of `ForkedKernel`."""
 
+    was_prepared = False
+
     def __init__(self, allowed, seconds, limits, group, *, confined):
         self._limits, self._seconds, self._group = limits, seconds, group
         self._deadline, self._next_look = None, 0.0

@@ -27,14 +27,16 @@ class KernelFactory:
             self._fork_server.start()
         self._spares = {}  # request: the kernel that waits for it
 
-    def start(self, allowed, seconds, next_requests=()):
+    def start(self, allowed, seconds, next_requests=(), *, sources=()):
         """Start a new kernel.
 
         Parameters
         ----------
         allowed : sequence of str, modules that it has beside those that every answer may use
         seconds : float, processor time that the first case may use, and with it all that share the kernel
-        next_requests : iterable of (allowed, seconds), of the kernels that will probably be needed next
+        next_requests : as `keep_spares` takes them
+        sources : sequence of str, the cells that `run_statements` will run first; a kernel may have run them
+            already
 
         Returns
         -------
@@ -46,27 +48,47 @@ class KernelFactory:
             from imgproc_course.autograder.sandbox.ipykernel_client import IPykernelClient
 
             return IPykernelClient(*request, self.limits, self._group, confined=self._confined)
+        kernel = self._take_spare((*request, tuple(sources))) or self._take_spare((*request, ()))
+        kernel = kernel or self._fork(request)
+        self.keep_spares(next_requests)
+        return kernel
+
+    def _take_spare(self, request):
+        """The spare of a request, or None if there is none or it has ended."""
         kernel = self._spares.pop(request, None)
         if kernel is not None and not kernel.is_alive():
             kernel.stop()
-            kernel = None
-        kernel = kernel or self._fork(request)
-        self._keep_spares([(tuple(allowed), seconds) for allowed, seconds in next_requests])
+            return None
         return kernel
 
     def _fork(self, request, *, has_time=False):
         return ForkedKernel(self._fork_server, *request, self.limits, has_time=has_time)
 
-    def _keep_spares(self, requests):
-        """Let a kernel wait for each of these requests, and no others."""
+    def keep_spares(self, requests):
+        """Let a kernel wait for each of these requests, and no others.
+
+        Parameters
+        ----------
+        requests : iterable of (allowed, seconds, sources), of the kernels that will probably be needed next;
+            sources, if not empty, are cells that run while it waits (see `ForkedKernel.prepare`)
+        """
+        if self._kind == "ipykernel":
+            return
+        requests = [(tuple(allowed), seconds, tuple(sources)) for allowed, seconds, sources in requests]
         for request in [request for request in self._spares if request not in requests]:
             self._spares.pop(request).stop()
         for request in requests:
-            self._spares[request] = self._spares.get(request) or self._fork(request, has_time=True)
+            self._spares[request] = self._spares.get(request) or self._fork_spare(*request)
+
+    def _fork_spare(self, allowed, seconds, sources):
+        kernel = self._fork((allowed, seconds), has_time=not sources)
+        if sources:
+            kernel.prepare(sources)
+        return kernel
 
     def close(self):
         """End all kernels and the fork server."""
-        self._keep_spares([])
+        self.keep_spares([])
         self._fork_server.stop()
         self._group.remove()
 

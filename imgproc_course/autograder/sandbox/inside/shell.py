@@ -233,7 +233,7 @@ def serve(shell, descriptor, deliver):
             deliver(request["case"])
         error = None
         for cell in request.get("cells") or [{"code": request.get("code"), "apart": False}]:
-            if cell["code"]:  # else a question whether the kernel is alive
+            if cell["code"]:
                 shell.statements_apart = cell["apart"]
                 error_of_cell = runner.run(cell["code"])
                 error = error_of_cell if error is None else error
