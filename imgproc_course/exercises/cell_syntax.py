@@ -10,7 +10,9 @@ import hashlib
 import re
 import symtable
 from dataclasses import dataclass
+from functools import lru_cache
 
+MOST_CACHED = 5_000  # characters: most cells are the lesson's own, in every notebook; a long one costs memory
 UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
 ANSWER_MARK = "# The answer cell:"  # the line between what is taken along and the answer
 _TAKEN_MARK = "# From other cells of the notebook, because the answer reads it:"
@@ -234,6 +236,15 @@ class Statement:
 
 def statements_of(source):
     """The top-level statements of a source as a tuple of Statement; an import of two names gives two."""
+    return _cached_statements(source) if len(source) <= MOST_CACHED else _parsed_statements(source)
+
+
+@lru_cache(maxsize=2_000)
+def _cached_statements(source):
+    return _parsed_statements(source)
+
+
+def _parsed_statements(source):
     try:
         nodes = ast.parse(source).body
         return tuple(_statement(node) for whole in nodes for node in _imports_apart(whole))

@@ -8,6 +8,7 @@ change that matters becomes a finding.
 
 from dataclasses import dataclass, field
 from enum import StrEnum
+from functools import lru_cache
 
 from imgproc_course.authoring.lesson_names import lesson_name, lessons_named
 from imgproc_course.autograder.sanitize import sanitize_line
@@ -245,7 +246,12 @@ def _is_stub(cell, exercise):
     if cell["source"].strip() == exercise.stub.strip():
         return True
     digest = cell["answer"]["digest"]
-    return digest is not None and digest == syntax_digest(exercise.stub)
+    return digest is not None and digest == _digest_of_stub(exercise.stub)
+
+
+@lru_cache(maxsize=500)
+def _digest_of_stub(stub):
+    return syntax_digest(stub)
 
 
 def _problem(exercise, cell):

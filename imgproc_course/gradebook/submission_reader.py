@@ -28,7 +28,6 @@ MOST_CHARACTERS = 200_000  # of one source; grading refuses a longer answer
 MOST_CELLS = 5_000
 MOST_CODE = 2_000_000  # characters of all cells that are not the course's; what comes after is not searched
 _COURSE_IDS = ("answer-", "check-", "given-", "predict-")
-_MOST_CACHED = 5_000  # characters of a cell's source
 _MOST_FUNCTIONS = 200  # functions that are returned per cell
 _MOST_OUTPUT = 2_000  # characters of a check cell's output
 _MOST_NAME = 200  # characters of a name or an id
@@ -172,8 +171,7 @@ def _may_define(content, source):
 
 
 def _functions(source):
-    # Most cells are the lesson's own, in every notebook. A long source would cost memory.
-    return _cached_functions(source) if len(source) <= _MOST_CACHED else _find_functions(source)
+    return _cached_functions(source) if len(source) <= cell_syntax.MOST_CACHED else _find_functions(source)
 
 
 @lru_cache(maxsize=2_000)
@@ -275,7 +273,14 @@ def _source_to_search(cell):
     if cell is None or not (cell["type"] == "code" or cell["functions"]):
         return None
     source = cell["source"] or ""
+    if 0 < len(source) <= cell_syntax.MOST_CACHED:
+        return _cached_plain_python(source)
     return cell_syntax.plain_python(source) if 0 < len(source) <= MOST_CHARACTERS else None
+
+
+@lru_cache(maxsize=2_000)
+def _cached_plain_python(source):
+    return cell_syntax.plain_python(source)
 
 
 def serve(requests, replies):
