@@ -4,6 +4,7 @@ import functools
 import math
 import threading
 import time
+from concurrent.futures import ThreadPoolExecutor, wait
 
 import cv2
 
@@ -25,7 +26,8 @@ class RoomImages:
     """Yields (due, image) for each image of a simulated robot's camera, as RecordedImages does.
 
     The robot moves between the images too, at MOTION_RATE or more. Its time is real time: where drawing takes
-    too long, images are left out, and the motion catches up.
+    too long, images are left out, and the motion catches up. If the image before was asked for its depth, a
+    second thread computes the depth while the first draws the colors.
 
     Parameters
     ----------
@@ -34,7 +36,7 @@ class RoomImages:
 
     Attributes
     ----------
-    simulation : the Simulation; only the thread that iterates may use it
+    simulation : the Simulation; only the thread that iterates may use it, and that of the depth
     reached_rate : images per second over the last seconds; None before
     bumps : how often the robot has touched something
     on_motion : function(stamp in ns) that the iterating thread calls after each step of the motion
@@ -54,6 +56,7 @@ class RoomImages:
         self._command = (0.0, 0.0, -math.inf)
         self._next = None
         self._is_reported = False
+        self._depth_thread = ThreadPoolExecutor(1, "depth of the room")
 
     @property
     def options(self):
@@ -89,6 +92,7 @@ class RoomImages:
         period = 1 / (self.rate * steps_per_image)
         start, steps, was_bumped = time.monotonic(), 0, False
         reach = _ReachedRate()
+        is_depth_wanted = False
         while True:
             delay = time.monotonic() - start - steps * period
             if delay > LONGEST_DELAY:
@@ -103,7 +107,11 @@ class RoomImages:
             self.on_motion(stamp)
             # If the next image is due already, this one would only be late.
             if steps % steps_per_image == 0 and delay < steps_per_image * period:
-                yield time.monotonic(), RoomImage(self.simulation, stamp)
+                image = RoomImage(self.simulation, stamp)
+                if is_depth_wanted:
+                    image.begin_depth(self._depth_thread)
+                yield time.monotonic(), image
+                is_depth_wanted = image.end_depth()
                 self._report(reach)
             steps += 1
 
@@ -141,6 +149,7 @@ class RoomImages:
         return sensor_topics(base)
 
     def close(self):
+        self._depth_thread.shutdown()  # waits for what it draws
         self.simulation.close()
 
 
@@ -176,6 +185,17 @@ class RoomImage:
 
     def __init__(self, simulation, stamp):
         self.simulation, self.stamp = simulation, stamp
+        self._depth, self._is_depth_wanted = None, False
+
+    def begin_depth(self, thread):
+        """Lets another thread, an Executor, compute the front camera's depth."""
+        self._depth = thread.submit(self.simulation.depth)
+
+    def end_depth(self):
+        """Waits for that thread; returns whether the depth was asked for."""
+        if self._depth is not None:
+            wait([self._depth])
+        return self._is_depth_wanted
 
     @functools.cached_property
     def _frame(self):
@@ -192,4 +212,10 @@ class RoomImage:
         return camera_info(self.simulation.camera, header)
 
     def depth(self, header, camera="front"):
+        if camera == "front":
+            self._is_depth_wanted = True
+            if self._depth is not None:
+                return array_to_image(self._depth.result(), "16UC1", header)
+        elif self._depth is not None:
+            wait([self._depth])  # the two depth cameras share a renderer
         return array_to_image(self.simulation.depth(camera), "16UC1", header)

@@ -31,8 +31,8 @@ class Simulation:
     """A robot that drives through the room of the recorded drive; the same calls always give the same.
 
     There is no clock and no ROS: `step` moves robot, person, car and ball, everything else looks. Several
-    simulations can be used side by side; one of them by one thread at a time, but for `frame`, which one
-    thread can call while another calls `depth` and `labels`.
+    simulations can be used side by side; one of them by one thread at a time. Only `depth` and `labels` can
+    be called by a second thread, while the first does not call them or `step`, `look` and `close`.
 
     Parameters
     ----------

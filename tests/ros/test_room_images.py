@@ -1,7 +1,9 @@
 """The room in real time: its steps, commands and images, with a clock that the test moves."""
 
+import threading
 import types
 
+import numpy as np
 import pytest
 
 pytestmark = pytest.mark.ros
@@ -32,7 +34,7 @@ class FakeSimulation:
     def __init__(self, *, time=0.0, **options):
         if options.get("seed") == 13:
             raise ValueError("an unlucky seed")
-        self.options, self.time, self.steps = options, time, []
+        self.options, self.time, self.steps, self.depths = options, time, [], []
         self.bumped, self.closed = False, False
 
     def step(self, linear, angular, dt):
@@ -41,6 +43,10 @@ class FakeSimulation:
 
     def frame(self):
         self.clock.now += self.drawing
+
+    def depth(self, camera="front"):
+        self.depths.append((camera, threading.current_thread() is not threading.main_thread()))
+        return np.full((2, 3), len(self.steps), np.uint16)
 
     def pose(self, name):
         return [1.0, 2.0, 0.0, 0.0, 0.0, 0.6, 0.8]
@@ -158,3 +164,51 @@ def test_a_restart_begins_with_the_next_step_and_keeps_the_time(room, monkeypatc
     assert images.simulation.options == {"seed": 2, "lighting": "evening", "start": (0.0, 0.0, 0.0)}
     images.close()
     assert images.simulation.closed
+
+
+def test_depth_is_computed_by_a_second_thread_if_the_image_before_was_asked_for_it(room):
+    from std_msgs.msg import Header
+
+    images, _ = room()
+    iterator, depths = iter(images), images.simulation.depths
+    threads = []
+    for asks in (False, True, True, True, False, False, True):
+        _, image = next(iterator)
+        if asks:
+            msg = image.depth(Header(frame_id="camera"))
+            value = len(images.simulation.steps)
+            assert (msg.header.frame_id, msg.encoding, msg.width, msg.height) == ("camera", "16UC1", 3, 2)
+            assert bytes(msg.data) == 6 * value.to_bytes(2, "little")
+        image.end_depth()
+        threads.append([other for _, other in depths])
+        depths.clear()
+    # The fifth image is drawn in vain: nobody asks any more. The last one was not expected.
+    assert threads == [[], [False], [True], [True], [True], [], [False]]
+    images.close()
+
+
+def test_the_other_depth_camera_waits_and_a_room_is_closed_after_its_depth(room, monkeypatch):
+    from std_msgs.msg import Header
+
+    images, _ = room()
+    iterator, events, may_end = iter(images), [], threading.Event()
+
+    def slow_depth(self, camera="front"):
+        if threading.current_thread() is not threading.main_thread():
+            may_end.wait(10)
+        events.append(camera)
+        return np.zeros((2, 3), np.uint16)
+
+    next(iterator)[1].depth(Header())
+    monkeypatch.setattr(FakeSimulation, "depth", slow_depth)
+    monkeypatch.setattr(FakeSimulation, "close", lambda self: events.append("closed"))
+    _, image = next(iterator)
+    threading.Timer(0.2, may_end.set).start()
+    image.depth(Header(), "tof")
+    assert events == ["front", "tof"]
+    image.depth(Header())
+    may_end.clear()
+    next(iterator)
+    threading.Timer(0.2, may_end.set).start()
+    images.close()
+    assert events == ["front", "tof", "front", "closed"]
