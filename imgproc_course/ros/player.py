@@ -44,8 +44,9 @@ def publish(topic, speed, source="recording"):
 
     speed : factor on 10 Hz
     """
-    from imgproc_course.ros.camera_publisher import open_body
+    from imgproc_course.ros.camera_publisher import open_body, use_one_thread_for_images
 
+    use_one_thread_for_images()
     signal.signal(signal.SIGTERM, lambda *_: sys.exit())
     options = {"recording": "drive", "camera_topic": None, "speed": speed, "loop": True, "stamps": "now"}
     if source == "room":
