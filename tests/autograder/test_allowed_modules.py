@@ -7,9 +7,11 @@ from pathlib import Path
 from textwrap import dedent
 
 import pytest
+from packaging.requirements import Requirement
+from packaging.utils import canonicalize_name
 
 from imgproc_course.autograder.sandbox import bubblewrap
-from imgproc_course.autograder.sandbox.allowed_modules import base_paths, module_access
+from imgproc_course.autograder.sandbox.allowed_modules import _names_required_by, base_paths, module_access
 from imgproc_course.autograder.sandbox.bubblewrap import COURSE_PACKAGES, SOURCE, Limits
 from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
 
@@ -51,6 +53,17 @@ def test_of_all_that_is_installed_a_kernel_finds_only_what_every_answer_may_use(
     names = sorted(everything - for_all - {"PIL", "imgproc_course"})
     printed = run(kernel_factory, (), SEARCH.format(names=names, places=PLACES))
     assert ast.literal_eval(printed) == [[], [], []]
+
+
+def test_what_every_installed_distribution_requires_is_read_right():
+    for distribution in metadata.distributions():
+        requirements = map(Requirement, distribution.requires or ())
+        names = [
+            canonicalize_name(requirement.name)
+            for requirement in requirements
+            if not requirement.marker or requirement.marker.evaluate({"extra": ""})
+        ]
+        assert sorted(_names_required_by(distribution)) == sorted(names)
 
 
 def test_the_sandboxs_pillow_computes_nothing(kernel_factory):
