@@ -4,6 +4,8 @@ import numpy as np
 
 from ..geometry.poses import rotate
 
+GRAZING = np.float32(1e-6)  # 1 / depth of a point 1000 km away
+
 
 class TriangleDepth:
     """For one camera: the pixel of the drawn image that each ray meets, and how deep its triangle lies."""
@@ -18,7 +20,7 @@ class TriangleDepth:
         self._pixels = (
             pinhole.height - 1 - row
         ) * pinhole.width + col  # the drawn image's first row is at the bottom
-        self._rays = np.moveaxis(rays, -1, 0)[:2].astype(np.float32)
+        self._rays = np.ascontiguousarray(np.moveaxis(rays, -1, 0)[:2], np.float32)
         self._label = np.concatenate([[0], room.label]).astype(np.uint8)
         # Columns of all triangles, so that some of them are taken quickly: the joint, the plane (normal and
         # offset), and the corners (x y z, x y z, x y z).
@@ -50,10 +52,8 @@ class TriangleDepth:
         part *= y
         slope += part
         slope += np.take(c, numbers)
-        grazing = slope <= 0
-        with np.errstate(divide="ignore"):
-            depth = np.divide(1, slope, out=slope)
-        depth[grazing] = np.inf  # the triangle's far end
+        np.maximum(slope, GRAZING, out=slope)  # below 0 too it is the triangle's far end that counts
+        depth = np.divide(1, slope, out=slope)
         np.minimum(depth, np.take(farthest, numbers), out=depth)
         return np.maximum(depth, np.take(nearest, numbers), out=depth)
 

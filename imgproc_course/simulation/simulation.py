@@ -181,7 +181,9 @@ class Simulation:
         """
         numbers, rays = self._numbers(camera)
         metres = rays.depth(numbers, self._camera_pose(camera), self._joint_poses())
-        return (metres * 1000 + 0.5).astype(np.uint16)
+        metres *= 1000
+        metres += 0.5
+        return metres.astype(np.uint16)
 
     def labels(self):
         """The class of each pixel of `depth`, (height, width) uint8; `label_names` has the names."""
