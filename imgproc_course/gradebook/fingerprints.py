@@ -100,12 +100,11 @@ def shape_of(tokens):
 def winnowed(tokens):
     """{fingerprint: (first line, last line)}; all names of the source's own are equal here."""
     plain = ["V" if token[0] == "V" and token[1:].isdigit() else token for token, _ in tokens]
-    hashes = [_digest(plain[start : start + K]) for start in range(len(plain) - K + 1)]
+    hashes = [(_digest(plain[start : start + K]), -start) for start in range(len(plain) - K + 1)]
     prints = {}
     for start in range(max(len(hashes) - W + 1, min(len(hashes), 1))):
-        window = range(start, min(start + W, len(hashes)))
-        least = min(window, key=lambda place: (hashes[place], -place))
-        prints.setdefault(hashes[least], (tokens[least][1], tokens[least + K - 1][1]))
+        least, place = min(hashes[start : start + W])  # of equal ones the last
+        prints.setdefault(least, (tokens[-place][1], tokens[-place + K - 1][1]))
     return prints
 
 

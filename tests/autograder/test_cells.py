@@ -83,6 +83,16 @@ def test_a_statement_that_fails_costs_only_itself(kernel, comment):
     assert kernel.run_statements(["first = 3\nsecond = 4"]).error == ("", "")
 
 
+def test_an_exception_is_sent_without_a_traceback_that_nobody_reads():
+    with KernelFactory("fast") as kernel_factory:
+        kernel = kernel_factory.start((), 10)
+        code = "import sys\nprint([name for name in ('stack_data', 'executing') if name in sys.modules])"
+        assert kernel.run("def f(:").error[0] == "SyntaxError"
+        assert kernel.run("def f():\n    f()\nf()").error[0] == "RecursionError"
+        assert kernel.run(code).printed == "[]\n"
+        kernel.stop()
+
+
 def test_input_is_refused_with_an_explanation(kernel):
     run = kernel.run("input('name?')")
     assert run.error[0] in ("RuntimeError", "StdinNotImplementedError")

@@ -54,7 +54,7 @@ def _warm_up(cell_shell, shell, check_cell, cells):
     """Run what every kernel will run, so that all that is loaded at first use is loaded already.
 
     A fork that runs the usual cells too, while it waits, has its own copies of the memory pages that they
-    write to. It leaves out what few kernels need: to report an exception takes more time than all the rest.
+    write to.
     """
     shell.WRITER.descriptor = os.open(os.devnull, os.O_WRONLY)
     streams = sys.stdout, sys.stderr

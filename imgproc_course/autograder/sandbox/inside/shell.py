@@ -193,9 +193,14 @@ class CellShell(InteractiveShell):
     def init_virtualenv(self):
         pass
 
-    def _showtraceback(self, etype, evalue, stb):
+    def showtraceback(self, exc_tuple=None, *_arguments, **_options):
+        """Send the exception without its traceback: nobody reads it, and IPython takes long to make it."""
+        etype, evalue, _ = self._get_exc_info(exc_tuple)
         _flush()
-        WRITER.send("error", ename=etype.__name__, evalue=_text_of(evalue), traceback=list(stb))
+        WRITER.send("error", ename=etype.__name__, evalue=_text_of(evalue), traceback=[])
+
+    def showsyntaxerror(self, *_arguments, **_options):
+        self.showtraceback()
 
 
 def _text_of(error):
@@ -210,7 +215,7 @@ def make_shell():
     """The one shell of the fork server; each fork continues with its copy."""
     # A database would be one open file that all forks share.
     shell = CellShell.instance(config=Config({"HistoryManager": {"enabled": False, "hist_file": ":memory:"}}))
-    shell.colors, shell.xmode = "nocolor", "Minimal"  # nobody reads a traceback
+    shell.colors = "nocolor"
     shell.user_ns["__name__"] = "__main__"
     return shell
 
