@@ -4,10 +4,12 @@ import functools
 import shutil
 from pathlib import Path
 
+import numpy as np
 from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.rosbag2.errors import WriterError
 from rosbags.typesys import Stores, get_typestore
 
+from ..messages import array_to_compressed
 from .errors import RecordingError
 
 METADATA_VERSION = 8  # the newest that `ros2 bag` of both Humble and Jazzy reads
@@ -88,6 +90,28 @@ class RecordingWriter:
             raise RecordingError(f"{self.path} cannot be written: {error.strerror}") from error
         self.messages += 1
         self.bytes += len(serialized)
+
+    def write_image(self, topic, image, stamp):
+        """Adds an image as a CompressedImage in JPEG, without ROS.
+
+        Parameters
+        ----------
+        topic : its name; `open_recording` takes the first topic with images as the frames
+        image : (H, W, 3) uint8 BGR, or (H, W) uint8 gray
+        stamp : time of the image and of recording in ns since 1970
+
+        Raises
+        ------
+        ConversionError : another shape or dtype; RecordingError : as in `write`
+        """
+        compressed = array_to_compressed(image, "mono8" if np.ndim(image) == 2 else "bgr8")
+        types = message_types().types
+        time = types["builtin_interfaces/msg/Time"](sec=stamp // 10**9, nanosec=stamp % 10**9)
+        header = types["std_msgs/msg/Header"](stamp=time, frame_id="")
+        data = np.frombuffer(bytes(compressed.data), np.uint8)
+        msg = types["sensor_msgs/msg/CompressedImage"](header, compressed.format, data)
+        kind = "sensor_msgs/msg/CompressedImage"
+        self.write(topic, kind, bytes(message_types().serialize_cdr(msg, kind)), stamp)
 
     def close(self):
         """Writes the index and the metadata. A second call does nothing.

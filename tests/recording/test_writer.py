@@ -3,6 +3,7 @@
 import numpy as np
 import pytest
 
+from imgproc_course.messages import ConversionError
 from imgproc_course.recording import NotRecordedError, RecordingError, RecordingWriter, open_recording
 
 from .conftest import START, TYPES, gray_pixels, header, raw_image
@@ -108,3 +109,24 @@ def test_a_full_disk_is_one_line(tmp_path, monkeypatch):
     writer.close()
     with open_recording(tmp_path / "own") as recording:  # what came before is kept
         assert (recording.frame(0, "mono8") == gray_pixels(0)).all()
+
+
+def test_images_are_written_without_ros(tmp_path):
+    images = [np.full((48, 64, 3), value, np.uint8) for value in (20, 200)] + [
+        np.full((48, 64), 90, np.uint8)
+    ]
+    with RecordingWriter(tmp_path / "own") as writer:
+        for k, image in enumerate(images):
+            writer.write_image("/robot/image_raw/compressed", image, 5 * 10**9 + k * 10**8)
+    with open_recording(tmp_path / "own") as recording:
+        assert len(recording) == 3
+        stamps = [recording.message(k).header.stamp for k in range(3)]
+        assert [(stamp.sec, stamp.nanosec) for stamp in stamps] == [(5, 0), (5, 10**8), (5, 2 * 10**8)]
+        for k, image in enumerate(images):
+            gray = image if image.ndim == 2 else image[..., 0]
+            assert np.abs(recording.frame(k, "mono8").astype(int) - gray).max() <= 2
+
+
+def test_what_is_no_image_to_write(tmp_path):
+    with RecordingWriter(tmp_path / "own") as writer, pytest.raises(ConversionError):
+        writer.write_image("/robot/image_raw/compressed", np.zeros((4, 4, 7), np.uint8), 0)
