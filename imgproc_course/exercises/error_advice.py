@@ -30,6 +30,8 @@ _WHOLE_INDEX = (
     " float too: use int(), or .astype(int) for an array."
 )
 
+_NO_POWER = "In Python ^ is not a power. Write a ** 2 for a square."
+
 
 def advice_on(error, message, line="", parameters=None, function=""):
     """What an error means and what to do; "" if nothing certain can be said.
@@ -387,9 +389,26 @@ def _text_operator(match, _source):
         return _none(match, "")
     if "str" in (left, right):
         return "A text and another value cannot be combined in this way. An f-string writes both into a text."
+    if operator == "^":
+        return _NO_POWER
+    if "tuple" in (left, right):
+        return "A tuple does no arithmetic. Take its numbers one by one, as in first[0] - second[0]."
     if "list" in (left, right):
         return "A list does no arithmetic. Make an array of it first: np.array(values)."
     return ""
+
+
+def _one_number(_match, source):
+    if "math.remainder(" in source:
+        return (
+            "math.remainder takes one number, and this is a whole array. Wrap the angles one by one in a"
+            " loop, or all at once: (angles + np.pi) % (2 * np.pi) - np.pi."
+        )
+    return (
+        "int(), float() and the functions of math take one number, and this is a whole array."
+        " array.astype(...) changes the dtype of all values; NumPy has functions for arrays, such as"
+        " np.log10."
+    )
 
 
 # (error types, pattern of the message, advice: a template for the match, or a function of match and source)
@@ -480,9 +499,7 @@ _ADVICE = (
     (
         "TypeError",
         "only (?:0-dimensional|length-1) arrays can be converted",
-        "int(), float() and the functions of math take one number, and this is a whole array."
-        " array.astype(...) changes the dtype of all values; NumPy has functions for arrays, such as"
-        " np.log10.",
+        _one_number,
     ),
     ("TypeError", r"unsupported operand type\(s\) for (\S+): '([\w.]+)' and '([\w.]+)'", _text_operator),
     ("TypeError", r"cannot unpack non-iterable ([\w.]+) object", _not_iterable),
@@ -491,7 +508,7 @@ _ADVICE = (
     (
         "TypeError UFuncTypeError",
         "ufunc 'bitwise_xor' not supported",
-        "In Python ^ is not a power. Write a ** 2 for a square.",
+        _NO_POWER,
     ),
     (
         "TypeError UFuncTypeError",
@@ -536,6 +553,12 @@ _ADVICE = (
         "TypeError",
         "can only concatenate str",
         "A text and another value cannot be combined with +. An f-string writes both into a text.",
+    ),
+    (
+        "ValueError",
+        r"^(min|max)\(\) (?:arg is an empty sequence|iterable argument is empty)",
+        r"\1() of nothing is an error, and here there is nothing to compare. Test for this first, or give a"
+        r" value for it: \1(..., default=...).",
     ),
     (
         "ValueError",
