@@ -446,6 +446,84 @@ def test_the_lessons_node_obeys_a_hand_from_another_process(robot, collect, wait
     RosSession().run(lambda: RosSession().node.destroy_publisher(images))
 
 
+def test_the_lessons_node_leaves_the_corner_from_another_process(robot, collect, wait_until):
+    from geometry_msgs.msg import PoseStamped, Twist
+
+    start = (2.45, 1.75, -1.8)
+    robot.restart(start=start, seed=1, lighting="day")
+    commands = collect("/kachaka/manual_control/cmd_vel", Twist)
+    poses = collect("/truth/pose/robot", PoseStamped)
+    wait_until(lambda: poses)
+    program = [sys.executable, Path(__file__).with_name("do_errand.py")]
+    with subprocess.Popen(program, stdout=subprocess.PIPE, text=True) as node:
+        try:
+            wait_until(lambda: math.dist(vector(poses[-1])[:2], start[:2]) > 0.4, 150)
+        finally:
+            node.send_signal(signal.SIGINT)
+        looks, tasks, place, name = node.communicate(timeout=60)[0].rstrip("\n").split("\t")
+    assert 0 < len(commands) <= int(looks)
+    assert max(command.linear.x for command in commands) > 0.1
+    assert (tasks, name) == ("", "")  # it is still on its way
+    believed = [float(number) for number in place.split()]
+    assert min(math.dist(believed[:2], vector(pose)[:2]) for pose in poses) < 0.1
+
+
+def test_the_lessons_node_looks_at_messages_of_one_moment(robot, monkeypatch):
+    monkeypatch.syspath_prepend(Path(__file__).parent)
+    from lesson_nodes import lesson_definitions
+    from nav_msgs.msg import Odometry
+    from sensor_msgs.msg import CameraInfo, Image, LaserScan
+
+    from imgproc_course.messages import array_to_image
+    from imgproc_course.ros import RosSession
+
+    class Observer:
+        """In place of the lesson's Errand: keeps what it sees."""
+
+        name, sights = None, []
+
+        def command(self, seen):
+            self.sights.append((seen.counted[0], seen.is_standing, seen.ranges[0], seen.depth()[0, 0]))
+            return 0.0, 0.0
+
+    def at(milliseconds, msg):
+        msg.header.stamp.nanosec = milliseconds * 1_000_000
+        return msg
+
+    def image(milliseconds):
+        return at(milliseconds, Image(encoding="rgb8"))
+
+    def depth(milliseconds):
+        return at(milliseconds, array_to_image(np.full((2, 4), milliseconds, np.uint16), "16UC1"))
+
+    def scan(milliseconds):  # straight ahead is ray 90
+        return at(milliseconds, LaserScan(ranges=[9.0] * 90 + [float(milliseconds)] + [9.0] * 269))
+
+    lesson = lesson_definitions("the_errand", START=None)
+    node = lesson["ErrandNode"](Observer(), context=RosSession().context)  # nothing spins it
+    try:
+        node.on_info(CameraInfo(width=4, height=2, k=[3.0, 0, 2, 0, 3, 1, 0, 0, 1], d=[0.0] * 5))
+        for milliseconds, x in ((100, 1.0), (290, 2.0), (400, 3.0)):
+            odometry = at(milliseconds, Odometry())
+            odometry.pose.pose.position.x, odometry.twist.twist.linear.x = x, x - 2
+            node.on_odometry(odometry)
+        for callback, msg in (
+            (node.on_depth, depth(100)),
+            (node.on_scan, scan(100)),
+            (node.on_image, image(300)),
+            (node.on_scan, scan(300)),
+        ):
+            callback(msg)
+            assert node.errand.sights == [] and node.looks == 0
+        node.on_depth(depth(300))
+        assert node.errand.sights == [(2.0, True, 300.0, 300)] and node.looks == 1
+        node.on_image(image(500))
+        node.on_depth(depth(500))
+        assert node.looks == 1  # the scan is still an older one
+    finally:
+        node.destroy_node()
+
+
 def test_the_room_refuses_impossible_options_and_takes_others(robot):
     before = robot.pose
     with pytest.raises(ValueError, match="a wall or furniture is in its way"):

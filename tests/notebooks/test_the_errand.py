@@ -1,0 +1,220 @@
+"""The lesson "The errand": its solutions do what the package and plain definitions do, on many inputs."""
+
+import ast
+import math
+from collections import Counter
+from collections.abc import Callable
+from functools import cache
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+import pytest
+
+from imgproc_course import geometry
+from imgproc_course.exercises import read_exercises
+from imgproc_course.exercises.percent_script import read_script
+from imgproc_course.geometry import compose_poses, relative_pose, wrap_angle
+from imgproc_course.recording import open_recording
+from imgproc_course.simulation import Simulation
+
+MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "20_the_errand.py"
+SIGNS = ("KITCHEN", "BATHROOM", "OFFICE")
+
+
+@pytest.fixture(scope="module")
+def solutions():
+    """The function of each exercise's solution, by its name."""
+    return {
+        exercise.function: exercise.function_of(exercise.solution, "solution")
+        for exercise in read_exercises(MASTER)
+    }
+
+
+def names_of_cells(*names, **known):
+    """What the master's cells that bind these names leave behind; `known` is bound before."""
+    space = {"math": math, "np": np, **known}
+    for cell in read_script(MASTER).cells:
+        if cell.kind != "code" or cell.role not in ("", "given"):
+            continue
+        for node in ast.parse(cell.source).body:
+            targets = getattr(node, "targets", [])
+            if {getattr(node, "name", ""), *(getattr(target, "id", "") for target in targets)} & set(names):
+                exec(compile(ast.Module([node], []), MASTER.name, "exec"), space)
+    return [space[name] for name in names]
+
+
+@pytest.fixture(scope="module")
+def parts():
+    """The functions that the lesson's robot uses until the learner gives it others."""
+    (edit_distance,) = names_of_cells("edit_distance")
+    known = {"edit_distance": edit_distance, "geometry": geometry, "Counter": Counter}
+    known |= {"NamedTuple": NamedTuple, "Callable": Callable}
+    return names_of_cells("course_parts", "count_votes", "Parts", **known)[0]
+
+
+def random_pose(rng):
+    return tuple(rng.uniform((-5, -5, -math.pi), (5, 5, math.pi)).tolist())
+
+
+def random_ways(rng):
+    """Directions, free ways, the goal's direction and the way needed; often as equal as the lesson's."""
+    directions = np.radians(rng.choice(np.arange(-180, 180, 10), rng.integers(0, 13), replace=False))
+    ways = rng.choice([0.2, 0.5, 0.8, 1.3, math.inf], len(directions))
+    return directions, ways, float(rng.uniform(-math.pi, math.pi)), float(rng.choice([0.5, 0.8, 1.5]))
+
+
+def random_readings(rng):
+    looks = [
+        [damaged(rng, str(rng.choice([*SIGNS, "BOOKS"]))) for _ in range(rng.integers(4))] for _ in range(8)
+    ]
+    return looks[: rng.integers(9)], SIGNS, int(rng.integers(1, 5))
+
+
+def test_the_parts_of_the_course_do_what_the_solutions_do(solutions, parts):
+    rng = np.random.default_rng(6)
+    believed = Counter()
+    for _ in range(1000):
+        place, counted = random_pose(rng), random_pose(rng)
+        x, y, yaw = np.subtract(parts.map_to_odom(place, counted), solutions["map_to_odom"](place, counted))
+        assert math.hypot(x, y) < 1e-12 and abs(wrap_angle(yaw)) < 1e-12
+        robot = (*rng.uniform((-0.2, 0, 0.2, 0.1), (2, 1, 4, 2)).tolist(),)
+        assert parts.safe_speed(*robot) == pytest.approx(solutions["safe_speed"](*robot), abs=1e-12)
+        ways = random_ways(rng)
+        assert parts.choose_direction(*ways) == solutions["choose_direction"](*ways)
+        readings = random_readings(rng)
+        name = parts.believe(*readings)
+        assert name == solutions["believe"](*readings)
+        believed[name] += 1
+    assert (
+        parts.safe_speed(math.inf, 0.2, 0.6, 0.3) == solutions["safe_speed"](math.inf, 0.2, 0.6, 0.3) == 0.3
+    )
+    assert all(believed[name] > 40 for name in (*SIGNS, None))
+
+
+def test_map_to_odom_is_the_inverse_of_composing(solutions):
+    rng = np.random.default_rng(0)
+    (compose,) = names_of_cells("compose")
+    for _ in range(500):
+        place, counted = (tuple(rng.uniform((-5, -5, -math.pi), (5, 5, math.pi)).tolist()) for _ in range(2))
+        frame = solutions["map_to_odom"](place, counted)
+        assert -math.pi <= frame[2] <= math.pi
+        inverse = relative_pose(counted, (0.0, 0.0, 0.0))
+        for x, y, yaw in (compose_poses(place, inverse) - frame, np.subtract(compose(frame, counted), place)):
+            assert math.hypot(x, y) < 1e-12 and abs(wrap_angle(yaw)) < 1e-12
+
+
+def test_safe_speed_is_the_inverse_of_the_stopping_distance(solutions):
+    rng = np.random.default_rng(1)
+    for _ in range(1000):
+        speed, reaction, deceleration = rng.uniform((0.01, 0, 0.2), (3, 1, 4)).tolist()
+        free = reaction * speed + speed**2 / (2 * deceleration)
+        assert abs(solutions["safe_speed"](free, reaction, deceleration, 5.0) - speed) < 1e-12
+        assert solutions["safe_speed"](free, reaction, deceleration, 0.9 * speed) == 0.9 * speed
+        assert solutions["safe_speed"](-free, reaction, deceleration, 5.0) == 0.0
+    assert solutions["safe_speed"](math.inf, 0.2, 0.6, 0.3) == 0.3
+
+
+def test_a_robot_at_the_safe_speed_stands_within_the_free_way(solutions):
+    for free in (0.03, 0.07, 0.12):
+        speed = solutions["safe_speed"](free, 0.16, 0.6, 0.3)
+        robot = Simulation(seed=2)
+        for _ in range(100):
+            robot.step(speed, 0.0)
+        seen = robot.pose("robot")
+        for _ in range(8):  # the reaction, 0.16 s
+            robot.step(speed, 0.0)
+        while robot.speeds[0] > 0:
+            robot.step(0.0, 0.0)
+        assert free - 0.005 < math.dist(seen[:2], robot.pose("robot")[:2]) < free + 0.005
+
+
+def angle_between(first, second):
+    """Of two directions, by the vectors that point to them: no angle is wrapped."""
+    a, b = (np.array([math.cos(angle), math.sin(angle)]) for angle in (first, second))
+    return math.atan2(abs(a[0] * b[1] - a[1] * b[0]), a @ b)
+
+
+def test_choose_direction_is_the_nearest_by_brute_force(solutions):
+    rng = np.random.default_rng(2)
+    chosen = []
+    for _ in range(1000):
+        directions = rng.uniform(-math.pi, math.pi, rng.integers(1, 13))
+        ways = rng.choice([0.2, 0.5, 0.8, 1.3, math.inf], len(directions))
+        goal, need = float(rng.uniform(-math.pi, math.pi)), float(rng.choice([0.5, 0.8, 1.5]))
+        free = [float(d) for d, way in zip(directions, ways, strict=True) if way >= need]
+        nearest = min(free, key=lambda d: angle_between(d, goal), default=None)
+        chosen.append(solutions["choose_direction"](directions, ways, goal, need))
+        assert chosen[-1] == nearest
+    assert 50 < chosen.count(None) < 500
+    pair, ways = np.array([0.4, -0.4]), np.array([1.0, 1.0])
+    assert solutions["choose_direction"](pair, ways, 0.0, 1.0) == 0.4
+    assert solutions["choose_direction"](pair[::-1], ways, 0.0, 1.0) == -0.4
+
+
+def test_free_way_is_that_of_a_robot_turned_into_the_direction():
+    (free_way,) = names_of_cells("free_way")
+    rng = np.random.default_rng(3)
+    for _ in range(100):
+        points = rng.uniform(-3, 3, (30, 2))
+        direction, width = float(rng.uniform(-math.pi, math.pi)), float(rng.uniform(0.1, 0.6))
+        poses = np.column_stack([points, np.zeros(30)])
+        ahead, left, _ = relative_pose((0.0, 0.0, direction), poses).T
+        ways = [a for a, side in zip(ahead, left, strict=True) if a > 0 and abs(side) <= width / 2]
+        assert free_way(points, direction, width) == pytest.approx(min(ways, default=math.inf), abs=1e-12)
+
+
+@cache
+def distance(a, b):
+    """Of Levenshtein, by its recursive definition."""
+    if not a or not b:
+        return len(a) + len(b)
+    replaced = distance(a[1:], b[1:]) + (a[0] != b[0])
+    return min(replaced, distance(a[1:], b) + 1, distance(a, b[1:]) + 1)
+
+
+def damaged(rng, word):
+    """The word with up to two characters replaced, left out or put in."""
+    for _ in range(rng.integers(3)):
+        k, kind = int(rng.integers(len(word))), int(rng.integers(3))
+        word = word[:k] + "X" * (kind > 0) + word[k + (kind < 2) :]
+    return word if rng.integers(2) else word.lower()
+
+
+def test_edit_distance_of_the_lesson_is_levenshteins():
+    (edit_distance,) = names_of_cells("edit_distance")
+    rng = np.random.default_rng(4)
+    words = ["", *(damaged(rng, sign) for sign in SIGNS for _ in range(6))]
+    assert all(edit_distance(a, b) == distance(a, b) for a in words for b in words)
+
+
+def test_believe_counts_the_looks_of_each_name(solutions):
+    rng = np.random.default_rng(5)
+    believed = []
+    for _ in range(600):
+        readings = [
+            [damaged(rng, str(rng.choice([*SIGNS, "BOOKS"]))) for _ in range(rng.integers(4))]
+            for _ in range(rng.integers(8))
+        ]
+        votes = int(rng.integers(1, 5))
+        looks = [{sign for sign in SIGNS for t in look if distance(t.upper(), sign) < 2} for look in readings]
+        counts = {sign: sum(sign in look for look in looks) for sign in SIGNS}
+        best = max(SIGNS, key=counts.get)  # max keeps the first of equals
+        believed.append(solutions["believe"](readings, SIGNS, votes))
+        assert believed[-1] == (best if counts[best] >= votes else None)
+    assert all(believed.count(answer) > 40 for answer in (*SIGNS, None))
+
+
+def test_the_readings_of_the_lesson_are_those_of_the_network(solutions):
+    rapidocr = pytest.importorskip("rapidocr")
+    frames, readings = names_of_cells("frames", "readings")
+    threads = {f"EngineConfig.onnxruntime.{name}_op_num_threads": 1 for name in ("intra", "inter")}
+    reader = rapidocr.RapidOCR(params={"Global.log_level": "error", **threads})
+    recording = open_recording("drive")
+    for k, look in zip(frames, readings, strict=True):
+        if k in (29, 30, 39, 41):  # on both sides of one wrong character; each look takes a second
+            texts = reader(recording.frame(k)).txts
+            nearest, stored = (min(distance(t.upper(), "KITCHEN") for t in read) for read in (texts, look))
+            assert min(nearest, 2) == min(stored, 2)
+    assert solutions["believe"](readings, SIGNS, 5) == "KITCHEN"
+    assert solutions["believe"](readings, SIGNS, 6) is None
