@@ -811,7 +811,7 @@ assert round(720 * 1280 * 3 * 8 * 10 / 1e6) == 221
 #
 # You have gone the whole way of an image: from the bytes of a message to a gray image, a clean image, a binary image and edges; from a function to a node, and from a node to a package that runs without a notebook. You computed every step by hand and compared it with the library that everybody uses. Well done!
 #
-# **Next:** in [[drive_the_robot]], the robot does what your code says. Then it sees what is in its way ([[obstacles_ahead]]), follows a ball ([[object_tracking]]), finds its own place ([[where_am_i]]), draws a map ([[mapping_and_slam]]), reads a sign ([[reading_text]]), names the things around it ([[recognising_objects]]), finds and hides faces ([[faces]]), and obeys your hand ([[gestures]]).
+# **Next:** in [[drive_the_robot]], the robot does what your code says. Then it sees what is in its way ([[obstacles_ahead]]), follows a ball ([[object_tracking]]), finds its own place ([[where_am_i]]), draws a map ([[mapping_and_slam]]), reads a sign ([[reading_text]]), names the things around it ([[recognising_objects]]), finds and hides faces ([[faces]]), obeys your hand ([[gestures]]), and does an errand ([[the_errand]]).
 #
 # **Go on with a robot of your own**
 # - Every robot with a camera and ROS 2 publishes `sensor_msgs/Image`. Find its topic with `ros2 topic list`, and remap your nodes to it.
