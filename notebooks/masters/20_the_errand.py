@@ -2266,7 +2266,7 @@ if ros_available():
     # live_view(live_camera)
 
 # %% [markdown]
-# The cell runs for 60 looks, five in a second: enough to leave the corner. For the whole errand, change `most_looks` to 750, and `course_parts` to `my_parts` if your functions pass their checks.
+# The cell runs for 60 looks, five in a second: enough to leave the corner. For the whole errand, change `most_looks` to 750, and `course_parts` to `my_parts` if your functions pass their checks. The toy car may drive up to the robot's side and stop there; if the robot then touches it, this counts as a bump.
 
 # %% tags=["nbval-ignore-output", "long"]
 most_looks = 60

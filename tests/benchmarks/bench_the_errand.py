@@ -8,7 +8,7 @@ benchmark sees, where the robot was.
 Required: the runs of seeds 1 to 3 are those of the lesson's table; of the 20 fresh runs, at least 17 are back
 with the right name; each simplification alone has 100 points, and both together 10 in 45 s; live, the
 subscriber receives KITCHEN and no other name, the robot says within 180 s that it is back, and it bumps at
-most twice.
+most twice (mostly into the toy car, which drives up to its side).
 
 Run it with `environment/test --benchmarks the_errand`; SECONDS_IN_THE_ROOM=0 leaves the live part out, and
 RUNS=live all others.
@@ -147,17 +147,26 @@ def place_of(msg):
     return msg.pose.position.x, msg.pose.position.y
 
 
-def run_program():
-    """(seconds, the line that the program of the node prints at its end)"""
+def run_program(camera):
+    """(seconds, bumps, the line that the program of the node prints at its end)
+
+    As in the lesson, a touch within a second of the one before is the same bump.
+    """
     command = [sys.executable, PROGRAMS / "do_errand.py"]
     with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as node:
-        began = time.monotonic()
-        try:
-            line, _ = node.communicate(timeout=SECONDS)
-        except subprocess.TimeoutExpired:
+        began, touched = time.monotonic(), -math.inf
+        bumps, touches = 0, camera.bumps
+        while node.poll() is None and time.monotonic() < began + SECONDS:
+            time.sleep(0.1)
+            now, before, touches = time.monotonic(), touches, camera.bumps
+            if touches > before:
+                bumps += now > touched + 1
+                touched = now
+        seconds = time.monotonic() - began
+        if node.poll() is None:
             node.send_signal(signal.SIGINT)
-            line, _ = node.communicate(timeout=60)
-        return time.monotonic() - began, line.rstrip("\n").split("\t")
+        line, _ = node.communicate(timeout=60)
+    return seconds, bumps, line.rstrip("\n").split("\t")
 
 
 def do_live(lighting, lesson):
@@ -167,9 +176,8 @@ def do_live(lighting, lesson):
     start = lesson["START"]
     with open_camera("room", rate=5, size=(1280, 720)) as camera, Robot() as robot:
         robot.restart(start=start, seed=1, lighting=lighting)
-        topics, bumps = Topics(), camera.bumps
-        seconds, (looks, tasks, _, _) = run_program()
-        bumps = camera.bumps - bumps
+        topics = Topics()
+        seconds, bumps, (looks, tasks, _, _) = run_program(camera)
     back = math.dist(topics.robot[-1], start[:2])
     count = min(len(topics.robot), len(topics.person))
     kept = min(map(math.dist, topics.robot[:count], topics.person[:count]))
