@@ -378,7 +378,8 @@ def find_homography(points, pixels):
 
 # %% role="mistake" name="whole numbers" says="Your matrix has whole numbers only. Leave astype(int) out."
 def find_homography(points, pixels):
-    return np.trunc(solution(points, pixels))
+    # Rounded before: on some processors a whole number comes out a little smaller.
+    return np.trunc(np.round(solution(points, pixels), 6))
 
 
 # %% role="mistake" name="positive numbers" says="np.abs changes signs of single numbers. Leave it out: the division by the last number decides the sign of the whole matrix."
