@@ -1637,7 +1637,7 @@ def believe(readings, names, votes):
 # Now all parts come together. The errand, step by step:
 #
 # 1. **To the lookout**: from the corner by the sofa to a free place in the room, about 2 m away.
-# 2. **Look around**: turn, and look for a door sign with the network of [[reading_text#1]]. The depth image says where in the room the sign is, as in [[obstacles_ahead#2]].
+# 2. **Look around**: turn, and look for a door sign with the network of [[reading_text#1]] (PP-OCRv6, under Apache 2.0). The depth image says where in the room the sign is, as in [[obstacles_ahead#2]].
 # 3. **To the sign**: drive to a place 1.6 m before it.
 # 4. **Read the sign**, until two looks agree.
 # 5. **Come back** to the corner.
