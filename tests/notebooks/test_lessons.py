@@ -91,6 +91,14 @@ def test_every_master_has_its_lesson_and_every_other_file_its_source():
     assert compare_other_files(NOTEBOOKS / "masters", NOTEBOOKS) == []
 
 
+def test_the_cells_of_every_lesson_are_its_masters():
+    """Without running one: a cell added to a lesson also changes the links that other lessons hold to it."""
+    for path in MASTERS:
+        built, stored = lesson_notebook(read_master(path)), NOTEBOOKS / f"{path.stem}.ipynb"
+        for cell, stored_cell in zip(built.cells, nbformat.read(stored, as_version=4).cells, strict=True):
+            assert (cell.id, cell.source) == (stored_cell.id, stored_cell.source), stored.name
+
+
 @pytest.mark.parametrize("path", by_lesson(MASTERS))
 def test_nbval_finds_the_lesson_as_shipped_and_the_master_gives_the_same(path, tmp_path):
     # A copy: what a lesson writes beside itself must not land among the shipped ones.
