@@ -194,12 +194,6 @@ def header_stamp(raw):
     return sec * 10**9 + nanosec if sec >= 0 and nanosec < 10**9 else 0
 
 
-def with_stamp(raw, stamp):
-    """The serialized message with another header stamp (ns); the rest is unchanged."""
-    order = "<" if raw[1] & 1 else ">"
-    return b"".join([raw[:4], struct.pack(order + "iI", *divmod(stamp, 10**9)), raw[12:]])
-
-
 class Bag:
     """One open recording. Any thread may call any method."""
 

@@ -8,7 +8,7 @@ import numpy as np
 
 from ..messages import ConversionError, compressed_to_array, encoding_info, image_to_array
 from . import topics as names
-from .bag import Bag, with_stamp
+from .bag import Bag
 from .errors import FrameIndexError, NotRecordedError, RecordingError
 from .message_classes import to_installed
 
@@ -129,22 +129,20 @@ class Recording:
         """The recorded message of frame k: a CompressedImage, or an Image in a recording of raw images."""
         return self._message(self._camera, self._number(k))
 
-    def raw(self, k, topic=None, *, stamp=None):
+    def raw(self, k, topic=None):
         """Message k of a topic, serialized (CDR): rclpy's `publisher.publish` accepts these bytes.
 
         Parameters
         ----------
         k : number of the message within its topic
         topic : if omitted, the camera topic
-        stamp : int, ns: replaces the header's stamp; only for messages that begin with a header
 
         Returns
         -------
         bytes
         """
         topic = topic or self._camera
-        raw = self._bag.raw(topic, self._number(k, topic))
-        return raw if stamp is None else with_stamp(raw, stamp)
+        return self._bag.raw(topic, self._number(k, topic))
 
     @property
     def camera_info(self):

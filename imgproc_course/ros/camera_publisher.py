@@ -4,9 +4,9 @@ import threading
 import time
 
 import cv2
-from builtin_interfaces.msg import Time
 from rclpy.event_handler import PublisherEventCallbacks
 from rclpy.qos import qos_profile_sensor_data
+from rclpy.time import Time
 from sensor_msgs.msg import CameraInfo, CompressedImage, Image
 from std_msgs.msg import Header
 
@@ -32,25 +32,16 @@ def open_body(request):
     if source == "topic":
         return OtherPublisher(topic)
     if source == "room":
-        return room_publisher(request)
+        # Only for a room: what draws it takes a while to import.
+        from imgproc_course.ros.room_publisher import open_room
+
+        return open_room(request)
     if source == "webcam":
         return CameraPublisher(topic, Webcam(), f"a webcam on {topic}")
-    options = {name: request[name] for name in ("camera_topic", "speed", "loop", "stamps")}
-    images = open_images(request["recording"], **options)
+    recording = open_recording(request["recording"], camera_topic=request["camera_topic"])
+    images = RecordedImages(recording, request["speed"], request["loop"], request["stamps"])
     description = f"playing {request['recording']} at {images.rate:g} Hz on {topic}"
     return CameraPublisher(topic, images, description)
-
-
-def room_publisher(request):
-    # Only for a room: what draws it takes a while to import.
-    from imgproc_course.ros.room_publisher import open_room
-
-    return open_room(request)
-
-
-def open_images(recording, *, camera_topic=None, speed=1.0, loop=True, stamps="now"):
-    """The images of a recording; the parameters are those of `open_camera`."""
-    return RecordedImages(open_recording(recording, camera_topic=camera_topic), speed, loop, stamps)
 
 
 class OtherPublisher:
@@ -193,9 +184,9 @@ class CameraPublisher:
     def _publish(self, image):
         if self._raw.get_subscription_count():
             image.message  # noqa: B018  decoded before the stamp is taken, if a subscriber is new
-        stamp = image.stamp if image.stamp is not None else self._node.get_clock().now().nanoseconds
-        seconds, nanoseconds = divmod(stamp, 1_000_000_000)
-        header = Header(stamp=Time(sec=seconds, nanosec=nanoseconds), frame_id=image.frame_id)
+        now = self._node.get_clock().now()
+        stamp = now if image.stamp is None else Time(nanoseconds=image.stamp)
+        header = Header(stamp=stamp.to_msg(), frame_id=image.frame_id)
         # Decoding and copying an image costs milliseconds: done only for subscribers, as on the robot.
         if self._raw.get_subscription_count():
             image.message.header = header

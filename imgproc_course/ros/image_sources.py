@@ -1,5 +1,6 @@
 """The sources of a camera's images: a recording or a webcam. Each image comes with the time to publish it."""
 
+import copy
 import functools
 import time
 
@@ -148,12 +149,8 @@ class Webcam:
         self._capture.release()
 
 
-class _WebcamImage:
-    frame_id = "webcam"
-    stamp = None
-
-    def __init__(self, frame):
-        self._frame = frame
+class FrameImage:
+    """An image that is no message yet; a subclass has `_frame`, (H, W, 3) uint8 BGR."""
 
     @functools.cached_property
     def message(self):
@@ -161,6 +158,14 @@ class _WebcamImage:
 
     def compressed(self, header):
         return array_to_compressed(self._frame, "bgr8", header=header)
+
+
+class _WebcamImage(FrameImage):
+    frame_id = "webcam"
+    stamp = None
+
+    def __init__(self, frame):
+        self._frame = frame
 
     def camera_info(self, header):
         return _with_header(_uncalibrated(*self._frame.shape[:2]), header)
@@ -172,16 +177,6 @@ def _uncalibrated(height, width):
 
 
 def _with_header(info, header):
-    return CameraInfo(
-        header=header,
-        height=info.height,
-        width=info.width,
-        distortion_model=info.distortion_model,
-        d=list(info.d),
-        k=info.k,
-        r=info.r,
-        p=info.p,
-        binning_x=info.binning_x,
-        binning_y=info.binning_y,
-        roi=info.roi,
-    )
+    info = copy.copy(info)
+    info.header = header
+    return info

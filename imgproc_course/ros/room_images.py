@@ -6,10 +6,8 @@ import threading
 import time
 from concurrent.futures import ThreadPoolExecutor, wait
 
-import cv2
-
-from imgproc_course.messages import array_to_compressed, array_to_image
-from imgproc_course.ros.image_sources import FRAME_ID
+from imgproc_course.messages import array_to_image
+from imgproc_course.ros.image_sources import FRAME_ID, FrameImage
 from imgproc_course.ros.room_messages import camera_info, sensor_topics
 from imgproc_course.ros.session import log
 from imgproc_course.simulation import Simulation
@@ -178,7 +176,7 @@ class _ReachedRate:
         return None
 
 
-class RoomImage:
+class RoomImage(FrameImage):
     """What the robot's sensors give at one time; computed only when it is asked for."""
 
     frame_id = FRAME_ID
@@ -200,13 +198,6 @@ class RoomImage:
     @functools.cached_property
     def _frame(self):
         return self.simulation.frame()
-
-    @functools.cached_property
-    def message(self):
-        return array_to_image(cv2.cvtColor(self._frame, cv2.COLOR_BGR2RGB), "rgb8")
-
-    def compressed(self, header):
-        return array_to_compressed(self._frame, "bgr8", header=header)
 
     def camera_info(self, header):
         return camera_info(self.simulation.camera, header)

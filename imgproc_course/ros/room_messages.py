@@ -4,7 +4,6 @@ import functools
 import math
 
 import numpy as np
-from builtin_interfaces.msg import Time
 from geometry_msgs.msg import Point, Pose, PoseStamped, Quaternion, Twist, Vector3
 from nav_msgs.msg import Odometry
 from sensor_msgs.msg import CameraInfo, Image, LaserScan
@@ -33,11 +32,6 @@ def sensor_topics(base):
 
 def tof_camera_info(image, header):
     return camera_info(image.simulation.depth_camera("tof"), framed(header, TOF_FRAME))
-
-
-def to_time(nanoseconds):
-    seconds, remainder = divmod(nanoseconds, 1_000_000_000)
-    return Time(sec=seconds, nanosec=remainder)
 
 
 def framed(header, frame_id):

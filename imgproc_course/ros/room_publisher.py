@@ -8,13 +8,14 @@ from nav_msgs.msg import Odometry
 from rcl_interfaces.msg import SetParametersResult
 from rclpy.node import Node
 from rclpy.qos import qos_profile_sensor_data
+from rclpy.time import Time
 from std_msgs.msg import Header
 from std_srvs.srv import SetBool
 
 from imgproc_course.ros.camera_publisher import UNKNOWN_NODE_NAME, CameraPublisher
 from imgproc_course.ros.robot_topics import COMMANDS, ENABLED, ODOMETRY, ROOM_NODE, WHEEL_ODOMETRY
 from imgproc_course.ros.room_images import RoomImages
-from imgproc_course.ros.room_messages import ODOM_FRAME, odometry_message, to_time
+from imgproc_course.ros.room_messages import ODOM_FRAME, odometry_message
 from imgproc_course.ros.session import log
 from imgproc_course.simulation.drive import MAX_ANGULAR, MAX_LINEAR
 from imgproc_course.simulation.simulation import START
@@ -126,7 +127,7 @@ class RoomPublisher(CameraPublisher):
     def _publish_odometry(self, stamp):
         for publisher in self._odometry:
             if publisher.get_subscription_count():
-                header = Header(stamp=to_time(stamp), frame_id=ODOM_FRAME)
+                header = Header(stamp=Time(nanoseconds=stamp).to_msg(), frame_id=ODOM_FRAME)
                 publisher.publish(odometry_message(self._images.simulation.odometry(), header))
 
 

@@ -94,7 +94,7 @@ class ImageSubscriber:
         self._change = threading.Condition()
         self._arrivals = collections.deque()
         self._may_log = Throttle()
-        self._latest = (None, None)
+        self._latest = None
         self._converted = 0
         self._losses = LossCounter()
         self._stopped = False
@@ -148,11 +148,7 @@ class ImageSubscriber:
 
     def latest(self):
         """The newest frame, or None before the first."""
-        return self._latest[0]
-
-    def latest_message(self):
-        """The newest message that could be converted, or None before the first."""
-        return self._latest[1]
+        return self._latest
 
     def wait(self, timeout=5.0):
         """A frame that arrives after this call.
@@ -167,27 +163,6 @@ class ImageSubscriber:
             frames that cannot be converted, ...) and the remedy
         RuntimeError : the subscriber is stopped, or the caller is a ROS callback; no frame can arrive then
         """
-        return self._wait(timeout)[0]
-
-    def wait_message(self, timeout=5.0):
-        """The message of a frame that arrives after this call; raises the same errors as `wait`."""
-        return self._wait(timeout)[1]
-
-    def wait_for_incompatible_qos(self, timeout=20.0):
-        """Waits until ROS reports a publisher whose QoS policies do not match; returns `incompatible_qos`.
-
-        Raises
-        ------
-        TimeoutError : ROS reported none in `timeout` seconds
-        """
-        with self._change:
-            if not self._change.wait_for(lambda: self.incompatible_qos or self._stopped, timeout):
-                raise TimeoutError(
-                    f"ROS reported no incompatible QoS policy on {self.topic} in {timeout:g} s"
-                )
-            return self.incompatible_qos
-
-    def _wait(self, timeout):
         if self.session.is_spinning_thread():
             raise RuntimeError(
                 "no frame can arrive while a ROS callback waits for it; use on_image or latest()"
@@ -216,6 +191,20 @@ class ImageSubscriber:
             )
         )
 
+    def wait_for_incompatible_qos(self, timeout=20.0):
+        """Waits until ROS reports a publisher whose QoS policies do not match; returns `incompatible_qos`.
+
+        Raises
+        ------
+        TimeoutError : ROS reported none in `timeout` seconds
+        """
+        with self._change:
+            if not self._change.wait_for(lambda: self.incompatible_qos or self._stopped, timeout):
+                raise TimeoutError(
+                    f"ROS reported no incompatible QoS policy on {self.topic} in {timeout:g} s"
+                )
+            return self.incompatible_qos
+
     def __iter__(self):
         """Yields new frames; if several came meanwhile, only the newest. Ends when the subscriber stops."""
         count = self._converted
@@ -226,7 +215,7 @@ class ImageSubscriber:
                     return
                 self.skipped += self._converted - count - 1
                 count = self._converted
-                frame = self._latest[0]
+                frame = self._latest
             yield frame
 
     def _is_newer_than(self, count):
@@ -285,7 +274,7 @@ class ImageSubscriber:
             self._count_failure(f"a message of {self.topic} cannot be converted: {error}")
             return
         with self._change:
-            self._latest = (frame, msg)
+            self._latest = frame
             self._converted += 1
             self._arrivals.append(time.monotonic())
             self._forget_old_arrivals()

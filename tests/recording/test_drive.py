@@ -201,15 +201,6 @@ def test_messages_are_of_the_classes_that_publishers_accept(drive):
             assert type(message).__module__.startswith(f"{package}.msg")
 
 
-def test_a_serialized_message_with_a_new_stamp_differs_only_in_the_stamp(drive):
-    raw, stamp = drive.raw(3), 1_800_000_000_987_654_321
-    restamped = drive.raw(3, stamp=stamp)
-    assert raw[:4] == restamped[:4]
-    assert raw[12:] == restamped[12:]
-    assert int.from_bytes(restamped[4:8], "little") == 1_800_000_000
-    assert int.from_bytes(restamped[8:12], "little") == 987_654_321
-
-
 @pytest.mark.ros
 def test_serialized_messages_are_those_of_ros(drive):
     from rclpy.serialization import deserialize_message

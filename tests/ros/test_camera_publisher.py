@@ -82,6 +82,13 @@ def collect(session):
     return subscribe
 
 
+def open_images(recording, *, camera_topic=None, speed=1.0, stamps="now"):
+    from imgproc_course.recording import open_recording
+    from imgproc_course.ros.image_sources import RecordedImages
+
+    return RecordedImages(open_recording(recording, camera_topic=camera_topic), speed, True, stamps)
+
+
 def stamp_of(msg):
     return msg.header.stamp.sec * 1_000_000_000 + msg.header.stamp.nanosec
 
@@ -90,7 +97,6 @@ def stamp_of(msg):
 def test_the_pixels_are_those_of_the_recording(start_camera, wait_until):
     from imgproc_course.recording import open_recording
     from imgproc_course.ros import ImageSubscriber
-    from imgproc_course.ros.camera_publisher import open_images
 
     frames = {}
     start_camera(images=open_images("drive", stamps="recorded", speed=3.0))
@@ -107,7 +113,6 @@ def test_the_pixels_are_those_of_the_recording(start_camera, wait_until):
 def test_another_of_the_recordings_cameras_can_be_played(start_camera):
     from imgproc_course.recording import NotRecordedError, open_recording
     from imgproc_course.ros import ImageSubscriber
-    from imgproc_course.ros.camera_publisher import open_images
 
     with open_recording("drive", camera_topic="/truth/labels") as labels:
         recorded_frames = {labels.frame(k).tobytes() for k in range(len(labels))}
@@ -123,7 +128,6 @@ def test_all_four_topics_carry_the_robots_encoding_and_one_header(start_camera, 
     from sensor_msgs.msg import CameraInfo, CompressedImage, Image
 
     from imgproc_course.recording import open_recording
-    from imgproc_course.ros.camera_publisher import open_images
 
     raw = collect(TOPIC, Image)
     compressed = collect(f"{TOPIC}/compressed", CompressedImage)
@@ -154,7 +158,6 @@ def test_the_depth_of_the_recording_comes_with_its_images(start_camera, collect,
 
     from imgproc_course.messages import image_to_array
     from imgproc_course.recording import open_recording
-    from imgproc_course.ros.camera_publisher import open_images
 
     messages = collect("/kachaka/front_camera/depth", Image)
     start_camera(images=open_images("drive", stamps="recorded", speed=3.0))

@@ -66,12 +66,11 @@ def send_soon(send, *arguments):
 
 def test_wait_returns_the_image_in_the_requested_encoding(send, subscribe):
     subscriber = subscribe(TOPIC)
-    assert (subscriber.latest(), subscriber.latest_message()) == (None, None)
+    assert subscriber.latest() is None
     send_soon(send, colours())
     frame = subscriber.wait(20)
     assert np.array_equal(frame, colours()[:, :, ::-1])
     assert subscriber.latest() is frame
-    assert subscriber.latest_message().encoding == "rgb8"
     assert (subscriber.received, subscriber.failed, subscriber.dropped) == (1, 0, 0)
 
 
@@ -80,13 +79,6 @@ def test_frames_come_in_other_encodings(send, subscribe, encoding):
     subscriber = subscribe(TOPIC, encoding=encoding)
     send_soon(send, colours())
     assert np.array_equal(subscriber.wait(20), colours())
-
-
-def test_wait_message_returns_the_message(send, subscribe):
-    subscriber = subscribe(TOPIC)
-    send_soon(send, colours())
-    msg = subscriber.wait_message(20)
-    assert (msg.height, msg.width, bytes(msg.data)) == (4, 5, colours().tobytes())
 
 
 def test_wait_returns_a_new_frame_and_not_the_previous_one(send, subscribe):
