@@ -6,7 +6,6 @@ There is no time of day, no order of files and no chance in it: the same submiss
 import json
 from dataclasses import asdict, replace
 from importlib.metadata import version
-from pathlib import Path
 
 from imgproc_course.autograder.outcomes import Outcome
 from imgproc_course.gradebook.anonymity import anonymous_id
@@ -15,7 +14,6 @@ from imgproc_course.gradebook.submission import Finding
 from imgproc_course.gradebook.teacher_tables import plain_number
 
 FORMAT = 4
-SCHEMA = Path(__file__).with_name("grades.schema.json")
 
 
 def grades_of(

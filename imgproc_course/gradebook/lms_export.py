@@ -30,7 +30,7 @@ import io
 
 from imgproc_course.autograder.sanitize import spreadsheet_text
 from imgproc_course.gradebook.grades_json import lesson_names
-from imgproc_course.gradebook.report import count_of
+from imgproc_course.gradebook.report import count_of, finding_text
 from imgproc_course.gradebook.teacher_tables import plain_number
 
 COLUMNS = (
@@ -71,7 +71,7 @@ def grades_csv(grades):
 
 def _grades_row(learner, lesson):
     texts = [lesson["reason"]] if lesson["reason"] else []
-    texts += [_finding_text(finding) for finding in lesson["findings"]]
+    texts += [finding_text(finding) for finding in lesson["findings"]]
     return (
         learner["name"],
         lesson["lesson"] or "(unknown)",
@@ -121,10 +121,6 @@ def platform_points(lesson):
     excused_cases = [case for exercise in excused for case in exercise["cases"]]
     maximum = lesson["max_points"] + sum(case["max_points"] for case in excused_cases)
     return plain_number(lesson["points"] * maximum / lesson["max_points"]) if excused else lesson["points"]
-
-
-def _finding_text(finding):
-    return f"{finding['exercise']}: {finding['text']}" if finding["exercise"] else finding["text"]
 
 
 def _percent(lesson):

@@ -250,7 +250,7 @@ def _different_points(table, columns, grades):
 
 def _maximum_points(table, column):
     if table.platform == "canvas":
-        cells = [row[column] for row in table.rows if "Points Possible" in row[0] and column < len(row)]
+        cells = [row[column] for row in table.rows if column < len(row) and "Points Possible" in row[0]]
     elif "Maximum grade" in table.columns:
         position = table.columns.index("Maximum grade")
         cells = [row[position] for row in table.rows if position < len(row)]

@@ -12,7 +12,6 @@ installed, otherwise of rosbags. A ConversionError says what is wrong with a mes
 
 from .compressed import array_to_compressed, compressed_to_array
 from .conversion import array_to_image, image_to_array
-from .depth import depth_to_compressed
 from .encodings import EncodingInfo, encoding_info
 from .errors import ConversionError
 
@@ -22,7 +21,6 @@ __all__ = [
     "array_to_compressed",
     "array_to_image",
     "compressed_to_array",
-    "depth_to_compressed",
     "encoding_info",
     "image_to_array",
 ]

@@ -142,7 +142,7 @@ def _stored_as(info, codec):
         return info._replace(color=None, name=_decoded_name(info.dtype, info.channels))
     remedy = "convert it to 'bgr8' or 'mono8' first"
     if info.name == "32FC1":
-        remedy += "; depth_to_compressed takes '32FC1'"
+        remedy = "depth in millimetres fits into '16UC1' (PNG)"
     raise ConversionError(f"{codec} cannot hold {info.name!r}; {remedy}")
 
 

@@ -9,57 +9,15 @@ import struct
 
 import numpy as np
 
-from .conversion import described
 from .encodings import encoding_info
 from .errors import ConversionError, quoted
-from .image_files import decode_image_file, encode_image_file
+from .image_files import decode_image_file
 from .image_limits import BLANK_PIXELS, MAX_PIXELS, PIXELS_PER_BYTE
-from .message_classes import new_compressed_image
 from .png import PNG_SIGNATURE
-from .rvl import rvl_decode, rvl_encode
+from .rvl import rvl_decode
 
 _HEADER = struct.Struct("<iff")
 _SIZE = struct.Struct("<II")
-
-
-def depth_to_compressed(array, encoding="16UC1", format="png", header=None, depth_max=10.0):
-    """A CompressedImage on a .../compressedDepth topic.
-
-    Parameters
-    ----------
-    array : (H, W) uint16 for "16UC1" (stored exactly), or float32 for "32FC1", in metres
-    encoding : "16UC1", "mono16" or "32FC1"
-    format : "png" or "rvl"
-    header : std_msgs/Header, stored by reference; None for an empty one
-    depth_max : for "32FC1" only: the largest depth in metres that the 65535 steps of 1 / depth reach. A
-        larger value, and one that is not positive, infinite or NaN, becomes NaN. A step is at most
-        depth² / 10100 m, as in ROS
-
-    Returns
-    -------
-    sensor_msgs.msg.CompressedImage, or the class of rosbags
-
-    Raises
-    ------
-    ConversionError : compressedDepth does not hold such an array, encoding or format
-    """
-    if format not in ("png", "rvl"):
-        raise ConversionError(f"format must be 'png' or 'rvl', got {quoted(format)}")
-    info = described(array, encoding)
-    _check_depth_encoding(info)
-    if array.size == 0 or array.size > MAX_PIXELS:
-        raise ConversionError(f"a depth image needs 1 to {MAX_PIXELS} pixels, got shape {array.shape}")
-    array, a, b = array.reshape(array.shape[:2]), 0.0, 0.0
-    if info.dtype == np.float32:
-        array, a, b = _quantized(array, depth_max)
-    values = np.ascontiguousarray(array, np.uint16)
-    if format == "png":
-        body = encode_image_file(values, "png")
-    else:
-        body = _SIZE.pack(values.shape[1], values.shape[0]) + rvl_encode(values)
-    return new_compressed_image(
-        header, f"{info.name}; compressedDepth {format}", _HEADER.pack(0, a, b) + body
-    )
 
 
 def decode_depth(format, data):
@@ -94,17 +52,6 @@ def _check_depth_encoding(info):
             f"compressedDepth knows '16UC1', 'mono16' and '32FC1', got {quoted(info.name)}; "
             "use array_to_compressed for other images"
         )
-
-
-def _quantized(metres, depth_max):
-    if not isinstance(depth_max, int | float) or not depth_max > 0:
-        raise ConversionError(f"depth_max must be positive metres, got {quoted(depth_max)}")
-    a = np.float32(100.0 * 101.0)  # ROS's default quantization of 100
-    b = np.float32(1.0 - a / depth_max)
-    with np.errstate(divide="ignore", invalid="ignore", over="ignore"):
-        q = np.rint(a / metres + b)
-    is_measured = (metres > 0) & (metres < depth_max) & (q >= 1) & (q <= 65535)
-    return np.where(is_measured, q, 0).astype(np.uint16), a, b
 
 
 def _decode_png(body):

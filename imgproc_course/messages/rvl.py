@@ -15,36 +15,6 @@ from .errors import ConversionError
 _MAX_NIBBLES = 11  # of a number of 32 bits
 
 
-def rvl_encode(depth):
-    """RVL stream of a depth image.
-
-    Parameters
-    ----------
-    depth : array of uint16, any shape
-
-    Returns
-    -------
-    bytes; their number is a multiple of 4
-    """
-    flat = np.ascontiguousarray(depth, np.uint16).ravel()
-    present = np.concatenate([[False], flat != 0, [False]])
-    edges = np.flatnonzero(present[1:] != present[:-1])
-    starts, ends = edges[0::2], edges[1::2]
-    zeros, nonzeros = starts - np.concatenate([[0], ends[:-1]]), ends - starts
-    tail = flat.size - (ends[-1] if ends.size else 0)
-
-    pixels = np.diff(flat[flat != 0].astype(np.int32), prepend=np.int32(0))
-    signed_low = (pixels << 1) ^ (pixels >> 31)
-    numbers = np.empty(2 * zeros.size + pixels.size + (2 if tail else 0), np.uint32)
-    pixels_before = np.concatenate([[0], np.cumsum(nonzeros)])  # nonzero pixels before each run
-    run_starts = 2 * np.arange(zeros.size) + pixels_before[:-1]
-    numbers[run_starts], numbers[run_starts + 1] = zeros, nonzeros
-    numbers[np.arange(pixels.size) + 2 * np.repeat(np.arange(1, zeros.size + 1), nonzeros)] = signed_low
-    if tail:
-        numbers[-2:] = tail, 0
-    return _to_words(numbers)
-
-
 def rvl_decode(stream, pixels):
     """The pixels of an RVL stream.
 
@@ -91,20 +61,6 @@ def _runs(numbers, pixels):
         runs.append((first, position, nonzeros))
         at, position = first + nonzeros, position + nonzeros
     return runs
-
-
-def _to_words(numbers):
-    lengths = np.ones(numbers.size, np.int64)
-    for nibble in range(1, _MAX_NIBBLES):
-        lengths += (numbers >> np.uint32(3 * nibble)) != 0
-    starts = np.cumsum(lengths) - lengths
-    nibbles = np.zeros(-(-int(lengths.sum()) // 8) * 8, np.uint8)
-    for nibble in range(lengths.max(initial=0)):
-        longer = lengths > nibble
-        more = (lengths[longer] > nibble + 1) * np.uint8(8)
-        nibbles[starts[longer] + nibble] = (numbers[longer] >> np.uint32(3 * nibble)) & 7 | more
-    highest_first = nibbles[0::2] << 4 | nibbles[1::2]
-    return highest_first.view(">u4").astype("<u4").tobytes()
 
 
 def _from_words(stream):

@@ -9,10 +9,15 @@ import os
 import subprocess
 import sys
 import timeit
+from pathlib import Path
 from types import SimpleNamespace
 
 import cv2
 import numpy as np
+
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "messages"))
+
+from compressed_depth import depth_to_compressed
 from rich.console import Console
 from side_by_side import print_ratios, time_in_turns
 
@@ -20,7 +25,6 @@ from imgproc_course.messages import (
     array_to_compressed,
     array_to_image,
     compressed_to_array,
-    depth_to_compressed,
     image_to_array,
 )
 

@@ -19,8 +19,9 @@ from imgproc_course.autograder.answer_key import load_key
 from imgproc_course.autograder.make_answer_key import make_key
 from imgproc_course.autograder.pool import SandboxError
 from imgproc_course.autograder.sandbox import bubblewrap
+from imgproc_course.gradebook import grades_json
 from imgproc_course.gradebook.grade import grade_submissions
-from imgproc_course.gradebook.grades_json import SCHEMA, lesson_names
+from imgproc_course.gradebook.grades_json import lesson_names
 from imgproc_course.gradebook.result_store import GradesFolderError, ResultStore
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]
@@ -90,7 +91,7 @@ def test_thirty_submissions_get_the_right_points(graded, classroom):
 
 def test_grades_follow_their_schema(graded):
     grades = json.loads((graded[0] / "grades.json").read_text())
-    schema = json.loads(SCHEMA.read_text())
+    schema = json.loads(Path(grades_json.__file__).with_name("grades.schema.json").read_text())
     jsonschema.Draft202012Validator.check_schema(schema)
     jsonschema.validate(grades, schema)
     grades["learners"][0]["seed"] = 1

@@ -74,6 +74,15 @@ def test_canvas_gradebook_is_filled_and_nothing_else_changes(submitted, grade, t
     ]
 
 
+def test_empty_lines_of_a_table_stay(submitted, grade, table):
+    grades = grade(submitted)
+    text, lines = filled(table("gradebook.csv", CANVAS), grades)
+    assert filled(table("with empty lines.csv", CANVAS.replace("\r\n", "\r\n\r\n", 1) + "\r\n"), grades) == (
+        text.replace("\r\n", "\r\n\r\n", 1) + "\r\n",
+        [lines[0].replace("gradebook", "with empty lines"), lines[1]],
+    )
+
+
 def test_moodles_worksheet_is_filled_and_other_grades_stay(submitted, grade, table):
     text, lines = filled(table("Grades-20_light.csv", MOODLE), grade(submitted))
     expected = cells(MOODLE)

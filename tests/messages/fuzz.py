@@ -26,13 +26,13 @@ from types import SimpleNamespace
 
 import cv2
 import numpy as np
+from compressed_depth import depth_to_compressed
 
 from imgproc_course.messages import (
     ConversionError,
     array_to_compressed,
     array_to_image,
     compressed_to_array,
-    depth_to_compressed,
     encoding_info,
     image_to_array,
 )
@@ -275,7 +275,6 @@ class Fuzzer:
             (
                 (array_to_image, ()),
                 (array_to_compressed, (pick.choice(("jpeg", "png", "jpg", "gif", None, 3)),)),
-                (depth_to_compressed, (pick.choice(("png", "rvl", "", None)),)),
             )
         )
         return "array", function, (values, encoding, *extra), 0, SMALL_CHANGE * 4

@@ -3,6 +3,7 @@
 from types import SimpleNamespace
 
 import numpy as np
+from compressed_depth import depth_to_compressed
 from hypothesis import given, settings
 from hypothesis import strategies as st
 from hypothesis.extra import numpy as npst
@@ -11,7 +12,6 @@ from imgproc_course.messages import (
     array_to_compressed,
     array_to_image,
     compressed_to_array,
-    depth_to_compressed,
     encoding_info,
     image_to_array,
 )
