@@ -30,6 +30,15 @@ class CourseGroup(click.Group):
             ) from error
 
 
+@contextlib.contextmanager
+def _in_one_line(*errors):
+    """Prints these errors as one line, without a traceback; exit code 1."""
+    try:
+        yield
+    except errors as error:
+        raise click.ClickException(str(error)) from error
+
+
 @click.group(cls=CourseGroup, context_settings={"help_option_names": ["-h", "--help"]})
 @click.version_option(package_name="imgproc-course")
 def main():
@@ -59,10 +68,8 @@ def start(jupyter_options):
     from imgproc_course.lab import start as start_lab
     from imgproc_course.working_copies import LessonsError
 
-    try:
+    with _in_one_line(LabError, LessonsError):
         start_lab(jupyter_options, say=click.echo)
-    except (LabError, LessonsError) as error:
-        raise click.ClickException(str(error)) from error
 
 
 def _check_ros():
@@ -111,11 +118,8 @@ def play(**options):
     _check_ros()
     from imgproc_course.ros.player import play as play_recording
 
-    try:
-        code = play_recording(**options)
-    except (ValueError, RuntimeError) as error:
-        raise click.ClickException(str(error)) from error
-    raise SystemExit(code)
+    with _in_one_line(ValueError, RuntimeError):
+        raise SystemExit(play_recording(**options))
 
 
 def _size(ctx, param, value):
@@ -143,11 +147,8 @@ def drive(**options):
     _check_ros()
     from imgproc_course.ros.driver import drive as drive_robot
 
-    try:
-        code = drive_robot(**options)
-    except (ValueError, RuntimeError) as error:
-        raise click.ClickException(str(error)) from error
-    raise SystemExit(code)
+    with _in_one_line(ValueError, RuntimeError):
+        raise SystemExit(drive_robot(**options))
 
 
 @main.command()
@@ -162,11 +163,8 @@ def record(path, topics):
     _check_ros()
     from imgproc_course.ros.recorder import record_until_signal
 
-    try:
-        code = record_until_signal(list(topics) or None, path, say=click.echo)
-    except (ValueError, RuntimeError) as error:
-        raise click.ClickException(str(error)) from error
-    raise SystemExit(code)
+    with _in_one_line(ValueError, RuntimeError):
+        raise SystemExit(record_until_signal(list(topics) or None, path, say=click.echo))
 
 
 @main.command()
@@ -190,11 +188,8 @@ def soak(minutes, speed, warm_up, source):
     _check_ros()
     from imgproc_course.ros.soak import soak as run_soak
 
-    try:
-        code = run_soak(minutes, speed, source=source, warm_up=warm_up, say=click.echo)
-    except ValueError as error:
-        raise click.ClickException(str(error)) from error
-    raise SystemExit(code)
+    with _in_one_line(ValueError):
+        raise SystemExit(run_soak(minutes, speed, source=source, warm_up=warm_up, say=click.echo))
 
 
 # ---------------------------------------------------------------- lessons and grades
@@ -311,12 +306,10 @@ def check(notebooks, and_run):
 
     ready = True
     for path in notebooks:
-        try:
+        with _in_one_line(LessonFileError, CheckFileError):
             lesson_check = check_lesson(path)
             if and_run:
                 run_answers(lesson_check)
-        except (LessonFileError, CheckFileError) as error:
-            raise click.ClickException(str(error)) from error
         click.echo("\n".join(report_lines(lesson_check)))
         ready = ready and lesson_check.ready
     if not ready:
@@ -526,10 +519,8 @@ def new_lesson(name, out):
     from imgproc_course.authoring.new_lesson import new_lesson as write
     from imgproc_course.exercises.declaration import MasterError
 
-    try:
+    with _in_one_line(MasterError):
         path = write(name, out)
-    except MasterError as error:
-        raise click.ClickException(str(error)) from error
     click.echo(f"{path}: change it, then run")
     click.echo(f"  imgproc-course build --masters {out} --out LESSONS --solved SOLVED")
     click.echo(f"  imgproc-course key --masters {out} --out KEY")

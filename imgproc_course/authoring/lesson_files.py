@@ -23,13 +23,12 @@ from imgproc_course.exercises.input_encoding import decode, encode
 _SMALL_BYTES = 96  # a larger wrong array is stored by its digest
 
 
-def lesson_files(master, *, with_solutions=True):
+def lesson_files(master):
     """The files that the lesson of a master carries.
 
     Parameters
     ----------
     master : Master
-    with_solutions : bool, also the solutions file
 
     Returns
     -------
@@ -41,10 +40,10 @@ def lesson_files(master, *, with_solutions=True):
     """
     if not master.exercises:
         return {}
-    files = {f"{CHECKS}/{master.name}.json": _check_file_text(master)}
-    if with_solutions:
-        files[f"{SOLUTIONS}/{master.name}.json"] = _solution_file_text(master)
-    return files
+    return {
+        f"{CHECKS}/{master.name}.json": _check_file_text(master),
+        f"{SOLUTIONS}/{master.name}.json": _solution_file_text(master),
+    }
 
 
 def _check_file_text(master):

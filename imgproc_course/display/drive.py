@@ -108,7 +108,6 @@ class DriveView(LiveView):
             encoding="bgr8",
             width=width,
             limits=None,
-            rate=None,
             caption=caption,
             alt=alt or "What the robot's camera sees",
             ranges={},

@@ -34,7 +34,6 @@ def live_view(
     encoding="bgr8",
     width=None,
     limits=None,
-    rate=None,
     text=None,
     caption=None,
     alt=None,
@@ -58,8 +57,6 @@ def live_view(
         CSS pixels. If omitted: 640 for one image, 960 for several. Frames are sent at this width.
     limits : (low, high)
         The values shown black and white, for gray results that are neither uint8 nor bool.
-    rate : float, Hz
-        Rate at which a Recording plays. If omitted: its own.
     text : (caption, alt), instead of `caption` and `alt`
     caption : str, a sentence under the view
     alt : str, alternative text. If omitted: made of the function's name
@@ -82,7 +79,6 @@ def live_view(
         encoding=encoding,
         width=width,
         limits=limits,
-        rate=rate,
         caption=caption,
         alt=alt,
         ranges=ranges,
@@ -112,7 +108,7 @@ class LiveView:
     snapshots : list of Snapshot
     """
 
-    def __init__(self, source, process, *, encoding, width, limits, rate, caption, alt, ranges):
+    def __init__(self, source, process, *, encoding, width, limits, caption, alt, ranges):
         if process is not None and not callable(process):
             raise ValueError(
                 f"process is {type(process).__name__}; expected a function: live_view(camera, edges)"
@@ -120,7 +116,7 @@ class LiveView:
         if ranges and process is None:
             raise ValueError(f"{', '.join(ranges)}: sliders need a function whose parameters they set")
         self._process = process
-        self._feed = _feed_from(source, encoding, rate)
+        self._feed = _feed_from(source, encoding)
         self._controls = Controls(process, ranges) if ranges else None
         self._name = caption or getattr(process, "__name__", "camera").replace("<lambda>", "camera")
         self._screen = Screen(encoding, width, limits, alt or caption or f"Live view: {self._name}", caption)
@@ -359,7 +355,7 @@ class _Pacer:
 # ---------------------------------------------------------------- sources of frames
 
 
-def _feed_from(source, encoding, rate):
+def _feed_from(source, encoding):
     if isinstance(source, str) and source in ("recording", "webcam", "drive"):
         call = 'open_recording("drive")' if source == "drive" else f'open_camera("{source}")'
         raise ValueError(f'"{source}" is not a topic; call live_view({call})')
@@ -368,7 +364,7 @@ def _feed_from(source, encoding, rate):
     if hasattr(source, "wait") and hasattr(source, "latest"):
         return _Subscription(source)
     if hasattr(source, "frame") and hasattr(source, "__len__"):
-        return _Playback(source, encoding, rate)
+        return _Playback(source, encoding)
     if hasattr(source, "topic"):
         return _Topic(source.topic, encoding)
     raise ValueError(
@@ -424,13 +420,11 @@ class _Topic(_Subscription):
 class _Playback:
     """Plays a recording at its own rate, again and again; frames that would be late are dropped."""
 
-    def __init__(self, recording, encoding, rate):
+    def __init__(self, recording, encoding):
         if len(recording) == 0:
             raise ValueError("the recording has no camera image; there is nothing to show")
-        self._rate = rate or recording.rate
-        if not self._rate > 0:
-            raise ValueError(f"rate={rate}: the rate must be above 0 frames per second")
         self._recording, self._encoding = recording, encoding
+        self._rate = recording.rate or 1.0  # a single frame has no rate
 
     def open(self):
         self._started, self._next_number = time.monotonic(), 0

@@ -1,10 +1,14 @@
 """The answers that the masters contain: stub, solution and known mistakes, and how they are graded."""
 
+import sys
 from pathlib import Path
+
+sys.path.append(str(Path(__file__).parents[1]))
+from master_answers import sample_answers
 
 from imgproc_course.authoring.lesson_names import lesson_name
 from imgproc_course.authoring.masters import find_masters
-from imgproc_course.autograder.make_answer_key import make_key, sample_answers
+from imgproc_course.autograder.make_answer_key import make_key
 from imgproc_course.autograder.outcomes import Outcome
 from imgproc_course.autograder.pool import autograde
 from imgproc_course.exercises import read_exercises

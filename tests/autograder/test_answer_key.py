@@ -6,9 +6,10 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from master_answers import sample_answers
 
 from imgproc_course.autograder.answer_key import KeyFolderError, load_key
-from imgproc_course.autograder.make_answer_key import make_key, sample_answers
+from imgproc_course.autograder.make_answer_key import make_key
 from imgproc_course.exercises import MasterError, read_exercises
 from imgproc_course.exercises.input_encoding import decode
 

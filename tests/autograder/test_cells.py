@@ -4,9 +4,9 @@ import warnings
 from pathlib import Path
 
 import pytest
+from master_answers import sample_answers
 
 from imgproc_course.authoring.masters import find_masters
-from imgproc_course.autograder.make_answer_key import sample_answers
 from imgproc_course.autograder.sandbox.bubblewrap import Limits
 from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.exercises import read_exercises

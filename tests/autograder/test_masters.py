@@ -3,9 +3,9 @@
 from pathlib import Path
 
 import pytest
+from master_answers import sample_answers
 from sample_answers import FOLDERS, ROOT, SAMPLES, fault_of, grade_samples, title_of
 
-from imgproc_course.autograder.make_answer_key import sample_answers
 from imgproc_course.exercises.checking import run_cases as check_answer
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("masters"), pytest.mark.timeout(1800)]

@@ -183,7 +183,7 @@ ONLY_IN_JUPYTER = ("ends", "top-level await", "magics")
 
 @pytest.mark.parametrize("name", [name for name in SAMPLES if name not in ONLY_IN_JUPYTER])
 def test_check_in_the_lesson_agrees(results, masters, name, monkeypatch, tmp_path):
-    for file, text in lesson_files(read_master(masters / "10_attacked.py"), with_solutions=False).items():
+    for file, text in lesson_files(read_master(masters / "10_attacked.py")).items():
         (tmp_path / file).parent.mkdir(exist_ok=True)
         (tmp_path / file).write_text(text)
     monkeypatch.setenv("IMGPROC_COURSE_CHECKS", str(tmp_path / "checks"))

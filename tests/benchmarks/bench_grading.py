@@ -33,14 +33,14 @@ from rich.console import Console
 from rich.table import Table
 
 from imgproc_course.authoring.masters import find_masters, read_master
-from imgproc_course.autograder.make_answer_key import make_key, sample_answers
+from imgproc_course.autograder.make_answer_key import make_key
 from imgproc_course.autograder.pool import autograde
 from imgproc_course.exercises import array_of, read_exercises
 from imgproc_course.exercises.input_encoding import decode
 
 ROOT = Path(__file__).parents[2]
 sys.path.insert(0, str(ROOT / "tests" / "gradebook"))
-from submissions import notebook, write  # noqa: E402
+from submissions import notebook, sample_answers, write  # noqa: E402
 
 MASTERS = ROOT / "notebooks" / "masters"
 BUDGET = 10.0  # times faster than nbgrader: one worker against one process, autograde alone
