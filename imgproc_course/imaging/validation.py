@@ -6,14 +6,14 @@ GRAY = "(H, W) uint8"
 BGR = "(H, W, 3) uint8"
 
 
-def check_gray(gray, name="gray"):
+def check_gray(gray):
     """Return the image as a plain array; raise ValueError if it is not (H, W) uint8 or has no pixels."""
-    array = _check_uint8(gray, GRAY, name)
+    array = _check_uint8(gray, GRAY, "gray")
     if array.ndim == 3 and array.shape[2] in (3, 4):
-        raise ValueError(_mismatch(name, GRAY, array, f"make it gray first: to_gray({name})"))
+        raise ValueError(_mismatch("gray", GRAY, array, "make it gray first: to_gray(gray)"))
     if array.ndim != 2:
         raise ValueError(
-            _mismatch(name, GRAY, array, f"pass one image with two axes: {name}[..., 0] or reshape")
+            _mismatch("gray", GRAY, array, "pass one image with two axes: gray[..., 0] or reshape")
         )
     return array
 
@@ -47,11 +47,11 @@ def check_pair(reference, image):
     return reference, image
 
 
-def check_size(size, name="size", minimum=1):
+def check_size(size, minimum=1):
     """Return the side of a window in pixels as an int; raise ValueError if the window has no middle pixel."""
     if isinstance(size, bool) or not isinstance(size, int | np.integer) or size < minimum or size % 2 == 0:
         raise ValueError(
-            f"{name} must be an odd whole number of pixels, at least {minimum}, got {size!r}; "
+            f"size must be an odd whole number of pixels, at least {minimum}, got {size!r}; "
             f"only a window with an odd side has a middle pixel"
         )
     return int(size)

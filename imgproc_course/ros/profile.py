@@ -145,7 +145,7 @@ def lost_ports():
     return sorted(name for name in removed if _PORT_NAME.fullmatch(name) and f"{name}_el" in locked)
 
 
-def remove_stale_segments(folder=SHARED_MEMORY, *, older_than=10.0):
+def remove_stale_segments(*, older_than=10.0):
     """Removes the shared memory of killed processes: up to 67 MB each. Fast DDS never frees it.
 
     A running owner holds a lock on its segment's `_el` file; a killed one holds none. Files of other users
@@ -153,17 +153,16 @@ def remove_stale_segments(folder=SHARED_MEMORY, *, older_than=10.0):
 
     Parameters
     ----------
-    folder : contains the segments
     older_than : seconds; younger files stay, because their owner may not have locked them yet
 
     Returns
     -------
     int, the number of segments removed
     """
-    if sys.platform != "linux" or not folder.is_dir():
+    if sys.platform != "linux" or not SHARED_MEMORY.is_dir():
         return 0
     removed = 0
-    for segment in [path for path in folder.iterdir() if _SEGMENT_NAME.fullmatch(path.name)]:
+    for segment in [path for path in SHARED_MEMORY.iterdir() if _SEGMENT_NAME.fullmatch(path.name)]:
         lock = segment.with_name(f"{segment.name}_el")
         try:
             if time.time() - segment.stat().st_mtime > older_than and _is_unlocked(lock):

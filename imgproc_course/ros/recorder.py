@@ -131,7 +131,7 @@ class Recorder:
             # A robot's topics appear one after another; commands alone are those of a client.
             is_settled = known_topics - {COMMANDS} and time.monotonic() > settled
             if not missing or (
-                requested is None and is_settled and self._robots_subscribers().keys().isdisjoint(missing)
+                not requested and is_settled and self._robots_subscribers().keys().isdisjoint(missing)
             ):
                 break
             if time.monotonic() > end:

@@ -126,7 +126,9 @@ class Robot:
         ValueError : the room refuses it; the text says why
         RuntimeError : the robot is none in the room
         """
-        changes = {"seed": seed, "lighting": lighting, "start": start and [float(value) for value in start]}
+        if start is not None:
+            start = [float(value) for value in start]
+        changes = {"seed": seed, "lighting": lighting, "start": start}
         result = self._set_parameters(
             [Parameter(name, value=value) for name, value in changes.items() if value is not None]
         )

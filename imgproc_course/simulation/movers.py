@@ -22,14 +22,11 @@ ROLL_TIME = 3.5  # seconds in which the ball loses all but 1/e of its speed
 BOUNCE = 0.4  # share of its speed that the ball keeps when it meets something
 
 
-def is_on_rug(x, y, margin=0.0):
-    """Whether (x, y) is on the rug; `margin` metres more on each side."""
+def is_on_rug(x, y):
+    """Whether (x, y) is on the rug."""
     c, s = math.cos(RUG["yaw"]), math.sin(RUG["yaw"])
     dx, dy = x - RUG["center"][0], y - RUG["center"][1]
-    return (
-        abs(dx * c + dy * s) <= RUG["size"][0] / 2 + margin
-        and abs(-dx * s + dy * c) <= RUG["size"][1] / 2 + margin
-    )
+    return abs(dx * c + dy * s) <= RUG["size"][0] / 2 and abs(-dx * s + dy * c) <= RUG["size"][1] / 2
 
 
 def walk(time):

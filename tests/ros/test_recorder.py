@@ -93,6 +93,17 @@ def test_it_begins_when_the_robot_has_found_its_subscriptions(
             assert has_gone_on.is_set()
 
 
+@pytest.mark.parametrize("topics", [None, []])
+def test_without_a_choice_the_topics_of_the_robot_are_recorded(publish, tmp_path, monkeypatch, topics):
+    from imgproc_course.ros import record, recorder
+
+    monkeypatch.setattr(recorder, "DISCOVERY_TIMEOUT", 2.0)
+    publish("/kachaka/odometry/odometry")
+    publish("/cam/image_raw")
+    with record(topics, tmp_path / "own") as recording:
+        assert recording.topics == {"/kachaka/odometry/odometry": "sensor_msgs/msg/Image"}
+
+
 def test_a_recording_that_cannot_begin_leaves_nothing(publish, tmp_path, monkeypatch):
     from imgproc_course.recording import RecordingError
     from imgproc_course.ros import record, recorder

@@ -540,7 +540,7 @@ def test_the_evening_is_darker_and_the_robot_stays_where_it_is(robot, collect, w
 
     from imgproc_course.ros import ImageSubscriber
 
-    robot.restart(start=(0.4, -0.3, 0.2), lighting="day")
+    robot.restart(start=np.array([0.4, -0.3, 0.2]), lighting="day")
     with ImageSubscriber(f"{CAMERA}/image_raw") as subscriber:
         day = subscriber.wait(30).mean()
         poses = collect("/truth/pose/robot", PoseStamped)
