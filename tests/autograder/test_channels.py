@@ -150,6 +150,26 @@ CHANNELS = {
         "",
         LIBC + "print(*[n for n in (253, 294, 300) if libc.syscall(n, 0, 0) != -1])",
     ),
+    "a watch on a folder, a lease on a file": (
+        "",
+        "import fcntl, os\n"
+        "for path, command, value in (('/usr/bin', 1026, 0x80000001), ('/usr/bin/env', 1024, 0)):\n"
+        "    try: print(fcntl.fcntl(os.open(path, os.O_RDONLY), command, value))\n"
+        "    except OSError as error: print('' if error.errno == 1 else error)",
+    ),
+    "which files are in memory, without a clock": (
+        "",
+        LIBC + "fd = os.open('/usr/bin/env', os.O_RDONLY)\n"
+        "for number in (27, 221, 327, 451):\n"
+        "    result = libc.syscall(number, fd, 0, 0, 0, 0, 0), ctypes.get_errno()\n"
+        "    print('' if result == (-1, 1) else (number, result))",
+    ),
+    "a terminal": (
+        STAY.format(run="__import__('pty').fork()"),
+        "import os\nprint(*os.listdir('/dev/pts'))\n"
+        "try: print(os.openpty())\n"
+        "except OSError: pass",
+    ),
     "environment, umask and random state": (
         "import os, random, builtins\nos.environ['MARK'] = 'seen'\nos.umask(0)\nrandom.seed(5)\n"
         "np.random.seed(5)\nbuiltins.mark = 'seen'\nnp.mark = 'seen'",
@@ -157,6 +177,15 @@ CHANNELS = {
         "print('seen' if 'MARK' in os.environ or hasattr(builtins, 'mark') or hasattr(np, 'mark') else '',"
         " '' if os.umask(0) == 0o022 and random.random() == 0.8444218515250481 else 'seen')",
     ),
+}
+
+
+# What only slows others down, or takes memory that no limit counts; each prints nothing if it is refused.
+REFUSED = {
+    "the disk is written out, of one file system": LIBC
+    + "fd = os.open('/usr/bin/env', os.O_RDONLY)\nprint(libc.syncfs(fd) + 1 or '')",
+    "message queues and semaphores that nobody counts": LIBC
+    + "print(libc.msgget(0, 0o1600) + 1 or '', libc.semget(0, 32_000, 0o1600) + 1 or '')",
 }
 
 
@@ -182,3 +211,11 @@ def test_one_kernel_leaves_nothing_for_the_next(kernel_factory, name):
     finally:
         first.stop()
         second.stop()
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_calls_that_cost_others_something_are_refused(kernel_factory, name):
+    kernel = kernel_factory.start((), 30)
+    run = kernel.run(REFUSED[name])
+    kernel.stop()
+    assert (run.ended, run.error, run.printed.split()) == ("", ("", ""), [])

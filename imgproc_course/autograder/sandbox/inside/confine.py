@@ -17,12 +17,15 @@ What one kernel could leave for the next, or show to one beside it, and what pre
     keys in the system's keyrings               the calls are refused, /proc/keys is empty, and the session
                                                 keyring is new: the teacher's cannot be searched either
     the system's log: a crash writes to it      the call that reads it is refused
-    watches on files that others open           inotify and fanotify are refused
+    watches and leases on files                 inotify, fanotify, and fcntl's commands for them are refused
+    which files are in memory                   the calls that say it, or change it at once, are refused
+    terminals: their numbers, what they hold    /dev/pts is empty
     core files                                  a limit of one byte, which pipes to programs obey too
     environment, umask, timers, random state    a fork has copies
     memory and processor time                   a control group counts what all kernels use (`cgroups`)
 Timing remains: whether a file is in the page cache, how busy the machine is. Kernels that run at the same
-time in two workers can also lock a file that both can read. tests/autograder/test_channels.py tries each.
+time (in two workers, or an answer's kernel and the next one of the same answer, which prepares) can also lock
+a file that both can read. tests/autograder/test_channels.py tries each.
 """
 
 import ctypes
@@ -94,6 +97,8 @@ def confine(bound, limits, user):
     scratch = f"size={limits['scratch']},nr_inodes=2000"
     _mount("tmpfs", "/tmp", "tmpfs", _NOSUID | _NODEV, f"{scratch},mode=1777")
     _mount("tmpfs", "/dev/shm", "tmpfs", _NOSUID | _NODEV | _NOEXEC, f"{scratch},mode=1777")
+    if os.path.exists("/dev/pts"):
+        _mount(EMPTY_FOLDER, "/dev/pts", "", _BIND)
     _mount("proc", "/proc", "proc", _READ_ONLY | _NOSUID | _NODEV | _NOEXEC)
     for path in ("/proc/keys", "/proc/key-users"):
         if os.path.exists(path):

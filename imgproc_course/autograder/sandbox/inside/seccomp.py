@@ -3,7 +3,9 @@
 Memory in an anonymous file, in System V segments or in a new file system does not count as memory of a
 process, and a new user namespace makes its owner root there. Keyrings, the system's log, and sockets of most
 families are in no namespace: what one kernel writes there, the next could read. Watches on files show what
-other processes open. `sync` makes everybody wait for the disk. Answers need none of these.
+other processes open, and a lease on a file makes them wait. Some calls say which parts of a file are in
+memory, or put them out of it, without looking at a clock. `sync` and `syncfs` make everybody wait for the
+disk. Answers need none of these.
 """
 
 import ctypes
@@ -19,10 +21,15 @@ _CALLS = {
         {
             "clone": 56,
             "socket": 41,
+            "mincore": 27,
             "shmget": 29,
+            "semget": 64,
+            "msgget": 68,
+            "fcntl": 72,
             "syslog": 103,
             "sync": 162,
             "mount": 165,
+            "fadvise64": 221,
             "add_key": 248,
             "request_key": 249,
             "keyctl": 250,
@@ -30,8 +37,10 @@ _CALLS = {
             "unshare": 272,
             "inotify_init1": 294,
             "fanotify_init": 300,
+            "syncfs": 306,
             "setns": 308,
             "memfd_create": 319,
+            "preadv2": 327,
         },
     ),
     "aarch64": (
@@ -39,27 +48,36 @@ _CALLS = {
         {
             "clone": 220,
             "socket": 198,
+            "mincore": 232,
             "shmget": 194,
+            "semget": 190,
+            "msgget": 186,
+            "fcntl": 25,
             "syslog": 116,
             "sync": 81,
             "mount": 40,
+            "fadvise64": 223,
             "add_key": 217,
             "request_key": 218,
             "keyctl": 219,
             "unshare": 97,
             "inotify_init1": 26,
             "fanotify_init": 262,
+            "syncfs": 267,
             "setns": 268,
             "memfd_create": 279,
+            "preadv2": 286,
         },
     ),
 }
-_EVERYWHERE = {"io_uring_setup": 425, "fsopen": 430, "clone3": 435, "memfd_secret": 447}
+_EVERYWHERE = {"io_uring_setup": 425, "fsopen": 430, "clone3": 435, "memfd_secret": 447, "cachestat": 451}
+_PARTLY = ("clone", "clone3", "socket", "fcntl")  # some uses of them are refused
+_WATCHES = (1024, 1026)  # commands of fcntl: F_SETLEASE, F_NOTIFY
 _NEW_USER = 0x10000000
 _SOCKET_FAMILIES = (1, 2, 10, 16)  # UNIX, INET, INET6, NETLINK: a network namespace separates them
 _X32 = 0x40000000  # calls of the x32 interface, with other numbers
 _LOAD, _EQUAL, _AT_LEAST, _ANY_BIT, _RETURN = 0x20, 0x15, 0x35, 0x45, 0x06
-_NUMBER, _MACHINE, _FIRST_ARGUMENT = 0, 4, 16  # offsets in struct seccomp_data
+_NUMBER, _MACHINE, _FIRST_ARGUMENT, _SECOND_ARGUMENT = 0, 4, 16, 24  # offsets in struct seccomp_data
 _ALLOW, _ERROR = 0x7FFF0000, 0x00050000
 _PR_SET_SECCOMP, _FILTER = 22, 2
 
@@ -90,10 +108,15 @@ def _filter(machine, numbers):
     yield _instruction(_LOAD, _NUMBER)
     yield from _if(_AT_LEAST, _X32, errno.EPERM)
     for name, number in (numbers | _EVERYWHERE).items():
-        if name not in ("clone", "clone3", "socket"):
+        if name not in _PARTLY:
             yield from _if(_EQUAL, number, errno.EPERM)
     # clone3 has its flags in memory, where no filter sees them; after ENOSYS the C library calls clone.
     yield from _if(_EQUAL, _EVERYWHERE["clone3"], errno.ENOSYS)
+    yield _instruction(_EQUAL, numbers["fcntl"], 0, 2 + 2 * len(_WATCHES))
+    yield _instruction(_LOAD, _SECOND_ARGUMENT)
+    for command in _WATCHES:
+        yield from _if(_EQUAL, command, errno.EPERM)
+    yield _instruction(_RETURN, _ALLOW)
     yield _instruction(_EQUAL, numbers["socket"], 0, 2 + 2 * len(_SOCKET_FAMILIES))
     yield _instruction(_LOAD, _FIRST_ARGUMENT)
     for family in _SOCKET_FAMILIES:
