@@ -29,6 +29,33 @@ def test_the_environment_and_the_paths_reveal_nothing():
         assert trace not in printed
 
 
+def test_what_lies_beside_the_systems_folders_is_not_inside(monkeypatch, tmp_path):
+    """A checkout in /usr/src, another environment in Conda's folder: it would have every library and the key."""
+    for name in ("lib", "envs", "pkgs", "share"):
+        (tmp_path / name).mkdir()
+    (tmp_path / "link").symlink_to("/etc")
+    monkeypatch.setattr(bubblewrap, "python_folder", lambda: (tmp_path, Path("/python")))
+    monkeypatch.setattr(bubblewrap, "SOURCE", Path("/usr/share/man/imgproc_course"))
+    folders = {str(path) for path in bubblewrap._foreign_folders()}
+    assert {"/python/envs", "/python/pkgs", "/usr/share/man"} <= folders
+    assert not {"/python/lib", "/python/share", "/python/link", "/usr/lib", "/usr/local"} & folders
+    assert {"/usr/src"} & folders == {"/usr/src"} & {str(path) for path in Path("/usr").iterdir()}
+    paths = [Path("/usr/share/man/man1"), Path("/usr/src"), Path("/usr/share/man"), Path("/usr/src")]
+    assert bubblewrap._outermost(paths) == [Path("/usr/share/man"), Path("/usr/src")]
+
+
+def test_the_systems_image_libraries_are_empty_inside(monkeypatch):
+    """From apt, OpenCV's functions could be called in C: cvCanny() of libopencv_imgproc.so."""
+    monkeypatch.setattr(bubblewrap, "_IMAGE_LIBRARIES", ("libthread_db.so*",))
+    (path,) = {path.resolve() for path in Path("/usr/lib").rglob("libthread_db.so*")}
+    assert bubblewrap._image_libraries() == ["--ro-bind", "/dev/null", str(path)]
+    with KernelFactory("fast") as kernel_factory:
+        kernel = kernel_factory.start((), 30)
+        run = kernel.run(f"import ctypes\nctypes.CDLL({str(path)!r})")
+        kernel.stop()
+    assert run.error[0] == "OSError"
+
+
 def test_the_systems_limits_follow_from_the_case():
     assert Limits(grace=2).for_system(0.5)["cpu"] == 3
     assert Limits(grace=1, wall_factor=2, wall_grace=3).deadline(4) == 13

@@ -55,6 +55,15 @@ _COMMANDS = (
     ),
     *("sed", "sort", "cut", "tr", "mkdir", "rm", "cp", "mv", "touch", "sleep", "kill", "date", "uname", "id"),
 )
+# Of /usr, /usr/local and Python's own folder. Beside them lie other people's programs, a checkout, or
+# environments with every library.
+_SYSTEM_FOLDERS = (
+    *("bin", "sbin", "games", "libexec", "lib", "lib32", "lib64", "libx32"),
+    *("share", "etc", "ssl", "include", "man"),
+)
+# Libraries with functions that solve exercises, in C: no Python is needed to call them.
+_IMAGE_LIBRARIES = ("libopencv_*", "libMagick*", "libGraphicsMagick*", "libvips*")
+_LIBRARY_FOLDERS = ("lib", "lib/*-linux-gnu*", "lib64", "local/lib", "local/lib64")
 _ETC = ("ld.so.cache", "ld.so.conf", "ld.so.conf.d", "alternatives", "localtime", "nsswitch.conf", "fonts")
 
 
@@ -173,7 +182,7 @@ def sandbox_command(confined, *, shared=None):
     base, mount_point = python_folder()
     command = [shutil.which("bwrap") or "bwrap", "--die-with-parent", "--new-session", "--clearenv"]
     command += [*_namespace_options(), *_environment_options()]
-    command += [*_bind("/usr"), *_system_folders(), *_system_commands()]
+    command += [*_bind("/usr"), *_system_folders(), *_system_commands(), *_image_libraries()]
     command += ["--proc", "/proc", "--dev", "/dev", "--perms", "1777", "--tmpfs", "/dev/shm"]
     command += [
         "--perms",
@@ -187,8 +196,8 @@ def sandbox_command(confined, *, shared=None):
     ]
     if mount_point != base:
         command += _bind(str(base), str(mount_point))
-    for path in _foreign_package_folders():
-        command += _empty_folder(path)
+    for path in _outermost([*_foreign_folders(), *_foreign_package_folders()]):
+        command += _empty_folder(str(path))
     command += [*_site_packages(), *_course_packages()]
     for folder, shared_mount_point in (shared or {}).items():
         command += ["--bind", folder, shared_mount_point]
@@ -242,7 +251,7 @@ def _system_folders():
 def _system_commands():
     """Of the system's commands, those for a line such as `!ls`: ImageMagick would solve exercises.
 
-    What lies beside the libraries (below /usr/lib) can still be run: Python needs that folder whole.
+    What lies beside the libraries (below /usr/lib) can still be run: Python needs that folder.
     """
     options, interpreter = [], Path(sys.executable).resolve()
     for path in filter(Path.is_dir, map(Path, _COMMAND_FOLDERS)):
@@ -252,6 +261,13 @@ def _system_commands():
             options += [option for command in commands if command.is_file() for option in _bind(str(command))]
             options += ["--remount-ro", str(path)]
     return options
+
+
+def _image_libraries():
+    """Put nothing in the place of the system's image libraries; what an exercise allows is in wheels."""
+    patterns = [f"{folder}/{name}" for folder in _LIBRARY_FOLDERS for name in _IMAGE_LIBRARIES]
+    paths = {path.resolve() for pattern in patterns for path in Path("/usr").glob(pattern)}
+    return [option for path in sorted(paths) if path.is_file() for option in _bind(os.devnull, str(path))]
 
 
 def _site_packages():
@@ -311,14 +327,37 @@ def site_folders():
 
 
 def python_folder():
-    """(folder of Python itself, where it is inside the sandbox): the same path below /usr, else /python."""
+    """(folder of Python itself, where it is inside the sandbox): the system's stays, another is /python."""
     base = Path(sys.base_prefix).resolve()
-    return base, base if base.is_relative_to("/usr") else Path(PYTHON)
+    return base, base if base in (Path("/usr"), Path("/usr/local")) else Path(PYTHON)
 
 
 def _interpreter():
     base, mount_point = python_folder()
     return str(mount_point / Path(sys.executable).resolve().relative_to(base))
+
+
+def _foreign_folders():
+    """What lies below /usr and in Python's folder and is not the system's, as seen inside: it is emptied."""
+    mount_points = {path: path for path in (Path("/usr"), Path("/usr/local"))} | dict([python_folder()])
+    folders = [
+        mount_point / entry.name
+        for root, mount_point in mount_points.items()
+        for entry in (root.iterdir() if root.is_dir() else ())
+        if entry not in mount_points and entry.name not in _SYSTEM_FOLDERS and _is_plain_folder(entry)
+    ]
+    own = {path for path in (SOURCE.parent, *site_folders()) if path.is_relative_to("/usr")}
+    return [*folders, *filter(_is_plain_folder, own)]
+
+
+def _is_plain_folder(path):
+    return path.is_dir() and not path.is_symlink()
+
+
+def _outermost(paths):
+    """Paths without those that lie in another one of them; sorted."""
+    paths = set(paths)
+    return sorted(path for path in paths if not paths.intersection(path.parents))
 
 
 def _foreign_package_folders():
@@ -330,7 +369,7 @@ def _foreign_package_folders():
         for pattern in ("lib/python3*/site-packages", "lib/python3*/dist-packages")
         for path in base.glob(pattern)
     ]
-    return sorted({str(path) for path in paths})
+    return paths
 
 
 def environment():
