@@ -283,15 +283,23 @@ def _cached_plain_python(source):
     return cell_syntax.plain_python(source)
 
 
-def serve(requests, replies):
-    """Answer each request with a line of JSON.
+def serve(requests, replies, most_memory):
+    """Answer each request with a line of JSON, until there is no more, or the memory is in use.
 
     `read <length>`, and the bytes of a notebook: {"notebook": } or {"reason": }
     `compose <length>`, and the requests of `compose_answers` as JSON, about the last notebook: {"answers": }
+
+    Parameters
+    ----------
+    requests, replies : binary files
+    most_memory : int, bytes; with more in use, it ends instead of reading another notebook. What is remembered
+        of notebooks before, of whoever sent them, leaves each one memory enough
     """
     notebook = None
     while header := requests.readline():
         kind, length = header.split()
+        if kind == b"read" and _memory_in_use() > most_memory:
+            return
         body = requests.read(int(length))
         try:
             if kind == b"read":
@@ -307,9 +315,18 @@ def serve(requests, replies):
         replies.flush()
 
 
+def _memory_in_use():
+    """Bytes of this process; 0 where the system does not say it."""
+    try:
+        pages = Path("/proc/self/statm").read_text(encoding="ascii").split()[1]
+    except OSError:
+        return 0
+    return int(pages) * resource.getpagesize()
+
+
 if __name__ == "__main__":
     memory = int(sys.argv[1])
     resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
     if sys.platform.startswith("linux"):
         ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)  # end with the process that started this
-    serve(sys.stdin.buffer, sys.stdout.buffer)
+    serve(sys.stdin.buffer, sys.stdout.buffer, memory // 4)

@@ -360,6 +360,25 @@ def test_a_notebook_that_uses_too_much_memory_harms_only_itself(answer_keys, mad
         assert content.answers == answers_of(light, "right")
 
 
+def test_notebooks_that_fill_the_readers_memory_cost_the_next_one_nothing():
+    """Cells are remembered, because most are in every notebook; these are in one each."""
+    answer = {"answer-light-double": "def double(p):\n    return twice(p)", "mine": "def twice(p): return p"}
+    with NotebookReader(memory=110 << 20) as reader:
+        cells = {f"own-{k}": f"twice = 1{k}\n" + "a;" * 2_400 for k in range(40)}
+        reader.read(cells_as_notebook(answer | cells))
+        reader.compose([[0, "double", [], {}]])
+        assert reader.read(cells_as_notebook(answer, output="x" * 10_000_000))[1] == ""
+        ((source, taken),) = reader.compose([[0, "double", [], {}]])
+    assert taken == [["twice", "function", 1]]
+    assert source.count("def twice(p):\n    return p") == 1
+
+
+def cells_as_notebook(sources, output=""):
+    cells = [{"id": id, "cell_type": "code", "metadata": {}, "source": text} for id, text in sources.items()]
+    cells[-1]["outputs"] = [{"output_type": "stream", "name": "stdout", "text": output}]
+    return json.dumps({"nbformat": 4, "metadata": {}, "cells": cells}).encode()
+
+
 def test_a_reader_that_hangs_is_ended_and_one_that_was_killed_costs_nothing(answer_keys, made, light):
     data = json.dumps(made).encode()
     with NotebookReader(seconds=0.0) as reader:
