@@ -141,7 +141,9 @@ class ExerciseRun:
             self.faults[case.id] = "the process that starts kernels ended, three times"
         else:
             self.runs[case.id] = run
-        if not run.passed and run.ended != "budget":  # the next case needs a kernel of its own, too
+        if run.ended == "budget":  # nothing of this answer runs any more, also not while it waits
+            self._kernel_factory.keep_spares([])
+        elif not run.passed:  # the next case needs a kernel of its own, too
             self._kernel_factory.keep_spares(self._requests_after(case, sources_before))
         return run
 

@@ -135,6 +135,16 @@ def test_a_kernel_that_ran_the_answer_before_costs_no_time_or_memory(key, right)
         assert exercise_run._kernel_factory._fork_server._fork_count == 3
 
 
+def test_an_answer_does_not_run_on_when_no_time_is_left_for_it(key):
+    with exercise_run_of(key) as (exercise_run, given, [(first, check), (second, _)]):
+        sources, spares = [*given, "def mean(values):\n    return 0.0"], exercise_run._kernel_factory._spares
+        exercise_run.run(first, sources, check)
+        assert [sources_to_run for *_, sources_to_run in spares] == [tuple(sources)]
+        exercise_run._stop_at = 0.0
+        assert exercise_run.run(second, sources, check).ended == "budget"
+        assert spares == {}
+
+
 ONCE = """import pathlib
 count = pathlib.Path("count")
 count.write_text(count.read_text() + "x" if count.exists() else "x")

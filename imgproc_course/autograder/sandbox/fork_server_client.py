@@ -94,11 +94,11 @@ class ForkedKernel:
 
     def _run_request(self, data):
         run = CellRun()
+        self._fork_server.finish_drops()  # nothing of the kernel before is left now, and counts for this one
         if self._deadline is None:  # the clock starts with the first cell: the kernel may have waited for it
             self._deadline = time.monotonic() + self._limits.deadline(self._seconds)
             self._next_look = time.monotonic() + LOOK_SECONDS
             self._fork_server.group.reset()
-        self._fork_server.finish_drops()  # nothing of the kernel before is left now
         try:
             self._send(data)
             bytes_left = self._limits.output

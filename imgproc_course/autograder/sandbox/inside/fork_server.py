@@ -142,8 +142,8 @@ def _fork(control, descriptor, order, settings, loaded, namespace):
 
 def _drop(child, others, ending):
     """Kill a kernel. The next one runs only after every process that it started has ended."""
+    os.kill(child, signal.SIGKILL)  # first: until then it can start another one
     started = {int(entry.name) for entry in os.scandir("/proc") if entry.name.isdigit()}
-    os.kill(child, signal.SIGKILL)
     if started - others - {1, os.getpid(), child}:
         os.waitpid(child, 0)
     else:  # do not wait: the system takes some time to remove a kernel's namespaces
