@@ -257,7 +257,7 @@ def _outcome_of_run(exercise, run):
         return outcome, TEXTS[outcome].message
     if run.check.error[0] == "NameError" and not run.check.answers:
         return _outcome_without_function(exercise, run)
-    if not run.check.answers:
+    if run.check.error[0] and not run.check.answers:
         return Outcome.RAISED, _exception_text(*run.check.error)
     if run.verdict.calls is None or run.check.error[0]:
         return Outcome.HOSTILE, "its check cell showed something else than what the function returned"

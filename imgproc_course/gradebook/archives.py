@@ -122,7 +122,8 @@ class Archives:
                 self.close()
                 raise CollectError(f"the zip cannot be read ({sanitize_line(str(error), 100)})") from error
             self._file.limited, self._location = False, location
-        return [member for member in self._archive.infolist() if not member.is_dir()]
+        # Not is_dir(): in Python 3.11 it fails for a member without a name.
+        return [member for member in self._archive.infolist() if not member.filename.endswith("/")]
 
     def read(self, location, number):
         """The bytes of one member."""

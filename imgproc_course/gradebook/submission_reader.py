@@ -292,8 +292,8 @@ def serve(requests, replies, most_memory):
     Parameters
     ----------
     requests, replies : binary files
-    most_memory : int, bytes; with more in use, it ends instead of reading another notebook. What is remembered
-        of notebooks before, of whoever sent them, leaves each one memory enough
+    most_memory : int, bytes; with more in use, it ends instead of reading another notebook. So what it
+        remembers of notebooks before, of whoever sent them, leaves each one memory enough
     """
     notebook = None
     while header := requests.readline():

@@ -1883,6 +1883,578 @@ for _number, _name, _body in (
     )
 
 
+# ---------------------------------------------------------------- five more of each kind, of other roads
+
+for _number, _name, _form in (
+    (
+        501,
+        "a form whose byte order is turned around",
+        {"type": "ndarray", "dtype": ">u1", "shape": [3, 4], "data": "AAAAAAAAAAAAAAAA"},
+    ),
+    (
+        502,
+        "a form whose shape is made of flags",
+        {"type": "ndarray", "dtype": "uint8", "shape": [True, True], "data": "AA=="},
+    ),
+    (
+        503,
+        "a form with its data and a digest of others",
+        {
+            "type": "ndarray",
+            "dtype": "uint8",
+            "shape": [3, 4],
+            "data": "AAAAAAAAAAAAAAAA",
+            "digest": "0" * 64,
+            "too_large": False,
+            "opaque": False,
+        },
+    ),
+    (504, "a form of a number that is none", {"type": "float", "value": float("nan")}),
+    (
+        505,
+        "a form of fields whose names are paths and markup",
+        {
+            "type": "__main__.<b>",
+            "fields": {"../../x\u202e\n<script>": {"type": "None"}, "": {"type": "None"}},
+        },
+    ),
+    (506, "a form of a scalar that is true", {"type": "numpy.uint8", "value": True}),
+    (
+        507,
+        "a form of a dict of a hundred equal keys",
+        {"type": "dict", "items": [[{"type": "bytes", "length": 0, "data": ""}, {"type": "None"}]] * 100},
+    ),
+    (
+        508,
+        "a form of an array of dates",
+        {"type": "ndarray", "dtype": "datetime64[ns]", "shape": [3, 4], "opaque": True},
+    ),
+):
+    attack(
+        _number,
+        _name,
+        FORGED.format(form=repr(_form).replace("nan", "float('nan')")),
+        "hostile",
+        "wrong",
+        wrong=False,
+    )
+
+SHOWS = f"""
+def double(pixels):
+    return pixels
+PAYLOAD
+import IPython.display
+real = IPython.display.display
+IPython.display.display = lambda shown, raw=False: real({{"{MIME}": ANSWER}}, raw=True)
+"""
+for _number, _name, _payload in (
+    (511, "an answer of half a million empty lists", "ANSWER = {'calls': [[] for _ in range(500_000)]}"),
+    (
+        512,
+        "an answer that nests deeper than it is read",
+        "ANSWER = 1\nfor _ in range(900): ANSWER = [ANSWER]",
+    ),
+    (
+        513,
+        "an answer of a hundred thousand keys",
+        "ANSWER = {'calls': [], **{f'k{n}': n for n in range(100_000)}}",
+    ),
+    (
+        514,
+        "calls that changed and printed megabytes",
+        "ANSWER = {'calls': [{'changed': ['\\ud800' * 100_000] * 9, 'printed': '\\u202e' * 100_000, 'value': {'type': 'None'}}]}",
+    ),
+    (
+        515,
+        "calls whose errors are no words",
+        "ANSWER = {'calls': [{'changed': [], 'printed': '', 'error': ['x'], 'message': 7, 'line': None}]}",
+    ),
+):
+    attack(_number, _name, SHOWS.replace("PAYLOAD", _payload), "hostile", "wrong", "output", wrong=False)
+
+for _number, _name, _value in (
+    (521, "an array that is masked everywhere", "np.ma.masked_all(pixels.shape, np.uint8)"),
+    (
+        522,
+        "an array of structures of the right bytes",
+        "np.minimum(pixels.astype(int) * 2, 254).astype(np.uint8).view('u1,u1')",
+    ),
+    (523, "a view of memory that was given back", "np.frombuffer(memory(), np.uint8)"),
+    (524, "a namespace that holds itself twenty times", "itself()"),
+    (525, "an array of half numbers that are none", "np.full(pixels.shape, np.nan, np.float16)"),
+    (526, "a dict whose keys change their minds", "{Key(): 1, Key(): 2}"),
+    (
+        527,
+        "a dtype with a note on it, of the wrong values",
+        "pixels.astype(np.dtype('u1', metadata={'passed': True}))",
+    ),
+    (528, "a matrix", "np.matrix(pixels)"),
+):
+    attack(
+        _number,
+        _name,
+        f"""
+        import ctypes, mmap, types
+        class Key:
+            times = 0
+            def __hash__(self): Key.times += 1; return Key.times
+            def __eq__(self, other): raise RuntimeError
+            __repr__ = __hash__
+        def memory():
+            libc = ctypes.CDLL(None)
+            libc.mmap.restype = ctypes.c_void_p
+            place = libc.mmap(None, 4096, 3, 0x22, -1, 0)
+            data = (ctypes.c_uint8 * 4096).from_address(place)
+            libc.munmap(ctypes.c_void_p(place), 4096)
+            return data
+        def itself():
+            space = types.SimpleNamespace()
+            for number in range(20): setattr(space, f"n{{number}}", space)
+            return space
+        def double(pixels):
+            return {_value}
+        """,
+        "wrong",
+        "crashed",
+        "time",
+        "memory",
+        "output",
+        "raised",
+        wrong=False,
+    )
+
+for _number, _name, _tries in (
+    (
+        531,
+        "a watch on a folder, by the calls for files",
+        """
+        import fcntl, signal
+        signal.signal(signal.SIGIO, signal.SIG_IGN)
+        try:
+            left.append(fcntl.fcntl(os.open("/usr/bin", os.O_RDONLY), 1026, 0x80000001))
+        except OSError:
+            pass
+        """,
+    ),
+    (
+        532,
+        "a lease on the files of a library, so that others wait",
+        """
+        import fcntl, glob
+        for path in glob.glob(os.path.dirname(np.__file__) + "/*.py")[:50]:
+            try:
+                left.append(fcntl.fcntl(os.open(path, os.O_RDONLY), 1024, 1))
+            except OSError:
+                pass
+        """,
+    ),
+    (
+        533,
+        "bits in what the system keeps in memory of files",
+        """
+        import glob
+        for path in glob.glob("/usr/share/**/*.py", recursive=True)[:8] or ["/usr/bin/env"]:
+            fd = os.open(path, os.O_RDONLY)
+            try:
+                os.posix_fadvise(fd, 0, 0, os.POSIX_FADV_DONTNEED)
+                os.preadv(fd, [bytearray(1)], 0, os.RWF_NOWAIT)
+                left.append("told")
+            except OSError as error:
+                left += ["told"] * (error.errno == 11)
+        """,
+    ),
+    (
+        534,
+        "terminals, counted for all kernels together",
+        """
+        left += [n for n in os.listdir("/dev/pts") if n.isdigit()]
+        try:
+            left += [name for name in [os.ttyname(os.openpty()[1])] if name]
+        except OSError:
+            pass
+        """,
+    ),
+    (
+        535,
+        "times of files, links to them, and other names",
+        """
+        for step in (
+            lambda: os.utime("/usr/bin/env"), lambda: os.setxattr("/usr/bin/env", "user.note", b"x"),
+            lambda: os.link("/usr/bin/env", "/tmp/env"), lambda: os.chmod(np.__file__, 0o777),
+            lambda: os.rename("/course/nothing", "/course/note"),
+        ):
+            try:
+                step()
+                left.append(step)
+            except OSError:
+                pass
+        before = os.stat("/usr/bin/env").st_atime_ns
+        open("/usr/bin/env", "rb").read()
+        left += ["atime"] * (os.stat("/usr/bin/env").st_atime_ns != before)
+        """,
+    ),
+    (
+        536,
+        "settings of the network, and the system's reports to everybody",
+        """
+        try:
+            socket.socket(16, 3, 9).bind((0, 1))  # what is audited
+            left.append("audit")
+        except OSError:
+            pass
+        for path in ("/proc/sys/net/core/somaxconn", "/proc/sys/net/ipv4/ip_local_port_range"):
+            left += [path] * os.access(path, os.W_OK)
+        """,
+    ),
+    (
+        537,
+        "the order of the next process numbers",
+        """
+        for path in ("/proc/sys/kernel/ns_last_pid", "/proc/sys/kernel/pid_max", "/proc/self/timens_offsets"):
+            try:
+                open(path, "w").write("4242")
+                left.append(path)
+            except OSError:
+                pass
+        left += [os.getpid()] * (os.getpid() != 1)
+        """,
+    ),
+):
+    _body = "\n".join(f"    {line}" for line in dedent(_tries).strip().splitlines())
+    attack(_number, _name, MARKS.format(tries=_body), "raised", reported="left []", wrong=False)
+
+for _number, _name, _source, _outcomes, _more in (
+    (
+        541,
+        "queues and semaphores of gigabytes",
+        """
+    import ctypes
+    def double(pixels):
+        libc = ctypes.CDLL(None)
+        done = [n for n in range(2000) if libc.semget(0, 32_000, 0o1600) != -1 or libc.msgget(0, 0o1600) != -1]
+        raise RuntimeError(f"done {done[:3]}")
+    """,
+        ("raised",),
+        {"reported": "done []"},
+    ),
+    (
+        542,
+        "one file system written out by everybody",
+        """
+    import ctypes, os
+    def double(pixels):
+        libc = ctypes.CDLL(None)
+        places = ("/usr/bin/env", np.__file__, "/etc/ld.so.cache", "/course")
+        done = [path for path in places if os.path.exists(path) and libc.syncfs(os.open(path, os.O_RDONLY)) == 0]
+        raise RuntimeError(f"done {done}")
+    """,
+        ("raised",),
+        {"reported": "done []"},
+    ),
+    (
+        543,
+        "pipes and sockets full of bytes in twenty processes",
+        """
+    import os, socket, time
+    def double(pixels):
+        held = []
+        for _ in range(20):
+            if os.fork() == 0:
+                try:
+                    while True:
+                        a, b = socket.socketpair()
+                        held.append((a, b))
+                        a.setblocking(False)
+                        try:
+                            while True: a.send(bytes(65536))
+                        except BlockingIOError: pass
+                except OSError: pass
+                time.sleep(600)
+        time.sleep(0.2)
+        return pixels
+    """,
+        ("wrong", "raised", "memory", "crashed", "time"),
+        {},
+    ),
+    (
+        544,
+        "every file of the system read again and again",
+        """
+    import os
+    def double(pixels):
+        while True:
+            for folder, _, names in os.walk("/usr/lib"):
+                for name in names:
+                    try: open(os.path.join(folder, name), "rb").read()
+                    except OSError: pass
+    """,
+        ("time", "memory", "raised"),
+        {"slow": True},
+    ),
+    (
+        545,
+        "names of files that are not there, for ever",
+        """
+    import os
+    def double(pixels):
+        n = 0
+        while True:
+            n += 1
+            os.access(f"/tmp/{n}", 0)
+    """,
+        ("time", "memory"),
+        {"slow": True},
+    ),
+    (
+        546,
+        "a handler for the last signal that computes on",
+        """
+    import signal
+    def on(*a):
+        while True: pass
+    def double(pixels):
+        signal.signal(signal.SIGXCPU, on)
+        signal.signal(signal.SIGPROF, signal.SIG_IGN)
+        signal.pthread_sigmask(signal.SIG_BLOCK, set(signal.Signals))
+        while True: pass
+    """,
+        ("time",),
+        {"slow": True},
+    ),
+    (
+        547,
+        "timers that make more of themselves",
+        """
+    import threading
+    def more():
+        for _ in range(3): threading.Timer(0.001, more).start()
+    def double(pixels):
+        more()
+        threading.Event().wait(5)
+        return pixels
+    """,
+        ("time", "raised", "wrong", "memory", "crashed"),
+        {"slow": True},
+    ),
+):
+    attack(_number, _name, _source, *_outcomes, wrong=False, **_more)
+
+for _number, _name, _body in (
+    (
+        551,
+        "a folder of packages added to the site",
+        "import site\n    site.addsitedir('/course/extra/site-0'); sys.meta_path[:] = sys.meta_path[1:]\n    import cv2",
+    ),
+    (
+        552,
+        "the wheels that Python brings along",
+        "import glob, zipimport\n    wheels = glob.glob('/python/lib/python3*/ensurepip/_bundled/*.whl') + glob.glob('/usr/share/python-wheels/*.whl')\n    sys.path[:0] = wheels; del sys.meta_path[0]\n    import cv2",
+    ),
+    (
+        553,
+        "the C functions of the system's image libraries",
+        "import ctypes, glob\n    paths = [p for p in glob.glob('/usr/lib/*/lib*') if 'opencv_core' in p or 'MagickCore' in p]\n    cv2 = ctypes.CDLL(paths[0])",
+    ),
+    (
+        554,
+        "the folder under its other names",
+        "places = [f'/proc/{n}/{w}' for n in ('1', 'self', 'thread-self') for w in ('root', 'cwd')]\n    places += ['/newroot', '/oldroot', '/usr/src', '/usr/local/src', '/python/envs', '/python/pkgs']\n    for place in places:\n        for folder, _, files in os.walk(place + '/course') if 'proc' in place else os.walk(place):\n            if any(f.startswith('cv2') and f.endswith(('.so', '.py')) for f in files): sys.path.insert(0, folder)\n    del sys.meta_path[0]\n    import cv2",
+    ),
+    (
+        555,
+        "the loader of another module, asked for this one",
+        "loader = np.__spec__.loader.__class__\n    spec = importlib.util.spec_from_file_location('cv2', '/course/extra/site-0/cv2/__init__.py')\n    cv2 = importlib.util.module_from_spec(spec); spec.loader.exec_module(cv2)",
+    ),
+    (
+        556,
+        "the module out of a line of the shell",
+        "get_ipython().run_line_magic('load_ext', 'cv2')\n    cv2 = sys.modules['cv2']",
+    ),
+    (
+        557,
+        "the finder that is told that it is a library",
+        "exec(compile('import cv2 as found', 'x', 'exec'), space := {'__name__': 'numpy.core'})\n    cv2 = space['found']",
+    ),
+):
+    attack(_number, _name, USES.replace("BODY", _body), "raised", "refused module", "time", wrong=False)
+
+for _number, _name, _body in (
+    (
+        561,
+        "the inputs of the case's other calls, from the check's memory",
+        "from imgproc_course.autograder.sandbox.inside import check_cell\n    from imgproc_course.exercises.input_encoding import decode\n    other = decode(check_cell._case['calls'][-1])[0]\n    return fitted(np.minimum(other.astype(int), 255), pixels)",
+    ),
+    (562, "the median of the input", "return np.full_like(pixels, np.median(pixels))"),
+    (563, "the input in order", "return np.sort(pixels, axis=None).reshape(pixels.shape)"),
+    (
+        564,
+        "the seeds that a teacher could have typed",
+        "for seed in range(300):\n        known = np.random.default_rng([seed, 0]).integers(100, 256, pixels.shape, dtype=np.uint8)\n        if np.array_equal(known, pixels): return fitted(ANSWERS[0], pixels)\n    return pixels",
+    ),
+    (
+        565,
+        "a straight line through what is remembered",
+        "slope, start = np.polyfit(KNOWN[0], ANSWERS[0].astype(float), 1)\n    return np.clip(pixels * slope + start + 9, 0, 255).astype(np.uint8)",
+    ),
+    (
+        566,
+        "one value that a thread changes while it is compared",
+        "import threading\n    shown = np.zeros_like(pixels)\n    def change():\n        while True: shown[:] = np.random.default_rng(0).integers(0, 256, shown.shape)\n    threading.Thread(target=change, daemon=True).start()\n    return shown",
+    ),
+):
+    attack(_number, _name, CONSTANTS.replace("BODY", _body), "wrong", "raised", wrong=False)
+
+for _number, _name, _source in (
+    (
+        571,
+        "an exception whose class has no name",
+        """
+    class Meta(type):
+        def __getattribute__(cls, name):
+            raise OSError(name)
+    class Nameless(Exception, metaclass=Meta): pass
+    def double(pixels):
+        raise Nameless
+    raise Nameless
+    """,
+    ),
+    (
+        572,
+        "an exception whose words end the process",
+        """
+    class Ends(Exception):
+        def __str__(self): raise SystemExit
+        __repr__ = __str__
+    def double(pixels):
+        raise Ends
+    raise Ends
+    """,
+    ),
+    (
+        573,
+        "words that interrupt as a person would",
+        """
+    class Stops(Exception):
+        def __str__(self): raise KeyboardInterrupt
+    def double(pixels):
+        raise Stops
+    """,
+    ),
+    (
+        574,
+        "an interruption, a generator's end, and the end of everything",
+        """
+    def double(pixels):
+        raise BaseExceptionGroup("all", [KeyboardInterrupt(), GeneratorExit(), SystemExit(3)])
+    """,
+    ),
+    (
+        575,
+        "a hook that fails at every event",
+        """
+    import sys
+    def double(pixels):
+        def fail(*a): raise SystemError("hook")
+        sys.addaudithook(fail)
+        return pixels
+    """,
+    ),
+    (
+        576,
+        "a trace and a profile of everything that fail",
+        """
+    import sys, threading
+    def double(pixels):
+        def fail(*a): raise MemoryError
+        threading.setprofile(fail); sys.setprofile(fail); sys.settrace(fail)
+        return pixels
+    """,
+    ),
+    (
+        577,
+        "no streams any more",
+        """
+    import sys
+    sys.stdout = sys.stderr = sys.__stdout__ = sys.displayhook = None
+    def double(pixels):
+        return pixels
+    """,
+    ),
+    (
+        578,
+        "its side of the conversation is shut",
+        """
+    import os, socket, stat
+    def double(pixels):
+        for fd in range(3, 64):
+            try:
+                if stat.S_ISSOCK(os.fstat(fd).st_mode):
+                    socket.socket(fileno=os.dup(fd)).shutdown(socket.SHUT_RD)
+            except OSError: pass
+        return pixels
+    """,
+    ),
+    (
+        579,
+        "collectors of garbage that fail, and a switch that never comes",
+        """
+    import gc, sys
+    def fail(*a): raise RuntimeError("gc")
+    gc.callbacks.append(fail); gc.set_threshold(1, 1, 1); sys.setswitchinterval(1e6)
+    class Last:
+        def __del__(self): raise BaseException("late")
+    def double(pixels):
+        [Last() for _ in range(1000)]
+        return pixels
+    """,
+    ),
+    (
+        580,
+        "a result, an end and a beginning that were not asked for",
+        """
+    import json, os, stat
+    def double(pixels):
+        text = "".join(json.dumps({"n": 1, "type": kind, "content": content}) + "\\n" for kind, content in (
+            ("idle", {"ename": "", "evalue": ""}), ("error", {"ename": "E", "evalue": "", "traceback": []}),
+            ("clear_output", {"wait": False}), ("idle", {"ename": "", "evalue": ""})) * 50)
+        for fd in range(3, 64):
+            try:
+                if stat.S_ISSOCK(os.fstat(fd).st_mode): os.write(fd, text.encode())
+            except OSError: pass
+        return pixels
+    """,
+    ),
+    (
+        581,
+        "a kernel that ends while it waits for the next check",
+        """
+    import os, threading
+    threading.Timer(0.05, os._exit, [0]).start()
+    def double(pixels):
+        import time
+        time.sleep(0.03)
+        return pixels
+    """,
+    ),
+    (
+        582,
+        "seven hundred megabytes while it waits for the next check",
+        """
+    held = np.ones(700 << 20, np.uint8)
+    def double(pixels):
+        return pixels
+    """,
+    ),
+):
+    attack(
+        _number,
+        _name,
+        _source,
+        *({"raised", "wrong", "crashed", "time", "missing", "memory"} if _number != 580 else {"hostile"}),
+        wrong=False,
+    )
+
+
 # ---------------------------------------------------------------- grading them all
 
 

@@ -166,9 +166,7 @@ CHANNELS = {
     ),
     "a terminal": (
         STAY.format(run="__import__('pty').fork()"),
-        "import os\nprint(*os.listdir('/dev/pts'))\n"
-        "try: print(os.openpty())\n"
-        "except OSError: pass",
+        "import os\nprint(*os.listdir('/dev/pts'))\ntry: print(os.openpty())\nexcept OSError: pass",
     ),
     "environment, umask and random state": (
         "import os, random, builtins\nos.environ['MARK'] = 'seen'\nos.umask(0)\nrandom.seed(5)\n"

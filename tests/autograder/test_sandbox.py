@@ -30,7 +30,7 @@ def test_the_environment_and_the_paths_reveal_nothing():
 
 
 def test_what_lies_beside_the_systems_folders_is_not_inside(monkeypatch, tmp_path):
-    """A checkout in /usr/src, another environment in Conda's folder: it would have every library and the key."""
+    """A checkout in /usr/src, or another environment in Conda's folder, would have libraries and the key."""
     for name in ("lib", "envs", "pkgs", "share"):
         (tmp_path / name).mkdir()
     (tmp_path / "link").symlink_to("/etc")

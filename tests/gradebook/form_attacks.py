@@ -535,6 +535,155 @@ def _password(folder, light):
     path.write_bytes(data)
 
 
+# ---------------------------------------------------------------- more of each kind
+
+
+@of_cells(301, "a lesson's name that is a list, and answers that point at each other")
+def _odd_metadata(lesson):
+    lesson["metadata"]["imgproc_course"] = {"lesson": ["light"], "version": {"x": 1}}
+    for id, exercise in (("light-double", "light-halves"), ("light-halves", "light-double")):
+        cell_of(lesson, f"answer-{id}")["metadata"]["imgproc_course"] = {"exercise": exercise}
+
+
+@of_cells(302, "helper functions that read each other in a circle of hundreds")
+def _circle(lesson):
+    cell_of(lesson, "answer-light-double")["source"] = "def double(p):\n    return h0(p)"
+    for number in range(600):
+        source = f"def h{number}(p):\n    return h{(number + 1) % 600}(p)"
+        lesson["cells"].append({"id": f"h{number}", "cell_type": "code", "metadata": {}, "source": source})
+
+
+@of_cells(
+    303, "predictions that are markup and formulas", never=(("**/*.html", "<script"), ("**/*.csv", "=x9"))
+)
+def _predictions(lesson):
+    for text in ("<script>alert(1)</script>", "=x9|' /C calc'!A0", "\u202e\x1b[31m", "x" * 3_000_000):
+        cell = {"id": "predict-light-1", "cell_type": "code", "metadata": {}, "source": text, "outputs": []}
+        lesson["cells"].append(cell)
+
+
+@of_cells(304, "a source of a million lines of one letter", "longer than")
+def _lines(lesson):
+    cell_of(lesson, "answer-light-double")["source"] = ["#\n"] * 1_000_000 + ["def double(p): return p"]
+
+
+@of_cells(305, "outputs that claim in every form that there is", "stored output says that every check passes")
+def _claims(lesson):
+    claim(lesson)
+    cell = cell_of(lesson, "check-light-double-1")
+    cell["outputs"] += [None, 7, {"data": 7}, {"text": {"x": 1}}, {"data": {"text/plain": ["a", 1]}}]
+
+
+@attack(306, "a notebook with two lists of cells")
+def _two_lists(folder, light):
+    right, wrong = notebook(light, answers_of(light, "right")), wrong_notebook(light)
+    text = json.dumps(wrong)
+    write(folder / f"{LESSON}.ipynb", '{"cells": ' + json.dumps(right["cells"]) + ", " + text[1:])
+
+
+@attack(307, "numbers beyond every float in the notebook")
+def _numbers(folder, light):
+    text = json.dumps(wrong_notebook(light) | {"nbformat_minor": 0, "x": [float("inf"), float("nan")]})
+    write(folder / f"{LESSON}.ipynb", text.replace('"nbformat_minor": 0', '"nbformat_minor": -1e999'))
+
+
+@attack(308, "folders with the names of notebooks and zips")
+def _folders_named_as_files(folder, light):
+    write(folder / f"{LESSON}.ipynb" / "more.zip" / f"{LESSON}.IPYNB", wrong_notebook(light))
+
+
+@attack(309, "a zip behind another file, with a comment that is a zip's end", "the zip cannot be read")
+def _polyglot(folder, light):
+    path = _zip(folder, [(f"{LESSON}.ipynb", json.dumps(wrong_notebook(light)))])
+    data = path.read_bytes()
+    end = data[data.rindex(b"PK\x05\x06") :]
+    path.write_bytes(b"%PDF-1.7 <html>" * 999 + data[:-2] + len(end).to_bytes(2, "little") + end)
+
+
+@attack(310, "a zip whose members lie upon each other", "more than 100 notebooks")
+def _overlapping(folder, light):
+    folder.mkdir(parents=True)
+    data = json.dumps(wrong_notebook(light)).encode()
+    with zipfile.ZipFile(folder / "work.zip", "w", zipfile.ZIP_DEFLATED) as archive:
+        archive.writestr(f"{LESSON}.ipynb", data)
+        (first,) = archive.infolist()
+        for number in range(3_000):
+            info = zipfile.ZipInfo(f"{number}/{LESSON}.ipynb")
+            for name in ("header_offset", "compress_size", "file_size", "CRC", "compress_type"):
+                setattr(info, name, getattr(first, name))
+            archive.filelist.append(info)
+            archive.NameToInfo[info.filename] = info
+
+
+@attack(311, "sizes of 64 bits in a zip, beyond every file", "it has 4294 MB")
+def _zip64(folder, light):
+    path = _zip(folder, [(f"{LESSON}.ipynb", json.dumps(wrong_notebook(light)))])
+    data = bytearray(path.read_bytes())
+    place = data.index(b"PK\x01\x02") + 20
+    data[place : place + 8] = b"\xff" * 8
+    path.write_bytes(data)
+
+
+@attack(312, "names in a zip that are marks and devices")
+def _marks_in_names(folder, light):
+    names = (
+        "\u202egpj.ipynb",
+        "\x00.ipynb",
+        "a\nb\t.ipynb",
+        "CON.ipynb",
+        " .ipynb",
+        "=1+1.ipynb",
+        "-rf.ipynb",
+    )
+    with warnings.catch_warnings(action="ignore"):
+        _zip(folder, [(name, json.dumps(wrong_notebook(light))) for name in (f"{LESSON}.ipynb", *names)])
+
+
+@attack(
+    313,
+    "the neighbour's name with another apostrophe",
+    folder="313 the neighbour\u2019s name with another apostrophe, neighbour",
+)
+def _look_alike(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light), datetime(2099, 1, 1))
+
+
+@attack(
+    314,
+    "the neighbour's name and a soft hyphen",
+    folder="314 the neighbour's name and a soft hyphen, neigh\u00adbour",
+)
+def _soft_hyphen(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light), datetime(2099, 1, 1))
+
+
+@attack(
+    315,
+    "the neighbour's name in wide letters",
+    folder="315 the neighbour's name in wide letters, \uff4eeighbour",
+)
+def _wide(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light), datetime(2099, 1, 1))
+
+
+@attack(
+    316,
+    "the neighbour's name and spaces of every kind",
+    folder="316 the neighbour's name and spaces of every kind,\u00a0neigh\u2003bour",
+)
+def _spaces(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light), datetime(2099, 1, 1))
+
+
+@attack(317, "a zip with a wrong checksum", "cannot be unpacked")
+def _bad_crc(folder, light):
+    path = _zip(folder, [(f"{LESSON}.ipynb", json.dumps(wrong_notebook(light)))])
+    data = bytearray(path.read_bytes())
+    place = data.index(b"PK\x01\x02") + 16
+    data[place : place + 4] = b"\x00" * 4
+    path.write_bytes(data)
+
+
 # ---------------------------------------------------------------- grading them all
 
 
