@@ -877,7 +877,8 @@ def deepest_point(contour, start, end):
 
 # %%
 places = cv2.convexHull(outline, returnPoints=False)
-defects = cv2.convexityDefects(outline, places)[:, 0]
+# OpenCV 4 gives the shape (N, 1, 4), OpenCV 5 (N, 4)
+defects = cv2.convexityDefects(outline, places).reshape(-1, 4)
 for start, end, far, depth in defects[defects[:, 3] > 5 * 256]:
     print(f"from {outline[start]} to {outline[end]}: deepest {outline[far]}, depth {depth / 256:.1f}")
 
@@ -891,7 +892,7 @@ def valleys_of(mask):
     places = cv2.convexHull(outline, returnPoints=False)
     defects = cv2.convexityDefects(outline, places)
     deepest = []
-    for start, end, far, depth in defects[:, 0] if defects is not None else []:
+    for start, end, far, depth in defects.reshape(-1, 4) if defects is not None else []:
         u, v = outline[start] - outline[far], outline[end] - outline[far]
         cosine = (u @ v) / (np.linalg.norm(u) * np.linalg.norm(v))
         if depth / 256 > 0.45 * radius and cosine > np.cos(np.radians(85)):

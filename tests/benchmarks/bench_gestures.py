@@ -79,7 +79,7 @@ def depth_errors(by_hand, outlines):
     errors = []
     for outline in tqdm(outlines, "valleys", leave=False):
         places = cv2.convexHull(outline, returnPoints=False)
-        for start, end, far, depth in cv2.convexityDefects(outline, places)[:, 0].tolist():
+        for start, end, far, depth in cv2.convexityDefects(outline, places).reshape(-1, 4).tolist():
             position, by_hand_depth = by_hand(outline.astype(int), start, end)
             errors.append(abs(by_hand_depth - depth / 256) if position == far else math.inf)
     return errors

@@ -50,9 +50,8 @@ def test_deepest_points_are_opencvs_convexity_defects(solutions):
     for i in range(30):
         contour = all_points_of_outline(hand_mask(random_hand(rng, i % 6, (90, 120)), (90, 120)))
         contour = np.roll(contour, int(rng.integers(len(contour))), axis=0)
-        for start, end, far, depth in cv2.convexityDefects(
-            contour, cv2.convexHull(contour, returnPoints=False)
-        )[:, 0]:
+        defects = cv2.convexityDefects(contour, cv2.convexHull(contour, returnPoints=False))
+        for start, end, far, depth in defects.reshape(-1, 4):
             place, distance = solutions["deepest_point"](contour.astype(int), int(start), int(end))
             assert place == far and abs(distance - depth / 256) < 1 / 256
             compared += depth > 5 * 256
