@@ -39,7 +39,7 @@ figure_texts = {
         "An eight by eight grid of nearly equal gray squares with their numbers.",
     ),
     "shifted": (
-        "In each column stand the three values that belong together: the left neighbour above, the pixel in the middle, the right neighbour below.",
+        "Each column holds the three values that belong together: the left neighbour above, the pixel in the middle, the right neighbour below.",
         "Three rows of twelve numbers: the same row three times, each time shifted by one column.",
     ),
     "nine": (
@@ -67,8 +67,8 @@ figure_texts = {
         "The marker four times, with less noise than before; the edges of the fourth are the sharpest.",
     ),
     "portrait": (
-        "The median on a photograph: it removes the noise, but also fine details such as the eyelashes.",
-        "The face of a smiling astronaut, above with white and black pixels, below without them.",
+        "The median on a photograph: it removes the noise, but also fine details, such as single hairs and the bright spots in the eyes.",
+        "The face of a smiling astronaut three times: the original, the same with white and black pixels, and without them, but less sharp.",
     ),
 }
 
@@ -396,7 +396,7 @@ assert ssim(gray, brighter) > 0.9 and ssim(gray, grainy) < 0.3
 #
 # We compare the box, the Gaussian and the median filter, and a fourth one, the **bilateral filter**. It is a weighted mean like the Gaussian filter, but a neighbour has a large weight only if it is near *and* has a similar gray level. So the bright side of a step has almost no weight on the dark side, and the step stays sharp.
 #
-# Here are the weights of the three values around the last dark pixel of section 2: 57, 45 and 202. They get smaller with the difference from 45; a difference of 50 gray levels is large here. The weighted mean is the sum of value times weight, divided by the sum of the weights.
+# Here are the weights of the three values around the last dark pixel of section 2: 57, 45 and 202. The larger the difference from 45, the smaller the weight; a difference of 50 gray levels is large here. The weighted mean is the sum of value times weight, divided by the sum of the weights.
 #
 # **Predict** this weighted mean. (The plain mean was 101.)
 
@@ -480,8 +480,8 @@ from skimage import data
 
 portrait = to_gray(data.astronaut()[..., ::-1])  # from RGB to BGR first
 salted_portrait = add_salt_and_pepper(portrait, 0.05, seed=2)
-show([salted_portrait, median_blur(salted_portrait, 3)],
-     ["salt and pepper", "3 × 3 median"], columns=1,
+show([portrait, salted_portrait, median_blur(salted_portrait, 3)],
+     ["original", "salt and pepper", "3 × 3 median"], columns=2,
      rows=(60, 160), cols=(160, 290), text=figure_texts["portrait"])
 
 # %%
