@@ -48,7 +48,7 @@ from imgproc_course.simulation import Simulation
 # The captions and alt texts of the figures
 figure_texts = {
     "jump": (
-        "The path of the robot: black, the truth; gray, as the wheels alone count it; blue, with the correction. At the cross, the robot sees the marker.",
+        "The path of the robot: black, the truth; gray, as the wheels alone count it; blue, with the correction. At the cross, the robot sees the marker; before it, the blue path hides the gray one.",
         "Three paths from above that begin together. The gray one leaves the black one slowly. The blue one follows the gray one up to a cross, jumps there to the black one, and then leaves it slowly again.",
     ),
     "speed": (
@@ -95,7 +95,7 @@ figure_texts = {
 #
 # It would be simple to overwrite the odometry when a marker is seen. ROS does not do that: a program that steers by the odometry would see a jump, as if the robot had made a leap. ROS keeps both (its document REP 105 describes this). The odometry counts on in its own [[term:coordinate frame]], `odom`, and nobody changes it. Only one more pose is stored: **where the frame `odom` stands in the frame `map`**. A pose is x, y in metres and the yaw. When a marker is seen, only this pose changes.
 #
-# The robot is at a pose in `odom`, and `odom` is at a pose in `map`. So the two are put together, or *composed*: the way in `odom` is turned by the yaw of `odom`, and then its place is added.
+# The robot is at a pose in `odom`, and `odom` is at a pose in `map`. So we put the two together, or *compose* them: turn the way in `odom` by the yaw of `odom`, then add the place of `odom`.
 
 # %% role="given" exercise=["errand-frame"]
 def compose(frame, pose):
@@ -122,7 +122,7 @@ compare_guess(guess_x, round(in_map[0], 3), "m")
 # %% [markdown]
 # The frame is turned by 90 degrees, so *ahead* goes along y of the map, and *left* goes against x: 2 − 0.5 = 1.5.
 #
-# Now the other way round. The marker says: the robot is at (1, 3) and looks to 180 degrees. At the same moment, the wheels say: (2, 0), and 90 degrees. Where does `odom` stand? The first idea is to subtract number from number. We test it: composed with what the wheels say, the frame must give what the marker says.
+# Now the other way round. The marker says: the robot is at (1, 3) and looks to 180 degrees. At the same moment, the wheels say: (2, 0), and 90 degrees. Where does `odom` stand? The first idea is to subtract number from number. We test it: if we compose the frame with what the wheels say, we must get what the marker says.
 
 # %%
 place, counted = (1.0, 3.0, math.pi), (2.0, 0.0, math.pi / 2)
@@ -132,7 +132,7 @@ for name, frame in (("the differences", plain), ("another frame", (1.0, 1.0, mat
     print(f"{name}: x {x:.1f}  y {y:.1f}  yaw {math.degrees(yaw):.0f} degrees")
 
 # %% [markdown]
-# Composed with the differences, the counted pose becomes (−1, 5). This is wrong; only the yaw is right. The other frame, (1, 1) with 90 degrees, gives exactly what the marker says. It is found in this way: the yaw of the frame is 180 − 90 = 90 degrees. Turned by 90 degrees, the counted way (2, 0) becomes (0, 2). And (1, 3) less (0, 2) is (1, 1).
+# With the differences as the frame, the robot would be at (−1, 5). This is wrong; only the yaw is right. The other frame, (1, 1) with 90 degrees, gives exactly what the marker says. How do we find it? The yaw of the frame is 180 − 90 = 90 degrees. If we turn the counted way (2, 0) by 90 degrees, it becomes (0, 2). And (1, 3) minus (0, 2) is (1, 1).
 
 # %%
 # Check: the numbers in this section
@@ -268,6 +268,18 @@ def map_to_odom(place, counted):
     return frame_with(place, counted, yaw=place[2] - counted[2])
 
 
+# %% role="mistake" name="wrapped only from above" says="You wrap only a yaw that is larger than π. It can also be smaller than -π. math.remainder(yaw, 2 * math.pi) does both."
+def map_to_odom(place, counted):
+    yaw = place[2] - counted[2]
+    return frame_with(place, counted, yaw=yaw - 2 * math.pi if yaw > math.pi else yaw)
+
+
+# %% role="mistake" name="wrapped only from below" says="You wrap only a yaw that is smaller than -π. It can also be larger than π. math.remainder(yaw, 2 * math.pi) does both."
+def map_to_odom(place, counted):
+    yaw = place[2] - counted[2]
+    return frame_with(place, counted, yaw=yaw + 2 * math.pi if yaw < -math.pi else yaw)
+
+
 # %% role="mistake" name="% in place of remainder" says="% gives a yaw from 0 to 2π. Use math.remainder, which gives -π to π."
 def map_to_odom(place, counted):
     return frame_with(place, counted, yaw=(place[2] - counted[2]) % (2 * math.pi))
@@ -401,7 +413,7 @@ def map_to_odom(place, counted):
 
 
 # %% [markdown]
-# What does the correction do on a drive? The robot drives a circle for 26 seconds. In the middle it sees a marker, once; here we take its true place for what the marker says. The package composes many poses at once with `compose_poses`. And `relative_pose(counted, (0, 0, 0))` says where the odometry began, seen from the robot now. Composed with the robot's place in the map, it gives the frame `odom`: the same as your function.
+# What does the correction do on a drive? The robot drives a circle for 26 seconds. In the middle it sees a marker, once. Here the marker is perfect: it says the true place. The package composes many poses at once with `compose_poses`. And `relative_pose(counted, (0, 0, 0))` says where the odometry began, seen from the robot now. If we compose the robot's place in the map with it, we get the frame `odom`, as with your function.
 
 # %%
 start = (0.45, -1.0, 0.0)
@@ -443,13 +455,13 @@ assert 25 < robot.time < 27 and not robot.bumped and errors[seen] < 0.001
 assert [round(float(e), 2) for e in (wheel_errors[seen], wheel_errors[-1], errors[-1])] == [0.28, 0.59, 0.33]
 
 # %% [markdown]
-# At the marker, the error of 0.28 m becomes 0. Later the wheels drift on, so at the end there is an error again; but it is 0.33 m in place of 0.59 m. The more often the robot sees a marker, the smaller is its error. And the odometry itself has no jump: only the blue path in the map has one.
+# At the marker, the error of 0.28 m becomes 0. Later the wheels drift on, so at the end there is an error again; but it is 0.33 m in place of 0.59 m. The more often the robot sees a marker, the smaller its error. And the odometry itself has no jump: only the blue path in the map has one.
 #
 # ## 2 · How fast may it be? (14 minutes)
 #
-# [[obstacles_ahead#8]] had a rule: brake when the free way is less than the stopping distance. So the robot drives with its full speed, or it stands. In a room with a person, it is better to drive slowly when there is little space: always just so fast that the robot could still stop in time.
+# [[obstacles_ahead#8]] had a rule: brake when the free way is less than the stopping distance. So the robot drives with its full speed, or it stands. In a room with a person, it is better to drive slowly when there is little space: only as fast as the robot can still stop in time.
 #
-# The scanner measures the distance to the nearest thing ahead. From this distance we subtract the part of the robot that is in front of its axle, and a margin. The rest is the *free way*. The robot drives on for its *reaction time*, the time until the next look and the [[term:latency]] together, and then it brakes. So with the speed v, it needs
+# The scanner measures the distance to the nearest thing ahead. From this distance we subtract the part of the robot that is in front of its axle, and a margin. The rest is the *free way*. The robot drives on for its *reaction time*, the time until the next look and the [[term:latency]] together, and then it brakes. So at the speed v, it needs
 #
 # $$\text{reaction} \cdot v + \frac{v^2}{2 \cdot \text{deceleration}}$$
 #
@@ -464,7 +476,7 @@ for speed in (0.1, 0.2, 0.3):
     print(speed, "m/s needs", round(needed_way(speed), 3), "m")
 
 # %% [markdown]
-# With a free way of 0.123 m, the robot may drive with 0.3 m/s. How fast may it drive with twice this way, 0.246 m, if there is no other limit: with less than 0.6 m/s, exactly that, or more? **Predict** the speed.
+# With a free way of 0.123 m, the robot may drive at 0.3 m/s. How fast may it drive with twice this way, 0.246 m, if there is no other limit: less than 0.6 m/s, exactly that, or more? **Predict** the speed.
 
 # %% role="predict"
 guess_speed = None  # your guess: how many metres per second?
@@ -486,11 +498,11 @@ axes.set(xlabel="free way (m)", ylabel="safe speed (m/s)", xlim=(0, 0.8))
 show_figure(figure, text=figure_texts["speed"])
 
 # %% [markdown]
-# To try a thousand speeds is slow, and it gives only three digits. We solve the equation for v. First with small numbers: v² + 2 v = 3. A quadratic equation v² + 2 h v = q has the solution
+# Trying a thousand speeds is slow, and it gives only three digits. We solve the equation for v. First with small numbers: v² + 2 v = 3. A quadratic equation v² + 2 h v = q has the solution
 #
 # $$v = -h + \sqrt{h^2 + q}$$
 #
-# (and a second one with −√, which is negative if q is positive). Here h = 1 and q = 3, so v = −1 + √4 = 1. For our equation, multiply both sides of *reaction · v + v² / (2 · deceleration) = free* by 2 · deceleration. Then v² stands alone, and you can read h and q.
+# (and a second one with −√, which is negative if q is positive). Here h = 1 and q = 3, so v = −1 + √4 = 1. For our equation, multiply both sides of *reaction · v + v² / (2 · deceleration) = free* by 2 · deceleration. Then v² stands alone, and you see what h and q are.
 
 # %%
 h, q = 1, 3
@@ -509,7 +521,7 @@ assert round(fastest, 2) == 0.46 and v == 1.0 and v**2 + 2 * v == 3
 #
 # | Input | Output | Example call |
 # |---|---|---|
-# | `free`: float, the free way in metres (can be 0, negative or `math.inf`); `reaction`: float, seconds, can be 0; `deceleration`: float, m/s², larger than 0; `limit`: float, m/s | float: the highest speed in m/s with which the robot stops within `free` metres; not higher than `limit`, and 0.0 if there is no free way | `safe_speed(0.123, 0.16, 0.6, 1.0)` returns `0.3` |
+# | `free`: float, the free way in metres (can be 0, negative or `math.inf`); `reaction`: float, seconds, can be 0; `deceleration`: float, m/s², larger than 0; `limit`: float, m/s | float: the highest speed in m/s at which the robot still stops within `free` metres; not higher than `limit`, and 0.0 if there is no free way | `safe_speed(0.123, 0.16, 0.6, 1.0)` returns `0.3` |
 
 # %% role="exercise"
 exercise(
@@ -726,7 +738,7 @@ def safe_speed(free, reaction, deceleration, limit):
     return within(root_of(0.0, 2 * deceleration * (free - reaction * limit)), free, limit)
 
 
-# %% role="mistake" name="all or nothing" says="You return the limit or 0.0. Between them there is the speed with which the robot just stops in time."
+# %% role="mistake" name="all or nothing" says="You return the limit or 0.0. Between them there is the speed at which the robot just stops in time."
 def safe_speed(free, reaction, deceleration, limit):
     return limit if free >= way_of(limit, reaction, deceleration) else 0.0
 
@@ -782,7 +794,7 @@ def safe_speed(free, reaction, deceleration, limit):
 # %% [markdown]
 # ## 3 · Around things (15 minutes)
 #
-# Boxes stand in front of the robot, and the goal is behind them, a little to the left. The laser scanner sees all around: one ray for each degree, counterclockwise from straight ahead. It is mounted 0.156 m before the axle. As in [[mapping_and_slam#1]], the ends of the rays become points: x ahead of the axle, y to its left.
+# Boxes stand in front of the robot, and the goal is behind them, a little to the left. The laser scanner sees all around: one ray for each degree, counterclockwise from straight ahead. It is mounted 0.156 m in front of the axle. As in [[mapping_and_slam#1]], the ends of the rays become points: x ahead of the axle, y to its left.
 
 # %%
 robot = Simulation(seed=2, start=(0.95, -1.3, 0.0), time=5.0)
@@ -795,7 +807,7 @@ print("points:", points.shape, points.dtype)
 show(robot.frame(), text=figure_texts["boxes"])
 
 # %% [markdown]
-# How far can the robot drive, if it first turns to a direction and then drives straight ahead? It needs a corridor, as in [[obstacles_ahead#6]], but the corridor is turned. So we turn all points back by this direction. Then the corridor lies straight ahead:
+# How far can the robot drive, if it first turns to a direction and then drives straight ahead? Here we measure from the axle; the part of the robot in front of it counts later. The robot needs a corridor, as in [[obstacles_ahead#6]], but the corridor is turned. So we turn all points back by this direction. Then the corridor lies straight ahead:
 
 # %%
 def free_way(points, direction, width):
@@ -843,7 +855,7 @@ compare_guess(guess_direction, enough[np.argmin(off)], "degrees")
 # %% [markdown]
 # Between the box and the wall, at −30 degrees, there is enough free way too, but 45 degrees is nearer to the goal. The robot will choose again at each look. As soon as it is past the boxes, the direction to the goal is free.
 #
-# Two things can go wrong. After some turns, the goal is *behind* the robot: at 170 degrees, and a free direction is at −170 degrees. They are 20 degrees apart, not 340: **wrap** the difference, as in [[mapping_and_slam#5]]. And it can happen that **no** direction has enough free way. Then the robot must not take the best of the bad ones; it must know that there is none.
+# Two things can go wrong. After some turns, the goal may be *behind* the robot. If it is at 170 degrees, and a free direction is at −170 degrees, they are 20 degrees apart, not 340: **wrap** the difference, as in [[mapping_and_slam#5]]. And it can happen that **no** direction has enough free way. Then the robot must not take the best of the bad ones; it must know that there is none.
 
 # %%
 # Check: the numbers in this section
@@ -965,6 +977,21 @@ def inputs(rng):
 # %% role="mistake" name="not wrapped" says="Your difference is not wrapped: from 170° to -170° there are 20°, not 340°. Use abs(math.remainder(direction - goal, 2 * math.pi)): all angles are in radians, where a full turn is 2 * math.pi, not 360."
 def choose_direction(directions, ways, goal, need):
     return nearest_of(directions, ways >= need, goal, lambda a, b: abs(a - b))
+
+
+# %% role="mistake" name="wrapped only from above" says="You wrap only a difference that is larger than π. It can also be smaller than -π. Use abs(math.remainder(direction - goal, 2 * math.pi)), which does both."
+def choose_direction(directions, ways, goal, need):
+    return nearest_of(directions, ways >= need, goal, lambda a, b: abs(a - b - 2 * math.pi if a - b > math.pi else a - b))
+
+
+# %% role="mistake" name="wrapped only from below" says="You wrap only a difference that is smaller than -π. It can also be larger than π. Use abs(math.remainder(direction - goal, 2 * math.pi)), which does both."
+def choose_direction(directions, ways, goal, need):
+    return nearest_of(directions, ways >= need, goal, lambda a, b: abs(a - b + 2 * math.pi if a - b < -math.pi else a - b))
+
+
+# %% role="mistake" name="wrapped after abs" says="You subtract 2π after abs, so the difference becomes negative, and seems to be the smallest one. First wrap it by math.remainder, then take abs."
+def choose_direction(directions, ways, goal, need):
+    return nearest_of(directions, ways >= need, goal, lambda a, b: abs(a - b) - (2 * math.pi if abs(a - b) > math.pi else 0))
 
 
 # %% role="mistake" name="% in place of remainder" says="% gives differences from 0 to 2π, so a direction a little to the right of the goal seems almost a full turn away. Use math.remainder, and then abs."
@@ -1201,7 +1228,7 @@ compare_guess(guess_votes, sum(distance <= 1 for distance in nearest))
 # %% [markdown]
 # KITCHED and ITCHEN vote as well, and KITCH does not: two characters are missing. Why only one wrong character? With more of them, different words become equal: from BEDROOM to BATHROOM it is only three steps, and from HALL to WALL only one. So with short words, even one is dangerous.
 #
-# And why must there be more than one vote? A single look can be wrong. A poster, a book or a box can show the same word. But noise rarely makes the same error twice. So the robot believes a name only if enough looks vote for it. Three rules make the result clear:
+# And why must there be more than one vote? A single look can be wrong, but noise rarely makes the same error twice. So the robot believes a name only if enough looks vote for it. (This does not help against a poster or a book with the same word: every look reads it.) Three rules make the result clear:
 #
 # - **A look votes at most once for a name.** If it shows the word twice, on the sign and on a reflection, this is still one vote. A look that shows two names votes for both.
 # - **The most votes win.** If BATHROOM has two votes and KITCHEN five, it is the kitchen, even if two votes would be enough.
@@ -1307,6 +1334,12 @@ def equals(rng):
     return looks, (third, first, second), 2
 
 
+def five_equals():
+    """Five names with two votes: the first in names, the last, that read first, and both ends of the alphabet."""
+    looks = [["Garage"], ["OFFICE"], ["LIBRARY", "BATHROOM"], ["KITCHEN"], ["OFFICE", "GARAG"], ["KITCHEN", "LIBRARY"], ["BATHROOM"]]
+    return looks, ("KITCHEN", "BATHROOM", "OFFICE", "GARAGE", "LIBRARY"), 2
+
+
 def two_doors(rng, votes):
     """Two names with two and three votes; they share a look, and the one with fewer votes is read first."""
     first, second, third = three_names(rng)
@@ -1367,7 +1400,7 @@ def inputs(rng):
 # %% role="case" title="several names in sight" points=1 hint="Does a look vote for each name that it shows, but only once for each? Do the most votes win, and of equals the first in names?"
 def inputs(rng):
     return [twice_read(rng), equals(rng), one_door(rng), broken(rng, 4), broken(rng, 2), two_doors(rng, 2), two_doors(rng, 3),
-            both_names(rng), ([["HALL"], ["WALL", "HALL"], ["BALL"]], ("WALL", "HALL"), 3)]
+            both_names(rng), ([["HALL"], ["WALL", "HALL"], ["BALL"], ["SHALL"]], ("WALL", "HALL"), 3), five_equals()]
 
 
 # %% role="hidden" title="any looks" points=1 hint="How many looks vote for each name, and is this number at least votes?"
@@ -1526,6 +1559,23 @@ def believe(readings, names, votes):
     return winner(readings, names[::-1], votes)
 
 
+# %% role="mistake" name="of equals the one read first" says="Of names with the same number of votes, the first one in names wins, not the one that was read first. A Counter or a dict goes through the names in the order in which it first counted them: take max(names, key=...), which goes through names."
+def believe(readings, names, votes):
+    seen = [name for look in readings for name in names if any(near(text, name) for text in look)]
+    best = max(seen, key=seen.count, default=None)
+    return best if seen.count(best) >= votes else None
+
+
+# %% role="mistake" name="of equals the last of the alphabet" says="Of names with the same number of votes, the first one in names wins, not the last one of the alphabet. Do not sort or compare pairs of votes and name."
+def believe(readings, names, votes):
+    return winner(readings, sorted(names, reverse=True), votes)
+
+
+# %% role="mistake" name="of equals the first of the alphabet" says="Of names with the same number of votes, the first one in names wins, not the first one of the alphabet. Do not sort the names."
+def believe(readings, names, votes):
+    return winner(readings, sorted(names), votes)
+
+
 # %% role="mistake" name="votes not used" says="You do not use votes: return None if the best name has fewer votes than that."
 def believe(readings, names, votes):
     return winner(readings, names, votes, enough=1)
@@ -1642,7 +1692,7 @@ def believe(readings, names, votes):
 # 4. **Read the sign**, until two looks agree.
 # 5. **Come back** to the corner.
 #
-# For each of these tasks, the robot also has to know where it is, and to find its way around everything that stands or moves. The next cells are long, because they join what you built in ten lessons. Read what each class is for; you do not need to understand each line today.
+# For each of these tasks, the robot also has to know where it is, and to find its way around everything that stands or moves. The next cells are long, because they join what you built in ten lessons. Read what each class is for; you do not need to understand every line today.
 #
 # The first class knows **where** the robot is. Between two markers it counts with the wheels, and it gets less sure with each metre and each turn. The less sure a marker is, the less it moves the place: this is the Kalman filter of [[object_tracking#6]], for x, y and yaw. A far marker is less sure than a near one. A marker that would move the place by more than three standard deviations is refused: it is probably the wrong one of two poses ([[where_am_i#4]]). The option `believes_all` switches all this off; section 6 shows why there is such an option.
 
@@ -1766,7 +1816,7 @@ from imgproc_course import geometry
 
 
 def count_votes(readings, names, votes):
-    """As `believe`, with a Counter."""
+    """As `believe`, with a Counter. It counts name after name, so of equals the first in names wins."""
     counter = Counter(name for name in names for look in readings
                       if any(edit_distance(text.upper(), name) <= 1 for text in look))
     best = counter.most_common(1)
@@ -1784,7 +1834,7 @@ class Parts(NamedTuple):
 course_parts = Parts(geometry.map_to_odom, geometry.safe_speed, geometry.choose_direction, count_votes)
 
 # %% [markdown]
-# The third class **decides**. Each task is a method; at each look, `command` calls the method of the present task, and gets the speeds. A task that is done begins the next one: this is a [[term:state machine]].
+# The third class **decides**. Each task is a method; at each look, `command` calls the method of the current task, and gets the speeds. A task that is done begins the next one: this is a [[term:state machine]].
 #
 # To drive somewhere, the robot draws an [[term:occupancy grid]] of what it has seen ([[mapping_and_slam#3]]). `LocalMap` of the course's package finds the cheapest route through the free cells, with `route_through_array` of scikit-image: a cell near an obstacle costs more. The robot looks at the point of this route that is half a metre ahead, and `choose_direction` finds a free direction near it. So it also gets around what has moved since the route was planned. If the robot has hardly moved for three seconds, it and the toy car may be waiting for each other. Then it drives back a little.
 
@@ -1842,7 +1892,7 @@ class Errand:
         return self.frame
 
     def begin(self, task, goal=None):
-        """Ends the present task and begins another one. The robot stands meanwhile."""
+        """Ends the current task and begins another one. The robot stands meanwhile."""
         self.diary.append((self.task.__name__, self.looks))
         self.task, self.goal, self.route, self.been = task, goal, None, []
         return 0.0, 0.0
@@ -2002,7 +2052,7 @@ def run_errand(seed, lighting="day", limit=180, **options):
 # %% [markdown]
 # ## 6 · A first run, and a planned failure (12 minutes)
 #
-# Each part has worked in its own lesson. The first run uses them as they were there: each marker is believed at once and completely, as in [[where_am_i#4]], and obstacles come from the laser scan alone, as [[obstacles_ahead#8]] advises for the real robot. We tried each of these two simplifications alone before, with the same seed: **100 points** each time. Now both together. The run ends after 45 seconds.
+# Each part has worked in its own lesson. The first run uses them as they were in their lessons: each marker is believed at once and completely, as in [[where_am_i#4]], and obstacles come from the laser scan alone, as [[obstacles_ahead#8]] advises for the real robot. We tried each of these two simplifications alone before, with the same seed: **100 points** each time. Now both together. The run ends after 45 seconds.
 #
 # **Predict** how many points the robot gets.
 
@@ -2040,14 +2090,14 @@ print("bumps at:", first.bump_times, "s")
 print("jumps (s, cm):", {second: jump for second, jump in jumps.items() if jump > 15})
 
 # %% [markdown]
-# The robot found the sign at the lookout, and never came to it. It bumps into something again and again. **Which part failed, and why?** Look at the figure before you read on. Where does the robot get stuck, and what is there? The map shows nothing. Its camera does:
+# The robot found the sign at the lookout, and never came to it. It bumps into something again and again. **Which part failed, and why?** Look at the figure before you read on. Where does the robot get stuck, and what is there? The map shows nothing there. The camera does:
 
 # %%
 stuck = min(first_errand.album, key=lambda entry: abs(entry[0] - 25.6))
 show(stuck[1][::2, ::2], f"what it looked at after {stuck[0]:.1f} s", text=figure_texts["stuck"])
 
 # %% [markdown]
-# Two slippers lie on the floor. They are lower than the plane of the laser scanner, so for this robot they do not exist: it drives against them, backs off, and tries again. But alone, this simplification did no harm: the route did not come near the slippers. The markers are the reason that it does now. At the lookout, the robot saw a marker from almost 3 m, and believed it completely: its place jumped by 16 cm. So it put the sign elsewhere than the careful robot does, and its route passes the chair on the other side, where the slippers are. There it got stuck. Only later came the large jumps: a marker with the wrong one of two poses, by up to 104 cm. They turned the robot around and made all worse.
+# Two slippers lie on the floor. They are lower than the plane of the laser scanner, so for this robot they do not exist: it drives against them, backs off, and tries again. Alone, this simplification did no harm: the route did not come near the slippers. The markers are the reason that it does now. At the lookout, the robot saw a marker from almost 3 m, and believed it completely: its place jumped by 16 cm. So it put the sign at another place than the careful robot does, and its route passes the chair on the other side, where the slippers are (compare the figure in section 7). There it got stuck. Only later came the large jumps: a marker with the wrong one of two poses, by up to 104 cm. They turned the robot around and made everything worse.
 #
 # So no part alone is guilty. The steering was right *for the place that it was told*. The scan was right *for its plane*. **Two errors that are harmless alone can be a failure together**: this is why a robot is tested as a whole, and with many seeds.
 
@@ -2061,7 +2111,7 @@ assert first.bump_times[0] < large[0] and jumps[12.8] == 16
 # %% [markdown]
 # ## 7 · The repaired robot (10 minutes)
 #
-# Both are repaired already: `Place` weighs the markers, and `low_points` shows the slippers. Without the two options, the same seed again. It reaches the sign just when the person walks past it. **Predict** how often it has to look at the sign, until two looks agree.
+# Both are repaired already: `Place` weighs the markers, and `low_points` shows the slippers. We run the same seed again, without the two options. Now the robot reaches the sign just when the person walks past it. **Predict** how often it has to look at the sign, until two looks agree.
 
 # %% role="predict"
 guess_looks = None  # your guess: how many looks?
@@ -2078,9 +2128,9 @@ for reading in repaired_errand.readings:
 print("points:", repaired.points, "  seconds:", repaired.seconds, "  bumps:", repaired.bumps, "  distance to the person:", repaired.kept, "m")
 
 # %% [markdown]
-# Five looks show only parts of the word, beside the legs of the person; HISTORY is a book. The last two agree.
+# Five looks show only a part of the word, or nothing of it, because the person stands in front of it. (HISTORY is a book.) The last two agree.
 #
-# The map and the believed path are drawn with the correction of the end. In between, the robot was up to 33 cm away from where it believed it was, and still did its errand.
+# The robot draws its map in the frame `odom`, which drifts: so some walls are there twice. The figure shows the map with the correction of the end, and the believed path as the robot believed it at each look. So at one time it was 33 cm away from where it believed it was, and it still did its errand.
 #
 # One good run proves little. Here are three seeds (other wheels, other noise, other places of the person and the car), each by day and in the evening. A benchmark of the course measured them:
 #
@@ -2099,6 +2149,8 @@ print("points:", repaired.points, "  seconds:", repaired.seconds, "  bumps:", re
 # Check: the numbers in this section
 assert repaired.points == 100 and repaired.name == "KITCHEN" and repaired.bumps == 0
 assert ["KITCHEN" in reading for reading in repaired_errand.readings] == [False] * 5 + [True] * 2
+parts_read = [[text for text in reading if text in "KITCHEN"] for reading in repaired_errand.readings[:5]]
+assert parts_read == [["KIT"], ["K"], [], [], ["HEN"]]
 assert round(100 * np.linalg.norm(repaired.path - repaired.believed, axis=1).max()) == 33
 
 # %% [markdown]
@@ -2106,7 +2158,7 @@ assert round(100 * np.linalg.norm(repaired.path - repaired.believed, axis=1).max
 #
 # Now your functions. **Run the four `check` cells first**: all must pass. A wrong function gives an error in the middle of the errand, or a robot that does strange things.
 #
-# Then give `my_seed` a number from 1 on, choose the light, and run the next three cells. The robot does the errand with the four functions that you have written. This takes 15 to 30 seconds; a robot that does not come back needs up to two minutes. Each of your runs is added to the file `errand_runs.csv` beside this notebook, and the table shows all of them, the best first. Try at least three seeds, day and evening.
+# Then give `my_seed` a whole number from 1 on, choose the light, and run the next three cells. The robot does the errand with the four functions that you have written. This takes 15 to 30 seconds; a robot that does not come back needs up to two minutes. Each of your runs is added to the file `errand_runs.csv` beside this notebook, and the table shows all of them, the best first. Try at least three seeds, day and evening.
 #
 # Then change the robot. In a new cell, set one of the numbers that stand above the class `Errand`, such as `VOTES = 3`, `LIMIT = 0.3` or `LOOKOUT = (1.0, 0.3)`, write it into `my_note`, and run again. Is it better with *all* your seeds, or only with one?
 
@@ -2148,7 +2200,7 @@ if my_seed is not None:
 # %% [markdown]
 # ### Watch it again
 #
-# The robot has kept the images that it looked at: about one in 1.6 seconds, and those that it read. The next cell writes them to a recording, in MCAP like each recording of this course. `open_recording` opens it again, so all functions of all lessons work on it; Foxglove opens it too.
+# The robot has kept the images that it looked at: about one every 1.6 seconds, and those that it read. The next cell writes them to a recording, in MCAP like each recording of this course. `open_recording` opens it again, so all functions of all lessons work on it; Foxglove opens it too.
 
 # %% tags=["long"]
 def save_run(errand, path):
@@ -2164,7 +2216,7 @@ with tempfile.TemporaryDirectory() as folder:
         print("frames:", len(watched))
         some = (0, 11, 24, 29)
         show([watched.frame(k)[::2, ::2] for k in some],
-             [f"{watched.stamps[k] / 1e9:.0f} s" for k in some], text=figure_texts["album"])
+             [f"{watched.stamps[k] / 1e9:.0f} s" for k in some], columns=2, text=figure_texts["album"])
 
 # %% [markdown]
 # To keep your own run, call `save_run(my_errand, "my_errand")`; `live_view(open_recording("my_errand"))` plays it.
@@ -2286,15 +2338,16 @@ if ros_available():
     live_camera.stop()
 
 # %%
-# Check: the node looked, and the robot left the corner
-assert not ros_available() or (node.looks > 0 and math.dist(errand.place.pose[:2], START[:2]) > 0.2)
+# Check: the node looked. With all its looks, the robot left the corner; a slow computer may have fewer.
+assert not ros_available() or node.looks > 0
+assert not ros_available() or node.looks < most_looks or math.dist(errand.place.pose[:2], START[:2]) > 0.2
 
 # %% [markdown]
 # **On the real robot**, this node would wait for ever: there is no depth image of the floor. You have to change three things. Do without `low_points`, and clear low things away. Give the place of the sign yourself (`errand.sign`), because `look_around` takes it from the depth image. And in place of `flat_markers`, write a dictionary with the poses of your own markers, measured in the same map as `START`. We have not tried this on a Kachaka; be ready to catch it.
 #
 # ## Recap
 #
-# An errand is more than its parts. The odometry counts in `odom`, and markers correct where `odom` stands in the map. The free way says how fast the robot may be. It goes in the direction nearest to the route that is free, and believes a text only if two looks agree. What is harmless in one part can be a failure in the whole: so measure the whole, with many seeds.
+# An errand is more than its parts. The odometry counts in `odom`, and markers correct where `odom` stands in the map. The free way says how fast the robot may be. The robot drives in the free direction nearest to its route, and believes a text only if two looks agree. What is harmless in one part can be a failure in the whole: so measure the whole, with many seeds.
 #
 # | stage | shape | dtype | range | unit |
 # |---|---|---|---|---|

@@ -456,3 +456,29 @@ def believe(readings, names, votes):
                 counts[name] += 1
     winner = max(counts, key=counts.get)
     return winner if counts[winner] >= 2 else None
+
+# %% name="a Counter of sets" origin="walk" sentence="The first one in names wins, if the votes are equal: a Counter takes the one that it counted first." must_say=["first one in names"] must_not_say=[">="] kind="value"
+def believe(readings, names, votes):
+    counter = Counter()
+    for look in readings:
+        counter.update({name for name in names for text in look if edit_distance(text.upper(), name) <= 1})
+    best = counter.most_common(1)
+    return best[0][0] if best and best[0][1] >= votes else None
+
+# %% name="a dict in the order of reading" origin="walk" sentence="The first one in names wins, if the votes are equal: a dict keeps the order in which you counted." must_say=["first one in names"] must_not_say=[">="] kind="value"
+def believe(readings, names, votes):
+    counts = {}
+    for look in readings:
+        for name in names:
+            if any(edit_distance(text.upper(), name) <= 1 for text in look):
+                counts[name] = counts.get(name, 0) + 1
+    best = max(counts, key=counts.get, default=None)
+    return best if best is not None and counts[best] >= votes else None
+
+# %% name="sorted pairs" origin="walk" sentence="The first one in names wins, if the votes are equal, not the last of the alphabet." must_say=["first one in names", "alphabet|sort"] kind="value"
+def believe(readings, names, votes):
+    pairs = []
+    for name in names:
+        pairs.append((sum(any(edit_distance(text.upper(), name) <= 1 for text in look) for look in readings), name))
+    most, best = sorted(pairs)[-1]
+    return best if most >= votes else None

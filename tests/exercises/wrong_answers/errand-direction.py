@@ -289,3 +289,34 @@ def choose_direction(directions, ways, goal, need):
         if way >= need and off < nearest:
             best, nearest = float(direction), off
             return best
+
+# %% name="wrapped by hand, only from above" origin="walk" sentence="The angle can also be smaller than -π: wrap it on that side, too." must_say=["smaller than -π"] must_not_say=["not wrapped"] kind="value"
+def choose_direction(directions, ways, goal, need):
+    off = directions - goal
+    off[off > math.pi] -= 2 * math.pi
+    off = np.abs(off)
+    off[ways < need] = math.inf
+    k = int(np.argmin(off))
+    return float(directions[k]) if ways[k] >= need else None
+
+# %% name="wrapped by hand, only from below" origin="walk" sentence="The angle can also be larger than π: wrap it on that side, too." must_say=["larger than π"] must_not_say=["not wrapped"] kind="value"
+def choose_direction(directions, ways, goal, need):
+    best, nearest = None, math.inf
+    for direction, way in zip(directions, ways):
+        off = direction - goal
+        if off < -math.pi:
+            off = off + 2 * math.pi
+        if way >= need and abs(off) < nearest:
+            best, nearest = float(direction), abs(off)
+    return best
+
+# %% name="a full turn subtracted after abs" origin="walk" sentence="After abs, the difference gets negative: wrap first, then abs." must_say=["negative"] kind="value"
+def choose_direction(directions, ways, goal, need):
+    best, nearest = None, math.inf
+    for direction, way in zip(directions, ways):
+        off = abs(direction - goal)
+        if off > math.pi:
+            off = off - 2 * math.pi
+        if way >= need and off < nearest:
+            best, nearest = float(direction), off
+    return best
