@@ -1,0 +1,73 @@
+"""The cells of a lesson for which it makes a difference whether ROS is installed."""
+
+import ast
+
+from IPython.core.inputtransformer2 import TransformerManager
+from solved_twin import names_of
+
+# What differs: only these packages import ROS, or choose their messages by it (tests/test_imports.py).
+PACKAGES = ("imgproc_course.ros", "imgproc_course.messages")
+WIDGETS = {"live_view", "drive"}  # of imgproc_course.display: they import imgproc_course.ros
+
+
+def cells_of_ros(sources):
+    """The cells that use ROS, or anything that a cell of ROS binds, and what they need without ROS.
+
+    What stands under `if ros_available():` runs with ROS only, and needs nothing here.
+
+    Parameters
+    ----------
+    sources : sequence of str, the code cells of a lesson in order
+
+    Returns
+    -------
+    list of int, the numbers of these cells in order
+    """
+    names = [names_of(source) for source in sources]
+    differs, chosen = WIDGETS.union(*map(_imported, sources)), set()
+    for number, (read, bound) in enumerate(names):
+        if read & differs:
+            chosen.add(number)
+            differs |= bound
+    needed, missing = [], set()
+    for number in reversed(range(len(sources))):
+        if number in chosen or names[number][1] & missing:
+            needed.insert(0, number)
+            missing = missing - names[number][1] | names_of(_without_ros(sources[number]))[0]
+    return needed
+
+
+def _tree(source):
+    return ast.parse(TransformerManager().transform_cell(source))
+
+
+def _imported(source):
+    """The names that a cell imports from PACKAGES."""
+    imports = [node for node in ast.walk(_tree(source)) if isinstance(node, ast.ImportFrom)]
+    return {alias.asname or alias.name for node in imports if node.module in PACKAGES for alias in node.names}
+
+
+def _without_ros(source):
+    return ast.unparse(_WithoutRos().visit(_tree(source)))
+
+
+class _WithoutRos(ast.NodeTransformer):
+    """Leaves out what is not reached if ros_available() is False."""
+
+    def visit_If(self, node):
+        if _asks(node.test):
+            node.body = [ast.Pass()]
+        return self.generic_visit(node)
+
+    def visit_IfExp(self, node):
+        return self.visit(node.orelse) if _asks(node.test) else self.generic_visit(node)
+
+    def visit_BoolOp(self, node):
+        first = node.values[0]
+        if isinstance(node.op, ast.Or) and isinstance(first, ast.UnaryOp) and _asks(first.operand):
+            return first
+        return self.generic_visit(node)
+
+
+def _asks(node):
+    return ast.unparse(node) == "ros_available()"
