@@ -302,9 +302,9 @@ class NotebookPage:
         )
         self.page.wait_for_function("theme => document.body.dataset.jpThemeName === theme", arg=theme)
 
-    def violations(self):
+    def violations(self, *, only_colors=False):
         """What axe-core finds in texts and outputs; JupyterLab's own elements are not the course's."""
-        return violations(self.page, ".jp-RenderedMarkdown, .jp-OutputArea-output")
+        return violations(self.page, ".jp-RenderedMarkdown, .jp-OutputArea-output", only_colors=only_colors)
 
     def outputs(self, number):
         """Text of each output of one code cell."""

@@ -54,6 +54,6 @@ def test_everybody_can_read_a_lesson_and_its_widgets_work(lesson: Path, lab, ope
         )
     for theme in ("Dark", "Light"):
         page.set_theme(theme)
-        assert page.violations() == []
+        assert page.violations(only_colors=theme == "Light") == []
     page.page.set_viewport_size({"width": 1400, "height": 1000})
     page.screenshot(lesson.stem, VIEW if views.count() else "figure img, .jp-Cell")
