@@ -60,14 +60,15 @@ TEXTS = {
     Outcome.NOT_ATTEMPTED: OutcomeTexts("not attempted", shows_values=False),
     Outcome.MISSING: OutcomeTexts(
         "the function is missing",
-        advice="No cell of the notebook defines this function: a def that begins at the left edge. Take a"
-        " fresh copy of the lesson, write your function there, and run `imgproc-course check` on it before"
-        " you submit it.",
+        advice="No cell of the notebook defines a function of this name, with a def that begins at the left"
+        " edge. Write it into its answer cell (a fresh copy of the lesson has one), and run"
+        " `imgproc-course check` on the notebook before you submit it.",
         shows_values=False,
     ),
     Outcome.REFUSED_MODULE: OutcomeTexts(
         "uses a module that this exercise does not allow",
-        advice="The task is to write it by hand, without the modules that do it for you.",
+        advice="The task is to write it by hand, without the modules that do it for you. If the module is a"
+        " file of your own, copy its functions into a cell of the notebook: only the notebook is graded.",
         shows_values=False,
     ),
     Outcome.TIME: OutcomeTexts(

@@ -23,18 +23,25 @@ _MAGIC = re.compile(
     r"(?:%time[ \t]+(?=[A-Za-z_(])|(?P<target>[\w, \t]+=)[ \t]*[%!].*|[%!?].*|[\w.]+\?\??$)",
     re.M,
 )
+# The prompts of Python and IPython, pasted from a terminal or a page: Jupyter drops them too.
+_FIRST_PROMPT = re.compile(r"\s*(>>>( |$)|In \[\d+\]: )")
+_PROMPT = re.compile(r"^[ \t]*(>>>( |$)|In \[\d+\]: |\.{3,}(: ?| |$))", re.M)
+_FENCE = re.compile(r"^```.*$", re.M)  # of a code block in a Markdown cell
 _CELL_MAGIC = re.compile(r"\s*%%(\w+).*\n?")
 _PYTHON_MAGICS = ("time", "timeit", "capture", "prun")
 
 
 def plain_python(source):
-    """The source without IPython's magics and shell commands, with the same lines; as it is if it parses.
+    """The source without magics, prompts and shell commands, with the same lines; as it is if it parses.
 
     What a magic computes is lost: `files = !ls` gives None. The Python in `%time` and `%%time` stays.
     """
     try:
         ast.parse(source)
     except UNPARSABLE:
+        source = _FENCE.sub("#", source)
+        if _FIRST_PROMPT.match(source):
+            source = _PROMPT.sub("", source)
         cell_magic = _CELL_MAGIC.match(source)
         if cell_magic and cell_magic[1] not in _PYTHON_MAGICS:
             return "#" + "\n#".join(source.splitlines())  # another language
@@ -152,6 +159,13 @@ def _is_blank(statement):
         return False
     body = _body(statement)
     return not body or [*map(type, body)] == [ast.Pass] or _is_not_implemented(body[0])
+
+
+def functions_with_stub_line(tree):
+    """The names of the functions of a module that go on after the stub's `raise NotImplementedError(...)`."""
+    functions = [statement for statement in tree.body if isinstance(statement, _FUNCTIONS)]
+    bodies = {function.name: _body(function) for function in functions}
+    return [name for name, body in bodies.items() if len(body) > 1 and _is_not_implemented(body[0])]
 
 
 def _is_not_implemented(statement):
@@ -348,6 +362,7 @@ class CellDefinitions:
         self._words = set(re.findall(r"\w+", text))
         lines = re.findall(r"^(?:(?:async[ \t]+)?(?:def|class)[ \t]+\w+|(?:import|from)[ \t].*)", text, re.M)
         self._defined_words = {word for line in lines for word in re.findall(r"\w+", line)}
+        self._imports_everything = re.search(r"^from[ \t]+[\w.]+[ \t]+import[ \t]*\*", text, re.M) is not None
         self._index = None
 
     def compose(self, position, function, given=(), preferred=None):
@@ -355,7 +370,8 @@ class CellDefinitions:
 
         Of several definitions of a name the last one above the answer counts, as after Run All; if there is
         none, the first one below. What the answer's cell defines and what is given is never bound again, and
-        a built-in name only by a function, a class or an import above.
+        a built-in name only by a function, a class or an import above. `from module import *` may define
+        every name that nothing else defines.
 
         Parameters
         ----------
@@ -385,6 +401,8 @@ class CellDefinitions:
         while names:
             name = names.pop()
             place = self._place(name, position, bound, preferred.get(name))
+            if place is None and self._imports_everything:
+                places |= self._imports_of_everything(name, position)
             if place is not None and place not in places.values():
                 places[name] = place
                 names |= place[2].reads - known_names
@@ -409,12 +427,22 @@ class CellDefinitions:
         chosen = [place for place in places if place[0] == preferred] or above or below[:1] or places
         return chosen[-1] if chosen else None
 
+    def _imports_of_everything(self, name, position):
+        """{text: place} of `from module import *` in other cells; for a built-in name only of those above."""
+        is_builtin = hasattr(builtins, name)
+        return {
+            f"{ast.parse(place[2].source).body[0].module}.*": place
+            for place in self._places_by_name().get("*", ())
+            if place[0] < position or (place[0] > position and not is_builtin)
+        }
+
     def _places_by_name(self):
         if self._index is None:
             self._index = {}
             for cell, source in enumerate(self._cells):
                 for number, statement in enumerate(statements_of(source or "")):
-                    for name in statement.binds if statement.kind != "other" else ():
+                    is_taken = statement.kind != "other" or statement.binds == {"*"}
+                    for name in statement.binds if is_taken else ():
                         self._index.setdefault(name, []).append((cell, number, statement))
         return self._index
 

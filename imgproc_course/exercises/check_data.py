@@ -15,7 +15,7 @@ from imgproc_course.exercises import feedback
 from imgproc_course.exercises.cell_syntax import parts_of
 from imgproc_course.exercises.declaration import PUBLIC_SEED, MasterError
 from imgproc_course.exercises.guarded_imports import tree_as_graded
-from imgproc_course.exercises.running import CallResult, call
+from imgproc_course.exercises.running import CallResult, by_itself, call
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,7 +97,8 @@ class CheckData:
     def run_answer(self, source):
         """Run the source of an answer in a namespace of its own.
 
-        As in grading, it runs statement by statement, and one that fails costs only itself.
+        As in grading, it runs statement by statement, one that fails or calls exit() costs only itself, and
+        nobody sees what it prints.
 
         Returns
         -------
@@ -107,8 +108,9 @@ class CheckData:
         for part in parts_of(source):
             try:
                 part = tree_as_graded(part, self.allowed) or part
-                exec(compile(part, f"<answer to {self.id}>", "exec", dont_inherit=True), names)
-            except Exception as error:  # noqa: BLE001 - the learner's code may raise anything
+                with by_itself():
+                    exec(compile(part, f"<answer to {self.id}>", "exec", dont_inherit=True), names)
+            except (Exception, SystemExit) as error:  # noqa: BLE001 - the learner's code may raise anything
                 reason = reason or f"{type(error).__name__}: {error}"
         function = names.get(self.function)
         return (function if callable(function) else None), reason

@@ -49,7 +49,8 @@ def compare(expected, actual, tolerance=0.0, path="", *, exact_type=True):
     as Python's numbers, and an integer may stand for an expected float.
 
     If the type need not be exact, right values may also come as a float for an integer, in another number
-    type of an array, as a list for a tuple, as a list (of lists) for an array, and the other way round. True
+    type of an array, as a list for a tuple, as a list (of lists or arrays) for an array, and the other way
+    round. True
     and False never stand for numbers: a mask selects pixels, and 0 and 1 do not. Whether numbers in float32
     are right is decided with its rounding.
 
@@ -184,7 +185,10 @@ def _array_form(form, depth):
 
 
 def _numbers(form, depth):
-    """A list's numbers as nested lists; None if it holds anything else."""
+    """The numbers of a list, whose items may be arrays, as nested lists; None if it holds anything else."""
+    if form["type"] == "ndarray" and len(form["shape"]) == depth:
+        values = array_of(form)
+        return None if values is None else values.tolist()
     if depth == 0 or "items" not in form or form["type"] == "dict":
         is_number = depth == 0 and kind_of(form) in ("int", "float", "bool") and "value" in form
         return form["value"] if is_number and not isinstance(form["value"], str) else None

@@ -28,6 +28,7 @@ _IDENTITIES = (
     "login",
 )
 _NUMBERS = {"id": "canvas", "identifier": "moodle"}
+_CLASS_LIST_NUMBER = re.compile(r"\d+[ _.-]+(?=\S)")  # 01_ada
 _NO_PEOPLE = ("", "student, test", "points possible")
 
 
@@ -49,7 +50,11 @@ class RosterEntry:
             return True
         # In Canvas a person has one number; in Moodle another one in each assignment.
         another_number = self.number and file.platform == self.number[0] == "canvas"
-        return not another_number and _squeezed(file.learner) in {_squeezed(name) for name in self.names}
+        return not another_number and self.has_name(file.learner)
+
+    def has_name(self, name):
+        """Whether this person's submission can arrive under a name."""
+        return _squeezed(name) in {_squeezed(own) for own in self.names}
 
 
 def read_roster(path):
@@ -107,6 +112,36 @@ def _squeezed(name):
     return "".join(filter(str.isalnum, unicodedata.normalize("NFC", name).casefold()))
 
 
+def _learners_in(roster, learners):
+    """[(learner, list of their entries)].
+
+    A folder that a class list numbered, 01_ada, is Ada's if nothing else arrived under her name.
+    """
+    found = [
+        (
+            learner,
+            [
+                entry
+                for entry in roster
+                if any(entry.is_sender(submission.file) for submission in learner.all_submissions())
+            ],
+        )
+        for learner in learners
+    ]
+    seen = {entry for _, entries in found for entry in entries}
+    numbered = {}
+    for learner, entries in found:
+        number = _CLASS_LIST_NUMBER.match(learner.name)
+        if number and not entries:
+            name = learner.name[number.end() :]
+            for entry in (entry for entry in roster if entry.has_name(name) and entry not in seen):
+                numbered.setdefault(entry, []).append(entries)
+    for entry, places in numbered.items():
+        if len(places) == 1:
+            places[0].append(entry)
+    return found
+
+
 def names_in_roster(roster, learners):
     """Whom the names of a roster mean, for the teacher's tables.
 
@@ -120,11 +155,8 @@ def names_in_roster(roster, learners):
     {name: the learner's name, or None if this person handed in nothing}, without names of two people
     """
     senders = {entry.name: None for entry in roster}
-    for learner in learners:
-        files = [submission.file for submission in learner.all_submissions()]
-        for entry in roster:
-            if any(entry.is_sender(file) for file in files):
-                senders[entry.name] = learner.name
+    for learner, entries in _learners_in(roster, learners):
+        senders |= {entry.name: learner.name for entry in entries}
     count = Counter(name for entry in roster for name in {entry.name, *entry.names})
     names = ((name, entry.name) for entry in roster for name in {entry.name, *entry.names})
     return {name: senders[entry_name] for name, entry_name in names if count[name] == 1}
@@ -143,9 +175,7 @@ def roster_report(roster, learners):
     dict with `count` (of the roster), `missing` and `unknown` (lists of names)
     """
     unseen, unknown = list(roster), []
-    for learner in learners:
-        files = [submission.file for submission in learner.all_submissions()]
-        entries = [entry for entry in roster if any(entry.is_sender(file) for file in files)]
+    for learner, entries in _learners_in(roster, learners):
         unseen = [entry for entry in unseen if entry not in entries]
         if not entries:
             unknown.append(learner.name)

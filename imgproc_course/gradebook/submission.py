@@ -6,6 +6,7 @@ cells that the answers read. Everything else in a notebook (check cells, outputs
 change that matters becomes a finding.
 """
 
+import difflib
 from dataclasses import dataclass, field
 from enum import StrEnum
 from functools import lru_cache
@@ -17,6 +18,8 @@ from imgproc_course.gradebook.submission_reader import MOST_CHARACTERS, syntax_d
 
 _LONGEST_PREDICTION = 1_000  # characters
 _MOST_NAMES = 8  # that a finding lists
+STUB_LINE = "the line `raise NotImplementedError(...)`: nothing below it runs; delete this line"
+_NAME_ADVICE = "; the name must be the one of the task"
 _GRADER_COMMENTS = ("# NBVAL_", "# PYTEST_VALIDATE_")
 
 
@@ -237,8 +240,10 @@ def _inspect_source(exercise, answer, content):
         return AnswerState.NOT_ATTEMPTED
     problem = _problem(exercise, answer.cell)
     if problem:
-        content.add(problem, exercise.id, "answer")
+        content.add(problem, exercise.id, "message" if problem.endswith(_NAME_ADVICE) else "answer")
         return AnswerState.BROKEN
+    if exercise.function in answer.cell["answer"]["stub_lines"]:
+        content.add(f"{exercise.function}() still begins with {STUB_LINE}", exercise.id)
     return AnswerState.ANSWERED if answer.is_answer else AnswerState.NOT_ATTEMPTED
 
 
@@ -264,8 +269,15 @@ def _problem(exercise, cell):
         return text + f" ({sanitize_line(message, 100)})"
     names = cell["answer"]["names"]
     if names is not None and exercise.function not in names:
-        return f"its answer cell does not define {exercise.function}()"
+        return f"its answer cell does not define {exercise.function}(){_similar_name(exercise, cell)}"
     return ""
+
+
+def _similar_name(exercise, cell):
+    """The function of the cell whose name was meant: the only one, or one that is written nearly so."""
+    defined = sorted(cell["functions"])
+    names = defined if len(defined) == 1 else difflib.get_close_matches(exercise.function, defined, 1)
+    return f", but {sanitize_line(names[0], 60)}(){_NAME_ADVICE}" if names else ""
 
 
 def _has_code(source):

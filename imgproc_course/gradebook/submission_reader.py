@@ -33,6 +33,7 @@ _MOST_OUTPUT = 2_000  # characters of a check cell's output
 _MOST_NAME = 200  # characters of a name or an id
 _CODE_BEGINS = re.compile(r"^(def|async def|class) \w|^\w+ *= *(lambda|\w)", re.M)
 _PR_SET_PDEATHSIG = 1
+_UNKNOWN_SYNTAX = {"error": None, "digest": None, "names": None, "stub_lines": []}
 
 
 class UnreadableError(ValueError):
@@ -224,16 +225,22 @@ def _parsed_answer(source):
     error : [line number, text of the line, message] of a syntax error, or None
     digest : see `syntax_digest`
     names : list of str, what the source binds at its top level; None if that is unknown
+    stub_lines : list of str, the functions that go on after the stub's `raise NotImplementedError(...)`
     """
     try:
         tree = ast.parse(cell_syntax.plain_python(source))
     except SyntaxError as error:
         text = (error.text or "").strip()[:_MOST_NAME]
-        return {"error": [error.lineno or 1, text, error.msg[:_MOST_NAME]], "digest": None, "names": None}
+        return {**_UNKNOWN_SYNTAX, "error": [error.lineno or 1, text, error.msg[:_MOST_NAME]]}
     except (ValueError, RecursionError, MemoryError):
-        return {"error": None, "digest": None, "names": None}
+        return _UNKNOWN_SYNTAX
     names = set().union(*map(cell_syntax.names_bound_by, tree.body))
-    return {"error": None, "digest": _tree_digest(tree), "names": None if "*" in names else sorted(names)}
+    return {
+        "error": None,
+        "digest": _tree_digest(tree),
+        "names": None if "*" in names else sorted(names),
+        "stub_lines": cell_syntax.functions_with_stub_line(tree)[:_MOST_FUNCTIONS],
+    }
 
 
 def _output_text(cell):

@@ -3,6 +3,7 @@
 import csv
 import io
 import statistics
+from pathlib import PurePosixPath
 
 from imgproc_course.autograder.outcomes import TEXTS, Outcome
 from imgproc_course.autograder.sanitize import spreadsheet_text
@@ -10,6 +11,7 @@ from imgproc_course.gradebook.grades_json import lesson_names
 from imgproc_course.gradebook.report import finding_text, render_page
 
 _BIN_COUNT = 10
+_MOST_MOVED = 2  # answers whose place is told for each
 _PERHAPS_UNFAIR = {Outcome.NOT_GRADED, Outcome.MEMORY, Outcome.OUTPUT}
 _PERHAPS_DISHONEST = {Outcome.HOSTILE, Outcome.CRASHED, Outcome.REFUSED_MODULE}
 
@@ -32,7 +34,8 @@ def summary_page(grades, failed_pages=(), other_pages=()):
     names = [name for name in lesson_names(grades) if name in submitted]
     graded = [(learner, lesson) for learner, lesson in submissions if lesson["status"] == "graded"]
     percentages = [_percentage(learner) for learner in grades["learners"] if learner["max_points"]]
-    concerns = list(_concerns(submissions))
+    own_modules = {PurePosixPath(path).stem for path in grades["ignored"] if path.endswith(".py")}
+    concerns = list(_concerns(submissions, own_modules))
     return render_page(
         "summary.html",
         grades=grades,
@@ -59,14 +62,17 @@ def summary_page(grades, failed_pages=(), other_pages=()):
 # ---------------------------------------------------------------- what to look at
 
 
-def _concerns(submissions):
-    """What the teacher should look at: dicts with the list it belongs to, the texts, and a line to copy."""
+def _concerns(submissions, own_modules):
+    """What the teacher should look at: dicts with the list it belongs to, the texts, and a line to copy.
+
+    What cost nothing is one entry for each submission. `own_modules` are files that were submitted too.
+    """
     for learner, lesson in submissions:
         if lesson["decision"]:
             continue
         grouped = {}
-        for name, exercise, text in _concerns_of(lesson):
-            grouped.setdefault((name, exercise), []).append(text)
+        for name, exercise, text in _concerns_of(lesson, own_modules):
+            grouped.setdefault((name, exercise if name != "other" else ""), []).append(text)
         entries = {exercise["id"]: exercise for exercise in lesson["exercises"]}
         for (name, id), texts in grouped.items():
             entry = entries.get(id, lesson)
@@ -75,14 +81,26 @@ def _concerns(submissions):
                     "list": name,
                     "learner": learner,
                     "lesson": lesson,
-                    "texts": list(dict.fromkeys(texts)),
+                    "texts": _texts_in_short(list(dict.fromkeys(texts))),
                     "points": entry["points"],
                     "max_points": entry["max_points"],
                     "line": _line_to_copy(name, learner, lesson, id if id in entries else "", entry),
                 }
 
 
-def _concerns_of(lesson):
+def _texts_in_short(texts):
+    """The texts; those about answers without marks as one, because some tools remove the marks of all."""
+    moved = [
+        text for text in texts if ": graded from another cell (" in text and text.endswith(" is missing")
+    ]
+    if len(moved) <= _MOST_MOVED:
+        return texts
+    exercises = ", ".join(text.partition(":")[0] for text in moved)
+    short = "its answers were found by the names of their functions, because their answer cells are missing"
+    return [*(text for text in texts if text not in moved), f"{short}: {exercises}"]
+
+
+def _concerns_of(lesson, own_modules):
     """(list, exercise id or "", text) of everything unusual about one submission."""
     if lesson["status"] != "graded":
         yield "unfair", "", f"could not be graded: {lesson['reason']}"
@@ -106,8 +124,19 @@ def _concerns_of(lesson):
     for exercise in lesson["exercises"]:
         for outcome in sorted({Outcome(case["outcome"]) for case in exercise["cases"]}):
             if outcome in _PERHAPS_UNFAIR | _PERHAPS_DISHONEST:
-                name = "unfair" if outcome in _PERHAPS_UNFAIR else "dishonest"
-                yield name, exercise["id"], f"{exercise['id']}: {TEXTS[outcome].label}"
+                module = _refused_module(exercise["cases"]) if outcome is Outcome.REFUSED_MODULE else ""
+                is_own = module.partition(".")[0] in own_modules
+                text = f"{TEXTS[outcome].label}: {module}" if module else TEXTS[outcome].label
+                if is_own:
+                    text = f"it imports {module}, a file of their own; only notebooks are graded"
+                name = "unfair" if outcome in _PERHAPS_UNFAIR or is_own else "dishonest"
+                yield name, exercise["id"], f"{exercise['id']}: {text}"
+
+
+def _refused_module(cases):
+    """The module that an answer must not use, as the messages of its cases name it, or ""."""
+    messages = (case["message"] for case in cases if case["outcome"] == Outcome.REFUSED_MODULE)
+    return next((message.rpartition(" ")[2] for message in messages if message), "")
 
 
 def _line_to_copy(name, learner, lesson, exercise, entry):

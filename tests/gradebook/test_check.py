@@ -1,6 +1,8 @@
 """`imgproc-course check`: what a learner reads before submitting a lesson."""
 
+import io
 import json
+import sys
 
 import nbformat
 import pytest
@@ -276,6 +278,22 @@ def test_answers_run_by_themselves(lesson):
     lesson_check = run(lesson())
     assert lesson_check.exercises[0].result.passed
     assert "  template-double: 1 of 1 checks pass" in list(report_lines(lesson_check))
+
+
+def test_the_terminal_shows_nothing_that_an_answer_prints_or_asks(lesson, capsys, monkeypatch):
+    monkeypatch.setattr("sys.stdin", io.StringIO("Ada"))
+    noise = 'print("x" * 9_000)\nimport sys\nprint("y", file=sys.stderr)\nname = input("Your name?")\n'
+
+    def add_noise(cells):
+        cells[ANSWER]["source"] = f"{noise}{''.join(cells[ANSWER]['source'])}\nsys.exit(0)"
+
+    lesson_check = run(lesson(add_noise))
+    assert lesson_check.exercises[0].result.passed
+    assert lesson_check.exercises[0].notes == [
+        "a statement in its cell fails: EOFError: EOF when reading a line"
+    ]
+    assert capsys.readouterr() == ("", "")
+    assert sys.stdin.read() == "Ada"
 
 
 def test_a_wrong_answer_is_explained(lesson):

@@ -27,6 +27,7 @@ RIGHT = {
 STUB = 'def double(pixels):\n    raise NotImplementedError("your turn")'
 WIDE = "def wide(pixels):\n    return pixels.astype(np.uint16)"
 USES_WIDE = "def double(pixels):\n    return np.minimum(wide(pixels) * 2, LIMIT).astype(np.uint8)"
+USES_EVERYTHING = "def double(pixels):\n    return minimum(pixels.astype(uint16) * 2, LIMIT).astype(uint8)"
 CASES = []
 
 
@@ -300,7 +301,43 @@ def a_given_name_bound_in_another_cell(made):
     insert(made, 1, new_cell("LIMIT = 3"))
 
 
+@case(finding="math.*, numpy.* of other cells", double=USES_EVERYTHING)
+def everything_of_a_module_imported_above(made):
+    insert(made, 1, new_cell("from math import *"), new_cell("from numpy import *"))
+
+
+@case(finding="numpy.* of another cell", double=USES_EVERYTHING)
+def everything_of_a_module_imported_below(made):
+    insert(made, position_of(made, DOUBLE) + 1, new_cell("from numpy import *"))
+
+
+# ---------------------------------------------------------------- pasted text
+
+
+@case(double=">>> " + RIGHT[DOUBLE].replace("\n", "\n... "))
+def with_the_prompts_of_python(made):
+    pass
+
+
+@case(double="In [12]: " + RIGHT[DOUBLE].replace("\n", "\n    ...: "))
+def with_the_prompts_of_ipython(made):
+    pass
+
+
+@case(
+    double=f"```python\n{RIGHT[DOUBLE]}\n```",
+    finding="its answer cell is a markdown cell; its text is graded",
+)
+def made_markdown_in_a_fence(made):
+    change_type(made, position_of(made, DOUBLE), "markdown")
+
+
 # ---------------------------------------------------------------- magics and prints
+
+
+@case(double=f"{RIGHT[DOUBLE]}\nname = input()\nexit()")
+def a_cell_that_ends_python(made):
+    pass
 
 
 @case(double=f"%matplotlib inline\nfiles = !ls\n{RIGHT[DOUBLE]}\n%timeit double(np.uint8([[3]]))\ndouble?")
@@ -333,6 +370,11 @@ def a_list_for_a_tuple_and_other_dtypes(made):
 
 @case(double="def double(p):\n    return np.minimum(p.astype(int) * 2, 255).tolist()")
 def a_list_of_lists_for_an_array(made):
+    pass
+
+
+@case(double="def double(p):\n    return [np.minimum(row.astype(int) * 2, 255) for row in p]")
+def a_list_of_arrays_for_an_array(made):
     pass
 
 

@@ -19,7 +19,7 @@ from imgproc_course.gradebook.learners import read_all, unproven_dates
 from imgproc_course.gradebook.lms_import import TableError
 from imgproc_course.gradebook.notebook_reader import NOT_READ_IN_TIME
 from imgproc_course.gradebook.result_store import ResultStore
-from imgproc_course.gradebook.roster import read_roster, roster_report
+from imgproc_course.gradebook.roster import names_in_roster, read_roster, roster_report
 
 LESSONS = ("light", "sound")
 BOB_IN_MOODLE = "Bob Ray_7_assignsubmission_file_/20_light.ipynb"
@@ -262,6 +262,19 @@ def test_a_roster_shows_who_handed_in_nothing(read, light, submissions, tmp_path
         [["Ray", "Cy"]],
     )
     assert report["unknown"] == ["dora"]
+
+
+def test_the_numbers_of_a_class_list_are_no_part_of_the_name(read, light, submissions, tmp_path):
+    roster = tmp_path / "roster.csv"
+    roster.write_text("name\nAda\nBob\nCy\nDora\n", encoding="utf-8")
+    for folder in ("01_ada", "02_bob", "bob", "03_cy", "04_cy", "Dora 2"):
+        write(submissions / folder / "20_light.ipynb", notebook(light))
+    learners = list(read(submissions)[1].values())
+    report = roster_report(read_roster(roster), learners)
+    assert report["missing"] == ["Cy", "Dora"]
+    assert report["unknown"] == ["02_bob", "03_cy", "04_cy", "Dora 2"]
+    names = names_in_roster(read_roster(roster), learners)
+    assert names == {"Ada": "01_ada", "Bob": "bob", "Cy": None, "Dora": None}
 
 
 def test_a_canvas_number_decides_between_people_of_one_name(read, light, submissions, tmp_path):

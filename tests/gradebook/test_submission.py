@@ -123,7 +123,7 @@ def test_a_retyped_answer_cell(read, made, light, kind):
         ("", "broken", "its answer cell is empty"),
         ("# later\n", "broken", "its answer cell is empty"),
         ("def double(p)\n    return p", "broken", "line 1 of its answer cell is not Python: def double(p) "),
-        ("def dubble(p):\n    return p", "broken", "its answer cell does not define double()"),
+        ("double_it = 3", "broken", "its answer cell does not define double()"),
         ("#" * 200_100, "broken", "its answer is longer than 200000 characters, the most that are graded"),
         ('def double(pixels):\n    # hm\n    raise NotImplementedError("your turn")', "not attempted", ""),
         ("double = lambda p: p", "answered", ""),
@@ -140,6 +140,29 @@ def test_the_state_of_an_answer(read, made, source, state, text):
     assert len(content.answers["light-double"]) == min(len(source), MOST_CHARACTERS + 1)
     (finding,) = [*texts(content, "answer"), *([] if text else [""])]
     assert finding.startswith(text) and texts(content, "message") == []
+
+
+@pytest.mark.parametrize(
+    ("source", "state", "text"),
+    [
+        (
+            "LIMIT = 3\ndef Double(p):\n    return p",
+            "broken",
+            "its answer cell does not define double(), but Double(); the name must be the one of the task",
+        ),
+        (
+            "def double(p):\n    raise NotImplementedError('your turn')\n    return p * 2",
+            "not attempted",
+            "double() still begins with the line `raise NotImplementedError(...)`: nothing below it runs;"
+            " delete this line",
+        ),
+    ],
+)
+def test_a_slip_that_costs_a_right_answer_is_told_to_the_learner(read, made, source, state, text):
+    cell_of(made, DOUBLE)["source"] = source
+    content = read(made)
+    assert content.states["light-double"] == state
+    assert texts(content, "message") == [text] and texts(content, "answer") == []
 
 
 def test_a_split_answer_cell(read, made):

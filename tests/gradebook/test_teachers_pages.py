@@ -12,6 +12,7 @@ from submissions import answers_of, cell_of, notebook, write
 
 from imgproc_course.gradebook.changes import changes_between
 from imgproc_course.gradebook.grade import grade_submissions
+from imgproc_course.gradebook.summary import _concerns
 
 pytestmark = pytest.mark.sandbox
 MOODLE = "Ada_B Lovelace_12345_assignsubmission_file_"
@@ -89,6 +90,48 @@ def test_practice_is_no_reason_for_a_decision_on_the_whole_lesson(masters, submi
     assert rows_of(tmp_path / "out", "May have lost points unfairly") == []
     (row,) = rows_of(tmp_path / "out", "Also unusual")
     assert "sound-practice: its answer cell" in row
+
+
+def test_a_lost_name_and_a_file_of_ones_own_are_not_dishonest(light, submissions, key_path, tmp_path):
+    right = answers_of(light, "right")
+    own_file = "from mine import twice\ndef double(pixels):\n    return twice(pixels)"
+    write(submissions / "ada" / "20_light.ipynb", notebook(light, right | {"light-double": own_file}))
+    (submissions / "ada" / "mine.py").write_text("def twice(pixels):\n    return pixels\n")
+    write(submissions / "bob" / "20_light.ipynb", notebook(light, right | {"light-double": USES_CV2}))
+    typo = "def Double(pixels):\n    return pixels"
+    write(submissions / "cy" / "20_light.ipynb", notebook(light, right | {"light-double": typo}))
+    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
+    ada, cy = rows_of(tmp_path / "out", "May have lost points unfairly")
+    assert "light-double: it imports mine, a file of their own; only notebooks are graded" in ada
+    assert "ada,light,light-double,3,looked at by hand" in ada
+    assert "its answer cell does not define double(), but Double()" in cy
+    (bob,) = rows_of(tmp_path / "out", "Perhaps dishonest")
+    assert "light-double: uses a module that this exercise does not allow: cv2" in bob
+
+
+USES_CV2 = "import cv2\ndef double(pixels):\n    return cv2.add(pixels, pixels)"
+
+
+def test_answers_without_marks_are_one_row_and_one_sentence():
+    findings = [
+        {"kind": "message", "exercise": f"a-{n}", "text": f"graded from another cell (cell number {n}), which"
+         f" defines f{n}(): its answer cell (answer-a-{n}) is missing"}
+        for n in range(3)
+    ]  # fmt: skip
+    entries = [
+        {"id": f"a-{n}", "cases": [], "points": 2, "max_points": 2, "autograded_points": 2, "decision": None}
+        for n in range(3)
+    ]
+    lesson = {
+        "lesson": "a", "decision": None, "status": "graded", "late_deduction": 0, "late": False, "points": 6,
+        "max_points": 6, "autograded_points": 6, "earlier": [], "findings": findings, "exercises": entries,
+    }  # fmt: skip
+    (concern,) = _concerns([({"name": "ada"}, lesson)], set())
+    assert concern["list"] == "other" and concern["points"] == 6
+    assert concern["texts"] == [
+        "its answers were found by the names of their functions, because their answer cells are missing: a-0,"
+        " a-1, a-2"
+    ]
 
 
 def test_one_learner_and_one_lesson_are_not_plural(light, submissions, key_path, tmp_path):
