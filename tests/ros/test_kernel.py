@@ -30,6 +30,11 @@ print(sum('ROS session' in t.name for t in threading.enumerate()), *count())
 """
 
 
+def parent(msg):
+    """The id of the request that a kernel's message belongs to; None if to none."""
+    return msg["parent_header"].get("msg_id")
+
+
 class Notebook:
     """A kernel, and a client that runs cells in it."""
 
@@ -53,7 +58,7 @@ class Notebook:
                 msg = self.client.get_iopub_msg(timeout=1)
             except Empty:
                 continue
-            if msg["parent_header"].get("msg_id") != request:
+            if parent(msg) != request:
                 continue
             if msg["msg_type"] == "stream":
                 printed[msg["content"]["name"]] += msg["content"]["text"]
@@ -66,10 +71,12 @@ class Notebook:
     def interrupt(self, code):
         """Runs a cell that prints something and then waits, and interrupts it there."""
         request = self.client.execute(code, stop_on_error=False)  # the next cells are not part of this
-        while self.client.get_iopub_msg(timeout=60)["msg_type"] != "stream":
+        # A late line of an earlier cell does not count: the signal would come too early, and have no effect.
+        line = ("stream", request)
+        while ((msg := self.client.get_iopub_msg(timeout=60))["msg_type"], parent(msg)) != line:
             pass
         self.manager.interrupt_kernel()
-        while (reply := self.client.get_shell_msg(timeout=60))["parent_header"]["msg_id"] != request:
+        while parent(reply := self.client.get_shell_msg(timeout=60)) != request:
             pass
         assert reply["content"]["ename"] == "KeyboardInterrupt"
 
