@@ -353,7 +353,8 @@ class _LocalTime(click.ParamType):
 def key(lessons, seed, redraw, variants, out, masters, replace, unsafe):
     """Make the answer key: run the solutions on inputs drawn from a secret seed.
 
-    LESSON is a number or a name: 03 or 03_images_as_messages. Without LESSON, the key has all lessons.
+    LESSON is a number or a name: 03 or 03_images_as_messages. Without LESSON, the key has all lessons; with
+    --redraw, those of the old key.
     """
     from imgproc_course.autograder import key_seed
     from imgproc_course.autograder.answer_key import KeyFolderError, load_key
@@ -367,8 +368,10 @@ def key(lessons, seed, redraw, variants, out, masters, replace, unsafe):
 
     def make(seed, folder):
         key_seed.require_unguessable(seed)
-        count = variants or (len(load_key(out).variants) if redraw else 1)
-        return make_key(masters, seed, folder, lessons, variants=count, unsafe=unsafe, replace=replace)
+        old_key = load_key(out) if redraw else None
+        names = lessons or (list(old_key.lessons) if redraw else ())
+        count = variants or (len(old_key.variants) if redraw else 1)
+        return make_key(masters, seed, folder, names, variants=count, unsafe=unsafe, replace=replace)
 
     try:
         if redraw:
@@ -376,7 +379,10 @@ def key(lessons, seed, redraw, variants, out, masters, replace, unsafe):
             answer_key = load_key(out)
         else:
             answer_key = make(key_seed.read_or_make_seed(seed_file) if is_seed_saved else seed, out)
-    except (MasterError, KeyFolderError, SandboxError) as error:
+    except MasterError as error:
+        remedy = "--masters takes the folder that the old key was made from"
+        raise click.ClickException(f"{error}; {remedy}" if redraw and not lessons else str(error)) from error
+    except (KeyFolderError, SandboxError) as error:
         raise click.ClickException(str(error)) from error
     except OSError as error:
         raise click.ClickException(f"the key cannot be written: {error}") from error

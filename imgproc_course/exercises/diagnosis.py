@@ -112,6 +112,8 @@ def side_by_side(expected, actual):
 
 def _advice_on_type(expected, actual, tolerance):
     kind, actual_kind = kind_of(expected), kind_of(actual)
+    if actual["type"] == "coroutine":
+        return "A function that begins with async def does not compute when it is called. Write def."
     if actual_kind in ("int", "float") and kind in ("int", "float"):
         return _advice_on_number(expected, actual)
     if kind == actual_kind == "dict":

@@ -17,6 +17,10 @@ SIGNED = RNG.integers(-300, 300, (5, 6), dtype=np.int32)
 MASK = RNG.random((5, 6)) > 0.5
 
 
+async def coroutine():
+    """What a learner gets who writes async def."""
+
+
 def call_of(expected, actual, argument=GRAY, tolerance=0.0):
     forms = canonical(expected, limit=None), canonical(actual, limit=None)
     return SimpleNamespace(
@@ -49,6 +53,7 @@ TYPES = [
     ("a", len, "You return a function itself, and the task asks for a text, such as its name."),
     ("a", {"b"}, "You return a set, and the task asks for a single text."),
     (GRAY, np.sum, "You return a function itself, and the task asks for an array."),
+    (GRAY, coroutine(), "begins with async def does not compute when it is called. Write def."),
     (GRAY, reversed(GRAY), "reversed() gives no array. A slice with the step -1 goes backwards: ::-1."),
     (GRAY, range(3), "You return a value of type range, and the task asks for an array."),
     ("a", ["a", "b"], "You return 2 values (a list), and the task asks for a single text."),

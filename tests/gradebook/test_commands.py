@@ -82,7 +82,13 @@ def test_a_redrawn_key_has_other_inputs_and_the_old_one_still_grades(run, light,
     assert run("grade", "in", "--key", "k-1", "--out", "again").exit_code == 0
     grades = [(tmp_path / name / "grades.json").read_bytes() for name in ("first", "again")]
     assert grades[0] == grades[1]
-    assert run(*words, "--redraw").exit_code == 0 and (tmp_path / "k-2").is_dir()
+    # Without the lesson's number: the lessons of the old key, and no others.
+    assert run("key", "--masters", MASTERS, "--out", "k", "--redraw").exit_code == 0
+    assert (tmp_path / "k-2").is_dir() and list(load_key(tmp_path / "k").lessons) == [light.name]
+    refused = run("key", "--out", "k", "--redraw")  # the course has no such lesson
+    assert refused.exit_code == 1 and "'light' names no lesson" in refused.output
+    assert "--masters takes the folder that the old key was made from" in refused.output
+    assert list(load_key(tmp_path / "k").lessons) == [light.name]
 
 
 MIRRORED = "5eed90ab1c7f32d8"

@@ -17,7 +17,8 @@ NAMES = [lesson_name(path.stem) for path in find_masters(NOTEBOOKS / "masters")]
 
 
 @pytest.fixture(scope="module")
-def learners(tmp_path_factory):
+def folder(tmp_path_factory):
+    """With the key, the submissions of two learners, and their grades."""
     folder = tmp_path_factory.mktemp("lessons")
     make_key(NOTEBOOKS / "masters", "of this test", folder / "key")
     for path in find_masters(NOTEBOOKS / "masters"):
@@ -29,6 +30,11 @@ def learners(tmp_path_factory):
         solutions = {each.id: each.solution for each in master.exercises}
         write(folder / "in" / "solved" / f"{master.name}.ipynb", notebook(master, solutions))
     grade_submissions(folder / "in", [folder / "key"], folder / "grades", workers=2, quiet=True)
+    return folder
+
+
+@pytest.fixture(scope="module")
+def learners(folder):
     grades = json.loads((folder / "grades" / "grades.json").read_text(encoding="utf-8"))
     return {
         learner["name"]: {lesson["lesson"]: lesson for lesson in learner["lessons"]}
@@ -51,3 +57,9 @@ def test_the_solved_lesson_gets_every_point(learners, name):
 
 def test_nothing_else_was_found(learners):
     assert sorted(learners["pristine"]) == sorted(learners["solved"]) == sorted(NAMES)
+
+
+def test_a_check_that_gives_no_points_says_so(folder):
+    for path in (folder / "grades" / "learners").iterdir():
+        text = path.read_text(encoding="utf-8")
+        assert ">no points<" in text and ">0 of 0<" not in text
