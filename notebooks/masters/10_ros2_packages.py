@@ -78,7 +78,7 @@ print(script.read_text(encoding="utf-8"))
 # - `cv2.imshow` shows the image in a window, and `cv2.waitKey(1)` gives OpenCV one millisecond to draw it. Where no window can be opened, the script says so once, and publishes the image on `~/view` with `cv2_to_imgmsg`.
 # - `rclpy.init()` starts ROS in this program. In a notebook, the course's session does this.
 # - `rclpy.spin(node)` waits for messages and calls the callback, until you press Ctrl-C.
-# - Ctrl-C raises `KeyboardInterrupt`. (`ExternalShutdownException` comes when ROS was stopped in another way.) Both end the program as planned, so the script does nothing: `pass`.
+# - Ctrl-C ends ROS in this program; then `spin` raises `ExternalShutdownException`. In many scripts, Ctrl-C raises `KeyboardInterrupt`, too, and that can happen in the middle of an image. The line with `signal.signal` switches this off. Both exceptions end a program as planned, so the script does nothing: `pass`. If ROS ends in the middle of a call, such as `publish`, the call raises `RuntimeError`; then `rclpy.ok()` is False.
 # - `finally` is always done at the end: `cv2.destroyAllWindows()` closes the windows, `destroy_node()` deletes the node, and `rclpy.try_shutdown()` ends ROS in this program.
 # - `if __name__ == "__main__":` means: call `main` only if this file is started, not if it is imported.
 
@@ -87,7 +87,7 @@ print(script.read_text(encoding="utf-8"))
 source = script.read_text(encoding="utf-8")
 for name in ("#!/usr/bin/env python3", "BEST_EFFORT", "VOLATILE", "imgmsg_to_cv2", "cv2_to_imgmsg", "cv2.imshow"):
     assert name in source
-for name in ("cv2.waitKey(1)", "rclpy.init()", "rclpy.spin(node)", "KeyboardInterrupt", "destroy_node", "try_shutdown"):
+for name in ("cv2.waitKey(1)", "rclpy.init()", "rclpy.spin(node)", "signal.signal", "ExternalShutdownException", "destroy_node", "try_shutdown"):
     assert name in source
 
 # %% [markdown]

@@ -13,6 +13,23 @@ pytestmark = pytest.mark.ros
 
 SCRIPTS = sorted((Path(__file__).parents[2] / "environment" / "ros2_ws" / "scripts").glob("*.py"))
 NAMES = [path.stem for path in SCRIPTS]
+# Runs a script that receives a signal while it makes its n-th message: the first is the camera's, which ROS
+# hands over; the second is the view, which the script is about to publish.
+SIGNALLED = """
+import os, runpy, sys, time
+from sensor_msgs.msg import Image
+script, number, last = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
+make, count = Image.__init__, 0
+def make_and_signal(self, **fields):
+    global count
+    count += 1
+    if count == last:
+        os.kill(os.getpid(), number)
+        time.sleep(0.2)  # if ROS has signal handlers of its own, they end it meanwhile
+    make(self, **fields)
+Image.__init__ = make_and_signal
+runpy.run_path(script, run_name="__main__")
+"""
 
 
 def expected_view(name, frame):
@@ -68,3 +85,15 @@ def test_a_broken_image_is_logged_and_the_node_goes_on(path, start_script, colle
     assert (tools.pixels(result) == expected_view(path.stem, frame)).all()
     assert process.output.count("publishes ~/view instead") == 1
     assert process.leave(signal.SIGTERM) == 0
+
+
+@pytest.mark.parametrize("last", [1, 2], ids=["taken", "published"])
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+@pytest.mark.parametrize("path", SCRIPTS, ids=NAMES)
+def test_a_signal_in_the_middle_of_an_image_ends_the_script_quietly(path, number, last, start, camera, tools):
+    command = (sys.executable, "-c", SIGNALLED, path, int(number), last)
+    process = start(*command, DISPLAY=None, WAYLAND_DISPLAY=None)
+    process.wait_for("has started")
+    camera.send_until(lambda: not process.running, tools.message_of(tools.make_frame(5)))
+    assert process.wait() == 0
+    assert process.output.count("\n") == 2, process.output  # that it has no window, and that it has started

@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Detects the edges in every image of the robot's camera, and shows the original, gray and edges."""
 
+import signal
+
 import cv2
 import numpy as np
 import rclpy
@@ -39,8 +41,6 @@ class ImageEdgeDetection(Node):
         except (CvBridgeError, cv2.error) as error:
             self.get_logger().error(f"An image was not processed: {error}")
             return
-        if not rclpy.ok():
-            return  # Ctrl-C ended ROS while this image was processed
         if self.no_window:
             three = np.hstack([frame, cv2.merge([gray] * 3), cv2.merge([edges] * 3)])
             self.view.publish(self.bridge.cv2_to_imgmsg(three, "bgr8", header=msg.header))
@@ -52,12 +52,17 @@ class ImageEdgeDetection(Node):
 
 
 def main():
+    # Ctrl-C ends ROS, and with it spin. It must not raise KeyboardInterrupt too, in the middle of an image.
+    signal.signal(signal.SIGINT, lambda *_: None)
     rclpy.init()
     node = ImageEdgeDetection()
     try:
         rclpy.spin(node)
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
+    except RuntimeError:
+        if rclpy.ok():  # else Ctrl-C has ended ROS in the middle of a call, such as publish
+            raise
     finally:
         if not node.no_window:
             cv2.destroyAllWindows()

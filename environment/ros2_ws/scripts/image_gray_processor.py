@@ -1,6 +1,8 @@
 #!/usr/bin/env python3
 """Converts every image of the robot's camera to gray, and shows it in a window."""
 
+import signal
+
 import cv2
 import rclpy
 from rclpy.executors import ExternalShutdownException
@@ -36,8 +38,6 @@ class ImageGrayProcessor(Node):
         except (CvBridgeError, cv2.error) as error:
             self.get_logger().error(f"An image was not processed: {error}")
             return
-        if not rclpy.ok():
-            return  # Ctrl-C ended ROS while this image was processed
         if self.no_window:
             self.view.publish(self.bridge.cv2_to_imgmsg(gray, "mono8", header=msg.header))
         else:
@@ -46,12 +46,17 @@ class ImageGrayProcessor(Node):
 
 
 def main():
+    # Ctrl-C ends ROS, and with it spin. It must not raise KeyboardInterrupt too, in the middle of an image.
+    signal.signal(signal.SIGINT, lambda *_: None)
     rclpy.init()
     node = ImageGrayProcessor()
     try:
         rclpy.spin(node)
     except (KeyboardInterrupt, ExternalShutdownException):
         pass
+    except RuntimeError:
+        if rclpy.ok():  # else Ctrl-C has ended ROS in the middle of a call, such as publish
+            raise
     finally:
         if not node.no_window:
             cv2.destroyAllWindows()
