@@ -38,13 +38,6 @@ def crop(image, top, bottom, left, right):
 def crop(image, top, bottom, left, right):
     return image[1:4, 2:5]
 
-# %% name="a list of rows" origin="new" sentence="You return a list of rows, but an array is expected: slice the array, image[top:bottom, left:right]." must_say=["list", "array"] kind="type"
-def crop(image, top, bottom, left, right):
-    rows = []
-    for row in range(top, bottom):
-        rows.append(image[row, left:right])
-    return rows
-
 # %% name="the rest is black" origin="new" sentence="You keep the full size and only set the rest to 0: return only the part, with its smaller shape." must_say=["shape|size|smaller|part", "full|same|whole|size|shape"] kind="shape"
 def crop(image, top, bottom, left, right):
     result = np.zeros_like(image)
