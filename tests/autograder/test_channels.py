@@ -166,7 +166,11 @@ CHANNELS = {
     ),
     "a terminal": (
         STAY.format(run="__import__('pty').fork()"),
-        "import os\nprint(*os.listdir('/dev/pts'))\ntry: print(os.openpty())\nexcept OSError: pass",
+        "import os\nprint(*set(os.listdir('/dev/pts')) - {'ptmx'}, open('/proc/sys/kernel/pty/nr').read())\n"
+        "names = []\n"
+        "try:\n    while len(names) < 50: names.append(os.ttyname(os.openpty()[1]))\n"
+        "except OSError: print('' if names == [f'/dev/pts/{k}' for k in range(16)] else names)\n"
+        "else: print('as many as one likes')",
     ),
     "environment, umask and random state": (
         "import os, random, builtins\nos.environ['MARK'] = 'seen'\nos.umask(0)\nrandom.seed(5)\n"

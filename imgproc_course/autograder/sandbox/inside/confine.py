@@ -19,7 +19,7 @@ What one kernel could leave for the next, or show to one beside it, and what pre
     the system's log: a crash writes to it      the call that reads it is refused
     watches and leases on files                 inotify, fanotify, and fcntl's commands for them are refused
     which files are in memory                   the calls that say it, or change it at once, are refused
-    terminals: their numbers, what they hold    /dev/pts is empty
+    terminals: their numbers, what they hold    /dev/pts is new; how many there are is hidden
     core files                                  a limit of one byte, which pipes to programs obey too
     environment, umask, timers, random state    a fork has copies
     memory and processor time                   a control group counts what all kernels use (`cgroups`)
@@ -97,10 +97,11 @@ def confine(bound, limits, user):
     scratch = f"size={limits['scratch']},nr_inodes=2000"
     _mount("tmpfs", "/tmp", "tmpfs", _NOSUID | _NODEV, f"{scratch},mode=1777")
     _mount("tmpfs", "/dev/shm", "tmpfs", _NOSUID | _NODEV | _NOEXEC, f"{scratch},mode=1777")
-    if os.path.exists("/dev/pts"):
-        _mount(EMPTY_FOLDER, "/dev/pts", "", _BIND)
+    if os.path.exists("/dev/pts"):  # `!ls` opens a terminal
+        options = "newinstance,ptmxmode=0666,mode=0600,max=16"
+        _mount("devpts", "/dev/pts", "devpts", _NOSUID | _NOEXEC, options)
     _mount("proc", "/proc", "proc", _READ_ONLY | _NOSUID | _NODEV | _NOEXEC)
-    for path in ("/proc/keys", "/proc/key-users"):
+    for path in ("/proc/keys", "/proc/key-users", "/proc/sys/kernel/pty/nr"):
         if os.path.exists(path):
             _mount("/dev/null", path, "", _BIND)
     os.umask(0o022)
