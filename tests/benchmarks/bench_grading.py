@@ -10,7 +10,8 @@ environment of its own (environment/requirements-nbgrader.txt; the first run mak
 $NBGRADER_VENV). With `--growth 1000` the benchmark then grades so many submissions and prints time and memory
 on the way.
 
-    .venv/bin/python tests/benchmarks/bench_grading.py [--lesson NAME] [--submissions 20] [--growth 1000]
+    .venv/bin/python tests/benchmarks/bench_grading.py [--lesson NAME] [--submissions 20] [--workers 1]
+        [--growth 1000]
 """
 
 import atexit
@@ -316,15 +317,16 @@ def _memory():
 @click.command()
 @click.option("--lesson", default="canny_stages", help="Which lesson's exercises.")
 @click.option("--submissions", default=20, help="How many are compared; 0: none.")
+@click.option("--workers", multiple=True, default=(1, 2), help="Of ours, and as many nbgrader processes.")
 @click.option("--growth", "many", default=0, help="Then grade so many, and show time and memory.")
-def main(lesson, submissions, many):
+def main(lesson, submissions, workers, many):
     with tempfile.TemporaryDirectory(prefix="bench-") as folder:
         folder = Path(folder)
         key = make_key(MASTERS, "benchmark", folder / "key", [lesson])
         (name,) = key.lessons
         ratios = [
-            compare_speed(folder / str(workers), key, name, submissions, workers)
-            for workers in (1, 2)
+            compare_speed(folder / str(count), key, name, submissions, count)
+            for count in workers
             if submissions
         ]
         if many:
