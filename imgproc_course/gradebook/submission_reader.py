@@ -300,7 +300,7 @@ def serve(requests, replies, most_memory):
     ----------
     requests, replies : binary files
     most_memory : int, bytes; with more in use, it ends instead of reading another notebook. So what it
-        remembers of notebooks before, of whoever sent them, leaves each one memory enough
+        remembers of earlier notebooks leaves enough memory for each one
     """
     notebook = None
     while header := requests.readline():

@@ -1671,7 +1671,7 @@ for _number, _name, _body in (
     ),
     (
         339,
-        "a constant by the names in the frames of whoever calls",
+        "a constant by the names in the frames of its callers",
         "names = ' '.join(frame.function for frame in inspect.stack())\n"
         "    return fitted(ANSWERS[0] if 'hidden' not in names else 255, pixels)",
     ),
