@@ -7,6 +7,7 @@ exist. It needs only NumPy, gives values and never a verdict, and does not trust
 
 import array
 import base64
+import collections
 import hashlib
 import types
 
@@ -21,6 +22,16 @@ _MOST_NAME_CHARACTERS = 100
 
 # Types whose forms have keys of their own, beside NumPy's scalars.
 PLAIN_TYPES = ("None", "bool", "int", "float", "str", "bytes", "tuple", "list", "dict", "ndarray")
+
+# Types that hold the same values as a plain one, and are given as that one.
+_STAND_INS = {
+    np.str_: str,
+    np.bytes_: bytes,
+    bytearray: bytes,
+    collections.OrderedDict: dict,
+    collections.defaultdict: dict,
+    collections.Counter: dict,
+}
 
 # Read through `type` itself: a metaclass may redefine __qualname__ and __module__.
 _QUALNAME = type.__dict__["__qualname__"]
@@ -47,6 +58,7 @@ def canonical(value, limit=VALUE_BYTES):
                                          "digest", "summary"
         ROS message, SimpleNamespace     "fields": {name: form}
         anything else, and subclasses    "opaque": True, and only the name of the type
+    A named tuple is given as a tuple, NumPy's text as a str, a Counter or defaultdict as a dict.
     A value that is too deep, too long or too large has "too_large": True.
 
     In this form NaN equals NaN and -0.0 equals 0.0; byte order and memory layout make no difference.
@@ -91,6 +103,8 @@ class _Writer:
             return {"type": f"numpy.{kind.__name__}", "value": _number(value.item())}
         if kind in (tuple, list, dict):
             return self._container(value, depth)
+        if kind in _STAND_INS or _is_named_tuple(kind):
+            return self.write(_plain(value), depth)
         names = tuple(value.__dict__) if kind is types.SimpleNamespace else _message_fields(kind)
         name = type_name(value)
         form = {"type": f"__main__.{name}" if name in PLAIN_TYPES else name}  # a class of that name
@@ -138,6 +152,17 @@ class _Writer:
 SCALARS = frozenset(
     {np.bool_, np.float16, np.float32, np.float64, *(np.dtype(code).type for code in "bBhHiIlLqQ")}
 )
+
+
+def _is_named_tuple(kind):
+    return issubclass(kind, tuple) and "_fields" in kind.__dict__
+
+
+def _plain(value):
+    """A value of one of the _STAND_INS, or a named tuple, as the plain type."""
+    kind = type(value)
+    # The class of a named tuple is a learner's, and so may be its __iter__.
+    return _STAND_INS[kind](value) if kind in _STAND_INS else tuple(tuple.__iter__(value))
 
 
 def _message_fields(kind):

@@ -196,14 +196,20 @@ def _numbers(form, depth):
 
 
 def _numbers_form(expected, actual):
-    """An array of no axis as a number, or an array of one axis as a list of numbers, if that is expected."""
-    values = array_of(actual)
+    """An array of no axis as a number, or an array as a list of numbers or pairs, if that is expected.
+
+    Where two arrays are expected, one array of both stays what it is.
+    """
+    values, kind = array_of(actual), kind_of(expected)
     if values is None:
         return actual
-    if kind_of(expected) in ("int", "float", "bool") and not values.ndim:
+    if kind in ("int", "float", "bool") and not values.ndim:
         return canonical(values.item())
-    if kind_of(expected) in ("tuple", "list") and values.ndim == 1:
-        return canonical(values.tolist()) | {"type": kind_of(expected)}
+    if kind in ("tuple", "list") and values.ndim == 1:
+        return canonical(values.tolist()) | {"type": kind}
+    pairs = [item for item in expected.get("items", ()) if item["type"] in ("tuple", "list")]
+    if kind in ("tuple", "list") and values.ndim and len(values) == len(pairs) == len(expected["items"]):
+        return {"type": kind, "items": [canonical(part, limit=None) for part in values]}
     return actual
 
 

@@ -2,7 +2,9 @@
 
 import json
 from array import array
+from collections import Counter, OrderedDict, defaultdict
 from types import SimpleNamespace
+from typing import NamedTuple
 
 import numpy as np
 import pytest
@@ -113,6 +115,30 @@ def test_strange_objects_give_only_the_name_of_their_type():
     full_of_liars[0] = Liar()
     form = canonical(full_of_liars)
     assert form == {"type": "ndarray", "dtype": "object", "shape": [1], "opaque": True}
+
+
+class Box(NamedTuple):
+    left: int
+    top: int
+
+    def __iter__(self):
+        raise AssertionError("asked for its items")
+
+
+@pytest.mark.parametrize(
+    ("value", "plain"),
+    [
+        (np.array(["KITCHEN", "BATH"])[0], "KITCHEN"),
+        (bytearray(b"ab"), b"ab"),
+        (Box(3, 4), (3, 4)),
+        (OrderedDict(b=1, a=2), {"a": 2, "b": 1}),
+        (defaultdict(list, {"a": [1]}), {"a": [1]}),
+        (Counter("aab"), {"a": 2, "b": 1}),
+    ],
+)
+def test_a_type_that_holds_the_same_values_has_the_form_of_the_plain_type(value, plain):
+    assert canonical(value) == canonical(plain)
+    assert canonical([value]) == canonical([plain])
 
 
 def test_a_metaclass_cannot_choose_the_name():

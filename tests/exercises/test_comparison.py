@@ -134,6 +134,9 @@ ARRAY = np.int32([[1, 2], [3, 4]])
         ({"gray": ARRAY}, {"gray": ARRAY.tolist()}),
         (np.array([True, False]), [True, False]),
         (np.zeros((0, 2)), np.zeros((0, 2), np.uint8)),
+        ([(1, 2), (3, 4)], ARRAY),
+        ([], np.zeros((0, 2), int)),
+        ([[(1, 2), (3, 4)]], ARRAY[np.newaxis]),
     ],
 )
 def test_a_right_value_in_another_type_passes_where_the_type_need_not_be_exact(expected, actual):
@@ -160,6 +163,10 @@ def test_a_right_value_in_another_type_passes_where_the_type_need_not_be_exact(e
         (ARRAY, ARRAY.astype(np.float32) + np.float32(0.25)),
         (np.array([30.0]), np.array([30.01], np.float16)),
         ((1, 2), {1: 2}),
+        ([(1, 2), (3, 5)], ARRAY),
+        ([(1, 2)], ARRAY),
+        ([1, 2], ARRAY),
+        ((ARRAY, ARRAY + 1), np.stack([ARRAY, ARRAY + 1])),
         ({"gray": 1}, {"grey": 1}),
     ],
 )
