@@ -263,7 +263,10 @@ class GradingPlugin:
     def serve(self, session):
         """Grade submissions until the socket is closed, then end this process."""
         self._session = session
+        import nbformat  # after `blocked_imports`
+
         self._send({"ready": True})
+        nbformat.validate(nbformat.v4.new_notebook())  # compiles the schema while submissions are read
         with self._kernel_factory:
             for line in self._lines:
                 self._send(to_json(self._grade(json.loads(line))))
