@@ -28,6 +28,7 @@ _FIRST_PROMPT = re.compile(r"\s*(>>>( |$)|In \[\d+\]: )")
 _PROMPT = re.compile(r"^[ \t]*(>>>( |$)|In \[\d+\]: |\.{3,}(: ?| |$))", re.M)
 _FENCE = re.compile(r"^```.*$", re.M)  # of a code block in a Markdown cell
 _CELL_MAGIC = re.compile(r"\s*%%(\w+).*\n?")
+_CHANGING_METHODS = ("add", "append", "extend", "fill", "insert", "setdefault", "sort", "update")
 _PYTHON_MAGICS = ("time", "timeit", "capture", "prun")
 
 
@@ -231,15 +232,17 @@ def _from_future(statements):
 class Statement:
     """A statement at the top level of a cell.
 
-    kind    "function", "class", "import", "value" (an assignment to plain names) or "other"
-    binds   frozenset of the names that it binds
-    reads   frozenset of the names that it reads from outside
-    source  its source
+    kind     "function", "class", "import", "value" (an assignment to plain names) or "other"
+    binds    frozenset of the names that it binds
+    reads    frozenset of the names that it reads from outside
+    changes  frozenset of the names whose values it changes: `total += 1`, `table[k] = 3`, `names.append(3)`
+    source   its source
     """
 
     kind: str
     binds: frozenset
     reads: frozenset
+    changes: frozenset
     source: str
     is_stub: bool
 
@@ -276,8 +279,24 @@ def _imports_apart(node):
 
 def _statement(node):
     source, binds = ast.unparse(node), frozenset(names_bound_by(node))
-    reads = frozenset(_names_read(source))
-    return Statement(_kind_of(node), binds, reads, source, _is_blank(node))
+    kind, reads = _kind_of(node), frozenset(_names_read(source))
+    changes = frozenset(_names_changed(node) if kind == "other" else ())
+    return Statement(kind, binds, reads | changes, changes, source, _is_blank(node))
+
+
+def _names_changed(statement):
+    """The names whose values a statement changes without a new assignment."""
+    for node in ast.walk(statement):
+        if isinstance(node, ast.AugAssign):
+            node = node.target
+        elif isinstance(node, ast.Call) and getattr(node.func, "attr", "") in _CHANGING_METHODS:
+            node = node.func
+        elif not isinstance(getattr(node, "ctx", None), ast.Store) or isinstance(node, ast.Name):
+            continue
+        while isinstance(node, (ast.Attribute, ast.Subscript)):
+            node = node.value
+        if isinstance(node, ast.Name):
+            yield node.id
 
 
 def _kind_of(node):
@@ -307,7 +326,7 @@ def _names_read(source):
         names |= {
             symbol.get_name()
             for symbol in table.get_symbols()
-            if symbol.is_referenced() and (outermost or symbol.is_global())
+            if (symbol.is_referenced() and (outermost or symbol.is_global())) or symbol.is_declared_global()
         }
         tables += table.get_children()
     return names
@@ -363,15 +382,16 @@ class CellDefinitions:
         lines = re.findall(r"^(?:(?:async[ \t]+)?(?:def|class)[ \t]+\w+|(?:import|from)[ \t].*)", text, re.M)
         self._defined_words = {word for line in lines for word in re.findall(r"\w+", line)}
         self._imports_everything = re.search(r"^from[ \t]+[\w.]+[ \t]+import[ \t]*\*", text, re.M) is not None
-        self._index = None
+        self._index = self._changes = None
 
     def compose(self, position, function, given=(), preferred=None):
         """The source by which an answer is graded: what it reads from other cells, then its own cell.
 
         Of several definitions of a name the last one above the answer counts, as after Run All; if there is
-        none, the first one below. What the answer's cell defines and what is given is never bound again, and
-        a built-in name only by a function, a class or an import above. `from module import *` may define
-        every name that nothing else defines.
+        none, the first one below. An assignment brings the statements below it in its cell that change its
+        value. What the answer's cell defines and what is given is never bound again, and a built-in name only
+        by a function, a class or an import above. `from module import *` may define every name that nothing
+        else defines.
 
         Parameters
         ----------
@@ -392,11 +412,18 @@ class CellDefinitions:
         if not places:
             return answer, ()
         text = "\n\n".join(statement.source for _, _, statement in places.values())
-        taken = tuple(Taken(name, statement.kind, cell) for name, (cell, _, statement) in places.items())
+        taken = tuple(
+            Taken(name, statement.kind, cell)
+            for name, (cell, _, statement) in places.items()
+            if isinstance(name, str)
+        )
         return f"{_TAKEN_MARK}\n{text}\n\n{ANSWER_MARK}\n{answer}", taken
 
     def _needed_places(self, position, needed, bound, preferred):
-        """{name: place} of the definitions that are needed, transitively, in the notebook's order."""
+        """{name: place} of the definitions that are needed, transitively, in the notebook's order.
+
+        What changes the value of one of them stands there too, under its own place.
+        """
         names, known_names, places = set(needed), set(needed) | bound, {}
         while names:
             name = names.pop()
@@ -404,9 +431,11 @@ class CellDefinitions:
             if place is None and self._imports_everything:
                 places |= self._imports_of_everything(name, position)
             if place is not None and place not in places.values():
-                places[name] = place
-                names |= place[2].reads - known_names
-                known_names |= place[2].reads
+                new_places = {name: place} | self._changes_of(place, bound)
+                reads = frozenset().union(*(statement.reads for _, _, statement in new_places.values()))
+                places |= new_places
+                names |= reads - known_names
+                known_names |= reads
         return dict(sorted(places.items(), key=lambda item: item[1][:2]))
 
     def _place(self, name, position, bound, preferred):
@@ -427,6 +456,17 @@ class CellDefinitions:
         chosen = [place for place in places if place[0] == preferred] or above or below[:1] or places
         return chosen[-1] if chosen else None
 
+    def _changes_of(self, place, bound):
+        """{(cell, number): place} of what changes, below an assignment in its cell, what it assigns."""
+        cell, number, statement = place
+        changes = (
+            change
+            for name in statement.binds
+            for change in self._changes.get((cell, name), ())
+            if statement.kind == "value" and change[1] > number and not change[2].binds & bound
+        )
+        return {change[:2]: change for change in changes}
+
     def _imports_of_everything(self, name, position):
         """{text: place} of `from module import *` in other cells; for a built-in name only of those above."""
         is_builtin = hasattr(builtins, name)
@@ -438,12 +478,14 @@ class CellDefinitions:
 
     def _places_by_name(self):
         if self._index is None:
-            self._index = {}
+            self._index, self._changes = {}, {}  # the latter: {(cell, name): its changes}
             for cell, source in enumerate(self._cells):
                 for number, statement in enumerate(statements_of(source or "")):
                     is_taken = statement.kind != "other" or statement.binds == {"*"}
                     for name in statement.binds if is_taken else ():
                         self._index.setdefault(name, []).append((cell, number, statement))
+                    for name in statement.changes:
+                        self._changes.setdefault((cell, name), []).append((cell, number, statement))
         return self._index
 
 

@@ -207,8 +207,9 @@ def _numbers_form(expected, actual):
         return canonical(values.item())
     if kind in ("tuple", "list") and values.ndim == 1:
         return canonical(values.tolist()) | {"type": kind}
-    pairs = [item for item in expected.get("items", ()) if item["type"] in ("tuple", "list")]
-    if kind in ("tuple", "list") and values.ndim and len(values) == len(pairs) == len(expected["items"]):
+    items = expected.get("items", ())
+    are_pairs = all(item["type"] in ("tuple", "list") for item in items)
+    if kind in ("tuple", "list") and are_pairs and values.ndim and len(values) == len(items):
         return {"type": kind, "items": [canonical(part, limit=None) for part in values]}
     return actual
 

@@ -28,6 +28,15 @@ STUB = 'def double(pixels):\n    raise NotImplementedError("your turn")'
 WIDE = "def wide(pixels):\n    return pixels.astype(np.uint16)"
 USES_WIDE = "def double(pixels):\n    return np.minimum(wide(pixels) * 2, LIMIT).astype(np.uint8)"
 USES_EVERYTHING = "def double(pixels):\n    return minimum(pixels.astype(uint16) * 2, LIMIT).astype(uint8)"
+BODY = "    return np.minimum(pixels.astype(np.uint16) * 2, LIMIT).astype(np.uint8)"
+TIMES_FACTOR = f"def double(pixels):\n{BODY.replace('* 2', '* FACTOR')}"
+COUNTING = f"def double(pixels):\n    global calls\n    calls += 1\n{BODY}"
+SQUARE = "def square(value):\n    return value * 2"
+FROM_TABLE = (
+    "def double(pixels):\n    assert rows[3] == 6 and len(rows) == 256\n"
+    "    doubled = [[table[v] for v in row] for row in pixels.tolist()]\n"
+    "    return np.minimum(doubled, LIMIT).astype(np.uint8)"
+)
 CASES = []
 
 
@@ -299,6 +308,27 @@ def a_name_that_no_cell_defines(made):
 @case(points=6)
 def a_given_name_bound_in_another_cell(made):
     insert(made, 1, new_cell("LIMIT = 3"))
+
+
+@case(finding="calls of another cell", double=COUNTING)
+def a_counter_in_another_cell(made):
+    insert(made, 1, new_cell("calls = 0"))
+
+
+@case(finding="FACTOR of another cell", double=TIMES_FACTOR)
+def a_constant_that_its_cell_changes(made):
+    insert(made, 1, new_cell("FACTOR = 1\nprint(FACTOR)\nFACTOR += 1"))
+
+
+@case(finding="rows, table, square() of another cell", double=FROM_TABLE)
+def a_table_that_its_cell_fills(made):
+    fills = "for value in range(256):\n    table[value] = square(value)\n    rows.append(table[value])"
+    insert(made, 1, new_cell(f"rows = []\ntable = {{}}\n{SQUARE}\n{fills}\nshow(table)\nno_such.append(3)"))
+
+
+@case(finding="FACTOR of another cell", double=TIMES_FACTOR)
+def a_constant_that_is_assigned_again_after_its_change(made):
+    insert(made, 1, new_cell("FACTOR = 5\nFACTOR += 1\nFACTOR = 2"))
 
 
 @case(finding="math.*, numpy.* of other cells", double=USES_EVERYTHING)
