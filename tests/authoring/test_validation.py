@@ -5,6 +5,13 @@ import pytest
 from imgproc_course.authoring.validation import validate_exercise
 from imgproc_course.exercises import read_exercises
 
+HIDDEN_INPUTS = "return [(rng.integers(0, 256, (5, 5), dtype=np.uint8),) for _ in range(3)]"
+BRIGHT = "return (rng.integers(128, 256, (5, 5), dtype=np.uint8),)"  # whose doubles are all 255
+ONE_TYPE, FIVE_TYPES = (
+    "astype(np.uint8)\n\n# %% role",
+    "astype('HIqde'[pixels[0, 0] // 10 % 5])\n\n# %% role",
+)
+
 
 def problems_of(path):
     (exercise,) = read_exercises(path)
@@ -49,6 +56,9 @@ def test_a_valid_exercise_has_no_problem(write_master):
             "",
             "grading cannot compare an answer of 320000 bytes with a tolerance",
         ),
+        ([(HIDDEN_INPUTS, "return (np.full((5, 5), 7, np.uint8),)")], "", "inputs(rng) ignores rng"),
+        ([(HIDDEN_INPUTS, BRIGHT)], "", "a constant passes it with several seeds"),
+        ([(HIDDEN_INPUTS, BRIGHT), (ONE_TYPE, FIVE_TYPES)], "", "a constant passes it with several seeds"),
     ],
 )  # fmt: skip
 def test_an_invalid_exercise_is_named(write_master, replacements, added, message):
