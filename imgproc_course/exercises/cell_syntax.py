@@ -14,6 +14,7 @@ from functools import lru_cache
 
 MOST_CACHED = 5_000  # characters: most cells are the lesson's own, in every notebook; a long one costs memory
 UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
+_MOST_ADDED = 20_000_000  # characters before the statements of all parts; 3,000 short lines have that
 ANSWER_MARK = "# The answer cell:"  # the line between what is taken along and the answer
 _TAKEN_MARK = "# From other cells of the notebook, because the answer reads it:"
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
@@ -187,8 +188,9 @@ def parts_of(source):
 
     Returns
     -------
-    list of str, one for each statement; the lines of the answer keep their numbers. The whole source if it
-    does not parse, or says how the rest is to be read (`from __future__ import ...`)
+    list of str, one for each statement; the lines of the answer keep their numbers. What says how the rest is
+    to be read (`from __future__ import ...`) stands in each of them. The whole source if it does not parse,
+    or if it has far more lines and statements than any answer: the parts grow with their product
     """
     return [part for cell in cells_of(source) for part in _statements_as_text(cell)]
 
@@ -208,10 +210,16 @@ def _statements_as_text(source):
     ends = [statement.end_lineno for statement in statements]
     share_lines = any(start <= end for start, end in zip(starts[1:], ends, strict=False))
     lines = source.split("\n")
-    if share_lines or len(starts) < 2 or _from_future(statements) or ends[-1] > len(lines):
+    if share_lines or len(starts) < 2 or ends[-1] > len(lines):
+        return [source]
+    before = ["#"] * len(lines)
+    for statement in filter(_is_from_future, statements):
+        place = slice(statement.lineno - 1, statement.end_lineno)
+        before[place] = lines[place]
+    if len(starts) * len("\n".join(before)) > _MOST_ADDED:
         return [source]
     return [
-        "#\n" * (start - 1) + "\n".join(lines[start - 1 : end])
+        "\n".join(before[: start - 1] + lines[start - 1 : end])
         for start, end in zip(starts, ends, strict=True)
     ]
 
@@ -221,8 +229,8 @@ def _first_line(statement):
     return min([statement.lineno, *(decorator.lineno for decorator in decorators)])
 
 
-def _from_future(statements):
-    return any(isinstance(node, ast.ImportFrom) and node.module == "__future__" for node in statements)
+def _is_from_future(statement):
+    return isinstance(statement, ast.ImportFrom) and statement.module == "__future__"
 
 
 # ---------------------------------------------------------------- what an answer reads from other cells

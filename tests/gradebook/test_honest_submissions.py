@@ -31,6 +31,7 @@ USES_EVERYTHING = "def double(pixels):\n    return minimum(pixels.astype(uint16)
 BODY = "    return np.minimum(pixels.astype(np.uint16) * 2, LIMIT).astype(np.uint8)"
 TIMES_FACTOR = f"def double(pixels):\n{BODY.replace('* 2', '* FACTOR')}"
 COUNTING = f"def double(pixels):\n    global calls\n    calls += 1\n{BODY}"
+TYPED = f"def double(pixels: NoSuchType) -> NoSuchType:\n{BODY}"
 SQUARE = "def square(value):\n    return value * 2"
 FROM_TABLE = (
     "def double(pixels):\n    assert rows[3] == 6 and len(rows) == 256\n"
@@ -297,6 +298,11 @@ def a_line_above_the_function_that_fails(made):
 
 @case(double=f"import a_module_that_is_not_there\n\n{RIGHT[DOUBLE]}")
 def an_import_above_the_function_that_fails(made):
+    pass
+
+
+@case(double=f"from __future__ import annotations\nframe = camera.latest()\n\n{TYPED}\n\nprint(frame)")
+def lines_that_fail_after_an_import_from_the_future(made):
     pass
 
 
