@@ -4,6 +4,7 @@ The notebook is read by the same reader as in `imgproc-course grade`, so that bo
 report the same findings. Here each answer can also be run against the public checks.
 """
 
+import asyncio
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -191,6 +192,22 @@ def run_answers(lesson_check):
 
 
 def _run_answer(entry):
+    if "async" not in entry.source:
+        _run_and_check(entry)
+        return
+    # As in JupyterLab and in grading, an event loop is running: asyncio.run() raises there.
+    loop = asyncio.new_event_loop()
+    try:
+        loop.run_until_complete(_run_in_loop(entry))
+    finally:
+        loop.close()
+
+
+async def _run_in_loop(entry):
+    _run_and_check(entry)
+
+
+def _run_and_check(entry):
     function, error = entry.exercise.run_answer(entry.source)
     if function is None:
         entry.state = AnswerState.BROKEN

@@ -301,6 +301,14 @@ def an_import_above_the_function_that_fails(made):
     pass
 
 
+@case(
+    points=3,
+    double=f"import asyncio\nasync def work(pixels):\n{BODY}\ndouble = lambda p: asyncio.run(work(p))",
+)
+def an_event_loop_inside_that_of_jupyter(made):
+    pass
+
+
 @case(double=f"from __future__ import annotations\nframe = camera.latest()\n\n{TYPED}\n\nprint(frame)")
 def lines_that_fail_after_an_import_from_the_future(made):
     pass
