@@ -146,6 +146,12 @@ CHANNELS = {
         LIBC + "size = libc.syscall(103, 3, buffer := ctypes.create_string_buffer(1 << 20), 1 << 20)\n"
         "print('seen' if size > 0 and b'5eed5eed' in buffer.raw else '')",
     ),
+    "core files, also those that a program takes": (
+        "import ctypes, os\nif os.fork() == 0:\n    ctypes.string_at(0x5eed5eed)\nos.wait()",
+        "import glob, resource\n"
+        "most = max(resource.getrlimit(resource.RLIMIT_CORE))\n"
+        "print(*glob.glob('/tmp/**/core*', recursive=True), most if most > 1 else '')",
+    ),
     "watches on files": (
         "",
         LIBC + "print(*[n for n in (253, 294, 300) if libc.syscall(n, 0, 0) != -1])",
