@@ -22,6 +22,8 @@ _MOST_NAME_CHARACTERS = 100
 
 # Types whose forms have keys of their own, beside NumPy's scalars.
 PLAIN_TYPES = ("None", "bool", "int", "float", "str", "bytes", "tuple", "list", "dict", "ndarray")
+MATRIX = "numpy.matrix"
+_MATRIX_TYPE = np.matrix
 
 # Types that hold the same values as a plain one, and are given as that one.
 _STAND_INS = {
@@ -57,6 +59,7 @@ def canonical(value, limit=VALUE_BYTES):
         ndarray                          "dtype", "shape", and "data" (base64, little-endian, C order) or
                                          "digest", "summary"
         ROS message, SimpleNamespace     "fields": {name: form}
+        numpy.matrix                     "opaque": True, and "array": the form of its values, with two axes
         anything else, and subclasses    "opaque": True, and only the name of the type
     A named tuple is given as a tuple, NumPy's text as a str, a Counter or defaultdict as a dict.
     A value that is too deep, too long or too large has "too_large": True.
@@ -99,6 +102,8 @@ class _Writer:
             return {"type": "bytes", "length": len(value), **self._data(value)}
         if kind is np.ndarray:
             return self._array(value)
+        if kind is _MATRIX_TYPE:
+            return {"type": MATRIX, "opaque": True, "array": self._array(np.ndarray.view(value, np.ndarray))}
         if kind in SCALARS:
             return {"type": f"numpy.{kind.__name__}", "value": _number(value.item())}
         if kind in (tuple, list, dict):

@@ -50,7 +50,7 @@ def compare(expected, actual, tolerance=0.0, path="", *, exact_type=True):
 
     If the type need not be exact, right values may also come as a float for an integer, in another number
     type of an array, as a list for a tuple, as a list (of lists or arrays) for an array, and the other way
-    round. True and False never stand for numbers: a mask selects pixels, and 0 and 1 do not. Whether numbers
+    round, as a matrix for an array, and as an array of one element for a number. True and False never stand for numbers: a mask selects pixels, and 0 and 1 do not. Whether numbers
     in float32 are right is decided with its rounding.
 
     Parameters
@@ -162,6 +162,7 @@ def as_type_of(expected, actual):
     -------
     canonical form; the items inside are not changed
     """
+    actual = actual.get("array", actual)  # of a matrix
     kind, actual_kind = kind_of(expected), kind_of(actual)
     if kind in ("tuple", "list") and actual_kind in ("tuple", "list"):
         return actual | {"type": kind}
@@ -185,29 +186,34 @@ def _array_form(form, depth):
 
 def _numbers(form, depth):
     """The numbers of a list, whose items may be arrays, as nested lists; None if it holds anything else."""
+    form = form.get("array", form)  # of a matrix
     if form["type"] == "ndarray" and len(form["shape"]) == depth:
-        values = array_of(form)
-        return None if values is None else values.tolist()
+        return array_of(form)
     if depth == 0 or "items" not in form or form["type"] == "dict":
         is_number = depth == 0 and kind_of(form) in ("int", "float", "bool") and "value" in form
-        return form["value"] if is_number and not isinstance(form["value"], str) else None
+        is_number = is_number and not isinstance(form["value"], str)
+        # A list of float32 must not become an array of float64, which may round less.
+        number_type = np.float32 if form["type"] == "numpy.float32" else lambda value: value
+        return number_type(form["value"]) if is_number else None
     numbers = [_numbers(item, depth - 1) for item in form["items"]]
-    return None if None in numbers else numbers
+    return None if any(number is None for number in numbers) else numbers
 
 
 def _numbers_form(expected, actual):
-    """An array of no axis as a number, or an array as a list of numbers or pairs, if that is expected.
+    """An array of one element as a number, or an array as a list of numbers or pairs, if that is expected.
 
     Where two arrays are expected, one array of both stays what it is.
     """
     values, kind = array_of(actual), kind_of(expected)
     if values is None:
         return actual
-    if kind in ("int", "float", "bool") and not values.ndim:
-        return canonical(values.item())
-    if kind in ("tuple", "list") and values.ndim == 1:
-        return canonical(values.tolist()) | {"type": kind}
+    # As NumPy's scalars, and not as Python's numbers: float32 rounds more.
+    if kind in ("int", "float", "bool") and values.size == 1:
+        return canonical(values.flat[0])
     items = expected.get("items", ())
+    if kind in ("tuple", "list") and values.ndim == 1:
+        numbers = list(values) if len(values) == len(items) else values.tolist()
+        return canonical(numbers) | {"type": kind}
     are_pairs = all(item["type"] in ("tuple", "list") for item in items)
     if kind in ("tuple", "list") and are_pairs and values.ndim and len(values) == len(items):
         return {"type": kind, "items": [canonical(part, limit=None) for part in values]}

@@ -25,11 +25,12 @@ JSON = st.recursive(
 )
 # Forms that are nearly right: the keys and words that `compare` reads, with any values.
 KEYS = st.sampled_from(
-    ["type", "value", "items", "fields", "shape", "dtype", "data", "digest", "length", "opaque"]
+    ["type", "value", "items", "fields", "shape", "dtype", "data", "digest", "length", "opaque", "array"]
 )
 WORDS = st.sampled_from(
     [
         "ndarray",
+        "numpy.matrix",
         "tuple",
         "dict",
         "int",
@@ -64,7 +65,7 @@ def passes(payload, expected, tolerance):
     [
         *(None, True, 3, 2**70, 0.5, float("nan"), "text", b"bytes", RIGHT, np.uint8(7), np.float32(1)),
         *(np.bool_(True), (1, "a"), [RIGHT, None], {"edges": RIGHT}, np.zeros((0, 3), ">f4"), object()),
-        np.zeros(100_000),
+        *(np.zeros(100_000), RIGHT.view(np.matrix), [RIGHT.astype(object).view(np.matrix)]),
     ],
     ids=lambda value: type(value).__name__,
 )
@@ -137,6 +138,12 @@ FORGED = [
     {"type": "dict", "items": [[{"type": "list", "items": []}, DATA], [{"type": "list", "items": []}, DATA]]},
     {"type": "int", "value": 2**4000},
     {"type": "float", "value": 10**308, "items": []},
+    {"type": "numpy.matrix", "opaque": True, "value": 3},
+    {
+        "type": "numpy.matrix",
+        "opaque": True,
+        "array": {"type": "int", "dtype": "uint8", "shape": [2, 2], "digest": "0" * 64, "opaque": 1},
+    },
     nested(9),
 ]
 
@@ -167,6 +174,8 @@ def test_a_form_keeps_only_the_keys_of_its_type():
     assert large == {"type": "str", "too_large": True}
     assert array == {"type": "ndarray", "dtype": "uint8", "shape": [3, 4], "opaque": True}
     assert digest.keys() == {"type", "dtype", "shape", "digest"}
+    assert read_form(FORGED[-2])["array"] == digest
+    assert "array" not in read_form(FORGED[-3])
 
 
 @pytest.mark.parametrize("name", PLAIN_TYPES)
@@ -213,6 +222,9 @@ def test_what_a_call_says_is_bounded():
         {"type": "list", "opaque": True},
         {"type": "numpy.uint8", "opaque": True},
         {"type": "ndarray", "opaque": True},
+        {"type": "numpy.matrix", "opaque": True, "array": None},
+        {"type": "numpy.matrix", "opaque": True, "array": {"dtype": "uint8", "shape": [1], "data": "AA=="}},
+        {"type": "numpy.matrix", "array": {"dtype": "uint8", "shape": [1, 1], "data": "AA=="}},
         {"type": "ndarray", "too_large": True},
         {"type": "bytes", "too_large": True},
         {"type": "SimpleNamespace", "too_large": True, "fields": {}},

@@ -123,6 +123,18 @@ ARRAY = np.int32([[1, 2], [3, 4]])
         (44, 44.0),
         (44, np.float32(44)),
         (44, np.array(44)),
+        (44, np.array([44])),
+        (44.5, np.array([[44.5]])),
+        (0.1, np.float32([0.1])),
+        (True, np.array([True])),
+        ((1, 2), (np.array([1]), np.array([2.0]))),
+        ([0.1, 0.2], np.float32([0.1, 0.2])),
+        (np.array([0.1, 0.2]), [np.float32(0.1), np.float32(0.2)]),
+        (np.array([[0.1, 0.2]]), [np.float32([0.1, 0.2])]),
+        (ARRAY, ARRAY.view(np.matrix)),
+        (44, np.array([[44]]).view(np.matrix)),
+        ((ARRAY, ARRAY), [ARRAY.view(np.matrix), ARRAY]),
+        (np.array([ARRAY, ARRAY]), [ARRAY.view(np.matrix), ARRAY]),
         (44.0, np.int64(44)),
         ((1, 2), [1, 2.0]),
         ([1, 2], np.array([1, 2])),
@@ -151,6 +163,15 @@ def test_a_right_value_in_another_type_passes_where_the_type_need_not_be_exact(e
         (44, 44.000001),
         (44, "44"),
         (44, [44]),
+        (44, np.array([45])),
+        (44, np.array([44, 44])),
+        (44, np.array([])),
+        (44, np.array([True])),
+        (True, np.array([1])),
+        (ARRAY, (ARRAY + 1).view(np.matrix)),
+        (ARRAY[0], ARRAY[0].view(np.matrix)),
+        (ARRAY, ARRAY.astype(object).view(np.matrix)),
+        (ARRAY > 2, ARRAY.view(np.matrix)),
         (1, True),
         (True, 1),
         (ARRAY > 2, (ARRAY > 2).astype(np.uint8)),
@@ -173,3 +194,8 @@ def test_a_right_value_in_another_type_passes_where_the_type_need_not_be_exact(e
 def test_another_value_fails_in_every_type(expected, actual):
     forms = canonical(expected), canonical(actual)
     assert compare(*forms, exact_type=False) is not None
+
+
+@pytest.mark.parametrize(("expected", "actual"), [(44, np.array([44])), (ARRAY, ARRAY.view(np.matrix))])
+def test_an_exact_type_refuses_a_matrix_and_an_array_for_a_number(expected, actual):
+    assert compare(canonical(expected), canonical(actual)).kind == "type"

@@ -1,7 +1,7 @@
 """The table of honest submissions: what tools and learners do to a lesson must not cost its points.
 
-Each case is one submission of the lesson `light` with the points that a fair person gives. `grade` and
-`check --run` must agree on all of them.
+Each case is one submission of the lesson `light` with the points that a fair person gives, or of the lesson
+`sound`, whose answer is a number. `grade` and `check --run` must agree on all of them.
 """
 
 import copy
@@ -18,11 +18,12 @@ from imgproc_course.gradebook.grade import grade_submissions
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]  # the key is made in a sandbox
 
-DOUBLE, HALVES = "answer-light-double", "answer-light-halves"
+DOUBLE, HALVES, MEAN = "answer-light-double", "answer-light-halves", "answer-sound-mean"
 RIGHT = {
     DOUBLE: "def double(pixels):\n"
     "    return np.minimum(pixels.astype(np.uint16) * 2, LIMIT).astype(np.uint8)",
     HALVES: "def halves(pixels):\n    return pixels[:2].copy(), pixels[2:].copy()",
+    MEAN: "def mean(values):\n    return sum(values) / len(values)",
 }
 STUB = 'def double(pixels):\n    raise NotImplementedError("your turn")'
 WIDE = "def wide(pixels):\n    return pixels.astype(np.uint16)"
@@ -42,14 +43,14 @@ CASES = []
 
 
 def case(points=6, finding="", name="20_light.ipynb", **sources):
-    """Add a case, a function that changes a notebook in which both answers are right.
+    """Add a case, a function that changes a notebook in which every answer is right.
 
     Parameters
     ----------
-    points : int, what a fair person gives, of 6
+    points : int, what a fair person gives, of 6; of 4 in the lesson `sound`
     finding : str, a part of a finding, "" if nothing must be reported
     name : str, of the file
-    sources : double, halves: other sources of the answers
+    sources : double, halves: other sources of the answers; mean: of the lesson `sound`
     """
 
     def add(change):
@@ -422,6 +423,34 @@ def a_list_of_arrays_for_an_array(made):
     pass
 
 
+@case(
+    double="def double(p):\n    return np.asmatrix(np.minimum(p.astype(int) * 2, 255))",
+    halves="def halves(p):\n    return np.asmatrix(p[:2]), np.asmatrix(p[2:])",
+)
+def a_matrix_for_an_array(made):
+    pass
+
+
+@case(points=3, double="def double(p):\n    return np.asmatrix(p) * 2.0")
+def a_matrix_of_wrong_values(made):
+    pass
+
+
+@case(points=4, mean="def mean(values):\n    return np.mean([values], axis=1)")
+def an_array_of_one_element_for_a_number(made):
+    pass
+
+
+@case(points=0, mean="def mean(values):\n    return np.mean([values, values], axis=1)")
+def an_array_of_two_elements_for_a_number(made):
+    pass
+
+
+@case(points=0, mean="def mean(values):\n    return np.sum([values], axis=1)")
+def an_array_of_one_wrong_element_for_a_number(made):
+    pass
+
+
 @case(points=3, double="def double(p):\n    return p * 2.0")
 def a_wrong_value_in_another_type(made):
     pass
@@ -431,14 +460,17 @@ def a_wrong_value_in_another_type(made):
 
 
 @pytest.fixture(scope="module")
-def files(light, tmp_path_factory):
+def files(masters, tmp_path_factory):
     """{name of the case: the submitted file}."""
     folder = tmp_path_factory.mktemp("honest")
     paths = {}
     for parameters in CASES:
         change, _, _, name, sources = parameters.values
-        made = json.loads(json.dumps(lesson_notebook(light)))
+        lesson = "sound" if "mean" in sources else "light"
+        made = json.loads(json.dumps(lesson_notebook(masters[lesson])))
         for id, source in RIGHT.items():
+            if not id.startswith(f"answer-{lesson}-"):
+                continue
             made["cells"][position_of(made, id)]["source"] = sources.get(id.rpartition("-")[2], source)
         change(made)
         paths[parameters.id] = folder / parameters.id / name
@@ -470,7 +502,8 @@ def test_an_honest_submission_gets_the_fair_points(graded, change, points, findi
 def test_check_says_what_grading_says(graded, files, checks, id):
     lesson, lesson_check = graded[id], check_lesson(files[id], [checks])
     run_answers(lesson_check)
-    for exercise, entry in zip(lesson["exercises"], lesson_check.exercises, strict=True):
+    entries = [entry for entry in lesson_check.exercises if not entry.exercise.practice]
+    for exercise, entry in zip(lesson["exercises"], entries, strict=True):
         assert exercise["id"] == entry.exercise.id
         public = [case["points"] == case["max_points"] for case in exercise["cases"] if not case["hidden"]]
         assert [case.passed for case in entry.result.results] == public, entry.notes
