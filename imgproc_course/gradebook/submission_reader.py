@@ -8,6 +8,7 @@ can take the place of ours.
 """
 
 import ast
+import codecs
 import ctypes
 import hashlib
 import json
@@ -61,18 +62,18 @@ def read_notebook(data):
 
     Raises
     ------
-    UnreadableError : the bytes are not a notebook of format 4
+    UnreadableError : the bytes are not a notebook of format 4 or 3
     """
     notebook = _parsed(data)
     nbformat = notebook.get("nbformat")
     if isinstance(nbformat, bool) or not isinstance(nbformat, int):
         raise UnreadableError("it does not say which notebook format it has; save it again in JupyterLab")
-    if nbformat != 4:
+    if nbformat not in (3, 4):
         raise UnreadableError(
-            f"it has notebook format {str(nbformat)[:20]}, but only cells of format 4 have ids; open the"
+            f"it has notebook format {str(nbformat)[:20]}, and only the formats 4 and 3 can be read; open the"
             " lesson in JupyterLab and copy your answers there"
         )
-    cells = notebook.get("cells")
+    cells = notebook.get("cells") if nbformat == 4 else _cells_of_format_3(notebook)
     if not isinstance(cells, list):
         raise UnreadableError("it has no list of cells; save it again in JupyterLab")
     if len(cells) > MOST_CELLS:
@@ -90,11 +91,14 @@ def read_notebook(data):
 def _parsed(data):
     if not data.strip():
         raise UnreadableError("the file is empty")
+    # Windows PowerShell and some editors save UTF-16; its byte order mark cannot begin UTF-8.
+    encoding = "utf-16" if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) else "utf-8-sig"
     try:
-        notebook = json.loads(data.decode("utf-8-sig"))
+        notebook = json.loads(data.decode(encoding))
     except UnicodeDecodeError as error:
+        name = "UTF-16" if encoding == "utf-16" else "UTF-8"
         raise UnreadableError(
-            f"it is not UTF-8 text (byte {error.start}); save it again in JupyterLab"
+            f"it is not {name} text (byte {error.start}); save it again in JupyterLab"
         ) from error
     except RecursionError as error:
         raise UnreadableError("it is nested too deep to be a notebook") from error
@@ -107,6 +111,19 @@ def _parsed(data):
     if not isinstance(notebook, dict):
         raise UnreadableError("it is not a notebook: its JSON holds something else")
     return notebook
+
+
+def _cells_of_format_3(notebook):
+    """The cells of all worksheets as cells of format 4, which keep their code as `source`; None without any."""
+    worksheets = notebook.get("worksheets")
+    parts = [_dict(part).get("cells") for part in worksheets] if isinstance(worksheets, list) else []
+    parts = [cells for cells in parts if isinstance(cells, list)]
+    return [_cell_of_format_3(cell) for cells in parts for cell in cells] if parts else None
+
+
+def _cell_of_format_3(cell):
+    is_code = isinstance(cell, dict) and cell.get("cell_type") == "code"
+    return cell | {"source": cell.get("input")} if is_code else cell
 
 
 def _dict(value):

@@ -226,8 +226,8 @@ def test_a_lesson_without_metadata_is_recognized_by_its_cells_or_its_name(lesson
         (b"[]", "it is not a notebook: its JSON holds something else"),
         (b'{"nbformat": 4, "cells": 3}', "it has no list of cells; save it again in JupyterLab"),
         (
-            b'{"nbformat": 3, "worksheets": []}',
-            "it has notebook format 3, but only cells of format 4 have ids",
+            b'{"nbformat": 2, "worksheets": []}',
+            "it has notebook format 2, and only the formats 4 and 3 can be read; open the lesson in",
         ),
     ],
 )

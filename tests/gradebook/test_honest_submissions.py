@@ -4,6 +4,7 @@ Each case is one submission of the lesson `light` with the points that a fair pe
 `sound`, whose answer is a number. `grade` and `check --run` must agree on all of them.
 """
 
+import codecs
 import copy
 import json
 
@@ -43,7 +44,9 @@ CASES = []
 
 
 def case(points=6, finding="", name="20_light.ipynb", **sources):
-    """Add a case, a function that changes a notebook in which every answer is right.
+    """Add a case: a function that changes a notebook in which every answer is right.
+
+    What it returns, if it is not None, are the bytes of the file.
 
     Parameters
     ----------
@@ -237,6 +240,45 @@ def as_visual_studio_code_saves_it(made):
     for cell in made["cells"]:
         cell["metadata"]["vscode"] = {"languageId": "python"}
         cell["source"] = cell["source"].splitlines(keepends=True)
+
+
+def with_a_word_in_another_script(made):
+    """The notebook as text, not in ASCII alone."""
+    made["cells"][position_of(made, DOUBLE)]["source"] += "  # größer, 明るい"
+    return json.dumps(made, ensure_ascii=False, indent=1)
+
+
+@case()
+def saved_with_a_byte_order_mark(made):
+    return with_a_word_in_another_script(made).encode("utf-8-sig")
+
+
+@case()
+def saved_as_utf_16(made):
+    return codecs.BOM_UTF16_LE + with_a_word_in_another_script(made).encode("utf-16-le")
+
+
+@case()
+def saved_as_utf_16_big_endian(made):
+    return codecs.BOM_UTF16_BE + with_a_word_in_another_script(made).encode("utf-16-be")
+
+
+def in_format_3(made):
+    return nbformat.v3.writes_json(nbformat.convert(nbformat.from_dict(copy.deepcopy(made)), 3))
+
+
+@case()
+def saved_in_nbformat_3(made):
+    return in_format_3(made).encode()
+
+
+@case(finding="wide()", double=USES_WIDE)
+def saved_in_nbformat_3_with_two_worksheets(made):
+    insert(made, 1, new_cell(WIDE))
+    made = json.loads(in_format_3(made))
+    cells = made["worksheets"][0]["cells"]
+    made["worksheets"] = [{"cells": cells[:3], "metadata": {}}, {"cells": cells[3:], "metadata": {}}]
+    return json.dumps(made).encode()
 
 
 @case(finding="unknown version", name="my light (1).ipynb")
@@ -472,10 +514,10 @@ def files(masters, tmp_path_factory):
             if not id.startswith(f"answer-{lesson}-"):
                 continue
             made["cells"][position_of(made, id)]["source"] = sources.get(id.rpartition("-")[2], source)
-        change(made)
+        data = change(made)
         paths[parameters.id] = folder / parameters.id / name
         paths[parameters.id].parent.mkdir()
-        paths[parameters.id].write_text(json.dumps(made), encoding="utf-8")
+        paths[parameters.id].write_bytes(json.dumps(made).encode() if data is None else data)
     return paths
 
 

@@ -99,7 +99,7 @@ damages = st.one_of(
     st.tuples(st.just("insert"), positions, st.sampled_from([None, 3, "cell", {}, {"cell_type": "code"}])),
     st.tuples(st.just("reverse")),
     st.tuples(st.just("lose ids")),
-    st.tuples(st.just("nbformat"), st.sampled_from([3, 5, None, True, "4"])),
+    st.tuples(st.just("nbformat"), st.sampled_from([2, 3, 5, None, True, "4"])),
     st.tuples(st.just("lesson"), st.sampled_from(["21_sound", "20_light", "../x", 3, None])),
     st.tuples(st.just("version"), st.sampled_from(["0.0.9", None, "\u202e"])),
     st.tuples(st.just("kernel"), st.sampled_from(["bash", "python3", 3])),
@@ -201,8 +201,8 @@ def too_long(made):
     cell_of(made, "answer-light-double")["source"] = "#" * 200_100
 
 
-def format_3(made):
-    made["nbformat"] = 3
+def format_2(made):
+    made["nbformat"] = 2
 
 
 def no_metadata(made):
@@ -217,7 +217,7 @@ def two_answers(made):
     ("damage", "state", "text"),
     [
         (too_long, "broken", "its answer is longer than 200000 characters, the most that are graded"),
-        (format_3, None, "it has notebook format 3"),
+        (format_2, None, "it has notebook format 2"),
         (no_metadata, "answered", "it was made from an unknown version of the lesson"),
         (two_answers, "answered", "2 cells define double(): answer-light-double is graded, and not "),
     ],
