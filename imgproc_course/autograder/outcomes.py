@@ -53,6 +53,8 @@ class OutcomeTexts:
 
 # Of the cases that are not run because those before them took too long.
 BUDGET_MESSAGE = "it was not run: the checks before it used all the time that one submission may use"
+# How the message of a case begins whose function is not there, because its cell raised an exception.
+CELL_FAILS = "its cell does not run"
 TEXTS = {
     Outcome.PASSED: OutcomeTexts("passed"),
     Outcome.WRONG: OutcomeTexts("returns another value"),

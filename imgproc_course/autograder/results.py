@@ -11,7 +11,7 @@ import re
 from dataclasses import dataclass
 
 from imgproc_course.autograder.answer_key import known_mistake
-from imgproc_course.autograder.outcomes import BUDGET_MESSAGE, TEXTS, Outcome
+from imgproc_course.autograder.outcomes import BUDGET_MESSAGE, CELL_FAILS, TEXTS, Outcome
 from imgproc_course.autograder.sanitize import sanitize_text
 from imgproc_course.autograder.verdict import CaseRun
 
@@ -296,7 +296,7 @@ def _outcome_without_function(exercise, run):
     if name == "RefusedModule":
         return Outcome.REFUSED_MODULE, reproducible_text(text)
     if name:
-        return Outcome.RAISED, f"its cell does not run: {_exception_text(name, text)}"
+        return Outcome.RAISED, f"{CELL_FAILS}: {_exception_text(name, text)}"
     return Outcome.MISSING, f"its cell does not define {exercise.function}()"
 
 

@@ -50,8 +50,9 @@ def compare(expected, actual, tolerance=0.0, path="", *, exact_type=True):
 
     If the type need not be exact, right values may also come as a float for an integer, in another number
     type of an array, as a list for a tuple, as a list (of lists or arrays) for an array, and the other way
-    round, as a matrix for an array, and as an array of one element for a number. True and False never stand for numbers: a mask selects pixels, and 0 and 1 do not. Whether numbers
-    in float32 are right is decided with its rounding.
+    round, as a matrix for an array, and as an array of one element for a number. True and False never stand
+    for numbers: a mask selects pixels, and 0 and 1 do not. Whether numbers in float32 are right is decided
+    with its rounding.
 
     Parameters
     ----------

@@ -236,6 +236,21 @@ def _syntax(_match, source):
     return ""
 
 
+def _typographic(match, _source):
+    from imgproc_course.exercises.syntax_slips import plain_character  # few need it
+
+    character = match[1] or chr(int(match[2], 16))
+    plain = plain_character(character)
+    name = match[1] or f"U+{match[2]}, which nobody sees,"
+    if plain is None:
+        return f"{name} is no character of Python, except in texts and comments."
+    origin = f"{name} is no character of Python: chats, word processors and web pages write it"
+    if not plain:
+        return f"{origin}. Type this line again."
+    written = {" ": "a space", "'": "' or \"", '"': "\" or '"}.get(plain, plain)
+    return f"{origin} in the place of {written}. Type {written} there."
+
+
 def _reshape(match, source):
     size, shape = int(match[1]), [int(part) for part in re.findall(r"-?\d+", match[2])]
     if size == 1:
@@ -504,6 +519,7 @@ _ADVICE = (
     ("TypeError", r"unsupported operand type\(s\) for (\S+): '([\w.]+)' and '([\w.]+)'", _text_operator),
     ("TypeError", r"cannot unpack non-iterable ([\w.]+) object", _not_iterable),
     ("SyntaxError", "invalid syntax", _syntax),
+    ("SyntaxError", r"invalid (?:non-printable )?character (?:'(.)' \()?U\+([0-9A-F]+)", _typographic),
     ("ValueError", r"(?:too many|not enough) values to unpack \(expected (\d+)", _unpack),
     (
         "TypeError UFuncTypeError",

@@ -15,6 +15,7 @@ from imgproc_course.autograder.sanitize import sanitize_text
 from imgproc_course.exercises.error_advice import advice_on
 from imgproc_course.exercises.values import answer_parts, differing_elements
 from imgproc_course.gradebook.report_values import value_of
+from imgproc_course.gradebook.submission import NOT_PYTHON
 from imgproc_course.gradebook.teacher_tables import plain_number
 
 TEMPLATES = Path(__file__).with_name("pages")
@@ -126,13 +127,16 @@ def finding_text(finding):
 
 def _exercise_view(exercise, entry, notes, key_exercise):
     advice, replaces_hints = _advice_on(exercise)
-    show_values = advice != _CELL_ADVICE
+    show_values = not advice.endswith(_CELL_ADVICE)
+    is_no_python = any(note.startswith("line ") and NOT_PYTHON in note for note in notes)
+    if is_no_python:
+        advice = _CELL_ADVICE  # the note says what is wrong
     cases = []
     for case in exercise.cases:
         cases.append(_case_view(case, key_exercise, replaces_hints, show_values))
     for view in [view for view in cases if view["values"]][:1]:
         view["open"] = True
-    explained_by_notes = notes and advice == TEXTS[Outcome.MISSING].advice
+    explained_by_notes = is_no_python or (notes and advice == TEXTS[Outcome.MISSING].advice)
     messages = [exercise.message] if exercise.message and not explained_by_notes else []
     if replaces_hints and not exercise.message:
         messages += list(dict.fromkeys(filter(None, map(_message_of, exercise.cases))))[:1]
@@ -187,7 +191,8 @@ def _advice_on(exercise):
     (outcome,) = outcomes
     if outcome == Outcome.RAISED:
         if exercise.message:
-            return _CELL_ADVICE, True
+            advice = _advice_on_exception(exercise.message.partition(": ")[2])
+            return f"{advice} {_CELL_ADVICE}".strip(), True
         errors = {case.message.partition(":")[0] for case in exercise.cases}
         if errors == {"NameError"}:
             return _NAME_ADVICE, False
@@ -199,8 +204,10 @@ def _advice_on(exercise):
 def _advice_on_exception(text):
     """The advice of `check` on the exception of a case's message, "" if there is none."""
     error, _, message = text.partition(": ")
-    message, _, line = message.rpartition(" (line ") if text.endswith(")") else (message, "", "")
-    return advice_on(error, message, f"line {line[:-1]}")
+    before, mark, line = message.rpartition(" (line ")
+    if not mark or not line.endswith(")"):
+        return advice_on(error, message)
+    return advice_on(error, before, f"line {line[:-1]}")
 
 
 def _values_view(case, key_exercise):

@@ -214,7 +214,7 @@ def _versions(equal_answers):
 
 
 def report_copies(entries, learners, copies):
-    """Add a finding for each answer that equals the course's solution.
+    """Add a finding for each graded answer that equals the course's solution; practice has no points.
 
     Parameters
     ----------
@@ -230,8 +230,11 @@ def report_copies(entries, learners, copies):
     for entry, learner in zip(entries, learners, strict=True):
         for lesson in entry["lessons"]:
             submission = learner.submissions.get(lesson["lesson"])
-            for id in copies.get(submission.answers_digest, ()) if submission else ():
-                lesson["findings"].append({"kind": "odd", "exercise": id, "text": text})
+            copied = copies.get(submission.answers_digest, ()) if submission else ()
+            graded = {exercise["id"] for exercise in lesson["exercises"]}
+            for id in copied:
+                if id in graded:
+                    lesson["findings"].append({"kind": "odd", "exercise": id, "text": text})
     return entries
 
 

@@ -13,13 +13,14 @@ from functools import lru_cache
 
 from imgproc_course.authoring.lesson_names import lesson_name, lessons_named
 from imgproc_course.autograder.sanitize import sanitize_line
+from imgproc_course.exercises.error_advice import advice_on
 from imgproc_course.gradebook.answer_cells import find_answer_cell
 from imgproc_course.gradebook.submission_reader import MOST_CHARACTERS, syntax_digest
 
 _LONGEST_PREDICTION = 1_000  # characters
 _MOST_NAMES = 8  # that a finding lists
 STUB_LINE = "the line `raise NotImplementedError(...)`: nothing below it runs; delete this line"
-_NAME_ADVICE = "; the name must be the one of the task"
+NOT_PYTHON = "of its answer cell is not Python"
 _GRADER_COMMENTS = ("# NBVAL_", "# PYTEST_VALIDATE_")
 
 
@@ -238,9 +239,9 @@ def _inspect_source(exercise, answer, content):
         return AnswerState.ANSWERED
     if _is_stub(answer.cell, exercise):
         return AnswerState.NOT_ATTEMPTED
-    problem = _problem(exercise, answer.cell)
+    problem, is_slip = _problem(exercise, answer.cell)
     if problem:
-        content.add(problem, exercise.id, "message" if problem.endswith(_NAME_ADVICE) else "answer")
+        content.add(problem, exercise.id, "message" if is_slip else "answer")
         return AnswerState.BROKEN
     if exercise.function in answer.cell["answer"]["stub_lines"]:
         content.add(f"{exercise.function}() still begins with {STUB_LINE}", exercise.id)
@@ -260,24 +261,35 @@ def _digest_of_stub(stub):
 
 
 def _problem(exercise, cell):
-    """Why a marked cell cannot get its points, "" if it can."""
+    """(why a marked cell cannot get its points, whether a slip may be the cause), ("", False) if it can."""
     if not _has_code(cell["source"]):
-        return "its answer cell is empty"
+        return "its answer cell is empty", False
     if cell["answer"]["error"]:
-        line, text, message = cell["answer"]["error"]
-        text = f"line {line} of its answer cell is not Python: {sanitize_line(text, 80)}"
-        return text + f" ({sanitize_line(message, 100)})"
+        return _syntax_problem(exercise, cell["answer"])
     names = cell["answer"]["names"]
     if names is not None and exercise.function not in names:
-        return f"its answer cell does not define {exercise.function}(){_similar_name(exercise, cell)}"
-    return ""
+        name = _similar_name(exercise, cell)
+        text = f"its answer cell does not define {exercise.function}()"
+        return text + (f", but {name}; the name must be the one of the task" if name else ""), bool(name)
+    return "", False
+
+
+def _syntax_problem(exercise, syntax):
+    line, text, message = syntax["error"]
+    text, message = sanitize_line(text, 80), sanitize_line(message, 100)
+    problem = f"line {line} {NOT_PYTHON}: {text} ({message})"
+    advice = advice_on("SyntaxError", message, f"line {line}: {text}")
+    mended_line, names = syntax["slip"] or ("", ())
+    is_slip = names is None or exercise.function in names
+    change = f"One change makes it Python: {sanitize_line(mended_line, 80)!r}" if is_slip else ""
+    return ". ".join(filter(None, [problem, advice.removesuffix("."), change])), is_slip
 
 
 def _similar_name(exercise, cell):
-    """The function of the cell whose name was meant: the only one, or one that is written nearly so."""
+    """The function of the cell whose name was meant: the only one, or one written nearly so; or ""."""
     defined = sorted(cell["functions"])
     names = defined if len(defined) == 1 else difflib.get_close_matches(exercise.function, defined, 1)
-    return f", but {sanitize_line(names[0], 60)}(){_NAME_ADVICE}" if names else ""
+    return f"{sanitize_line(names[0], 60)}()" if names else ""
 
 
 def _has_code(source):
@@ -312,7 +324,7 @@ def _state_of_marked(exercise, own):
         return f"{text} is a {_kind(own[0])} cell"
     if own[0]["source"] is None:
         return f"{text} holds no text"
-    return _problem(exercise, own[0]) or f"{text} holds the stub"
+    return _problem(exercise, own[0])[0] or f"{text} holds the stub"
 
 
 def _place(cell):

@@ -3,14 +3,15 @@
 `notebook_reader.NotebookReader` starts this file as a program with a limit on memory, sends it the bytes of a
 notebook and receives plain data: the id and type of each cell, and the sources of code. It also composes the
 source by which an answer is graded. Nothing in a notebook is run or followed. The program imports the
-standard library only, and `cell_syntax`, which does the same: it starts quickly, and no module of a learner
-can take the place of ours.
+standard library only, and `cell_syntax` (and `syntax_slips`, once an answer has an error), which do the same:
+it starts quickly, and no module of a learner can take the place of ours.
 """
 
 import ast
 import codecs
 import ctypes
 import hashlib
+import importlib
 import json
 import re
 import resource
@@ -34,7 +35,8 @@ _MOST_OUTPUT = 2_000  # characters of a check cell's output
 _MOST_NAME = 200  # characters of a name or an id
 _CODE_BEGINS = re.compile(r"^(def|async def|class) \w|^\w+ *= *(lambda|\w)", re.M)
 _PR_SET_PDEATHSIG = 1
-_UNKNOWN_SYNTAX = {"error": None, "digest": None, "names": None, "stub_lines": []}
+_SLIPS = "syntax_slips" if __name__ == "__main__" else "imgproc_course.exercises.syntax_slips"
+_UNKNOWN_SYNTAX = {"error": None, "slip": None, "digest": None, "names": None, "stub_lines": []}
 
 
 class UnreadableError(ValueError):
@@ -114,7 +116,7 @@ def _parsed(data):
 
 
 def _cells_of_format_3(notebook):
-    """The cells of all worksheets as cells of format 4, which keep their code as `source`; None without any."""
+    """The cells of all worksheets as format 4 has them, code as `source`; None without any list of cells."""
     worksheets = notebook.get("worksheets")
     parts = [_dict(part).get("cells") for part in worksheets] if isinstance(worksheets, list) else []
     parts = [cells for cells in parts if isinstance(cells, list)]
@@ -240,24 +242,42 @@ def _parsed_answer(source):
     dict with
 
     error : [line number, text of the line, message] of a syntax error, or None
+    slip : [the line mended, names as below] if one change makes a source with an error Python, or None
     digest : see `syntax_digest`
     names : list of str, what the source binds at its top level; None if that is unknown
     stub_lines : list of str, the functions that go on after the stub's `raise NotImplementedError(...)`
     """
+    source = cell_syntax.plain_python(source)
     try:
-        tree = ast.parse(cell_syntax.plain_python(source))
+        tree = ast.parse(source)
     except SyntaxError as error:
         text = (error.text or "").strip()[:_MOST_NAME]
-        return {**_UNKNOWN_SYNTAX, "error": [error.lineno or 1, text, error.msg[:_MOST_NAME]]}
+        line = [error.lineno or 1, text, error.msg[:_MOST_NAME]]
+        return {**_UNKNOWN_SYNTAX, "error": line, "slip": _slip(source, error)}
     except (ValueError, RecursionError, MemoryError):
         return _UNKNOWN_SYNTAX
-    names = set().union(*map(cell_syntax.names_bound_by, tree.body))
     return {
         "error": None,
+        "slip": None,
         "digest": _tree_digest(tree),
-        "names": None if "*" in names else sorted(names),
+        "names": _bound_names(tree),
         "stub_lines": cell_syntax.functions_with_stub_line(tree)[:_MOST_FUNCTIONS],
     }
+
+
+def _bound_names(tree):
+    """The names that a module binds at its top level, sorted; None if `import *` hides them."""
+    names = set().union(*map(cell_syntax.names_bound_by, tree.body))
+    return None if "*" in names else sorted(names)
+
+
+def _slip(source, error):
+    mended = importlib.import_module(_SLIPS).without_slip(source, error)
+    if mended is None:
+        return None
+    mended_source, tree = mended
+    line = mended_source.split("\n")[(error.lineno or 1) - 1]
+    return [line.strip()[:_MOST_NAME], _bound_names(tree)]
 
 
 def _output_text(cell):

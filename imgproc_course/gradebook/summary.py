@@ -5,7 +5,7 @@ import io
 import statistics
 from pathlib import PurePosixPath
 
-from imgproc_course.autograder.outcomes import TEXTS, Outcome
+from imgproc_course.autograder.outcomes import CELL_FAILS, TEXTS, Outcome
 from imgproc_course.autograder.sanitize import spreadsheet_text
 from imgproc_course.gradebook.grades_json import lesson_names
 from imgproc_course.gradebook.report import finding_text, render_page
@@ -53,6 +53,7 @@ def summary_page(grades, failed_pages=(), other_pages=()):
         unfair=[concern for concern in concerns if concern["list"] == "unfair"],
         dishonest=[concern for concern in concerns if concern["list"] == "dishonest"],
         others=[concern for concern in concerns if concern["list"] == "other"],
+        broken=[concern for concern in concerns if concern["list"] == "broken"],
         names=names,
         senders=[finding for finding in grades["intake"] if finding["kind"] != "file"],
         other_files=[finding for finding in grades["intake"] if finding["kind"] == "file"],
@@ -131,6 +132,16 @@ def _concerns_of(lesson, own_modules):
                     text = f"it imports {module}, a file of their own; only notebooks are graded"
                 name = "unfair" if outcome in _PERHAPS_UNFAIR or is_own else "dishonest"
                 yield name, exercise["id"], f"{exercise['id']}: {text}"
+        yield from _broken_cells(exercise, lesson["findings"])
+
+
+def _broken_cells(exercise, findings):
+    """An entry for an answer whose cell does not run, unless it is listed as a slip already."""
+    messages = [case["message"] for case in exercise["cases"] if case["message"].startswith(CELL_FAILS)]
+    about = [finding for finding in findings if finding["exercise"] == exercise["id"]]
+    if messages and not any(finding["kind"] == "message" for finding in about):
+        texts = [finding["text"] for finding in about if finding["kind"] == "answer"]
+        yield "broken", exercise["id"], f"{exercise['id']}: {[*texts, *messages][0]}"
 
 
 def _refused_module(cases):

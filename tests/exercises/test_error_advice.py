@@ -116,6 +116,15 @@ ADVICE = {
     "np.dot(a, a)": "Value by value, arrays are multiplied with *.",
     'round(float("nan"))': "NaN is the result of 0 divided by 0",
     "import sklearns": "No library with the name sklearns is installed here.",
+    "a = \u201ca\u201d": "\u201c is no character of Python: chats, word processors and web pages write it in"
+    " the place of \" or '. Type \" or ' there.",
+    "a = 3 \u2212 2": "\u2212 is no character of Python: chats, word processors and web pages write it in the"
+    " place of -. Type - there.",
+    "a =\u00a03": "U+00A0, which nobody sees, is no character of Python: chats, word processors and web"
+    " pages write it in the place of a space. Type a space there.",
+    "a = 3\u200b": "U+200B, which nobody sees, is no character of Python: chats, word processors and web"
+    " pages write it. Type this line again.",
+    "a = 3\u00b2": "\u00b2 is no character of Python, except in texts and comments.",
 }
 
 
@@ -123,6 +132,8 @@ def error_of(source):
     """(type name, message, line) of the error that a source raises."""
     try:
         exec(source, globals() | GIVEN)
+    except SyntaxError as error:
+        return type(error).__name__, error.msg, f"line 1: {source}"
     except Exception as error:  # noqa: BLE001 - any error may be wanted
         first = next((line for line in source.splitlines() if not line.startswith("def ")), source)
         return type(error).__name__, str(error), f"line 1: {first}"

@@ -412,6 +412,25 @@ def with_the_prompts_of_ipython(made):
 
 
 @case(
+    points=3,
+    double='def double(pixels):\n    """Twice."""\n    print(\u201cDouble\u201d)\n    return pixels',
+    finding="One change makes it Python: 'print(\"Double\")'",
+)
+def with_the_quotation_marks_of_a_word_processor(made):
+    """A teacher may give the points: Python cannot say whether the answer was right."""
+
+
+@case(double=RIGHT[DOUBLE].replace("return", 'print("\u201cDouble\u201d")\n    return'))
+def with_such_quotation_marks_in_a_text(made):
+    pass
+
+
+@case(points=3, double=RIGHT[DOUBLE].replace("return", "retrun"), finding="One change makes it Python")
+def with_a_misspelled_keyword(made):
+    pass
+
+
+@case(
     double=f"```python\n{RIGHT[DOUBLE]}\n```",
     finding="its answer cell is a markdown cell; its text is graded",
 )
@@ -548,6 +567,7 @@ def test_check_says_what_grading_says(graded, files, checks, id):
     for exercise, entry in zip(lesson["exercises"], entries, strict=True):
         assert exercise["id"] == entry.exercise.id
         public = [case["points"] == case["max_points"] for case in exercise["cases"] if not case["hidden"]]
-        assert [case.passed for case in entry.result.results] == public, entry.notes
+        passed = [case.passed for case in entry.result.results] if entry.result else [False] * len(public)
+        assert passed == public, entry.notes
         texts = [found["text"] for found in lesson["findings"] if found["exercise"] == exercise["id"]]
         assert [note for note in entry.notes if note in texts] == texts

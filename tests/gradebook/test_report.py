@@ -202,6 +202,8 @@ ALIKE = {
     "overflow": "def double(pixels):\n    return (pixels * 300) // 150",
     "nameless": "def double(pixels):\n    return cv9.add(pixels, pixels)",
     "at-times": "def double(pixels):\n    assert len(pixels) < 9\n    return pixels",
+    "quotes": "def double(pixels):\n    I don\u2019t know",
+    "unknown": "@cv.fast\ndef double(pixels):\n    return pixels",
     "deleted": None,
     "behind": "def double(pixels):\n    raise NotImplementedError('your turn')",
 }
@@ -232,7 +234,9 @@ def alike(light, key_path, tmp_path_factory):
 @pytest.mark.parametrize(
     ("name", "cause", "advice"),
     [
-        ("syntax", "SyntaxError: expected ':'", "run the cell in the lesson"),
+        ("syntax", "(expected ':'). One change makes it Python: 'def double(", "run the cell in the lesson"),
+        ("quotes", "SyntaxError: invalid character '\u2019' (U+2019)", "Type ' or \" there."),
+        ("unknown", "statement in its cell fails: NameError: name 'cv'", "Nothing has the name cv here."),
         ("refused", "Write this exercise without cv2", "write it by hand"),
         ("endless", "double() used more than 1 s of processor time.", "loop whose condition stays true"),
         (
@@ -268,7 +272,7 @@ def test_an_answer_in_another_cell_is_listed_for_the_teacher(alike):
     _, _, unusual = alike["summary"].partition("<h2>Also unusual</h2>")
     (row,) = [row for row in unusual.split("<tr>") if "<bdi>behind</bdi>" in row]
     assert "graded from another cell" in row and "defines double()" in row
-    assert not [row for row in rows if "<bdi>syntax</bdi>" in row]
+    assert not [row for row in rows if "<bdi>quotes</bdi>" in row]  # no slip
 
 
 def similar_page(folder):

@@ -236,7 +236,13 @@ def test_a_copy_of_the_solution_is_reported_unless_it_is_short(
     monkeypatch.setattr(similarity, "SHORTEST_SOLUTION", 20)
     copies = compare(learners, answer_keys, store)[1]
     assert copies[ada] == ["light-double"] and sum(map(len, copies.values())) == 1
-    entries = [{"lessons": [{"lesson": "light", "findings": []}]} for _ in learners]
-    (first, second) = report_copies(entries, learners, copies)
+    (first, second) = report_copies(entries_of(learners, "light-double"), learners, copies)
     assert "equals the course's solution" in first["lessons"][0]["findings"][0]["text"]
     assert second["lessons"][0]["findings"] == []
+    (first, _) = report_copies(entries_of(learners, "light-halves"), learners, copies)
+    assert first["lessons"][0]["findings"] == []  # light-double is practice in this one
+
+
+def entries_of(learners, graded):
+    exercises = [{"id": graded}]
+    return [{"lessons": [{"lesson": "light", "findings": [], "exercises": exercises}]} for _ in learners]

@@ -122,7 +122,17 @@ def test_a_retyped_answer_cell(read, made, light, kind):
     [
         ("", "broken", "its answer cell is empty"),
         ("# later\n", "broken", "its answer cell is empty"),
-        ("def double(p)\n    return p", "broken", "line 1 of its answer cell is not Python: def double(p) "),
+        ("def double(p)\n    I do", "broken", "line 1 of its answer cell is not Python: def double(p) "),
+        (
+            "def doubles(p)\n    return p",
+            "broken",
+            "line 1 of its answer cell is not Python: def doubles(p) ",
+        ),
+        (
+            "I don\u2019t know",
+            "broken",
+            "line 1 of its answer cell is not Python: I don\u2019t know (invalid char",
+        ),
         ("double_it = 3", "broken", "its answer cell does not define double()"),
         ("#" * 200_100, "broken", "its answer is longer than 200000 characters, the most that are graded"),
         ('def double(pixels):\n    # hm\n    raise NotImplementedError("your turn")', "not attempted", ""),
@@ -149,6 +159,25 @@ def test_the_state_of_an_answer(read, made, source, state, text):
             "LIMIT = 3\ndef Double(p):\n    return p",
             "broken",
             "its answer cell does not define double(), but Double(); the name must be the one of the task",
+        ),
+        (
+            "def double(p):\n    retrun p",
+            "broken",
+            "line 2 of its answer cell is not Python: retrun p (invalid syntax). One change makes it Python:"
+            " 'return p'",
+        ),
+        (
+            "from numpy import *\ndef double(p)\n    return p",
+            "broken",
+            "line 2 of its answer cell is not Python: def double(p) (expected ':'). One change makes it"
+            " Python: 'def double(p):'",
+        ),
+        (
+            "def double(p):\n    print(\u201cA\u201d)\n    return p",
+            "broken",
+            "line 2 of its answer cell is not Python: print(\u201cA\u201d) (invalid character '\u201c'"
+            " (U+201C)). \u201c is no character of Python: chats, word processors and web pages write it in"
+            " the place of \" or '. Type \" or ' there. One change makes it Python: 'print(\"A\")'",
         ),
         (
             "def double(p):\n    raise NotImplementedError('your turn')\n    return p * 2",

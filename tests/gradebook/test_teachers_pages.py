@@ -109,6 +109,40 @@ def test_a_lost_name_and_a_file_of_ones_own_are_not_dishonest(light, submissions
     assert "light-double: uses a module that this exercise does not allow: cv2" in bob
 
 
+def test_slips_may_be_unfair_and_other_cells_that_do_not_run_are_a_list(
+    light, submissions, key_path, tmp_path
+):
+    answers = {
+        "ada": "def double(pixels):\n    retrun pixels",
+        "bob": "def double(pixels):\n    return \u201cpixels\u201d",
+        "cy": "def double(pixels):\n    I do not know",
+        "di": "def double(pixels, most=the_most):\n    return pixels",
+        "eli": "def double(pixels):\n    return pixels + unknown",
+        "fay": "",
+    }
+    right = answers_of(light, "right")
+    for name, source in answers.items():
+        write(submissions / name / "20_light.ipynb", notebook(light, right | {"light-double": source}))
+    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
+    ada, bob = rows_of(tmp_path / "out", "May have lost points unfairly")
+    assert "light-double: line 2 of its answer cell is not Python: retrun pixels (invalid syntax)." in ada
+    assert "<code>ada,light,light-double,3,looked at by hand</code>" in ada
+    assert "\u201c is no character of Python" in bob and "bob,light,light-double,3" in bob
+    cy, di = rows_of(tmp_path / "out", "Answers that do not run")
+    assert "light-double: line 2 of its answer cell is not Python: I do not know (invalid syntax)" in cy
+    assert "0 of 3" in cy and "<code>" not in cy
+    assert "light-double: its cell does not run: NameError: name &#39;the_most&#39; is not defined" in di
+
+
+def test_an_answer_that_does_not_run_is_listed_until_it_is_decided(light, submissions, key_path, tmp_path):
+    answers = answers_of(light, "right") | {"light-double": "def double(pixels):\n    I do not know"}
+    write(submissions / "ada" / "20_light.ipynb", notebook(light, answers))
+    decisions, out = tmp_path / "decisions.csv", tmp_path / "out"
+    decisions.write_text("learner,lesson,exercise,points\nada,light,light-double,0\n")
+    grade_submissions(submissions, [key_path], out, decisions=decisions, workers=1, quiet=True)
+    assert rows_of(out, "Answers that do not run") == []
+
+
 USES_CV2 = "import cv2\ndef double(pixels):\n    return cv2.add(pixels, pixels)"
 
 

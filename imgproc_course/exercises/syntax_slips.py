@@ -1,0 +1,119 @@
+"""Sources that are Python but for a slip: a wrong character, or characters that a word processor has changed.
+
+Only the standard library is imported: the process that reads notebooks loads this file.
+"""
+
+import ast
+import itertools
+import keyword
+import re
+
+_MOST_CHARACTERS = 5_000  # of a source: each try reads all of it
+_MOST_TRIES = 60
+_UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
+# What a keyboard writes, for what a chat, a word processor or a web page puts in its place.
+_PLAIN = {
+    **dict.fromkeys("\u201c\u201d\u201e\u201f\u2033\u00ab\u00bb", '"'),
+    **dict.fromkeys("\u2018\u2019\u201a\u201b\u2032\u00b4", "'"),
+    **dict.fromkeys("\u2010\u2011\u2012\u2013\u2014\u2015\u2212", "-"),
+    **dict.fromkeys("\u00a0\u2002\u2003\u2007\u2009\u202f\u3000", " "),
+    **dict.fromkeys("\u200b\u200c\u200d\u2060\ufeff\u00ad", ""),
+    **{"\u00d7": "*", "\u00f7": "/", "\u2026": "...", "\u2264": "<=", "\u2265": ">=", "\u2260": "!="},
+    # The wide forms of East Asian keyboards.
+    **{chr(code): chr(code - 0xFEE0) for code in range(0xFF01, 0xFF5F) if not chr(code).isalnum()},
+    **{"\u3001": ",", "\u3002": "."},
+}
+_PLAIN_BY_CODE = str.maketrans(_PLAIN)
+# What may be missing or wrong at the place of an error, by a part of Python's message.
+_MISSING = (
+    ("':'", ":"),
+    ("was never closed", ")]}"),
+    ("does not match", ")]}"),
+    ("unmatched", ""),
+    ("unterminated string", "\"'"),
+    ("instead of '='", "="),
+    ("forgot a comma", ","),
+    ("invalid syntax", ":)],="),
+)
+
+
+def plain_character(character):
+    """What a keyboard writes in the place of a typographic character; None if that is not known.
+
+    "" stands for a character that nobody sees.
+    """
+    return _PLAIN.get(character)
+
+
+def without_slip(source, error):
+    """A source that does not parse, mended by one change, if this makes it Python.
+
+    Parameters
+    ----------
+    source : str
+    error : SyntaxError, of the source
+
+    Returns
+    -------
+    (source, its ast.Module), or None. The mended source has the same number of lines
+    """
+    if len(source) > _MOST_CHARACTERS:
+        return None
+    for candidate in itertools.islice(_candidates(source, error), _MOST_TRIES):
+        try:
+            return candidate, ast.parse(candidate)
+        except _UNPARSABLE:
+            continue
+    return None
+
+
+def _candidates(source, error):
+    plain = source.translate(_PLAIN_BY_CODE)
+    if plain != source:
+        yield plain
+    if isinstance(error, TabError):
+        yield source.expandtabs(4)
+        yield source.expandtabs(8)
+    lines, number = source.split("\n"), (error.lineno or 1) - 1
+    if number >= len(lines):
+        return
+    for line in _mended_lines(lines[number], error):
+        yield "\n".join([*lines[:number], line, *lines[number + 1 :]])
+
+
+def _mended_lines(line, error):
+    """Lines with one letter of a keyword mended, or one character more, less, or another, near the error."""
+    if isinstance(error, IndentationError):
+        yield from (f" {line}", line[1:])
+        return
+    characters = next((characters for part, characters in _MISSING if part in error.msg), None)
+    if characters is None:
+        return
+    if "invalid syntax" in error.msg:
+        yield from _lines_with_keyword(line)
+    start, last = (error.offset or 1) - 1, len(line.rstrip())
+    before, end = len(line[:start].rstrip()), max((error.end_offset or 1) - 1, start + 1)
+    places = list(dict.fromkeys([before, last, last - 1, *range(start, min(end, start + 10) + 1)]))
+    for character in characters:
+        yield from (line[:place] + character + line[place:] for place in places)
+    yield from (line[:start] + character + line[start + 1 :] for character in ["", *characters])
+
+
+def _lines_with_keyword(line):
+    """The line with one word made a keyword, which it nearly is: `retrun`."""
+    for word in re.finditer(r"[A-Za-z]+", line):
+        for name in keyword.kwlist:
+            if _is_one_slip(word[0], name):
+                yield line[: word.start()] + name + line[word.end() :]
+
+
+def _is_one_slip(word, name):
+    """Whether a letter is missing, too many or another one, or two neighbours are exchanged."""
+    same = next(
+        (place for place, pair in enumerate(zip(word, name, strict=False)) if len(set(pair)) > 1), None
+    )
+    if same is None:
+        return abs(len(word) - len(name)) == 1 and min(len(word), len(name)) > 1
+    word, name = word[same:], name[same:]
+    exchanged = word[:2] == name[1::-1] and word[2:] == name[2:]
+    return exchanged or word[1:] == name[1:] or word[1:] == name or word == name[1:]
