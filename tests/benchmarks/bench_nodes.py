@@ -29,7 +29,7 @@ OURS = (
 )
 # The callback of the lesson's page, with a publisher instead of imshow.
 LESSON = """
-import sys, time
+import signal, sys, time
 import imgproc_course.ros  # chooses the DDS profile, so that the same images arrive
 import cv2, numpy as np, rclpy
 from rclpy.node import Node
@@ -55,12 +55,20 @@ class Lesson(Node):
         output.data.frombytes(result.data)
         self.sender.publish(output)
 
+# Ctrl-C ends ROS, and with it spin. It must not raise KeyboardInterrupt too, in the middle of an image.
+signal.signal(signal.SIGINT, lambda *_: None)
 rclpy.init()
 node = Lesson()
 try:
     rclpy.spin(node)
 except (KeyboardInterrupt, rclpy.executors.ExternalShutdownException):
     pass
+except RuntimeError:
+    if rclpy.ok():  # else Ctrl-C has ended ROS in the middle of a call, such as publish
+        raise
+finally:
+    node.destroy_node()
+    rclpy.try_shutdown()
 """
 COMMANDS = {
     "gray, the lesson's node": ([sys.executable, "-c", LESSON, "gray"], "/lesson/result"),
