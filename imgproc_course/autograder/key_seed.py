@@ -20,15 +20,26 @@ def require_unguessable(seed):
     ----------
     seed : str; only hexadecimal digits count, because nobody can tell how many bits are in a phrase
     """
-    # Three digits in a row, read from either side: by chance hardly any occur twice, in a pattern such as
-    # 0123...0123 or 0123...3210 most do.
     digits = seed.lower()[:_LOOKED_AT]
-    triples = [min(digits[i : i + 3], digits[i : i + 3][::-1]) for i in range(len(digits) - 2)]
-    if not re.fullmatch(rf"[0-9a-fA-F]{{{DIGITS},}}", seed) or len(set(triples)) < 0.8 * len(triples):
+    if not re.fullmatch(rf"[0-9a-fA-F]{{{DIGITS},}}", seed) or digits.isdecimal() or _is_pattern(digits):
         raise KeyFolderError(
             f"this seed can be guessed: expected at least {DIGITS} hexadecimal digits drawn by chance, 128"
             " bits; leave --seed out, and a seed is made, or draw one: openssl rand -hex 16"
         )
+
+
+def _is_pattern(digits):
+    """Whether hexadecimal digits repeat, as 0123...0123 or 0123...3210, or go in steps, as 001122... does."""
+    # Three digits in a row, read from either side: by chance hardly any occur twice, in a pattern most do.
+    triples = [min(digits[i : i + 3], digits[i : i + 3][::-1]) for i in range(len(digits) - 2)]
+    if len(set(triples)) < 0.8 * len(triples):
+        return True
+    values = [int(digit, 16) for digit in digits]
+    for distance in range(1, 5):
+        steps = [(b - a) % 16 for a, b in zip(values, values[distance:], strict=False)]
+        if max(map(steps.count, steps)) > 0.4 * len(steps):  # by chance about a fifth
+            return True
+    return False
 
 
 def new_seed():

@@ -63,6 +63,25 @@ def test_who_may_have_lost_points_comes_first_and_the_dishonest_last(graded):
     assert "light-double: ended the Python process" in row and "<bdi>eve</bdi>" in row
 
 
+def test_the_top_names_who_sent_what_under_another_name(light, submissions, key_path, tmp_path):
+    write(submissions / "ada" / "20_light.ipynb", b"{")
+    out = tmp_path / "out"
+    for name in ("mallory", "noah"):
+        with zipfile.ZipFile(submissions / f"{name}.zip", "w") as archive:
+            archive.writestr("ada/20_light.ipynb", json.dumps(notebook(light)))
+    grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
+    text = (out / "summary.html").read_text(encoding="utf-8")
+    top, *sections = text.split("<section")
+    assert "in what arrived from <b><bdi>mallory</bdi></b>, <b><bdi>noah</bdi></b>: see" in top
+    assert [re.search("<h2>(.*?)</h2>", section)[1] for section in sections[:2]] == [
+        "May have lost points unfairly",
+        "What arrived",
+    ]
+    assert 'href="#arrived"' in top and 'id="arrived"' in sections[1]
+    rows = rows_of(out, "What arrived")
+    assert ["mallory" in rows[0], "noah" in rows[1], len(rows)] == [True, True, 2]
+
+
 def test_each_line_can_be_copied_into_the_decisions(graded, class_folder, key_path, tmp_path):
     lines = [
         html.unescape(re.search(r"<code>(.*?)</code>", row)[1])
