@@ -102,7 +102,7 @@ def nbgrader_notebook(key, lesson, answers=None):
         for case in exercise.cases:
             tests = [
                 f"_same({exercise.function}(*{_literal(decode(call))}),"
-                f" {_literal(_value(form))}, {case.tolerance})"
+                f" {_literal(_value(form))}, {case.tolerance}, {exercise.exact_type})"
                 for call, form in zip(content.inputs[case.id], content.expected[case.id], strict=True)
             ]
             cells.append(
@@ -112,15 +112,26 @@ def nbgrader_notebook(key, lesson, answers=None):
     return nbformat.v4.new_notebook(cells=cells, metadata={"kernelspec": kernel})
 
 
-_SAME = """def _same(actual, expected, tolerance):
+# What nbgrader's tests accept is what `exercises.compare` accepts of numbers and arrays, so that points agree.
+_SAME = """def _same(actual, expected, tolerance, exact_type):
     if isinstance(expected, (tuple, list)):
-        assert type(actual) is type(expected) and len(actual) == len(expected)
+        kinds = (type(expected),) if exact_type else (tuple, list)
+        if not exact_type and not any(isinstance(item, np.ndarray) for item in expected):
+            kinds += (np.ndarray,)
+        assert isinstance(actual, kinds) and len(actual) == len(expected)
         for one, other in zip(actual, expected):
-            _same(one, other, tolerance)
+            _same(one, other, tolerance, exact_type)
         return
-    assert isinstance(actual, np.ndarray) == isinstance(expected, np.ndarray)
-    assert not isinstance(expected, np.ndarray) or actual.dtype == expected.dtype
-    np.testing.assert_allclose(actual, expected, rtol=1e-9, atol=tolerance)
+    kind = np.asarray(actual).dtype
+    assert (kind == bool) == (np.asarray(expected).dtype == bool)
+    if exact_type:
+        assert isinstance(actual, np.ndarray) == isinstance(expected, np.ndarray)
+        assert not isinstance(expected, np.ndarray) or kind == expected.dtype
+    elif np.ndim(expected) == 0 and isinstance(actual, np.ndarray):
+        actual = actual.item()
+    assert np.shape(actual) == np.shape(expected)
+    rounding = 1e-5 if kind == np.float32 else 1e-9
+    np.testing.assert_allclose(actual, expected, rtol=rounding, atol=tolerance)
 """
 
 
