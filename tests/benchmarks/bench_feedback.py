@@ -15,15 +15,17 @@ Measured before the feedback was changed, on 394 answers to 15 exercises: 29.9 %
 it, on 626 answers to 29 exercises: 99.7 % right, none false. With 25 answers of a later walk through four
 lessons: 651, 99.5 % right, none false. After one more walk, and with two new lessons: 776 answers to 37
 exercises, 99.2 % right, none false. With answers of the walks through the lessons 07 to 16: 1,110 to
-56 exercises, 99.5 % right, none false. The answers were written without the feedback, but the known mistakes
-of the exercises with the answers: new answers get a smaller share.
+56 exercises, 99.5 % right, none false. With the lessons 17 to 20, on 23 November 2026: 1,496 to 73 exercises,
+99.5 % right (1,489), none false, in 50 s. The answers were written without the feedback, but the known
+mistakes of the exercises with the answers: new answers get a smaller share.
 
 `--fresh`, on 22 November 2026: 145 answers written from the tasks alone, committed before they were measured
 once: 93.1 % right, 0.7 % false (a pattern that found "order" in "border"). With four patterns corrected that
 matched a part of a word, a function's name, or Python's own message: 91.7 % right, none false. Read by hand,
 85.5 % (124): in nine more, a general hint matches and does not name the mistake. None passes all checks.
 Afterwards the failing ones were read and their feedback mended in general: 100 % right by the patterns, which
-says nothing of new answers any more.
+says nothing of new answers any more. With the answers to later lessons, on 23 November 2026: 365,
+98.4 % right (359), none false.
 """
 
 import ast

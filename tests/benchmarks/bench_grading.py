@@ -112,7 +112,7 @@ def nbgrader_notebook(key, lesson, answers=None):
     return nbformat.v4.new_notebook(cells=cells, metadata={"kernelspec": kernel})
 
 
-# What nbgrader's tests accept is what `exercises.compare` accepts of numbers and arrays, so that points agree.
+# nbgrader's tests accept what `exercises.compare` accepts of numbers and arrays, so that points agree.
 _SAME = """def _same(actual, expected, tolerance, exact_type):
     if isinstance(expected, (tuple, list)):
         kinds = (type(expected),) if exact_type else (tuple, list)
