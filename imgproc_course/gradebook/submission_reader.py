@@ -276,8 +276,8 @@ def _slip(source, error):
     if mended is None:
         return None
     mended_source, tree = mended
-    line = mended_source.split("\n")[(error.lineno or 1) - 1]
-    return [line.strip()[:_MOST_NAME], _bound_names(tree)]
+    lines = re.split("\r\n?|\n", mended_source)  # as Python counts them
+    return [lines[min(error.lineno or 1, len(lines)) - 1].strip()[:_MOST_NAME], _bound_names(tree)]
 
 
 def _output_text(cell):

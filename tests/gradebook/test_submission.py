@@ -180,6 +180,13 @@ def test_the_state_of_an_answer(read, made, source, state, text):
             " the place of \" or '. Type \" or ' there. One change makes it Python: 'print(\"A\")'",
         ),
         (
+            "def double(p):\r    return p\u00d72",  # line ends that only Python counts
+            "broken",
+            "line 2 of its answer cell is not Python: return p\u00d72 (invalid character '\u00d7'"
+            " (U+00D7)). \u00d7 is no character of Python: chats, word processors and web pages write it in"
+            " the place of *. Type * there. One change makes it Python: 'return p*2'",
+        ),
+        (
             "def double(p):\n    raise NotImplementedError('your turn')\n    return p * 2",
             "not attempted",
             "double() still begins with the line `raise NotImplementedError(...)`: nothing below it runs;"
