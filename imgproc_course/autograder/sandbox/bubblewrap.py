@@ -8,6 +8,7 @@ submission. `inside/confine.py` confines each kernel once more.
 """
 
 import os
+import re
 import shutil
 import signal
 import subprocess
@@ -62,8 +63,16 @@ _SYSTEM_FOLDERS = (
     *("share", "etc", "ssl", "include", "man"),
 )
 # Libraries with functions that solve exercises, in C: no Python is needed to call them.
-_IMAGE_LIBRARIES = ("libopencv_*", "libMagick*", "libGraphicsMagick*", "libvips*")
+_IMAGE_LIBRARIES = re.compile(
+    r"lib(opencv_|Magick|GraphicsMagick|vips|gd\.|gdk_pixbuf|cairo|pixman|avfilter|swscale|gegl|Imlib2|IL\."
+    r"|freeimage|lept|tesseract|dlib|itk|ITK|netpbm|zbar|aruco|apriltag|pcl_)",
+)
 _LIBRARY_FOLDERS = ("lib", "lib/*-linux-gnu*", "lib64", "local/lib", "local/lib64")
+# Below these folders: programs with libraries of their own, and other languages.
+_PROGRAM_FOLDERS = re.compile(
+    r"jvm|java.*|R|octave|gimp|GIMP|julia.*|mono|dotnet|node_modules|nodejs|libreoffice|chromium.*|firefox.*"
+    r"|google-cloud-sdk|(Image|Graphics)Magick.*|frei0r.*|gstreamer.*|gdk-pixbuf.*|gegl.*"
+)
 _ETC = ("ld.so.cache", "ld.so.conf", "ld.so.conf.d", "alternatives", "localtime", "nsswitch.conf", "fonts")
 
 
@@ -251,7 +260,8 @@ def _system_folders():
 def _system_commands():
     """Of the system's commands, those for a line such as `!ls`: ImageMagick would solve exercises.
 
-    What lies beside the libraries (below /usr/lib) can still be run: Python needs that folder.
+    What lies beside the libraries (below /usr/lib) can still be run, if `_PROGRAM_FOLDERS` does not name it:
+    Python needs that folder.
     """
     options, interpreter = [], Path(sys.executable).resolve()
     for path in filter(Path.is_dir, map(Path, _COMMAND_FOLDERS)):
@@ -265,9 +275,14 @@ def _system_commands():
 
 def _image_libraries():
     """Put nothing in the place of the system's image libraries; what an exercise allows is in wheels."""
-    patterns = [f"{folder}/{name}" for folder in _LIBRARY_FOLDERS for name in _IMAGE_LIBRARIES]
-    paths = {path.resolve() for pattern in patterns for path in Path("/usr").glob(pattern)}
-    return [option for path in sorted(paths) if path.is_file() for option in _bind(os.devnull, str(path))]
+    folders = {folder.resolve() for name in _LIBRARY_FOLDERS for folder in Path("/usr").glob(name)}
+    entries = [entry for folder in folders if folder.is_dir() for entry in os.scandir(folder)]
+    files = {Path(entry).resolve() for entry in entries if _IMAGE_LIBRARIES.match(entry.name)}
+    programs = [entry.path for entry in entries if _PROGRAM_FOLDERS.fullmatch(entry.name)]
+    options = [option for path in sorted(programs) if _is_plain_folder(Path(path)) for option in _empty_folder(path)]
+    return options + [
+        option for path in sorted(files) if path.is_file() for option in _bind(os.devnull, str(path))
+    ]
 
 
 def _site_packages():

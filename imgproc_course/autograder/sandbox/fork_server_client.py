@@ -44,7 +44,7 @@ class ForkedKernel:
         self._seconds, self._deadline = seconds, None
         self._next_look, self._has_looked = 0.0, False
         self._cpu_limit = limits.for_system(seconds)["cpu"]
-        self._buffer = b""
+        self._buffer, self._is_confined = b"", False
         self.was_prepared, self._prepared, self._unsent = False, None, b""
         our_end, kernel_end = socket.socketpair()
         self._socket = our_end
@@ -104,6 +104,9 @@ class ForkedKernel:
             bytes_left = self._limits.output
             while True:
                 line = self._read_line(bytes_left)
+                if not self._is_confined:  # its first line, which `fork_server` writes
+                    self._is_confined = True
+                    continue
                 bytes_left -= len(line)
                 if run.add(*_parse_message(line)):
                     return run
@@ -112,7 +115,7 @@ class ForkedKernel:
             return run
 
     def is_alive(self):
-        """Whether it runs cells; a waiting kernel may have been ended because memory ran out."""
+        """Whether it runs cells, or has sent what nobody has read; it may have been ended for want of memory."""
         try:
             return bool(self._socket.recv(1, socket.MSG_PEEK | socket.MSG_DONTWAIT))
         except BlockingIOError:  # it is starting, or it waits
@@ -177,7 +180,8 @@ class ForkedKernel:
         status = self._exit_status()
         if status is None:
             return "gone"
-        if status["code"] == 70:
+        # An answer can end its process with this code too, but only after the first line.
+        if status["code"] == 70 and not (self._is_confined or self.is_alive()):
             raise bubblewrap.SandboxError("a kernel could not be confined; see imgproc-course doctor")
         if status["signal"] in (9, 24) and status["cpu"] > self._cpu_limit - 0.9:
             return "time"

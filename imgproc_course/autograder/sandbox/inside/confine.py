@@ -6,6 +6,7 @@ that a fork touches has to be copied.
 
 What one kernel could leave for the next, or show to one beside it, and what prevents it:
     files, in /tmp, /dev/shm and home           file systems of its own, everything else is read-only
+    times of the files of devices               the devices' mounts are read-only too
     open files of the fork server               closed, with the database of IPython's history
     processes, signals, ptrace, /proc/<pid>     a PID namespace, which ends with the kernel
     nice values, limits by user                 a user of its own, if root grades; else the PID namespace
@@ -17,7 +18,8 @@ What one kernel could leave for the next, or show to one beside it, and what pre
     keys in the system's keyrings               the calls are refused, /proc/keys is empty, and the session
                                                 keyring is new: the teacher's cannot be searched either
     the system's log: a crash writes to it      the call that reads it is refused
-    watches and leases on files                 inotify, fanotify, and fcntl's commands for them are refused
+    watches, leases and hints on files          inotify, fanotify, and fcntl's commands for them are refused
+    settings of files and devices               ioctl only reaches terminals, pipes and sockets
     which files are in memory                   the calls that say it, or change it at once, are refused
     terminals: their numbers, what they hold    /dev/pts is new; how many there are is hidden
     core files                                  a limit of one byte, which pipes to programs obey too
@@ -46,6 +48,7 @@ _PR_CAPBSET_DROP, _PR_SET_NO_NEW_PRIVS, _PR_SET_DUMPABLE = 24, 38, 4
 _LAST_CAPABILITY = 63
 EMPTY_FOLDER = "/course/nothing"  # read-only
 EXTRA, ALLOWED = "/course/extra", "/course/allowed"  # all that an exercise may allow, and what it allows
+_DEVICES = ("null", "zero", "full", "random", "urandom", "tty")  # that bubblewrap gives
 _libc = ctypes.CDLL(None, use_errno=True)
 # Looked up here, before the first kernel is forked.
 _mount_call, _unshare_call, _prctl, _capset = _libc.mount, _libc.unshare, _libc.prctl, _libc.capset
@@ -112,6 +115,16 @@ def confine(bound, limits, user):
     os.chdir("/tmp/submission")
     set_limits(limits)
     _drop_privileges(user)
+
+
+def protect_devices():
+    """Make the mounts of the machine's devices read-only: whoever may write to a device may set its times.
+
+    The devices can be read and written as before. It holds for all kernels that are started afterwards.
+    """
+    for path in (f"/dev/{name}" for name in _DEVICES):
+        if os.path.ismount(path):
+            _mount("", path, "", _BIND | _REMOUNT | _READ_ONLY | _NOSUID | _NOEXEC)
 
 
 def _bind_allowed(bound):

@@ -85,6 +85,7 @@ def _run_kernel(control, descriptor, order, settings, loaded):
         else:
             confine.die_with_parent()
             confine.set_limits(order["limits"] | {"processes": 4096})
+        os.write(descriptor, b"\n")  # it is confined; until now nobody else's code ran
         cell_shell, serve, check_cell, allow_modules, warm_up = loaded
         check_cell.refuse_input()
         allow_modules(order["names"])
@@ -106,6 +107,8 @@ def main():
     null = os.open(os.devnull, os.O_RDWR)
     for standard_stream in (0, 1, 2):
         os.dup2(null, standard_stream)
+    if settings["confined"]:
+        confine.protect_devices()
     namespace = confine.open_pid_namespace() if settings["confined"] else None
     gc.collect()
     gc.freeze()

@@ -13,6 +13,7 @@ def main():
     connection_file = Path(settings["connection"])
     if settings["confined"]:
         connection = json.loads(connection_file.read_text(encoding="utf-8"))
+        confine.protect_devices()
         confine.confine(settings["bound"], settings["limits"], settings["user"])
         connection_file = Path("/tmp/kernel.json")
         connection_file.write_text(json.dumps(connection | {"ip": settings["ip"]}), encoding="utf-8")

@@ -3,8 +3,9 @@
 Memory in an anonymous file, in System V segments or in a new file system does not count as memory of a
 process, and a new user namespace makes its owner root there. Keyrings, the system's log, and sockets of most
 families are in no namespace: what one kernel writes there, the next could read. Watches on files show what
-other processes open, and a lease on a file makes them wait. Some calls say which parts of a file are in
-memory, or put them out of it, without looking at a clock. `sync` and `syncfs` make everybody wait for the
+other processes open, and a lease on a file makes them wait. Hints on how long data will live, and some
+requests of `ioctl` to a file system, stay with a file that everybody reads. Some calls say which parts of a
+file are in memory, or put them out of it, without looking at a clock. `sync` and `syncfs` make everybody wait for the
 disk. Answers need none of these.
 """
 
@@ -21,6 +22,7 @@ _CALLS = {
         {
             "clone": 56,
             "socket": 41,
+            "ioctl": 16,
             "mincore": 27,
             "shmget": 29,
             "semget": 64,
@@ -48,6 +50,7 @@ _CALLS = {
         {
             "clone": 220,
             "socket": 198,
+            "ioctl": 29,
             "mincore": 232,
             "shmget": 194,
             "semget": 190,
@@ -71,12 +74,14 @@ _CALLS = {
     ),
 }
 _EVERYWHERE = {"io_uring_setup": 425, "fsopen": 430, "clone3": 435, "memfd_secret": 447, "cachestat": 451}
-_PARTLY = ("clone", "clone3", "socket", "fcntl")  # some uses of them are refused
-_WATCHES = (1024, 1026)  # commands of fcntl: F_SETLEASE, F_NOTIFY
+_PARTLY = ("clone", "clone3", "socket", "fcntl", "ioctl")  # some uses of them are refused
+# Commands of fcntl: F_SETLEASE, F_NOTIFY, F_SET_RW_HINT, F_SET_FILE_RW_HINT
+_WATCHES = (1024, 1026, 1036, 1038)
+_IOCTL_KINDS = (0x5400, 0x8900)  # the second byte of a request: terminals and descriptors; sockets
 _NEW_USER = 0x10000000
 _SOCKET_FAMILIES = (1, 2, 10, 16)  # UNIX, INET, INET6, NETLINK: a network namespace separates them
 _X32 = 0x40000000  # calls of the x32 interface, with other numbers
-_LOAD, _EQUAL, _AT_LEAST, _ANY_BIT, _RETURN = 0x20, 0x15, 0x35, 0x45, 0x06
+_LOAD, _EQUAL, _AT_LEAST, _ANY_BIT, _RETURN, _AND = 0x20, 0x15, 0x35, 0x45, 0x06, 0x54
 _NUMBER, _MACHINE, _FIRST_ARGUMENT, _SECOND_ARGUMENT = 0, 4, 16, 24  # offsets in struct seccomp_data
 _ALLOW, _ERROR = 0x7FFF0000, 0x00050000
 _PR_SET_SECCOMP, _FILTER = 22, 2
@@ -117,6 +122,13 @@ def _filter(machine, numbers):
     for command in _WATCHES:
         yield from _if(_EQUAL, command, errno.EPERM)
     yield _instruction(_RETURN, _ALLOW)
+    yield _instruction(_EQUAL, numbers["ioctl"], 0, 3 + 2 * len(_IOCTL_KINDS))
+    yield _instruction(_LOAD, _SECOND_ARGUMENT)
+    yield _instruction(_AND, 0xFF00)
+    for kind in _IOCTL_KINDS:
+        yield _instruction(_EQUAL, kind, 0, 1)
+        yield _instruction(_RETURN, _ALLOW)
+    yield _fail(errno.ENOTTY)
     yield _instruction(_EQUAL, numbers["socket"], 0, 2 + 2 * len(_SOCKET_FAMILIES))
     yield _instruction(_LOAD, _FIRST_ARGUMENT)
     for family in _SOCKET_FAMILIES:
