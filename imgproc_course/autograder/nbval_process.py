@@ -199,7 +199,8 @@ class NbvalProcess:
         deadline = time.monotonic() + patience
         poll = select.poll()
         poll.register(self._socket, select.POLLIN)
-        while b"\n" not in self._buffer:
+        chunks, data = [self._buffer], self._buffer
+        while b"\n" not in data:
             data, is_answering = b"", poll.poll(max(0.0, deadline - time.monotonic()) * 1000)
             if is_answering:
                 with contextlib.suppress(OSError):
@@ -209,8 +210,8 @@ class NbvalProcess:
                 raise NbvalProcessEnded(self._last_errors or f"no answer within {patience:.0f} s")
             if not data:
                 raise self._stopped("it closed the connection")
-            self._buffer += data
-        line, _, self._buffer = self._buffer.partition(b"\n")
+            chunks.append(data)
+        line, _, self._buffer = b"".join(chunks).partition(b"\n")
         return json.loads(line)
 
     def _stopped(self, fault):

@@ -6,7 +6,9 @@ the time of day or other submissions. It contains no time, no path, no seed and 
 Texts are sanitized (no control characters) but not escaped for HTML: that is done where HTML is written.
 """
 
+import base64
 import builtins
+import hashlib
 import re
 from dataclasses import dataclass
 
@@ -18,6 +20,7 @@ from imgproc_course.autograder.verdict import CaseRun
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
 # How IPython and ipykernel name a cell, with a number that differs from run to run.
 _CELL = re.compile(r"<ipython-input-[^<>\s]*>|(?<!\S)\S*/ipykernel_\d+/\d+\.py|\b\d{5,}\.py\b")
+_LARGEST_SHOWN = 1_500_000  # characters of a form: as much as the largest array with values
 _MOST_READ = 4  # characters that are read of a text, for each one that is kept
 _MEMORY_ERRORS = ("MemoryError", "_ArrayMemoryError")
 _EXCEPTIONS = frozenset(name for name, kind in vars(builtins).items() if isinstance(kind, type))
@@ -326,9 +329,34 @@ def _failed_call(content, case, verdict):
         number,
         content.canonical_arguments(case.id, number),
         expected[number],
-        call.value if call else None,
+        _form_to_show(call.value, expected[number]) if call else None,
         reproducible_text(call.printed, 2000) if call else "",
     )
+
+
+def _form_to_show(form, expected):
+    """A returned value as the page shows it: without the values of one much larger than what is expected.
+
+    All results of a learner are in memory while their page is written.
+    """
+    if form is None or _size(form) <= max(_LARGEST_SHOWN, 3 * _size(expected)):
+        return form
+    if form["type"] == "ndarray":
+        raw = base64.b64decode(form["data"])
+        return {name: form[name] for name in ("type", "dtype", "shape")} | {
+            "digest": hashlib.sha256(raw).hexdigest()
+        }
+    kind = form["type"]
+    return {"type": kind, "too_large" if kind in ("tuple", "list", "dict") else "opaque": True}
+
+
+def _size(form):
+    """About the number of characters of a canonical form, as JSON."""
+    if isinstance(form, dict):
+        return 20 + sum(map(_size, form.values()))
+    if isinstance(form, list):
+        return 2 + sum(map(_size, form))
+    return len(form) if isinstance(form, str) else 8
 
 
 def _exception_text(name, text):

@@ -4,7 +4,12 @@ One rule holds everywhere: a character that a reader would not see is escaped. I
 hidden character may be the very thing that the reader must know. HTML is escaped where HTML is written.
 """
 
+import re
+
 _FORMULA_STARTS = ("=", "+", "-", "@", "\uff1d", "\uff0b", "\uff0d", "\uff20")
+_FORMULA_START = rf"(?=[{re.escape(''.join(_FORMULA_STARTS))}])"
+_AFTER_SEMICOLON = re.compile(rf"(;[ '\"]*){_FORMULA_START}")
+_APOSTROPHE = re.compile(rf"(^|;[ \"]*)'{_FORMULA_START}")
 
 
 def sanitize_text(text, max_length=300):
@@ -50,8 +55,15 @@ def spreadsheet_text(value):
     if isinstance(value, (int, float)):
         return value
     line = sanitize_line(value, 2000)
+    # A spreadsheet that separates cells by semicolons takes what follows one for a cell.
+    line = _AFTER_SEMICOLON.sub(r"\1'", line)
     looks_like_formula = line.lstrip(" '\"").startswith(_FORMULA_STARTS)
     return f"'{line}" if looks_like_formula or value.startswith(("\t", "\r", "\n")) else line
+
+
+def without_apostrophes(text):
+    """The text without the apostrophes that `spreadsheet_text` put before what looks like a formula."""
+    return _APOSTROPHE.sub(r"\1", text)
 
 
 def _escape(character):

@@ -21,8 +21,9 @@ submission that arrived under that name by itself. Each sender has a budget of f
 import hashlib
 import os
 import stat
+import unicodedata
 from collections import Counter, deque
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from datetime import datetime
 from pathlib import Path, PurePosixPath
 
@@ -53,8 +54,9 @@ MOST_SENDERS = 20_000
 MOST_NOTEBOOKS = 100  # of one sender; the course has 21 lessons
 LARGEST_SUBMISSION = 200_000_000  # bytes of one sender's notebooks together
 MOST_FOLDERS = 300  # of one sender
+MOST_FILES = 20_000  # in the folders of one sender; as many in the zips
 DEEPEST = 12  # folders
-_MOST_LISTED = 20  # other files of one sender, by name
+_MOST_LISTED = 20  # other files of one sender, by name; and findings about what was not looked at
 _MOST_NAMES = 3  # different names in one zip: more look like a zip of several people
 _ALONE = 2  # certainty of a sender that the instructor or the platform named
 _IN_UNKNOWN_FOLDER = 1  # in a folder named like a lesson that no key has: perhaps it is a learner's folder
@@ -77,6 +79,8 @@ class SubmittedFile:
     certainty     tuple; a file never takes the place of one whose sender is more certain
     archived_at   datetime of the platform's zip that says `submitted_at`; None for other files
     claims        names of people in the part of its path that the sender chose
+    given         the learner's name as it was given, with marks and spaces that nobody sees
+    place         tuple of str, the folders, and the zip, that this name is in
     reason        why the file is not read, or ""
     location      what `read` needs to open it
     """
@@ -92,6 +96,8 @@ class SubmittedFile:
     certainty: tuple = (_ALONE, 0)
     archived_at: datetime | None = None
     claims: frozenset = frozenset()
+    given: str = ""
+    place: tuple = ()
     reason: str = ""
     location: tuple = ()
 
@@ -150,6 +156,8 @@ class Collection:
     ignored: list = field(default_factory=list)
     findings: list = field(default_factory=list)
     archives: object = field(default_factory=Archives)
+    _known: set = field(default_factory=set)
+    _counts: Counter = field(default_factory=Counter)
 
     def __enter__(self):
         return self
@@ -158,10 +166,15 @@ class Collection:
         self.archives.close()
 
     def add_finding(self, kind, learner, parts, text):
-        """Add a finding once."""
+        """Add a finding once; of one learner only the first ones of a kind."""
         finding = IntakeFinding(kind, learner, display_path(parts), text)
-        if finding not in self.findings:
-            self.findings.append(finding)
+        if finding in self._known or self._counts[kind, learner] > _MOST_LISTED:
+            return
+        self._known.add(finding)
+        self._counts[kind, learner] += 1
+        if self._counts[kind, learner] > _MOST_LISTED:
+            finding = IntakeFinding(kind, learner, "", "and more of the same kind, which are not listed")
+        self.findings.append(finding)
 
 
 def collect(path, lessons=(), people=()):
@@ -205,6 +218,7 @@ class _Intake:
     def __init__(self, lessons, people, collection):
         self._lessons, self._people, self._collection = lessons, people, collection
         self._notebooks, self._bytes, self._unlisted = Counter(), Counter(), Counter()
+        self._members = Counter()
         self._numbered = frozenset()
 
     # ------------------------------------------------------------ folders
@@ -232,7 +246,7 @@ class _Intake:
 
     def _walk(self, top, top_parts):
         """Add the notebooks in a sender's folder, the upper folders first."""
-        folders, count = deque([(top, top_parts)]), 0
+        folders, count, files_left = deque([(top, top_parts)]), 0, MOST_FILES
         while folders:
             folder, parts = folders.popleft()
             count += 1
@@ -240,7 +254,14 @@ class _Intake:
                 text = f"more than {MOST_FOLDERS} folders; the deeper ones were not looked at"
                 self._add_finding("file", top_parts, text)
                 return
-            for entry in self._entries(folder, parts):
+            entries = self._entries(folder, parts)
+            files_left -= len(entries)
+            if files_left < 0:  # the notebooks in this folder are still found
+                text = f"more than {MOST_FILES} files; the others were not looked at"
+                self._add_finding("file", top_parts, text)
+                entries = [entry for entry in entries if _suffix(entry.name) in (".ipynb", ".zip")]
+                folders.clear()
+            for entry in entries:
                 entry_parts = (*parts, entry.name)
                 if not _is_folder(entry):
                     self.add_file(Path(entry.path), entry_parts)
@@ -294,7 +315,7 @@ class _Intake:
             self._ignore(parts)
             return
         sender = self._sender_of(parts)
-        modified = datetime.fromtimestamp(int(status.st_mtime)) if status else None
+        modified = _local_time(status.st_mtime) if status else None
         if suffix == ".zip" and not reason:
             location = (str(path), status.st_dev, status.st_ino)
             reason = self._add_members(location, parts, sender, modified, alone)
@@ -320,7 +341,9 @@ class _Intake:
 
     def _add_members(self, location, parts, sender, modified, alone):
         """Add the notebooks in a zip; returns why it cannot be read, or ""."""
-        archives = self._collection.archives
+        archives, budget = self._collection.archives, (sender.name, sender.platform_id, parts[0])
+        if self._members[budget] > MOST_FILES:
+            return f"the zips before it in this submission hold more than {MOST_FILES} files"
         try:
             members = archives.members(*location)
         except CollectError as error:
@@ -328,6 +351,7 @@ class _Intake:
         problem = zip_problem(members)
         if problem:
             return problem
+        self._members[budget] += len(members)
         names = [_member_name(member) for member in members]
         counted = [name for name in names if _is_counted(name)]
         sender_in = self._senders_in(parts, counted, sender, alone)
@@ -355,6 +379,7 @@ class _Intake:
                 location=(archives, location, number),
                 group=display_path(parts),
                 number=number,
+                place=(*parts, *member_sender.place) if is_platforms else sender.place,
             )
         if sender_in is None:
             self._report_names(parts, counted, sender)
@@ -428,6 +453,7 @@ class _Intake:
         group = more.pop("group", "") or (
             "" if sender.platform or len(parts) == 1 else sanitize_line(parts[0], 120)
         )
+        place = more.pop("place", sender.place)
         _, repetition = split_repetition(PurePosixPath(parts[-1]).stem)
         moment = submitted_at.isoformat() if submitted_at else ""
         file = SubmittedFile(
@@ -440,6 +466,8 @@ class _Intake:
             late=sender.late,
             order=(sender.order, moment, repetition, number, display_path(parts)),
             claims=names_within(inner, self._lessons)[0],
+            given=sender.given,
+            place=place,
             reason=reason,
             **more,
         )
@@ -456,6 +484,8 @@ class _Intake:
 
     def finish(self):
         """Report what can only be known now that everything is collected."""
+        self._tell_apart()
+        self._prefer_own_folders()
         files, findings = self._collection.files, self._collection.findings
         senders = {file.learner for file in files}
         people = {name.casefold() for name in senders} | self._people
@@ -472,6 +502,56 @@ class _Intake:
                 self._collection.ignored.append(f"{name}: {count - _MOST_LISTED} more files")
             if name not in senders:
                 findings.append(IntakeFinding("file", name, "", "no notebook and no zip"))
+
+
+    def _tell_apart(self):
+        """Give a name of their own to senders whose names look like another one's.
+
+        Names can differ in spaces at their ends, beyond what is shown of a long name, or in a text that looks
+        like an escaped mark. Two forms of one letter (NFC and NFD) are the same name, because systems change
+        them; but not side by side in one folder.
+        """
+        files = self._collection.files
+        spellings, people = {}, {}
+        for file in files:
+            spellings.setdefault((file.place, _composed(file.given)), set()).add(file.given)
+        identities = [
+            file.given if len(spellings[file.place, _composed(file.given)]) > 1 else _composed(file.given)
+            for file in files
+        ]
+        for file, identity in zip(files, identities, strict=True):
+            people.setdefault(file.learner, set()).add(identity)
+        for number, (file, identity) in enumerate(zip(files, identities, strict=True)):
+            look_alikes = people[file.learner]
+            first = file.learner if file.learner in look_alikes else min(look_alikes)
+            if identity != first:
+                name = f"{file.learner} [{digest_of(os.fsencode(identity))[:6]}]"
+                files[number] = replace(file, learner=name)
+                text = f"its name looks like {file.learner}, but is another one; the two are graded apart"
+                self._collection.findings.append(IntakeFinding("sender", name, file.source, text))
+
+    def _prefer_own_folders(self):
+        """What lies in a folder named like a lesson replaces nothing that arrived under a name by itself.
+
+        The folder can be that of a learner who has this name.
+        """
+        files = self._collection.files
+        by_themselves = {file.learner for file in files if not file.place}
+        for number, file in enumerate(files):
+            if file.place and file.learner in by_themselves and file.certainty == (_ALONE, 0):
+                files[number] = replace(file, certainty=(_ALONE, -1))
+
+
+def _composed(name):
+    return unicodedata.normalize("NFC", name)
+
+
+def _local_time(seconds):
+    """A file's time as a local datetime; the first or the last one if the year is beyond the calendar."""
+    try:
+        return datetime.fromtimestamp(int(seconds))
+    except (ValueError, OverflowError, OSError):
+        return datetime.max.replace(microsecond=0) if seconds > 0 else datetime.min
 
 
 def _is_folder(entry):

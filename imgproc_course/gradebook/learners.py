@@ -177,12 +177,16 @@ def _display_names(submissions):
         if file.platform_id:
             people.setdefault((file.learner, file.platform, group), set()).add(file.platform_id)
     namesakes = {(name, platform) for (name, platform, _), numbers in people.items() if len(numbers) > 1}
-    return {
+    names = {
         id(submission): f"{submission.file.learner} ({submission.file.platform_id})"
-        if (submission.file.learner, submission.file.platform) in namesakes
-        else submission.file.learner
         for submission in submissions
+        if (submission.file.learner, submission.file.platform) in namesakes
     }
+    numbered = set(names.values())  # somebody can be called like this
+    for submission in submissions:
+        name = submission.file.learner
+        names.setdefault(id(submission), f"{name} (so named)" if name in numbered else name)
+    return names
 
 
 def _add(learner, submission):

@@ -84,14 +84,14 @@ class NotebookReader:
         stdin.write(header)
         stdin.write(data)
         stdin.flush()
-        end, line = time.monotonic() + self._seconds, b""
-        while not line.endswith(b"\n"):
+        end, chunks = time.monotonic() + self._seconds, [b""]
+        while not chunks[-1].endswith(b"\n"):
             readable, _, _ = select.select([stdout], [], [], max(0.0, end - time.monotonic()))
             chunk = stdout.read1(1 << 20) if readable else b""
             if not chunk:
                 break
-            line += chunk
-        return line
+            chunks.append(chunk)
+        return b"".join(chunks)
 
     def _start(self):
         self._process = subprocess.Popen(

@@ -142,6 +142,14 @@ def _learners_in(roster, learners):
     return found
 
 
+def _certainty(entry, learner):
+    """How certainly a learner is the person of an entry; sorts from the least to the most certain."""
+    files = [submission.file for submission in learner.all_submissions()]
+    has_number = entry.number in {(file.platform, file.platform_id) for file in files}
+    name = unicodedata.normalize("NFC", learner.name).casefold()
+    return has_number, name in {unicodedata.normalize("NFC", own).casefold() for own in entry.names}
+
+
 def names_in_roster(roster, learners):
     """Whom the names of a roster mean, for the teacher's tables.
 
@@ -155,8 +163,10 @@ def names_in_roster(roster, learners):
     {name: the learner's name, or None if this person handed in nothing}, without names of two people
     """
     senders = {entry.name: None for entry in roster}
-    for learner, entries in _learners_in(roster, learners):
-        senders |= {entry.name: learner.name for entry in entries}
+    found = [(entry, learner) for learner, entries in _learners_in(roster, learners) for entry in entries]
+    # Of two with nearly one name, the platform's number decides, then the exact name.
+    for entry, learner in sorted(found, key=lambda pair: _certainty(*pair)):
+        senders[entry.name] = learner.name
     count = Counter(name for entry in roster for name in {entry.name, *entry.names})
     names = ((name, entry.name) for entry in roster for name in {entry.name, *entry.names})
     return {name: senders[entry_name] for name, entry_name in names if count[name] == 1}

@@ -6,7 +6,7 @@ the learner, who must not be able to submit as somebody else.
 
 import re
 import unicodedata
-from dataclasses import dataclass
+from dataclasses import dataclass, field, replace
 from pathlib import PurePosixPath
 
 from imgproc_course.authoring.lesson_names import is_lesson, lesson_name, lessons_named, without_lesson
@@ -29,6 +29,8 @@ class Sender:
     late          True if the platform says that it is late
     order         the platform's number of the submission; sorts the submissions of one learner
     doubt         why the name cannot be believed, or ""
+    given         the name as it was given, with marks and spaces that nobody sees
+    place         tuple of str, the folders that the name is in
     """
 
     name: str
@@ -37,6 +39,8 @@ class Sender:
     late: bool = False
     order: int = 0
     doubt: str = ""
+    given: str = field(default="", compare=False)
+    place: tuple = field(default=(), compare=False)
 
 
 def sender_of(parts, lessons, numbered=frozenset()):
@@ -52,12 +56,15 @@ def sender_of(parts, lessons, numbered=frozenset()):
     -------
     Sender
     """
-    folders = [part for part in parts[:-1] if part in numbered or not is_lesson(part, lessons)]
-    sender = platform_sender(folders[0] if folders else parts[-1])
+    folders = (part in numbered or not is_lesson(part, lessons) for part in parts[:-1])
+    depth = next((depth for depth, names_somebody in enumerate(folders) if names_somebody), len(parts) - 1)
+    sender = platform_sender(parts[depth])
     if sender is None:
-        sender = Sender(folders[0] if folders else name_in_stem(PurePosixPath(parts[-1]).stem, lessons))
+        is_file = depth == len(parts) - 1
+        given = name_in_stem(PurePosixPath(parts[-1]).stem, lessons) if is_file else parts[depth]
+        sender = Sender(given)
     name = sanitize_line(unicodedata.normalize("NFC", sender.name.strip()), 120) or "(no name)"
-    return Sender(**vars(sender) | {"name": name})
+    return replace(sender, name=name, given=sender.name, place=tuple(parts[:depth]))
 
 
 def numbered_learners(paths, lessons):

@@ -18,6 +18,7 @@ from imgproc_course.gradebook.answer_cells import find_answer_cell
 from imgproc_course.gradebook.submission_reader import MOST_CHARACTERS, syntax_digest
 
 _LONGEST_PREDICTION = 1_000  # characters
+_MOST_PREDICTIONS = 100
 _MOST_NAMES = 8  # that a finding lists
 STUB_LINE = "the line `raise NotImplementedError(...)`: nothing below it runs; delete this line"
 NOT_PYTHON = "of its answer cell is not Python"
@@ -113,12 +114,8 @@ def read_submission(data, catalog, reader, name=""):
         )
         content.reason = f"it is not one of the lessons {', '.join(catalog.lessons)}{claim}"
         return content
-    content.predictions = {
-        cell["id"]: cell["source"][:_LONGEST_PREDICTION]
-        for cell in cells
-        if cell["id"].startswith(f"predict-{content.lesson}-") and cell["source"]
-    }
     lesson = catalog.describe(content.lesson, content.version)
+    content.predictions = _predictions(cells, lesson)
     _inspect_notebook(notebook, cells, lesson, content)
     answers = {}
     for exercise in lesson.exercises:
@@ -127,6 +124,18 @@ def read_submission(data, catalog, reader, name=""):
         _compare_given(exercise, cells, lesson, content)
     _compose_answers(answers, notebook["cells"], reader, content)
     return content
+
+
+def _predictions(cells, lesson):
+    """{id: source} of the predict cells; of a lesson that was handed out with some only those."""
+    handed_out = {id for id in lesson.cells if id.startswith("predict-")}
+    predictions = {
+        cell["id"]: cell["source"][:_LONGEST_PREDICTION]
+        for cell in cells
+        if cell["id"].startswith(f"predict-{lesson.name}-") and cell["source"]
+        if not handed_out or cell["id"] in handed_out
+    }
+    return dict(list(predictions.items())[:_MOST_PREDICTIONS])
 
 
 def lesson_by_name(name, lessons):

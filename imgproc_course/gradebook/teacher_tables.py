@@ -13,7 +13,7 @@ from datetime import datetime
 from pathlib import Path
 
 from imgproc_course.authoring.lesson_names import lesson_name
-from imgproc_course.autograder.sanitize import sanitize_line
+from imgproc_course.autograder.sanitize import sanitize_line, without_apostrophes
 
 _LARGEST = 10_000_000  # bytes
 DECISION_COLUMNS = ("learner", "lesson", "exercise", "points", "comment")
@@ -133,8 +133,9 @@ def by_learner(rows, names):
     """
     assigned = {}
     for row in rows:
-        # An apostrophe keeps a spreadsheet from taking a name for a formula.
-        name = next((text for text in (row.learner, row.learner.removeprefix("'")) if text in names), None)
+        # An apostrophe keeps a spreadsheet from taking a name, or a part of it, for a formula.
+        written = (row.learner, row.learner.removeprefix("'"), without_apostrophes(row.learner))
+        name = next((text for text in written if text in names), None)
         if name is None:
             raise TeacherTableError(f"{row.place}: there is no learner {_unknown(row.learner, names)}")
         if names[name] is not None:

@@ -10,6 +10,7 @@ import select
 import socket
 import subprocess
 import time
+from collections import deque
 from contextlib import suppress
 from functools import lru_cache
 
@@ -44,7 +45,7 @@ class ForkedKernel:
         self._seconds, self._deadline = seconds, None
         self._next_look, self._has_looked = 0.0, False
         self._cpu_limit = limits.for_system(seconds)["cpu"]
-        self._buffer, self._is_confined = b"", False
+        self._lines, self._buffer, self._is_confined = deque(), b"", False
         self.was_prepared, self._prepared, self._unsent = False, None, b""
         our_end, kernel_end = socket.socketpair()
         self._socket = our_end
@@ -156,7 +157,7 @@ class ForkedKernel:
         self._next_look = time.monotonic() + LOOK_SECONDS
 
     def _read_line(self, max_bytes):
-        while b"\n" not in self._buffer:
+        while not self._lines:
             if len(self._buffer) > max_bytes:
                 raise KernelEnded("output")
             if not self._wait(select.POLLIN):
@@ -169,8 +170,9 @@ class ForkedKernel:
                 data = b""
             if not data:
                 raise KernelEnded(self._how_it_ended())
-            self._buffer += data
-        line, _, self._buffer = self._buffer.partition(b"\n")
+            *lines, self._buffer = (self._buffer + data).split(b"\n")
+            self._lines.extend(lines)
+        line = self._lines.popleft()
         if len(line) > max_bytes:
             raise KernelEnded("output")
         return line
