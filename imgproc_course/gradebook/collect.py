@@ -531,14 +531,16 @@ class _Intake:
                 self._collection.findings.append(IntakeFinding("sender", name, file.source, text))
 
     def _prefer_own_folders(self):
-        """What lies in a folder named like a lesson replaces nothing that arrived under a name by itself.
+        """A name that somebody could choose replaces nothing that the instructor has under that name.
 
-        The folder can be that of a learner who has this name.
+        People choose their names on a platform. A folder that is named like a lesson can be that of a learner
+        who is called so, and then the names in it are this learner's choice.
         """
         files = self._collection.files
-        by_themselves = {file.learner for file in files if not file.place}
+        by_themselves = {file.learner for file in files if not file.place and not file.platform}
         for number, file in enumerate(files):
-            if file.place and file.learner in by_themselves and file.certainty == (_ALONE, 0):
+            was_chosen = file.place or file.platform
+            if was_chosen and file.learner in by_themselves and file.certainty == (_ALONE, 0):
                 files[number] = replace(file, certainty=(_ALONE, -1))
 
 

@@ -169,8 +169,12 @@ def _learners(submissions):
 
 
 def _display_names(submissions):
-    """{id(submission): the learner's name}; learners of one name get the platform's number after it."""
-    people = {}
+    """{id(submission): the learner's name}; learners of one name get the platform's number after it.
+
+    So does a submission under a name that somebody could choose, if there is one of the same lesson that the
+    instructor has under that name (see `collect`).
+    """
+    people, certain = {}, _most_certain(submissions)
     for submission in submissions:
         file = submission.file
         group = file.group if file.platform == "moodle" else ""
@@ -178,15 +182,32 @@ def _display_names(submissions):
             people.setdefault((file.learner, file.platform, group), set()).add(file.platform_id)
     namesakes = {(name, platform) for (name, platform, _), numbers in people.items() if len(numbers) > 1}
     names = {
-        id(submission): f"{submission.file.learner} ({submission.file.platform_id})"
+        id(submission): f"{submission.file.learner} ({submission.file.platform_id or submission.file.group})"
         for submission in submissions
         if (submission.file.learner, submission.file.platform) in namesakes
+        or _is_contested(submission, certain)
     }
     numbered = set(names.values())  # somebody can be called like this
     for submission in submissions:
         name = submission.file.learner
         names.setdefault(id(submission), f"{name} (so named)" if name in numbered else name)
     return names
+
+
+def _most_certain(submissions):
+    """{(name, lesson): the certainty of its most certain file}."""
+    certain = {}
+    for submission in submissions:
+        place = submission.file.learner, submission.lesson
+        certain[place] = max(certain.get(place, submission.file.certainty), submission.file.certainty)
+    return certain
+
+
+def _is_contested(submission, certain):
+    """Whether its name was chosen, and there is a more certain file of this name and lesson."""
+    file = submission.file
+    most = certain[file.learner, submission.lesson]
+    return submission.lesson is not None and most > file.certainty and most[0] == file.certainty[0]
 
 
 def _add(learner, submission):
