@@ -206,8 +206,8 @@ def _most_certain(submissions):
 def _is_contested(submission, certain):
     """Whether its name was chosen, and there is a more certain file of this name and lesson."""
     file = submission.file
-    most = certain[file.learner, submission.lesson]
-    return submission.lesson is not None and most > file.certainty and most[0] == file.certainty[0]
+    was_chosen = file.certainty[1] < 0
+    return submission.lesson is not None and was_chosen and certain[file.learner, submission.lesson][1] >= 0
 
 
 def _add(learner, submission):

@@ -60,7 +60,32 @@ CHANNELS = {
         LIBC + ADD_KEY.format(ring=-3),
         LIBC + f"found = {SEARCH_KEY.format(ring=-3)}\nprint(found if found > 0 else '')",
     ),
-    "the list of keys": ("", "print(open('/proc/keys').read() + open('/proc/key-users').read())"),
+    "the list of keys": (
+        "",
+        "import os\npaths = ('/proc/keys', '/proc/key-users')\n"
+        "print(*[open(path).read() for path in paths if os.path.exists(path)])",
+    ),
+    "counters of the whole machine": (
+        LIBC + "held = ctypes.create_string_buffer(40_000)\n"
+        "for _ in range(10): libc.mlock(held, 40_000), libc.munlock(held, 40_000)",
+        "import os\nprint(*[name for name in os.listdir('/proc') if not name.isdigit() and 'self' not in name])",
+    ),
+    "times of a device": (
+        "import os\ntry: os.utime('/dev/null')\nexcept OSError: pass",
+        "import os, time\n"
+        "print('seen' if time.time() - os.stat('/dev/null').st_mtime < 10 else '')\nopen('/dev/null', 'w').write('x')",
+    ),
+    "a hint on how long a file will live, and what a file system notes of it": (
+        "import fcntl, os\ndescriptor = os.open('/usr/bin/env', os.O_RDONLY)\n"
+        "for step, number in ((fcntl.fcntl, 1036), (fcntl.fcntl, 1038), (fcntl.ioctl, 0x6612)):\n"
+        "    try: step(descriptor, number, (3).to_bytes(8, 'little'))\n"
+        "    except OSError: pass",
+        "import fcntl, os\ndescriptor, seen = os.open('/usr/bin/env', os.O_RDONLY), []\n"
+        "for step, number in ((fcntl.fcntl, 1035), (fcntl.ioctl, 0x40046629)):\n"
+        "    try: seen += [found for found in [step(descriptor, number, bytes(8))] if any(found)]\n"
+        "    except OSError: pass\n"
+        "print(*seen)",
+    ),
     "shared memory": (
         LIBC + "libc.shmget(4242, 4096, 0o1666)",
         LIBC + "print('seen' if libc.shmget(4242, 4096, 0o666) != -1 else '')",
@@ -172,7 +197,7 @@ CHANNELS = {
     ),
     "a terminal": (
         STAY.format(run="__import__('pty').fork()"),
-        "import os\nprint(*set(os.listdir('/dev/pts')) - {'ptmx'}, open('/proc/sys/kernel/pty/nr').read())\n"
+        "import os\nprint(*set(os.listdir('/dev/pts')) - {'ptmx'}, os.path.exists('/proc/sys/kernel/pty/nr') or '')\n"
         "names = []\n"
         "try:\n    while len(names) < 50: names.append(os.ttyname(os.openpty()[1]))\n"
         "except OSError: print('' if names == [f'/dev/pts/{k}' for k in range(16)] else names)\n"

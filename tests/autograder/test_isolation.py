@@ -173,7 +173,8 @@ def test_a_kernel_that_ended_while_it_waited_is_replaced():
         ends = "import os, pathlib\nos._exit(3)"
         kernel_factory.keep_spares([((), 5.0, (ends,))])
         (spare,) = kernel_factory._spares.values()
-        select.select([spare._socket], [], [])  # its end
+        while spare.is_alive():
+            select.select([spare._socket], [], [])
         kernel = kernel_factory.start((), 5.0, sources=[ends])
         assert kernel.run("print(3)").printed == "3\n"
         assert kernel_factory._fork_server._fork_count == 2

@@ -1,6 +1,7 @@
 """The sandbox: what it hides, the error if there is none, and what it leaves behind."""
 
 import os
+import re
 import platform
 import subprocess
 import sys
@@ -46,14 +47,28 @@ def test_what_lies_beside_the_systems_folders_is_not_inside(monkeypatch, tmp_pat
 
 def test_the_systems_image_libraries_are_empty_inside(monkeypatch):
     """From apt, OpenCV's functions could be called in C: cvCanny() of libopencv_imgproc.so."""
-    monkeypatch.setattr(bubblewrap, "_IMAGE_LIBRARIES", ("libthread_db.so*",))
+    monkeypatch.setattr(bubblewrap, "_IMAGE_LIBRARIES", re.compile(r"libthread_db\.so"))
+    monkeypatch.setattr(bubblewrap, "_PROGRAM_FOLDERS", re.compile(r"dpkg"))
     (path,) = {path.resolve() for path in Path("/usr/lib").rglob("libthread_db.so*")}
-    assert bubblewrap._image_libraries() == ["--ro-bind", "/dev/null", str(path)]
+    emptied = ["--tmpfs", "/usr/lib/dpkg", "--remount-ro", "/usr/lib/dpkg"]
+    assert bubblewrap._image_libraries() == [*emptied, "--ro-bind", "/dev/null", str(path)]
     with KernelFactory("fast") as kernel_factory:
         kernel = kernel_factory.start((), 30)
+        programs = kernel.run("import os\nprint(os.listdir('/usr/lib/dpkg'))")
         run = kernel.run(f"import ctypes\nctypes.CDLL({str(path)!r})")
         kernel.stop()
-    assert run.error[0] == "OSError"
+    assert (programs.printed, run.error[0]) == ("[]\n", "OSError")
+
+
+@pytest.mark.parametrize(
+    ("name", "is_emptied"),
+    [
+        *((name, True) for name in ("libgd.so.3", "libcairo.so.2.11600.0", "libopencv_core.so", "libMagickCore-6.so")),
+        *((name, False) for name in ("libgdbm.so.6", "libc.so.6", "libstdc++.so.6", "libIlmThread.so", "libz.so.1")),
+    ],
+)
+def test_libraries_that_draw_or_filter_are_emptied_and_no_others(name, is_emptied):
+    assert bool(bubblewrap._IMAGE_LIBRARIES.match(name)) == is_emptied
 
 
 def test_the_systems_limits_follow_from_the_case():
@@ -198,7 +213,7 @@ def test_memory_that_no_process_holds_is_refused_and_threads_and_processes_are_n
 MARKS = """
 import os
 written = set()
-for path in {line.split()[1] for line in open("/proc/mounts")}:
+for path in {line.split()[1] for line in open("/proc/self/mounts")}:
     try:
         os.mkdir(path + "/mark")
         written.add(path)

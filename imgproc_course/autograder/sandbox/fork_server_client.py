@@ -116,8 +116,10 @@ class ForkedKernel:
             return run
 
     def is_alive(self):
-        """Whether it runs cells, or has sent what nobody has read; it may have been ended for want of memory."""
+        """Whether it runs cells; a waiting kernel may have been ended because memory ran out."""
         try:
+            if not self._is_confined:
+                self._is_confined = bool(self._socket.recv(1, socket.MSG_DONTWAIT))  # its first line
             return bool(self._socket.recv(1, socket.MSG_PEEK | socket.MSG_DONTWAIT))
         except BlockingIOError:  # it is starting, or it waits
             return True
@@ -182,8 +184,8 @@ class ForkedKernel:
         status = self._exit_status()
         if status is None:
             return "gone"
-        # An answer can end its process with this code too, but only after the first line.
-        if status["code"] == 70 and not (self._is_confined or self.is_alive()):
+        self.is_alive()  # reads the first line, if nobody has
+        if status["code"] == 70 and not self._is_confined:  # later, an answer can end with this code too
             raise bubblewrap.SandboxError("a kernel could not be confined; see imgproc-course doctor")
         if status["signal"] in (9, 24) and status["cpu"] > self._cpu_limit - 0.9:
             return "time"

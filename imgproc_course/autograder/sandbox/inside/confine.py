@@ -14,8 +14,9 @@ What one kernel could leave for the next, or show to one beside it, and what pre
     sockets: abstract names, used ports         a network namespace without a working interface
     sockets of other families (vsock)           refused: no namespace separates them
     host name                                   a UTS namespace
-    settings in /proc/sys, order of being killed for memory    /proc is read-only
-    keys in the system's keyrings               the calls are refused, /proc/keys is empty, and the session
+    order of being killed for memory            /proc is read-only
+    settings in /proc/sys, counters of the machine    /proc has processes only
+    keys in the system's keyrings               the calls are refused, /proc/keys is hidden, and the session
                                                 keyring is new: the teacher's cannot be searched either
     the system's log: a crash writes to it      the call that reads it is refused
     watches, leases and hints on files          inotify, fanotify, and fcntl's commands for them are refused
@@ -103,10 +104,7 @@ def confine(bound, limits, user):
     if os.path.exists("/dev/pts"):  # `!ls` opens a terminal
         options = "newinstance,ptmxmode=0666,mode=0600,max=16"
         _mount("devpts", "/dev/pts", "devpts", _NOSUID | _NOEXEC, options)
-    _mount("proc", "/proc", "proc", _READ_ONLY | _NOSUID | _NODEV | _NOEXEC)
-    for path in ("/proc/keys", "/proc/key-users", "/proc/sys/kernel/pty/nr"):
-        if os.path.exists(path):
-            _mount("/dev/null", path, "", _BIND)
+    _mount_proc()
     os.umask(0o022)
     for folder in ("/tmp/home", "/tmp/submission"):
         os.mkdir(folder)
@@ -115,6 +113,18 @@ def confine(bound, limits, user):
     os.chdir("/tmp/submission")
     set_limits(limits)
     _drop_privileges(user)
+
+
+def _mount_proc():
+    """Mount /proc with this kernel's processes only: its other files count what the whole machine did."""
+    flags = _READ_ONLY | _NOSUID | _NODEV | _NOEXEC
+    try:
+        _mount("proc", "/proc", "proc", flags, "subset=pid")
+    except OSError:  # a system before Linux 5.8
+        _mount("proc", "/proc", "proc", flags)
+        for path in ("/proc/keys", "/proc/key-users", "/proc/sys/kernel/pty/nr"):
+            if os.path.exists(path):
+                _mount("/dev/null", path, "", _BIND)
 
 
 def protect_devices():
