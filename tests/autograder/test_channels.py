@@ -75,17 +75,6 @@ CHANNELS = {
         "import os, time\n"
         "print('seen' if time.time() - os.stat('/dev/null').st_mtime < 10 else '')\nopen('/dev/null', 'w').write('x')",
     ),
-    "a hint on how long a file will live, and what a file system notes of it": (
-        "import fcntl, os\ndescriptor = os.open('/usr/bin/env', os.O_RDONLY)\n"
-        "for step, number in ((fcntl.fcntl, 1036), (fcntl.fcntl, 1038), (fcntl.ioctl, 0x6612)):\n"
-        "    try: step(descriptor, number, (3).to_bytes(8, 'little'))\n"
-        "    except OSError: pass",
-        "import fcntl, os\ndescriptor, seen = os.open('/usr/bin/env', os.O_RDONLY), []\n"
-        "for step, number in ((fcntl.fcntl, 1035), (fcntl.ioctl, 0x40046629)):\n"
-        "    try: seen += [found for found in [step(descriptor, number, bytes(8))] if any(found)]\n"
-        "    except OSError: pass\n"
-        "print(*seen)",
-    ),
     "shared memory": (
         LIBC + "libc.shmget(4242, 4096, 0o1666)",
         LIBC + "print('seen' if libc.shmget(4242, 4096, 0o666) != -1 else '')",
@@ -215,6 +204,13 @@ CHANNELS = {
 
 # What only slows others down, or takes memory that no limit counts; each prints nothing if it is refused.
 REFUSED = {
+    "hints on how long a file will live, and notes of the file system": (
+        "import fcntl, os\ndescriptor, done = os.open('/usr/bin/env', os.O_RDONLY), []\n"
+        "for step, number in ((fcntl.fcntl, 1036), (fcntl.fcntl, 1038), (fcntl.ioctl, 0x6612)):\n"
+        "    try: step(descriptor, number, (3).to_bytes(8, 'little')), done.append(number)\n"
+        "    except OSError: pass\n"
+        "print(*done)"
+    ),
     "the disk is written out, of one file system": LIBC
     + "fd = os.open('/usr/bin/env', os.O_RDONLY)\nprint(libc.syncfs(fd) + 1 or '')",
     "message queues and semaphores that nobody counts": LIBC
