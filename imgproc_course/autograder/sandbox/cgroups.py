@@ -42,12 +42,14 @@ class ProcessGroup:
             "pids": {"pids.max": 2 * processes + 24},
             # As much processor time as one process: however many run here, they do not slow others down.
             "cpu": {"cpu.shares": 1024, "cpu.weight": 100},
+            "cpuacct": {"cpuacct.usage": 0},  # counts from 0; version 2 counts in every group
         }
         for controller, values in limits.items() if use_cgroups else ():
             self._make_cgroup(controller, values)
         self._guard = self._start_guard() if self.folders else None
         self._limit_swap()
         self._kill_counter = self._find_kill_counter()
+        self._cpu_counter = self._find_cpu_counter()
         self._kills, self._used_memory = self._count_kills(), 0
 
     def _make_cgroup(self, controller, values):
@@ -64,8 +66,9 @@ class ProcessGroup:
             if files:
                 self.folders += [folder] if folder not in self.folders else []
                 return
-            with suppress(OSError):
-                folder.rmdir()
+            if folder not in self.folders:
+                with suppress(OSError):
+                    folder.rmdir()
 
     def _start_guard(self):
         return subprocess.Popen(
@@ -112,6 +115,15 @@ class ProcessGroup:
         kills_before, self._kills = self._kills, kills
         return self._kills > (kills_before or 0)
 
+    def cpu_seconds(self):
+        """Seconds of processor time that all processes have used together; None if nobody counts them."""
+        return None if self._cpu_counter is None else _cpu_seconds_in(self._cpu_counter)
+
+    def _find_cpu_counter(self):
+        """The file in which the system counts their processor time, or None."""
+        paths = (folder / name for folder in self.folders for name in ("cpuacct.usage", "cpu.stat"))
+        return next((path for path in paths if _cpu_seconds_in(path) is not None), None)
+
     def is_crowded(self):
         """Whether half of the memory is in use; without a control group, whether it was at the last look."""
         for folder in self.folders:
@@ -148,6 +160,16 @@ class ProcessGroup:
         if self._guard is not None:
             self._guard.kill()
             self._guard.communicate()
+
+
+def _cpu_seconds_in(path):
+    """The seconds that cpuacct.usage (version 1) or cpu.stat (version 2) says, or None."""
+    with suppress(OSError, ValueError):
+        fields = path.read_text(encoding="ascii").split()
+        if path.name == "cpuacct.usage":
+            return int(fields[0]) / 1e9
+        return int(fields[fields.index("usage_usec") + 1]) / 1e6
+    return None
 
 
 def _memory_under(root, exact_above):

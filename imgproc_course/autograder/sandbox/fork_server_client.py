@@ -18,6 +18,7 @@ from imgproc_course.autograder.sandbox import bubblewrap
 from imgproc_course.autograder.sandbox.allowed_modules import module_access
 from imgproc_course.autograder.sandbox.cell_run import LOOK_SECONDS, CellRun
 
+_OWN_SECONDS = 0.5  # of processor time, that the fork server and a waiting kernel use beside a check, at most
 _STARTS = 3  # of a fork server that is not ready in time
 _CONTENT_TYPES = {
     "stream": {"name": str, "text": str},
@@ -38,13 +39,14 @@ class ForkedKernel:
     """A kernel that was forked from a `ForkServer`.
 
     was_prepared  whether it has run cells while it waited
+    cpu_limit     seconds of processor time that each of its processes may use
     """
 
     def __init__(self, fork_server, allowed, seconds, limits, *, has_time=False):
         self._fork_server, self._limits = fork_server, limits
         self._seconds, self._deadline = seconds, None
         self._next_look, self._has_looked = 0.0, False
-        self._cpu_limit = limits.for_system(seconds)["cpu"]
+        self.cpu_limit = limits.for_system(seconds)["cpu"]
         self._lines, self._buffer, self._is_confined = deque(), b"", False
         self.was_prepared, self._prepared, self._unsent = False, None, b""
         our_end, kernel_end = socket.socketpair()
@@ -68,6 +70,7 @@ class ForkedKernel:
         -------
         CellRun of all together, with the first error
         """
+        self._fork_server.preparing.discard(self)
         if self._prepared == sources:
             data, self._prepared = self._unsent, None
             return self._run_request(data)
@@ -80,6 +83,7 @@ class ForkedKernel:
         system's limits hold until then.
         """
         self.was_prepared = True
+        self._fork_server.preparing.add(self)
         self._prepared, self._unsent = list(sources), _statements_request(sources)
         self._fork_server.finish_drops()
         self._socket.setblocking(False)
@@ -87,8 +91,20 @@ class ForkedKernel:
             self._unsent = self._unsent[self._socket.send(self._unsent) :]
 
     def run_check(self, code, inputs, seconds):
-        """Run a check cell with its inputs (see `check_cell.deliver`); returns its CellRun."""
-        return self._request({"case": {"calls": inputs, "seconds": seconds}, "code": code})
+        """Run a check cell with its inputs (see `check_cell.deliver`); returns its CellRun.
+
+        The system limits the processor time of each process, and this limits that of all together: a slow
+        answer could compute in one process after another.
+        """
+        group = self._fork_server.group
+        cpu_before, began = group.cpu_seconds(), time.monotonic()
+        run = self._request({"case": {"calls": inputs, "seconds": seconds}, "code": code})
+        most = seconds * len(inputs) + self._limits.grace
+        if not run.ended and cpu_before is not None and time.monotonic() - began > most:
+            others = _OWN_SECONDS + self._fork_server.seconds_of_preparing()
+            if (group.cpu_seconds() or 0.0) - cpu_before > most + others:
+                run.ended = "time"
+        return run
 
     def _request(self, request):
         return self._run_request(_line_of(request))
@@ -187,7 +203,7 @@ class ForkedKernel:
         self.is_alive()  # reads the first line, if nobody has
         if status["code"] == 70 and not self._is_confined:  # later, an answer can end with this code too
             raise bubblewrap.SandboxError("a kernel could not be confined; see imgproc-course doctor")
-        if status["signal"] in (9, 24) and status["cpu"] > self._cpu_limit - 0.9:
+        if status["signal"] in (9, 24) and status["cpu"] > self.cpu_limit - 0.9:
             return "time"
         return "memory" if self._fork_server.ran_out_of_memory() else "crashed"
 
@@ -200,6 +216,7 @@ class ForkedKernel:
 
     def stop(self):
         """End the kernel and all that it started."""
+        self._fork_server.preparing.discard(self)
         with suppress(OSError):
             self._socket.close()
         if self._id is not None:
@@ -264,6 +281,11 @@ class ForkServer:
         self._is_ready = False
         self._fork_count = 0
         self._drops = 0  # that have no reply yet
+        self.preparing = set()  # kernels that run an answer while they wait
+
+    def seconds_of_preparing(self):
+        """Seconds of processor time that the kernels in `preparing` may use, at most."""
+        return sum(kernel.cpu_limit for kernel in self.preparing)
 
     def start(self):
         """Start the process, without waiting until it is ready."""
