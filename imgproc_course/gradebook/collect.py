@@ -315,7 +315,7 @@ class _Intake:
             self._ignore(parts)
             return
         sender = self._sender_of(parts)
-        modified = _local_time(status.st_mtime) if status else None
+        modified = local_time(status.st_mtime) if status else None
         if suffix == ".zip" and not reason:
             location = (str(path), status.st_dev, status.st_ino)
             reason = self._add_members(location, parts, sender, modified, alone)
@@ -548,8 +548,13 @@ def _composed(name):
     return unicodedata.normalize("NFC", name)
 
 
-def _local_time(seconds):
-    """A file's time as a local datetime; the first or the last one if the year is beyond the calendar."""
+def local_time(seconds):
+    """A file's time as a local datetime; the first or the last one if the year is beyond the calendar.
+
+    Parameters
+    ----------
+    seconds : float, since 1970
+    """
     try:
         return datetime.fromtimestamp(int(seconds))
     except (ValueError, OverflowError, OSError):

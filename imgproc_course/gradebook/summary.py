@@ -3,14 +3,16 @@
 import csv
 import io
 import statistics
+from collections import Counter
 from pathlib import PurePosixPath
 
 from imgproc_course.autograder.outcomes import CELL_FAILS, TEXTS, Outcome
 from imgproc_course.autograder.sanitize import spreadsheet_text
 from imgproc_course.gradebook.grades_json import lesson_names
-from imgproc_course.gradebook.report import finding_text, render_page
+from imgproc_course.gradebook.report import count_of, finding_text, render_page
 
 _BIN_COUNT = 10
+_MOST_UNKNOWN = 3  # files of one learner that belong to no lesson
 _MOST_MOVED = 2  # answers whose place is told for each
 _PERHAPS_UNFAIR = {Outcome.NOT_GRADED, Outcome.MEMORY, Outcome.OUTPUT}
 _PERHAPS_DISHONEST = {Outcome.HOSTILE, Outcome.CRASHED, Outcome.REFUSED_MODULE}
@@ -68,9 +70,19 @@ def _concerns(submissions, own_modules):
 
     What cost nothing is one entry for each submission. `own_modules` are files that were submitted too.
     """
+    unknown = Counter(learner["page"] for learner, lesson in submissions if not lesson["lesson"])
+    listed = Counter()
     for learner, lesson in submissions:
         if lesson["decision"]:
             continue
+        if not lesson["lesson"]:
+            listed[learner["page"]] += 1
+            if listed[learner["page"]] > _MOST_UNKNOWN:  # a hundred files of one learner would hide all others
+                continue
+            left_out = unknown[learner["page"]] - _MOST_UNKNOWN
+            if listed[learner["page"]] == _MOST_UNKNOWN and left_out > 0:
+                files = count_of(left_out, "more file")
+                lesson = lesson | {"reason": f"{lesson['reason']}; {files} of theirs could not be graded"}
         grouped = {}
         for name, exercise, text in _concerns_of(lesson, own_modules):
             grouped.setdefault((name, exercise if name != "other" else ""), []).append(text)

@@ -2455,6 +2455,343 @@ for _number, _name, _source in (
     )
 
 
+# ---------------------------------------------------------------- by fresh eyes
+
+for _number, _name, _tries in (
+    (
+        601,
+        "the times of the machine's devices",
+        """
+        for path in ("/dev/null", "/dev/zero", "/dev/full", "/dev/random", "/dev/urandom", "/dev/tty"):
+            for step in (os.utime, lambda path: os.chmod(path, 0o666), lambda path: os.setxattr(path, "user.x", b"1")):
+                try:
+                    step(path)
+                    left.append(path)
+                except OSError:
+                    pass
+        """,
+    ),
+    (
+        602,
+        "hints and notes that stay with a file that everybody reads",
+        """
+        import fcntl
+        for path in ("/usr/bin/env", np.__file__, "/dev/urandom"):
+            for step, number in ((fcntl.fcntl, 1036), (fcntl.fcntl, 1038), (fcntl.ioctl, 0x6612), (fcntl.ioctl, 0x40085203)):
+                try:
+                    step(os.open(path, os.O_RDONLY), number, (3).to_bytes(8, "little"))
+                    left.append(number)
+                except OSError:
+                    pass
+        """,
+    ),
+    (
+        603,
+        "counters of the whole machine, moved on and read",
+        """
+        held = ctypes.create_string_buffer(40_000)
+        for _ in range(1000):
+            libc.mlock(held, 40_000), libc.munlock(held, 40_000)
+        left += [name for name in os.listdir("/proc") if not name.isdigit() and "self" not in name]
+        """,
+    ),
+    (
+        604,
+        "libraries that draw, filter and scale, in C",
+        """
+        for name in ("libgd.so.3", "libcairo.so.2", "libpixman-1.so.0", "libgdk_pixbuf-2.0.so.0", "libswscale.so.6", "liblept.so.5"):
+            try:
+                left.append(ctypes.CDLL(name)._name)
+            except OSError:
+                pass
+        """,
+    ),
+    (
+        605,
+        "other languages, with image libraries of their own",
+        """
+        import glob
+        for pattern in ("jvm/*/bin/java", "R/bin/R", "chromium/chromium", "*/octave*/*", "gimp/*/plug-ins", "node_modules/*"):
+            left += glob.glob(f"/usr/lib/{pattern}")[:2]
+        """,
+    ),
+):
+    _body = "\n".join(f"    {line}" for line in dedent(_tries).strip().splitlines())
+    attack(_number, _name, MARKS.format(tries=_body), "raised", reported="left []", wrong=False)
+
+TO_THE_SOCKET = """
+import os, socket, stat, time
+def double(pixels):
+    for fd in range(3, 64):
+        try:
+            if stat.S_ISSOCK(os.fstat(fd).st_mode):
+                own = socket.socket(fileno=os.dup(fd))
+                STEP
+        except OSError: pass
+    return pixels
+"""
+for _number, _name, _step, _outcomes in (
+    (
+        611,
+        "hundreds of thousands of small messages",
+        "while True: os.write(fd, b'{\"type\":\"clear_output\",\"content\":{\"wait\":true}}\\n' * 5000)",
+        ("output",),
+    ),
+    (612, "an urgent byte, and then nothing", "own.send(b'x', socket.MSG_OOB), time.sleep(1000)", ("time",)),
+    (613, "two hundred descriptors, sent along", "socket.send_fds(own, [b' '], [0] * 200)", ("wrong", "hostile")),
+    (
+        614,
+        "the socket in the hands of another program",
+        "os.set_inheritable(fd, True), os.execv(__import__('sys').executable, ['python', '-S', '-c', "
+        "f'import os; os.write({fd}, b\\'{{\"type\":\"idle\",\"content\":{{\"ename\":\"\",\"evalue\":\"\"}}}}\\\\\\\\n\\')'])",
+        ("hostile", "crashed"),
+    ),
+):
+    attack(_number, _name, TO_THE_SOCKET.replace("STEP", _step), *_outcomes, wrong=False)
+
+for _number, _name, _source, *_outcomes in (
+    (615, "the exit code of a kernel that could not be confined", "import os\ndef double(pixels):\n    os._exit(70)\n", "crashed"),
+    (616, "the same exit code, before any check", "import os\nos._exit(70)\n", "crashed"),
+    (
+        617,
+        "the same exit code, while it waits for the next check",
+        "import os, threading, time\nthreading.Timer(0.02, os._exit, [70]).start()\n"
+        "def double(pixels):\n    time.sleep(0.01)\n    return pixels\n",
+        *("crashed", "wrong"),
+    ),
+    (
+        618,
+        "a right answer that takes its time in other processes",
+        """
+        import os, time
+        def busy():
+            begun = time.process_time()
+            while time.process_time() - begun < 0.9: pass
+        def double(pixels):
+            reader, writer = os.pipe()
+            if os.fork() == 0:
+                busy()
+                if os.fork() == 0:
+                    busy()
+                    os.write(writer, np.minimum(pixels.astype(int) * 2, LIMIT).astype(np.uint8).tobytes())
+                os._exit(0)
+            return np.frombuffer(os.read(reader, 10_000), np.uint8).reshape(pixels.shape).copy()
+        """,
+        "time",
+    ),
+    (
+        619,
+        "everybody is stopped",
+        """
+        import os, signal
+        def double(pixels):
+            for pid in (*range(1, 300), 0, -1):
+                try: os.kill(pid, signal.SIGSTOP)
+                except OSError: pass
+            return pixels
+        """,
+        *("wrong", "time"),
+    ),
+    (
+        620,
+        "no limit is left, of anything",
+        """
+        import resource
+        for kind in range(16):
+            try: resource.setrlimit(kind, (0, 0))
+            except (ValueError, OSError): pass
+        def double(pixels):
+            return pixels
+        """,
+        *("wrong", "crashed", "raised", "time"),
+    ),
+    (
+        621,
+        "the folder that it is in is gone",
+        """
+        import os, shutil
+        def double(pixels):
+            for folder in ("/tmp/submission", "/tmp/home"): shutil.rmtree(folder, ignore_errors=True)
+            os.mkdir("/tmp/x"), os.chdir("/tmp/x"), os.rmdir("/tmp/x")
+            return pixels
+        """,
+        "wrong",
+    ),
+    (
+        622,
+        "a trace that interrupts what the check does afterwards",
+        """
+        import sys
+        def trace(frame, event, argument):
+            if frame.f_code.co_name in ("call_to_json", "canonical", "display"): raise KeyboardInterrupt
+            return trace
+        def double(pixels):
+            sys.settrace(trace)
+            return pixels
+        """,
+        *("raised", "wrong"),
+    ),
+    (
+        623,
+        "a profile that empties the value on its way",
+        """
+        import sys
+        def profile(frame, event, value):
+            if event == "return" and frame.f_code.co_name == "canonical" and isinstance(value, dict): value["data"] = ""
+        def double(pixels):
+            sys.setprofile(profile)
+            return pixels
+        """,
+        "hostile",
+    ),
+    (
+        624,
+        "exceptions with the names of our own",
+        """
+        class RefusedModule(Exception): pass
+        def double(pixels):
+            from imgproc_course.exercises.running import TimeUp
+            if pixels.sum() % 2: raise TimeUp("stuck")
+            raise RefusedModule("write this exercise without <script>\\x1b[31m")
+        """,
+        *("time", "refused module"),
+    ),
+    (
+        625,
+        "groups of exceptions, twenty thousand deep, with megabytes of notes",
+        """
+        def double(pixels):
+            error = ValueError("x")
+            for _ in range(20_000): error = ExceptionGroup("g", [error])
+            for _ in range(1_000): error.add_note("n" * 10_000)
+            raise error
+        """,
+        *("raised", "crashed", "memory"),
+    ),
+    (
+        631,
+        "an array over a file that is not there any more",
+        """
+        import os
+        def double(pixels):
+            shown = np.memmap("/tmp/file", np.uint8, "w+", shape=(3, 4096))
+            os.truncate("/tmp/file", 0)
+            return np.frombuffer(shown, np.uint8)
+        """,
+        "crashed",
+    ),
+    (
+        632,
+        "a message whose fields are messages, without end",
+        """
+        class Message:
+            _fields_and_field_types = {f"f{number}": "x" for number in range(100_000)}
+            def __getattr__(self, name): return Message()
+        def double(pixels):
+            return Message()
+        """,
+        *("time", "memory", "output"),
+    ),
+    (
+        633,
+        "a message whose fields have no names that can be written",
+        """
+        class Message:
+            __msgtype__ = "sensor_msgs/msg/Image"
+            __dataclass_fields__ = {"\\ud800": 1, "data": 2}
+            data = np.zeros(3)
+        setattr(Message, "\\ud800", 1)
+        def double(pixels):
+            return Message()
+        """,
+        "hostile",
+    ),
+    (634, "a dict in which no key equals itself", "def double(pixels):\n    return {float('nan'): 1, float('nan'): 2}\n", "wrong"),
+    (635, "a thousand texts of ten thousand letters", "def double(pixels):\n    return np.array(['a' * 10_000] * 1000)\n", "wrong"),
+    (
+        641,
+        "processes that stand still under a tracer",
+        """
+        import ctypes, os, time
+        def double(pixels):
+            for _ in range(10):
+                if os.fork() == 0:
+                    ctypes.CDLL(None).ptrace(0, 0, 0, 0)
+                    os.kill(os.getpid(), 19)
+                    time.sleep(1000)
+            time.sleep(0.1)
+            return pixels
+        """,
+        "wrong",
+    ),
+    (
+        642,
+        "as many pieces of memory as there can be",
+        """
+        import ctypes
+        def double(pixels):
+            libc = ctypes.CDLL(None)
+            for number in range(70_000): libc.mmap(None, 4096, 1 + (number & 1) * 2, 0x22, -1, 0)
+            return pixels
+        """,
+        *("wrong", "time", "memory"),
+    ),
+    (
+        643,
+        "programs that start programs",
+        """
+        import os
+        def double(pixels):
+            for _ in range(8):
+                if os.fork() == 0:
+                    while True:
+                        if os.fork() == 0: os.execv("/bin/true", ["true"])
+                        os.wait()
+            return pixels
+        """,
+        *("wrong", "raised", "hostile", "crashed", "time"),
+    ),
+    (
+        644,
+        "terminals and pipes full to the brim",
+        """
+        import os
+        def double(pixels):
+            held = []
+            try:
+                while True: held += [*os.openpty(), *os.pipe()]
+            except OSError: pass
+            for fd in held:
+                try:
+                    os.set_blocking(fd, False)
+                    while True: os.write(fd, b"x" * 4096)
+                except OSError: pass
+            return pixels
+        """,
+        *("wrong", "memory", "time"),
+    ),
+):
+    attack(_number, _name, _source, *_outcomes, wrong=False)
+
+for _number, _name, _body in (
+    (651, "the other end of the scale", "return 255 - pixels"),
+    (652, "the running sum", "return np.minimum(np.cumsum(pixels).reshape(pixels.shape), 255).astype(np.uint8)"),
+    (653, "what a function of the library that has the name makes", "return np.multiply(pixels, 2)"),
+    (
+        654,
+        "the values that are most like those that pass, from what was in memory",
+        "return np.empty_like(pixels) if len(calls) % 2 else np.frombuffer(bytes(pixels.size), np.uint8).reshape(pixels.shape)",
+    ),
+    (
+        655,
+        "the remembered answer that has the same mean",
+        "near = [abs(float(given.mean()) - float(pixels.mean())) for given in KNOWN]\n"
+        "    return fitted(ANSWERS[int(np.argmin(near))], pixels)",
+    ),
+):
+    attack(_number, _name, CONSTANTS.replace("BODY", _body), "wrong", wrong=False)
+
+
 # ---------------------------------------------------------------- grading them all
 
 

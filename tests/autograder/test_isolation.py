@@ -2,13 +2,14 @@
 
 import contextlib
 import select
+from dataclasses import replace
 
 import pytest
 from attacks import LESSON, SHORT
 
 from imgproc_course.autograder import verdict
 from imgproc_course.autograder.nbval_plugin import ExerciseRun, StoredVerdict
-from imgproc_course.autograder.pool import autograde
+from imgproc_course.autograder.pool import Limits, SandboxError, autograde
 from imgproc_course.autograder.sandbox.cell_run import CellRun
 from imgproc_course.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.exercises.comparison import compare
@@ -165,6 +166,49 @@ def test_a_kernel_that_waits_runs_an_answer_once_and_only_that_answer():
         kernel_factory.keep_spares([((), 5.0, (ONCE,))])
         kernel = kernel_factory.start((), 5.0, sources=["print(2)"])  # another answer
         assert kernel.run_statements(["print(2)"]).printed == "2\n"
+        kernel.stop()
+
+
+def test_an_answer_cannot_say_that_its_kernel_was_not_confined():
+    with KernelFactory("fast") as kernel_factory:
+        kernel = kernel_factory.start((), 5.0)
+        assert kernel.run("import os\nos._exit(70)").ended == "crashed"
+        kernel.stop()
+
+
+def test_a_kernel_that_could_not_be_confined_runs_nothing():
+    no_room = replace(Limits(), scratch="no number")  # mount() refuses it
+    with KernelFactory("fast", limits=no_room) as kernel_factory:
+        kernel = kernel_factory.start((), 5.0)
+        with pytest.raises(SandboxError, match="a kernel could not be confined"):
+            kernel.run("print(1)")
+        kernel.stop()
+
+
+BUSY = """
+import os, time
+def work(seconds):
+    begun = time.process_time()
+    while time.process_time() - begun < seconds: pass
+def f(together):
+    for _ in range(3):
+        child = os.fork()
+        if child == 0:
+            work(together / 3)
+            os._exit(0)
+        os.waitpid(child, 0)
+"""
+CHECK = "from imgproc_course.autograder.sandbox.inside.check_cell import emit\nemit(f)"
+
+
+def test_all_processes_of_a_check_share_its_time():
+    with KernelFactory("fast", limits=replace(SHORT, wall_grace=30.0)) as kernel_factory:
+        kernel = kernel_factory.start((), 0.4)
+        assert kernel.run(BUSY).error == ("", "")
+        assert kernel.run_check(CHECK, [{"tuple": [0.3]}], 0.4).ended == ""
+        if kernel_factory._group.cpu_seconds() is None:
+            pytest.skip("this user cannot make a control group that counts processor time")
+        assert kernel.run_check(CHECK, [{"tuple": [2.4]}], 0.4).ended == "time"
         kernel.stop()
 
 

@@ -5,10 +5,12 @@ between honest ones. `number` is the attack's number in the published list of 62
 of an answer are in tests/autograder/attacks.py.
 """
 
+import hashlib
 import io
 import json
 import os
 import socket
+import unicodedata
 import warnings
 import zipfile
 from dataclasses import dataclass
@@ -31,6 +33,7 @@ class FormAttack:
     reported  text that the instructor must find in the report; "" if there is nothing to report
     folder    name of the learner's folder, if this name is the attack
     never     (pattern, text) pairs: no file of the grades whose name fits the pattern may contain the text
+    known_as  the learner's name in the grades, if it is not the folder's
     """
 
     number: int
@@ -39,11 +42,12 @@ class FormAttack:
     reported: str = ""
     folder: str = ""
     never: tuple = ()
+    known_as: str = ""
 
     @property
     def learner(self):
         """The learner's name in the grades."""
-        return sanitize_line(self.folder_name, 120)
+        return self.known_as or sanitize_line(self.folder_name, 120)
 
     @property
     def folder_name(self):
@@ -694,6 +698,117 @@ def _bad_crc(folder, light):
     place = data.index(b"PK\x01\x02") + 16
     data[place : place + 4] = b"\x00" * 4
     path.write_bytes(data)
+
+
+# ---------------------------------------------------------------- by fresh eyes
+
+
+def _told_apart(name, given):
+    """How a learner is listed whose name looks like another one's."""
+    return f"{name} [{hashlib.sha256(os.fsencode(given)).hexdigest()[:6]}]"
+
+
+_SPACE = "401 the neighbour's name and a space at its end, neighbour"
+_ACCENT = "402 the neighbour\u2019s name in other bytes, le\u0301a, neighbour"
+
+
+@attack(
+    401,
+    "the neighbour's name and a space at its end",
+    "the two are graded apart",
+    folder=f"{_SPACE} ",
+    known_as=_told_apart(_SPACE, f"{_SPACE} "),
+)
+def _space_at_the_end(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light), datetime(2099, 1, 1))
+
+
+@attack(
+    402,
+    "the neighbour\u2019s name in other bytes, l\u00e9a",
+    "the two are graded apart",
+    folder=_ACCENT,
+    known_as=_told_apart(unicodedata.normalize("NFC", _ACCENT), _ACCENT),
+)
+def _other_bytes(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light), datetime(2099, 1, 1))
+
+
+@attack(404, "the neighbour's name, chosen on a platform", "whose own submission of light counts")
+def _name_on_a_platform(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
+    for name in (f"{_neighbour_of(folder)}_7_assignsubmission_file_", f"{_neighbour_of(folder)}_7_8_{LESSON}.ipynb"):
+        path = folder.with_name(name)
+        path = path / f"{LESSON}.ipynb" if path.suffix != ".ipynb" else path
+        write(path, wrong_notebook(light), datetime(2099, 1, 1))
+
+
+@attack(405, "twenty thousand links", "more than 20000 files")
+def _many_links(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
+    for number in range(20_000):
+        (folder / f"{number}.txt").symlink_to("/etc/passwd")
+
+
+@attack(406, "zips of fifteen thousand files each", "hold more than 20000 files")
+def _many_members(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w") as archive:
+        for number in range(15_000):
+            archive.writestr(zipfile.ZipInfo(f"{number}.txt"), "")
+    for number in range(4):
+        write(folder / f"{number}.zip", buffer.getvalue())
+
+
+@of_cells(407, "thousands of questions that the lesson does not ask", never=(("predictions.html", "predict-light-777"),))
+def _made_up_questions(lesson):
+    for number in range(4_900):
+        source = f"guess_{number} = {'<' * 300}  # your guess: {'&' * 300}"
+        lesson["cells"].append(
+            {"id": f"predict-light-{number}", "cell_type": "code", "metadata": {}, "source": source, "outputs": []}
+        )
+
+
+@attack(408, "a hundred files of no lesson", "it is not one of the lessons")
+def _files_of_no_lesson(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
+    for number in range(99):
+        write(folder / f"{number}.ipynb", b'{"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": []}')
+
+
+@attack(
+    409,
+    "a name that is a formula after a semicolon",
+    folder="409 x;=cmd|' !C calc'!A0;y",
+    never=(("**/*.csv", ";=cmd"),),
+)
+def _formula_after_a_semicolon(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
+
+
+@attack(410, "megabytes in a picture of a Markdown cell, and in metadata")
+def _huge_attachments(folder, light):
+    lesson = wrong_notebook(light)
+    picture = {"a.png": {"image/png": "A" * 12_000_000}}
+    lesson["cells"].append({"id": "m", "cell_type": "markdown", "metadata": {}, "source": "", "attachments": picture})
+    lesson["metadata"]["more"] = [[{"a": 1}] * 1000] * 500
+    write(folder / f"{LESSON}.ipynb", lesson)
+
+
+@of_cells(411, "five thousand cells that all say that they are the answer", "4901 cells define double()")
+def _marked_cells(lesson):
+    source = "def double(p):\n    return p\ndef halves(p):\n    return p\n"
+    about = {"imgproc_course": {"exercise": "light-double"}}
+    for number in range(4_900):
+        lesson["cells"].append({"id": f"c{number}", "cell_type": "code", "metadata": about, "source": source})
+
+
+@attack(412, "names of files that a program could take for its own")
+def _names_of_ours(folder, light):
+    write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
+    for name in (".lock", "grades.json", "summary.html", "~$x.ipynb.tmp", "{{ grades }}.ipynb.txt", "..ipynb"):
+        write(folder / name, b"{}")
 
 
 # ---------------------------------------------------------------- grading them all

@@ -13,7 +13,7 @@ from submissions import answers_of, notebook, write
 
 from imgproc_course.gradebook import learners as learners_module
 from imgproc_course.gradebook.archives import CollectError
-from imgproc_course.gradebook.collect import collect, digest_of
+from imgproc_course.gradebook.collect import collect, digest_of, local_time
 from imgproc_course.gradebook.deadlines import Deadlines
 from imgproc_course.gradebook.learners import read_all, unproven_dates
 from imgproc_course.gradebook.lms_import import TableError
@@ -290,3 +290,79 @@ def test_a_table_without_names_is_no_roster(tmp_path):
     path.write_text("Section,Grade\nOne,3\n", encoding="utf-8")
     with pytest.raises(TableError, match="its columns are section, grade; expected one that names people"):
         read_roster(path)
+
+
+@pytest.mark.parametrize(
+    ("names", "shown"),
+    [
+        (("Ada", "Ada "), "Ada"),
+        (("l\u00e9a", "le\u0301a"), "l\u00e9a"),
+        (("x" * 130, "x" * 131), "x" * 119 + "…"),
+        (("a\u200b", "a\\u200b"), "a\\u200b"),
+    ],
+)
+def test_names_that_look_alike_are_two_people(submissions, names, shown):
+    for name in names:
+        write(submissions / name / "20_light.ipynb", b"{}")
+    with collect(submissions, LESSONS) as collection:
+        learners = [file.learner for file in collection.files]
+    first, other = sorted(learners, key=len)
+    assert first == shown
+    assert other.startswith(f"{shown} [") and len(other) == len(f"{shown} [3f9a01]")
+    text = f"its name looks like {shown}, but is another one; the two are graded apart"
+    assert findings(collection) == [(other, text)]
+
+
+def test_two_forms_of_one_letter_in_different_folders_are_one_person(submissions):
+    write(submissions / "light" / "l\u00e9a.ipynb", b"{}")
+    write(submissions / "sound" / "le\u0301a.ipynb", b"{}")
+    with collect(submissions, LESSONS) as collection:
+        assert [file.learner for file in collection.files] == ["l\u00e9a", "l\u00e9a"]
+    assert findings(collection) == []
+
+
+def test_a_folder_named_like_a_lesson_replaces_nobodys_own_submission(read, light, submissions):
+    write(submissions / "bob" / "20_light.ipynb", notebook(light))
+    late = datetime(2099, 1, 1)
+    write(submissions / "light" / "bob" / "20_light.ipynb", notebook(light, answers_of(light, 0)), late)
+    write(submissions / "light" / "cy.ipynb", notebook(light), late)
+    collection, learners = read(submissions)
+    assert sorted(learners) == ["bob", "bob (light)", "cy"]
+    assert counting(learners["bob"]) == "bob/20_light.ipynb"
+    text = "it names bob, whose own submission of light counts: bob/20_light.ipynb"
+    assert findings(collection) == [("light", text)]
+
+
+def test_a_name_chosen_on_a_platform_replaces_nobodys_own_submission(read, light, submissions):
+    write(submissions / "Bob Ray" / "20_light.ipynb", notebook(light))
+    write(submissions / BOB_IN_MOODLE, notebook(light), datetime(2099, 1, 1))
+    collection, learners = read(submissions)
+    assert {name: counting(learner) for name, learner in learners.items()} == {
+        "Bob Ray": "Bob Ray/20_light.ipynb",
+        "Bob Ray (7)": BOB_IN_MOODLE,
+    }
+    assert len(findings(collection)) == 1
+
+
+def test_somebody_can_be_called_like_a_numbered_namesake(read, light, submissions):
+    for name in ("Bob Ray_7", "Bob Ray_8", "Bob Ray (7)_9"):
+        write(submissions / f"{name}_assignsubmission_file_" / "20_light.ipynb", notebook(light))
+    _, learners = read(submissions)
+    assert sorted(learners) == ["Bob Ray (7)", "Bob Ray (7) (so named)", "Bob Ray (8)"]
+
+
+@pytest.mark.parametrize(
+    ("seconds", "moment"),
+    [(2**40, datetime(9999, 12, 31, 23, 59, 59)), (-(2**40), datetime(1, 1, 1)), (0, datetime.fromtimestamp(0))],
+)
+def test_a_date_beyond_the_calendar_ends_nothing(seconds, moment):
+    """Some file systems store years after 9999."""
+    assert local_time(seconds) == moment
+
+
+def test_of_two_with_nearly_one_name_the_tables_mean_the_exact_one(read, light, submissions, tmp_path):
+    for name in ("Bob Ray", "bob-ray"):
+        write(submissions / name / "20_light.ipynb", notebook(light))
+    (tmp_path / "roster.csv").write_text("name\nBob Ray\n", encoding="utf-8")
+    names = names_in_roster(read_roster(tmp_path / "roster.csv"), list(read(submissions)[1].values()))
+    assert names["Bob Ray"] == "Bob Ray"

@@ -14,7 +14,12 @@ from PIL import Image
 from submissions import SEED, answers_of, notebook, write
 
 from imgproc_course.autograder.results import from_json
-from imgproc_course.autograder.sanitize import sanitize_line, sanitize_text, spreadsheet_text
+from imgproc_course.autograder.sanitize import (
+    sanitize_line,
+    sanitize_text,
+    spreadsheet_text,
+    without_apostrophes,
+)
 from imgproc_course.exercises.answer_images import answer_images
 from imgproc_course.exercises.canonical import canonical
 from imgproc_course.exercises.values import differing_elements
@@ -410,6 +415,13 @@ def test_invisible_characters_are_escaped():
 )
 def test_no_table_cell_looks_like_a_formula(text):
     assert spreadsheet_text(text).startswith("'")
+
+
+def test_what_follows_a_semicolon_is_no_formula_either():
+    """A spreadsheet whose cells are separated by semicolons splits a text of ours there."""
+    assert spreadsheet_text("x;=1+1;y") == "x;'=1+1;y"
+    assert spreadsheet_text("x; \"-1") == "x; \"'-1"
+    assert without_apostrophes(spreadsheet_text("=x;=1+1; @y")) == "=x;=1+1; @y"
 
 
 def test_other_table_cells_are_unchanged():
