@@ -329,15 +329,24 @@ def _failed_call(content, case, verdict):
         number,
         content.canonical_arguments(case.id, number),
         expected[number],
-        _form_to_show(call.value, expected[number]) if call else None,
+        form_to_show(call.value, expected[number]) if call else None,
         reproducible_text(call.printed, 2000) if call else "",
     )
 
 
-def _form_to_show(form, expected):
+def form_to_show(form, expected):
     """A returned value as the page shows it: without the values of one much larger than what is expected.
 
     All results of a learner are in memory while their page is written.
+
+    Parameters
+    ----------
+    form : canonical form, or None
+    expected : canonical form
+
+    Returns
+    -------
+    canonical form, or None
     """
     if form is None or _size(form) <= max(_LARGEST_SHOWN, 3 * _size(expected)):
         return form

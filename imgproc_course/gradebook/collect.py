@@ -503,7 +503,6 @@ class _Intake:
             if name not in senders:
                 findings.append(IntakeFinding("file", name, "", "no notebook and no zip"))
 
-
     def _tell_apart(self):
         """Give a name of their own to senders whose names look like another one's.
 

@@ -77,7 +77,9 @@ def _concerns(submissions, own_modules):
             continue
         if not lesson["lesson"]:
             listed[learner["page"]] += 1
-            if listed[learner["page"]] > _MOST_UNKNOWN:  # a hundred files of one learner would hide all others
+            if (
+                listed[learner["page"]] > _MOST_UNKNOWN
+            ):  # a hundred files of one learner would hide all others
                 continue
             left_out = unknown[learner["page"]] - _MOST_UNKNOWN
             if listed[learner["page"]] == _MOST_UNKNOWN and left_out > 0:

@@ -68,12 +68,14 @@ CHANNELS = {
     "counters of the whole machine": (
         LIBC + "held = ctypes.create_string_buffer(40_000)\n"
         "for _ in range(10): libc.mlock(held, 40_000), libc.munlock(held, 40_000)",
-        "import os\nprint(*[name for name in os.listdir('/proc') if not name.isdigit() and 'self' not in name])",
+        "import os\n"
+        "print(*[name for name in os.listdir('/proc') if not name.isdigit() and 'self' not in name])",
     ),
     "times of a device": (
         "import os\ntry: os.utime('/dev/null')\nexcept OSError: pass",
         "import os, time\n"
-        "print('seen' if time.time() - os.stat('/dev/null').st_mtime < 10 else '')\nopen('/dev/null', 'w').write('x')",
+        "print('seen' if time.time() - os.stat('/dev/null').st_mtime < 10 else '')\n"
+        "open('/dev/null', 'w').write('x')",
     ),
     "shared memory": (
         LIBC + "libc.shmget(4242, 4096, 0o1666)",
@@ -186,7 +188,8 @@ CHANNELS = {
     ),
     "a terminal": (
         STAY.format(run="__import__('pty').fork()"),
-        "import os\nprint(*set(os.listdir('/dev/pts')) - {'ptmx'}, os.path.exists('/proc/sys/kernel/pty/nr') or '')\n"
+        "import os\nprint(*set(os.listdir('/dev/pts')) - {'ptmx'},"
+        " os.path.exists('/proc/sys/kernel/pty/nr') or '')\n"
         "names = []\n"
         "try:\n    while len(names) < 50: names.append(os.ttyname(os.openpty()[1]))\n"
         "except OSError: print('' if names == [f'/dev/pts/{k}' for k in range(16)] else names)\n"

@@ -1,8 +1,8 @@
 """The sandbox: what it hides, the error if there is none, and what it leaves behind."""
 
 import os
-import re
 import platform
+import re
 import subprocess
 import sys
 import time
@@ -63,8 +63,14 @@ def test_the_systems_image_libraries_are_empty_inside(monkeypatch):
 @pytest.mark.parametrize(
     ("name", "is_emptied"),
     [
-        *((name, True) for name in ("libgd.so.3", "libcairo.so.2.11600.0", "libopencv_core.so", "libMagickCore-6.so")),
-        *((name, False) for name in ("libgdbm.so.6", "libc.so.6", "libstdc++.so.6", "libIlmThread.so", "libz.so.1")),
+        *(
+            (name, True)
+            for name in ("libgd.so.3", "libcairo.so.2.11600.0", "libopencv_core.so", "libMagickCore-6.so")
+        ),
+        *(
+            (name, False)
+            for name in ("libgdbm.so.6", "libc.so.6", "libstdc++.so.6", "libIlmThread.so", "libz.so.1")
+        ),
     ],
 )
 def test_libraries_that_draw_or_filter_are_emptied_and_no_others(name, is_emptied):

@@ -8,6 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from imgproc_course.autograder.answer_forms import read_calls, read_form
+from imgproc_course.autograder.results import form_to_show
 from imgproc_course.autograder.verdict import CaseRun, verdict_on
 from imgproc_course.exercises.answer_images import answer_images
 from imgproc_course.exercises.canonical import PLAIN_TYPES, canonical
@@ -273,3 +274,24 @@ def test_a_right_answer_of_a_cell_that_failed_does_not_pass():
     assert not run.passed
     run.check.error, run.check.ended = ("", ""), "time"
     assert not run.passed
+
+
+LARGE = np.arange(1_200_000, dtype=np.uint32).astype(np.uint8)
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"),
+    [
+        ([LARGE[:10]], canonical([LARGE[:10]])),
+        ([LARGE[:900_000]] * 3, {"type": "list", "too_large": True}),
+        (np.append(LARGE, LARGE), canonical(np.append(LARGE, LARGE))),
+    ],
+)
+def test_a_page_shows_no_value_much_larger_than_the_expected_one(value, shown):
+    """All values of a learner are in memory while their page is written."""
+    form = form_to_show(canonical(value, limit=None), canonical(RIGHT))
+    form.pop("summary", None), shown.pop("summary", None)
+    assert form == shown
+    same = canonical(value, limit=None)
+    assert form_to_show(same, same) is same
+    assert form_to_show(None, same) is None

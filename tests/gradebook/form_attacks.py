@@ -737,7 +737,10 @@ def _other_bytes(folder, light):
 @attack(404, "the neighbour's name, chosen on a platform", "whose own submission of light counts")
 def _name_on_a_platform(folder, light):
     write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
-    for name in (f"{_neighbour_of(folder)}_7_assignsubmission_file_", f"{_neighbour_of(folder)}_7_8_{LESSON}.ipynb"):
+    for name in (
+        f"{_neighbour_of(folder)}_7_assignsubmission_file_",
+        f"{_neighbour_of(folder)}_7_8_{LESSON}.ipynb",
+    ):
         path = folder.with_name(name)
         path = path / f"{LESSON}.ipynb" if path.suffix != ".ipynb" else path
         write(path, wrong_notebook(light), datetime(2099, 1, 1))
@@ -761,12 +764,22 @@ def _many_members(folder, light):
         write(folder / f"{number}.zip", buffer.getvalue())
 
 
-@of_cells(407, "thousands of questions that the lesson does not ask", never=(("predictions.html", "predict-light-777"),))
+@of_cells(
+    407,
+    "thousands of questions that the lesson does not ask",
+    never=(("predictions.html", "predict-light-777"),),
+)
 def _made_up_questions(lesson):
     for number in range(4_900):
         source = f"guess_{number} = {'<' * 300}  # your guess: {'&' * 300}"
         lesson["cells"].append(
-            {"id": f"predict-light-{number}", "cell_type": "code", "metadata": {}, "source": source, "outputs": []}
+            {
+                "id": f"predict-light-{number}",
+                "cell_type": "code",
+                "metadata": {},
+                "source": source,
+                "outputs": [],
+            }
         )
 
 
@@ -774,7 +787,9 @@ def _made_up_questions(lesson):
 def _files_of_no_lesson(folder, light):
     write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
     for number in range(99):
-        write(folder / f"{number}.ipynb", b'{"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": []}')
+        write(
+            folder / f"{number}.ipynb", b'{"nbformat": 4, "nbformat_minor": 5, "metadata": {}, "cells": []}'
+        )
 
 
 @attack(
@@ -791,7 +806,9 @@ def _formula_after_a_semicolon(folder, light):
 def _huge_attachments(folder, light):
     lesson = wrong_notebook(light)
     picture = {"a.png": {"image/png": "A" * 12_000_000}}
-    lesson["cells"].append({"id": "m", "cell_type": "markdown", "metadata": {}, "source": "", "attachments": picture})
+    lesson["cells"].append(
+        {"id": "m", "cell_type": "markdown", "metadata": {}, "source": "", "attachments": picture}
+    )
     lesson["metadata"]["more"] = [[{"a": 1}] * 1000] * 500
     write(folder / f"{LESSON}.ipynb", lesson)
 
@@ -807,7 +824,14 @@ def _marked_cells(lesson):
 @attack(412, "names of files that a program could take for its own")
 def _names_of_ours(folder, light):
     write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
-    for name in (".lock", "grades.json", "summary.html", "~$x.ipynb.tmp", "{{ grades }}.ipynb.txt", "..ipynb"):
+    for name in (
+        ".lock",
+        "grades.json",
+        "summary.html",
+        "~$x.ipynb.tmp",
+        "{{ grades }}.ipynb.txt",
+        "..ipynb",
+    ):
         write(folder / name, b"{}")
 
 

@@ -353,7 +353,11 @@ def test_somebody_can_be_called_like_a_numbered_namesake(read, light, submission
 
 @pytest.mark.parametrize(
     ("seconds", "moment"),
-    [(2**40, datetime(9999, 12, 31, 23, 59, 59)), (-(2**40), datetime(1, 1, 1)), (0, datetime.fromtimestamp(0))],
+    [
+        (2**40, datetime(9999, 12, 31, 23, 59, 59)),
+        (-(2**40), datetime(1, 1, 1)),
+        (0, datetime.fromtimestamp(0)),
+    ],
 )
 def test_a_date_beyond_the_calendar_ends_nothing(seconds, moment):
     """Some file systems store years after 9999."""

@@ -420,7 +420,7 @@ def test_no_table_cell_looks_like_a_formula(text):
 def test_what_follows_a_semicolon_is_no_formula_either():
     """A spreadsheet whose cells are separated by semicolons splits a text of ours there."""
     assert spreadsheet_text("x;=1+1;y") == "x;'=1+1;y"
-    assert spreadsheet_text("x; \"-1") == "x; \"'-1"
+    assert spreadsheet_text('x; "-1') == "x; \"'-1"
     assert without_apostrophes(spreadsheet_text("=x;=1+1; @y")) == "=x;=1+1; @y"
 
 

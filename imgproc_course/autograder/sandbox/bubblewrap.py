@@ -279,7 +279,9 @@ def _image_libraries():
     entries = [entry for folder in folders if folder.is_dir() for entry in os.scandir(folder)]
     files = {Path(entry).resolve() for entry in entries if _IMAGE_LIBRARIES.match(entry.name)}
     programs = [entry.path for entry in entries if _PROGRAM_FOLDERS.fullmatch(entry.name)]
-    options = [option for path in sorted(programs) if _is_plain_folder(Path(path)) for option in _empty_folder(path)]
+    options = [
+        option for path in sorted(programs) if _is_plain_folder(Path(path)) for option in _empty_folder(path)
+    ]
     return options + [
         option for path in sorted(files) if path.is_file() for option in _bind(os.devnull, str(path))
     ]

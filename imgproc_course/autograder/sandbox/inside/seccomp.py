@@ -3,10 +3,10 @@
 Memory in an anonymous file, in System V segments or in a new file system does not count as memory of a
 process, and a new user namespace makes its owner root there. Keyrings, the system's log, and sockets of most
 families are in no namespace: what one kernel writes there, the next could read. Watches on files show what
-other processes open, and a lease on a file makes them wait. Hints on how long data will live, and some
-requests of `ioctl` to a file system, stay with a file that everybody reads. Some calls say which parts of a
-file are in memory, or put them out of it, without looking at a clock. `sync` and `syncfs` make everybody wait for the
-disk. Answers need none of these.
+other processes open, and a lease on a file makes them wait. Hints on how long the data of a file will live,
+and some requests of `ioctl` to a file system, stay with a file that everybody reads. Some calls say which
+parts of a file are in memory, or put them out of it, without looking at a clock. `sync` and `syncfs` make
+everybody wait for the disk. Answers need none of these.
 """
 
 import ctypes
