@@ -2534,23 +2534,33 @@ for _number, _name, _step, _outcomes in (
     (
         611,
         "hundreds of thousands of small messages",
-        "while True: os.write(fd, b'{\"type\":\"clear_output\",\"content\":{\"wait\":true}}\\n' * 5000)",
+        'while True: os.write(fd, b\'{"type":"clear_output","content":{"wait":true}}\\n\' * 5000)',
         ("output",),
     ),
     (612, "an urgent byte, and then nothing", "own.send(b'x', socket.MSG_OOB), time.sleep(1000)", ("time",)),
-    (613, "two hundred descriptors, sent along", "socket.send_fds(own, [b' '], [0] * 200)", ("wrong", "hostile")),
+    (
+        613,
+        "two hundred descriptors, sent along",
+        "socket.send_fds(own, [b' '], [0] * 200)",
+        ("wrong", "hostile"),
+    ),
     (
         614,
         "the socket in the hands of another program",
         "os.set_inheritable(fd, True), os.execv(__import__('sys').executable, ['python', '-S', '-c', "
-        "f'import os; os.write({fd}, b\\'{{\"type\":\"idle\",\"content\":{{\"ename\":\"\",\"evalue\":\"\"}}}}\\\\\\\\n\\')'])",
+        'f\'import os; os.write({fd}, b\\\'{{"type":"idle","content":{{"ename":"","evalue":""}}}}\\\\\\\\n\\\')\'])',
         ("hostile", "crashed"),
     ),
 ):
     attack(_number, _name, TO_THE_SOCKET.replace("STEP", _step), *_outcomes, wrong=False)
 
 for _number, _name, _source, *_outcomes in (
-    (615, "the exit code of a kernel that could not be confined", "import os\ndef double(pixels):\n    os._exit(70)\n", "crashed"),
+    (
+        615,
+        "the exit code of a kernel that could not be confined",
+        "import os\ndef double(pixels):\n    os._exit(70)\n",
+        "crashed",
+    ),
     (616, "the same exit code, before any check", "import os\nos._exit(70)\n", "crashed"),
     (
         617,
@@ -2706,8 +2716,18 @@ for _number, _name, _source, *_outcomes in (
         """,
         "hostile",
     ),
-    (634, "a dict in which no key equals itself", "def double(pixels):\n    return {float('nan'): 1, float('nan'): 2}\n", "wrong"),
-    (635, "a thousand texts of ten thousand letters", "def double(pixels):\n    return np.array(['a' * 10_000] * 1000)\n", "wrong"),
+    (
+        634,
+        "a dict in which no key equals itself",
+        "def double(pixels):\n    return {float('nan'): 1, float('nan'): 2}\n",
+        "wrong",
+    ),
+    (
+        635,
+        "a thousand texts of ten thousand letters",
+        "def double(pixels):\n    return np.array(['a' * 10_000] * 1000)\n",
+        "wrong",
+    ),
     (
         641,
         "processes that stand still under a tracer",
@@ -2775,7 +2795,11 @@ for _number, _name, _source, *_outcomes in (
 
 for _number, _name, _body in (
     (651, "the other end of the scale", "return 255 - pixels"),
-    (652, "the running sum", "return np.minimum(np.cumsum(pixels).reshape(pixels.shape), 255).astype(np.uint8)"),
+    (
+        652,
+        "the running sum",
+        "return np.minimum(np.cumsum(pixels).reshape(pixels.shape), 255).astype(np.uint8)",
+    ),
     (653, "what a function of the library that has the name makes", "return np.multiply(pixels, 2)"),
     (
         654,
