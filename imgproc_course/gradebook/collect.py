@@ -238,6 +238,8 @@ class _Intake:
         for entry in sorted(entries, key=lambda entry: (_suffix(entry.name) == ".zip", entry.path)):
             parts = Path(entry.path).relative_to(root).parts
             if entry.name in _SKIPPED_FOLDERS or entry.name.startswith("."):
+                if entry.name not in _SKIPPED_FOLDERS and _is_folder(entry):
+                    self._ignore((*parts, ""))
                 continue
             if _is_folder(entry):
                 self._walk(Path(entry.path), parts)

@@ -236,9 +236,10 @@ def _report_repeated(learner):
     for lesson, earlier in learner.earlier.items():
         submission = learner.submissions[lesson]
         earlier.sort(key=lambda submission: submission.file.order)
-        submission.content.add(
-            f"submitted {len(earlier) + 1} times; this one counts: {submission.file.source}"
-        )
+        # What is less certainly theirs, they need not have submitted.
+        count = 1 + sum(other.file.certainty >= submission.file.certainty for other in earlier)
+        if count > 1:
+            submission.content.add(f"submitted {count} times; this one counts: {submission.file.source}")
 
 
 def _replaced_by_name(submissions):

@@ -835,6 +835,16 @@ def _names_of_ours(folder, light):
         write(folder / name, b"{}")
 
 
+@attack(413, "zips of platforms' forms with a neighbour's name, one of them named like a lesson")
+def _zips_of_platforms(folder, light):
+    data = json.dumps(wrong_notebook(light))
+    write(folder / f"{LESSON}.ipynb", data)
+    moodle = f"{_neighbour_of(folder)}_7_assignsubmission_file_/{LESSON}.ipynb"
+    canvas = f"{_neighbour_of(folder)}_7_8_{LESSON}.ipynb"
+    _dated_zip(folder.with_name("413.zip"), [moodle, canvas], data)
+    _dated_zip(folder.with_name(f"{LESSON}.zip"), [moodle], data)
+
+
 # ---------------------------------------------------------------- grading them all
 
 

@@ -276,3 +276,14 @@ def test_no_submissions_is_an_error(submissions):
         collect(submissions)
     with pytest.raises(CollectError, match="does not exist"):
         collect(submissions / "nowhere")
+
+
+def test_a_hidden_folder_is_listed(submissions):
+    write(submissions / "ada" / "20_light.ipynb", b"{}")
+    write(submissions / ".eve" / "20_light.ipynb", b"{}")
+    with collect(submissions, LESSONS) as collection:
+        assert [file.learner for file in collection.files] == ["ada"]
+        assert collection.ignored == [".eve/"]
+        assert [(finding.learner, finding.text) for finding in collection.findings] == [
+            (".eve", "no notebook and no zip")
+        ]

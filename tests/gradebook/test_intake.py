@@ -77,6 +77,7 @@ def test_a_name_in_a_platforms_zip_does_not_replace_a_submission_of_its_own(read
     assert counting(learners["Bob Ray"]) == "Bob Ray/20_light.ipynb"
     ((sender, text),) = findings(collection)
     assert sender == "all.zip" and "whose own submission of light counts" in text
+    assert learners["Bob Ray"].submissions["light"].content.findings == []
 
 
 def test_of_two_platform_zips_that_name_one_person_the_one_of_more_people_counts(read, light, submissions):
