@@ -211,12 +211,14 @@ def _numbers_form(expected, actual):
     # As NumPy's scalars, and not as Python's numbers: float32 rounds more.
     if kind in ("int", "float", "bool") and values.size == 1:
         return canonical(values.flat[0])
+    if kind not in ("tuple", "list"):
+        return actual
     items = expected.get("items", ())
-    if kind in ("tuple", "list") and values.ndim == 1:
+    if values.ndim == 1:
         numbers = list(values) if len(values) == len(items) else values.tolist()
         return canonical(numbers) | {"type": kind}
     are_pairs = all(item["type"] in ("tuple", "list") for item in items)
-    if kind in ("tuple", "list") and are_pairs and values.ndim and len(values) == len(items):
+    if are_pairs and values.ndim and len(values) == len(items):
         return {"type": kind, "items": [canonical(part, limit=None) for part in values]}
     return actual
 

@@ -1,5 +1,7 @@
 """The first difference of two canonical forms."""
 
+from types import SimpleNamespace
+
 import numpy as np
 import pytest
 
@@ -194,6 +196,24 @@ def test_a_right_value_in_another_type_passes_where_the_type_need_not_be_exact(e
 def test_another_value_fails_in_every_type(expected, actual):
     forms = canonical(expected), canonical(actual)
     assert compare(*forms, exact_type=False) is not None
+
+
+ONE_OF_EACH_KIND = [
+    *(None, True, 3, 2.5, float("nan"), "a", b"a", (1, 2), [1, 2], [(1, 2), (3, 4)], [], {1: 2, 3: 4}, {}),
+    *(ARRAY, ARRAY[0], ARRAY > 2, np.array(3), np.array([3]), np.zeros((2, 0)), np.zeros((2, 2, 2))),
+    *(np.float32(2.5), np.uint8(3), np.float16([1, 2]), ARRAY.astype(object), ARRAY.view(np.matrix)),
+    *(SimpleNamespace(a=1, b=2), (ARRAY, ARRAY > 2), {"a": ARRAY, "b": 1}, object(), 10**4000, "x" * 20_000),
+]
+
+
+@pytest.mark.parametrize("expected", ONE_OF_EACH_KIND[:-2], ids=lambda value: type(value).__name__)
+@pytest.mark.parametrize("exact_type", [True, False])
+def test_any_answer_can_be_compared_with_any_expected_one(expected, exact_type):
+    """An exception here would cost a learner points, by a fault of ours."""
+    forms = [canonical(value, limit=None) for value in ONE_OF_EACH_KIND]
+    differences = [compare(canonical(expected), form, exact_type=exact_type) for form in forms]
+    equal = [value for value, difference in zip(ONE_OF_EACH_KIND, differences, strict=True) if not difference]
+    assert len(equal) <= 5 and all(difference is None or difference.message for difference in differences)
 
 
 @pytest.mark.parametrize(("expected", "actual"), [(44, np.array([44])), (ARRAY, ARRAY.view(np.matrix))])
