@@ -107,6 +107,14 @@ def test_without_user_namespaces_the_error_says_how_to_allow_them(monkeypatch, t
     assert "sysctl -w kernel.unprivileged_userns_clone=1" in problem
 
 
+def test_the_trial_of_the_sandbox_lacks_only_the_packages():
+    kernel, trial = (bubblewrap.sandbox_command(True, packages=packages) for packages in (True, False))
+    length = len(kernel) - len(trial)
+    start = kernel.index(bubblewrap.SITE) - 3  # "--perms", "0755", "--dir"
+    assert length > 200 and kernel[:start] + kernel[start + length :] == trial
+    assert bubblewrap.SITE not in trial
+
+
 def test_on_another_system_the_error_says_where_to_grade(monkeypatch):
     monkeypatch.setattr(bubblewrap.sys, "platform", "darwin")
     bubblewrap.sandbox_problem.cache_clear()

@@ -143,7 +143,7 @@ def _error_of_trial():
     for _ in range(_TRIALS):
         try:
             trial = subprocess.run(
-                [*sandbox_command(confined=True), "-c", "print('inside')"],
+                [*sandbox_command(confined=True, packages=False), "-c", "print('inside')"],
                 env={},
                 capture_output=True,
                 text=True,
@@ -174,13 +174,14 @@ def require_sandbox():
 # ---------------------------------------------------------------- the command line
 
 
-def sandbox_command(confined, *, shared=None):
+def sandbox_command(confined, *, shared=None, packages=True):
     """The command line up to the interpreter and its options.
 
     Parameters
     ----------
     confined : bool; False: the interpreter alone, without bubblewrap
     shared : {folder: its mount point inside}, folders that can be written to: an ipykernel's sockets
+    packages : bool, False: without installed packages and the course, which take longer than all the rest
 
     Returns
     -------
@@ -207,7 +208,8 @@ def sandbox_command(confined, *, shared=None):
         command += _bind(str(base), str(mount_point))
     for path in _outermost([*_foreign_folders(), *_foreign_package_folders()]):
         command += _empty_folder(str(path))
-    command += [*_site_packages(), *_course_packages()]
+    if packages:
+        command += [*_site_packages(), *_course_packages()]
     for folder, shared_mount_point in (shared or {}).items():
         command += ["--bind", folder, shared_mount_point]
     # If the user does not really change, kernels own these folders: the next kernel would find what one

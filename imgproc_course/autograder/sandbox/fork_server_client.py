@@ -15,7 +15,6 @@ from contextlib import suppress
 from functools import lru_cache
 
 from imgproc_course.autograder.sandbox import bubblewrap
-from imgproc_course.autograder.sandbox.allowed_modules import module_access
 from imgproc_course.autograder.sandbox.cell_run import LOOK_SECONDS, CellRun
 
 _OWN_SECONDS = 0.5  # of processor time, that the fork server and a waiting kernel use beside a check, at most
@@ -332,6 +331,9 @@ class ForkServer:
             self._close()
             self.start()
         self._fork_count += 1
+        # What it imports is needed here alone, and takes as long as the rest of this module.
+        from imgproc_course.autograder.sandbox.allowed_modules import module_access
+
         access = module_access(tuple(allowed))  # while the server loads
         if not self._is_ready:
             self._await_ready()
