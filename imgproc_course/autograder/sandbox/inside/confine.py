@@ -128,9 +128,10 @@ def _mount_proc():
 
 
 def protect_devices():
-    """Make the mounts of the machine's devices read-only: whoever may write to a device may set its times.
+    """Make the mounts of the machine's devices read-only.
 
-    The devices can be read and written as before. It holds for all kernels that are started afterwards.
+    A process that may write to a device could also set its times, and the next kernel would read them. The
+    devices can be read and written as before. It holds for all kernels that are started afterwards.
     """
     for path in (f"/dev/{name}" for name in _DEVICES):
         if os.path.ismount(path):
