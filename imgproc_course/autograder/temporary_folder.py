@@ -1,4 +1,4 @@
-"""Temporary folders that do not outlive a killed run: the next run removes them."""
+"""Temporary folders that do not outlive a killed run: the next run removes them, at its beginning or end."""
 
 import fcntl
 import os
@@ -15,12 +15,11 @@ class TemporaryFolder:
     """A folder in the system's folder for temporary files; `path` is its Path.
 
     It holds a file that this process locks. The system unlocks it when the process ends, however it ends, so
-    a folder whose file can be locked was left by a run that was killed: it is removed with the next folder
-    that is made.
+    a folder whose file can be locked was left by a run that was killed.
     """
 
     def __init__(self):
-        _remove_abandoned()
+        remove_abandoned_folders()
         folder = Path(tempfile.mkdtemp(prefix=f".{_PREFIX}"))
         self._lock = os.open(folder / _LOCK, os.O_RDWR | os.O_CREAT | os.O_CLOEXEC, 0o600)
         fcntl.flock(self._lock, fcntl.LOCK_EX)
@@ -33,7 +32,8 @@ class TemporaryFolder:
         os.close(self._lock)
 
 
-def _remove_abandoned():
+def remove_abandoned_folders():
+    """Remove the folders of runs that were killed, and have ended."""
     for folder in Path(tempfile.gettempdir()).glob(f"{_PREFIX}*"):
         with suppress(OSError):  # another user's, or another process removes it now
             lock = os.open(folder / _LOCK, os.O_RDWR | os.O_CLOEXEC | os.O_NOFOLLOW)

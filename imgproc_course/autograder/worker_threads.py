@@ -9,6 +9,7 @@ import os
 from concurrent.futures import ThreadPoolExecutor
 
 from imgproc_course.autograder.nbval_process import nbval_process_of_thread, stop_nbval_processes
+from imgproc_course.autograder.temporary_folder import remove_abandoned_folders
 
 _numbers = itertools.count(1)
 
@@ -38,3 +39,5 @@ def open_worker_threads(workers=None, *, early=False, kernel="fast", unsafe=Fals
     finally:
         stop_nbval_processes(prefix)
         executor.shutdown()
+        # The next run after a killed one perhaps finds everything graded, and needs no folder of its own.
+        remove_abandoned_folders()
