@@ -167,31 +167,6 @@ def record(path, topics):
         raise SystemExit(record_until_signal(list(topics) or None, path, say=click.echo))
 
 
-@main.command()
-@click.option("--minutes", type=float, default=10.0, show_default=True, help="Duration, without the warm-up.")
-@click.option(
-    "--speed",
-    type=float,
-    default=3.0,
-    show_default=True,
-    help="Playback speed: 3 is three times the drive's 10 Hz.",
-)
-@click.option(
-    "--warm-up", type=float, default=25.0, show_default=True, help="Seconds before the measurement starts."
-)
-@click.option("--source", type=click.Choice(["recording", "room"]), default="recording", show_default=True)
-def soak(minutes, speed, warm_up, source):
-    """Run a camera, both nodes and a subscriber for a long time.
-
-    Reports lost frames, and growth of memory, threads and open files. Exits with 1 if there is any.
-    """
-    _check_ros()
-    from imgproc_course.ros.soak import soak as run_soak
-
-    with _in_one_line(ValueError):
-        raise SystemExit(run_soak(minutes, speed, source=source, warm_up=warm_up, say=click.echo))
-
-
 # ---------------------------------------------------------------- lessons and grades
 
 

@@ -15,6 +15,7 @@ import sys
 import time
 
 import numpy as np
+from bench_soak import node_command
 from rich.console import Console
 from rich.table import Table
 
@@ -23,10 +24,6 @@ SECONDS = float(os.environ.get("SECONDS", "10"))
 ROUNDS = 2
 WARM_UP = 3.0
 PLAY = "from imgproc_course.ros.player import play; play(speed=3.0)"
-OURS = (
-    "import sys; from imgproc_course.ros.soak import _command; import os;"
-    "command = _command({!r}); os.execvp(command[0], command)"
-)
 # The callback of the lesson's page, with a publisher instead of imshow.
 LESSON = """
 import signal, sys, time
@@ -73,12 +70,12 @@ finally:
 COMMANDS = {
     "gray, the lesson's node": ([sys.executable, "-c", LESSON, "gray"], "/lesson/result"),
     "gray, image_gray_processor": (
-        [sys.executable, "-c", OURS.format("image_gray_processor")],
+        node_command("image_gray_processor"),
         "/image_gray_processor/gray",
     ),
     "edges, the lesson's node": ([sys.executable, "-c", LESSON, "edges"], "/lesson/result"),
     "edges, image_edge_detection": (
-        [sys.executable, "-c", OURS.format("image_edge_detection")],
+        node_command("image_edge_detection"),
         "/image_edge_detection/edges",
     ),
 }

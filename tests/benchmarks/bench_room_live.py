@@ -16,8 +16,6 @@ import time
 
 import psutil
 
-MINUTES = float(os.environ.get("MINUTES", "10"))
-RATE = 30.0
 LEAST_RATE = 29.0
 MOST_CPU = 80.0  # percent of a core
 WRONG_COMMANDS = ((math.nan, 0.0), (math.inf, -math.inf), (1e9, -1e9))
@@ -96,11 +94,11 @@ def is_room(process):
 def main():
     os.environ.setdefault("ROS_DOMAIN_ID", "97")
     os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
-    from imgproc_course.ros.soak import soak
+    from bench_soak import MINUTES, soak
 
     driver = Driver()
     driver.start()
-    code = soak(MINUTES, RATE / 10, source="room")
+    code = soak("room")
     driver.ended.set()
     driver.join()
     end = driver.samples[-20][0] if len(driver.samples) > 20 else 0.0

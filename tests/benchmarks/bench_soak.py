@@ -1,8 +1,14 @@
-"""Runs camera, both nodes and a notebook for a long time, and reports what is lost and what grows."""
+"""Camera, both nodes and a notebook for a long time: is an image lost, and does memory or anything else grow?
+
+Camera and nodes are processes of their own; the notebook (this process) subscribes to both results. It fails
+if an image was lost or failed, if memory, threads or open files grew, or if a process ended.
+
+Run it with `environment/test --benchmarks soak`; MINUTES=1 and WARM_UP=5 (seconds) in the environment make
+it shorter than 10 minutes after 25 seconds. Ctrl-C ends it and reports what was measured.
+"""
 
 import json
 import os
-import signal
 import statistics
 import subprocess
 import sys
@@ -15,84 +21,59 @@ from rich.console import Console
 from rich.table import Table
 from std_msgs.msg import String
 
-import imgproc_course
 from imgproc_course.ros.camera import TOPIC
 from imgproc_course.ros.session import RosSession
 from imgproc_course.ros.subscriber import ImageSubscriber
 
+MINUTES = float(os.environ.get("MINUTES", "10"))
+WARM_UP = float(os.environ.get("WARM_UP", "25"))  # seconds that are not measured: buffers fill
+SPEED = float(os.environ.get("SPEED", "3"))  # factor on the drive's own 10 Hz
 NODES = {"image_gray_processor": "gray", "image_edge_detection": "edges"}  # node -> its subscribed output
 SAMPLES = 200  # per process, however long the run
 START_TIMEOUT = 60.0  # seconds that a process may take to start, or to end
 # Memory varies by the working arrays of one image (Canny's: 9 MiB), depending on the moment of the sample.
 # A leak of one image in 200 would add 250 MB in 10 minutes.
 MEMORY_SLACK = 20 << 20
-_PLAY = "from imgproc_course.ros.player import publish; publish({!r}, {!r}, {!r})"
-_RUN = "import sys; sys.path.insert(0, {!r}); from {name}.{name} import main; sys.exit(main())"
+PLAY = "from imgproc_course.ros.player import publish; publish({!r}, {!r}, {!r})"
+RUN = "import sys; sys.path.insert(0, {!r}); from {name}.{name} import main; sys.exit(main())"
+SOURCES = Path(__file__).parents[2] / "environment" / "ros2_ws" / "src"
 
 
-def soak(minutes=10.0, speed=3.0, *, source="recording", warm_up=25.0, say=print):
-    """Runs the graph on its own topics, and reports losses and growth.
+def soak(source="recording"):
+    """Runs the graph on topics of its own, and prints what was lost and what grew. Returns the exit code.
 
-    Parameters
-    ----------
-    minutes : duration after the warm-up
-    speed : factor on the drive's own 10 Hz
-    source : "recording", or "room", whose other topics have the robot's names: take a domain of its own
-    warm_up : seconds that are not measured: processes start, buffers fill
-    say : function of one line, which prints the progress
-
-    Returns
-    -------
-    int, the exit code: 0; 1 if an image was lost or failed, if memory, threads or open files grew, or if a
-    process ended. Ctrl-C ends the run and reports what was measured, or returns 130 if nothing was
-
-    Raises
-    ------
-    ValueError : a bad duration, speed or warm-up, or the two packages are not found
+    The other topics of the source "room" have the robot's names: take a domain of your own for it.
     """
-    for name, number in (("minutes", minutes), ("speed", speed)):
-        if not 0 < number < float("inf"):
-            raise ValueError(f"{name} must be a positive number, got {number!r}")
-    if not 0 <= warm_up < float("inf"):
-        raise ValueError(f"the warm-up must be 0 or more seconds, got {warm_up!r}")
-    soak_run = _SoakRun(source, speed, say)
-    # SIGTERM ends the run as Ctrl-C does, so that no camera and no node keeps running.
-    previous_handler = signal.signal(signal.SIGTERM, signal.default_int_handler)
+    run = SoakRun(source)
     try:
-        soak_run.start()
-        soak_run.watch(warm_up)
-        if not soak_run.problems:
-            soak_run.end_warm_up()
-            say(f"warm after {warm_up:g} s; measuring {minutes:g} minutes (Ctrl-C ends it)")
-            soak_run.watch(minutes * 60)
-            soak_run.wait_for_statistics()
+        run.start()
+        run.watch(WARM_UP)
+        if not run.problems:
+            run.end_warm_up()
+            print(f"warm after {WARM_UP:g} s; measuring {MINUTES:g} minutes (Ctrl-C ends it)", flush=True)
+            run.watch(MINUTES * 60)
+            run.wait_for_statistics()
     except KeyboardInterrupt:
-        if not soak_run.is_warm:
-            say("ended by Ctrl-C during the warm-up: nothing was measured")
-            return 130
-        say("ended by Ctrl-C")
+        print("ended by Ctrl-C")
     finally:
-        soak_run.stop()
-        signal.signal(signal.SIGTERM, previous_handler)
-    return soak_run.report()
+        run.stop()
+    return run.report()
 
 
-class _SoakRun:
+class SoakRun:
     """Camera, nodes and subscribers of one run, and what was measured."""
 
-    def __init__(self, source, speed, say):
-        self._say = say
+    def __init__(self, source):
         self._namespace = f"/soak_{os.getpid()}"
         self._topic = f"{self._namespace}/image_raw"
         remapping = ["--ros-args", "-r", f"{TOPIC}:={self._topic}", "-r", f"__ns:={self._namespace}"]
-        self._commands = {"camera": [sys.executable, "-c", _PLAY.format(self._topic, speed, source)]}
-        self._commands |= {name: [*_command(name), *remapping] for name in NODES}
+        self._commands = {"camera": [sys.executable, "-c", PLAY.format(self._topic, SPEED, source)]}
+        self._commands |= {name: [*node_command(name), *remapping] for name in NODES}
         self._processes, self._samples, self._subscribers, self._counts_before = {}, {}, {}, {}
         self._stderr = dict.fromkeys(self._commands, b"")  # the end of each process's stderr
         self._statistics = {}
         self._seconds = 0.0
         self.problems = []
-        self.is_warm = False
 
     def start(self):
         for name, command in self._commands.items():
@@ -102,8 +83,8 @@ class _SoakRun:
             )
             os.set_blocking(self._processes[name].stderr.fileno(), False)
         self._session = RosSession.current()
-        self._samples = {name: _ProcessSamples(process.pid) for name, process in self._processes.items()}
-        self._samples["notebook"] = _ProcessSamples(os.getpid())
+        self._samples = {name: ProcessSamples(process.pid) for name, process in self._processes.items()}
+        self._samples["notebook"] = ProcessSamples(os.getpid())
         for name, output in NODES.items():
             self._subscribe(name, output)
         subscribers = self._subscribers.values()
@@ -142,7 +123,7 @@ class _SoakRun:
                 samples.take()
             if time.monotonic() - last_line > max(10.0, seconds / 10):
                 last_line = time.monotonic()
-                self._say(f"{last_line - start:.0f} s: {self._progress()}")
+                print(f"{last_line - start:.0f} s: {self._progress()}", flush=True)
 
     def _check_processes(self):
         for name, process in self._processes.items():
@@ -162,7 +143,6 @@ class _SoakRun:
 
     def end_warm_up(self):
         """Discards what was measured so far."""
-        self.is_warm = True
         for samples in self._samples.values():
             samples.clear()
         self._counts_before = {name: self._counts(name) for name in NODES}
@@ -211,8 +191,8 @@ class _SoakRun:
         for name, samples in self._samples.items():
             problems += [f"{name}: {growth}" for growth in samples.growth()]
         for problem in problems:
-            self._say(problem)
-        self._say("something was lost or grew" if problems else "no loss, no growth")
+            print(problem)
+        print("something was lost or grew" if problems else "no loss, no growth")
         return 1 if problems else 0
 
     def _count_cells(self, name):
@@ -231,7 +211,7 @@ class _SoakRun:
                     yield f"{name}: {count} {key}"
 
 
-class _ProcessSamples:
+class ProcessSamples:
     """Samples of a process: (own memory in bytes, threads, open files)."""
 
     def __init__(self, pid):
@@ -282,16 +262,10 @@ def _compress(frame, msg):
     cv2.imencode(".jpg", frame)
 
 
-def _command(name):
-    """The command that starts a node: installed in a sourced workspace, or from this checkout's sources."""
-    for prefix in filter(None, os.environ.get("AMENT_PREFIX_PATH", "").split(os.pathsep)):
-        executable = Path(prefix) / "lib" / name / name
-        if executable.is_file():
-            return [str(executable)]
-    sources = Path(imgproc_course.__file__).parents[1] / "environment" / "ros2_ws" / "src" / name
-    if not sources.is_dir():
-        raise ValueError(
-            f"the package {name} is not found; source a workspace in which it is built (install/setup.bash), "
-            "or run this in a checkout of the course"
-        )
-    return [sys.executable, "-c", _RUN.format(str(sources), name=name)]
+def node_command(name):
+    """The command that starts a node from this checkout's sources."""
+    return [sys.executable, "-c", RUN.format(str(SOURCES / name), name=name)]
+
+
+if __name__ == "__main__":
+    raise SystemExit(soak())
