@@ -64,9 +64,9 @@ def start(jupyter_options):
     An update of the course never overwrites your work: an updated lesson is added under a new name.
     JupyterLab gets all options: --no-browser, --port 8890, --ip ADDRESS, and so on.
     """
-    from imgproc_course.lab import LabError
-    from imgproc_course.lab import start as start_lab
-    from imgproc_course.working_copies import LessonsError
+    from imgproc_course.lab.server import LabError
+    from imgproc_course.lab.server import start as start_lab
+    from imgproc_course.lab.working_copies import LessonsError
 
     with _in_one_line(LabError, LessonsError):
         start_lab(jupyter_options, say=click.echo)
@@ -206,9 +206,9 @@ def build(lessons, only_check, masters, out, solved, with_solutions):
 
     LESSON is a number or a name: 03 or 03_images_as_messages. Without LESSON, all lessons are built.
     """
-    from imgproc_course.authoring.build import build as build_lessons
-    from imgproc_course.authoring.build import compare_lessons
-    from imgproc_course.exercises.declaration import MasterError
+    from imgproc_course.classroom.authoring.build import build as build_lessons
+    from imgproc_course.classroom.authoring.build import compare_lessons
+    from imgproc_course.classroom.exercises.declaration import MasterError
 
     out = out or masters.parent
     solved = solved or CHECKOUT / "solved"
@@ -255,8 +255,8 @@ def handout(folder, lessons, source, with_solutions, zipped):
     LESSON is a number or a name: 03 or images_as_messages. Without LESSON, all lessons are handed out.
     A file in FOLDER that differs is never replaced.
     """
-    from imgproc_course.authoring.handout import HandoutError, hand_out
-    from imgproc_course.exercises.declaration import MasterError
+    from imgproc_course.classroom.authoring.handout import HandoutError, hand_out
+    from imgproc_course.classroom.exercises.declaration import MasterError
 
     try:
         result = hand_out(folder, source, lessons, with_solutions=with_solutions, zipped=zipped)
@@ -276,8 +276,13 @@ def handout(folder, lessons, source, with_solutions, zipped):
 @click.option("--run", "and_run", is_flag=True, help="Also run the checks on your answers.")
 def check(notebooks, and_run):
     """Check a lesson before you submit it: is every answer present, and in its answer cell?"""
-    from imgproc_course.exercises.check_files import CheckFileError
-    from imgproc_course.gradebook.check import LessonFileError, check_lesson, report_lines, run_answers
+    from imgproc_course.classroom.exercises.check_files import CheckFileError
+    from imgproc_course.classroom.gradebook.check import (
+        LessonFileError,
+        check_lesson,
+        report_lines,
+        run_answers,
+    )
 
     ready = True
     for path in notebooks:
@@ -331,11 +336,11 @@ def key(lessons, seed, redraw, variants, out, masters, replace, unsafe):
     LESSON is a number or a name: 03 or 03_images_as_messages. Without LESSON, the key has all lessons; with
     --redraw, those of the old key.
     """
-    from imgproc_course.autograder import key_seed
-    from imgproc_course.autograder.answer_key import KeyFolderError, load_key
-    from imgproc_course.autograder.make_answer_key import make_key
-    from imgproc_course.autograder.sandbox.bubblewrap import SandboxError
-    from imgproc_course.exercises.declaration import MasterError
+    from imgproc_course.classroom.autograder import key_seed
+    from imgproc_course.classroom.autograder.answer_key import KeyFolderError, load_key
+    from imgproc_course.classroom.autograder.make_answer_key import make_key
+    from imgproc_course.classroom.autograder.sandbox.bubblewrap import SandboxError
+    from imgproc_course.classroom.exercises.declaration import MasterError
 
     if redraw and seed is not None:
         raise click.UsageError("--redraw draws a new seed: leave --seed out")
@@ -459,7 +464,7 @@ def grade(submissions, keys, out, **options):
     interruption, the same command continues. Exit codes: 0 all graded, 3 some could not be graded (they get
     0 points and a reason) or a page is incomplete, 1 nothing was graded, 130 interrupted.
     """
-    from imgproc_course.autograder.worker_threads import open_worker_threads
+    from imgproc_course.classroom.autograder.worker_threads import open_worker_threads
 
     with contextlib.ExitStack() as stack:
         if not options["scheduler"]:
@@ -472,11 +477,11 @@ def grade(submissions, keys, out, **options):
 
 
 def _grade(submissions, keys, out, options):
-    from imgproc_course.autograder.answer_key import KeyFolderError
-    from imgproc_course.autograder.sandbox.bubblewrap import SandboxError
-    from imgproc_course.gradebook.collect import CollectError
-    from imgproc_course.gradebook.grade import grade_submissions
-    from imgproc_course.gradebook.result_store import GradesFolderError
+    from imgproc_course.classroom.autograder.answer_key import KeyFolderError
+    from imgproc_course.classroom.autograder.sandbox.bubblewrap import SandboxError
+    from imgproc_course.classroom.gradebook.collect import CollectError
+    from imgproc_course.classroom.gradebook.grade import grade_submissions
+    from imgproc_course.classroom.gradebook.result_store import GradesFolderError
 
     try:
         report = grade_submissions(submissions, keys, out, **options)
@@ -497,8 +502,8 @@ def _grade(submissions, keys, out, options):
 )
 def new_lesson(name, out):
     """Create a lesson of your own: a master that you can build and grade at once."""
-    from imgproc_course.authoring.new_lesson import new_lesson as write
-    from imgproc_course.exercises.declaration import MasterError
+    from imgproc_course.classroom.authoring.new_lesson import new_lesson as write
+    from imgproc_course.classroom.exercises.declaration import MasterError
 
     with _in_one_line(MasterError):
         path = write(name, out)

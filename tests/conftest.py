@@ -58,7 +58,7 @@ def pytest_runtest_setup(item):
 
 
 # Long tests start first: if they started last, the other workers would wait for them without work.
-LONGEST_FIRST = ("ros_packages", "browser", "autograder", "gradebook", "notebooks", "ros")
+LONGEST_FIRST = ("ros_packages", "browser", "classroom", "notebooks", "ros")
 # A worker takes one file at a time. Of WHOLE_FOLDERS it takes all files, because what they share (a colcon
 # workspace, a JupyterLab with its browser) takes long to make. Of SINGLE_TESTS it takes one test, a lesson.
 WHOLE_FOLDERS = ("ros_packages", "browser")

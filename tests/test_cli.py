@@ -12,8 +12,8 @@ import imgproc_course
 from imgproc_course.cli import main
 from imgproc_course.doctor import Report
 from imgproc_course.doctor.report import failure, ok, warning
-from imgproc_course.lab import LabError
-from imgproc_course.working_copies import LessonsError
+from imgproc_course.lab.server import LabError
+from imgproc_course.lab.working_copies import LessonsError
 
 COMMAND = [sys.executable, "-c", "from imgproc_course.cli import main; main()"]
 
@@ -94,7 +94,9 @@ def test_the_doctor_command_fails_only_if_a_check_fails(call, monkeypatch, diagn
 
 def test_jupyterlab_gets_its_options(call, monkeypatch):
     passed_options = []
-    monkeypatch.setattr("imgproc_course.lab.start", lambda options, say: passed_options.extend(options))
+    monkeypatch.setattr(
+        "imgproc_course.lab.server.start", lambda options, say: passed_options.extend(options)
+    )
     options = ["--no-browser", "--port", "8890", "--ip=127.0.0.1", "--ServerApp.token=x", "--debug"]
     assert call("start", *options).exit_code == 0
     assert passed_options == options
@@ -106,7 +108,7 @@ def test_why_jupyterlab_cannot_start_is_one_line(call, monkeypatch, error):
         say("New in my_lessons/: a.ipynb")
         raise error("the disk is full; free some space")
 
-    monkeypatch.setattr("imgproc_course.lab.start", refuse)
+    monkeypatch.setattr("imgproc_course.lab.server.start", refuse)
     result = call("start")
     assert result.exit_code == 1
     assert result.output == "New in my_lessons/: a.ipynb\nError: the disk is full; free some space\n"
@@ -116,12 +118,14 @@ def test_start_copies_the_lessons_before_it_runs_jupyterlab(call, monkeypatch, t
     lesson = '{"cells": [], "metadata": {}, "nbformat": 4, "nbformat_minor": 5}'
     (tmp_path / "notebooks").mkdir()
     (tmp_path / "notebooks" / "00_start_here.ipynb").write_text(lesson)
-    monkeypatch.setattr("imgproc_course.lab.CHECKOUT", tmp_path)
-    monkeypatch.setattr("imgproc_course.working_copies.CHECKOUT", tmp_path)
+    monkeypatch.setattr("imgproc_course.lab.server.CHECKOUT", tmp_path)
+    monkeypatch.setattr("imgproc_course.lab.working_copies.CHECKOUT", tmp_path)
     monkeypatch.setenv("JUPYTER_DATA_DIR", str(tmp_path / "data"))
     monkeypatch.setenv("JUPYTER_RUNTIME_DIR", str(tmp_path / "runtime"))
     runs = []
-    monkeypatch.setattr("imgproc_course.lab.run", lambda folder, options, say: runs.append((folder, options)))
+    monkeypatch.setattr(
+        "imgproc_course.lab.server.run", lambda folder, options, say: runs.append((folder, options))
+    )
     result = call("start", "--no-browser")
     assert result.output == "New in my_lessons/: 00_start_here.ipynb\n"
     assert runs == [(tmp_path / "my_lessons", ("--no-browser",))]

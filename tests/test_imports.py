@@ -22,29 +22,35 @@ ARROWS = {
     "simulation": {"geometry"},
     "ros": {"messages", "recording", "simulation"},
     "display": {"messages", "ros"},
-    "exercises": set(),
+    "exercises": {"classroom"},
+    "classroom": set(),
+}
+# The same inside the classroom; its modules import nothing else of the course.
+CLASSROOM_ARROWS = {
+    "course": set(),
+    "exercises": {"course"},
     "authoring": {"exercises"},
-    "autograder": {"authoring", "exercises"},
+    "autograder": {"authoring", "course", "exercises"},
     "gradebook": {"authoring", "autograder", "exercises"},
+}
+KNOWN_CIRCLES = {
+    (
+        "imgproc_course.classroom.autograder.sandbox.allowed_modules",
+        "imgproc_course.classroom.autograder.sandbox.bubblewrap",
+    ),
+    ("imgproc_course.ros.camera_publisher", "imgproc_course.ros.room_publisher"),
 }
 # Arrows that only some modules of a package may use.
 ONLY_IN = {
     ("display", "ros"): {"display/live_view.py", "display/drive.py"},
-    ("autograder", "authoring"): {"autograder/make_answer_key.py"},
+}
+ONLY_IN_CLASSROOM = {
+    ("autograder", "authoring"): {"classroom/autograder/make_answer_key.py"},
 }
 # These may import every package: the command line, and the modules that its commands start.
-CALLERS = {
-    "cli.py",
-    "doctor",
-    "lab.py",
-    "lab_websocket.py",
-    "working_copies.py",
-    "ros_domain.py",
-    "__init__.py",
-    "jupyter_config",
-}
-CALLS_OTHER_PEOPLES_CODE = {"ros", "display", "exercises", "autograder"}  # autograder: an executor
-SHOWS_OTHER_PEOPLES_VALUES = {"gradebook/grades_folder.py"}  # whatever they are, they harm one page only
+CALLERS = {"cli.py", "doctor", "lab", "ros_domain.py", "__init__.py"}
+CALLS_OTHER_PEOPLES_CODE = ("ros/", "display/", "classroom/exercises/", "classroom/autograder/")
+SHOWS_OTHER_PEOPLES_VALUES = {"classroom/gradebook/grades_folder.py"}  # they harm one page only
 
 
 def modules():
@@ -53,6 +59,10 @@ def modules():
 
 def relative(path):
     return path.relative_to(PACKAGE).as_posix()
+
+
+def module_name(path):
+    return ".".join(path.relative_to(PACKAGE.parent).with_suffix("").parts).removesuffix(".__init__")
 
 
 def imported_names(path):
@@ -81,10 +91,34 @@ def packages_imported(path):
     return (names & ARROWS.keys()) - {package_of(path)}
 
 
+def part_of(path):
+    """The part of the classroom that a module belongs to: a package, or the name of a module beside them."""
+    return path.relative_to(PACKAGE / "classroom").parts[0].removesuffix(".py")
+
+
+def parts_imported(path):
+    """The other parts of the classroom that a module of it imports."""
+    parts = (name.split(".") for name in imported_names(path))
+    names = {part[2] for part in parts if part[:2] == ["imgproc_course", "classroom"] and len(part) > 2}
+    return names - {part_of(path)}
+
+
 @pytest.mark.parametrize("package", ARROWS)
 def test_a_package_imports_exactly_what_the_design_says(package):
     paths = [path for path in modules() if package_of(path) == package]
     assert set().union(*map(packages_imported, paths)) == ARROWS[package]
+
+
+@pytest.mark.parametrize("part", CLASSROOM_ARROWS)
+def test_a_part_of_the_classroom_imports_exactly_what_the_design_says(part):
+    paths = [path for path in modules() if package_of(path) == "classroom" and part_of(path) == part]
+    assert paths and set().union(*map(parts_imported, paths)) == CLASSROOM_ARROWS[part]
+
+
+def test_the_classroom_imports_nothing_else_of_the_course():
+    paths = [path for path in modules() if package_of(path) == "classroom"]
+    names = {name for path in paths for name in imported_names(path) if name.startswith("imgproc_course")}
+    assert {name for name in names if name.split(".")[1:2] != ["classroom"]} == set()
 
 
 @pytest.mark.parametrize(("arrow", "allowed"), ONLY_IN.items())
@@ -94,12 +128,32 @@ def test_an_arrow_that_only_some_modules_may_use(arrow, allowed):
     assert {relative(path) for path in paths if imported in packages_imported(path)} == allowed
 
 
+@pytest.mark.parametrize(("arrow", "allowed"), ONLY_IN_CLASSROOM.items())
+def test_an_arrow_that_only_some_modules_of_the_classroom_may_use(arrow, allowed):
+    part, imported = arrow
+    paths = [path for path in modules() if package_of(path) == "classroom" and part_of(path) == part]
+    assert {relative(path) for path in paths if imported in parts_imported(path)} == allowed
+
+
 def test_the_arrows_make_no_circle():
-    assert list(TopologicalSorter(ARROWS).static_order())[-1] == "gradebook"
+    assert TopologicalSorter(ARROWS).static_order()
+    assert list(TopologicalSorter(CLASSROOM_ARROWS).static_order())[-1] == "gradebook"
+
+
+def test_no_modules_import_one_another():
+    names = {module_name(path): path for path in modules()}
+    imports = {
+        name: {base for base in imported_names(path) if base in names and not name.startswith(f"{base}.")}
+        for name, path in names.items()
+    }
+    pairs = {tuple(sorted([a, b])) for a in imports for b in imports[a] if a != b and a in imports[b]}
+    assert pairs == KNOWN_CIRCLES
 
 
 def test_every_package_has_its_arrows():
     assert {package_of(path) for path in modules()} - CALLERS == ARROWS.keys()
+    inside = {part_of(path) for path in modules() if package_of(path) == "classroom"} - {"__init__"}
+    assert inside == CLASSROOM_ARROWS.keys()
 
 
 @pytest.mark.parametrize("path", modules(), ids=relative)
@@ -119,7 +173,7 @@ def test_every_exception_is_caught_only_where_other_peoples_code_is_called(path)
         if isinstance(node, ast.ExceptHandler):
             names = [n.id for n in ast.walk(node.type) if isinstance(n, ast.Name)] if node.type else ["bare"]
             if {"Exception", "BaseException", "bare"} & set(names):
-                allowed = package_of(path) in CALLS_OTHER_PEOPLES_CODE
+                allowed = relative(path).startswith(CALLS_OTHER_PEOPLES_CODE)
                 assert allowed or relative(path) in SHOWS_OTHER_PEOPLES_VALUES, f"line {node.lineno}"
 
 

@@ -1,43 +1,27 @@
-"""Exercises: declared in a master, checked in the learner's notebook, graded by the instructor."""
+"""What a lesson imports of the exercises; `imgproc_course.classroom.exercises` has the code."""
 
-from imgproc_course.exercises.canonical import array_of, canonical
-from imgproc_course.exercises.cell_runs import watch_cells
-from imgproc_course.exercises.check_files import CheckFileError
-from imgproc_course.exercises.checking import CheckResult, check, run_cases
-from imgproc_course.exercises.comparison import Difference, compare
-from imgproc_course.exercises.declaration import (
-    Case,
-    Exercise,
-    MasterError,
-    Mistake,
+from imgproc_course.classroom.exercises import (
+    CheckFileError,
+    CheckResult,
+    GuessComparison,
+    Overview,
+    check,
+    compare_guess,
     exercise,
-    read_exercises,
+    hint,
+    overview,
+    solution,
 )
-from imgproc_course.exercises.guesses import GuessComparison, compare_guess
-from imgproc_course.exercises.help_steps import hint, solution
-from imgproc_course.exercises.overview import Overview, overview
 
 __all__ = [
-    "Case",
     "CheckFileError",
     "CheckResult",
-    "Difference",
-    "Exercise",
     "GuessComparison",
-    "MasterError",
-    "Mistake",
     "Overview",
-    "array_of",
-    "canonical",
     "check",
-    "compare",
     "compare_guess",
     "exercise",
     "hint",
     "overview",
-    "read_exercises",
-    "run_cases",
     "solution",
 ]
-
-watch_cells()

@@ -1,8 +1,8 @@
 """Every attack on the autograder in one table: points gained, neighbors harmed, what was reported.
 
-These are the attacks of tests/autograder/attacks.py (an answer's source) and tests/gradebook/form_attacks.py
-(cells, files, archives, names), each followed by an honest submission. The exit code is 1 if an attack gained
-a point or harmed a neighbor, or if an attack of the published list of 62 is not tried.
+These are the attacks of autograder/attacks.py (an answer's source) and gradebook/form_attacks.py in
+tests/classroom (cells, files, archives, names), each followed by an honest submission. The exit code is 1 if
+an attack gained a point or harmed a neighbor, or if an attack of the published list of 62 is not tried.
 
     .venv/bin/python tests/benchmarks/bench_attacks.py [--workers 2]
 """
@@ -16,8 +16,8 @@ from rich.console import Console
 from rich.markup import escape
 from rich.table import Table
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "autograder"))
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "gradebook"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "classroom" / "autograder"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "classroom" / "gradebook"))
 
 from attacks import MASTERS, PUBLISHED, SEED
 from attacks import grade_attacks as grade_source_attacks
@@ -25,9 +25,9 @@ from form_attacks import LESSON
 from form_attacks import grade_attacks as grade_form_attacks
 from submissions import MASTERS as FORM_MASTERS
 
-from imgproc_course.authoring.masters import read_master
-from imgproc_course.autograder.make_answer_key import make_key
-from imgproc_course.autograder.sanitize import sanitize_line
+from imgproc_course.classroom.authoring.masters import read_master
+from imgproc_course.classroom.autograder.make_answer_key import make_key
+from imgproc_course.classroom.autograder.sanitize import sanitize_line
 
 
 def source_rows(folder, workers):

@@ -1,6 +1,6 @@
-"""Grade every sample answer of tests/autograder/test_pool.py with the forked kernel and with Jupyter's own.
+"""Grade every sample answer of autograder/test_pool.py with the forked kernel and with Jupyter's own.
 
-The results must be equal. Then both grade the answers of tests/autograder/test_isolation.py, of which a check
+The results must be equal. Then both grade the answers of autograder/test_isolation.py, of which a check
 leaves something behind. The test suite does the same with some of them: an ipykernel starts in seconds.
 
     .venv/bin/python tests/benchmarks/bench_both_kernels.py
@@ -11,14 +11,14 @@ import tempfile
 import time
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "autograder"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "classroom" / "autograder"))
 
 from attacks import MASTERS, RIGHT, SEED
 from test_isolation import OUTCOMES, outcomes_of
 from test_pool import PATIENT, SAMPLES, doubles, submissions_of
 
-from imgproc_course.autograder.make_answer_key import make_key
-from imgproc_course.autograder.pool import autograde
+from imgproc_course.classroom.autograder.make_answer_key import make_key
+from imgproc_course.classroom.autograder.pool import autograde
 
 
 def main():

@@ -34,7 +34,7 @@ from skimage.feature import Cascade, local_binary_pattern
 from sklearn.decomposition import PCA
 from tqdm import tqdm
 
-from imgproc_course.exercises import read_exercises
+from imgproc_course.classroom.exercises import read_exercises
 from imgproc_course.recording import open_recording
 from imgproc_course.simulation import draw_face, put_face, random_identity
 

@@ -1,9 +1,9 @@
 """How often `check` says what is wrong: its feedback on the table of learners' wrong answers.
 
-Each answer of tests/exercises/wrong_answers runs as a learner's cell would: after the lesson's earlier cells
-(as far as the answer reads their names) and after the stub. Of the feedback only the sentences count: not the
-titles of the cases, the tables, the values that differ, the points, or the line of the learner's that is
-quoted. An answer's feedback is
+Each answer of tests/classroom/exercises/wrong_answers runs as a learner's cell would: after the lesson's
+earlier cells (as far as the answer reads their names) and after the stub. Of the feedback only the sentences
+count: not the titles of the cases, the tables, the values that differ, the points, or the line of the
+learner's that is quoted. An answer's feedback is
 
 - right: it matches every pattern of `must_say` and none of `must_not_say`;
 - false: it matches one of `must_not_say`, or names a known mistake without being right;
@@ -40,14 +40,14 @@ import click
 from rich.console import Console
 from rich.table import Table
 
-from imgproc_course.exercises import CheckResult, read_exercises, run_cases
-from imgproc_course.exercises.cell_runs import CellRuns
-from imgproc_course.exercises.percent_script import read_script
+from imgproc_course.classroom.exercises import CheckResult, read_exercises, run_cases
+from imgproc_course.classroom.exercises.cell_runs import CellRuns
+from imgproc_course.classroom.exercises.percent_script import read_script
 
 ROOT = Path(__file__).parents[2]
 
 _spec = importlib.util.spec_from_file_location(
-    "wrong_answers", ROOT / "tests" / "exercises" / "wrong_answers.py"
+    "wrong_answers", ROOT / "tests" / "classroom" / "exercises" / "wrong_answers.py"
 )
 wrong_answers = importlib.util.module_from_spec(_spec)
 _spec.loader.exec_module(wrong_answers)

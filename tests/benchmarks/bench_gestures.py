@@ -31,7 +31,7 @@ from scipy.ndimage import label
 from threadpoolctl import threadpool_limits
 from tqdm import tqdm
 
-from imgproc_course.exercises import read_exercises
+from imgproc_course.classroom.exercises import read_exercises
 from imgproc_course.recording import open_recording
 from imgproc_course.simulation import GESTURES, draw_hand, gesture_track, hand_mask, random_hand
 

@@ -33,14 +33,14 @@ from platformdirs import user_cache_path
 from rich.console import Console
 from rich.table import Table
 
-from imgproc_course.authoring.masters import find_masters, read_master
-from imgproc_course.autograder.make_answer_key import make_key
-from imgproc_course.autograder.pool import autograde
-from imgproc_course.exercises import array_of, read_exercises
-from imgproc_course.exercises.input_encoding import decode
+from imgproc_course.classroom.authoring.masters import find_masters, read_master
+from imgproc_course.classroom.autograder.make_answer_key import make_key
+from imgproc_course.classroom.autograder.pool import autograde
+from imgproc_course.classroom.exercises import array_of, read_exercises
+from imgproc_course.classroom.exercises.input_encoding import decode
 
 ROOT = Path(__file__).parents[2]
-sys.path.insert(0, str(ROOT / "tests" / "gradebook"))
+sys.path.insert(0, str(ROOT / "tests" / "classroom" / "gradebook"))
 from submissions import notebook, sample_answers, write  # noqa: E402
 
 MASTERS = ROOT / "notebooks" / "masters"

@@ -11,7 +11,7 @@ import time
 from collections import Counter
 from pathlib import Path
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "autograder"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "classroom" / "autograder"))
 
 from sample_answers import SAMPLES, fault_of, grade_samples, title_of
 

@@ -15,13 +15,13 @@ from pathlib import Path
 
 import click
 
-sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "autograder"))
+sys.path.insert(0, str(Path(__file__).resolve().parents[1] / "classroom" / "autograder"))
 
 from attacks import LESSON, MASTERS, RIGHT, SEED
 
-from imgproc_course.authoring.masters import find_masters, read_master
-from imgproc_course.autograder.make_answer_key import make_key
-from imgproc_course.autograder.pool import Limits, autograde
+from imgproc_course.classroom.authoring.masters import find_masters, read_master
+from imgproc_course.classroom.autograder.make_answer_key import make_key
+from imgproc_course.classroom.autograder.pool import Limits, autograde
 
 COURSE = Path(__file__).resolve().parents[2] / "notebooks" / "masters"
 # As many processes as it may have, all at work until they are ended.

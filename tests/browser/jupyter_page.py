@@ -137,7 +137,7 @@ def _command(folder, port):
     if list((ROOT / "notebooks").glob("*.ipynb")):
         return [ROOT / "environment/lab", *options]
     # Before the lessons are built, environment/lab has none to open. This runs the same function.
-    run = "import sys; from imgproc_course.lab import run; run(sys.argv[1], sys.argv[2:])"
+    run = "import sys; from imgproc_course.lab.server import run; run(sys.argv[1], sys.argv[2:])"
     return [sys.executable, "-c", run, folder, *options]
 
 

@@ -6,8 +6,8 @@ import nbformat
 import pytest
 from jupyter_page import ROOT, write_notebook
 
-from imgproc_course.authoring.build import lesson_notebook
-from imgproc_course.authoring.masters import read_master
+from imgproc_course.classroom.authoring.build import lesson_notebook
+from imgproc_course.classroom.authoring.masters import read_master
 
 pytestmark = pytest.mark.browser
 

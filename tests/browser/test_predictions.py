@@ -2,8 +2,8 @@
 
 import pytest
 
-from imgproc_course.authoring.build import build
-from imgproc_course.working_copies import update_lessons
+from imgproc_course.classroom.authoring.build import build
+from imgproc_course.lab.working_copies import update_lessons
 
 pytestmark = pytest.mark.browser
 

@@ -21,7 +21,7 @@ def conftest():
 
 def test_every_listed_folder_exists(conftest):
     for name in {*conftest.LONGEST_FIRST, *conftest.WHOLE_FOLDERS, *conftest.SINGLE_TESTS}:
-        assert list((TESTS / name).glob("test_*.py")), name
+        assert list((TESTS / name).rglob("test_*.py")), name
 
 
 @pytest.mark.parametrize(

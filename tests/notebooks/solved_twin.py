@@ -11,8 +11,8 @@ from IPython.core.formatters import DisplayFormatter
 from IPython.core.inputtransformer2 import TransformerManager
 from nbformat.v4 import new_output
 
-from imgproc_course.authoring.build import lesson_notebook
-from imgproc_course.exercises.checking import run_cases
+from imgproc_course.classroom.authoring.build import lesson_notebook
+from imgproc_course.classroom.exercises.checking import run_cases
 
 IGNORED = "nbval-ignore-output"
 PASSES = re.compile(r"[\w-]+: (the check passes|both checks pass|all \d+ checks pass)\.\n")

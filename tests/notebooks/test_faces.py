@@ -8,7 +8,7 @@ import pytest
 from skimage.feature import local_binary_pattern
 from sklearn.decomposition import PCA
 
-from imgproc_course.exercises import read_exercises
+from imgproc_course.classroom.exercises import read_exercises
 from imgproc_course.imaging import to_gray
 from imgproc_course.simulation import draw_face, random_identity
 

@@ -9,11 +9,11 @@ from textwrap import indent
 
 import pytest
 
-from imgproc_course.authoring.handout import hand_out
-from imgproc_course.authoring.masters import find_masters, read_master
-from imgproc_course.exercises.cell_syntax import plain_python
-from imgproc_course.exercises.input_encoding import encode
-from imgproc_course.gradebook.fingerprints import shape_of, syntax_tokens, winnowed
+from imgproc_course.classroom.authoring.handout import hand_out
+from imgproc_course.classroom.authoring.masters import find_masters, read_master
+from imgproc_course.classroom.exercises.cell_syntax import plain_python
+from imgproc_course.classroom.exercises.input_encoding import encode
+from imgproc_course.classroom.gradebook.fingerprints import shape_of, syntax_tokens, winnowed
 
 NOTEBOOKS = Path(__file__).resolve().parents[2] / "notebooks"
 MASTERS = {master.name: master for master in map(read_master, find_masters(NOTEBOOKS / "masters"))}

@@ -21,20 +21,20 @@ sys.path.append(str(Path(__file__).parent))
 from cells_of_ros import cells_of_ros
 from solved_twin import solved_twin
 
-from imgproc_course.authoring.build import (
+from imgproc_course.classroom.authoring.build import (
     INDEX,
     build_lesson,
     compare_other_files,
     differences,
     lesson_notebook,
 )
-from imgproc_course.authoring.execute import execute
-from imgproc_course.authoring.lesson_files import lesson_file_differences, lesson_files
-from imgproc_course.authoring.masters import find_masters, read_master
-from imgproc_course.authoring.validation import validate_exercise
-from imgproc_course.exercises import read_exercises
-from imgproc_course.exercises.check_files import read_check_file
-from imgproc_course.exercises.checking import run_cases, run_check
+from imgproc_course.classroom.authoring.execute import execute
+from imgproc_course.classroom.authoring.lesson_files import lesson_file_differences, lesson_files
+from imgproc_course.classroom.authoring.masters import find_masters, read_master
+from imgproc_course.classroom.authoring.validation import validate_exercise
+from imgproc_course.classroom.exercises import read_exercises
+from imgproc_course.classroom.exercises.check_files import read_check_file
+from imgproc_course.classroom.exercises.checking import run_cases, run_check
 
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 MASTERS = [*find_masters(NOTEBOOKS / "masters"), NOTEBOOKS / "masters" / f"{INDEX}.py"]
@@ -49,7 +49,14 @@ OURS = (
 
 
 # nbval alone, as the autograder starts it: other plugins and JupyterLab's modules cost seconds per notebook.
-PLUGINS = ["-p", "imgproc_course.autograder.blocked_imports", "-p", "nbval.plugin", "-p", "recorded_outputs"]
+PLUGINS = [
+    "-p",
+    "imgproc_course.classroom.autograder.blocked_imports",
+    "-p",
+    "nbval.plugin",
+    "-p",
+    "recorded_outputs",
+]
 
 
 def by_lesson(paths):

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from skimage.draw import line
 
-from imgproc_course.exercises import read_exercises
+from imgproc_course.classroom.exercises import read_exercises
 from imgproc_course.geometry import (
     grid_ray,
     log_odds,

@@ -6,7 +6,7 @@ import cv2
 import numpy as np
 import pytest
 
-from imgproc_course.exercises import read_exercises, run_cases
+from imgproc_course.classroom.exercises import read_exercises, run_cases
 
 MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "13_object_tracking.py"
 

@@ -8,7 +8,7 @@ import onnxruntime
 import pytest
 import rapidocr
 
-from imgproc_course.exercises import read_exercises
+from imgproc_course.classroom.exercises import read_exercises
 
 MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "16_reading_text.py"
 

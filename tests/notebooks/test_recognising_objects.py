@@ -9,7 +9,7 @@ from skimage.feature import hog
 from sklearn.metrics import confusion_matrix
 from sklearn.neighbors import NearestCentroid
 
-from imgproc_course.exercises import read_exercises
+from imgproc_course.classroom.exercises import read_exercises
 from imgproc_course.recording import open_recording
 
 MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "17_recognising_objects.py"

@@ -12,8 +12,8 @@ import numpy as np
 import pytest
 
 from imgproc_course import geometry
-from imgproc_course.exercises import read_exercises
-from imgproc_course.exercises.percent_script import read_script
+from imgproc_course.classroom.exercises import read_exercises
+from imgproc_course.classroom.exercises.percent_script import read_script
 from imgproc_course.geometry import compose_poses, relative_pose, wrap_angle
 from imgproc_course.recording import open_recording
 from imgproc_course.simulation import Simulation

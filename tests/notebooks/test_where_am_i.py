@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
-from imgproc_course.exercises import read_exercises
+from imgproc_course.classroom.exercises import read_exercises
 from imgproc_course.geometry import CameraModel, Pose, homography, rigid_motion
 
 MASTER = Path(__file__).parents[2] / "notebooks" / "masters" / "14_where_am_i.py"

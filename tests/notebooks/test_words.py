@@ -7,8 +7,8 @@ from pathlib import Path
 sys.path.append(str(Path(__file__).parent))
 from early_uses import early_uses
 
-from imgproc_course.authoring.glossary import GLOSSARY, read_glossary
-from imgproc_course.authoring.masters import find_masters, read_master
+from imgproc_course.classroom.authoring.glossary import GLOSSARY, read_glossary
+from imgproc_course.classroom.authoring.masters import find_masters, read_master
 
 MASTERS = Path(__file__).parents[2] / "notebooks" / "masters"
 MINUTES = re.compile(r"^# #{2,3} .*\((\d+) minutes(?:, practice)?\)$", re.M)

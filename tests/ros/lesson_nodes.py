@@ -8,7 +8,7 @@ from pathlib import Path
 import rclpy
 from rclpy.signals import SignalHandlerOptions
 
-from imgproc_course.authoring.masters import read_master
+from imgproc_course.classroom.authoring.masters import read_master
 from imgproc_course.ros import dds_profile  # chooses the profile, before the first node
 
 MASTERS = Path(__file__).parents[2] / "notebooks" / "masters"

@@ -1,0 +1,365 @@
+"""Build lessons and their solved twins from masters, and compare stored lessons with their masters."""
+
+import hashlib
+import tempfile
+import time
+from dataclasses import dataclass, field
+from importlib.metadata import version
+from itertools import zip_longest
+from pathlib import Path
+
+import nbformat
+from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook
+
+from imgproc_course.classroom.authoring.atomic_write import write_file
+from imgproc_course.classroom.authoring.execute import execute, normalize, output_texts, refuse_traces
+from imgproc_course.classroom.authoring.lesson_files import lesson_file_differences, lesson_files
+from imgproc_course.classroom.authoring.lesson_names import lesson_name
+from imgproc_course.classroom.authoring.masters import find_masters, read_master
+from imgproc_course.classroom.authoring.pages import build_pages, page_differences, pages_without_source
+from imgproc_course.classroom.authoring.rules import RAISING_TAGS, VARYING_TAG
+from imgproc_course.classroom.authoring.validation import validate_exercise
+from imgproc_course.classroom.exercises.check_files import CHECKS, SOLUTIONS
+from imgproc_course.classroom.exercises.declaration import MasterError
+
+INDEX = "index"
+
+
+@dataclass
+class BuildResult:
+    """The result of a build: names of the lessons built, and problems (or differences), one per line."""
+
+    built: list = field(default_factory=list)
+    problems: list = field(default_factory=list)
+
+
+def build(masters_dir, lessons_dir, solved_dir, names=(), progress=print, *, with_solutions=False):
+    """Build lessons and their solved twins, and the files that the lessons carry.
+
+    Each lesson is built alone and written when it is complete. A failure or Ctrl-C costs only that lesson:
+    its stored file stays as it was.
+
+    Parameters
+    ----------
+    masters_dir, lessons_dir, solved_dir : Path
+    names : names of lessons; all if empty
+    progress : callable, takes a line of progress
+    with_solutions : bool, write solutions/ too: `solution` opens what is there
+
+    Returns
+    -------
+    BuildResult
+    """
+    result = BuildResult()
+    for path, twins, files, problem in _build_each(masters_dir, lessons_dir, names, progress, solved=True):
+        if problem:
+            result.problems.append(problem)
+            continue
+        for folder, notebook in zip((lessons_dir, solved_dir), twins, strict=True):
+            text = nbformat.writes(notebook) + "\n"
+            write_file(Path(folder) / f"{path.stem}.ipynb", text, permissions=0o644)
+        _write_lesson_files(files, Path(lessons_dir), with_solutions=with_solutions)
+        result.built.append(path.stem)
+    if not names:
+        result.problems += _write_pages(masters_dir, Path(lessons_dir))
+        result.problems += _orphans(masters_dir, lessons_dir)
+    return result
+
+
+def _write_pages(masters_dir, lessons_dir):
+    try:
+        pages = build_pages(masters_dir)
+    except MasterError as error:
+        return [str(error)]
+    for name, text in pages.items():
+        write_file(lessons_dir / name, text, permissions=0o644)
+    return []
+
+
+def compare_lessons(masters_dir, lessons_dir, names=(), progress=print):
+    """Build lessons without writing them, and report how the stored ones differ.
+
+    Parameters
+    ----------
+    As `build`.
+
+    Returns
+    -------
+    BuildResult, its problems name the lesson and the cell
+    """
+    result = BuildResult()
+    for path, twins, files, problem in _build_each(masters_dir, lessons_dir, names, progress, solved=False):
+        if problem:
+            result.problems.append(problem)
+            continue
+        result.problems += differences(twins[0], Path(lessons_dir) / f"{path.stem}.ipynb")
+        result.problems += lesson_file_differences(files, Path(lessons_dir))
+        result.built.append(path.stem)
+    if not names:
+        result.problems += compare_other_files(masters_dir, lessons_dir)
+    return result
+
+
+def compare_other_files(masters_dir, lessons_dir):
+    """How the pages differ from their sources, and which files have no master; a list of str.
+
+    Parameters
+    ----------
+    As `build`.
+    """
+    try:
+        problems = page_differences(build_pages(masters_dir), lessons_dir)
+    except MasterError as error:
+        problems = [str(error)]
+    return problems + _orphans(masters_dir, lessons_dir)
+
+
+def _write_lesson_files(files, folder, *, with_solutions):
+    for name, text in files.items():
+        if with_solutions or not name.startswith(SOLUTIONS):
+            write_file(folder / name, text, permissions=0o644)
+        else:
+            (folder / name).unlink(missing_ok=True)  # of a build with solutions
+
+
+def _build_each(masters_dir, lessons_dir, names, progress, *, solved):
+    for path in _masters_to_build(masters_dir, names):
+        start = time.monotonic()
+        progress(f"{path.stem} ...")
+        try:
+            master = read_valid_master(path)
+            files = lesson_files(master)
+            twins = [build_lesson(master, Path(lessons_dir) / f"{path.stem}.ipynb")]
+            if solved:
+                twins.append(build_solved(master))
+        except MasterError as error:
+            yield path, None, {}, str(error)
+            continue
+        kilobytes = len(nbformat.writes(twins[0])) / 1000
+        check_kilobytes = sum(len(text) for name, text in files.items() if name.startswith(CHECKS)) / 1000
+        sizes = f"{kilobytes:.0f} kB, checks {check_kilobytes:.0f} kB"
+        progress(f"{path.stem}: {sizes}, {time.monotonic() - start:.0f} s")
+        yield path, twins, files, ""
+
+
+def _masters_to_build(folder, names=()):
+    """The masters of lessons, then the master of the index, which lists the lessons that were built."""
+    index = Path(folder) / f"{INDEX}.py"
+    lessons = [name for name in names if name != INDEX]
+    paths = find_masters(folder, lessons) if lessons or not names else []
+    return [*paths, index] if index.is_file() and (not names or INDEX in names) else paths
+
+
+def read_valid_master(path):
+    """Read a master that follows the rules of the format and has valid exercises.
+
+    Parameters
+    ----------
+    path : Path
+
+    Returns
+    -------
+    Master
+
+    Raises
+    ------
+    MasterError : every problem, one per line
+    """
+    master = read_master(path)
+    problems = [problem for exercise in master.exercises for problem in validate_exercise(exercise)]
+    if problems:
+        raise MasterError("\n".join(f"{master.path.name}: {problem}" for problem in problems))
+    return master
+
+
+def build_lesson(master, stored_path=None, executed=None):
+    """The lesson of a master, executed.
+
+    Parameters
+    ----------
+    master : Master
+    stored_path : Path of the lesson as built before, or None; a cell whose output varies keeps its stored one
+    executed : NotebookNode, `lesson_notebook` with the outputs of its execution; is executed here if omitted
+
+    Returns
+    -------
+    NotebookNode
+
+    Raises
+    ------
+    MasterError : an error in a cell, or an output that is not reproducible; names lesson and cell
+    """
+    lesson = executed or _execute_master(master, solved=False)
+    normalize(lesson, master)
+    _keep_varying_outputs(lesson, stored_path, master)
+    refuse_traces(lesson, master)
+    return lesson
+
+
+def build_solved(master):
+    """The solved twin of a lesson: the solutions replace the answers.
+
+    Parameters
+    ----------
+    master : Master
+
+    Returns
+    -------
+    NotebookNode
+    """
+    twin = _execute_master(master, solved=True)
+    normalize(twin, master)
+    refuse_traces(twin, master)
+    return twin
+
+
+def _execute_master(master, *, solved):
+    notebook = lesson_notebook(master, solved=solved)
+    with tempfile.TemporaryDirectory(prefix="checks-") as folder:
+        _write_lesson_files(lesson_files(master), Path(folder), with_solutions=True)
+        execute(notebook, master.path, checks_dir=Path(folder) / CHECKS)
+    return notebook
+
+
+def lesson_notebook(master, *, solved=False):
+    """A lesson, or its solved twin, without outputs.
+
+    Parameters
+    ----------
+    master : Master
+    solved : bool
+
+    Returns
+    -------
+    NotebookNode
+    """
+    cells = []
+    for cell in master.cells:
+        source = cell.solved_source if solved else cell.source
+        if cell.kind == "code":
+            cells.append(new_code_cell(source, id=cell.id, metadata=_cell_metadata(cell)))
+        else:
+            cells.append(new_markdown_cell(source, id=cell.id))
+    lesson_metadata = {
+        "lesson": master.name,
+        "title": master.title,
+        "minutes": master.minutes,
+        "version": version("imgproc-course"),
+    }
+    kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
+    return new_notebook(cells=cells, metadata={"kernelspec": kernel, "imgproc_course": lesson_metadata})
+
+
+def _cell_metadata(cell):
+    tags = sorted({*cell.tags, *RAISING_TAGS}) if set(cell.tags) & set(RAISING_TAGS) else list(cell.tags)
+    metadata = {"tags": tags} if tags else {}
+    if cell.folded:
+        metadata["jupyter"] = {"source_hidden": True}
+    if cell.role == "check":
+        metadata |= {"editable": False, "deletable": False}
+    elif cell.role in ("answer", "given", "predict"):
+        metadata |= {"deletable": False}
+    if cell.role == "answer":  # survives merging and splitting, and tools that rewrite ids
+        metadata["imgproc_course"] = {"exercise": cell.exercise}
+    return metadata
+
+
+# ---------------------------------------------------------------- stored lessons
+
+
+def _keep_varying_outputs(notebook, stored_path, master):
+    """A cell whose output varies keeps its stored output if no code up to it has changed."""
+    stored = _read_stored(stored_path)
+    if stored is None:
+        return
+    stored_cells = {cell.id: cell for cell in stored.cells}
+    for cell, master_cell in zip(notebook.cells, master.cells, strict=True):
+        unchanged = cell.id in stored_cells and _code_up_to(notebook, cell.id) == _code_up_to(stored, cell.id)
+        if master_cell.varies and unchanged:
+            cell.outputs = stored_cells[cell.id].outputs
+
+
+def _code_up_to(notebook, id):
+    sources = []
+    for cell in notebook.cells:
+        if cell.cell_type == "code":
+            sources.append(cell.source)
+        if cell.id == id:
+            return sources
+    return None
+
+
+def _read_stored(path):
+    """A stored lesson, or None if the file is missing or cannot be read."""
+    if path is None or not Path(path).is_file():
+        return None
+    try:
+        return nbformat.read(path, as_version=4)
+    except (ValueError, AttributeError, KeyError, TypeError):  # cut short, merged by hand, not a notebook
+        return None
+
+
+def _orphans(masters_dir, lessons_dir):
+    masters, folder = {path.stem for path in _masters_to_build(masters_dir)}, Path(lessons_dir)
+    paths = [path for path in sorted(folder.glob("*.ipynb")) if path.stem not in masters]
+    paths += pages_without_source(masters_dir, folder)
+    names = {lesson_name(master) for master in masters}
+    for subfolder in (CHECKS, SOLUTIONS):
+        paths += [path for path in sorted(folder.glob(f"{subfolder}/*.json")) if path.stem not in names]
+    return [f"{path.name}: it has no master; delete it, or restore its master" for path in paths]
+
+
+def differences(built, stored_path):
+    """How a stored lesson differs from a built one.
+
+    Parameters
+    ----------
+    built : NotebookNode
+    stored_path : Path
+
+    Returns
+    -------
+    list of str, one for each cell that differs
+    """
+    stored_path = Path(stored_path)
+    stored = _read_stored(stored_path)
+    if stored is None:
+        return [f"{stored_path.name}: not built yet, or not a notebook; run imgproc-course build"]
+    problems = []
+    if built.metadata != stored.metadata:
+        problems.append(f"{stored_path.name}: the lesson's metadata (title, minutes, version) differ")
+    ids, stored_ids = [cell.id for cell in built.cells], [cell.id for cell in stored.cells]
+    if ids != stored_ids:
+        pairs = zip_longest(ids, stored_ids)
+        first = next(id or stored_id for id, stored_id in pairs if id != stored_id)
+        return [*problems, f"{stored_path.name}: its cells differ from the master's, from {first} on"]
+    for cell, stored_cell in zip(built.cells, stored.cells, strict=True):
+        difference = _cell_difference(cell, stored_cell)
+        if difference:
+            problems.append(f"{stored_path.name}: cell {cell.id}: {difference}")
+    return problems
+
+
+def _cell_difference(built, stored):
+    if built.cell_type != stored.cell_type or built.source != stored.source:
+        return "its source differs from the master"
+    if built.metadata != stored.metadata:
+        return "its tags or metadata differ from the master"
+    varies = VARYING_TAG in built.metadata.get("tags", ())
+    if built.cell_type == "code" and not varies and built.outputs != stored.outputs:
+        return (
+            "its outputs differ from the stored ones\n"
+            f"    stored: {_outputs_summary(stored)}\n    now:    {_outputs_summary(built)}"
+        )
+    return ""
+
+
+def _outputs_summary(cell):
+    texts = [" ".join(text.split()) for text in output_texts(cell) if text.strip()]
+    images = [
+        f"{mime_type} {hashlib.sha256(value.encode()).hexdigest()[:8]}"
+        for output in cell.outputs
+        for mime_type, value in output.get("data", {}).items()
+        if mime_type.startswith("image/") and isinstance(value, str)
+    ]
+    return " | ".join(texts + images)[:300] or "nothing"

@@ -1,0 +1,117 @@
+"""The glossary: `masters/glossary.toml` explains each word of the field.
+
+["structuring element"]                  the term, as it is written in the middle of a sentence
+lesson = "canny_stages"                  the lesson that introduces it
+definition = "One to three sentences."   Markdown, with references to lessons and to other terms
+spellings = ["structuring elements"]     other forms of the word, and words that the entry explains too
+ordinary = true                          also an ordinary English word, which `early_uses` does not look for
+"""
+
+import tomllib
+from dataclasses import dataclass
+from functools import lru_cache
+from pathlib import Path
+
+from imgproc_course.classroom.exercises.percent_script import MasterError
+
+GLOSSARY = "glossary.toml"
+GLOSSARY_PAGE = "glossary.md"  # no notebook: JupyterLab draws hundreds of cells late
+_KEYS = {"lesson", "definition", "spellings", "ordinary"}
+_INTRODUCTION = """\
+# Glossary
+
+The words of this course, from A to Z. Each entry ends with the lesson that introduces the word.
+
+**Ctrl + F** finds a word on this page."""
+
+
+@dataclass(frozen=True)
+class Term:
+    """A word of the field.
+
+    name        as it is written in the middle of a sentence
+    lesson      the name of the lesson that introduces it
+    definition  Markdown
+    forms       the name and its other spellings, in lower case
+    ordinary    whether it is also an ordinary English word
+    """
+
+    name: str
+    lesson: str
+    definition: str
+    forms: tuple
+    ordinary: bool = False
+
+    @property
+    def address(self):
+        """The target of a link to its entry: JupyterLab's name of its heading."""
+        return f"{GLOSSARY_PAGE}#{self.name.replace(' ', '-')}"
+
+
+def read_glossary(path):
+    """Read a glossary.
+
+    Parameters
+    ----------
+    path : Path of glossary.toml; without the file there are no terms
+
+    Returns
+    -------
+    tuple of Term, in alphabetical order
+
+    Raises
+    ------
+    MasterError : not TOML, or a term without lesson or definition, or two terms with one spelling
+    """
+    path = Path(path)
+    return _read_glossary(path, path.stat().st_mtime_ns) if path.exists() else ()
+
+
+@lru_cache(maxsize=8)
+def _read_glossary(path, _modified):
+    try:
+        entries = tomllib.loads(path.read_text(encoding="utf-8"))
+    except tomllib.TOMLDecodeError as error:
+        raise MasterError(f"{path.name}: it is not TOML: {error}") from error
+    terms = [_read_term(path, name, entry) for name, entry in entries.items()]
+    owners = {}
+    for term in terms:
+        for form in term.forms:
+            if owners.setdefault(form, term.name) != term.name:
+                raise MasterError(f"{path.name}: {form!r} belongs to {owners[form]!r} and to {term.name!r}")
+    return tuple(sorted(terms, key=lambda term: (term.name.casefold(), term.name)))
+
+
+def _read_term(path, name, entry):
+    place = f"{path.name}: [{name!r}]"
+    if not isinstance(entry, dict) or set(entry) - _KEYS:
+        raise MasterError(f"{place} takes only {', '.join(sorted(_KEYS))}")
+    for key in ("lesson", "definition"):
+        if not isinstance(entry.get(key), str) or not entry[key].strip():
+            raise MasterError(f'{place} needs {key} = "..."')
+    forms = dict.fromkeys(form.casefold() for form in (name, *entry.get("spellings", ())))
+    ordinary = bool(entry.get("ordinary", False))
+    return Term(name, entry["lesson"], entry["definition"].strip(), tuple(forms), ordinary)
+
+
+# ---------------------------------------------------------------- the page
+
+
+def glossary_page(terms, references):
+    """The glossary as learners read it: a heading per term, to which the lessons link.
+
+    Parameters
+    ----------
+    terms : tuple of Term
+    references : References, of the glossary
+
+    Returns
+    -------
+    str, Markdown
+
+    Raises
+    ------
+    MasterError : a term whose lesson does not exist, or an unknown reference in a definition
+    """
+    entries = [f"### {term.name}\n\n{term.definition}\n\n→ [[{term.lesson}]]" for term in terms]
+    return "\n\n".join([_INTRODUCTION, *map(references.in_prose, entries)]) + "\n"

@@ -1,0 +1,121 @@
+"""What learners get: lessons without outputs and counters, and what `check` and `hint` need."""
+
+import io
+import json
+import zipfile
+from dataclasses import dataclass
+from importlib.metadata import version
+from pathlib import Path
+
+from imgproc_course.classroom.authoring.atomic_write import write_file
+from imgproc_course.classroom.authoring.glossary import GLOSSARY_PAGE
+from imgproc_course.classroom.authoring.learner_files import CHECKS, SOLUTIONS, without_outputs
+from imgproc_course.classroom.authoring.lesson_names import lesson_name
+from imgproc_course.classroom.authoring.masters import find_lessons
+from imgproc_course.classroom.exercises.progress import LEARNERS_FOLDER
+
+_PAGES = (".ipynb", ".html")
+_ZIP_DATE = (1980, 1, 1, 0, 0, 0)  # the same files give the same bytes
+
+
+class HandoutError(Exception):
+    """The lessons could not be handed out; the text is one line that says what to do."""
+
+
+@dataclass(frozen=True)
+class Handout:
+    """What was handed out: names of the lessons, and the Path of the zip file or None."""
+
+    lessons: tuple
+    archive: Path | None
+
+
+def hand_out(folder, source, names=(), *, with_solutions=False, zipped=False):
+    """Write what learners get into a folder.
+
+    Parameters
+    ----------
+    folder : Path; it may exist, but no file in it is replaced by another one
+    source : Path, a folder of built lessons, with checks/ and solutions/
+    names : names of lessons; all if empty. Other notebooks and pages, such as the glossary, go along
+    with_solutions : bool, whether `solution` shows the solutions
+    zipped : bool, write <folder>.zip as well
+
+    Returns
+    -------
+    Handout
+
+    Raises
+    ------
+    HandoutError : a lesson without its checks, a file that exists and differs, a folder in the source; then
+        nothing was written
+    MasterError : no such lesson
+    OSError : the folder cannot be written
+    """
+    folder, source = Path(folder), Path(source)
+    chosen = find_lessons(source, names)
+    left_out = set(find_lessons(source)) - set(chosen)
+    if source.resolve() in (folder.resolve(), *folder.resolve().parents):
+        raise HandoutError(f"{folder} is in the folder of the lessons, {source}; give another folder")
+    # Nothing else: a teacher's folder may hold a key, or submissions.
+    pages = [path for path in sorted(source.iterdir()) if path.suffix in _PAGES or path.name == GLOSSARY_PAGE]
+    files = {path.name: without_outputs(path.read_bytes()) for path in pages if path not in left_out}
+    for path in chosen:
+        files |= _exercise_files(source, path, with_solutions)
+    files[LEARNERS_FOLDER] = (json.dumps({"handout": version("imgproc-course")}) + "\n").encode()
+    archive = folder.with_name(f"{folder.name}.zip")
+    outputs = {folder / name: data for name, data in files.items()}
+    if zipped:
+        outputs[archive] = _zip({f"{folder.name}/{name}": data for name, data in files.items()})
+    _refuse_to_replace(outputs)
+    for path, data in outputs.items():
+        write_file(path, data)
+    return Handout(tuple(path.stem for path in chosen), archive if zipped else None)
+
+
+def _exercise_files(source, lesson, with_solutions):
+    """What check and hint need for a lesson, and what solution needs: {relative name: bytes}."""
+    if not any(cell.get("id", "").startswith("check-") for cell in _cells(lesson)):
+        return {}
+    files = {}
+    for folder in (CHECKS, SOLUTIONS) if with_solutions else (CHECKS,):
+        path = source / folder / f"{lesson_name(lesson.stem)}.json"
+        if not path.is_file():
+            raise HandoutError(
+                f"{lesson.name} has exercises, but {folder}/{path.name} is missing beside it;"
+                f" build the lessons again: imgproc-course build{' --with-solutions' * (folder == SOLUTIONS)}"
+            )
+        files[f"{folder}/{path.name}"] = path.read_bytes()
+    return files
+
+
+def _cells(lesson):
+    try:
+        return json.loads(lesson.read_bytes())["cells"]
+    except (ValueError, KeyError, TypeError) as error:
+        raise HandoutError(f"{lesson.name} is not a notebook; build the lessons again") from error
+
+
+def _refuse_to_replace(outputs):
+    different = [
+        str(path)
+        for path, data in outputs.items()
+        if path.exists() and (path.is_dir() or path.read_bytes() != data)
+    ]
+    if different:
+        more = f" and {len(different) - 1} more" if len(different) > 1 else ""
+        raise HandoutError(
+            f"{different[0]}{more} exists already and differs, and nothing was written;"
+            " give another folder, or move the files away"
+        )
+
+
+def _zip(files):
+    """The bytes of a zip file; the same files give the same bytes."""
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, data in sorted(files.items()):
+            info = zipfile.ZipInfo(name, _ZIP_DATE)
+            info.external_attr = 0o644 << 16  # without it, unzip makes files that nobody can read
+            archive.writestr(info, data, zipfile.ZIP_DEFLATED)
+    return buffer.getvalue()

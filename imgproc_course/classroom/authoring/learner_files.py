@@ -1,0 +1,56 @@
+"""The files of a folder of lessons that learners get, and lessons without outputs."""
+
+import contextlib
+import json
+
+from imgproc_course.classroom.exercises.check_files import CHECKS, SOLUTIONS
+
+KEEP_OUTPUT_TAG = "keep-output"
+_NOT_FOR_LEARNERS = {"masters", "__pycache__", CHECKS, SOLUTIONS}
+
+
+def files_for_learners(source):
+    """All files of a folder of lessons that belong to learners as they are: no masters, checks, solutions.
+
+    Parameters
+    ----------
+    source : Path
+
+    Returns
+    -------
+    list of Path, sorted
+    """
+    return [
+        path
+        for path in sorted(source.rglob("*"))
+        if path.is_file()
+        and not any(
+            part.startswith(".") or part in _NOT_FOR_LEARNERS for part in path.relative_to(source).parts
+        )
+    ]
+
+
+def without_outputs(data):
+    """A notebook without outputs and counters, as a learner gets it; a cell can be tagged to keep its own.
+
+    Parameters
+    ----------
+    data : bytes of a file
+
+    Returns
+    -------
+    bytes : the same ones, if there is nothing to remove, or if the file is no readable notebook
+    """
+    with contextlib.suppress(ValueError, KeyError, TypeError, AttributeError):
+        notebook, has_changed = json.loads(data), False
+        for cell in notebook["cells"]:
+            is_kept = KEEP_OUTPUT_TAG in cell.get("metadata", {}).get("tags", ())
+            if cell["cell_type"] != "code" or is_kept:
+                continue
+            if cell["outputs"] or cell["execution_count"] is not None:
+                cell["outputs"], cell["execution_count"] = [], None
+                has_changed = True
+        if has_changed:
+            text = json.dumps(notebook, ensure_ascii=False, indent=1, sort_keys=True)
+            return (text + "\n").encode()
+    return data

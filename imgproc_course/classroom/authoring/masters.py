@@ -1,0 +1,346 @@
+"""Read masters: a master is the one source of a lesson, its solved twin and its grading.
+
+A master is `notebooks/masters/NN_name.py`: `name` is the lesson's identity, NN is only its place in the
+course. It is a percent script (JupyterLab opens it with jupytext). It is
+ordinary Python: prose in `# %% [markdown]` cells, code in `# %%` cells, and *roles* in the cells' headers.
+A whole one:
+
+    # ---
+    # jupyter:
+    #   imgproc_course:
+    #     title: Doubling
+    #     minutes: 5
+    # ---
+
+    # %% [markdown]
+    # # Doubling
+    # You will write a function, and see it checked.
+
+    # %% role="given" exercise="template-double"
+    import numpy as np
+
+    LIMIT = 255
+
+    # %%
+    from imgproc_course.exercises import check
+
+    # %% role="exercise"
+    from imgproc_course.exercises import exercise
+
+    exercise(
+        "template-double",
+        function="double",
+        time_limit=5,
+        allowed=("scipy",),
+        hints=(
+            "What is 2 * 200, and where does uint8 end?",
+            "Widen the array, multiply, limit it to LIMIT, and make it uint8 again.",
+            "np.minimum(pixels.astype(np.uint16) * ..., ...).astype(...)",
+        ),
+        explanation="uint16 has room for 2 * 255, so nothing is lost before the limit.",
+        another_way="You can also write np.where(pixels > LIMIT // 2, LIMIT, pixels * 2).",
+    )
+
+    # %% [markdown]
+    # **Your turn.** Write `double`: each value twice, never above 255.
+
+    # %% role="answer"
+    def double(pixels):
+        raise NotImplementedError("your turn")
+
+    # %% role="solution"
+    def double(pixels):
+        return np.minimum(pixels.astype(np.uint16) * 2, LIMIT).astype(np.uint8)
+
+    # %% role="check"
+    check("template-double", double)
+
+    # %% role="case" title="Bright pixels" points=1 hint="Widen before you multiply: uint8 ends at 255."
+    def inputs(rng):
+        return (rng.integers(100, 256, (3, 4), dtype=np.uint8),)
+
+    # %% role="hidden" title="Any pixels" points=2 hint="What does 200 become?"
+    def inputs(rng):
+        return [(rng.integers(0, 256, (5, 5), dtype=np.uint8),) for _ in range(3)]
+
+    # %% role="mistake" name="uint8 wraps" says="uint8 ends at 255, and 200 * 2 became 144: widen first."
+    def double(pixels):
+        return pixels * 2
+
+Front matter
+    `jupyter: imgproc_course:` holds `title` and `minutes`. The first cell begins with the heading `# title`;
+    the lesson has its number there, too.
+
+References
+    Other lessons, their sections and the terms of the glossary are referred to by name:
+    [[images_as_messages]], [[canny_stages#4]], [[term:mask]]; `references` describes them.
+
+Roles (`role="..."` in a code cell's header; every other value is JSON: "text", 3, 0.5, true, ["a", "b"])
+    given      visible in the lesson; runs before the learner's answer, before each case, and in grading. It
+               holds everything that an answer may use from outside its own cell, imports too (`np` is always
+               defined). `exercise=` names its exercise, or a list of them.
+    exercise   the declaration, dropped from the lesson: one call of `exercise(...)`, with literals only (see
+               `imgproc_course.classroom.exercises.exercise`); three hints, an explanation and another way are
+               required. The rest of the cell (imports, functions that make inputs) runs before each case and
+               mistake of this exercise.
+    answer     the stub: it raises NotImplementedError, or its body is `...`. The learner edits this cell. It
+               is graded with what it reads of other cells. Its id in the lesson is `answer-<exercise>`, and
+               its metadata name the exercise.
+    solution   replaces the answer in the solved twin.
+    check      visible: `check("<exercise>", function)`. Its id is `check-<exercise>-<n>`.
+    case       a public check; `inputs(rng)` draws the arguments of one call (a tuple), or a list of such
+               tuples, from a NumPy Generator. `title`, `points` (1 if omitted), `hint`, `tolerance` in the
+               header. The solution gives the expected values; nobody writes them down. Dropped.
+    hidden     the same, run only in grading. Dropped.
+    mistake    a wrong answer that learners give, with `name` and what it `says` to the learner. It may call
+               the right answer, `solution(...)`, and change its result. Dropped.
+    predict    the learner's guess, before the result: `guess_share = None  # how many percent?`. Its id is
+               `predict-<lesson>-<n>`. It belongs to no exercise. See Predictions.
+    After the declaration, a role cell belongs to the last declared exercise, or to the one that `exercise=`
+    names.
+
+Predictions
+    A Markdown cell that says **Predict** is followed by a predict cell, and that by a cell that computes the
+    result and ends with a comparison. Nothing above shows the result, and the value is computed:
+
+        # %% [markdown]
+        # **Predict** how many percent of the pixels are bright.
+
+        # %% role="predict"
+        guess_share = None  # your guess: how many percent of the pixels?
+
+        # %%
+        share = round((gray > 200).mean() * 100)
+        compare_guess(guess_share, share, "%")
+
+    Each predict cell has a name of its own, `guess_...`: a guess that was not made cannot be compared with
+    another result. Choices stand in the comment: `# your guess: "left" or "right"?`.
+
+Folded cells
+    JupyterLab shows only the first line, a comment, of
+    - a cell that holds only asserts, and assignments and imports for them:
+      `# Check: the numbers in this section`, once at the end of a section. An assert stands in no other cell;
+      only a cell whose output varies may hold its own;
+    - a cell of texts: `# The captions and alt texts of the figures`, then
+      `figure_texts = {"wrapped": ("caption.", "alt text."), ...}`. A figure takes its two texts from there:
+      `show(wrapped, text=figure_texts["wrapped"])`.
+
+Tags (`tags=["..."]`, any code cell)
+    nbval-ignore-output        its output varies (a live image); the next code cell holds asserts
+    nbval-raises-exception     the lesson's planned failure: the cell raises, and the error is stored
+    keep-output                learners' copies keep this output; they keep no other (the course's index)
+    long                       more than 12 lines of code, on purpose
+
+A practice exercise (`practice=True`) is checked but not graded: its points count as 0.
+"""
+
+from dataclasses import dataclass, replace
+from pathlib import Path
+
+from imgproc_course.classroom.authoring.lesson_names import LESSON_FILE, lesson_name
+from imgproc_course.classroom.authoring.references import References
+from imgproc_course.classroom.authoring.rules import FOLDED_LINES, VARYING_TAG, master_problems
+from imgproc_course.classroom.exercises.declaration import MasterError, read_exercises
+from imgproc_course.classroom.exercises.percent_script import DROPPED_ROLES, read_script
+
+_SOURCES = ("stub", "solution", "preparation")  # fields of an Exercise that are Python
+_TEXTS = ("title", "hint", "border_hint", "explanation", "another_way")
+
+
+@dataclass(frozen=True)
+class Cell:
+    """One cell of a lesson.
+
+    id             "answer-<exercise>", "check-<exercise>-<n>", "given-<exercise>-<n>",
+                   "predict-<lesson>-<n>" or "<lesson>-<n>"
+    kind           "markdown" or "code"
+    source         its source in the lesson
+    solved_source  its source in the solved twin
+    role           "given", "answer", "check", "predict" or ""
+    exercise       the id of its exercise, or ""
+    tags           tuple of str
+    """
+
+    id: str
+    kind: str
+    source: str
+    solved_source: str
+    role: str = ""
+    exercise: str = ""
+    tags: tuple = ()
+
+    @property
+    def varies(self):
+        return VARYING_TAG in self.tags
+
+    @property
+    def folded(self):
+        """Whether JupyterLab shows only its first line."""
+        return self.kind == "code" and self.source.startswith(FOLDED_LINES)
+
+
+@dataclass(frozen=True)
+class Master:
+    """A master: `cells` are the lesson's, `exercises` are the declarations that grading needs.
+
+    name    of the lesson, its identity: "images_as_messages"
+    number  its place in the course: "03"
+    """
+
+    path: Path
+    title: str
+    minutes: int
+    cells: tuple
+    exercises: tuple
+
+    @property
+    def name(self):
+        return lesson_name(self.path.stem)
+
+    @property
+    def number(self):
+        match = LESSON_FILE.fullmatch(self.path.stem)
+        return match["number"] if match else ""  # the index has none
+
+    @property
+    def handed_out(self):
+        """{cell id: source of a check or given cell, which learners leave as it is; None for the others}."""
+        return {cell.id: cell.source if cell.role in ("check", "given") else None for cell in self.cells}
+
+
+def find_masters(folder, names=()):
+    """The masters in a folder, in the order of the course.
+
+    Parameters
+    ----------
+    folder : Path
+    names : names of lessons; all if empty. "03", "images_as_messages", "images" and "03_images_as_messages"
+        name images_as_messages; of a number and a name, the name decides
+
+    Returns
+    -------
+    list of Path
+
+    Raises
+    ------
+    MasterError : no such folder, no master in it, two of one name, or a name of no lesson or of several
+    """
+    return _find(folder, names, "masters", "a master", ".py")
+
+
+def find_lessons(folder, names=()):
+    """The built lessons in a folder, in the order of the course; otherwise as `find_masters`."""
+    return _find(folder, names, "notebooks", "a lesson", ".ipynb")
+
+
+def _find(folder, names, plural, singular, suffix):
+    paths = sorted(path for path in Path(folder).glob(f"*{suffix}") if LESSON_FILE.fullmatch(path.stem))
+    if not paths:
+        raise MasterError(f"no {plural} in {folder}; {singular} is named like 03_images_as_messages{suffix}")
+    lessons = [lesson_name(path.stem) for path in paths]
+    for name in lessons:
+        if lessons.count(name) > 1:
+            raise MasterError(f"{folder} has two {plural} of the lesson {name}; rename one of them")
+    if not names:
+        return paths
+    return sorted({_find_master(paths, name) for name in names})
+
+
+def _find_master(paths, name):
+    stem = Path(name).stem
+    name_part = lesson_name(stem)
+    matches = [path for path in paths if name_part in (path.name[:2], lesson_name(path.stem))]
+    matches = matches or [
+        path for path in paths if stem in path.stem[:2] or lesson_name(path.stem).startswith(name_part)
+    ]
+    if len(matches) != 1:
+        lessons = ", ".join(path.stem for path in matches or paths)
+        raise MasterError(f"{name!r} names {'several lessons' if matches else 'no lesson'}: {lessons}")
+    return matches[0]
+
+
+def read_master(path):
+    """Read a whole master, and refuse it if it breaks a rule of the format.
+
+    Parameters
+    ----------
+    path : Path
+
+    Returns
+    -------
+    Master
+
+    Raises
+    ------
+    MasterError : every rule that it breaks, one per line
+    """
+    path = Path(path)
+    script, references = read_script(path), References(path)
+    exercises = tuple(_resolved(exercise, references) for exercise in read_exercises(path))
+    title = str(script.front_matter.get("title", ""))
+    cells = list(_lesson_cells(path, script, exercises, references))
+    match = LESSON_FILE.fullmatch(path.stem)
+    if match and cells and cells[0].kind == "markdown":
+        cells[0] = _numbered(cells[0], match["number"])
+    master = Master(path, title, script.front_matter.get("minutes", 0), tuple(cells), exercises)
+    problems = master_problems(master)
+    if problems:
+        raise MasterError("\n".join(f"{path.name}: {problem}" for problem in problems))
+    return master
+
+
+def _numbered(cell, number):
+    """The lesson's first cell with the lesson's number in its heading."""
+    if not cell.source.startswith("# "):
+        return cell
+    source = f"# {number} · {cell.source[2:]}"
+    return replace(cell, source=source, solved_source=source)
+
+
+def _resolved(exercise, references):
+    """The exercise with the references in its texts and sources resolved."""
+    changes = {name: references.in_text(getattr(exercise, name)) for name in _TEXTS}
+    changes |= {name: references.in_code(getattr(exercise, name)) for name in _SOURCES}
+    return replace(
+        exercise,
+        **changes,
+        given=tuple(map(references.in_code, exercise.given)),
+        hints=tuple(map(references.in_text, exercise.hints)),
+        cases=tuple(
+            replace(case, title=references.in_text(case.title), hint=references.in_text(case.hint))
+            for case in exercise.cases
+        ),
+        mistakes=tuple(
+            replace(mistake, says=references.in_text(mistake.says)) for mistake in exercise.mistakes
+        ),
+    )
+
+
+def _lesson_cells(path, script, exercises, references):
+    counts, latest = {}, ""
+    declared = iter(exercises)
+    solutions = {exercise.id: exercise.solution for exercise in exercises}
+    position = 0
+    for cell in script.cells:
+        role = cell.role
+        if role == "exercise":
+            latest = next(declared).id
+        if role in DROPPED_ROLES:
+            continue
+        position += 1
+        owners = cell.options.get("exercise", latest)
+        owner = (owners if isinstance(owners, str) else owners[0]) if role else ""
+        if role == "predict":
+            owner = lesson_name(path.stem)
+        tags = tuple(cell.options.get("tags", ()))
+        id = f"{lesson_name(path.stem)}-{position}"
+        if role == "answer":
+            id = f"answer-{owner}"
+        elif role:
+            counts[role, owner] = counts.get((role, owner), 0) + 1
+            id = f"{role}-{owner}-{counts[role, owner]}"
+        resolve = references.in_prose if cell.kind == "markdown" else references.in_code
+        source = resolve(cell.source)
+        solved_source = solutions[owner] if role == "answer" else source
+        exercise = "" if role == "predict" else owner
+        yield Cell(id, cell.kind, source, solved_source, role, exercise, tags)

@@ -1,0 +1,155 @@
+"""References in masters: `[[grayscale]]` names a lesson, `[[term:mask]]` a term of the glossary.
+
+In prose a reference becomes a link. In code and in the texts of exercises it becomes plain text.
+
+    [[grayscale]]           [lesson 04, Grayscale](04_grayscale.ipynb)                lesson 04
+    [[grayscale#3]]         [section 3 of lesson 04](04_grayscale.ipynb#cell-id=...)  section 3 of lesson 04
+    [[grayscale|any text]]  [any text](04_grayscale.ipynb)                            any text
+    [[term:mask|masks]]     [masks](glossary.md#mask)                                masks
+"""
+
+import difflib
+import io
+import re
+import tokenize
+from dataclasses import dataclass
+from functools import cached_property
+from pathlib import Path
+
+from imgproc_course.classroom.authoring.glossary import GLOSSARY, read_glossary
+from imgproc_course.classroom.authoring.lesson_names import LESSON_FILE
+from imgproc_course.classroom.exercises.percent_script import MasterError, read_script
+
+_IN_PROSE = re.compile(
+    r"(?P<code>(?<!`)(?P<ticks>`{1,3})(?!`).+?(?<!`)(?P=ticks)(?!`))|\[\[(?P<target>[A-Za-z][^\[\]]*)\]\]",
+    re.S,
+)
+_IN_CODE = re.compile(r"\[\[(?P<target>(?:term:[^\[\]]+|[a-z][a-z0-9_]+(?:#\d+)?(?:\|[^\[\]]+)?))\]\]")
+_TITLE = re.compile(r"^#\s+title:\s*(.+?)\s*$", re.M)
+_AT_START = re.compile(r"(?:\A|\n[^\S\n]*\n|[.!?] )\Z")
+_WITH_WORDS = {tokenize.COMMENT, tokenize.STRING, getattr(tokenize, "FSTRING_MIDDLE", tokenize.STRING)}
+
+
+@dataclass(frozen=True)
+class LessonPlace:
+    """Where a lesson is in the course: its number is only the order, its name is its identity."""
+
+    number: str
+    name: str
+    path: Path
+
+    @cached_property
+    def title(self):
+        match = _TITLE.search(self.path.read_text(encoding="utf-8"))
+        return match[1].strip("\"'") if match else self.name.replace("_", " ").capitalize()
+
+
+class References:
+    """The references of one master.
+
+    Parameters
+    ----------
+    path : Path of the master; the lessons that it can name are those of its folder
+    """
+
+    def __init__(self, path):
+        self._path = Path(path)
+
+    @cached_property
+    def _lessons(self):
+        matches = (
+            (file, LESSON_FILE.fullmatch(file.stem)) for file in sorted(self._path.parent.glob("*.py"))
+        )
+        return {
+            match["name"]: LessonPlace(match["number"], match["name"], file)
+            for file, match in matches
+            if match
+        }
+
+    @cached_property
+    def _terms(self):
+        return {form: term for term in read_glossary(self._path.with_name(GLOSSARY)) for form in term.forms}
+
+    def in_prose(self, text):
+        """Markdown with links; code spans stay as they are."""
+
+        def replacement(match):
+            if match["code"]:
+                return match[0]
+            label, address = self._resolve(match["target"], in_prose=True)
+            return f"[{_capitalized(label, match, text)}]({address})"
+
+        return _IN_PROSE.sub(replacement, text)
+
+    def in_text(self, text):
+        """A text with plain words in place of references."""
+        return _IN_CODE.sub(lambda match: _capitalized(self._resolve(match["target"])[0], match, text), text)
+
+    def in_code(self, source):
+        """Code whose comments and strings have plain words in place of references."""
+        if not _IN_CODE.search(source):
+            return source
+        lines = source.splitlines(keepends=True)
+        try:
+            tokens = list(tokenize.generate_tokens(io.StringIO(source).readline))
+        except (tokenize.TokenError, SyntaxError):  # a cell with a magic
+            return self.in_text(source)
+        starts = [0]
+        for line in lines:
+            starts.append(starts[-1] + len(line))
+        for token in reversed(tokens):
+            if token.type in _WITH_WORDS:
+                begin = starts[token.start[0] - 1] + token.start[1]
+                end = starts[token.end[0] - 1] + token.end[1]
+                source = source[:begin] + self.in_text(source[begin:end]) + source[end:]
+        return source
+
+    def _resolve(self, target, *, in_prose=False):
+        """(the words, the address) of what stands between the brackets."""
+        name, _, label = target.partition("|")
+        if name.startswith("term:"):
+            term = self._term(name.removeprefix("term:"), target)
+            return label or name.removeprefix("term:"), term.address
+        name, _, section = name.partition("#")
+        lesson = self._lesson(name, target)
+        address = f"{lesson.path.stem}.ipynb"
+        if section:
+            address += f"#cell-id={self._section_cell(lesson, section, target)}"
+            return label or f"section {section} of lesson {lesson.number}", address
+        plain = f"lesson {lesson.number}"
+        return label or (f"{plain}, {lesson.title}" if in_prose else plain), address
+
+    def _lesson(self, name, target):
+        if name not in self._lessons:
+            raise MasterError(self._unknown(target, "lesson", name, self._lessons))
+        return self._lessons[name]
+
+    def _term(self, name, target):
+        if name.casefold() not in self._terms:
+            raise MasterError(self._unknown(target, "term", name, self._terms))
+        return self._terms[name.casefold()]
+
+    def _section_cell(self, lesson, section, target):
+        """The id of the cell that a section begins with."""
+        heading = re.compile(rf"^#+ {section}\b", re.M)
+        for position, cell in enumerate(read_script(lesson.path).lesson_cells, 1):
+            if cell.kind == "markdown" and heading.search(cell.source):
+                return f"{lesson.name}-{position}"
+        raise MasterError(f"{self._place(target)}: {lesson.path.name} has no section {section}")
+
+    def _unknown(self, target, kind, name, known):
+        nearest = difflib.get_close_matches(name, list(known), n=1, cutoff=0.4)
+        advice = (
+            f"did you mean {nearest[0]}?" if nearest else f"there are: {', '.join(sorted(known)) or 'none'}"
+        )
+        return f"{self._place(target)}: [[{target}]] names no {kind}; {advice}"
+
+    def _place(self, target):
+        lines = self._path.read_text(encoding="utf-8").splitlines()
+        line = next((number for number, line in enumerate(lines, 1) if f"[[{target}]]" in line), 0)
+        return f"{self._path.name}, line {line}"
+
+
+def _capitalized(words, match, text):
+    """The words, with a capital letter if they begin a sentence."""
+    return words[:1].upper() + words[1:] if _AT_START.search(text[: match.start()]) else words

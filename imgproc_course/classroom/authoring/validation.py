@@ -1,0 +1,134 @@
+"""Validate an exercise before any learner is graded by it."""
+
+from imgproc_course.classroom.exercises.canonical import VALUE_BYTES, array_of, canonical
+from imgproc_course.classroom.exercises.check_data import check_data_of
+from imgproc_course.classroom.exercises.checking import run_cases
+from imgproc_course.classroom.exercises.comparison import compare, describe
+from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED
+from imgproc_course.classroom.exercises.running import call
+
+_ANOTHER_SEED = 1  # an instructor's key draws other inputs than the lesson
+_SEEDS = (PUBLIC_SEED, _ANOTHER_SEED, 2, 3)
+
+
+def validate_exercise(exercise):
+    """Check that the solution passes, that the stub and each mistake are recognized, and that each mistake
+    costs points.
+
+    Parameters
+    ----------
+    exercise : Exercise
+
+    Returns
+    -------
+    list of str, the problems; empty for a valid exercise
+
+    Raises
+    ------
+    MasterError : the solution or a case fails outright
+    """
+    solution = exercise.function_of(exercise.solution, "solution")
+    result = run_cases(exercise, solution, cases=exercise.cases)
+    other_result = run_cases(exercise, solution, cases=exercise.cases, seed=_ANOTHER_SEED)
+    problems = [
+        f"{case_result.case.id}: the solution does not pass it a second time; is the solution random?"
+        for case_result in (*result.results, *other_result.results)
+        if not case_result.passed
+    ]
+    problems += [
+        f"{exercise.id}: the solution uses {module}; name it in allowed=(...), or solve it without"
+        for module in result.dependencies.refused
+    ]
+    if not _is_empty_stub(exercise):
+        problems.append(
+            f'{exercise.id}: the stub returns a value; let it raise NotImplementedError("your turn")'
+        )
+    for mistake in exercise.mistakes:
+        problems += _mistake_problems(exercise, mistake)
+    problems += [
+        f"{exercise.id}: the mistake {name!r} earns all points; add a call that catches it, for every seed,"
+        " to a case with points"
+        for name in _mistakes_with_all_points(exercise)
+    ]
+    for case in exercise.cases:
+        problems += _size_problems(exercise, case)
+        problems += _seed_problems(exercise, case, solution) if case.points else []
+    return problems
+
+
+def _mistake_problems(exercise, mistake):
+    wrong_function = exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
+    result = run_cases(exercise, wrong_function)
+    if all(case_result.passed for case_result in result.results):
+        yield f"{exercise.id}: the mistake {mistake.name!r} passes every public case; add one that catches it"
+    elif result.mistake is None or result.mistake.name != mistake.name:
+        confusion = f"is taken for {result.mistake.name!r}" if result.mistake else "is not recognized"
+        yield (
+            f"{exercise.id}: the mistake {mistake.name!r} {confusion};"
+            " add a public case that tells the two apart"
+        )
+
+
+def _mistakes_with_all_points(exercise):
+    """The names of the mistakes that pass every case with points."""
+    cases = tuple(case for case in exercise.cases if case.points)
+    if exercise.practice:
+        return []
+    checks = [check_data_of(exercise, cases, seed) for seed in (PUBLIC_SEED, _ANOTHER_SEED)]
+    passing = {mistake.name for data in checks for mistake in data.mistakes if _passes(mistake, data)}
+    return [mistake.name for mistake in exercise.mistakes if mistake.name in passing]
+
+
+def _passes(mistake, data):
+    return all(
+        result.matches(expected.result, case.tolerance, exact_type=data.exact_type)
+        for case in data.cases
+        for expected, result in zip(case.calls, mistake.results[case.id], strict=True)
+    )
+
+
+def _seed_problems(exercise, case, solution):
+    """Points need an answer that depends on inputs that only the key's seed gives."""
+    calls = [exercise.arguments(case, seed) for seed in _SEEDS]
+    arguments = [[canonical(value, limit=None) for call in drawn for value in call] for drawn in calls]
+    if all(drawn == arguments[0] for drawn in arguments):
+        return [f"{case.id}: inputs(rng) ignores rng, so its answer can be copied; draw the inputs from it"]
+    answers = [[canonical(solution(*call), limit=None) for call in drawn] for drawn in calls]
+    for constant in [answer for drawn in answers for answer in drawn]:
+        passed = [all(_agree(exercise, case, answer, constant) for answer in drawn) for drawn in answers]
+        if sum(passed) > 1:
+            return [
+                f"{case.id}: a constant passes it with several seeds, {describe(constant)}; add a call whose"
+                " answer differs"
+            ]
+    return []
+
+
+def _agree(exercise, case, answer, constant):
+    """Whether grading takes the one for the other."""
+    return compare(answer, constant, case.tolerance, exact_type=exercise.exact_type) is None
+
+
+def _is_empty_stub(exercise):
+    """Whether the stub returns nothing: with a docstring added it must still count as not attempted."""
+    stub = exercise.function_of(exercise.stub, "stub")
+    arguments = exercise.arguments(exercise.cases[0])[0]
+    result = call(stub, arguments, [str(k) for k in range(len(arguments))], exercise.time_limit)
+    return result.error == "NotImplementedError" or result.value == {"type": "None"}
+
+
+def _size_problems(exercise, case):
+    """Grading carries large arrays as digests, and a tolerance has no meaning for a digest."""
+    solution = exercise.function_of(exercise.solution, "solution")
+    for arguments in exercise.arguments(case):
+        answer = array_of(canonical(solution(*arguments), limit=None))
+        if (
+            answer is not None
+            and answer.nbytes > VALUE_BYTES
+            and (answer.dtype.kind == "f" or case.tolerance)
+        ):
+            yield (
+                f"{case.id}: grading cannot compare an answer of {answer.nbytes} bytes with a tolerance;"
+                f" draw a smaller input, up to {VALUE_BYTES} bytes of answer"
+            )
+            return

@@ -1,0 +1,213 @@
+"""Read what a check cell showed. It came from a learner's process and may be anything.
+
+`read_form` accepts canonical forms only (see `exercises.canonical`), and makes each of them anew from the
+keys that its type has: right types, a known dtype, data of the right length, limited size and depth. So
+code that compares, describes or draws a form meets only what `canonical` itself could have written.
+"""
+
+import base64
+import binascii
+import re
+import sys
+
+import numpy as np
+
+from imgproc_course.classroom.exercises.canonical import (
+    MATRIX,
+    MOST_CHARACTERS,
+    MOST_INT_BITS,
+    PLAIN_TYPES,
+    SCALARS,
+)
+from imgproc_course.classroom.exercises.running import CallResult
+
+_MOST_DEPTH = 10  # one more than `canonical` writes
+_MOST_FORMS = 50_000  # in one value; `canonical` stops at 20,000 items, and an item of a dict is two
+_MOST_BYTES = 1 << 40  # of an array that is given by its digest
+_MOST_CALLS = 1_000
+_MOST_CHANGED, _MOST_PRINTED, _MOST_MESSAGE, _MOST_NAME = 20, 2_000, 2_000, 300  # names, characters
+_SCALARS = {f"numpy.{scalar.__name__}": np.dtype(scalar) for scalar in SCALARS}
+_DTYPES = {np.dtype(code).name: np.dtype(code) for code in "?bBhHiIlLqQefd"}
+_CONTAINERS = ("tuple", "list", "dict")
+_SPECIAL = ("nan", "inf", "-inf")
+_DIGEST = re.compile(r"[0-9a-f]{64}")
+
+
+class _NotAForm(ValueError):
+    """What a check cell showed is no canonical form. It never leaves this module."""
+
+
+def read_form(data):
+    """Make a canonical form from what a learner's process sent.
+
+    Parameters
+    ----------
+    data : any value that JSON can hold
+
+    Returns
+    -------
+    dict, a canonical form that shares no container with `data`; or None if it is no canonical form
+    """
+    try:
+        return _FormReader().read(data, 0)
+    except _NotAForm:
+        return None
+
+
+class _FormReader:
+    def __init__(self):
+        self._forms_left = _MOST_FORMS
+
+    def read(self, data, depth):
+        self._forms_left -= 1
+        _require(isinstance(data, dict) and depth <= _MOST_DEPTH and self._forms_left >= 0)
+        kind = _text(data.get("type"), _MOST_NAME)
+        if data.get("too_large") is True:
+            _require(kind in ("int", "str", *_CONTAINERS))
+            return {"type": kind, "too_large": True}
+        if kind == "ndarray":
+            return _array(data)
+        if data.get("opaque") is True:
+            _require(kind not in PLAIN_TYPES and kind not in _SCALARS)
+            array = {"array": _matrix(data["array"])} if kind == MATRIX and "array" in data else {}
+            return {"type": kind, "opaque": True} | array
+        if kind in _CONTAINERS:
+            return {"type": kind, "items": self._items(kind, data.get("items"), depth)}
+        if kind == "bytes":
+            length = _length(data.get("length"))
+            return {"type": kind, "length": length} | _data(data, length)
+        if kind == "None":
+            return {"type": kind}
+        if kind in PLAIN_TYPES or kind in _SCALARS:
+            return {"type": kind, "value": _plain(kind, data.get("value"))}
+        return {"type": kind, "fields": self._fields(data.get("fields"), depth)}
+
+    def _items(self, kind, items, depth):
+        _require(isinstance(items, list))
+        if kind != "dict":
+            return [self.read(item, depth + 1) for item in items]
+        _require(all(isinstance(pair, list) and len(pair) == 2 for pair in items))
+        return [[self.read(part, depth + 1) for part in pair] for pair in items]
+
+    def _fields(self, fields, depth):
+        _require(isinstance(fields, dict))
+        return {_text(name, _MOST_NAME): self.read(field, depth + 1) for name, field in fields.items()}
+
+
+def _require(condition):
+    if not condition:
+        raise _NotAForm
+
+
+def _text(value, most_characters):
+    """A text that is not too long and can be written to a file; lone surrogates cannot."""
+    _require(isinstance(value, str) and len(value) <= most_characters)
+    try:
+        value.encode("utf-8")
+    except UnicodeEncodeError:
+        raise _NotAForm from None
+    return value
+
+
+def _plain(kind, value):
+    if kind == "str":
+        return _text(value, 6 * MOST_CHARACTERS)  # a lone surrogate is written as six characters
+    dtype = _SCALARS.get(kind)
+    if kind == "bool" or (dtype and dtype.kind == "b"):
+        _require(isinstance(value, bool))
+    elif kind == "float" or (dtype and dtype.kind == "f"):
+        if isinstance(value, str):
+            _require(value in _SPECIAL)
+            return value
+        _require(isinstance(value, (int, float)) and not isinstance(value, bool))
+        _require(abs(value) <= sys.float_info.max)
+        return float(value)
+    else:
+        _require(isinstance(value, int) and not isinstance(value, bool))
+        limits = np.iinfo(dtype) if dtype else None
+        _require(limits.min <= value <= limits.max if limits else value.bit_length() <= MOST_INT_BITS)
+    return value
+
+
+def _length(value):
+    _require(isinstance(value, int) and not isinstance(value, bool) and 0 <= value < _MOST_BYTES)
+    return value
+
+
+def _array(data):
+    shape, name = data.get("shape"), _text(data.get("dtype"), _MOST_NAME)
+    _require(isinstance(shape, list) and len(shape) <= 64)  # NumPy's limit
+    form = {"type": "ndarray", "dtype": name, "shape": [_length(length) for length in shape]}
+    size = _DTYPES[name].itemsize if name in _DTYPES else 1
+    for length in shape:
+        size *= max(length, 1)  # NumPy refuses a shape whose other lengths are too large, beside a 0 as well
+    _require(size < _MOST_BYTES)
+    if data.get("opaque") is True:
+        return form | {"opaque": True}
+    _require(name in _DTYPES)
+    return form | _data(data, 0 if 0 in shape else size)
+
+
+def _matrix(data):
+    _require(isinstance(data, dict))
+    form = _array(data)
+    _require(len(form["shape"]) == 2)
+    return form
+
+
+def _data(data, size):
+    """The data of a form, of so many bytes; or its digest."""
+    if "data" not in data:
+        digest = _text(data.get("digest"), 64)
+        _require(_DIGEST.fullmatch(digest))
+        return {"digest": digest}
+    encoded = _text(data["data"], (size + 2) // 3 * 4)
+    try:
+        _require(len(base64.b64decode(encoded, validate=True)) == size)
+    except binascii.Error as error:
+        raise _NotAForm from error
+    return {"data": encoded}
+
+
+def read_answer(payload):
+    """Read what a check cell showed.
+
+    Parameters
+    ----------
+    payload : any value that JSON can hold
+
+    Returns
+    -------
+    list of CallResult, or None if our check cells cannot have shown this
+    """
+    if not isinstance(payload, dict) or not isinstance(payload.get("calls"), list):
+        return None
+    calls = read_calls(payload["calls"][:_MOST_CALLS])
+    return None if None in calls else calls
+
+
+def read_calls(entries):
+    """Read what `check_cell.call_to_json` wrote: a list of CallResult, None for a malformed entry."""
+    return [_read_call(entry) for entry in entries]
+
+
+def _read_call(entry):
+    if not isinstance(entry, dict):
+        return None
+    if entry.get("timed_out") is True:
+        return CallResult(timed_out=True)
+    changed, printed = entry.get("changed"), entry.get("printed")
+    if not isinstance(changed, list) or not all(isinstance(name, str) for name in changed):
+        return None
+    if not isinstance(printed, str):
+        return None
+    changed = tuple(name[:_MOST_NAME] for name in changed[:_MOST_CHANGED])
+    fields = {"changed": changed, "printed": printed[:_MOST_PRINTED]}
+    if "error" in entry:
+        texts = [entry.get(name) for name in ("error", "message", "line")]
+        if not entry["error"] or not all(isinstance(text, str) for text in texts):
+            return None
+        error, message, line = (text[:_MOST_MESSAGE] for text in texts)
+        return CallResult(error=error, message=message, line=line, **fields)
+    value = read_form(entry.get("value"))
+    return None if value is None else CallResult(value=value, **fields)

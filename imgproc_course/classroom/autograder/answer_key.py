@@ -1,0 +1,335 @@
+"""The answer key: what answers are compared with. `make_answer_key` makes it from a secret seed.
+
+A key is a folder that learners must not get:
+
+    key.json                            lessons with their versions, exercises, cases, known mistakes
+    <lesson>/<exercise>.ipynb           the exercise as nbval grades it: given cells, a placeholder for the
+                                        answer, one check cell per case with the solution's outputs
+    <lesson>/<exercise>.inputs.json     the arguments of each case's calls (see `input_encoding`)
+    <lesson>/<exercise>.mistakes.json   what each known mistake does with them
+    handed_out.json                     the ids of each lesson's cells, and the source of check and given
+    cells
+    solutions.json                      {exercise id: source}: an answer that equals it is reported
+    variants/2, variants/3, ...         more keys, of the same lessons with other inputs, if it has variants
+
+A key with variants assigns one to each learner, by a hash of the name that only the key's owner can compute.
+The seed is in none of these files. Public cases get inputs from this seed too, so that nothing in the
+course's repository gives an answer away. A key contains no pickle; an altered key can at most grade wrongly.
+"""
+
+import hashlib
+import hmac
+import json
+from dataclasses import dataclass, replace
+from functools import lru_cache
+from pathlib import Path
+
+from imgproc_course.classroom.autograder.answer_forms import read_calls
+from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
+from imgproc_course.classroom.exercises.canonical import canonical
+from imgproc_course.classroom.exercises.input_encoding import decode
+
+FORMAT = 4
+HANDED_OUT = "handed_out.json"
+SOLUTIONS = "solutions.json"
+VARIANTS = "variants"
+
+
+class KeyFolderError(ValueError):
+    """A key cannot be read or written; the message is one line with the remedy."""
+
+
+@dataclass(frozen=True)
+class KeyCase:
+    """One test case in the key; `calls` is the number of calls that it makes."""
+
+    id: str
+    title: str
+    hint: str
+    points: int
+    hidden: bool
+    tolerance: float
+    calls: int
+
+
+@dataclass(frozen=True)
+class KeyMistake:
+    """A known wrong answer: its name, and the explanation for a learner who gives it."""
+
+    name: str
+    explanation: str
+
+
+@dataclass(frozen=True)
+class KeyExercise:
+    """One exercise in the key; a practice exercise has no cases and is not graded.
+
+    stub        the answer cell's source in the lesson
+    arguments   names of the function's arguments
+    given       sources of the given cells; () in a key of an earlier version
+    exact_type  whether a right value in another type is wrong
+    """
+
+    id: str
+    title: str
+    function: str
+    points: int
+    allowed: tuple
+    time_limit: float
+    practice: bool
+    stub: str
+    arguments: tuple
+    cases: tuple
+    mistakes: tuple
+    given: tuple = ()
+    exact_type: bool = False
+
+
+@dataclass(frozen=True)
+class KeyLesson:
+    """One lesson: `version` of the course that it was made from, `digest` (SHA-256) of its master.
+
+    `name` identifies it; `number` is only its place in the course: "04".
+    """
+
+    name: str
+    number: str
+    title: str
+    version: str
+    digest: str
+    exercises: tuple
+
+    @property
+    def points(self):
+        return sum(exercise.points for exercise in self.exercises)
+
+
+@dataclass(frozen=True)
+class Key:
+    """A key that `load_key` read.
+
+    digest    identifies it
+    lessons   {name: KeyLesson}
+    variant   its number; the first one is 1
+    others    of the first one: the Keys of the other variants
+    secret    what assigns the variants to learners; "" if there is only one
+    """
+
+    path: Path
+    digest: str
+    lessons: dict
+    variant: int = 1
+    others: tuple = ()
+    secret: str = ""
+
+    @property
+    def variants(self):
+        """All variants, as a tuple of Key."""
+        return (self, *self.others)
+
+    def variant_for(self, learner):
+        """The Key that grades a learner: always the same for a name."""
+        digest = hmac.digest(self.secret.encode(), learner.encode("utf-8", "surrogatepass"), "sha256")
+        return self.variants[int.from_bytes(digest) % len(self.variants)]
+
+    def exercise(self, id):
+        """The KeyExercise of that id, or None."""
+        exercises = (exercise for lesson in self.lessons.values() for exercise in lesson.exercises)
+        return next((exercise for exercise in exercises if exercise.id == id), None)
+
+    def lesson_of(self, exercise_id):
+        """The name of the lesson that an exercise belongs to, or None."""
+        return next(
+            (
+                name
+                for name, lesson in self.lessons.items()
+                if any(exercise.id == exercise_id for exercise in lesson.exercises)
+            ),
+            None,
+        )
+
+    def content(self, exercise_id):
+        """The notebook, the inputs and the mistakes of a graded exercise, as `ExerciseContent`."""
+        return _content(self.path / self.lesson_of(exercise_id), exercise_id, self.digest)
+
+
+@dataclass(frozen=True)
+class ExerciseContent:
+    """The contents of an exercise's three files.
+
+    notebook  dict, of nbformat 4
+    inputs    {case id: list of calls, each the encoded tuple of its arguments}
+    mistakes  {name: {case id: list of CallResult}}
+    expected  {case id: list of canonical forms, one per call}
+    """
+
+    notebook: dict
+    inputs: dict
+    mistakes: dict
+    expected: dict
+
+    def canonical_arguments(self, case_id, number):
+        """The canonical forms of one call's arguments, to show a public case."""
+        return [canonical(value, limit=None) for value in decode(self.inputs[case_id][number])]
+
+
+@lru_cache(maxsize=64)
+def _content(folder, id, _digest):
+    try:
+        notebook = json.loads((folder / f"{id}.ipynb").read_text(encoding="utf-8"))
+        inputs = json.loads((folder / f"{id}.inputs.json").read_text(encoding="utf-8"))
+        mistakes = {
+            name: {case_id: read_calls(calls) for case_id, calls in cases.items()}
+            for name, cases in json.loads(
+                (folder / f"{id}.mistakes.json").read_text(encoding="utf-8")
+            ).items()
+        }
+        expected = {
+            cell["id"]: [call["value"] for call in cell["outputs"][0]["data"][MIME]["calls"]]
+            for cell in notebook["cells"]
+            if cell["id"] in inputs
+        }
+    except (OSError, ValueError, KeyError, IndexError, TypeError) as error:
+        raise KeyFolderError(f"{folder}/{id}: cannot be read ({error}); make the key again") from error
+    return ExerciseContent(notebook, inputs, mistakes, expected)
+
+
+# ---------------------------------------------------------------- reading
+
+
+def load_key(path):
+    """Read a key.
+
+    Parameters
+    ----------
+    path : Path of its folder
+
+    Returns
+    -------
+    Key, the first one with its variants
+
+    Raises
+    ------
+    KeyFolderError : there is no key, one of its variants is missing, it has another format, or its check
+        cells were never run
+    """
+    key, count = _load_one(Path(path).resolve())
+    numbers = range(2, count + 1) if key.variant == 1 else ()
+    return replace(key, others=tuple(_load_variant(key, number) for number in numbers))
+
+
+def _load_variant(key, number):
+    path = key.path / VARIANTS / str(number)
+    variant, _ = _load_one(path)
+    if variant.variant != number or variant.lessons.keys() != key.lessons.keys():
+        raise KeyFolderError(f"{path}: it is not variant {number} of this key; make the key again")
+    return variant
+
+
+def _load_one(path):
+    """A Key without its other variants, and how many variants there are."""
+    try:
+        text = (path / "key.json").read_text(encoding="utf-8")
+        content = json.loads(text)
+        if content["format"] != FORMAT:
+            raise KeyFolderError(
+                f"{path}: a key of format {content['format']}, expected {FORMAT}; make it again"
+            )
+        lessons = {entry["name"]: _read_lesson(entry) for entry in content["lessons"]}
+        variant, count, secret = 1, 1, ""
+        if "variants" in content:
+            variant, count, secret = content["variant"], int(content["variants"]), str(content["secret"])
+    except FileNotFoundError as error:
+        raise KeyFolderError(
+            f"{path}: there is no key; make one: imgproc-course key --out {path.name}"
+        ) from error
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        if isinstance(error, KeyFolderError):
+            raise
+        raise KeyFolderError(f"{path}/key.json: cannot be read ({error}); make the key again") from error
+    digest = hashlib.sha256(text.encode())
+    for lesson in lessons.values():
+        for exercise in lesson.exercises:
+            if not exercise.practice:
+                digest.update(_read_checked(path / lesson.name / f"{exercise.id}.ipynb"))
+    return Key(path, digest.hexdigest(), lessons, variant, secret=secret), count
+
+
+def _read_lesson(entry):
+    exercises = tuple(_read_exercise(exercise) for exercise in entry["exercises"])
+    return KeyLesson(**entry | {"exercises": exercises})
+
+
+def _read_exercise(entry):
+    fields = {
+        "allowed": tuple(entry["allowed"]),
+        "arguments": tuple(entry["arguments"]),
+        "given": tuple(entry.get("given", ())),
+        "cases": tuple(KeyCase(**case) for case in entry["cases"]),
+        "mistakes": tuple(KeyMistake(**mistake) for mistake in entry["mistakes"]),
+    }
+    return KeyExercise(**entry | fields)
+
+
+def _read_checked(path):
+    """The bytes of an exercise's notebook; all its cells must have been run.
+
+    nbval never compares a cell without an execution count: such a key would let every answer pass.
+    """
+    try:
+        data = path.read_bytes()
+        cells = json.loads(data)["cells"]
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise KeyFolderError(f"{path}: cannot be read ({error}); make the key again") from error
+    for cell in cells:
+        is_check = cell["id"].startswith(("case-", "check-", "hidden-"))
+        if cell["cell_type"] == "code" and (
+            not isinstance(cell.get("execution_count"), int) or (is_check and not cell["outputs"])
+        ):
+            raise KeyFolderError(
+                f"{path}: cell {cell['id']} has no execution count, so nbval would let every answer pass;"
+                " make the key again"
+            )
+    return data
+
+
+# ---------------------------------------------------------------- known mistakes
+
+
+def known_mistake(exercise, content, calls):
+    """The declared mistake that did, on every public call, exactly what the answer did.
+
+    A mistake that agrees on the hidden calls too is preferred to one that does not. `check` has the same
+    rule, so a lesson and a report name the same mistake.
+
+    Parameters
+    ----------
+    exercise : KeyExercise
+    content : ExerciseContent
+    calls : {case id: list of CallResult, or None}, of the answer
+
+    Returns
+    -------
+    KeyMistake or None
+    """
+    public = [case for case in exercise.cases if not case.hidden]
+    candidates = [
+        mistake for mistake in exercise.mistakes if _agrees(content.mistakes[mistake.name], calls, public)
+    ]
+    best = [
+        mistake for mistake in candidates if _agrees(content.mistakes[mistake.name], calls, exercise.cases)
+    ]
+    return next(iter([*best, *candidates]), None)
+
+
+def _agrees(mistake_calls, calls, cases):
+    for case in cases:
+        answer, mistake = calls.get(case.id), mistake_calls[case.id]
+        if answer is None or len(answer) != len(mistake):
+            return False
+        if not all(
+            call.matches(mistake_call, case.tolerance)
+            for call, mistake_call in zip(answer, mistake, strict=True)
+        ):
+            return False
+    return True

@@ -1,0 +1,119 @@
+"""The secret seed of a key, and its successor for a regrade after feedback.
+
+Somebody who guesses the seed can compute every hidden input, so a seed has at least 128 bits drawn by chance.
+"""
+
+import itertools
+import re
+import secrets
+
+from imgproc_course.classroom.autograder.answer_key import KeyFolderError
+
+DIGITS = 32  # hexadecimal: 128 bits
+_LOOKED_AT = 64  # of a longer seed's digits
+
+
+def require_unguessable(seed):
+    """Raise KeyFolderError, one line with the remedy, for a seed that somebody could guess.
+
+    Parameters
+    ----------
+    seed : str; only hexadecimal digits count, because nobody can tell how many bits are in a phrase
+    """
+    digits = seed.lower()[:_LOOKED_AT]
+    if not re.fullmatch(rf"[0-9a-fA-F]{{{DIGITS},}}", seed) or digits.isdecimal() or _is_pattern(digits):
+        raise KeyFolderError(
+            f"this seed can be guessed: expected at least {DIGITS} hexadecimal digits drawn by chance, 128"
+            " bits; leave --seed out, and a seed is made, or draw one: openssl rand -hex 16"
+        )
+
+
+def _is_pattern(digits):
+    """Whether hexadecimal digits repeat, as 0123...0123 or 0123...3210, or go in steps, as 001122... does."""
+    # Three digits in a row, read from either side: by chance hardly any occur twice, in a pattern most do.
+    triples = [min(digits[i : i + 3], digits[i : i + 3][::-1]) for i in range(len(digits) - 2)]
+    if len(set(triples)) < 0.8 * len(triples):
+        return True
+    values = [int(digit, 16) for digit in digits]
+    for distance in range(1, 5):
+        steps = [(b - a) % 16 for a, b in zip(values, values[distance:], strict=False)]
+        if max(map(steps.count, steps)) > 0.4 * len(steps):  # by chance about a fifth
+            return True
+    return False
+
+
+def new_seed():
+    """A seed of 128 bits, as 32 hexadecimal digits."""
+    while True:
+        seed = secrets.token_hex(DIGITS // 2)
+        try:
+            require_unguessable(seed)
+        except KeyFolderError:
+            continue  # a few in ten thousand look like a pattern
+        return seed
+
+
+def seed_file_of(key):
+    """Where the seed of a key is saved: beside its folder."""
+    return key.with_name(f"{key.name}.seed")
+
+
+def read_or_make_seed(path):
+    """The secret seed in a file; if there is no such file, make a seed and store it there.
+
+    Parameters
+    ----------
+    path : Path of a text file that only its owner can read
+
+    Returns
+    -------
+    str, hexadecimal digits
+
+    Raises
+    ------
+    OSError : the file cannot be read or written
+    KeyFolderError : the seed in the file can be guessed
+    """
+    if path.exists():
+        seed = path.read_text(encoding="utf-8").strip()
+        require_unguessable(seed)
+        return seed
+    seed = new_seed()
+    path.parent.mkdir(parents=True, exist_ok=True)
+    path.touch(mode=0o600)
+    path.write_text(f"{seed}\n", encoding="utf-8")
+    return seed
+
+
+def redraw(key, make):
+    """Replace a key by one with a new seed, and keep the old one: its grades stay reproducible.
+
+    Parameters
+    ----------
+    key : Path of the key's folder
+    make : function that makes a key from a seed in a folder: make(seed, folder)
+
+    Returns
+    -------
+    Path, where the old key is now; its seed is beside it
+
+    Raises
+    ------
+    KeyFolderError : there is no key to redraw
+    OSError : a folder cannot be renamed
+    """
+    if not (key / "key.json").is_file():
+        raise KeyFolderError(f"{key}: there is no key to redraw; make one without --redraw")
+    new_key = key.with_name(f"{key.name}.redrawn")
+    seed_file, new_seed_file = seed_file_of(key), seed_file_of(new_key)
+    seed = read_or_make_seed(new_seed_file)
+    if not (new_key / "key.json").exists():  # it does after an interruption
+        make(seed, new_key)
+    numbers = (number for number in itertools.count(1) if not key.with_name(f"{key.name}-{number}").exists())
+    old_key = key.with_name(f"{key.name}-{next(numbers)}")
+    key.rename(old_key)
+    if seed_file.exists():
+        seed_file.rename(seed_file_of(old_key))
+    new_seed_file.rename(seed_file)
+    new_key.rename(key)
+    return old_key

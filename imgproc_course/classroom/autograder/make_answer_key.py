@@ -1,0 +1,295 @@
+"""Make an answer key: run each solution on inputs drawn from a secret seed, in the sandbox that grades.
+
+`answer_key` describes what a key contains, and reads it.
+"""
+
+import hashlib
+import json
+from dataclasses import asdict
+from importlib.metadata import version
+from pathlib import Path
+
+import nbformat
+from nbformat.v4 import new_code_cell, new_markdown_cell, new_notebook, new_output
+from tqdm import tqdm
+
+from imgproc_course.classroom.authoring.atomic_write import write_folder
+from imgproc_course.classroom.authoring.masters import find_masters, read_master
+from imgproc_course.classroom.autograder.answer_forms import read_answer, read_form
+from imgproc_course.classroom.autograder.answer_key import (
+    FORMAT,
+    HANDED_OUT,
+    SOLUTIONS,
+    VARIANTS,
+    KeyCase,
+    KeyExercise,
+    KeyFolderError,
+    KeyMistake,
+    load_key,
+)
+from imgproc_course.classroom.autograder.sandbox import bubblewrap
+from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
+from imgproc_course.classroom.autograder.sandbox.inside.check_cell import argument_names, call_to_json
+from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
+from imgproc_course.classroom.autograder.verdict import verdict_on
+from imgproc_course.classroom.exercises import running
+from imgproc_course.classroom.exercises.declaration import MasterError
+from imgproc_course.classroom.exercises.input_encoding import decode, encode
+
+_EMIT_IMPORT = "from imgproc_course.classroom.autograder.sandbox.inside.check_cell import emit"
+_PLACEHOLDER = "# the learner's answer"
+
+
+def make_key(masters_dir, seed, out, names=(), *, variants=1, unsafe=False, replace=False):
+    """Make a key: run each solution on inputs drawn from the seed, in the sandbox that grades.
+
+    The folder is written whole at the end: an error or Ctrl-C leaves the old one unchanged.
+
+    Parameters
+    ----------
+    masters_dir : Path of the folder of masters
+    seed : int or str, the teacher's secret; the key does not contain it
+    out : Path of the key's folder
+    names : lessons, as `find_masters` takes them; all if empty
+    variants : int, how many sets of inputs are drawn; each learner gets one of them
+    unsafe : bool, run without a sandbox
+    replace : bool, replace an existing key
+
+    Returns
+    -------
+    Key
+
+    Raises
+    ------
+    MasterError : a solution fails, or inputs cannot be sent to a kernel as data; names lesson and case
+    KeyFolderError : there is a key already, or the folder cannot be written
+    SandboxError : there is no sandbox here
+    """
+    out = Path(out)
+    if out.exists() and not replace and (not out.is_dir() or any(out.iterdir())):
+        raise KeyFolderError(
+            f"{out}: it exists already, and grades may depend on it: choose another folder, or use --replace"
+        )
+    if not unsafe:
+        bubblewrap.require_sandbox()
+    masters = [read_master(path) for path in find_masters(masters_dir, names)]
+    solutions = {exercise.id: exercise.solution for master in masters for exercise in master.exercises}
+    files = {
+        HANDED_OUT: _handed_out_cells(masters),
+        SOLUTIONS: json.dumps(solutions, indent=1, sort_keys=True),
+    }
+    with KernelFactory("fast", unsafe=unsafe) as kernel_factory:
+        for number in range(1, variants + 1):
+            about = _about_variant(seed, number, variants)
+            variant_files = _variant_files(masters, _numpy_seed(seed, number), about, kernel_factory)
+            prefix = f"{VARIANTS}/{number}/" if number > 1 else ""
+            files |= {f"{prefix}{name}": text for name, text in variant_files.items()}
+    try:
+        write_folder(out, files, permissions=0o700)
+    except OSError as error:
+        raise KeyFolderError(f"{out}: cannot be written ({error})") from error
+    return load_key(out)
+
+
+def _about_variant(seed, number, count):
+    """What key.json says of the variants: nothing if there is only one."""
+    secret = hashlib.sha256(f"imgproc-course variants {seed}".encode()).hexdigest()
+    return {"variant": number, "variants": count, "secret": secret} if count > 1 else {}
+
+
+def _variant_files(masters, numpy_seed, about, kernel_factory):
+    """{relative name: text} of one variant of a key."""
+    exercises = [(master, exercise) for master in masters for exercise in master.exercises]
+    entries, files = {}, {}
+    for master, exercise in tqdm(exercises, desc=_label(about), unit=" exercises", delay=2, leave=False):
+        maker = _ExerciseKeyMaker(master, exercise, numpy_seed, kernel_factory)
+        entries[exercise.id] = maker.entry()
+        files |= {} if exercise.practice else maker.files()
+    content = {"format": FORMAT, "lessons": [_lesson_entry(master, entries) for master in masters]} | about
+    return files | {"key.json": json.dumps(content, indent=1, sort_keys=True) + "\n"}
+
+
+def _label(about):
+    """What the progress bar of a variant says."""
+    return f"key, variant {about['variant']} of {about['variants']}" if about else "key"
+
+
+def _numpy_seed(seed, variant=1):
+    """A seed for NumPy: a phrase is as good as a number, and harder to guess."""
+    text = f"imgproc-course {seed}" if variant == 1 else f"imgproc-course {seed} variant {variant}"
+    return int.from_bytes(hashlib.sha256(text.encode()).digest()[:16])
+
+
+def _lesson_entry(master, entries):
+    return {
+        "name": master.name,
+        "number": master.number,
+        "title": master.title,
+        "version": version("imgproc-course"),
+        "digest": hashlib.sha256(master.path.read_bytes()).hexdigest(),
+        "exercises": [entries[exercise.id] for exercise in master.exercises],
+    }
+
+
+def _handed_out_cells(masters):
+    """The ids of the lessons' cells, and the source of check and given cells, as JSON.
+
+    They show which check cells a learner changed, and which cells are the learner's own.
+    """
+    lessons = {master.name: master.handed_out for master in masters}
+    return json.dumps(lessons, indent=1, sort_keys=True) + "\n"
+
+
+class _ExerciseKeyMaker:
+    """Makes the key's part of one exercise."""
+
+    def __init__(self, master, exercise, seed, kernel_factory):
+        self._master, self._exercise = master, exercise
+        self._seed, self._kernel_factory = seed, kernel_factory
+        self._inputs = {}
+        if not exercise.practice:
+            self._inputs = {case.id: self._encoded_inputs(case) for case in exercise.cases}
+
+    def entry(self):
+        """The exercise's entry in key.json; a practice exercise has no cases there."""
+        exercise = self._exercise
+        cases = () if exercise.practice else tuple(self._key_case(case) for case in exercise.cases)
+        mistakes = () if exercise.practice else exercise.mistakes
+        solution = exercise.function_of(exercise.solution, "solution")
+        key_exercise = KeyExercise(
+            id=exercise.id,
+            title=exercise.title,
+            function=exercise.function,
+            points=sum(case.points for case in cases),
+            allowed=exercise.allowed,
+            time_limit=exercise.time_limit,
+            practice=exercise.practice,
+            stub=exercise.stub,
+            arguments=tuple(argument_names(solution)),
+            cases=cases,
+            mistakes=tuple(KeyMistake(mistake.name, mistake.says) for mistake in mistakes),
+            given=exercise.given,
+            exact_type=exercise.exact_type,
+        )
+        return asdict(key_exercise)
+
+    def files(self):
+        """{relative name: text} of a graded exercise's files."""
+        exercise = self._exercise
+        payloads = {case.id: self._solution_payload(case) for case in exercise.cases}
+        mistakes = {
+            mistake.name: {case.id: self._calls_of(mistake, case) for case in exercise.cases}
+            for mistake in exercise.mistakes
+        }
+        prefix = f"{self._master.name}/{exercise.id}"
+        return {
+            f"{prefix}.ipynb": nbformat.writes(self._notebook(payloads)) + "\n",
+            f"{prefix}.inputs.json": json.dumps(self._inputs, sort_keys=True) + "\n",
+            f"{prefix}.mistakes.json": json.dumps(mistakes, sort_keys=True) + "\n",
+        }
+
+    def _key_case(self, case):
+        return KeyCase(
+            case.id,
+            case.title,
+            case.hint,
+            case.points,
+            case.hidden,
+            case.tolerance,
+            len(self._inputs[case.id]),
+        )
+
+    def _encoded_inputs(self, case):
+        exercise = self._exercise
+        try:
+            return [encode(arguments) for arguments in exercise.arguments(case, self._seed)]
+        except TypeError as error:
+            raise MasterError(
+                f"{exercise.master.name}, line {case.line}: {case.id}: {error}; or make the exercise"
+                " practice=True"
+            ) from error
+
+    def _solution_payload(self, case):
+        """What the solution's check cell shows, in a kernel like those that grade."""
+        subject = f"{self._exercise.master.name}, {case.id}: the solution"
+        runs = self._run_solution(case)
+        for run in runs:
+            if run.ended or run.error[0]:
+                raise MasterError(f"{subject} fails in grading: {run.ended} {': '.join(run.error)}".strip())
+        payloads = runs[-1].answers
+        calls = read_answer(payloads[0]) if len(payloads) == 1 else None
+        if calls is None:
+            raise MasterError(f"{subject} shows no values")
+        for call in calls:
+            problem = _comparison_problem(call)
+            if problem:
+                raise MasterError(f"{subject} returns nothing that can be compared: {problem}")
+        expected = [call.value for call in calls]
+        if not verdict_on(payloads, expected, case.tolerance, exact_type=True).passed:
+            raise MasterError(f"{subject} does not equal itself")
+        return {"calls": [call_to_json(call) for call in calls]}
+
+    def _run_solution(self, case):
+        exercise, inputs = self._exercise, self._inputs[case.id]
+        kernel = self._kernel_factory.start(exercise.allowed, exercise.time_limit * len(inputs))
+        try:
+            return [
+                *(kernel.run(source) for source in (*exercise.given, exercise.solution)),
+                kernel.run_check(_check_source(exercise.function), inputs, exercise.time_limit),
+            ]
+        finally:
+            kernel.stop()
+
+    def _calls_of(self, mistake, case):
+        exercise = self._exercise
+        function = exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
+        calls = []
+        for encoded in self._inputs[case.id]:
+            arguments = decode(encoded)
+            names = argument_names(function, arguments)
+            calls.append(call_to_json(running.call(function, arguments, names, exercise.time_limit)))
+        return calls
+
+    def _notebook(self, payloads):
+        exercise = self._exercise
+        cells = [new_markdown_cell(f"# {exercise.title}", id=f"{exercise.id}-title"[:64])]
+        for number, source in enumerate(exercise.given, 1):
+            cells.append(_code_cell(f"given-{exercise.id}-{number}", source, len(cells), compared=False))
+        cells.append(_code_cell(f"answer-{exercise.id}", _PLACEHOLDER, len(cells), compared=False))
+        for case in exercise.cases:
+            cell = _code_cell(case.id, _check_source(exercise.function), len(cells))
+            cell.outputs = [new_output("display_data", {MIME: payloads[case.id]})]
+            cells.append(cell)
+        kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
+        origin = {"exercise": exercise.id, "version": version("imgproc-course")}
+        return new_notebook(cells=cells, metadata={"kernelspec": kernel, "imgproc_course": origin})
+
+
+def _check_source(function):
+    return f"{_EMIT_IMPORT}\n\nemit({function})"
+
+
+def _code_cell(id, source, count, *, compared=True):
+    """A cell that has been run; nbval never compares a cell that is run only for what it defines."""
+    tags = [] if compared else ["nbval-ignore-output", "nbval-raises-exception"]
+    return new_code_cell(source, id=id, execution_count=count, metadata={"tags": tags} if tags else {})
+
+
+def _comparison_problem(call):
+    """Why a call of the solution gives nothing to compare with, "" if it does."""
+    if call.timed_out:
+        return "it does not finish in time"
+    if call.error:
+        return f"{call.error}: {call.message}" if call.message else call.error
+    if call.changed:
+        return f"it changes its input {', '.join(call.changed)}"
+    return "" if _is_comparable(call.value) else f"a value of type {call.value['type']}"
+
+
+def _is_comparable(form):
+    """Whether the form holds the whole value, not only its type."""
+    if read_form(form) is None or form.get("opaque") or form.get("too_large"):
+        return False
+    entries = [*form.get("items", ()), *form.get("fields", {}).values()]
+    parts = [part for entry in entries for part in (entry if isinstance(entry, list) else [entry])]
+    return all(_is_comparable(part) for part in parts)

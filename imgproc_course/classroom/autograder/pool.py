@@ -1,0 +1,286 @@
+"""Grade submissions, many at a time, in order.
+
+    key = load_key("key")
+    answers = {"messages-decode": "def decode(message): ..."}   # the source of each answer cell, by exercise
+    for graded in autograde([("ada", "images_as_messages", answers)], key):
+        print(graded.name, graded.points, "of", graded.max_points)
+
+Each thread or process that grades keeps one nbval process (`nbval_process`) and sends it one submission after
+another. nbval runs the answers in kernels inside the sandbox. The checks of an exercise share a kernel as
+long as they pass; every other result comes from a kernel of its own.
+
+A fault of the autograder (an exception, a process that was killed, a run without a result) costs nobody
+points: the submission is graded again in new processes, and if that fails too, the outcome is "not graded".
+A killed process is no sign of a fault that will come again, so it has more attempts.
+An exercise that did not finish in time is graded again while nothing else runs, and that result counts. Those
+that slow ones left no time for come first: only what is slow itself can lose by it.
+"""
+
+import contextlib
+import itertools
+import os
+from collections import deque
+from concurrent.futures import Executor, Future, wait
+from dataclasses import replace
+from functools import lru_cache
+
+from imgproc_course.classroom.autograder.answer_key import Key, KeyFolderError, load_key
+from imgproc_course.classroom.autograder.nbval_process import (
+    NbvalProcessEnded,
+    NbvalProcessKilled,
+    NbvalProcessNotStarted,
+    nbval_process_of_thread,
+)
+from imgproc_course.classroom.autograder.outcomes import BUDGET_MESSAGE, Outcome
+from imgproc_course.classroom.autograder.results import (
+    GradedSubmission,
+    from_json,
+    reproducible_text,
+    ungraded_exercise,
+)
+from imgproc_course.classroom.autograder.sandbox import bubblewrap
+from imgproc_course.classroom.autograder.sandbox.bubblewrap import Limits, SandboxError
+from imgproc_course.classroom.autograder.sandbox.kernel_factory import KINDS
+from imgproc_course.classroom.autograder.worker_threads import open_worker_threads
+
+__all__ = ["Limits", "SandboxError", "autograde", "grade_one", "open_scheduler"]
+
+_QUEUE_PER_WORKER = 4  # submissions that are submitted before their results are taken
+_ATTEMPTS = 3  # to grade a submission, each in a new nbval process
+_KILLS = 10  # of nbval processes while they start or grade one submission; they are not attempts
+
+
+def autograde(submissions, key, *, kernel="fast", unsafe=False, workers=None, executor=None, limits=None):
+    """Grade submissions, lazily and in order.
+
+    Parameters
+    ----------
+    submissions : iterable of (name, lesson, answers); name is any str, lesson the name of a lesson in the
+        key, answers a dict of exercise id -> source of its answer cell (an exercise without one is left out).
+        It is read as results are taken, so a generator of thousands needs no memory
+    key : Key, from `load_key`; or {name: Key}, if the submissions have different keys
+    kernel : "fast", or "ipykernel" for Jupyter's own (some twenty times slower; the same outcomes)
+    unsafe : bool, run without a sandbox
+    workers : int, how many are graded at once; None: the number of this machine's cores
+    executor : concurrent.futures.Executor that runs `grade_one` elsewhere (see `open_scheduler`); None:
+        threads of this process
+    limits : Limits of one kernel; None: the default ones
+
+    Yields
+    ------
+    GradedSubmission, one per submission, in the order of `submissions`
+
+    Raises
+    ------
+    SandboxError : there is no sandbox here; raised before anything is run, one line with the remedy
+    ValueError : a lesson that is not in the key, an unknown kernel; raised before anything of it is run
+    """
+    if kernel not in KINDS:
+        raise ValueError(f"kernel {kernel!r}: expected {' or '.join(KINDS)}")
+    if executor is None and not unsafe:
+        bubblewrap.require_sandbox()
+    options = {"kernel": kernel, "unsafe": unsafe, "limits": limits}
+    return _grade_all(submissions, key, options, workers or os.cpu_count() or 1, executor)
+
+
+def _grade_all(submissions, key, options, workers, executor):
+    with contextlib.ExitStack() as stack:
+        if executor is None:
+            executor = stack.enter_context(open_worker_threads(workers))
+        elif not isinstance(executor, Executor) and not hasattr(executor, "submit"):
+            raise TypeError(
+                f"executor: expected a concurrent.futures.Executor, got {type(executor).__name__}"
+            )
+        queue = stack.enter_context(contextlib.closing(_Queue(executor, options)))
+        submissions = iter(submissions)
+        while True:
+            for name, lesson, answers in itertools.islice(
+                submissions, workers * _QUEUE_PER_WORKER - len(queue.waiting)
+            ):
+                key_of_submission = key if isinstance(key, Key) else key[name]
+                _check_lesson(lesson, key_of_submission)
+                queue.add((name, lesson, dict(answers)), key_of_submission)
+            if not queue.waiting:
+                return
+            yield queue.next_result()
+
+
+class _Queue:
+    """The submissions that an executor grades, in order; `waiting` holds (submission, Key, Future)."""
+
+    def __init__(self, executor, options):
+        self._executor, self._options = executor, options
+        self.waiting = deque()
+
+    def add(self, submission, key):
+        self.waiting.append((submission, key, self._submit(submission, key)))
+
+    def _submit(self, submission, key, **options):
+        options = self._options | options
+        try:
+            return self._executor.submit(grade_one, submission, str(key.path), key.digest, **options)
+        except RuntimeError as error:  # the executor has lost its workers
+            future = Future()
+            future.set_exception(error)
+            return future
+
+    def next_result(self):
+        """The GradedSubmission of the first one; an exercise out of time is graded again, alone."""
+        submission, key, future = self.waiting.popleft()
+        result = self._result(submission, key, future)
+        if not result.exercises_with(Outcome.TIME):
+            return result
+        wait([future for *_, future in self.waiting])
+        left_out = [exercise for exercise in result.exercises if _was_left_out(exercise)]
+        if left_out:
+            limits = _one_share_each(self._options["limits"], left_out)
+            ids = {exercise.id for exercise in left_out}
+            result = self._graded_again(submission, key, result, ids, limits=limits)
+        late = result.exercises_with(Outcome.TIME)
+        return self._graded_again(submission, key, result, late) if late else result
+
+    def _graded_again(self, submission, key, result, ids, **options):
+        """The result, with new results of some exercises; they have a submission's whole time."""
+        name, lesson, answers = submission
+        again = (name, lesson, {id: answers[id] for id in ids})
+        new_result = self._result(again, key, self._submit(again, key, **options))
+        new = {exercise.id: exercise for exercise in new_result.exercises}
+        exercises = (new[exercise.id] if exercise.id in ids else exercise for exercise in result.exercises)
+        return replace(result, exercises=tuple(exercises))
+
+    def _result(self, submission, key, future):
+        for _ in range(2):
+            try:
+                return future.result()
+            except (SandboxError, KeyFolderError):  # a remedy is known, and nothing can be graded before
+                raise
+            except Exception as error:  # noqa: BLE001 - an executor and its workers may raise anything
+                fault = f"{type(error).__name__}: {error}"
+                future = self._submit(submission, key)
+        return _not_graded(key, *submission, fault)
+
+    def close(self):
+        """Forget what has not begun, and wait for what has."""
+        for *_, future in self.waiting:
+            future.cancel()
+        wait([future for *_, future in self.waiting])
+
+
+def _was_left_out(exercise):
+    """Whether an exercise is out of time only because others had used all of it."""
+    late = [case.message for case in exercise.cases if case.outcome == Outcome.TIME]
+    return bool(late) and set(late) == {BUDGET_MESSAGE}
+
+
+def _one_share_each(limits, exercises):
+    """Limits with which no case of these exercises can use the time of another one.
+
+    An answer that needs more than its share is among the late ones afterwards, with the usual limits.
+    """
+    limits = limits or Limits()
+    share = limits.submission / sum(len(exercise.cases) for exercise in exercises)
+    return replace(limits, wall_factor=0, wall_grace=share)
+
+
+def _check_lesson(lesson, key):
+    if lesson not in key.lessons:
+        raise ValueError(f"lesson {lesson!r} is not in the key, which has {', '.join(key.lessons)}")
+
+
+def grade_one(submission, key, digest=None, *, kernel="fast", unsafe=False, limits=None):
+    """Grade one submission; a plain function that any Executor can run, in this process or another.
+
+    Parameters
+    ----------
+    submission : (name, lesson, answers), as `autograde` takes them
+    key : path of the key's folder, which must exist on the machine that runs this; or a Key
+    digest : str, `Key.digest` of the expected key, any other key is refused; None: any key
+    kernel, unsafe, limits : as `autograde`
+
+    Returns
+    -------
+    GradedSubmission
+
+    Raises
+    ------
+    SandboxError : there is no sandbox on the machine that runs this
+    KeyFolderError, ValueError : there is no such key, or another one
+    """
+    if not isinstance(key, Key):
+        key = _loaded_key(key, digest) if digest else load_key(key)
+    if digest not in (None, key.digest):
+        raise ValueError(f"{key.path}: this is another key than the one that grading began with")
+    attempts = kills = 0
+    while attempts < _ATTEMPTS and kills < _KILLS:
+        try:
+            process = nbval_process_of_thread(kernel, unsafe, limits)
+            result = from_json(process.grade(key, *submission))
+        except NbvalProcessNotStarted:
+            attempts += 1
+            if attempts == _ATTEMPTS:
+                raise
+        except NbvalProcessKilled as error:
+            kills += 1
+            result = _not_graded(key, *submission, f"the nbval process was killed {kills} times: {error}")
+        except NbvalProcessEnded as error:  # an earlier submission must not cost this one anything
+            attempts += 1
+            result = _not_graded(key, *submission, f"the nbval process ended: {error}")
+        else:
+            if not result.exercises_with(Outcome.NOT_GRADED):
+                return result
+            attempts += 1
+            process.stop()
+    return result
+
+
+@lru_cache(maxsize=32)
+def _loaded_key(path, _digest):
+    return load_key(path)
+
+
+def _not_graded(key, name, lesson, _answers, fault):
+    message = reproducible_text(f"the autograder failed: {fault}")
+    exercises = tuple(
+        ungraded_exercise(exercise, Outcome.NOT_GRADED, message)
+        for exercise in key.lessons[lesson].exercises
+        if not exercise.practice
+    )
+    return GradedSubmission(name, lesson, key.lessons[lesson].version, exercises)
+
+
+def open_scheduler(address, *, patience=20):
+    """An Executor over the workers of a Dask cluster, for `autograde(..., executor=...)`.
+
+    Every worker needs this package, bubblewrap, and the key's folder at the same path (a shared disk). A
+    worker that dies is replaced, and the submission that it was grading is graded again.
+
+    Parameters
+    ----------
+    address : str, "tcp://10.0.0.5:8786"
+    patience : float, seconds to wait for the scheduler's answer
+
+    Returns
+    -------
+    context manager that gives the Executor
+
+    Raises
+    ------
+    ValueError : Dask is not installed, or nothing answers there
+    """
+    try:
+        from distributed import Client
+    except ImportError as error:
+        raise ValueError(
+            'a scheduler needs Dask: pip install "imgproc-course[scheduler]" here and on its workers'
+        ) from error
+    return _scheduler(Client, address, patience)
+
+
+@contextlib.contextmanager
+def _scheduler(make_client, address, patience):
+    try:
+        client = make_client(address, timeout=patience)
+    except OSError as error:
+        raise ValueError(f"no Dask scheduler answers at {address} ({error})") from error
+    with client, client.get_executor(pure=False, retries=3) as executor:
+        yield executor

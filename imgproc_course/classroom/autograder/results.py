@@ -1,0 +1,378 @@
+"""Results of grading: one GradedSubmission per submission, and its JSON form.
+
+A result depends on the answers and the key alone: not on the order of the submissions, the number of workers,
+the time of day or other submissions. It contains no time, no path, no seed and no process number.
+
+Texts are sanitized (no control characters) but not escaped for HTML: that is done where HTML is written.
+"""
+
+import base64
+import builtins
+import hashlib
+import re
+from dataclasses import dataclass
+
+from imgproc_course.classroom.autograder.answer_key import known_mistake
+from imgproc_course.classroom.autograder.outcomes import BUDGET_MESSAGE, CELL_FAILS, TEXTS, Outcome
+from imgproc_course.classroom.autograder.sanitize import sanitize_text
+from imgproc_course.classroom.autograder.verdict import CaseRun
+
+_ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
+# How IPython and ipykernel name a cell, with a number that differs from run to run.
+_CELL = re.compile(r"<ipython-input-[^<>\s]*>|(?<!\S)\S*/ipykernel_\d+/\d+\.py|\b\d{5,}\.py\b")
+_LARGEST_SHOWN = 1_500_000  # characters of a form: as much as the largest array with values
+_MOST_READ = 4  # characters that are read of a text, for each one that is kept
+_MEMORY_ERRORS = ("MemoryError", "_ArrayMemoryError")
+_EXCEPTIONS = frozenset(name for name, kind in vars(builtins).items() if isinstance(kind, type))
+
+
+@dataclass(frozen=True)
+class FailedCall:
+    """The first call of a public case that failed.
+
+    number     index of the call within the case
+    arguments  canonical forms of its arguments (their names: `KeyExercise.arguments`)
+    expected   canonical form of the expected value
+    actual     canonical form of the returned value, or None if nothing was returned
+    printed    what the function printed, shortened
+
+    `exercises.array_of`, `describe` and `compare` take canonical forms.
+    """
+
+    number: int
+    arguments: list
+    expected: dict
+    actual: dict | None
+    printed: str
+
+
+@dataclass(frozen=True)
+class GradedCase:
+    """The result of one test case.
+
+    points       what the learner got, of max_points
+    hint         the master's hint; "" if the case passed
+    message      what went wrong, shortened; for a hidden case it contains no text of the learner's
+    failed_call  only for a public case that was run and failed
+    """
+
+    id: str
+    title: str
+    hidden: bool
+    points: int
+    max_points: int
+    outcome: Outcome
+    hint: str = ""
+    message: str = ""
+    failed_call: FailedCall | None = None
+
+    @property
+    def passed(self):
+        return self.outcome == Outcome.PASSED
+
+
+@dataclass(frozen=True)
+class GradedExercise:
+    """The result of one graded exercise.
+
+    mistake              name of the known mistake that this answer makes, or ""
+    mistake_explanation  what the learner is told about that mistake
+    message              about the answer cell itself: its first exception (which costs nothing as long as
+                         the function is defined), or why it was not run; "" if there is nothing to say
+    cases                GradedCase of each test case, public ones first
+    """
+
+    id: str
+    title: str
+    max_points: int
+    cases: tuple
+    mistake: str = ""
+    mistake_explanation: str = ""
+    message: str = ""
+
+    @property
+    def points(self):
+        return sum(case.points for case in self.cases)
+
+
+@dataclass(frozen=True)
+class GradedSubmission:
+    """The result of one submission of one lesson.
+
+    name       the name that `autograde` was given for it
+    lesson     name of the lesson
+    version    the version of the course that the key was made from
+    exercises  GradedExercise of each graded exercise in the lesson's order; practice exercises are not graded
+    """
+
+    name: str
+    lesson: str
+    version: str
+    exercises: tuple
+
+    @property
+    def points(self):
+        return sum(exercise.points for exercise in self.exercises)
+
+    @property
+    def max_points(self):
+        return sum(exercise.max_points for exercise in self.exercises)
+
+    def exercises_with(self, outcome):
+        """The ids of the exercises of which at least one case has that outcome."""
+        return {
+            exercise.id
+            for exercise in self.exercises
+            if any(case.outcome == outcome for case in exercise.cases)
+        }
+
+
+# ---------------------------------------------------------------- JSON
+
+
+def to_json(submission):
+    """A GradedSubmission as data for json.dumps."""
+    return {
+        "submission": submission.name,
+        "lesson": submission.lesson,
+        "version": submission.version,
+        "points": submission.points,
+        "max_points": submission.max_points,
+        "exercises": [_exercise_to_json(exercise) for exercise in submission.exercises],
+    }
+
+
+def _exercise_to_json(exercise):
+    # dataclasses.asdict would copy every value too, which takes much longer.
+    cases = [vars(case) | {"failed_call": _fields_of(case.failed_call)} for case in exercise.cases]
+    return vars(exercise) | {"cases": cases, "points": exercise.points}
+
+
+def _fields_of(failed_call):
+    return failed_call and dict(vars(failed_call))
+
+
+def from_json(data):
+    """The GradedSubmission that `to_json` wrote.
+
+    Raises
+    ------
+    KeyError, TypeError, ValueError : something else was written there
+    """
+    exercises = tuple(_exercise_from_json(entry) for entry in data["exercises"])
+    return GradedSubmission(data["submission"], data["lesson"], data["version"], exercises)
+
+
+def _exercise_from_json(entry):
+    fields = {name: value for name, value in entry.items() if name not in ("points", "cases")}
+    return GradedExercise(cases=tuple(_case_from_json(case) for case in entry["cases"]), **fields)
+
+
+def _case_from_json(entry):
+    failed_call = entry["failed_call"] and FailedCall(**entry["failed_call"])
+    return GradedCase(**entry | {"outcome": Outcome(entry["outcome"]), "failed_call": failed_call})
+
+
+# ---------------------------------------------------------------- from a run to its result
+
+
+def ungraded_exercise(exercise, outcome, message):
+    """The GradedExercise of an exercise that was not run.
+
+    Parameters
+    ----------
+    exercise : KeyExercise
+    outcome : Outcome of all its cases
+    message : str, why it was not run
+    """
+    cases = tuple(_graded_case(case, outcome) for case in exercise.cases)
+    return GradedExercise(exercise.id, exercise.title, exercise.points, cases, message=message)
+
+
+def graded_exercise(exercise, content, exercise_run):
+    """The GradedExercise of an exercise that was run.
+
+    Parameters
+    ----------
+    exercise : KeyExercise
+    content : ExerciseContent
+    exercise_run : ExerciseRun, after all cases: its `runs`, `passed` and `faults`
+    """
+    runs = exercise_run.runs
+    cases = tuple(
+        _case_of_run(exercise, content, case, runs[case.id], case.id in exercise_run.passed)
+        if case.id in runs
+        else _faulty_case(case, exercise_run.faults[case.id])
+        for case in exercise.cases
+    )
+    mistake = None
+    if not all(case.passed for case in cases):
+        calls = {id: run.verdict.calls for id, run in runs.items()}
+        mistake = known_mistake(exercise, content, calls)
+    return GradedExercise(
+        exercise.id,
+        exercise.title,
+        exercise.points,
+        cases,
+        mistake.name if mistake else "",
+        mistake.explanation if mistake else "",
+        _message_about_cell(runs),
+    )
+
+
+def _graded_case(case, outcome, message="", failed_call=None):
+    passed = outcome == Outcome.PASSED
+    return GradedCase(
+        id=case.id,
+        title=case.title,
+        hidden=case.hidden,
+        points=case.points if passed else 0,
+        max_points=case.points,
+        outcome=outcome,
+        hint="" if passed else case.hint,
+        message=message,
+        failed_call=failed_call,
+    )
+
+
+def _case_of_run(exercise, content, case, run, passed):
+    if passed:
+        return _graded_case(case, Outcome.PASSED)
+    outcome, message = _outcome_of_run(exercise, run)
+    if case.hidden:
+        return _graded_case(case, outcome, _message_of_hidden(outcome, message))
+    return _graded_case(case, outcome, message, _failed_call(content, case, run.verdict))
+
+
+def _faulty_case(case, fault):
+    """The GradedCase of a case that the autograder itself failed to run."""
+    # An exception of ours may quote what the function returned: of a hidden case only its name is told.
+    fault = fault.partition(":")[0] if case.hidden else fault
+    return _graded_case(case, Outcome.NOT_GRADED, reproducible_text(f"the autograder failed: {fault}"))
+
+
+def _outcome_of_run(exercise, run):
+    """(Outcome, message) of a case that did not pass."""
+    if run.ended == "budget":
+        return Outcome.TIME, BUDGET_MESSAGE
+    if run.ended:
+        outcome = Outcome(run.ended)
+        return outcome, TEXTS[outcome].message
+    if run.check.error[0] == "NameError" and not run.check.answers:
+        return _outcome_without_function(exercise, run)
+    if run.check.error[0] and not run.check.answers:
+        return Outcome.RAISED, _exception_text(*run.check.error)
+    if run.verdict.calls is None or run.check.error[0]:
+        return Outcome.HOSTILE, "its check cell showed something else than what the function returned"
+    return _outcome_of_verdict(exercise, run.verdict)
+
+
+def _outcome_of_verdict(exercise, verdict):
+    if verdict.failed_call is None:
+        return Outcome.NOT_GRADED, "its values are right, but nbval did not let it pass: look at it by hand"
+    if verdict.failed_call >= len(verdict.calls):
+        return Outcome.HOSTILE, "its check cell reported other calls than were made"
+    call = verdict.calls[verdict.failed_call]
+    if call.timed_out:
+        limit = f"{exercise.time_limit:g} s of processor time"
+        return Outcome.TIME, f"{exercise.function}() used more than {limit}"
+    if call.error:
+        return _outcome_of_exception(call)
+    if call.changed:
+        return Outcome.WRONG, f"it changed its input {reproducible_text(', '.join(call.changed), 100)}"
+    place = f"in answer{verdict.difference.path}: " if verdict.difference.path else ""
+    return Outcome.WRONG, reproducible_text(f"{place}{verdict.difference.message}")
+
+
+def _outcome_of_exception(call):
+    if call.error == "NotImplementedError":
+        return Outcome.NOT_ATTEMPTED, ""
+    if call.error == "RefusedModule":
+        return Outcome.REFUSED_MODULE, reproducible_text(call.message)
+    line = f" ({reproducible_text(call.line)})" if call.line else ""
+    outcome = Outcome.MEMORY if call.error in _MEMORY_ERRORS else Outcome.RAISED
+    return outcome, _exception_text(call.error, call.message) + line
+
+
+def _outcome_without_function(exercise, run):
+    name, text = run.answer.error
+    if name == "RefusedModule":
+        return Outcome.REFUSED_MODULE, reproducible_text(text)
+    if name:
+        return Outcome.RAISED, f"{CELL_FAILS}: {_exception_text(name, text)}"
+    return Outcome.MISSING, f"its cell does not define {exercise.function}()"
+
+
+def _message_about_cell(runs):
+    """The first exception of the answer cell: it costs nothing as long as the function is defined."""
+    run = next(iter(runs.values()), CaseRun())
+    return (
+        f"a statement in its cell fails: {_exception_text(*run.answer.error)}" if run.answer.error[0] else ""
+    )
+
+
+def _message_of_hidden(outcome, message):
+    """The message without any text of the learner's: an exception could carry the hidden input out."""
+    if outcome == Outcome.RAISED or (outcome == Outcome.MEMORY and message != TEXTS[outcome].message):
+        name = message.partition(":")[0]
+        return name if name in _EXCEPTIONS else "an exception"
+    return message if TEXTS[outcome].message or outcome == Outcome.MISSING else ""
+
+
+def _failed_call(content, case, verdict):
+    """The call to show for a public case: the one that failed, else the first one."""
+    expected = content.expected[case.id]
+    number = min(verdict.failed_call or 0, len(expected) - 1)
+    calls = verdict.calls or []
+    call = calls[number] if number < len(calls) else None
+    return FailedCall(
+        number,
+        content.canonical_arguments(case.id, number),
+        expected[number],
+        form_to_show(call.value, expected[number]) if call else None,
+        reproducible_text(call.printed, 2000) if call else "",
+    )
+
+
+def form_to_show(form, expected):
+    """A returned value as the page shows it: without the values of one much larger than what is expected.
+
+    All results of a learner are in memory while their page is written.
+
+    Parameters
+    ----------
+    form : canonical form, or None
+    expected : canonical form
+
+    Returns
+    -------
+    canonical form, or None
+    """
+    if form is None or _size(form) <= max(_LARGEST_SHOWN, 3 * _size(expected)):
+        return form
+    if form["type"] == "ndarray":
+        raw = base64.b64decode(form["data"])
+        return {name: form[name] for name in ("type", "dtype", "shape")} | {
+            "digest": hashlib.sha256(raw).hexdigest()
+        }
+    kind = form["type"]
+    return {"type": kind, "too_large" if kind in ("tuple", "list", "dict") else "opaque": True}
+
+
+def _size(form):
+    """About the number of characters of a canonical form, as JSON."""
+    if isinstance(form, dict):
+        return 20 + sum(map(_size, form.values()))
+    if isinstance(form, list):
+        return 2 + sum(map(_size, form))
+    return len(form) if isinstance(form, str) else 8
+
+
+def _exception_text(name, text):
+    return reproducible_text(f"{name}: {text}" if text else name)
+
+
+def reproducible_text(text, max_length=500):
+    """Sanitized text of a learner's without what differs from run to run: addresses and names of cells."""
+    text = text[: _MOST_READ * max_length]
+    return sanitize_text(_CELL.sub("its cell", _ADDRESS.sub("0x…", text)), max_length)

@@ -1,0 +1,103 @@
+"""What a check cell calls: it gives the learner's function its inputs and shows what the function returned.
+
+It shows values, never verdicts. The inputs of one case are delivered just before its cell runs. The expected
+values are outside the sandbox.
+"""
+
+import base64
+import builtins
+import hashlib
+import inspect
+import json
+import signal
+
+from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
+from imgproc_course.classroom.exercises import running
+from imgproc_course.classroom.exercises.input_encoding import decode
+
+MAX_DATA = 1_000_000  # bytes of one array; a larger one is replaced by its digest
+_case = {}  # "calls", "seconds"
+
+
+def deliver(case):
+    """Take the inputs of the next check.
+
+    Parameters
+    ----------
+    case : dict, or its JSON: "calls", a list of arguments for each call, written by `input_encoding.encode`;
+        "seconds" that a call may take
+    """
+    global _case
+    _case = json.loads(case) if isinstance(case, str) else case
+
+
+def emit(function):
+    """Call a function with the inputs of this case, and show what it returned, as data."""
+    from IPython.display import display
+
+    calls = []
+    for encoded in _case["calls"]:
+        result = _call(function, decode(encoded), _case["seconds"])
+        calls.append(call_to_json(result))
+        if result.timed_out:
+            break
+    display({MIME: {"calls": calls}}, raw=True)
+
+
+def _call(function, arguments, seconds):
+    """Call it as `check` does, but measure processor time: a busy machine costs nobody any time."""
+
+    def raise_time_up(_signal, _frame):
+        raise running.TimeUp
+
+    signal.signal(signal.SIGPROF, raise_time_up)
+    signal.setitimer(signal.ITIMER_PROF, seconds, 0.1)
+    try:
+        return running.call(function, arguments, argument_names(function, arguments), 1e6)
+    except running.TimeUp:  # raised between the call's end and here
+        return running.CallResult(timed_out=True)
+    finally:
+        signal.setitimer(signal.ITIMER_PROF, 0)
+
+
+def argument_names(function, arguments=()):
+    """The names of a function's arguments; arguments without a name are numbered."""
+    try:
+        names = list(inspect.signature(function).parameters)
+    except (TypeError, ValueError):
+        names = []
+    if not arguments:
+        return names
+    return [*names[: len(arguments)], *(f"argument {k + 1}" for k in range(len(names), len(arguments)))]
+
+
+def call_to_json(result):
+    """A CallResult as data for json.dumps; `answer_forms.read_answer` reads it."""
+    if result.timed_out:
+        return {"timed_out": True}
+    data = {"changed": list(result.changed), "printed": result.printed}
+    if result.error:
+        return data | {"error": result.error, "message": result.message, "line": result.line}
+    return data | {"value": shorten_form(result.value)}
+
+
+def shorten_form(form):
+    """A canonical form in which digests replace large arrays and bytes."""
+    if isinstance(form, list):
+        return [shorten_form(item) for item in form]
+    if not isinstance(form, dict):
+        return form
+    if len(form.get("data", "")) > MAX_DATA * 4 // 3:
+        data = base64.b64decode(form["data"])
+        description = {name: value for name, value in form.items() if name != "data"}
+        return description | {"digest": hashlib.sha256(data).hexdigest()}
+    return {name: shorten_form(value) for name, value in form.items()}
+
+
+def refuse_input():
+    """Let input() raise in this process: nobody would answer."""
+    builtins.input = _input
+
+
+def _input(prompt=""):
+    raise RuntimeError("input() waits for a person, and there is none here. Pass the value as an argument")

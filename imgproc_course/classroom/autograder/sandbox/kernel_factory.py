@@ -1,0 +1,99 @@
+"""Give out kernels of either kind, one after another. The next kernels are forked while one is at work."""
+
+from imgproc_course.classroom.autograder.sandbox import bubblewrap
+from imgproc_course.classroom.autograder.sandbox.cgroups import ProcessGroup
+from imgproc_course.classroom.autograder.sandbox.fork_server_client import ForkedKernel, ForkServer
+
+KINDS = ("fast", "ipykernel")
+
+
+class KernelFactory:
+    """Starts kernels; a context manager.
+
+    kind     "fast": forked from a process that has the imports loaded; "ipykernel": Jupyter's own kernel, one
+             process each, over ipc
+    unsafe   True: without a sandbox, as the user who grades
+    limits   Limits of one kernel, None for the default ones
+    """
+
+    def __init__(self, kind="fast", *, unsafe=False, limits=None):
+        if kind not in KINDS:
+            raise ValueError(f"kernel {kind!r}: expected {' or '.join(KINDS)}")
+        self._kind, self._confined = kind, not unsafe
+        self.limits = limits or bubblewrap.Limits()
+        self._group = ProcessGroup(self.limits.memory, self.limits.processes, use_cgroups=self._confined)
+        self._fork_server = ForkServer(self._group, confined=self._confined)
+        if kind == "fast":
+            self._fork_server.start()
+        self._spares = {}  # request: the kernel that waits for it
+
+    def start(self, allowed, seconds, next_requests=(), *, sources=()):
+        """Start a new kernel.
+
+        Parameters
+        ----------
+        allowed : sequence of str, modules that it has beside those that every answer may use
+        seconds : float, processor time that the first case may use, and with it all that share the kernel
+        next_requests : as `keep_spares` takes them
+        sources : sequence of str, the cells that `run_statements` will run first; a kernel may have run them
+            already
+
+        Returns
+        -------
+        ForkedKernel or IPykernelClient
+        """
+        request = (tuple(allowed), seconds)
+        if self._kind == "ipykernel":
+            # Only this kind needs jupyter_client, whose import takes a quarter of a second.
+            from imgproc_course.classroom.autograder.sandbox.ipykernel_client import IPykernelClient
+
+            return IPykernelClient(*request, self.limits, self._group, confined=self._confined)
+        kernel = self._take_spare((*request, tuple(sources))) or self._take_spare((*request, ()))
+        kernel = kernel or self._fork(request)
+        self.keep_spares(next_requests)
+        return kernel
+
+    def _take_spare(self, request):
+        """The spare of a request, or None if there is none or it has ended."""
+        kernel = self._spares.pop(request, None)
+        if kernel is not None and not kernel.is_alive():
+            kernel.stop()
+            return None
+        return kernel
+
+    def _fork(self, request, *, has_time=False):
+        return ForkedKernel(self._fork_server, *request, self.limits, has_time=has_time)
+
+    def keep_spares(self, requests):
+        """Let a kernel wait for each of these requests, and no others.
+
+        Parameters
+        ----------
+        requests : iterable of (allowed, seconds, sources), of the kernels that will probably be needed next;
+            sources, if not empty, are cells that run while it waits (see `ForkedKernel.prepare`)
+        """
+        if self._kind == "ipykernel":
+            return
+        requests = [(tuple(allowed), seconds, tuple(sources)) for allowed, seconds, sources in requests]
+        for request in [request for request in self._spares if request not in requests]:
+            self._spares.pop(request).stop()
+        for request in requests:
+            self._spares[request] = self._spares.get(request) or self._fork_spare(*request)
+
+    def _fork_spare(self, allowed, seconds, sources):
+        kernel = self._fork((allowed, seconds), has_time=not sources)
+        if sources:
+            kernel.prepare(sources)
+        return kernel
+
+    def close(self):
+        """End all kernels and the fork server."""
+        self.keep_spares([])
+        self._fork_server.stop()
+        self._group.remove()
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_error):
+        self.close()

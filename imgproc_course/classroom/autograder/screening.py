@@ -1,0 +1,58 @@
+"""Which answers are not run at all: missing, too long, or still the stub."""
+
+import ast
+from functools import lru_cache
+
+from imgproc_course.classroom.autograder.outcomes import Outcome
+
+MAX_ANSWER = 200_000  # characters
+
+
+def reason_not_to_run(exercise, source):
+    """Why an answer is not run.
+
+    Parameters
+    ----------
+    exercise : KeyExercise
+    source : the answer cell's source; anything but a str means that there is none
+
+    Returns
+    -------
+    (Outcome, message), or None if the answer has to run
+    """
+    if not isinstance(source, str):
+        return Outcome.MISSING, "its answer cell is missing"
+    if len(source) > MAX_ANSWER:
+        return (
+            Outcome.HOSTILE,
+            f"its answer is {len(source)} characters long; at most {MAX_ANSWER} are graded",
+        )
+    if is_stub(source, exercise.stub):
+        return Outcome.NOT_ATTEMPTED, ""
+    return None
+
+
+def is_stub(source, stub):
+    """Whether an answer is the stub; comments and blank lines do not count."""
+    if source.strip() == stub.strip():
+        return True
+    try:
+        return _are_equal(ast.parse(source), _syntax_tree(stub))
+    except (SyntaxError, ValueError, RecursionError, MemoryError):
+        return False
+
+
+def _are_equal(part, other):
+    """Whether two parts of syntax trees are equal; it stops at the first difference."""
+    if type(part) is not type(other):
+        return False
+    if isinstance(part, list):
+        return len(part) == len(other) and all(map(_are_equal, part, other))
+    if isinstance(part, ast.AST):
+        return all(_are_equal(getattr(part, name, None), getattr(other, name, None)) for name in part._fields)
+    return part == other
+
+
+@lru_cache(maxsize=64)
+def _syntax_tree(stub):
+    return ast.parse(stub)

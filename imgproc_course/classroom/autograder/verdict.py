@@ -1,0 +1,76 @@
+"""The one comparison of a test case: what its check cell showed, against what the key expects."""
+
+from dataclasses import dataclass, field
+
+from imgproc_course.classroom.autograder.answer_forms import read_answer
+from imgproc_course.classroom.autograder.sandbox.cell_run import CellRun
+from imgproc_course.classroom.exercises.comparison import Difference, compare
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What the comparison of one test case gave.
+
+    calls        list of CallResult, or None if the check cell did not show exactly one well-formed answer
+    failed_call  index of the first call that did not do what the key expects, or None
+    difference   how that call's value differs, or None if there was no value to compare
+    """
+
+    calls: list | None = None
+    failed_call: int | None = None
+    difference: Difference | None = None
+
+    @property
+    def passed(self):
+        return self.calls is not None and self.failed_call is None
+
+
+@dataclass
+class CaseRun:
+    """One test case in its kernel: how the answer cell and then the check cell ended, and the verdict."""
+
+    answer: CellRun = field(default_factory=CellRun)
+    check: CellRun = field(default_factory=CellRun)
+    verdict: Verdict = field(default_factory=Verdict)
+
+    @property
+    def ended(self):
+        """How the kernel was ended, "" if it was not (see CellRun)."""
+        return self.answer.ended or self.check.ended
+
+    @property
+    def passed(self):
+        return not self.ended and not self.check.error[0] and self.verdict.passed
+
+
+def verdict_on(payloads, expected, tolerance, *, exact_type=True):
+    """Compare what a check cell showed with what the key expects.
+
+    The comparison is `exercises.compare`, so `check` in a lesson and the autograder agree.
+
+    Parameters
+    ----------
+    payloads : list of what the check cell showed; exactly one is right
+    expected : list of canonical forms, one per call
+    tolerance : float >= 0, absolute
+    exact_type : bool, see `exercises.exercise`
+
+    Returns
+    -------
+    Verdict
+    """
+    calls = read_answer(payloads[0]) if len(payloads) == 1 else None
+    if calls is None:
+        return Verdict()
+    failed_call, difference = _first_failed_call(expected, calls, tolerance, exact_type)
+    return Verdict(calls, failed_call, difference)
+
+
+def _first_failed_call(expected, calls, tolerance, exact_type):
+    for number, form in enumerate(expected):
+        if number >= len(calls) or calls[number].value is None or calls[number].changed:
+            return number, None
+        difference = compare(form, calls[number].value, tolerance, exact_type=exact_type)
+        if difference is not None:
+            return number, difference
+    return (len(expected), None) if len(calls) > len(expected) else (None, None)

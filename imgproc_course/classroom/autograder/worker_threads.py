@@ -1,0 +1,43 @@
+"""The threads that grade; each has an nbval process, which can start before there is anything to grade.
+
+Little is imported here, so that nbval processes start while the rest of a command is imported.
+"""
+
+import contextlib
+import itertools
+import os
+from concurrent.futures import ThreadPoolExecutor
+
+from imgproc_course.classroom.autograder.nbval_process import nbval_process_of_thread, stop_nbval_processes
+from imgproc_course.classroom.autograder.temporary_folder import remove_abandoned_folders
+
+_numbers = itertools.count(1)
+
+
+@contextlib.contextmanager
+def open_worker_threads(workers=None, *, early=False, kernel="fast", unsafe=False, limits=None):
+    """A thread pool whose nbval processes are stopped at the end.
+
+    They are stopped before the threads: a process ends at once with the thread that started it.
+
+    Parameters
+    ----------
+    workers : int, or None for the number of this machine's cores
+    early : bool, start the nbval processes now; else each starts with its thread's first submission
+    kernel, unsafe, limits : as `autograde` takes them
+
+    Returns
+    -------
+    context manager that gives the Executor
+    """
+    workers, prefix = workers or os.cpu_count() or 1, f"autograde-{next(_numbers)}-"
+    executor = ThreadPoolExecutor(workers, thread_name_prefix=prefix)
+    try:
+        for _ in range(workers if early else 0):  # an error comes again with the first submission
+            executor.submit(nbval_process_of_thread, kernel, unsafe, limits)
+        yield executor
+    finally:
+        stop_nbval_processes(prefix)
+        executor.shutdown()
+        # The next run after a killed one perhaps finds everything graded, and needs no folder of its own.
+        remove_abandoned_folders()

@@ -1,0 +1,9 @@
+"""What the course tells the classroom; nothing else in the classroom names a package of the course."""
+
+NAME = "imgproc_course"
+# Packages that an exercise may allow in its answers.
+PACKAGES = ("messages", "imaging", "geometry", "recording", "simulation", "ros")
+# Every answer may use these.
+ALWAYS_ALLOWED = (f"{NAME}.display", f"{NAME}.exercises")
+# What these give differs from run to run: they have to do with a running robot or with a screen.
+LIVE_MODULES = ("rclpy", f"{NAME}.ros", f"{NAME}.display")

@@ -1,0 +1,146 @@
+"""The last runs of the notebook's cells: a checked function may be older than the cell on the screen.
+
+A cell that does not run leaves the function of an earlier run behind, and so does a cell that defines another
+name. In a kernel the runs are recorded from the import of this package on; elsewhere nothing is recorded.
+"""
+
+import difflib
+import inspect
+import re
+import sys
+from dataclasses import dataclass
+
+from imgproc_course.classroom.exercises.cell_syntax import plain_python
+from imgproc_course.classroom.exercises.error_advice import advice_on
+from imgproc_course.classroom.exercises.running import code_of
+
+_MOST_RUNS = 500
+_SIMILAR = 0.8
+_FAILED = (
+    "The last run of your cell failed. {error}\nPython still has the older {name}(), not the one on the"
+    " screen. Repair the cell, run it, then run this one."
+)
+
+
+@dataclass
+class CellRun:
+    """One run of a cell.
+
+    source    what ran
+    cell_id   "" if the front end sends none
+    error     what ended it, in a sentence, "" if it came to its end
+    is_read   False if Python could not read it
+    """
+
+    source: str
+    cell_id: str = ""
+    error: str = ""
+    is_read: bool = True
+
+    def fail(self, error):
+        """Record the error that ended the run, without its frames: they would keep large arrays alive."""
+        kind, self.is_read = type(error).__name__, not isinstance(error, SyntaxError)
+        if self.is_read:
+            self.error = f"{kind}: {error}. {advice_on(kind, str(error))}".rstrip()
+        else:
+            advice = advice_on(kind, error.msg, f"line {error.lineno}: {(error.text or '').strip()}")
+            self.error = (
+                f"Python cannot read it: {kind}, {error.msg}, in line {error.lineno}. {advice}".rstrip()
+            )
+
+    def definitions(self):
+        """The names of the functions that the cell defines at its top level, also if it does not parse."""
+        return re.findall(r"^(?:async\s+)?def\s+(\w+)", self.source, re.MULTILINE)
+
+
+class CellRuns:
+    """The runs of a notebook's cells, the newest last."""
+
+    def __init__(self):
+        self._runs = []
+
+    def start(self, source, cell_id=""):
+        """Record that a cell begins to run; returns the CellRun."""
+        self._runs = [*self._runs[1 - _MOST_RUNS :], CellRun(source, cell_id or "")]
+        return self._runs[-1]
+
+    def sources(self):
+        """The sources of the cells that ran to their end, the newest last."""
+        return [plain_python(run.source) for run in self._runs if not run.error]
+
+    def why_older(self, exercise_id, name, function):
+        """Why the function is older than the learner's cell, and what to do; "" if it is not.
+
+        Parameters
+        ----------
+        exercise_id : str
+        name : str, the name of the function that the exercise asks for
+        function : the function that is checked
+        """
+        run = next((run for run in reversed(self._runs) if _is_about(run, exercise_id, name, function)), None)
+        if run is None:
+            return ""
+        if run.error:
+            is_current = run.is_read and _source_of(function) in run.source
+            return "" if is_current else _FAILED.format(error=run.error, name=name)
+        # Under the name that is asked for there may also be a lambda, or an imported function.
+        return "" if re.search(rf"\b{name}\b", run.source) else _explain_name(run, name)
+
+
+def _is_about(run, exercise_id, name, function):
+    """Whether a cell is the learner's cell of an exercise: by its id, or by the function that it defines."""
+    if run.cell_id == f"answer-{exercise_id}" or name in run.definitions():
+        return True
+    if run.cell_id.startswith("answer-"):
+        return False
+    similar = _similar(run, name)
+    return bool(similar) and similar not in getattr(code_of(function), "co_names", ())
+
+
+def _similar(run, name):
+    """A function of the cell whose name looks like a misspelling of another; "" if there is none."""
+    names = [
+        defined for defined in run.definitions() if re.findall(r"\d+", defined) == re.findall(r"\d+", name)
+    ]
+    return next(iter(difflib.get_close_matches(name, names, n=1, cutoff=_SIMILAR)), "")
+
+
+def _source_of(function):
+    try:
+        return inspect.getsource(function).strip()
+    except (OSError, TypeError):
+        return "\0"  # unknown: no cell contains it
+
+
+def _explain_name(run, name):
+    defined_name = _similar(run, name) or next(iter(run.definitions()), "")
+    defined = f"defines {defined_name}()" if defined_name else "defines no function"
+    return (
+        f"Your cell {defined}, and this exercise needs a function with the name {name}(). Python still has"
+        f" the older {name}(). Write def {name}(...): in the cell, run it, then run this one."
+    )
+
+
+RUNS = CellRuns()
+
+
+def watch_cells():
+    """Record the runs of this kernel's cells in RUNS; does nothing outside a kernel."""
+    shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
+    if shell is None or getattr(shell, "imgproc_course_runs", None) is RUNS:
+        return
+    shell.imgproc_course_runs = RUNS
+
+    run = None
+
+    def begin(info):
+        nonlocal run
+        run = RUNS.start(info.raw_cell, getattr(info, "cell_id", None))
+
+    def end(result):
+        error = result.error_before_exec or result.error_in_exec
+        if error is not None and run:
+            run.fail(error)
+
+    shell.events.register("pre_run_cell", begin)
+    shell.events.register("post_run_cell", end)

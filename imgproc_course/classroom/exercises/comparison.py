@@ -1,0 +1,351 @@
+"""Compare two canonical forms, and describe their first difference.
+
+This runs in the learner's notebook (`check`) and in the grader's process. It reads canonical forms only,
+never an object of the learner's.
+"""
+
+import base64
+import hashlib
+from dataclasses import dataclass, replace
+
+import numpy as np
+
+from imgproc_course.classroom.exercises.canonical import array_of, canonical
+
+_LONGEST_TEXT = 500  # a longer text is cut
+_LONGEST_INTEGER = 30  # digits; of a longer one the first digits are told
+_GLANCE, _CONTEXT = 30, 20  # characters: how two longer texts are compared
+# Rounding errors, relative to the expected number: a sum computed in another order is not a mistake.
+_ROUNDING = {"float16": 1e-2, "float32": 1e-5, "float64": 1e-9, "float": 1e-9}
+
+
+@dataclass(frozen=True)
+class Difference:
+    """The first difference between an answer and the expected one.
+
+    kind      "type", "shape", "dtype", "length", "keys" or "value"
+    path      path inside the answer, "" for the answer itself: "[1]", "['edges']"
+    message   the difference as a sentence without its full stop
+    index     index of the first differing element of an array (row, col, ...), or None
+    expected, actual   the two numbers at that index, or None
+    count, total       how many elements of the array differ, and how many it has
+    """
+
+    kind: str
+    path: str
+    message: str
+    index: tuple | None = None
+    expected: object = None
+    actual: object = None
+    count: int = 0
+    total: int = 0
+
+
+def compare(expected, actual, tolerance=0.0, path="", *, exact_type=True):
+    """The first difference between two canonical forms, or None.
+
+    Numbers agree when |actual - expected| <= tolerance + rounding * |expected|; the rounding is 1e-9 for
+    Python's floats and float64, 1e-5 for float32, 1e-2 for float16, and 0 for integers. NumPy's scalars count
+    as Python's numbers, and an integer may stand for an expected float.
+
+    If the type need not be exact, right values may also come as a float for an integer, in another number
+    type of an array, as a list for a tuple, as a list (of lists or arrays) for an array, and the other way
+    round, as a matrix for an array, and as an array of one element for a number. True and False never stand
+    for numbers: a mask selects pixels, and 0 and 1 do not. Whether numbers in float32 are right is decided
+    with its rounding.
+
+    Parameters
+    ----------
+    expected, actual : dict, from `canonical` with the same limit
+    tolerance : float >= 0, absolute, in the unit of the answer
+    path : str, the path of the two inside the whole answer
+    exact_type : bool
+
+    Returns
+    -------
+    Difference or None
+    """
+    if not exact_type:
+        actual = as_type_of(expected, actual)
+    kind, actual_kind = kind_of(expected), kind_of(actual)
+    are_numbers = {kind, actual_kind} <= {"int", "float"} and (kind == "float" or not exact_type)
+    if kind != actual_kind and not are_numbers:
+        return _difference("type", path, expected, actual)
+    if actual.get("too_large") or actual.get("opaque"):
+        return Difference("type", path, f"got {describe(actual)}, which cannot be compared")
+    if kind == "ndarray":
+        return _compare_arrays(expected, actual, tolerance, path, exact_type)
+    if kind in ("tuple", "list"):
+        return _compare_items(expected, actual, tolerance, path, exact_type)
+    if kind == "dict":
+        return _compare_dicts(expected, actual, tolerance, path, exact_type)
+    if kind == "message":
+        return _compare_fields(expected, actual, tolerance, path, exact_type)
+    if kind == "bytes":
+        same = _digest(expected) == _digest(actual)
+    elif kind in ("int", "float"):
+        same = _close(expected, actual, tolerance)
+    else:
+        same = expected.get("value") == actual.get("value")
+    if same:
+        return None
+    difference = _difference("value", path, expected, actual)
+    if kind == "str":
+        difference = replace(difference, message=difference.message + _first_difference(expected, actual))
+    return replace(difference, expected=expected.get("value"), actual=actual.get("value"))
+
+
+def _first_difference(expected, actual):
+    """Where two long texts begin to differ; "" for short ones, which a reader compares at a glance."""
+    texts = [form.get("value", "") for form in (expected, actual)]
+    if min(map(len, texts)) < _GLANCE:
+        return ""
+    pairs = enumerate(zip(*texts, strict=False))
+    start = next((place for place, (a, b) in pairs if a != b), min(map(len, texts)))
+    before = "…" * (start > _CONTEXT) + texts[0][max(0, start - _CONTEXT) : start]
+    tail, actual_tail = (
+        repr(text[start : start + _CONTEXT]) if text[start:] else "the end" for text in texts
+    )
+    place = f"character {start + 1} on, after {before!r}" if start else "the first character on"
+    return f"; they differ from {place}: expected {tail}, got {actual_tail}"
+
+
+def _difference(kind, path, expected, actual):
+    return Difference(kind, path, f"expected {describe(expected)}, got {describe(actual)}")
+
+
+def describe(form):
+    """A short description of a canonical form: `an array of shape (5, 5), uint8`, `the text 'rgb8'`."""
+    kind = kind_of(form)
+    if form.get("too_large"):
+        return f"a very large {form['type']}"
+    if kind == "ndarray":
+        return f"an array of shape {tuple(form['shape'])}, {form['dtype']}"
+    if kind == "None":
+        return "None"
+    if kind in ("tuple", "list"):
+        return f"a {kind} of {len(form['items'])}"
+    if kind == "dict":
+        return f"a dict with the keys {', '.join(_key(key) for key, _ in form['items']) or 'none'}"
+    if kind == "bytes":
+        return f"{form['length']} bytes"
+    if kind == "str":
+        text = form.get("value", "")
+        return f"the text {text if len(text) <= _LONGEST_TEXT else text[: _LONGEST_TEXT - 1] + '…'!r}"
+    if kind == "bool":
+        return str(form["value"])
+    if kind in ("int", "float"):
+        return f"the {'integer' if kind == 'int' else 'float'} {_readable(form['value'])}"
+    return f"an object of type {form['type']}"
+
+
+def kind_of(form):
+    """The kind of a form: its type; "int", "float" or "bool" for NumPy's scalars; "message"; "opaque"."""
+    kind = form["type"]
+    if "fields" in form:
+        return "message"
+    if form.get("opaque") and kind != "ndarray":
+        return "opaque"
+    if not kind.startswith("numpy."):
+        return kind
+    scalar = kind.removeprefix("numpy.")
+    return "bool" if scalar.startswith("bool") else "float" if scalar.startswith("float") else "int"
+
+
+def as_type_of(expected, actual):
+    """The same values in the container of an expected form, where it can hold them; else the form as it is.
+
+    Parameters
+    ----------
+    expected, actual : canonical forms
+
+    Returns
+    -------
+    canonical form; the items inside are not changed
+    """
+    actual = actual.get("array", actual)  # of a matrix
+    kind, actual_kind = kind_of(expected), kind_of(actual)
+    if kind in ("tuple", "list") and actual_kind in ("tuple", "list"):
+        return actual | {"type": kind}
+    if kind == "ndarray" and actual_kind in ("tuple", "list"):
+        return _array_form(actual, len(expected["shape"]))
+    if actual_kind == "ndarray":
+        return _numbers_form(expected, actual)
+    return actual
+
+
+def _array_form(form, depth):
+    """A list of numbers, or of lists of numbers, as an array of `depth` axes; as it is if it is none."""
+    numbers = _numbers(form, depth)
+    try:
+        array = np.array(numbers) if numbers else None
+    except (ValueError, OverflowError):  # rows of different lengths
+        return form
+    is_array = array is not None and array.ndim == depth and array.dtype.kind in "biuf"
+    return canonical(array, limit=None) if is_array else form
+
+
+def _numbers(form, depth):
+    """The numbers of a list, whose items may be arrays, as nested lists; None if it holds anything else."""
+    form = form.get("array", form)  # of a matrix
+    if form["type"] == "ndarray" and len(form["shape"]) == depth:
+        return array_of(form)
+    if depth == 0 or "items" not in form or form["type"] == "dict":
+        is_number = depth == 0 and kind_of(form) in ("int", "float", "bool") and "value" in form
+        is_number = is_number and not isinstance(form["value"], str)
+        # A list of float32 must not become an array of float64, which may round less.
+        number_type = np.float32 if form["type"] == "numpy.float32" else lambda value: value
+        return number_type(form["value"]) if is_number else None
+    numbers = [_numbers(item, depth - 1) for item in form["items"]]
+    return None if any(number is None for number in numbers) else numbers
+
+
+def _numbers_form(expected, actual):
+    """An array of one element as a number, or an array as a list of numbers or pairs, if that is expected.
+
+    Where two arrays are expected, one array of both stays what it is.
+    """
+    values, kind = array_of(actual), kind_of(expected)
+    if values is None:
+        return actual
+    # As NumPy's scalars, and not as Python's numbers: float32 rounds more.
+    if kind in ("int", "float", "bool") and values.size == 1:
+        return canonical(values.flat[0])
+    if kind not in ("tuple", "list"):
+        return actual
+    items = expected.get("items", ())
+    if values.ndim == 1:
+        numbers = list(values) if len(values) == len(items) else values.tolist()
+        return canonical(numbers) | {"type": kind}
+    are_pairs = all(item["type"] in ("tuple", "list") for item in items)
+    if are_pairs and values.ndim and len(values) == len(items):
+        return {"type": kind, "items": [canonical(part, limit=None) for part in values]}
+    return actual
+
+
+def _key(form):
+    if form["type"] == "tuple" and "items" in form:
+        return f"({', '.join(map(_key, form['items']))})"
+    return repr(form.get("value", form["type"]))
+
+
+def _readable(value):
+    if isinstance(value, int) and abs(value) >= 10**_LONGEST_INTEGER:
+        return f"{str(value)[:12]}… of {len(str(abs(value)))} digits"
+    return value if isinstance(value, str) else f"{value:.10g}" if isinstance(value, float) else str(value)
+
+
+def _float(value):
+    try:
+        return float(value)  # "nan", "inf" and "-inf" too
+    except OverflowError:  # an integer of more than 1024 bits
+        return float("inf") if value > 0 else float("-inf")
+
+
+def _close(expected, actual, tolerance):
+    if kind_of(expected) == "int" and tolerance == 0:
+        return expected["value"] == actual["value"]
+    rounding = _rounding(*(form["type"].removeprefix("numpy.") for form in (expected, actual)))
+    values = [np.float64(_float(form["value"])) for form in (expected, actual)]
+    return bool(_near(*values, tolerance, rounding))
+
+
+def _near(expected, actual, tolerance, rounding):
+    with np.errstate(invalid="ignore", over="ignore"):
+        near = np.abs(actual - expected) <= tolerance + rounding * np.abs(expected)
+    finite = np.isfinite(expected) & np.isfinite(actual)
+    return np.where(finite, near, (expected == actual) | (np.isnan(expected) & np.isnan(actual)))
+
+
+def _rounding(kind, actual_kind):
+    """The relative rounding for an expected type of number; float32 instead of float64 rounds more."""
+    rounding = _ROUNDING.get(kind, 0.0)
+    return max(rounding, _ROUNDING["float32"]) if rounding and actual_kind == "float32" else rounding
+
+
+def differing(expected, actual, tolerance=0.0):
+    """The elements in which two arrays of one shape differ by more than the tolerance.
+
+    Parameters
+    ----------
+    expected, actual : ndarray of one shape
+    tolerance : float >= 0, absolute
+
+    Returns
+    -------
+    ndarray of bool, the arrays' shape
+    """
+    if expected.dtype.kind in "biu" and tolerance == 0:
+        return expected != actual
+    rounding = _rounding(expected.dtype.name, actual.dtype.name)
+    return ~_near(expected.astype(np.float64), actual.astype(np.float64), tolerance, rounding)
+
+
+def _compare_arrays(expected, actual, tolerance, path, exact_type):
+    if expected["shape"] != actual["shape"]:
+        shape, actual_shape = tuple(expected["shape"]), tuple(actual["shape"])
+        return Difference("shape", path, f"expected shape {shape}, got an array of shape {actual_shape}")
+    is_number = "bool" not in (expected["dtype"], actual["dtype"])
+    if expected["dtype"] != actual["dtype"] and (exact_type or not is_number):
+        message = f"expected {expected['dtype']}, got an array of {actual['dtype']}"
+        return Difference("dtype", path, message)
+    expected_values, actual_values = array_of(expected), array_of(actual)
+    if expected_values is None or actual_values is None:
+        if expected["dtype"] == actual["dtype"] and _digest(expected) == _digest(actual):
+            return None
+        return Difference("value", path, "the values differ", total=int(np.prod(expected["shape"])))
+    wrong = differing(expected_values, actual_values, tolerance)
+    count = int(wrong.sum())
+    if not count:
+        return None
+    index = tuple(int(i) for i in np.argwhere(wrong)[0])
+    first_expected, first_actual = expected_values[index].item(), actual_values[index].item()
+    message = (
+        f"{count} of {wrong.size} values differ; the first at {describe_index(index)}:"
+        f" expected {_readable(first_expected)}, got {_readable(first_actual)}"
+    )
+    return Difference("value", path, message, index, first_expected, first_actual, count, wrong.size)
+
+
+def describe_index(index):
+    """An array index as text: `row 3, col 7, channel 2`."""
+    names = {0: (), 1: ("index",), 2: ("row", "col"), 3: ("row", "col", "channel")}.get(len(index))
+    if names is None:
+        return f"index {index}"
+    return ", ".join(f"{name} {i}" for name, i in zip(names, index, strict=True)) or "its only value"
+
+
+def _digest(form):
+    return form.get("digest") or hashlib.sha256(base64.b64decode(form["data"])).hexdigest()
+
+
+def _compare_items(expected, actual, tolerance, path, exact_type):
+    if len(expected["items"]) != len(actual["items"]):
+        return _difference("length", path, expected, actual)
+    pairs = enumerate(zip(expected["items"], actual["items"], strict=True))
+    return _first(compare(*items, tolerance, f"{path}[{k}]", exact_type=exact_type) for k, items in pairs)
+
+
+def _compare_dicts(expected, actual, tolerance, path, exact_type):
+    expected_items, actual_items = (
+        {_key(key): value for key, value in form["items"]} for form in (expected, actual)
+    )
+    if expected_items.keys() != actual_items.keys():
+        return _difference("keys", path, expected, actual)
+    return _first(
+        compare(value, actual_items[key], tolerance, f"{path}[{key}]", exact_type=exact_type)
+        for key, value in expected_items.items()
+    )
+
+
+def _compare_fields(expected, actual, tolerance, path, exact_type):
+    if expected["fields"].keys() != actual["fields"].keys():
+        return _difference("type", path, expected, actual)
+    return _first(
+        compare(value, actual["fields"][name], tolerance, f"{path}.{name}", exact_type=exact_type)
+        for name, value in expected["fields"].items()
+    )
+
+
+def _first(differences):
+    return next((difference for difference in differences if difference), None)

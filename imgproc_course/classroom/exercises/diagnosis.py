@@ -1,0 +1,519 @@
+"""What is certain about a wrong answer: from its type, its shape, its dtype, and where its values are wrong.
+
+A sentence is given only if it is true of the values in every call: a wrong name for a mistake costs a learner
+more than none.
+"""
+
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+
+from imgproc_course.classroom.exercises.canonical import array_of, canonical
+from imgproc_course.classroom.exercises.comparison import as_type_of, compare, differing, kind_of
+from imgproc_course.classroom.exercises.values import named_items
+
+_FACTORS = {
+    0.5: "half the expected number",
+    2: "twice the expected number",
+    3: "3 times the expected number (are the channels counted, too?)",
+    10: "10 times the expected number",
+    0.1: "a tenth of the expected number",
+    100: "100 times the expected number (is it in percent?)",
+    0.01: "a hundredth of the expected number",
+    255: "255 times the expected number (does white count as 255?)",
+    1 / 255: "the expected number divided by 255",
+    -1: "the expected number with the other sign",
+}
+
+_COINCIDENCE = 0.01
+_LINES = {
+    "the first row": np.s_[:1],
+    "the last row": np.s_[-1:],
+    "the first column": np.s_[:, :1],
+    "the last column": np.s_[:, -1:],
+}
+_RIGHT = "The values are right"
+_FUNCTIONS = (
+    "function",
+    "builtin_function_or_method",
+    "method",
+    "numpy.ufunc",
+    "numpy._ArrayFunctionDispatcher",
+)
+_ZEROS = "Every value of your result is 0. Is the result never stored in the array?"
+
+
+@dataclass(frozen=True)
+class Diagnosis:
+    """What is certain about an answer.
+
+    text       sentences for the learner, "" if nothing is certain
+    is_whole   True if they say what to repair: a hint about wrong values is then left out
+    on_border  True if all wrong values lie on the borders of images
+    """
+
+    text: str = ""
+    is_whole: bool = False
+    on_border: bool = False
+
+
+def diagnose(calls, shown, names=(), *, exact_type=True):
+    """What is certain about a wrong answer.
+
+    Parameters
+    ----------
+    calls : sequence of CaseCall, all calls of the answer
+    shown : CaseCall, the failed one whose values the learner sees; its function returned, and changed nothing
+    names : sequence of str, the names of the arguments
+    exact_type : bool, see `exercises.exercise`
+
+    Returns
+    -------
+    Diagnosis
+    """
+    expected, actual = shown.expected.value, shown.result.value
+    if kind_of(actual) == "None":
+        return Diagnosis()
+    differ = partial(compare, tolerance=shown.case.tolerance, exact_type=exact_type)
+    parts = side_by_side(expected, actual)
+    if not exact_type:
+        parts = [(form, as_type_of(form, actual_form)) for form, actual_form in parts]
+    pairs = [pair for pair in parts if differ(*pair)]
+    kinds = {differ(*pair).kind for pair in pairs}
+    returned = [call for call in calls if call.result.finished]
+    fixed = _constant(returned)
+    if fixed:
+        return Diagnosis(fixed)
+    if kinds == {"value"}:
+        advice = Diagnosis() if exact_type else _advice_on_other_dtypes(pairs, shown.case.tolerance)
+        return advice if advice.text else _diagnose_values(returned, names)
+    if kinds == {"dtype"}:
+        return _advice_on_dtypes(pairs, shown.case.tolerance)
+    if "shape" in kinds:
+        wrong = next(pair for pair in pairs if differ(*pair).kind == "shape")
+        return Diagnosis(_advice_on_shape(*wrong, shown.arguments, names), is_whole=True)
+    wrong = next(pair for pair in pairs if differ(*pair).kind != "value")
+    return Diagnosis(_advice_on_type(*wrong, shown.case.tolerance), is_whole=True)
+
+
+def side_by_side(expected, actual):
+    """The parts of two answers in pairs of forms; one pair of the wholes if their containers differ."""
+    items, actual_items = named_items(expected), named_items(actual)
+    same_names = [name for name, _ in items] == [name for name, _ in actual_items]
+    if not items or kind_of(expected) != kind_of(actual) or not same_names:
+        return [(expected, actual)]
+    parts = zip(items, actual_items, strict=True)
+    return [pair for (_, form), (_, actual_form) in parts for pair in side_by_side(form, actual_form)]
+
+
+# ---------------------------------------------------------------- type
+
+
+def _advice_on_type(expected, actual, tolerance):
+    kind, actual_kind = kind_of(expected), kind_of(actual)
+    if actual["type"] == "coroutine":
+        return "A function that begins with async def does not compute when it is called. Write def."
+    if actual_kind in ("int", "float") and kind in ("int", "float"):
+        return _advice_on_number(expected, actual)
+    if kind == actual_kind == "dict":
+        return _advice_on_keys(expected, actual)
+    if kind in ("tuple", "list") and actual_kind in ("tuple", "list", "ndarray"):
+        return _advice_on_items(expected, actual, tolerance)
+    if kind in ("tuple", "list"):
+        return f"You return {_noun(actual)}, and the task asks for {_noun(expected)}."
+    if kind == "ndarray":
+        return _advice_on_missing_array(expected, actual)
+    if kind == "str":
+        if actual["type"].rpartition(".")[2] in ("PosixPath", "WindowsPath", "PurePosixPath"):
+            return "You return a Path, and the task asks for a text: return str(path)."
+        if actual["type"] in _FUNCTIONS:
+            return "You return a function itself, and the task asks for a text, such as its name."
+        return f"You return {_noun(actual)}, and the task asks for a single text."
+    if kind in ("int", "float", "bool"):
+        if actual_kind == "str":
+            return (
+                "You return a text, and the task asks for a number: return it without quotes, not an"
+                " f-string."
+            )
+        if actual_kind in ("tuple", "list"):
+            return f"You return {_noun(actual)}, and the task asks for one number alone."
+        return f"You return {_noun(actual)}, and the task asks for {_noun(expected)}."
+    if kind == "dict":
+        keys = ", ".join(f'"{key["value"]}": ...' for key, _ in expected["items"] if "value" in key)
+        return f"You return {_noun(actual)}, and the task asks for a dict: {{{keys}}}."
+    return ""
+
+
+def _noun(form):
+    nouns = {"ndarray": "an array", "int": "a number", "float": "a number", "str": "a text", "dict": "a dict"}
+    nouns |= {"bool": "True or False", "bytes": "bytes", "set": "a set"}
+    nouns |= dict.fromkeys(_FUNCTIONS, "a function itself")
+    kind = form["type"] if form.get("opaque") else kind_of(form)
+    if kind in ("tuple", "list"):
+        count = len(form.get("items", ()))
+        return f"{count} value{'s' * (count != 1)} (a {kind})"
+    return nouns.get(kind, f"a value of type {kind}")
+
+
+def _advice_on_number(expected, actual):
+    if kind_of(expected) == "int" and float(actual["value"]) == expected["value"]:
+        return "The value is right; only its type is not: / makes a float. Divide with //, or use int()."
+    return "The task asks for a whole number (int)." if kind_of(expected) == "int" else ""
+
+
+def _advice_on_keys(expected, actual):
+    keys, actual_keys = ([key.get("value") for key, _ in form["items"]] for form in (expected, actual))
+    missing = ", ".join(repr(key) for key in keys if key not in actual_keys)
+    extra = ", ".join(repr(key) for key in actual_keys if key not in keys)
+    if not missing:
+        return f"Leave the other key out: {extra}. The task asks only for {', '.join(map(repr, keys))}."
+    return f"The key {missing} is missing" + (f"; you wrote {extra}." if extra else ".")
+
+
+def _advice_on_items(expected, actual, tolerance):
+    kind, count = expected["type"], len(expected["items"])
+    if kind_of(actual) == "ndarray":
+        shapes = [form.get("shape") for form in expected["items"]]
+        if actual["shape"] in shapes:
+            return (
+                f"You return one array, and the task asks for {count}: return both, with a comma between"
+                f" them."
+            )
+        if len(actual["shape"]) and actual["shape"][1:] in shapes:
+            return (
+                f"You return one array of {len(actual['shape'])} axes, and the task asks for two arrays:"
+                f" return them with a comma between them."
+            )
+        return f"You return one array, and the task asks for {count} values."
+    if len(actual["items"]) != count:
+        return f"You return {_noun(actual)}, and the task asks for {count}."
+    if compare(expected, actual | {"type": kind}, tolerance) is None:
+        brackets = "without square brackets" if kind == "tuple" else "in square brackets"
+        return f"The values are right; only the {actual['type']} around them is not: write them {brackets}."
+    return ""
+
+
+def _advice_on_missing_array(expected, actual):
+    dtype = expected["dtype"]
+    if kind_of(actual) in ("tuple", "list"):
+        return (
+            f"A {actual['type']} is not an array. Make it one: np.array(..., dtype=np.{_dtype_name(dtype)})."
+        )
+    if kind_of(actual) in ("int", "float", "bool"):
+        if len(expected["shape"]) < 2:
+            return "You return a single number, and the task asks for an array."
+        return (
+            "You return a single number for the whole image. The task asks for an array, in which each"
+            " pixel has a value of its own."
+        )
+    if actual["type"] == "reversed":
+        return "reversed() gives no array. A slice with the step -1 goes backwards: ::-1."
+    return f"You return {_noun(actual)}, and the task asks for an array."
+
+
+def _dtype_name(dtype):
+    return "bool_" if dtype == "bool" else dtype
+
+
+# ---------------------------------------------------------------- dtype
+
+
+def _advice_on_dtypes(pairs, tolerance):
+    texts = dict.fromkeys(_advice_on_dtype(*pair, tolerance) for pair in pairs)
+    if "" in texts:
+        return Diagnosis()
+    wrong = [text for text in texts if not text.startswith(_RIGHT)]
+    return Diagnosis(" ".join(wrong or texts), is_whole=True)
+
+
+def _advice_on_other_dtypes(pairs, tolerance):
+    """The same where another dtype would be as good, and wrong values come with it."""
+    differences = [compare(*pair, tolerance) for pair in pairs]
+    is_other = all(difference and difference.kind == "dtype" for difference in differences)
+    return _advice_on_dtypes(pairs, tolerance) if is_other else Diagnosis()
+
+
+def _advice_on_dtype(expected, actual, tolerance):
+    """What to do about a dtype if nothing else is wrong; "" if the values are wrong too."""
+    dtype, actual_dtype = expected["dtype"], actual["dtype"]
+    values, actual_values = array_of(expected), array_of(actual)
+    if values is None or actual_values is None:
+        return ""
+    same = _same(values, actual_values, tolerance)
+    if dtype == "bool" and np.array_equal(actual_values != 0, values):
+        return (
+            f"The task asks for bool, True and False, and you return numbers ({actual_dtype}). A"
+            f" comparison such as a > b is bool already."
+        )
+    if actual_dtype == "bool" and np.array_equal(values != 0, actual_values):
+        text = f"The task asks for {dtype}, and you return True and False (bool)"
+        levels = set(np.unique(values).tolist())
+        if levels <= {0, 255} or levels <= {0, 1}:
+            return f"{text}: write np.where(mask, {max(levels)}, 0).astype(np.{dtype})."
+        return f"{text}: return the numbers themselves, not where they are above 0."
+    if same:
+        return (
+            f"{_RIGHT}; only the dtype is not: you return {actual_dtype}. End with"
+            f" .astype(np.{_dtype_name(dtype)})."
+        )
+    if values.dtype.kind in "iu" and actual_values.dtype.kind == "f":
+        close = _same(values, actual_values, 0.5)
+        return f"Round the values ({actual_dtype}), and end with .astype(np.{dtype})." if close else ""
+    if values.dtype.kind == "f" and np.abs(values - actual_values).max(initial=0) < 1:
+        return f"The fractions are lost: you return {actual_dtype}, and the task asks for {dtype}."
+    if values.dtype.kind in "iu" and np.array_equal(values.astype(actual_values.dtype), actual_values):
+        return f"The values do not all fit into {actual_dtype}, and were cut. Make the result {dtype}."
+    return ""
+
+
+def _same(values, actual, tolerance=0.0):
+    """Whether two arrays of one shape agree as numbers, whatever their dtypes."""
+    if values.shape != actual.shape:
+        return False
+    with np.errstate(all="ignore"):
+        return not differing(values.astype(np.float64), actual.astype(np.float64), tolerance).any()
+
+
+# ---------------------------------------------------------------- shape
+
+
+def _advice_on_shape(expected, actual, arguments, names):
+    shape, actual_shape = tuple(expected["shape"]), tuple(actual["shape"])
+    given_shapes = [np.shape(value) for value in arguments if isinstance(value, np.ndarray)]
+    values, actual_values = array_of(expected), array_of(actual)
+    if actual_shape == shape[::-1] and values is not None and _same(values.T, actual_values):
+        return "Rows and columns are exchanged: your result is the expected one, transposed."
+    if given_shapes and names and len(given_shapes[0]) > len(shape) and actual_shape == given_shapes[0][1:]:
+        text = "Axis 0, the rows, is gone from your result: "
+        if len(given_shapes[0]) == 2:
+            return f"{text}axis=0 goes along the rows, and axis=1 along the columns."
+        return (
+            f"{text}{names[0]}[0] is the first row, and axis=0 goes along the rows. The channels are the last"
+            f" axis: {names[0]}[..., 0], axis=-1."
+        )
+    if len(shape) == 3 and actual_shape == (shape[0], shape[1] * shape[2]):
+        return f"The axis of the channels is missing: reshape to (height, width, {shape[2]})."
+    if len(shape) == 3 and actual_shape == shape[:2]:
+        return f"The axis of the channels is missing: each pixel has {shape[2]} values."
+    if len(shape) == 3 and actual_shape == (shape[2], *shape[:2]):
+        return "The channels come first in your result. The task wants them last, side by side in each pixel."
+    if len(shape) == 2 and actual_shape[:2] == shape and len(actual_shape) == 3:
+        return (
+            f"Your result still has a third axis, of length {actual_shape[2]}. The task asks for one value"
+            f" for each pixel."
+        )
+    if len(actual_shape) < len(shape) and given_shapes and len(given_shapes[0]) == len(shape):
+        return (
+            "Your result has fewer axes than the input: a function with axis=..., or an index such as"
+            " image[0], takes one away."
+        )
+    is_image = any(image_shape[:2] == shape[:2] for image_shape in given_shapes)
+    return _advice_on_size(shape, actual_shape, is_image) if len(shape) == len(actual_shape) >= 2 else ""
+
+
+def _advice_on_size(shape, actual_shape, is_image):
+    """The same; `is_image` if the expected result has the rows and columns of an argument."""
+    rows, cols = (actual - expected for actual, expected in zip(actual_shape[:2], shape[:2], strict=True))
+    if rows == cols and rows in (-2, -4) and is_image:
+        return (
+            f"Your result is smaller than the image by {-rows} rows and {-cols} columns, its border. Pad"
+            f" the image (np.pad) before you take the neighbours."
+        )
+    if rows == cols and rows in (2, 4):
+        return (
+            f"Your result has {rows} rows and {cols} columns too many. If you padded the image, cut the"
+            f" padding off."
+        )
+    if rows == 0 and cols > 0:
+        return (
+            f"Your result is too wide: {actual_shape[1]} columns instead of {shape[1]}. Is padding left, or"
+            f" does each pixel take several of these values?"
+        )
+    changes = [_surplus(rows, "row"), _surplus(cols, "column")]
+    if not any(changes):
+        return ""
+    return (
+        f"Your result has {' and '.join(text for text in changes if text)}. A slice start:stop begins with"
+        " the index start and ends before stop; both are places, and neither is a length."
+    )
+
+
+def _surplus(count, noun):
+    """`2 rows too many`, `1 column too few`, or "" """
+    if count == 0:
+        return ""
+    return f"{abs(count)} {noun}{'s' * (abs(count) != 1)} too {'many' if count > 0 else 'few'}"
+
+
+# ---------------------------------------------------------------- values
+
+
+def _diagnose_values(calls, names):
+    """The first sentence that is true of every call, and where the wrong values lie."""
+    if names and all(_is_input(call) for call in calls):
+        return Diagnosis(f"Your result is equal to the input {names[0]}: no value has changed.")
+    for relation in (_exchanged, _number, _text, _array):
+        text = relation(calls)
+        if text:
+            return Diagnosis(text, is_whole=relation is not _number and "?" not in text)
+    return _place(calls)
+
+
+def _forms(calls):
+    return [(call.expected.value, call.result.value) for call in calls]
+
+
+def _constant(calls):
+    forms = _forms(calls)
+    if len(forms) < 2 or all(actual == forms[0][0] for actual, _ in forms):
+        return ""
+    if any(actual != forms[0][1] or actual.get("opaque") for _, actual in forms):
+        return ""
+    value = forms[0][1].get("value")
+    returned = "the same" if value is None else repr(value)
+    return (
+        f"Your function returns {returned} for every input. Is the value fixed, or never updated? It must be"
+        " computed from the input that the function receives."
+    )
+
+
+def _exchanged(calls):
+    """Two results in the wrong order."""
+    forms = _forms(calls)
+    if any(kind_of(form) != "tuple" or len(form["items"]) != 2 for pair in forms for form in pair):
+        return ""
+    tolerance = calls[0].case.tolerance
+    for expected, actual in forms:
+        if compare(expected | {"items": expected["items"][::-1]}, actual, tolerance):
+            return ""
+    return "Both results are right, but in the wrong order: exchange the first and the second."
+
+
+def _number(calls):
+    forms = _forms(calls)
+    if any(kind_of(form) not in ("int", "float") for pair in forms for form in pair):
+        return ""
+    numbers = np.array([[float(form["value"]) for form in pair] for pair in forms])
+    if not np.isfinite(numbers).all():
+        return ""
+    expected, actual = numbers.T
+    if kind_of(forms[0][0]) == "int" and abs(np.unique(actual - expected)).tolist() == [1.0]:
+        return f"Your number is one too {'large' if actual[0] > expected[0] else 'small'}, in every check."
+    for factor, text in _FACTORS.items():
+        if expected.any() and np.allclose(actual, expected * factor, rtol=1e-6, atol=0):
+            return f"Your number is {text}, in every check."
+    return ""
+
+
+def _text(calls):
+    texts = [tuple(form.get("value") for form in pair) for pair in _forms(calls)]
+    if any(type(text) is not str for pair in texts for text in pair):
+        return ""
+    if all(a.lower() == b.lower() for a, b in texts):
+        return "Only capital and small letters differ."
+    if all("".join(a.split()) == "".join(b.split()) for a, b in texts):
+        return "Only the spaces or line ends differ."
+    return ""
+
+
+def _array(calls):
+    """A relation between all arrays of all calls and the expected ones."""
+    arrays = [
+        tuple(array_of(form) for form in pair)
+        for call in calls
+        for pair in side_by_side(call.expected.value, call.result.value)
+    ]
+    if not arrays or any(
+        a is None or b is None or a.shape != b.shape or a.dtype != b.dtype for a, b in arrays
+    ):
+        return ""
+    if sum(expected.size for expected, _ in arrays) < 4:
+        return ""
+    for text, change in _RELATIONS:
+        if all(_same(change(_wide(expected)), _wide(actual)) for expected, actual in arrays):
+            return text
+    gaps = [_wide(expected) - _wide(actual) for expected, actual in arrays]
+    integers = all(expected.dtype.kind in "iu" and expected.max(initial=0) > 1 for expected, _ in arrays)
+    if integers and {int(v) for gap in gaps for v in np.unique(gap)} == {0, 1}:
+        return (
+            "Some values are one too small, and none is wrong by more. Is the fraction cut off, instead of"
+            " rounded?"
+        )
+    return ""
+
+
+def _wide(values):
+    return values.astype(np.float64)
+
+
+def _is_input(call):
+    return bool(call.arguments) and canonical(call.arguments[0], limit=None) == call.result.value
+
+
+def _mirrored(axis):
+    return lambda values: np.flip(values, axis) if values.ndim > axis else values + np.nan
+
+
+# (what the learner reads, the wrong values computed from the expected ones)
+_RELATIONS = (
+    (_ZEROS, lambda values: values * 0),
+    ("All signs are exchanged: minus should be plus, and plus minus.", lambda values: -values),
+    ("The values are right but for the sign: negative values must stay negative, without abs().", np.abs),
+    (
+        "You return 1 where 255 was expected. Multiply by 255, or write np.where(mask, 255, 0).",
+        lambda v: v / 255,
+    ),
+    ("Your values are 255 times the expected ones.", lambda values: values * 255),
+    ("Black and white are exchanged: each value is 255 minus the expected one.", lambda values: 255 - values),
+    ("True and False are exchanged.", lambda values: 1 - values),
+    (
+        "Rows and columns are exchanged: your result is the expected one, transposed.",
+        lambda v: np.swapaxes(v, 0, 1) if v.ndim > 1 else v + np.nan,
+    ),
+    ("Your result is the expected one, mirrored from left to right.", _mirrored(1)),
+    ("Your result is the expected one, upside down.", _mirrored(0)),
+    ("The channels are in the wrong order: the first and the last are exchanged.", _mirrored(2)),
+)
+
+
+def _place(calls):
+    """Where the wrong values of all calls lie, if that tells something."""
+    masks = []
+    for call in calls:
+        for expected, actual in side_by_side(call.expected.value, call.result.value):
+            values, actual_values = array_of(expected), array_of(actual)
+            if values is None or actual_values is None or values.shape != actual_values.shape:
+                return Diagnosis()
+            if values.ndim not in (2, 3):
+                return Diagnosis()
+            masks.append((differing(values, actual_values, call.case.tolerance), actual_values))
+    wrong = [(mask, values) for mask, values in masks if mask.any()]
+    if not wrong:
+        return Diagnosis()
+    flat = [mask.any(axis=2) if mask.ndim == 3 else mask for mask, _ in wrong]
+    if all(values.shape[0] > 2 and not mask[0].any() and not values[1:].any() for mask, values in wrong):
+        return Diagnosis("Only the first row is right; all others are 0. Does return stand inside the loop?")
+    line = next((name for name, place in _LINES.items() if _lie_in(flat, place)), "")
+    if line:
+        return Diagnosis(f"All wrong values lie in {line}.")
+    if _lie_in(flat, np.s_[1:-1, 1:-1], is_inside=False):
+        zeros = all(not values[mask].any() for mask, values in wrong)
+        left = ", and there your result is 0: is the border never computed?" if zeros else "."
+        return Diagnosis(f"Only values on the border of the image are wrong{left}", on_border=True)
+    channels = {int(c) for mask, _ in wrong if mask.ndim == 3 for c in np.argwhere(mask)[:, 2]}
+    if len(channels) == 1 and all(mask.ndim == 3 and mask.shape[2] > 1 for mask, _ in wrong):
+        return Diagnosis(f"All wrong values lie in channel {channels.pop()}; the other channels are right.")
+    return Diagnosis()
+
+
+def _lie_in(masks, place, is_inside=True):
+    """Whether all True values lie in (or outside) a place of each mask, and not by coincidence."""
+    chance = 1.0
+    for mask in masks:
+        region = np.full(mask.shape, not is_inside)
+        region[place] = is_inside
+        if (mask & ~region).any():
+            return False
+        chance *= region.mean() ** mask.sum()
+    return chance < _COINCIDENCE

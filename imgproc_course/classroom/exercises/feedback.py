@@ -1,0 +1,368 @@
+"""The feedback of `check`, as plain text and as HTML.
+
+Both hold nothing that varies from run to run: no time, no address, no random order. nbval compares them byte
+for byte.
+"""
+
+import html
+
+from imgproc_course.classroom.exercises.canonical import array_of, canonical
+from imgproc_course.classroom.exercises.error_advice import advice_on
+from imgproc_course.classroom.exercises.values import (
+    answer_parts,
+    describe_value,
+    differing_elements,
+    table_rows,
+)
+
+_MOST_LINES = 12  # of the function's own prints
+
+_BORDER = "Pixels there have neighbours outside the image: how does the task treat those?"
+
+# JupyterLab's colours that have a contrast of at least 4.5 in its light and in its dark theme.
+_COLOURS = {
+    "passed": "var(--jp-success-color0, #1b5e20)",
+    "failed": "var(--jp-error-color1, #c62828)",
+    "open": "var(--jp-content-font-color2, #616161)",
+}
+
+
+def explain_call(result, difference, function):
+    """What went wrong in one call, in a sentence or two; "" if nothing did.
+
+    Parameters
+    ----------
+    result : CallResult
+    difference : Difference or None
+    function : str, the function's name
+    """
+    name = f"{function}()"
+    if result.timed_out:
+        return _explain_timeout(name, result.stuck)
+    if result.error:
+        return _explain_error(name, result)
+    if result.changed:
+        return _explain_change(name, result.changed[0])
+    if difference is None:
+        return ""
+    if result.value["type"] == "None":
+        if not result.has_return:
+            return f"{name} returned None. Did you forget return?"
+        return (
+            f"{name} returned None for this input, although it has a return with a value. Is a case"
+            f" missing, such as the last else? Methods that work in place, such as list.sort(), return"
+            f" None, too."
+        )
+    message = difference.message[0].upper() + difference.message[1:] + "."
+    return f"In answer{difference.path}: {message}" if difference.path else message
+
+
+def _explain_timeout(name, stuck):
+    text = f"{name} did not finish and was stopped. Is there an endless loop?"
+    return text + (" It could not be stopped: restart the kernel before you go on." if stuck else "")
+
+
+def _explain_error(name, result):
+    text = f"{name} raised {result.error}" + (f": {result.message}" if result.message else "")
+    return text + (f"\nin your {result.line}" if result.line else "")
+
+
+def _explain_change(name, argument):
+    if not argument.isidentifier():
+        return (
+            f"{name} changed its input {argument}. Only read it, and store what you compute under new names."
+        )
+    return (
+        f"{name} changed its input {argument}. Leave the input as it is: write the result into a new"
+        f" array, or begin with {argument} = {argument}.copy()."
+    )
+
+
+# ---------------------------------------------------------------- the parts of the feedback
+
+
+class _LabelledValue:
+    """A value with its label, `given pixels`; `has_marks` if one of its elements differs."""
+
+    def __init__(self, label, form, wrong=None):
+        self.label = label.strip()
+        self.description = describe_value(form)
+        self.rows = table_rows(form, wrong)
+        self.has_marks = any(mark for row in self.rows for _, mark in row)
+
+
+def _values(result, call):
+    names = [*result.exercise.names, *("" for _ in call.arguments)]
+    for name, argument in zip(names, call.arguments, strict=False):
+        argument_form = canonical(argument, limit=None)
+        for part_name, form, _ in answer_parts(argument_form, argument_form):
+            yield _LabelledValue(f"given {name}{part_name}", form)
+    if call.result.finished and call.difference is not None:
+        for part_name, expected, actual in _answer_parts(call):
+            if part_name and expected == actual:
+                continue  # a right part of the answer only hides the wrong one
+            wrong = differing_elements(expected, actual, call.case.tolerance)
+            yield _LabelledValue(f"returned {part_name}", actual, wrong)
+            yield _LabelledValue(f"expected {part_name}", expected, wrong)
+
+
+def _answer_parts(call):
+    return answer_parts(call.expected.value, call.result.value)
+
+
+def _refusals(result):
+    for module in result.dependencies.refused:
+        name = result.dependencies.names.get(module, module)
+        used = module if name.startswith(module) else f"{name} of {module}"
+        reason = "the task does not allow it" if result.exercise.practice else "grading refuses it"
+        yield f"{result.exercise.function}() uses {used}. Write this exercise without it: {reason}."
+
+
+def _notes(result):
+    exercise = result.exercise
+    names = ", ".join(exercise.names)
+    for foreign in result.dependencies.foreign:
+        origin = result.dependencies.origins[foreign]
+        if foreign in exercise.names:
+            advice = f"Take {foreign} as the argument: def {exercise.function}({names}):"
+        elif origin == "function":
+            advice = f"Copy the definition of {foreign} into the answer cell."
+        elif origin == "value":
+            advice = f"Use the arguments of your function ({names}), or define {foreign} in the answer cell."
+        else:
+            advice = f"Write its import line in the answer cell, too: {origin}"
+        verb = "imports" if " import " in f" {origin}" else "defines"
+        reason = "" if exercise.practice else " Grading runs only the answer cell."
+        yield f"{exercise.function}() uses {foreign}, which another cell {verb}.{reason} {advice}"
+
+
+def _taken_along(result):
+    """What grading takes along from other cells. In a wrong answer, a value may stand for an argument."""
+    dependencies, exercise = result.dependencies, result.exercise
+    values = [name for name in dependencies.taken if dependencies.origins[name] == "value"]
+    if values and not all(case_result.passed for case_result in result.results):
+        yield (
+            f"{exercise.function}() uses {', '.join(values)} of another cell, which is the same in every"
+            f" call. Should it be computed from the arguments ({', '.join(exercise.names)})?"
+        )
+    elif dependencies.taken and not exercise.practice:
+        names = ", ".join(dependencies.taken)
+        yield f"{exercise.function}() uses {names} of another cell. Grading takes that along."
+
+
+def _explain_case(result, case_result):
+    call = case_result.failed_call
+    if call is None:
+        return "not run, because the call above did not finish"
+    return explain_call(call.result, call.difference, result.exercise.function)
+
+
+def _headline(result):
+    exercise = result.exercise
+    if result.why_older:
+        return "failed", f"{exercise.id}: this is an older function"
+    if not result.attempted:
+        return "open", f"{exercise.id}: not attempted yet"
+    passed, count = sum(case_result.passed for case_result in result.results), len(result.results)
+    # A refused module comes first: it may be the cause of an error below.
+    refused = (
+        "this answer uses what is not allowed here"
+        if exercise.practice
+        else "grading would refuse this answer"
+    )
+    if passed < count and result.dependencies.refused:
+        return "failed", f"{exercise.id}: {refused}"
+    if passed < count:
+        return "failed", f"{exercise.id}: {passed} of {count} checks pass"
+    if result.dependencies.refused:
+        return "failed", f"{exercise.id}: the values are right, but {refused}"
+    if not result.passed:
+        return "failed", f"{exercise.id}: the values are right, but the answer cell does not work alone"
+    all_pass = {1: "the check passes", 2: "both checks pass"}.get(count, f"all {count} checks pass")
+    return "passed", f"{exercise.id}: {all_pass}"
+
+
+def _footer(result):
+    exercise = result.exercise
+    if result.why_older:
+        return ""
+    if not result.attempted:
+        return (
+            f"Write {exercise.function}() in its cell, run that cell, then run this one."
+            " (If that cell shows an error, repair it first: Python still has the old function.)"
+        )
+    if exercise.practice:
+        return "Practice: no points."
+    is_accepted = not result.dependencies.refused and not result.dependencies.foreign
+    points = result.points if is_accepted else 0
+    text = f"Points here: {points} of {exercise.points}."
+    count = exercise.hidden_count
+    if not count:
+        return text
+    if points == exercise.points and not result.passed:
+        text += " But a check fails, and grading takes points for that on other inputs."
+    checks = "1 more check" if count == 1 else f"{count} more checks"
+    return f"{text} Grading runs {checks} on other inputs, worth {exercise.hidden_points}."
+
+
+def _another_way(result):
+    return result.exercise.another_way if result.passed else ""
+
+
+def _stuck(result):
+    """Where a learner finds help after a try."""
+    is_wrong = result.attempted and not result.passed and not result.why_older
+    exercise = result.exercise
+    return f'Stuck? hint("{exercise.id}") helps you on, in steps.' if is_wrong and exercise.hints else ""
+
+
+def _advice(result, call):
+    """What is known of the mistake; if that is not all, the hint of the case."""
+    if result.mistake is not None:
+        yield result.mistake.says
+        return
+    if call.result.timed_out:
+        yield "A loop never ends: does each step change what the loop tests?"
+        if "overflow" in call.result.warning:
+            yield (
+                "A number overflowed: after 255 a uint8 goes on with 0. Count with Python's int, as"
+                " range() does."
+            )
+    elif call.result.error:
+        exercise = result.exercise
+        yield advice_on(
+            call.result.error, call.result.message, call.result.line, exercise.names, exercise.function
+        )
+    if call.difference is None or call.result.changed:
+        return
+    diagnosis = result.diagnosis
+    yield diagnosis.text
+    if diagnosis.on_border:
+        yield result.exercise.border_hint or _BORDER
+    elif not diagnosis.is_whole and call.difference.kind in ("value", "dtype") and call.case.hint:
+        yield f"Hint: {call.case.hint}"
+
+
+def _warning_and_output(call):
+    if call.result.warning:
+        yield f"NumPy or Python warned: {call.result.warning}"
+    if call.result.printed.strip():
+        lines = call.result.printed.rstrip().splitlines()
+        ellipsis = ["…"] if len(lines) > _MOST_LINES else []
+        yield "Your function printed:\n" + "\n".join(lines[:_MOST_LINES] + ellipsis)
+
+
+# ---------------------------------------------------------------- plain text
+
+
+def as_text(result):
+    """A CheckResult as plain text."""
+    _, headline = _headline(result)
+    remarks = (*_refusals(result), *_notes(result), *_taken_along(result), *result.remarks)
+    lines = [f"{headline}.", result.why_older, *remarks]
+    shown_value = result.shown
+    for case_result in result.results:
+        lines.append(f"{'✓' if case_result.passed else '✗'} {case_result.case.title}")
+        if case_result.passed:
+            continue
+        lines.append(_indent(_explain_case(result, case_result)))
+        if case_result.failed_call is shown_value and shown_value is not None:
+            lines += [_indent(text) for text in _details_as_text(result, shown_value)]
+    lines += [_footer(result), _stuck(result), _another_way(result)]
+    return "\n".join(line for line in lines if line)
+
+
+def _details_as_text(result, call):
+    for value in _values(result, call):
+        yield f"{value.label}: {value.description}" + (", * differs" if value.has_marks else "")
+        width = max((len(text) for row in value.rows for text, _ in row), default=0) + 1
+        for row in value.rows:
+            yield "".join(f"{text:>{width}}{'*' if mark else ' '}" for text, mark in row).rstrip()
+    yield from _advice(result, call)
+    yield from _warning_and_output(call)
+
+
+def _indent(text):
+    return "\n".join(f"    {line}" for line in text.splitlines())
+
+
+# ---------------------------------------------------------------- HTML
+
+
+def as_html(result):
+    """A CheckResult as HTML that reads well in a light and in a dark JupyterLab."""
+    state, headline = _headline(result)
+    body = [f'<div style="font-weight: 600; color: {_COLOURS[state]}">{html.escape(headline)}</div>']
+    remarks = (*_refusals(result), *_notes(result), *_taken_along(result), *result.remarks)
+    body += [_paragraph(text) for text in (result.why_older, *remarks)]
+    shown_value = result.shown
+    for case_result in result.results:
+        mark, colour = ("✓", _COLOURS["passed"]) if case_result.passed else ("✗", _COLOURS["failed"])
+        title = html.escape(case_result.case.title)
+        body.append(f'<div><span style="color: {colour}">{mark}</span> {title}</div>')
+        if case_result.passed:
+            continue
+        explanation = _paragraph(_explain_case(result, case_result))
+        is_shown = case_result.failed_call is shown_value and shown_value is not None
+        details = "".join(_details_as_html(result, shown_value)) if is_shown else ""
+        body.append(f'<div style="margin: 0 0 6px 18px">{explanation}{details}</div>')
+    body.append(f'<div style="margin-top: 4px">{html.escape(_footer(result))}</div>')
+    body += [_paragraph(_stuck(result)), _paragraph(_another_way(result))]
+    return f'<div style="border-left: 4px solid {_COLOURS[state]}; padding: 4px 10px">{"".join(body)}</div>'
+
+
+def _paragraph(text):
+    return f'<div style="white-space: pre-wrap">{html.escape(text)}</div>' if text else ""
+
+
+def _details_as_html(result, call):
+    yield from (_paragraph(text) for text in _advice(result, call))
+    for value in _values(result, call):
+        marks = " (values that differ are framed)" if value.has_marks else ""
+        yield f"<div>{html.escape(f'{value.label}: {value.description}{marks}')}</div>"
+        if value.rows:
+            yield _table(value.rows)
+    yield _figures(result, call)
+    yield from (_paragraph(text) for text in _warning_and_output(call))
+
+
+def _table(rows):
+    plain = "padding: 1px 6px; text-align: right; white-space: nowrap; font-family: monospace"
+    plain += "; border: 1px solid #9e9e9e"
+    framed = f"{plain}; border: 2px solid {_COLOURS['failed']}; font-weight: 700"
+    lines = (
+        "<tr>"
+        + "".join(f'<td style="{framed if mark else plain}">{html.escape(text)}</td>' for text, mark in row)
+        + "</tr>"
+        for row in rows
+    )
+    table = f'<table style="border-collapse: collapse; margin: 2px 0 4px">{"".join(lines)}</table>'
+    return f'<div style="overflow-x: auto" tabindex="0">{table}</div>'
+
+
+def _figures(result, call):
+    """The images of the first part of the answer that is a wrong image; else the images that were given."""
+    # Here, because it imports Pillow: the processes that grade import this package, and draw nothing.
+    from imgproc_course.classroom.exercises.answer_images import answer_images, given_images, is_image
+
+    if not call.result.finished:
+        return ""
+    images = given_images(zip(result.exercise.names, call.arguments, strict=False))
+    for part_name, expected, actual in _answer_parts(call):
+        wrong = differing_elements(expected, actual, call.case.tolerance)
+        if wrong is not None and wrong.any() and is_image(array_of(actual)):
+            argument_form = canonical(call.arguments[0], limit=None) if call.arguments else None
+            images = answer_images(argument_form, part_name, expected, actual, wrong)
+            break
+    figures = "".join(map(_figure, images))
+    flow = "display: flex; flex-wrap: wrap; gap: 10px; margin: 4px 0"
+    return f'<div style="{flow}">{figures}</div>' if figures else ""
+
+
+def _figure(image):
+    return (
+        f'<figure style="margin: 0"><img src="{image.url}" alt="{html.escape(image.alt)}"'
+        f' width="{image.width}" height="{image.height}"'
+        ' style="max-width: 100%; height: auto; image-rendering: pixelated">'
+        f"<figcaption>{html.escape(image.caption)}</figcaption></figure>"
+    )

@@ -1,0 +1,135 @@
+"""`hint` and `solution`: help in steps, for a learner who is stuck. Neither changes anything in grading."""
+
+import html
+import json
+import numbers
+import re
+from dataclasses import dataclass
+
+from imgproc_course.classroom.exercises.check_files import (
+    DAMAGED,
+    SOLUTIONS,
+    damaged,
+    find_check_data,
+    find_check_file,
+    read_lesson_file,
+)
+from imgproc_course.classroom.exercises.progress import ExerciseProgress, note_progress, progress_of
+
+TRIES = 3  # honest ones, before a solution opens
+_CODE_SPAN = re.compile(r"`([^`]+)`")
+_FRAME = "border-left: 4px solid var(--jp-info-color1, #1976d2); padding: 4px 10px"
+_CODE = (
+    "background: var(--jp-cell-editor-background, transparent); border: 1px solid"
+    " var(--jp-border-color1, #9e9e9e); padding: 6px 10px; overflow-x: auto"
+)
+
+
+@dataclass(frozen=True)
+class Help:
+    """Help with an exercise. A notebook shows it as HTML; `print` gives the same as plain text.
+
+    heading  one line
+    text     sentences, each paragraph on a line; "" for none
+    code     Python, or ""
+    more     sentences below the code, as `text`
+    """
+
+    heading: str
+    text: str = ""
+    code: str = ""
+    more: str = ""
+
+    def __repr__(self):
+        code = "\n".join(f"    {line}".rstrip() for line in self.code.splitlines())
+        return "\n".join(part for part in (self.heading, self.text, code, self.more) if part)
+
+    def _repr_html_(self):
+        body = f'<div style="font-weight: 600">{html.escape(self.heading)}</div>{_paragraphs(self.text)}'
+        if self.code:
+            body += f'<pre style="{_CODE}" tabindex="0">{html.escape(self.code)}</pre>'
+        return f'<div style="{_FRAME}">{body}{_paragraphs(self.more)}</div>'
+
+
+def _paragraphs(text):
+    style = "margin-top: 4px; white-space: pre-wrap"
+    lines = [_CODE_SPAN.sub(r"<code>\1</code>", html.escape(line)) for line in text.splitlines()]
+    return "".join(f'<div style="{style}">{line}</div>' for line in lines)
+
+
+def hint(exercise_id, step=None):
+    """Show the next hint: first a question, then the steps in words, then nearly the code.
+
+    Parameters
+    ----------
+    exercise_id : str, as the lesson names it: "grayscale-luma"
+    step : int from 1, to see one hint again; the next one if omitted
+
+    Returns
+    -------
+    Help, which a notebook shows
+
+    Raises
+    ------
+    CheckFileError : there is no such exercise, or its file is missing or damaged
+    """
+    hints = find_check_data(exercise_id).hints
+    quoted_id = json.dumps(exercise_id)
+    if step is None:
+        step = progress_of(exercise_id).hints + 1
+        if step > len(hints):
+            return Help(
+                f"There are no more hints for {exercise_id}: you saw all {len(hints)}.",
+                f"hint({quoted_id}, step=1) shows the first one again. solution({quoted_id}) shows how the"
+                " function can be written.",
+            )
+    if isinstance(step, bool) or not isinstance(step, numbers.Integral) or not 1 <= step <= len(hints):
+        return Help(f"{exercise_id} has the hints 1 to {len(hints)}.", f"Write hint({quoted_id}, step=1).")
+    note_progress(exercise_id, ExerciseProgress(hints=int(step)))
+    return Help(f"{exercise_id}: hint {step} of {len(hints)}", hints[step - 1])
+
+
+def solution(exercise_id, give_up=False):
+    """Show a solution with its explanation, after three honest tries or after a right answer.
+
+    An honest try is a `check` of an answer of yours that runs and does not pass. The same answer counts once.
+
+    Parameters
+    ----------
+    exercise_id : str, as the lesson names it: "grayscale-luma"
+    give_up : bool, True: show it at once
+
+    Returns
+    -------
+    Help, which a notebook shows
+
+    Raises
+    ------
+    CheckFileError : there is no such exercise, or a file is missing or damaged
+    """
+    file = find_check_file(exercise_id)
+    exercise = file.exercise(exercise_id)
+    path = file.path.parents[1] / SOLUTIONS / file.path.name
+    if not path.is_file():
+        return Help(f"Your teacher has not released the solution of {exercise_id} yet.")
+    progress = progress_of(exercise_id)
+    if not (give_up or progress.passed or len(progress.tries) >= TRIES):
+        return _not_yet(exercise_id, exercise.function, len(progress.tries))
+    try:
+        entry = read_lesson_file(path)["solutions"][exercise_id]
+        code, explanation = str(entry["code"]).strip(), str(entry["explanation"]).strip()
+    except DAMAGED as error:
+        raise damaged(path, error) from error
+    another_way = f"What else could be right:\n{exercise.another_way}" if exercise.another_way else ""
+    more = "\n".join(part for part in (explanation, another_way) if part)
+    return Help(f"{exercise_id}: one solution", code=code, more=more)
+
+
+def _not_yet(exercise_id, function, count):
+    quoted_id = json.dumps(exercise_id)
+    so_far = {0: "no try", 1: "1 try"}.get(count, f"{count} tries")
+    return Help(
+        f"The solution of {exercise_id} opens after {TRIES} tries of your own: {so_far} so far.",
+        f"A try is check({quoted_id}, {function}) with a changed function that runs and does not pass yet."
+        f" hint({quoted_id}) helps you on. solution({quoted_id}, give_up=True) opens it now.",
+    )

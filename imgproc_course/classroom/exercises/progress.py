@@ -1,0 +1,186 @@
+"""A learner's progress: honest tries, exercises that pass, hints seen. It is kept in .progress.json.
+
+The file is written only by a notebook that a learner runs in JupyterLab, in a folder of working copies or a
+hand-out (both hold .course.json). Elsewhere (nbval, tests, build, grading), and where the folder is
+read-only, progress lasts as long as the process.
+"""
+
+import ast
+import contextlib
+import hashlib
+import json
+import linecache
+import os
+import secrets
+import types
+from dataclasses import asdict, dataclass
+from pathlib import Path
+
+from imgproc_course.classroom.exercises.running import code_of
+
+PROGRESS, LOCK = ".progress.json", ".progress.lock"
+LEARNERS_FOLDER = ".course.json"  # a folder with this file is a learner's
+FORMAT = 1
+_MOST_TRIES = 50
+_LAB_VARIABLE = "JPY_SESSION_NAME"  # Jupyter's server sets it for the kernel of a notebook
+_TEST_VARIABLE = "PYTEST_CURRENT_TEST"  # pytest sets it, so nbval and our builds have it
+
+
+@dataclass(frozen=True)
+class ExerciseProgress:
+    """What a learner did in one exercise.
+
+    passed  whether an answer passed
+    tries   digests of the different answers that did not pass
+    hints   the highest step of `hint` that was shown
+    """
+
+    passed: bool = False
+    tries: tuple = ()
+    hints: int = 0
+
+    def __or__(self, other):
+        tries = tuple(dict.fromkeys((*self.tries, *other.tries)))[:_MOST_TRIES]
+        return ExerciseProgress(self.passed or other.passed, tries, max(self.hints, other.hints))
+
+
+_of_this_process = {}  # {exercise id: ExerciseProgress}
+
+
+def learners_folder():
+    """The folder in which this process keeps progress, or None."""
+    is_learners_run = _LAB_VARIABLE in os.environ and _TEST_VARIABLE not in os.environ
+    folder = Path.cwd()
+    return folder if is_learners_run and (folder / LEARNERS_FOLDER).is_file() else None
+
+
+def read_progress(folder):
+    """The progress that is kept in a folder.
+
+    Parameters
+    ----------
+    folder : Path
+
+    Returns
+    -------
+    {exercise id: ExerciseProgress}; empty if there is none, or if the file is damaged
+    """
+    try:
+        return _parse((Path(folder) / PROGRESS).read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return {}
+
+
+def progress_of(exercise_id):
+    """The ExerciseProgress of one exercise: what its folder keeps, and what this process knows."""
+    folder = learners_folder()
+    stored = read_progress(folder) if folder else {}
+    nothing = ExerciseProgress()
+    return stored.get(exercise_id, nothing) | _of_this_process.get(exercise_id, nothing)
+
+
+def note_progress(exercise_id, news):
+    """Add to the progress of one exercise.
+
+    Parameters
+    ----------
+    exercise_id : str
+    news : ExerciseProgress, what is new
+
+    Returns
+    -------
+    ExerciseProgress, all that is known now
+    """
+    earlier_progress = progress_of(exercise_id)
+    _of_this_process[exercise_id] = earlier_progress | news
+    folder = learners_folder()
+    if folder is not None and earlier_progress | news != earlier_progress:
+        with contextlib.suppress(OSError):  # a read-only folder: progress lasts as long as the kernel
+            _write(folder, exercise_id, earlier_progress | news)
+    return earlier_progress | news
+
+
+def _write(folder, exercise_id, progress):
+    """Change the file; another notebook may change it at the same time."""
+    path = folder / PROGRESS
+    with one_at_a_time(folder / LOCK):
+        entries = _read_or_move_aside(path)
+        entries[exercise_id] = entries.get(exercise_id, ExerciseProgress()) | progress
+        exercises = {id: asdict(entries[id]) for id in sorted(entries)}
+        temporary = path.with_name(f".progress-{secrets.token_hex(4)}.tmp")
+        try:
+            temporary.write_text(json.dumps({"format": FORMAT, "exercises": exercises}, indent=1) + "\n")
+            temporary.replace(path)
+        finally:
+            temporary.unlink(missing_ok=True)
+
+
+def _read_or_move_aside(path):
+    try:
+        return _parse(path.read_text(encoding="utf-8"))
+    except FileNotFoundError:
+        return {}
+    except ValueError:
+        numbers = (number for number in range(1, 1000))
+        asides = (path.with_name(f".progress.damaged-{number}.json") for number in numbers)
+        aside = next(aside for aside in asides if not aside.exists())
+        path.rename(aside)
+        print(f"Your progress in {PROGRESS} could not be read: it begins anew. The old file is {aside.name}.")
+        return {}
+
+
+def _parse(text):
+    """The entries of a progress file; ValueError if it is damaged."""
+    try:
+        data = json.loads(text)
+        if data["format"] != FORMAT:
+            raise ValueError(f"format {data['format']!r}")
+        return {
+            str(id): ExerciseProgress(
+                bool(entry["passed"]), tuple(map(str, entry["tries"])), int(entry["hints"])
+            )
+            for id, entry in data["exercises"].items()
+        }
+    except (KeyError, TypeError, AttributeError, RecursionError) as error:
+        raise ValueError(f"{type(error).__name__}: {error}") from error
+
+
+@contextlib.contextmanager
+def one_at_a_time(path):
+    """A lock: the second process that uses it waits for the first."""
+    with path.open("a+b") as file:
+        if os.name == "nt":
+            import msvcrt
+
+            msvcrt.locking(file.fileno(), msvcrt.LK_LOCK, 1)
+        else:
+            import fcntl
+
+            fcntl.flock(file, fcntl.LOCK_EX)
+        yield
+
+
+def digest_of(function):
+    """A digest of a function and of its cell; comments and spacing make no difference.
+
+    Parameters
+    ----------
+    function : callable
+
+    Returns
+    -------
+    str of 16 hexadecimal digits
+    """
+    code = code_of(function)
+    source = "".join(linecache.getlines(code.co_filename)) if code else ""
+    with contextlib.suppress(SyntaxError, ValueError, RecursionError):
+        source = ast.dump(ast.parse(source))
+    content = f"{source}\n{_content_of(code)}"
+    return hashlib.sha256(content.encode("utf-8", "surrogatepass")).hexdigest()[:16]
+
+
+def _content_of(code):
+    if not isinstance(code, types.CodeType):
+        return repr(code)
+    constants = [_content_of(constant) for constant in code.co_consts]
+    return repr((code.co_code, code.co_names, constants))

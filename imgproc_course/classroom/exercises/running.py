@@ -1,0 +1,266 @@
+"""Call a function that somebody else wrote: on copies of its arguments, and within a time limit.
+
+Such a function may raise anything, so `except Exception` is right here. In this package it stands only where
+the code of a learner or of a master runs.
+"""
+
+import contextlib
+import copy
+import ctypes
+import dis
+import io
+import linecache
+import re
+import signal
+import sys
+import threading
+import time
+import traceback
+import types
+import warnings
+from dataclasses import dataclass
+from itertools import pairwise
+
+import numpy as np
+
+from imgproc_course.classroom.exercises.canonical import canonical
+from imgproc_course.classroom.exercises.comparison import compare
+
+_MOST_OUTPUT = 2_000  # characters; the function's further prints are dropped
+_ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
+_BLOCKS = 16  # of one size: more than NumPy or malloc keep for reuse
+_REPEAT = 0.1  # seconds: an alarm swallowed by a bare `except:` rings again
+_PATIENCE = 2  # time limits that a function may wait in addition, for the processor or in a sleep
+
+
+class TimeUp(BaseException):
+    """Raised inside the function at its time limit; an `except Exception` in it does not catch this."""
+
+
+@dataclass(frozen=True)
+class CallResult:
+    """What one call did.
+
+    value      canonical form of the returned value; None if the call did not finish
+    error      type name of the exception, "" for none
+    message    the exception's message
+    line       the line of the learner's code that raised, with its number
+    timed_out  the time limit stopped the call
+    stuck      the call could not be stopped
+    changed    names of the arguments that the function changed
+    printed    the beginning of what it printed
+    warning    the first warning, or the first of an overflow, "" for none
+    has_return the function returned None here, although it has a return with a value
+    """
+
+    value: dict | None = None
+    error: str = ""
+    message: str = ""
+    line: str = ""
+    timed_out: bool = False
+    stuck: bool = False
+    changed: tuple = ()
+    printed: str = ""
+    warning: str = ""
+    has_return: bool = False
+
+    @property
+    def finished(self):
+        return not self.error and not self.timed_out
+
+    def matches(self, other, tolerance, *, exact_type=True):
+        """Whether two calls did the same: the same error with the same message, or equal values."""
+        ends = [(call.error, call.message, call.timed_out, call.changed) for call in (self, other)]
+        if ends[0] != ends[1]:
+            return False
+        return not self.finished or compare(other.value, self.value, tolerance, exact_type=exact_type) is None
+
+
+def call(function, arguments, names, time_limit):
+    """Call a function on copies of its arguments, and record what it did.
+
+    Parameters
+    ----------
+    function : callable of the learner's
+    arguments : tuple; never changed
+    names : sequence of str, the arguments' names
+    time_limit : float, seconds; on a busy machine up to three times as long
+
+    Returns
+    -------
+    CallResult
+    """
+    copies = copy.deepcopy(arguments)
+    before = [canonical(value, limit=None) for value in copies]
+    output = _LimitedOutput()
+    with warnings.catch_warnings(record=True) as caught_warnings:
+        warnings.simplefilter("always")
+        with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
+            fields = _call_fields(function, copies, time_limit)
+    if not fields.get("stuck"):
+        pairs = zip(names, before, copies, strict=True)
+        fields["changed"] = tuple(name for name, old, new in pairs if old != canonical(new, limit=None))
+    messages = [str(caught.message) for caught in caught_warnings]
+    # An overflow is the one that explains most.
+    warning = next((text for text in messages if "overflow" in text), messages[0] if messages else "")
+    return CallResult(printed=output.getvalue(), warning=warning, **fields)
+
+
+@contextlib.contextmanager
+def by_itself():
+    """Run code without a reader and without anybody who answers it: as in grading, input() fails."""
+    output, stdin = _LimitedOutput(), sys.stdin
+    sys.stdin = io.StringIO()
+    try:
+        with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
+            yield
+    finally:
+        sys.stdin = stdin
+
+
+def _call_fields(function, arguments, time_limit):
+    """The fields of CallResult that the call itself gives, as a dict."""
+    try:
+        value = _call_within(lambda: function(*arguments), time_limit)
+        has_return = value is None and _returns_a_value(code_of(function))
+        return {"value": canonical(value, limit=None), "has_return": has_return}
+    except TimeUp as ended:
+        return {"timed_out": True, "stuck": bool(ended.args)}
+    except (Exception, SystemExit) as error:  # noqa: BLE001 - the learner's function may raise anything
+        return {
+            "error": type(error).__name__,
+            "message": _message(error),
+            "line": _own_line(error, function),
+        }
+
+
+def _returns_a_value(code):
+    """Whether a function has a return that is not `return None`."""
+    steps = [] if code is None else list(dis.get_instructions(code))
+    return any(
+        step.opname == "RETURN_VALUE"
+        and (step.is_jump_target or before.opname != "LOAD_CONST" or before.argval is not None)
+        for before, step in pairwise(steps)
+    )
+
+
+def overwrite_freed_memory(form):
+    """Fill memory of the sizes of a value's arrays, and free it.
+
+    Freed memory may still hold an expected result. An answer that fills only a part of np.empty_like() would
+    find it there, and pass by chance.
+
+    Parameters
+    ----------
+    form : canonical form of the expected value
+    """
+    sizes = {np.prod(part["shape"], dtype=int) * np.dtype(part["dtype"]).itemsize for part in _arrays(form)}
+    blocks = [np.full(size, 0xA5, np.uint8) for size in sizes for _ in range(_BLOCKS)]
+    del blocks
+
+
+def _arrays(form):
+    if form["type"] == "ndarray":
+        yield form
+    parts = [*form.get("items", ()), *form.get("fields", {}).values()]
+    for part in parts:
+        for item in part if isinstance(part, list) else [part]:
+            yield from _arrays(item)
+
+
+class _LimitedOutput(io.StringIO):
+    """Keeps the first part of the output: a loop that prints must not fill the memory."""
+
+    def write(self, text):
+        space = _MOST_OUTPUT - self.tell()
+        if space > 0:
+            super().write(text[:space])
+        return len(text)
+
+
+def _call_within(function, seconds):
+    if hasattr(signal, "setitimer") and threading.current_thread() is threading.main_thread():
+        return _with_alarm(function, seconds)
+    return _in_thread(function, seconds)
+
+
+def _with_alarm(function, seconds):
+    armed, rings = True, 0
+
+    def ring(_signal, _frame):
+        nonlocal rings
+        rings += 1
+        # A busy machine, or one that stood still, gives no processor time: that is no endless loop.
+        has_computed = time.thread_time() - computed_before > seconds / 2
+        if armed and (has_computed or rings > _PATIENCE * seconds / _REPEAT):
+            raise TimeUp
+
+    started, computed_before = time.monotonic(), time.thread_time()
+    handler = signal.signal(signal.SIGALRM, ring)
+    # Another program may be using the alarm (pytest-timeout does): it gets the rest of its time back.
+    seconds_left, interval = signal.setitimer(signal.ITIMER_REAL, seconds, _REPEAT)
+    try:
+        try:
+            return function()
+        finally:
+            armed = False
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+        signal.signal(signal.SIGALRM, handler)
+        if seconds_left:
+            seconds_left = max(seconds_left - (time.monotonic() - started), 0.001)
+            signal.setitimer(signal.ITIMER_REAL, seconds_left, interval)
+
+
+def _in_thread(function, seconds):
+    """The same without signals: outside the main thread, and on Windows."""
+    outcome = {}
+
+    def run():
+        try:
+            outcome["value"] = function()
+        except BaseException as error:  # noqa: BLE001 - raised again in the calling thread
+            outcome["error"] = error
+
+    thread = threading.Thread(target=run, daemon=True)
+    thread.start()
+    thread.join(seconds)
+    for _ in range(20):
+        if not thread.is_alive():
+            break
+        ctypes.pythonapi.PyThreadState_SetAsyncExc(ctypes.c_ulong(thread.ident), ctypes.py_object(TimeUp))
+        thread.join(_REPEAT)
+    if thread.is_alive():
+        raise TimeUp("stuck")
+    if "error" in outcome:
+        raise outcome["error"]
+    return outcome["value"]
+
+
+def _message(error):
+    try:
+        text = str(error)
+    except Exception:  # noqa: BLE001 - an exception class of the learner's
+        text = ""
+    return _ADDRESS.sub("0x…", text)[:500]
+
+
+def _own_line(error, function):
+    """The innermost line of the learner's own code, `line 3: return a / 0`; "" if it is not known."""
+    namespace = getattr(function, "__globals__", None)
+    own_frames = [
+        (frame, line)
+        for frame, line in traceback.walk_tb(error.__traceback__)
+        if frame.f_globals is namespace
+    ]
+    if isinstance(error, SyntaxError) or not own_frames:
+        return ""
+    frame, line = own_frames[-1]
+    source = linecache.getline(frame.f_code.co_filename, line, frame.f_globals).strip()
+    return f"line {line}: {source}" if source else f"line {line}"
+
+
+def code_of(function):
+    """The code object behind a Python function, or None (a built-in, a class)."""
+    function = getattr(function, "__func__", function)
+    return function.__code__ if isinstance(function, types.FunctionType) else None

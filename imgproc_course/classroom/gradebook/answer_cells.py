@@ -1,0 +1,104 @@
+"""Find the cell of a notebook that holds the answer to an exercise, wherever tools and learners put it.
+
+The answer cell has an id, and its metadata name its exercise: the metadata survive when JupyterLab merges or
+splits cells, and the id when a tool drops the metadata. If no such cell defines the exercise's function,
+another cell may.
+"""
+
+from dataclasses import dataclass
+
+from imgproc_course.classroom.exercises.cell_syntax import BLANK, function_definitions
+
+
+@dataclass(frozen=True)
+class AnswerCell:
+    """The cell that an answer is taken from.
+
+    cell       dict as `submission_reader.read_notebook` describes it
+    is_answer  it defines the function, and not as the stub
+    own        list of the cells that are marked as the exercise's answer cell, by id or metadata
+    others     list of the further cells that define the function, and not as the stub
+    """
+
+    cell: dict
+    is_answer: bool
+    own: list
+    others: list
+
+    @property
+    def is_elsewhere(self):
+        """Whether it is none of the cells that are marked."""
+        return self.cell not in self.own
+
+
+def find_answer_cell(exercise, cells, lesson):
+    """The cell that an answer is taken from.
+
+    A cell that defines the function counts more than the stub; then a marked cell more than another one, code
+    more than text, the first marked cell, and the last of the others, as after Run All.
+
+    Parameters
+    ----------
+    exercise : ExerciseDescription
+    cells : list of dict, of the notebook
+    lesson : LessonDescription
+
+    Returns
+    -------
+    AnswerCell, or None if no cell is marked, and none defines the function
+    """
+    own = [cell for cell in cells if is_marked(cell, exercise)]
+    own.sort(key=lambda cell: (cell["id"] != exercise.answer_id, cell["type"] != "code"))
+    own.sort(key=lambda cell: cell["type"] != "code")
+    handed_out = _Handed(lesson, exercise.function)
+    others = [
+        cell
+        for cell in cells
+        if exercise.function in cell["functions"] and cell not in own and cell not in handed_out
+    ]
+    others.sort(key=lambda cell: (cell["type"] == "code", cell["number"]), reverse=True)
+    stub = function_definitions(exercise.stub).get(exercise.function)
+    for candidates in (own, others):
+        answers = [cell for cell in candidates if _is_answer(cell, exercise, stub, candidates is own)]
+        if answers:
+            further = [cell for cell in others if cell is not answers[0] and _is_answer(cell, exercise, stub)]
+            return AnswerCell(
+                answers[0], True, own, [*answers[1:], *further] if candidates is own else further
+            )
+    for cell in [*(cell for cell in own if exercise.function in cell["functions"]), *own[:1], *others]:
+        return AnswerCell(cell, False, own, [])
+    return None
+
+
+def is_marked(cell, exercise):
+    """Whether a cell is marked as the answer cell of an exercise, by its id or in its metadata."""
+    return cell["id"] == exercise.answer_id or cell["exercise"] == exercise.id
+
+
+def _is_answer(cell, exercise, stub, is_own=False):
+    """Whether a cell defines the function, and not as the stub.
+
+    A marked cell may define it in any way, or so that reading does not find out.
+    """
+    if exercise.function in cell["functions"]:
+        digest = cell["functions"][exercise.function]
+        return digest != BLANK and (not digest or digest != stub)
+    if not is_own or cell["type"] != "code" or "answer" not in cell or not (cell["source"] or "").strip():
+        return False
+    names = cell["answer"]["names"]
+    return not cell["answer"]["error"] and (names is None or exercise.function in names)
+
+
+class _Handed:
+    """The cells of a lesson that defined a function when it was handed out: no answers."""
+
+    def __init__(self, lesson, function):
+        self._ids = {
+            id
+            for id, source in lesson.cells.items()
+            if source and function in source and function in function_definitions(source)
+        }
+        self._sources = {lesson.cells[id].strip() for id in self._ids}
+
+    def __contains__(self, cell):
+        return cell["id"] in self._ids or (cell["source"] or "").strip() in self._sources

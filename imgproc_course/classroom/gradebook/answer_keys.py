@@ -1,0 +1,119 @@
+"""The answer keys that submissions are graded with: one key per version of a lesson."""
+
+import json
+
+from imgproc_course.classroom.autograder.answer_key import HANDED_OUT, SOLUTIONS, KeyFolderError, load_key
+from imgproc_course.classroom.gradebook.lesson_description import LessonDescription
+
+
+class AnswerKeys:
+    """The keys that a folder of submissions is graded with.
+
+    Parameters
+    ----------
+    keys : list of Key, one per version of a lesson; the first that has a lesson is the default for it. Each
+        may have variants
+
+    Attributes
+    ----------
+    lessons : {name: KeyLesson of the lesson's default key}
+    """
+
+    def __init__(self, keys):
+        self.keys = list(keys)
+        self.lessons = {}
+        for key in self.keys:
+            for name, lesson in key.lessons.items():
+                self.lessons.setdefault(name, lesson)
+        self._cells = {key.digest: _read_handed_out(key.path) for key in self.keys}
+        self._solutions = {key.digest: _read_solutions(key.path) for key in self.keys}
+
+    def variant_for(self, lesson, version, learner):
+        """The key that grades a learner's lesson: of the key for this version, the learner's variant."""
+        return self.key_for(lesson, version).variant_for(learner)
+
+    def key_for(self, lesson, version):
+        """The key made from this version of a lesson, or the lesson's default key."""
+        candidates = [key for key in self.keys if lesson in key.lessons]
+        return next((key for key in candidates if key.lessons[lesson].version == version), candidates[0])
+
+    def answer_ids(self, lesson):
+        """The ids of a lesson's answer cells, in any version, as a set."""
+        return {f"answer-{exercise.id}" for exercise in self._exercises(lesson)}
+
+    def functions(self, lesson):
+        """The names of the functions that a lesson asks for, in any version, as a set."""
+        return {exercise.function for exercise in self._exercises(lesson)}
+
+    def _exercises(self, lesson):
+        versions = [key.lessons[lesson] for key in self.keys if lesson in key.lessons]
+        return [exercise for version in versions for exercise in version.exercises]
+
+    def describe(self, lesson, version):
+        """The LessonDescription of a lesson, from the key for this version."""
+        key = self.key_for(lesson, version)
+        return LessonDescription.from_key(key.lessons[lesson], self._cells[key.digest].get(lesson, {}))
+
+    def known_code(self, lesson):
+        """What everybody knows of a lesson, as [{place: code handed out}, {exercise id: solution}]."""
+        handed_out, solutions = {}, {}
+        for key in self.keys:
+            if lesson in key.lessons:
+                cells = self._cells[key.digest].get(lesson, {})
+                handed_out |= {id: source for id, source in cells.items() if source}
+                exercises = key.lessons[lesson].exercises
+                handed_out |= {f"stub {exercise.id}": exercise.stub for exercise in exercises}
+                known = self._solutions[key.digest]
+                solutions |= {
+                    exercise.id: known[exercise.id] for exercise in exercises if exercise.id in known
+                }
+        return [handed_out, solutions]
+
+    def key_of(self, digest):
+        """The key or variant with this digest."""
+        return next(variant for key in self.keys for variant in key.variants if variant.digest == digest)
+
+
+def load_keys(folders):
+    """Read answer keys.
+
+    Parameters
+    ----------
+    folders : sequence of Path
+
+    Returns
+    -------
+    AnswerKeys
+
+    Raises
+    ------
+    KeyFolderError : one of the folders is not an answer key
+    """
+    return AnswerKeys([load_key(folder) for folder in folders])
+
+
+def _read_handed_out(folder):
+    """{lesson: {cell id: source or None}}; empty if the key does not have it."""
+    try:
+        lessons = json.loads((folder / HANDED_OUT).read_text(encoding="utf-8"))
+        return {
+            name: {id: source if isinstance(source, str) else None for id, source in cells.items()}
+            for name, cells in lessons.items()
+        }
+    except FileNotFoundError:
+        return {}
+    except (OSError, ValueError, AttributeError) as error:
+        raise KeyFolderError(
+            f"{folder}/{HANDED_OUT}: cannot be read ({error}); make the key again"
+        ) from error
+
+
+def _read_solutions(folder):
+    """{exercise id: source}; empty if the key does not have them."""
+    try:
+        solutions = json.loads((folder / SOLUTIONS).read_text(encoding="utf-8"))
+        return {id: source for id, source in solutions.items() if isinstance(source, str)}
+    except FileNotFoundError:
+        return {}
+    except (OSError, ValueError, AttributeError) as error:
+        raise KeyFolderError(f"{folder}/{SOLUTIONS}: cannot be read ({error}); make the key again") from error

@@ -1,0 +1,86 @@
+"""What changed between two runs: points, status and lateness of each learner's lessons and exercises."""
+
+import json
+
+from imgproc_course.classroom.gradebook.grades_json import FORMAT
+from imgproc_course.classroom.gradebook.report import render_page
+
+PREVIOUS = "grades.previous.json"
+
+
+def read_grades(path):
+    """The content of a grades.json, or None if there is none in today's format."""
+    try:
+        grades = json.loads(path.read_text(encoding="utf-8"))
+    except (OSError, ValueError):
+        return None
+    return grades if isinstance(grades, dict) and grades.get("format") == FORMAT else None
+
+
+def changes_page(before, after, names):
+    """The teacher's page of what changed.
+
+    Parameters
+    ----------
+    before, after : dict, the contents of two grades.json
+    names : {learner's name: the name to show}
+
+    Returns
+    -------
+    str, HTML
+    """
+    rows = [row | {"learner": names.get(row["learner"], "(gone)")} for row in changes_between(before, after)]
+    return render_page("changes.html", rows=rows)
+
+
+def changes_between(before, after):
+    """The differences of two runs.
+
+    Parameters
+    ----------
+    before, after : dict, the contents of two grades.json
+
+    Yields
+    ------
+    dict: learner, page (of the later run, or ""), lesson, exercise (or ""), before, after: texts
+    """
+    old, new = _learners(before), _learners(after)
+    for name in sorted({*old, *new}, key=lambda name: (name.casefold(), name)):
+        page = new[name]["page"] if name in new else ""
+        old_parts, new_parts = (_parts(learners.get(name)) for learners in (old, new))
+        for part in {**old_parts, **new_parts}:
+            texts = old_parts.get(part, "not there"), new_parts.get(part, "not there")
+            if texts[0] != texts[1]:
+                yield {
+                    "learner": name,
+                    "page": page,
+                    "lesson": part[0],
+                    "exercise": part[1],
+                    "before": texts[0],
+                    "after": texts[1],
+                }
+
+
+def _learners(grades):
+    return {learner["name"]: learner for learner in grades["learners"]}
+
+
+def _parts(learner):
+    """{(lesson, exercise or ""): text}, the lesson's own text first."""
+    parts = {}
+    for lesson in learner["lessons"] if learner else ():
+        name = lesson["lesson"] or lesson["file"]
+        parts[name, ""] = _text(lesson)
+        parts |= {(name, exercise["id"]): _text(exercise) for exercise in lesson["exercises"]}
+    return parts
+
+
+def _text(entry):
+    if entry.get("status") == "not graded":
+        return f"not graded: {entry['reason']}"
+    if entry.get("decision") and entry["decision"]["excused"]:
+        return "excused"
+    text = f"{entry['points']} of {entry['max_points']}"
+    if entry.get("late_deduction"):
+        text += f", {entry['late_deduction']} deducted because late"
+    return text + (", decided by hand" if entry.get("decision") else "")

@@ -1,0 +1,283 @@
+"""`imgproc-course check`: inspect a lesson before it is submitted.
+
+The notebook is read by the same reader as in `imgproc-course grade`, so that both find the same answers and
+report the same findings. Here each answer can also be run against the public checks.
+"""
+
+import asyncio
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from imgproc_course.classroom.exercises.check_data import CheckData
+from imgproc_course.classroom.exercises.check_files import (
+    NO_CHECKS,
+    CheckFileError,
+    checks_folders,
+    read_check_file,
+)
+from imgproc_course.classroom.exercises.checking import CheckResult, run_check
+from imgproc_course.classroom.exercises.error_advice import advice_on
+from imgproc_course.classroom.exercises.feedback import explain_call
+from imgproc_course.classroom.gradebook.archives import LARGEST, too_large
+from imgproc_course.classroom.gradebook.lesson_description import LessonDescription
+from imgproc_course.classroom.gradebook.notebook_reader import NotebookReader
+from imgproc_course.classroom.gradebook.submission import (
+    AnswerState,
+    SubmissionContent,
+    read_submission,
+)
+
+_ADVICE = {
+    AnswerState.MISSING: "Open the lesson afresh and copy your function into this cell.",
+    AnswerState.BROKEN: "Grading would give no points for it, or might grade the wrong cell.",
+}
+
+
+class LessonFileError(ValueError):
+    """A file that is not a lesson of this course; the message says why and what to do."""
+
+
+@dataclass
+class ExerciseCheck:
+    """One exercise of a checked lesson.
+
+    exercise  CheckData
+    state     AnswerState
+    source    of its answer, "" if there is none
+    notes     list of str, for the learner
+    result    what the public checks gave, or None if they were not run
+    """
+
+    exercise: CheckData
+    state: AnswerState
+    source: str
+    notes: list = field(default_factory=list)
+    result: CheckResult | None = None
+
+
+@dataclass
+class LessonCheck:
+    """A checked lesson.
+
+    content    SubmissionContent, exactly as grading reads it
+    exercises  list of ExerciseCheck, in the lesson's order
+    was_run    True if the answers were run against their public checks
+    """
+
+    path: Path
+    content: SubmissionContent
+    exercises: list
+    was_run: bool = False
+
+    @property
+    def notes(self):
+        """What is unusual about the whole notebook, as a list of str."""
+        return self.content.texts_about("")
+
+    @property
+    def ready(self):
+        """True if grading finds an answer to every graded exercise."""
+        graded = (entry for entry in self.exercises if not entry.exercise.practice)
+        return all(entry.state is AnswerState.ANSWERED for entry in graded)
+
+
+class CheckFileCatalog:
+    """The lessons that the checks files of some folders describe.
+
+    Parameters
+    ----------
+    folders : list of Path; the first folder that has a lesson describes it
+
+    Attributes
+    ----------
+    lessons : {name: CheckFile}
+    damage  : list of CheckFileError, of the files that cannot be read
+    """
+
+    def __init__(self, folders):
+        self.lessons, self.damage = {}, []
+        for path in (path for folder in folders for path in sorted(folder.glob("*.json"))):
+            try:
+                file = read_check_file(path)
+            except CheckFileError as error:
+                self.damage.append(error)
+            else:
+                self.lessons.setdefault(file.lesson, file)
+
+    def answer_ids(self, lesson):
+        """The ids of a lesson's answer cells, as a set."""
+        return {f"answer-{id}" for id in self.lessons[lesson].ids}
+
+    def functions(self, lesson):
+        """The names of the functions that a lesson asks for, as a set."""
+        return {entry.get("function", "") for entry in self.lessons[lesson].entries.values()}
+
+    def describe(self, lesson, _version):
+        """The LessonDescription of a lesson, in the version that its checks were built with."""
+        return LessonDescription.from_check_file(self.lessons[lesson])
+
+
+def check_lesson(path, folders=None):
+    """Inspect a learner's notebook, without running anything in it.
+
+    Parameters
+    ----------
+    path : Path of the notebook
+    folders : list of Path of checks; those beside the notebook and the course's if omitted
+
+    Returns
+    -------
+    LessonCheck
+
+    Raises
+    ------
+    LessonFileError : no such file, not a notebook, or not a lesson of this course
+    CheckFileError : the checks of the lesson are missing or damaged
+    """
+    path = Path(path)
+    data = _read(path)
+    catalog = CheckFileCatalog(checks_folders(path.resolve().parent) if folders is None else folders)
+    if not catalog.lessons and not catalog.damage:
+        raise CheckFileError(NO_CHECKS)
+    with NotebookReader() as reader:
+        content = read_submission(data, catalog, reader, path.name)
+    if content.reason and catalog.damage:
+        raise catalog.damage[0]  # it may be the file of this lesson
+    if content.reason:
+        raise LessonFileError(f"{path}: {content.reason}")
+    file = catalog.lessons[content.lesson]
+    return LessonCheck(path, content, [_exercise_check(file.exercise(id), content) for id in file.ids])
+
+
+def _exercise_check(exercise, content):
+    state = content.states[exercise.id]
+    notes = content.texts_about(exercise.id)
+    notes += [_ADVICE[state]] if state in _ADVICE else []
+    return ExerciseCheck(exercise, state, content.answers.get(exercise.id, ""), notes)
+
+
+def _read(path):
+    if path.is_dir():
+        lessons = sorted(path.glob("*.ipynb"))
+        example = lessons[0] if lessons else "my_lessons/03_images_as_messages.ipynb"
+        raise LessonFileError(f"{path} is a folder; give the lesson itself, such as {example}")
+    if not path.is_file():
+        raise LessonFileError(
+            f"{path}: no such file; give the lesson that you want to submit, such as"
+            " my_lessons/03_images_as_messages.ipynb"
+        )
+    if path.suffix != ".ipynb":
+        raise LessonFileError(
+            f"{path} is not a notebook: its name does not end in .ipynb; give the lesson's own file"
+        )
+    if path.stat().st_size > LARGEST:
+        raise LessonFileError(f"{path}: {too_large(path.stat().st_size, LARGEST)}")
+    try:
+        return path.read_bytes()
+    except OSError as error:
+        raise LessonFileError(
+            f"{path}: it cannot be read ({error.strerror}); change its permissions"
+        ) from error
+
+
+# ---------------------------------------------------------------- running the answers
+
+
+def run_answers(lesson_check):
+    """Run each answer against its public checks, in a namespace of its own as in grading.
+
+    Parameters
+    ----------
+    lesson_check : LessonCheck; each exercise with an answer gets its `result`
+    """
+    lesson_check.was_run = True
+    for entry in lesson_check.exercises:
+        if entry.state is AnswerState.ANSWERED:
+            _run_answer(entry)
+
+
+def _run_answer(entry):
+    if "async" not in entry.source:
+        _run_and_check(entry)
+        return
+    # As in JupyterLab and in grading, an event loop is running: asyncio.run() raises there.
+    loop = asyncio.new_event_loop()
+    try:
+        loop.run_until_complete(_run_in_loop(entry))
+    finally:
+        loop.close()
+
+
+async def _run_in_loop(entry):
+    _run_and_check(entry)
+
+
+def _run_and_check(entry):
+    function, error = entry.exercise.run_answer(entry.source)
+    if function is None:
+        entry.state = AnswerState.BROKEN
+        reason = error or f"it defines no function {entry.exercise.function}()"
+        entry.notes.append(f"its cell does not run by itself: {reason}")
+        return
+    entry.notes += [f"a statement in its cell fails: {error}"] if error else []
+    result = run_check(entry.exercise, function)
+    if not result.attempted:
+        entry.state = AnswerState.NOT_ATTEMPTED
+        return
+    entry.result = result
+    # Refused modules come first: they may be the cause of the errors below.
+    entry.notes += [
+        f"it uses {name}, which this exercise does not allow" for name in result.dependencies.refused
+    ]
+    failed = [case for case in result.results if not case.passed]
+    if failed:
+        call = failed[0].failed_call
+        explanation = explain_call(call.result, call.difference, entry.exercise.function)
+        advice = advice_on(call.result.error, call.result.message, call.result.line)
+        text = " ".join(filter(None, [explanation, advice]))
+        entry.notes.append(
+            f"{len(failed)} of {len(result.results)} checks fail: {failed[0].case.title}: {text}"
+        )
+
+
+# ---------------------------------------------------------------- the report
+
+
+def report_lines(lesson_check):
+    """The report of a checked lesson, as lines for a terminal.
+
+    Parameters
+    ----------
+    lesson_check : LessonCheck
+
+    Yields
+    ------
+    str
+    """
+    yield f"{lesson_check.path.name}: {lesson_check.content.lesson}"
+    yield from (f"  note: {note}" for note in lesson_check.notes)
+    for entry in lesson_check.exercises:
+        practice = " (practice)" if entry.exercise.practice else ""
+        yield f"  {entry.exercise.id}{practice}: {_summary(entry)}"
+        yield from (f"      {' '.join(note.split())}" for note in entry.notes)
+    yield _verdict(lesson_check)
+
+
+def _summary(entry):
+    if entry.result is None:
+        return str(entry.state)
+    passed = sum(case.passed for case in entry.result.results)
+    return f"{passed} of {len(entry.result.results)} checks pass"
+
+
+def _verdict(lesson_check):
+    if not lesson_check.ready:
+        return "Not ready yet: see above."
+    if any(entry.result is not None and not entry.result.passed for entry in lesson_check.exercises):
+        return "Complete, but grading would not give every point yet: see above."
+    if lesson_check.was_run:
+        return "Ready to submit: every check passes."
+    return (
+        "Complete: every answer cell is there and filled in. The answers were not run;"
+        f" `imgproc-course check --run {lesson_check.path}` runs them."
+    )

@@ -1,0 +1,60 @@
+"""The learners' pages as zips that Moodle and Canvas hand out themselves, one per lesson.
+
+exports/moodle-feedback-<lesson>.zip
+    for "Upload multiple feedback files in a zip". Moodle reads the participant's number and the kind of file
+    from the folder's name, Ada Lovelace_12345_assignsubmission_file
+exports/canvas-feedback-<lesson>.zip
+    for "Re-Upload Submissions". Canvas reads the numbers of the learner and of the submitted file from the
+    file's name, lovelaceada_77_100_20_light.html, and attaches the page to the submission as a comment
+"""
+
+import io
+import zipfile
+from pathlib import PurePosixPath
+
+from imgproc_course.classroom.gradebook.lms_export import lessons_of
+
+_DATE = (1980, 1, 1, 0, 0, 0)  # the same pages give the same bytes
+
+
+def feedback_zips(grades, read_page):
+    """The zips of all lessons that came from a platform.
+
+    Parameters
+    ----------
+    grades : dict, the content of grades.json
+    read_page : function (learner's entry) -> bytes of the page
+
+    Returns
+    -------
+    {file name: bytes}
+    """
+    members, lessons = {}, lessons_of(grades)
+    for learner in grades["learners"]:
+        for lesson in learner["lessons"]:
+            if lesson["platform"] and lesson["file"] and lesson["lesson"] in lessons:
+                archive = f"{lesson['platform']}-feedback-{lesson['lesson']}.zip"
+                members.setdefault(archive, []).append((_member(learner, lesson), learner))
+    return {archive: _zip(names, read_page) for archive, names in members.items()}
+
+
+def _member(learner, lesson):
+    if lesson["platform"] == "canvas":
+        parts = PurePosixPath(
+            lesson["file"]
+        ).parts  # a learner's own folders and zips come after Canvas's name
+        name = next((part for part in parts if f"_{lesson['platform_id']}_" in part), parts[-1])
+        return f"{name.removesuffix('.ipynb').removesuffix('.zip')}.html"
+    # Moodle splits the name at its underscores.
+    name = learner["name"].replace("_", " ").replace("/", " ")
+    return f"{name}_{lesson['platform_id']}_assignsubmission_file/feedback.html"
+
+
+def _zip(members, read_page):
+    buffer = io.BytesIO()
+    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as archive:
+        for name, learner in members:
+            entry = zipfile.ZipInfo(name, _DATE)
+            entry.compress_type = zipfile.ZIP_DEFLATED
+            archive.writestr(entry, read_page(learner))
+    return buffer.getvalue()

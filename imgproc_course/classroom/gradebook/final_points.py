@@ -1,0 +1,83 @@
+"""From the autograder's points to the final ones: a teacher's decisions first, then what lateness costs.
+
+A decision on an exercise replaces its points; an excused exercise counts neither for nor against. A decision
+on the whole lesson is final: it replaces its points, and lateness costs nothing more.
+"""
+
+from imgproc_course.classroom.gradebook.teacher_tables import plain_number
+
+
+def settle_lesson(entry, decisions, policy):
+    """Set the final points of a lesson's entry in grades.json.
+
+    Parameters
+    ----------
+    entry : dict, with the points that the autograder gave; it is changed
+    decisions : list of Decision, of this learner and lesson
+    policy : LatePolicy or None
+    """
+    by_exercise = {decision.exercise: decision for decision in decisions}
+    whole_lesson = by_exercise.pop("", None)
+    entry["autograded_points"] = entry["points"]
+    for exercise in entry["exercises"]:
+        exercise["autograded_points"] = exercise["points"]
+        _decide(exercise, by_exercise.get(exercise["id"]))
+    if entry["exercises"]:
+        entry["points"] = plain_number(sum(exercise["points"] for exercise in entry["exercises"]))
+        entry["max_points"] = sum(exercise["max_points"] for exercise in entry["exercises"])
+    entry["late_deduction"] = 0
+    _decide(entry, whole_lesson)
+    is_final = whole_lesson and (whole_lesson.excused or whole_lesson.points is not None)
+    if is_final:
+        entry["status"] = "graded"
+    elif policy and entry["days_late"]:
+        points = plain_number(entry["points"] * policy.factor(entry["days_late"]))
+        entry["late_deduction"] = plain_number(entry["points"] - points)
+        entry["points"] = points
+
+
+def _decide(entry, decision):
+    entry["decision"] = None
+    if decision is None:
+        return
+    entry["decision"] = {
+        "points": decision.points,
+        "excused": decision.excused,
+        "comment": decision.comment,
+    }
+    if decision.excused:
+        entry["points"] = entry["max_points"] = 0
+    elif decision.points is not None:
+        entry["points"] = decision.points
+
+
+def decided_lesson(submitted, lesson):
+    """The entry of a lesson that was not submitted, but on which the teacher has decided.
+
+    Parameters
+    ----------
+    submitted : list of dict, the entries of the learner's other lessons, which know the platform
+    lesson : KeyLesson
+    """
+    platform = next(((entry["platform"], entry["platform_id"]) for entry in submitted), ("", ""))
+    return {
+        "lesson": lesson.name,
+        "title": lesson.title,
+        "status": "not graded",
+        "reason": "nothing was submitted",
+        "points": 0,
+        "max_points": lesson.points,
+        "version": None,
+        "key": None,
+        "variant": None,
+        "file": "",
+        "sha256": None,
+        "submitted_at": None,
+        "late": False,
+        "days_late": 0,
+        "platform": platform[0],
+        "platform_id": platform[1],
+        "findings": [],
+        "exercises": [],
+        "earlier": [],
+    }

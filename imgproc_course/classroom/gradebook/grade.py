@@ -1,0 +1,210 @@
+"""Grade a folder of submissions, from the submitted files to the pages that learners get back."""
+
+import contextlib
+import shutil
+import threading
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import dataclass
+from pathlib import Path
+
+from imgproc_course.classroom.autograder.pool import open_scheduler
+from imgproc_course.classroom.autograder.sandbox import bubblewrap
+from imgproc_course.classroom.gradebook.answer_keys import load_keys
+from imgproc_course.classroom.gradebook.archives import CollectError
+from imgproc_course.classroom.gradebook.collect import collect
+from imgproc_course.classroom.gradebook.grades_folder import LearnerPages, set_pages_aside, write_grades
+from imgproc_course.classroom.gradebook.grades_json import count_not_graded, faults_of, grades_of
+from imgproc_course.classroom.gradebook.learners import read_all, unproven_dates
+from imgproc_course.classroom.gradebook.lms_import import TableError, fill_table, read_tables
+from imgproc_course.classroom.gradebook.report import count_of, prepare_templates
+from imgproc_course.classroom.gradebook.result_store import (
+    GradesFolderError,
+    ResultStore,
+    answers_to_regrade,
+    grade_missing,
+    open_grades_folder,
+    write_grades_file,
+)
+from imgproc_course.classroom.gradebook.roster import read_roster, roster_report
+from imgproc_course.classroom.gradebook.similarity import compare, report_copies, similar_entries
+from imgproc_course.classroom.gradebook.teacher_rules import TeacherRules
+from imgproc_course.classroom.gradebook.teacher_tables import DECISIONS_TEMPLATE
+
+_MAX_LINES = 12  # of a run's summary, before the last lines
+
+
+@dataclass(frozen=True)
+class GradingSummary:
+    """What to print after a run: `text`; how many submissions could not be graded, and pages not written."""
+
+    text: str
+    not_graded: int
+    failed_pages: int
+
+
+def grade_submissions(
+    submissions,
+    keys,
+    out,
+    *,
+    deadline=None,
+    late=None,
+    extensions=None,
+    decisions=None,
+    regrade=(),
+    anonymous=False,
+    fresh=False,
+    scheduler=None,
+    platform_tables=(),
+    roster=None,
+    quiet=None,
+    **options,
+):
+    """Grade submissions, and write the folder of grades.
+
+    Parameters
+    ----------
+    submissions : Path of a folder, a zip or a notebook
+    keys : sequence of Path
+    out : Path of the folder of grades
+    deadline : datetime, local, or None
+    late : str, what lateness costs, as `read_late_policy` reads it, or None
+    extensions : Path of a table with other deadlines of learners, or None
+    decisions : Path of the table of the teacher's decisions; None: out/decisions.csv, made if it is missing
+    regrade : sequence of str, learners, lessons and exercises that are graded again
+    anonymous : bool, pages show an id instead of the learner's name
+    fresh : bool, grade again what was graded before
+    scheduler : str, address of a Dask scheduler, or None
+    platform_tables : sequence of Path, tables that platforms exported, to be filled with points
+    roster : Path of a table of all learners, or None
+    quiet : True for no progress bars; None: no progress bars if stderr is no terminal
+    options : kernel, unsafe, workers, limits, as `autograde` takes them
+
+    Returns
+    -------
+    GradingSummary
+
+    Raises
+    ------
+    CollectError, KeyFolderError, SandboxError, GradesFolderError, ValueError : one line with the remedy
+    """
+    out, submissions = Path(out), Path(submissions)
+    answer_keys = load_keys(keys)
+    _require_separate_folder(submissions, keys, out)
+    platform_tables = read_tables(platform_tables)
+    unsafe, kernel = options.get("unsafe", False), options.get("kernel", "fast")
+    if not unsafe and scheduler is None:
+        bubblewrap.require_sandbox()
+    roster = read_roster(roster) if roster else None
+    with contextlib.ExitStack() as stack:
+        collection = stack.enter_context(_collect(submissions, answer_keys, roster, out))
+        stack.enter_context(open_grades_folder(out))
+        decisions = decisions or _decisions_file(out)
+        rules = TeacherRules(
+            answer_keys, deadline=deadline, late=late, extensions=extensions, decisions=decisions
+        )
+        store = ResultStore(out / "results", {"kernel": kernel, "unsafe": unsafe})
+        if scheduler is not None:
+            options["executor"] = stack.enter_context(open_scheduler(scheduler))
+        learners = read_all(collection, answer_keys, store, fresh=fresh, quiet=quiet)
+        rules.assign(learners, roster or ())
+        again = answers_to_regrade(regrade, learners, rules.names, answer_keys, fresh=fresh)
+        pages = LearnerPages(out, learners, answer_keys, store, rules, anonymous=anonymous)
+        comparison = stack.enter_context(ThreadPoolExecutor(1)).submit(compare, learners, answer_keys, store)
+        threading.Thread(target=prepare_templates, daemon=True).start()
+        graded_now = grade_missing(
+            learners, answer_keys, store, again=again, quiet=quiet, on_result=pages.result_stored, **options
+        )
+        if deadline:
+            collection.findings += unproven_dates(collection.files, deadline)
+        groups, copies = comparison.result()
+        grades = grades_of(
+            report_copies(pages.finish(), learners, copies),
+            answer_keys,
+            sandbox=not unsafe,
+            deadlines=rules.deadlines,
+            collection=collection,
+            roster=roster_report(roster, learners) if roster is not None else None,
+            similar=similar_entries(groups),
+            anonymous=anonymous,
+        )
+        write_grades(out, grades, learners, answer_keys.lessons, pages.failed, groups)
+        table_lines = _fill_tables(platform_tables, grades, out)
+    return _summary(grades, graded_now, out, table_lines, pages.failed)
+
+
+def _collect(submissions, answer_keys, roster, out):
+    people = [name for entry in roster or () for name in entry.names]
+    try:
+        return collect(submissions, tuple(answer_keys.lessons), people)
+    except CollectError as error:
+        moved = set_pages_aside(out) if submissions.exists() else None
+        moved_pages = f"; the pages of the last run are now in {moved}" if moved else ""
+        raise CollectError(f"{error}{moved_pages}") from error
+
+
+def _require_separate_folder(submissions, keys, out):
+    """Refuse to write grades among the submissions: the next run would collect them as submissions."""
+    folder = out.resolve()
+    for path in (submissions.resolve(), *(Path(key).resolve() for key in keys)):
+        if folder == path or folder.is_relative_to(path):
+            raise GradesFolderError(f"{out}: lies in {path}; name a folder outside it, --out grades")
+
+
+def _decisions_file(out):
+    """The table in the folder of grades. It is never written again, so decisions survive every run."""
+    path = out / "decisions.csv"
+    if not path.exists():
+        write_grades_file(path, DECISIONS_TEMPLATE)
+    return path
+
+
+def _fill_tables(platform_tables, grades, out):
+    """Write the platforms' tables with points in them; returns lines for the summary."""
+    lines = []
+    for table in platform_tables:
+        try:
+            text, table_lines = fill_table(table, grades)
+        except TableError as error:  # the other tables have the points all the same
+            lines.append(f"Not filled: {error}")
+            continue
+        write_grades_file(out / "exports" / f"filled-{table.path.name}", text)
+        lines += table_lines
+    return lines
+
+
+def _summary(grades, graded_now, out, table_lines, failed_pages):
+    lessons = [lesson for learner in grades["learners"] for lesson in learner["lessons"]]
+    graded = sum(lesson["status"] == "graded" for lesson in lessons)
+    late = sum(lesson["late"] for lesson in lessons)
+    not_graded = count_not_graded(grades)
+    others = "; the others equal one of these, or were graded before" if graded_now < graded else ""
+    lines = [
+        f"{count_of(len(grades['learners']), 'learner')}, {count_of(graded, 'lesson')} graded"
+        f" ({graded_now} in this run{others}), {late} late,"
+        f" {not_graded} could not be graded."
+    ]
+    if roster := grades["roster"]:
+        lines[0] += f" Of {roster['count']} in the roster, {len(roster['missing'])} handed in nothing."
+        if roster["unknown"]:
+            lines[0] += (
+                f" Not in it: {count_of(len(roster['unknown']), 'learner')} (summary.html names them)."
+            )
+    for learner in grades["learners"]:
+        for lesson in learner["lessons"]:
+            if lesson["status"] != "graded":
+                lines.append(f"  {learner['name']}: {lesson['file']}: {lesson['reason']}")
+            elif fault := next(faults_of(lesson), None):
+                lines.append(f"  {learner['name']}: {lesson['file']}: {fault}; run the command again")
+    if len(lines) > _MAX_LINES:
+        lines[_MAX_LINES - 1 :] = [f"  and {len(lines) - _MAX_LINES + 1} more"]
+    lines += [f"The page of {name} is incomplete ({reason})." for name, reason in failed_pages.items()]
+    if not grades["sandbox"]:
+        lines.append("Graded without a sandbox; grades.json records it.")
+    lines += table_lines
+    width = shutil.get_terminal_size().columns * 3
+    lines = [line[:width] for line in lines]
+    lines += [
+        f"Points: {out}/grades.csv   Your page: {out}/summary.html   Pages to give back: {out}/learners/"
+    ]
+    return GradingSummary("\n".join(lines), not_graded, len(failed_pages))

@@ -1,0 +1,176 @@
+"""Write the folder of grades.
+
+grades.json        everything, as grades.schema.json describes it
+grades.csv         one row per learner and lesson, for a spreadsheet
+summary.html       the teacher's page
+learners/*.html    one page per learner, to give back
+predictions.html   what learners predicted
+similar.html       similar submissions, side by side
+changes.html       what changed since the grades that differed last, which are in grades.previous.json
+decisions.csv      the teacher's decisions; only read, once it is there
+exports/           for Moodle, Canvas, and programs that read nbgrader's table
+results/*.json     every result, by a digest of key and answers: an interrupted run continues from here
+"""
+
+import shutil
+from pathlib import Path
+
+from imgproc_course.classroom.autograder.sanitize import sanitize_line
+from imgproc_course.classroom.gradebook.anonymity import learner_without_name, without_names
+from imgproc_course.classroom.gradebook.changes import PREVIOUS, changes_page, read_grades
+from imgproc_course.classroom.gradebook.feedback_zips import feedback_zips
+from imgproc_course.classroom.gradebook.grades_json import grades_text, learner_entry
+from imgproc_course.classroom.gradebook.lms_export import exports, grades_csv
+from imgproc_course.classroom.gradebook.predictions import predictions_page
+from imgproc_course.classroom.gradebook.report import learner_page
+from imgproc_course.classroom.gradebook.result_store import write_grades_file
+from imgproc_course.classroom.gradebook.similarity import similarity_page
+from imgproc_course.classroom.gradebook.summary import summary_page
+
+_GIVEN_BACK = ("learners", "exports")
+_OTHER_PAGES = {
+    "predictions.html": "What the learners predicted",
+    "changes.html": "What changed since the run before",
+    "similar.html": "Similar submissions, side by side",
+}
+
+
+class LearnerPages:
+    """Writes the learners' pages, each as soon as all its results are there: the workers grade on meanwhile.
+
+    Parameters
+    ----------
+    out : Path, the folder of grades
+    learners : list of Learner
+    answer_keys : AnswerKeys
+    store : ResultStore
+    rules : TeacherRules
+    anonymous : bool, the pages show ids instead of names
+
+    Attributes
+    ----------
+    entries : {learner's name: entry in grades.json}
+    failed : {learner's name as pages show it: why their page lacks its details}
+    """
+
+    def __init__(self, out, learners, answer_keys, store, rules, *, anonymous=False):
+        self.entries, self.failed = {}, {}
+        self._out, self._learners, self._answer_keys, self._store = out, learners, answer_keys, store
+        self._rules, self._anonymous = rules, anonymous
+        self._missing, self._waiting = {}, {}
+        for learner in learners:
+            digests = {submission.answers_digest for submission in learner.submissions.values()} - {""}
+            self._missing[learner.name] = set(digests)
+            for digest in digests:
+                self._waiting.setdefault(digest, []).append(learner)
+
+    def result_stored(self, digest):
+        """Write the pages that waited only for this result."""
+        for learner in self._waiting.pop(digest, ()):
+            self._missing[learner.name].discard(digest)
+            if not self._missing[learner.name]:
+                self._write(learner)
+
+    def finish(self):
+        """Write all other pages, and remove those of an earlier run.
+
+        Returns
+        -------
+        list of dict, the entries of all learners in grades.json
+        """
+        for learner in self._learners:
+            if learner.name not in self.entries:
+                self._write(learner)
+        pages = {Path(entry["page"]).name for entry in self.entries.values()}
+        _remove_others(self._out / "learners", "*.html", pages)
+        return [self.entries[learner.name] for learner in self._learners]
+
+    def _write(self, learner):
+        entry = learner_entry(learner, self._answer_keys, self._store, self._rules, anonymous=self._anonymous)
+        self.entries[learner.name] = entry
+        page_entry = learner_without_name(entry) if self._anonymous else entry
+        try:
+            page = self._page(learner, page_entry)
+        except Exception as error:  # noqa: BLE001 - a page shows values that other people's code returned
+            self.failed[page_entry["name"]] = sanitize_line(f"{type(error).__name__}: {error}", 200)
+            page = learner_page(page_entry, {}, self._answer_keys, self._rules.deadlines, incomplete=True)
+        write_grades_file(self._out / entry["page"], page)
+
+    def _page(self, learner, entry):
+        results = {
+            lesson: self._store.result(submission.answers_digest)
+            for lesson, submission in learner.submissions.items()
+            if submission.answers_digest
+        }
+        return learner_page(entry, results, self._answer_keys, self._rules.deadlines)
+
+
+def write_grades(out, grades, learners, lessons, failed_pages, groups):
+    """Write everything but the learners' pages and the results.
+
+    Parameters
+    ----------
+    out : Path
+    grades : dict, the content of grades.json
+    learners : list of Learner, in the order of grades["learners"]
+    lessons : {name: KeyLesson}
+    failed_pages : {learner's name as pages show it: why their page lacks its details}
+    groups : list of SimilarGroup
+
+    Raises
+    ------
+    GradesFolderError : the disk is full or read-only
+    """
+    before, text = read_grades(out / "grades.json"), grades_text(grades)
+    changed = before is not None and grades_text(before) != text
+    write_grades_file(out / "grades.json", text)
+    write_grades_file(out / "grades.csv", grades_csv(grades))
+    page_grades = without_names(grades) if grades["anonymous_pages"] else grades
+    entries = zip(grades["learners"], page_grades["learners"], strict=True)
+    names = {entry["name"]: shown_entry["name"] for entry, shown_entry in entries}
+    if changed:  # else the page shows the last change
+        write_grades_file(out / PREVIOUS, grades_text(before))
+        write_grades_file(out / "changes.html", changes_page(before, grades, names))
+    _write_or_remove(out / "predictions.html", predictions_page(learners, lessons, names))
+    _write_or_remove(out / "similar.html", similarity_page(groups, names))
+    files = exports(grades) | feedback_zips(grades, lambda entry: (out / entry["page"]).read_bytes())
+    for name, data in files.items():
+        write_grades_file(out / "exports" / name, data)
+    for pattern in ("*.csv", "*.zip"):
+        _remove_others(out / "exports", pattern, files)
+    other_pages = {name: title for name, title in _OTHER_PAGES.items() if (out / name).exists()}
+    write_grades_file(out / "summary.html", summary_page(page_grades, failed_pages, other_pages))
+
+
+def set_pages_aside(out):
+    """Move what an earlier run wrote to give back, so that nobody packs it as the result of this run.
+
+    Parameters
+    ----------
+    out : Path
+
+    Returns
+    -------
+    Path of the folder that holds it now, or None if there was nothing
+    """
+    aside = out / "last-run"
+    folders = [out / name for name in _GIVEN_BACK if (out / name).is_dir()]
+    for folder in folders:
+        shutil.rmtree(aside / folder.name, ignore_errors=True)
+        aside.mkdir(mode=0o700, exist_ok=True)
+        folder.rename(aside / folder.name)
+    return aside if folders else None
+
+
+def _write_or_remove(path, page):
+    if page:
+        write_grades_file(path, page)
+    else:
+        path.unlink(missing_ok=True)
+
+
+def _remove_others(folder, pattern, names):
+    """Remove the files of an earlier run: pages of learners who are gone would be given back by mistake."""
+    for path in folder.glob(pattern):
+        if path.name not in names:
+            path.unlink()

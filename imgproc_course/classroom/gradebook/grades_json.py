@@ -1,0 +1,204 @@
+"""What grades.json contains: everything that a run knows, as grades.schema.json describes it.
+
+There is no time of day, no order of files and no chance in it: the same submissions give the same bytes.
+"""
+
+import json
+from dataclasses import asdict, replace
+from importlib.metadata import version
+
+from imgproc_course.classroom.autograder.outcomes import Outcome
+from imgproc_course.classroom.gradebook.anonymity import anonymous_id
+from imgproc_course.classroom.gradebook.final_points import decided_lesson, settle_lesson
+from imgproc_course.classroom.gradebook.submission import Finding
+from imgproc_course.classroom.gradebook.teacher_tables import plain_number
+
+FORMAT = 4
+
+
+def grades_of(
+    entries, answer_keys, *, sandbox, deadlines, collection, roster=None, similar=(), anonymous=False
+):
+    """The content of grades.json.
+
+    Parameters
+    ----------
+    entries : list of dict, what `learner_entry` returns for each learner
+    answer_keys : AnswerKeys
+    sandbox : bool, whether answers ran in a sandbox
+    deadlines : Deadlines
+    collection : Collection that the learners' files come from
+    similar : list of dict as `similar_entries` returns it
+    roster : dict as `roster_report` returns it, or None
+    anonymous : bool, the pages are named after an id instead of the learner
+
+    Returns
+    -------
+    dict, see grades.schema.json
+    """
+    return {
+        "format": FORMAT,
+        "course": version("imgproc-course"),
+        "sandbox": sandbox,
+        "deadline": deadlines.deadline.isoformat() if deadlines.deadline else None,
+        "late_policy": deadlines.policy.text if deadlines.policy else None,
+        "anonymous_pages": anonymous,
+        "keys": [_key_entry(key) for key in answer_keys.keys],
+        "learners": entries,
+        "ignored": collection.ignored,
+        "intake": [asdict(finding) for finding in sorted(collection.findings)],
+        "roster": roster,
+        "similar": list(similar),
+    }
+
+
+def grades_text(grades):
+    """The text of grades.json: the same for the same grades."""
+    # One line per learner: json's own indentation is several times slower.
+    learners = ",\n".join(json.dumps(learner, sort_keys=True) for learner in grades["learners"])
+    other_fields = json.dumps(grades | {"learners": []}, sort_keys=True)
+    head, tail = other_fields.split('"learners": []')
+    return f'{head}\n"learners": [\n{learners}\n]{tail}\n'
+
+
+def count_not_graded(grades):
+    """How many submissions could not be graded, or have a case that could not be graded."""
+    lessons = [lesson for learner in grades["learners"] for lesson in learner["lessons"]]
+    return sum(lesson["status"] != "graded" or any(True for _ in faults_of(lesson)) for lesson in lessons)
+
+
+def faults_of(lesson):
+    """What the autograder failed to do for a lesson, and nobody decided by hand: texts, one per case."""
+    for exercise in lesson["exercises"]:
+        for case in exercise["cases"]:
+            if case["outcome"] == Outcome.NOT_GRADED and not (exercise["decision"] or lesson["decision"]):
+                yield f"{exercise['id']}: {case['message'] or exercise['message']}"
+
+
+def lesson_names(grades):
+    """The names of the keys' lessons, in the order of the course.
+
+    Parameters
+    ----------
+    grades : dict, the content of grades.json
+
+    Returns
+    -------
+    list of str
+    """
+    numbers = {
+        lesson["lesson"]: lesson["number"] for key in reversed(grades["keys"]) for lesson in key["lessons"]
+    }
+    return sorted(numbers, key=lambda name: (numbers[name], name))
+
+
+def _place(lesson):
+    return lesson.number, lesson.name
+
+
+def _key_entry(key):
+    lessons = [
+        {
+            "lesson": lesson.name,
+            "number": lesson.number,
+            "title": lesson.title,
+            "version": lesson.version,
+            "max_points": lesson.points,
+        }
+        for lesson in sorted(key.lessons.values(), key=_place)
+    ]
+    variants = [variant.digest for variant in key.variants]
+    return {"digest": key.digest, "variants": variants, "lessons": lessons}
+
+
+def learner_entry(learner, answer_keys, store, rules, *, anonymous=False):
+    """A learner's part of grades.json.
+
+    Parameters
+    ----------
+    learner : Learner, graded
+    answer_keys : AnswerKeys
+    store : ResultStore
+    rules : TeacherRules, assigned
+    anonymous : bool, the page is named after an id instead of the learner
+    """
+    deadlines, decisions = rules.deadlines, rules.decisions.get(learner.name, ())
+    submissions = [*learner.submissions.values(), *learner.unidentified]
+    lessons = [
+        _lesson_entry(learner, submission, answer_keys, store, deadlines) for submission in submissions
+    ]
+    for name in {decision.lesson for decision in decisions} - learner.submissions.keys():
+        lessons.append(decided_lesson(lessons, answer_keys.lessons[name]))
+    for lesson in lessons:
+        about = [decision for decision in decisions if decision.lesson == lesson["lesson"]]
+        settle_lesson(lesson, about, deadlines.policy)
+    page = f"{anonymous_id(learner.name, answer_keys)}.html" if anonymous else learner.page
+    order = {name: _place(lesson) for name, lesson in answer_keys.lessons.items()}
+    return {
+        "name": learner.name,
+        "page": f"learners/{page}",
+        "points": plain_number(sum(lesson["points"] for lesson in lessons)),
+        "max_points": sum(lesson["max_points"] for lesson in lessons),
+        "lessons": sorted(lessons, key=lambda lesson: order.get(lesson["lesson"], ("~", lesson["file"]))),
+    }
+
+
+def _lesson_entry(learner, submission, answer_keys, store, deadlines):
+    content = submission.content
+    lesson = (submission.key or answer_keys).lessons.get(submission.lesson)
+    result = store.result(submission.answers_digest) if submission.answers_digest else None
+    findings = [*content.findings, *(_contradicted_outputs(content, result) if result else ())]
+    earlier = learner.earlier.get(submission.lesson, ()) if submission.lesson else ()
+    return {
+        "lesson": submission.lesson,
+        "title": lesson.title if lesson else "",
+        "status": "graded" if submission.answers_digest else "not graded",
+        "reason": content.reason,
+        "points": result.points if result else 0,
+        "max_points": lesson.points if lesson else 0,
+        "version": content.version,
+        "key": submission.key.digest if submission.key else None,
+        "variant": submission.key.variant if submission.key else None,
+        **_file_entry(learner, submission, deadlines),
+        "findings": [
+            {"kind": finding.kind, "exercise": finding.exercise, "text": finding.text} for finding in findings
+        ],
+        "exercises": _exercise_entries(result) if result else [],
+        "earlier": [
+            _file_entry(learner, replaced, deadlines) | {"reason": replaced.content.reason}
+            for replaced in earlier
+        ],
+    }
+
+
+def _file_entry(learner, submission, deadlines):
+    file, lesson = submission.file, submission.lesson
+    return {
+        "file": file.source,
+        "sha256": submission.file_digest or None,
+        "submitted_at": file.submitted_at.isoformat() if file.submitted_at else None,
+        "late": deadlines.is_late(learner.name, lesson, file),
+        "days_late": deadlines.days_late(learner.name, lesson, file),
+        "platform": file.platform,
+        "platform_id": file.platform_id,
+    }
+
+
+def _exercise_entries(result):
+    """The exercises without the values: those are on the learner's page and in the store."""
+    exercises = []
+    for exercise in result.exercises:
+        cases = tuple(replace(case, failed_call=None) for case in exercise.cases)
+        exercises.append(asdict(replace(exercise, cases=cases)) | {"points": exercise.points})
+        for case in exercises[-1]["cases"]:
+            del case["failed_call"]
+    return exercises
+
+
+def _contradicted_outputs(content, result):
+    """Findings on stored outputs that contradict the grading; often the answer changed after the output."""
+    for exercise in result.exercises:
+        passed = all(case.passed for case in exercise.cases if not case.hidden)
+        if exercise.id in content.claims and not passed:
+            text = "its stored output says that every check passes, but in grading not every check passes"
+            yield Finding("odd", exercise.id, text)

@@ -1,0 +1,296 @@
+"""Learners and their submissions: who submitted which lesson, and which of several submissions counts."""
+
+import hashlib
+import json
+import os
+import re
+import time
+from collections import Counter
+from dataclasses import dataclass, field
+
+from tqdm import tqdm
+
+from imgproc_course.classroom.autograder.answer_key import Key
+from imgproc_course.classroom.gradebook.archives import CollectError
+from imgproc_course.classroom.gradebook.collect import IntakeFinding, SubmittedFile, digest_of
+from imgproc_course.classroom.gradebook.notebook_reader import NOT_READ_IN_TIME, NotebookReader
+from imgproc_course.classroom.gradebook.submission import (
+    AnswerState,
+    SubmissionContent,
+    lesson_by_name,
+    read_submission,
+)
+
+NOTEBOOK_SECONDS = 5  # for reading one notebook; a usual one takes 0.02
+READING_SECONDS = 30  # for all notebooks of one sender
+_TOO_SLOW_TOGETHER = "reading the earlier notebooks of this submission took too much time; submit fewer"
+
+
+@dataclass
+class Submission:
+    """One submitted file, read.
+
+    file            the file as it was collected
+    file_digest     SHA-256 of its bytes, "" if they could not be read
+    content         what the file holds
+    answers_digest  identifies its answers together with their key; "" if it cannot be read
+    has_answers     True if it holds the answer to an exercise, and not only the stubs
+    key             the key that it is graded with, or None
+    """
+
+    file: SubmittedFile
+    file_digest: str
+    content: SubmissionContent
+    answers_digest: str = ""
+    has_answers: bool = False
+    key: Key | None = None
+
+    @property
+    def lesson(self):
+        """The name of its lesson, or None."""
+        return self.content.lesson
+
+
+@dataclass
+class Learner:
+    """A learner and their submissions.
+
+    submissions   {lesson: the Submission that counts}
+    earlier       {lesson: list of the Submissions that do not count, oldest first}
+    unidentified  list of Submissions whose lesson is unknown
+    """
+
+    name: str
+    submissions: dict = field(default_factory=dict)
+    earlier: dict = field(default_factory=dict)
+    unidentified: list = field(default_factory=list)
+
+    def all_submissions(self):
+        """Every Submission, also those that do not count."""
+        earlier = [submission for submissions in self.earlier.values() for submission in submissions]
+        return [*self.submissions.values(), *earlier, *self.unidentified]
+
+    @property
+    def page(self):
+        """The file name of the learner's page: safe on every system, and unique through a digest."""
+        slug = re.sub(r"[^a-z0-9]+", "-", self.name.lower()).strip("-")[:40] or "learner"
+        return f"{slug}-{hashlib.sha256(self.name.encode()).hexdigest()[:10]}.html"
+
+
+def read_all(collection, answer_keys, store, *, fresh=False, quiet=None):
+    """Read every submitted file, assign it to its learner, and choose the submission that counts.
+
+    Parameters
+    ----------
+    collection : Collection
+    answer_keys : AnswerKeys
+    store : ResultStore, keeps the answers until they are graded
+    fresh : bool, read again what took too much time before
+    quiet : bool or None, as tqdm's `disable`
+
+    Returns
+    -------
+    list of Learner, sorted by name; findings about senders are added to the collection
+    """
+    submissions = []
+    with NotebookReader(NOTEBOOK_SECONDS) as notebook_reader:
+        reader = _SubmissionReader(answer_keys, store, notebook_reader, fresh)
+        for file in tqdm(collection.files, desc="reading", unit=" files", disable=quiet, leave=False):
+            submissions.append(reader.read(file))
+    learners = _learners(submissions)
+    collection.findings += _replaced_by_name(submissions)
+    return learners
+
+
+class _SubmissionReader:
+    """Reads submitted files; each sender has a budget of time, and what took too much is remembered."""
+
+    def __init__(self, answer_keys, store, notebook_reader, fresh):
+        self._answer_keys, self._store, self._notebook_reader = answer_keys, store, notebook_reader
+        self._fresh = fresh
+        self._seconds = Counter()
+
+    def read(self, file):
+        """The Submission of a file."""
+        try:
+            data = file.read()
+        except CollectError as error:
+            return Submission(file, "", self._unread(file, str(error)))
+        digest = digest_of(data)
+        submission = Submission(file, digest, self._content(file, data, digest))
+        content = submission.content
+        if content.reason:
+            return submission
+        submission.key = self._answer_keys.variant_for(content.lesson, content.version, file.learner)
+        submission.answers_digest = self._store.keep_answers(submission.key, content.lesson, content.answers)
+        untouched = (AnswerState.NOT_ATTEMPTED, AnswerState.MISSING)
+        submission.has_answers = any(content.states[id] not in untouched for id in content.answers)
+        content.answers = {}
+        return submission
+
+    def _content(self, file, data, digest):
+        sender = (file.learner, file.platform_id, file.group)
+        if self._seconds[sender] > READING_SECONDS:
+            return self._unread(file, _TOO_SLOW_TOGETHER)
+        if self._store.was_too_slow(digest) and not self._fresh:
+            self._seconds[sender] += NOTEBOOK_SECONDS
+            return self._unread(file, NOT_READ_IN_TIME)
+        start = time.monotonic()
+        content = read_submission(data, self._answer_keys, self._notebook_reader, file.source)
+        if content.reason == NOT_READ_IN_TIME:
+            content = self._read_again(file, data, digest)
+        self._seconds[sender] += time.monotonic() - start
+        return content
+
+    def _read_again(self, file, data, digest):
+        """Read in another process: an ended process or a busy machine is no fault of the notebook."""
+        before = os.times()
+        with NotebookReader(20 * NOTEBOOK_SECONDS, cpu_seconds=NOTEBOOK_SECONDS) as notebook_reader:
+            content = read_submission(data, self._answer_keys, notebook_reader, file.source)
+        cpu_seconds = sum(os.times()[2:4]) - sum(before[2:4])  # of ended processes, the reader's
+        if content.reason == NOT_READ_IN_TIME and cpu_seconds > 0.8 * NOTEBOOK_SECONDS:
+            self._store.remember_too_slow(digest)
+        return content
+
+    def _unread(self, file, reason):
+        lesson = lesson_by_name(file.source, self._answer_keys.lessons)
+        return SubmissionContent(lesson=lesson, reason=reason)
+
+
+def _learners(submissions):
+    names = _display_names(submissions)
+    learners = {}
+    for submission in sorted(submissions, key=lambda submission: submission.file.order):
+        name = names[id(submission)]
+        _add(learners.setdefault(name, Learner(name)), submission)
+    for learner in learners.values():
+        _report_repeated(learner)
+    return [learners[name] for name in sorted(learners, key=lambda name: (name.casefold(), name))]
+
+
+def _display_names(submissions):
+    """{id(submission): the learner's name}; learners of one name get the platform's number after it.
+
+    So does a submission under a name that somebody could choose, if there is one of the same lesson that the
+    instructor has under that name (see `collect`).
+    """
+    people, certain = {}, _most_certain(submissions)
+    for submission in submissions:
+        file = submission.file
+        group = file.group if file.platform == "moodle" else ""
+        if file.platform_id:
+            people.setdefault((file.learner, file.platform, group), set()).add(file.platform_id)
+    namesakes = {(name, platform) for (name, platform, _), numbers in people.items() if len(numbers) > 1}
+    names = {
+        id(submission): f"{submission.file.learner} ({submission.file.platform_id or submission.file.group})"
+        for submission in submissions
+        if (submission.file.learner, submission.file.platform) in namesakes
+        or _is_contested(submission, certain)
+    }
+    numbered = set(names.values())  # somebody can be called like this
+    for submission in submissions:
+        name = submission.file.learner
+        names.setdefault(id(submission), f"{name} (so named)" if name in numbered else name)
+    return names
+
+
+def _most_certain(submissions):
+    """{(name, lesson): the certainty of its most certain file}."""
+    certain = {}
+    for submission in submissions:
+        place = submission.file.learner, submission.lesson
+        certain[place] = max(certain.get(place, submission.file.certainty), submission.file.certainty)
+    return certain
+
+
+def _is_contested(submission, certain):
+    """Whether its name was chosen, and there is a more certain file of this name and lesson."""
+    file = submission.file
+    was_chosen = file.certainty[1] < 0
+    return submission.lesson is not None and was_chosen and certain[file.learner, submission.lesson][1] >= 0
+
+
+def _add(learner, submission):
+    """A later submission replaces an earlier one, unless the earlier one has a better claim (see `_rank`)."""
+    lesson = submission.lesson
+    if submission.content.is_page:
+        return
+    if lesson is None:
+        learner.unidentified.append(submission)
+        return
+    before = learner.submissions.get(lesson)
+    if before is None:
+        learner.submissions[lesson] = submission
+        return
+    before_counts = _rank(before) > _rank(submission)
+    learner.submissions[lesson] = before if before_counts else submission
+    learner.earlier.setdefault(lesson, []).append(submission if before_counts else before)
+
+
+def _rank(submission):
+    """First the most certain sender, then what can be read, then what has answers."""
+    return submission.file.certainty, not submission.content.reason, submission.has_answers
+
+
+def _report_repeated(learner):
+    for lesson, earlier in learner.earlier.items():
+        submission = learner.submissions[lesson]
+        earlier.sort(key=lambda submission: submission.file.order)
+        # What is less certainly theirs, they need not have submitted.
+        count = 1 + sum(other.file.certainty >= submission.file.certainty for other in earlier)
+        if count > 1:
+            submission.content.add(f"submitted {count} times; this one counts: {submission.file.source}")
+
+
+def _replaced_by_name(submissions):
+    """A finding for each file that arrived under a name of which there is a more certain submission."""
+    by_name = {}
+    for submission in submissions:
+        if submission.lesson:
+            by_name.setdefault((submission.file.learner, submission.lesson), []).append(submission.file)
+    for (name, lesson), files in by_name.items():
+        counting = max(files, key=lambda file: file.certainty)
+        for file in files:
+            if file.certainty < counting.certainty:
+                text = f"it names {name}, whose own submission of {lesson} counts: {counting.source}"
+                yield IntakeFinding("sender", file.group, file.source, text)
+
+
+def unproven_dates(files, deadline):
+    """A finding for each zip of a platform that was made after the deadline and says earlier dates.
+
+    Parameters
+    ----------
+    files : list of SubmittedFile
+    deadline : datetime, local
+
+    Yields
+    ------
+    IntakeFinding
+    """
+    counts = Counter(
+        file.group
+        for file in files
+        if file.archived_at and file.archived_at > deadline and file.submitted_at <= deadline
+    )
+    for group, count in counts.items():
+        text = f"{count} of its files are in time only by the dates in this zip, which its maker can choose"
+        yield IntakeFinding("date", "", group, text)
+
+
+def digest_of_answers(key, lesson, answers, conditions):
+    """Everything that a result depends on, as one SHA-256.
+
+    Parameters
+    ----------
+    key : Key
+    lesson : str
+    answers : {exercise id: source}
+    conditions : what else the result depends on, as JSON holds it
+
+    Returns
+    -------
+    str, hexadecimal digits
+    """
+    text = json.dumps([key.digest, lesson, answers, conditions], sort_keys=True, ensure_ascii=True)
+    return hashlib.sha256(text.encode("ascii")).hexdigest()

@@ -1,0 +1,245 @@
+"""Tables of points: for a spreadsheet, and in the formats of Moodle, Canvas and nbgrader.
+
+grades.csv
+    one row per learner and lesson: the final points, the autograder's, and what makes the difference; UTF-8
+    with a byte order mark, by which spreadsheets recognize it
+exports/moodle-<lesson>.csv, for submissions from Moodle
+    the offline grading worksheet of one assignment, for "Upload grading worksheet": Identifier
+    ("Participant 123"), Full name, Grade, Last modified (grade), Feedback comments. Moodle finds the columns
+    by their English names and a learner by the Identifier. It ignores a grade above the assignment's maximum.
+    It also ignores a grade that replaces another one, because this table has no dates, unless "Allow updating
+    records that have been modified more recently" is ticked
+exports/canvas.csv, for submissions from Canvas
+    the gradebook: Student, ID, SIS User ID, SIS Login ID, Section, one column per submitted lesson; the row
+    Points Possible. Canvas finds a learner by the ID, and an assignment by the name of its column: a column
+    with an unknown name is offered as a new assignment. The row of points changes the assignment's own
+    points, and an empty cell removes a grade
+exports/nbgrader.csv
+    the columns of `nbgrader export`: assignment, duedate, timestamp, student_id, last_name, first_name,
+    email, raw_score, late_submission_penalty, score, max_score
+
+If none of these fits, fill the table that the platform exports (`grade --platform-table`).
+
+A platform has one maximum per assignment: if an exercise is excused, the others' points are scaled to it.
+
+No cell begins like a formula: an apostrophe is put before one that would.
+"""
+
+import csv
+import io
+
+from imgproc_course.classroom.autograder.sanitize import spreadsheet_text
+from imgproc_course.classroom.gradebook.grades_json import lesson_names
+from imgproc_course.classroom.gradebook.report import count_of, finding_text
+from imgproc_course.classroom.gradebook.teacher_tables import plain_number
+
+COLUMNS = (
+    "learner",
+    "lesson",
+    "points",
+    "max_points",
+    "percent",
+    "late",
+    "submitted_at",
+    "submissions",
+    "status",
+    "findings",
+    "file",
+    "platform_id",
+    "autograded_points",
+    "days_late",
+    "late_deduction",
+    "decisions",
+    "page",
+)
+
+
+def grades_csv(grades):
+    """The text of grades.csv.
+
+    Parameters
+    ----------
+    grades : dict, the content of grades.json
+
+    Returns
+    -------
+    str
+    """
+    rows = [_grades_row(learner, lesson) for learner in grades["learners"] for lesson in learner["lessons"]]
+    return "\ufeff" + _text(COLUMNS, rows)
+
+
+def _grades_row(learner, lesson):
+    texts = [lesson["reason"]] if lesson["reason"] else []
+    texts += [finding_text(finding) for finding in lesson["findings"]]
+    return (
+        learner["name"],
+        lesson["lesson"] or "(unknown)",
+        lesson["points"],
+        lesson["max_points"],
+        _percent(lesson),
+        "late" if lesson["late"] else "",
+        lesson["submitted_at"] or "",
+        1 + len(lesson["earlier"]),
+        lesson["status"],
+        "; ".join(texts),
+        lesson["file"],
+        lesson["platform_id"],
+        lesson["autograded_points"],
+        lesson["days_late"],
+        lesson["late_deduction"],
+        "; ".join(_decision_texts(lesson)),
+        learner["page"],
+    )
+
+
+def _decision_texts(lesson):
+    """What the teacher decided about a lesson and its exercises, in words."""
+    for entry, name in [(lesson, ""), *((exercise, exercise["id"]) for exercise in lesson["exercises"])]:
+        decision = entry["decision"]
+        if decision:
+            points = "" if decision["points"] is None else f"{decision['points']} points"
+            cells = ("excused" if decision["excused"] else points, decision["comment"])
+            yield f"{name or 'the lesson'}: {', '.join(filter(None, cells))}"
+
+
+def platform_points(lesson):
+    """A lesson's points as a platform takes them, whose maximum does not change if an exercise is excused.
+
+    Parameters
+    ----------
+    lesson : dict, the lesson's entry of a learner
+
+    Returns
+    -------
+    int or float; None if the whole lesson is excused
+    """
+    decided = [exercise for exercise in lesson["exercises"] if exercise["decision"]]
+    excused = [exercise for exercise in decided if exercise["decision"]["excused"]]
+    if (lesson["decision"] and lesson["decision"]["excused"]) or (excused and not lesson["max_points"]):
+        return None
+    excused_cases = [case for exercise in excused for case in exercise["cases"]]
+    maximum = lesson["max_points"] + sum(case["max_points"] for case in excused_cases)
+    return plain_number(lesson["points"] * maximum / lesson["max_points"]) if excused else lesson["points"]
+
+
+def _percent(lesson):
+    return round(100 * lesson["points"] / lesson["max_points"], 1) if lesson["max_points"] else 0
+
+
+def exports(grades):
+    """The tables for other programs.
+
+    Parameters
+    ----------
+    grades : dict, the content of grades.json
+
+    Returns
+    -------
+    {file name: text}
+    """
+    lessons = lessons_of(grades)
+    files = {"nbgrader.csv": _nbgrader(grades, lessons)}
+    for name in lessons:
+        rows = list(_moodle_rows(grades, name))
+        if rows:
+            columns = ("Identifier", "Full name", "Grade", "Last modified (grade)", "Feedback comments")
+            files[f"moodle-{name}.csv"] = _text(columns, rows)
+    learners = [learner for learner in grades["learners"] if _lesson_from(learner, "canvas")]
+    if learners:
+        files["canvas.csv"] = _canvas(learners, lessons)
+    return files
+
+
+def lessons_of(grades):
+    """The lessons that have points, as the first key that has them describes them.
+
+    Parameters
+    ----------
+    grades : dict, the content of grades.json
+
+    Returns
+    -------
+    {name: dict, the lesson's entry in `keys`}
+    """
+    lessons = {
+        lesson["lesson"]: lesson
+        for key in reversed(grades["keys"])
+        for lesson in key["lessons"]
+        if lesson["max_points"]
+    }
+    return {name: lessons[name] for name in lesson_names(grades) if name in lessons}
+
+
+def _lesson_from(learner, platform):
+    return next((lesson for lesson in learner["lessons"] if lesson["platform"] == platform), None)
+
+
+def _moodle_rows(grades, name):
+    for learner in grades["learners"]:
+        for lesson in learner["lessons"]:
+            if lesson["lesson"] == name and lesson["platform"] == "moodle":
+                points = platform_points(lesson)
+                yield (
+                    f"Participant {lesson['platform_id']}",
+                    learner["name"],
+                    "" if points is None else points,
+                    "",
+                    _comment(lesson),
+                )
+
+
+def _comment(lesson):
+    """The feedback comment: the points, what lateness cost, what the teacher decided."""
+    parts = [f"{lesson['points']} of {lesson['max_points']} points"]
+    if lesson["late_deduction"]:
+        parts.append(f"{lesson['late_deduction']} deducted, {count_of(lesson['days_late'], 'day')} late")
+    parts += [f"not graded: {lesson['reason']}"] if lesson["status"] != "graded" else []
+    return "; ".join([*parts, *_decision_texts(lesson)])
+
+
+def _canvas(learners, lessons):
+    # An empty column would create a new assignment, or remove the grades of an old one.
+    submitted = {lesson["lesson"] for learner in learners for lesson in learner["lessons"]}
+    lessons = {name: lesson for name, lesson in lessons.items() if name in submitted}
+    columns = ("Student", "ID", "SIS User ID", "SIS Login ID", "Section", *lessons)
+    maxima = (lesson["max_points"] for lesson in lessons.values())
+    rows = [("    Points Possible", "", "", "", "", *maxima)]
+    for learner in learners:
+        points = {lesson["lesson"]: platform_points(lesson) for lesson in learner["lessons"]}
+        number = int(_lesson_from(learner, "canvas")["platform_id"])
+        rows.append((learner["name"], number, "", "", "", *(_canvas_cell(points, name) for name in lessons)))
+    return _text(columns, rows)
+
+
+def _canvas_cell(points, name):
+    """Canvas writes EX for an excused assignment."""
+    if name not in points:
+        return ""
+    return "EX" if points[name] is None else points[name]
+
+
+def _nbgrader(grades, lessons):
+    columns = ["assignment", "duedate", "timestamp", "student_id", "last_name", "first_name", "email"]
+    columns += ["raw_score", "late_submission_penalty", "score", "max_score"]
+    due = (grades["deadline"] or "").replace("T", " ")
+    rows = []
+    for name, lesson in lessons.items():
+        maximum = float(lesson["max_points"])
+        for learner in grades["learners"]:
+            submission = next((entry for entry in learner["lessons"] if entry["lesson"] == name), None)
+            score = float(platform_points(submission) or 0) if submission else 0.0
+            penalty = float(submission["late_deduction"]) if submission else 0.0
+            timestamp = ((submission["submitted_at"] or "") if submission else "").replace("T", " ")
+            rows.append(
+                (name, due, timestamp, learner["name"], "", "", "", score + penalty, penalty, score, maximum)
+            )
+    return _text(columns, rows)
+
+
+def _text(columns, rows):
+    buffer = io.StringIO()
+    writer = csv.writer(buffer, quoting=csv.QUOTE_NONNUMERIC, lineterminator="\r\n")
+    writer.writerow(columns)
+    writer.writerows([spreadsheet_text(value) for value in row] for row in rows)
+    return buffer.getvalue()

@@ -1,0 +1,270 @@
+"""Fill a table that a learning platform exported with our points, so that it can be imported back unchanged.
+
+    Canvas    Grades > Export: "Student", "ID", ..., "Section", "grayscale (1234)" per assignment
+    Moodle    View all submissions > Download grading worksheet: "Identifier", ..., "Grade", one assignment
+
+Only the points of graded lessons are written; every other cell stays as it is. A row is matched to a learner
+by the platform's number, which is part of the names of the files that the platform hands out. Otherwise it is
+matched by a login, an e-mail address or a number that is the learner's name here.
+"""
+
+import csv
+import io
+import re
+from dataclasses import dataclass
+from pathlib import Path
+
+from imgproc_course.classroom.authoring.lesson_names import lesson_name, lessons_named
+from imgproc_course.classroom.gradebook.lms_export import lessons_of, platform_points
+
+_IDENTITIES = {"SIS Login ID", "SIS User ID", "Integration ID", "Email address", "ID number", "Username"}
+_WITH_NUMBER = re.compile(r"(.+?) \(\d+\)", re.S)
+_LARGEST = 50_000_000  # bytes
+
+
+class TableError(ValueError):
+    """A table that cannot be filled; one line with the remedy."""
+
+
+@dataclass(frozen=True)
+class PlatformTable:
+    """A table that a platform exported.
+
+    platform          "canvas" or "moodle"
+    columns           tuple of str, without spaces around them
+    rows              tuple of lists of str
+    delimiter         the character between two cells
+    byte_order_mark   "\\ufeff" if the file begins with it, else ""
+    """
+
+    path: Path
+    platform: str
+    columns: tuple
+    rows: tuple
+    delimiter: str
+    byte_order_mark: str
+
+    @property
+    def number_column(self):
+        """The index of the column that holds the platform's number of a learner."""
+        return self.columns.index("ID" if self.platform == "canvas" else "Identifier")
+
+
+def read_tables(paths):
+    """Read tables that platforms exported.
+
+    Parameters
+    ----------
+    paths : sequence of Path
+
+    Returns
+    -------
+    list of PlatformTable
+
+    Raises
+    ------
+    TableError : a file cannot be read, or it is not a table of Canvas or Moodle; or two have the same name
+    """
+    paths = [Path(path) for path in paths]
+    names = [path.name for path in paths]
+    for path in paths:
+        if names.count(path.name) > 1:
+            raise TableError(f"{path}: two tables have the name {path.name}; rename one of them")
+    return [_read(path) for path in paths]
+
+
+def _read(path):
+    columns, rows, delimiter, byte_order_mark = read_csv(path)
+    return PlatformTable(path, _platform(path, columns), columns, tuple(rows), delimiter, byte_order_mark)
+
+
+def read_csv(path):
+    """Read a table that a platform or a spreadsheet exported.
+
+    Parameters
+    ----------
+    path : Path
+
+    Returns
+    -------
+    (columns, rows, delimiter, byte order mark), as `PlatformTable` describes them
+
+    Raises
+    ------
+    TableError : it cannot be read
+    """
+    try:
+        if path.stat().st_size > _LARGEST:
+            raise TableError(f"{path}: larger than {_LARGEST // 1_000_000} MB; give the table as exported")
+        text = path.read_bytes().decode("utf-8")
+    except UnicodeDecodeError as error:
+        message = f"{path}: it is not UTF-8; export it again and do not save it with another program"
+        raise TableError(message) from error
+    except OSError as error:
+        raise TableError(f"{path}: it cannot be read ({error.strerror})") from error
+    byte_order_mark = "\ufeff" if text.startswith("\ufeff") else ""
+    text = text.removeprefix(byte_order_mark)
+    first_line = text.partition("\n")[0]
+    delimiter = max(",;\t", key=first_line.count)
+    try:
+        rows = list(csv.reader(io.StringIO(text, newline=""), delimiter=delimiter))
+    except csv.Error as error:
+        raise TableError(f"{path}: it is not a CSV table ({error}); export it again") from error
+    columns = tuple(column.strip() for column in rows[0]) if rows else ()
+    return columns, rows[1:], delimiter, byte_order_mark
+
+
+def _platform(path, columns):
+    if columns[:2] == ("Student", "ID") or columns[:3] == ("LastName", "FirstName", "ID"):
+        if "Section" in columns:
+            return "canvas"
+    elif {"Identifier", "Grade"} <= set(columns):
+        return "moodle"
+    listed = ", ".join(columns[:8]) or "nothing"
+    raise TableError(
+        f"{path}: its columns are {listed[:200]}; expected Canvas's gradebook export (Student, ID,"
+        " ..., Section) or Moodle's grading worksheet in English (Identifier, ..., Grade)"
+    )
+
+
+# ---------------------------------------------------------------- filling
+
+
+def fill_table(table, grades):
+    """Write our points into a table.
+
+    Parameters
+    ----------
+    table : PlatformTable
+    grades : dict, the content of grades.json
+
+    Returns
+    -------
+    (str, list of str): the table's text, and lines that report what was filled in
+
+    Raises
+    ------
+    TableError : no column belongs to a lesson
+    """
+    columns = _lesson_columns(table, grades)
+    rows, filled, matched = [list(row) for row in table.rows], 0, set()
+    for row in rows:
+        learner = _learner(table, row, grades["learners"])
+        if learner is None:
+            continue
+        matched.add(learner["name"])
+        for column, lesson in columns.items():
+            graded = _graded_lesson(learner, lesson)
+            points = platform_points(graded) if graded else None
+            if points is None and graded and table.platform == "canvas":
+                points = "EX"  # how Canvas writes that an assignment is excused
+            if points is not None and column < len(row):
+                row[column] = str(points)
+                filled += 1
+    lines = [f"{table.path.name}: {filled} points filled in."]
+    missing = _learners_without_row(grades, matched, set(columns.values()))
+    if missing:
+        names = ", ".join(missing[:5]) + (f" and {len(missing) - 5} more" if len(missing) > 5 else "")
+        lines.append(f"  graded, but in no row of the table: {names}")
+    lines += _different_points(table, columns, grades)
+    return table.byte_order_mark + _text(table, rows), lines
+
+
+def _lesson_columns(table, grades):
+    """{index of a column: lesson}; Moodle's worksheet has one column of points."""
+    lessons = lessons_of(grades)
+    if table.platform == "moodle":
+        return {table.columns.index("Grade"): _lesson_of_worksheet(table, grades, lessons)}
+    lesson_names = {name.casefold(): name for name in lessons}
+    lesson_names |= {lesson["title"].casefold(): name for name, lesson in lessons.items()}
+    columns = {}
+    for number, column in enumerate(table.columns):
+        match = _WITH_NUMBER.fullmatch(column)
+        title = lesson_name((match[1] if match else column).strip().casefold())
+        if number > table.columns.index("Section") and title in lesson_names:
+            columns[number] = lesson_names[title]
+    if not columns:
+        raise TableError(
+            f"{table.path}: no assignment in it has the name of a lesson ({', '.join(lessons)}) or its"
+            " title: rename the assignment in Canvas to the lesson's name, and export again"
+        )
+    return columns
+
+
+def _lesson_of_worksheet(table, grades, lessons):
+    in_file_name = lessons_named(table.path.stem, lessons)
+    submitted = {lesson["lesson"] for learner in grades["learners"] for lesson in learner["lessons"]}
+    candidates = in_file_name or sorted(submitted & set(lessons))
+    if len(candidates) == 1:
+        return candidates[0]
+    raise TableError(
+        f"{table.path}: a worksheet belongs to one lesson, but this one can belong to"
+        f" {', '.join(candidates) or 'none'}: put the lesson's name into the file's name"
+    )
+
+
+def _learner(table, row, learners):
+    """The learner whose row it is, or None."""
+    cell = row[table.number_column] if table.number_column < len(row) else ""
+    number = re.search(r"(?<!\d)\d+$", cell.strip())
+    if number:
+        for learner in learners:
+            for lesson in learner["lessons"]:
+                if (lesson["platform"], lesson["platform_id"]) == (table.platform, number[0]):
+                    return learner
+    identities = {
+        value.strip().casefold()
+        for column, value in zip(table.columns, row, strict=False)
+        if column in _IDENTITIES and value.strip()
+    }
+    candidates = [learner for learner in learners if learner["name"].casefold() in identities]
+    return candidates[0] if len(candidates) == 1 else None
+
+
+def _graded_lesson(learner, name):
+    for lesson in learner["lessons"]:
+        if lesson["lesson"] == name and lesson["status"] == "graded":
+            return lesson
+    return None
+
+
+def _learners_without_row(grades, matched, lessons):
+    return [
+        learner["name"]
+        for learner in grades["learners"]
+        if learner["name"] not in matched and any(_graded_lesson(learner, name) for name in lessons)
+    ]
+
+
+def _different_points(table, columns, grades):
+    """A line for each lesson that has other maximum points on the platform: nothing is scaled."""
+    lessons = lessons_of(grades)
+    for column, name in columns.items():
+        maximum = _maximum_points(table, column)
+        if maximum is not None and maximum != lessons[name]["max_points"]:
+            yield (
+                f"  {name} is worth {maximum:g} points on the platform and {lessons[name]['max_points']}"
+                " here; our points are filled in without scaling: change the maximum on the platform"
+            )
+
+
+def _maximum_points(table, column):
+    if table.platform == "canvas":
+        cells = [row[column] for row in table.rows if column < len(row) and "Points Possible" in row[0]]
+    elif "Maximum grade" in table.columns:
+        position = table.columns.index("Maximum grade")
+        cells = [row[position] for row in table.rows if position < len(row)]
+    else:
+        cells = []
+    try:
+        return float(cells[0].replace(",", ".")) if cells else None
+    except ValueError:
+        return None
+
+
+def _text(table, rows):
+    buffer = io.StringIO()
+    writer = csv.writer(buffer, delimiter=table.delimiter, lineterminator="\r\n")
+    writer.writerow(table.columns)
+    writer.writerows(rows)
+    return buffer.getvalue()

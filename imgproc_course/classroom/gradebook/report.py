@@ -1,0 +1,229 @@
+"""The page of a learner, to give back; and what it shares with the teacher's pages.
+
+Each page is one file that loads nothing: it contains its style, and its Content-Security-Policy allows that
+style (by its hash), images drawn by `answer_images`, and nothing else. The template escapes every text, and
+characters that a reader would not see are made visible before.
+"""
+
+import base64
+import hashlib
+from functools import lru_cache
+from pathlib import Path
+
+from imgproc_course.classroom.autograder.outcomes import TEXTS, Outcome
+from imgproc_course.classroom.autograder.sanitize import sanitize_text
+from imgproc_course.classroom.exercises.error_advice import advice_on
+from imgproc_course.classroom.exercises.values import answer_parts, differing_elements
+from imgproc_course.classroom.gradebook.report_values import value_of
+from imgproc_course.classroom.gradebook.submission import NOT_PYTHON
+from imgproc_course.classroom.gradebook.teacher_tables import plain_number
+
+TEMPLATES = Path(__file__).with_name("pages")
+_CELL_ADVICE = (
+    "No check could call your function: run the cell in the lesson, and fix what Python reports there."
+)
+_NAME_ADVICE = (
+    "The autograder runs the given cell of the exercise and your answer cell, and nothing else of the"
+    " notebook: everything that your function needs must be in one of the two."
+)
+
+
+@lru_cache(maxsize=1)
+def _environment():
+    import jinja2  # see `prepare_templates`
+
+    environment = jinja2.Environment(
+        loader=jinja2.FileSystemLoader(TEMPLATES),
+        autoescape=True,
+        undefined=jinja2.StrictUndefined,
+        trim_blocks=True,
+        lstrip_blocks=True,
+    )
+    environment.finalize = lambda value: sanitize_text(value, 20_000) if type(value) is str else value
+    environment.markup = jinja2.utils.markupsafe.Markup
+    environment.filters["capital"] = _capital
+    environment.filters["count"] = count_of
+    environment.filters["numbered"] = lambda name: (name, "number")
+    environment.filters["percent"] = lambda pair: round(100 * pair[0] / pair[1]) if pair[1] else 0
+    return environment
+
+
+def _capital(text):
+    """The text with a capital; a text that begins with a Python name, like my_psnr(), stays unchanged."""
+    return text[:1].upper() + text[1:] if text.split(" ", 1)[0].isalpha() else text
+
+
+def count_of(number, noun):
+    """A number with its noun: "1 learner", "2 learners"; only for nouns whose plural ends in s."""
+    return f"{number} {noun}" if number == 1 else f"{number} {noun}s"
+
+
+def prepare_templates():
+    """Import what draws pages, and compile the templates: the autograder can start in this time."""
+    import imgproc_course.classroom.exercises.answer_images  # noqa: F401 - Pillow
+
+    for path in TEMPLATES.glob("*.html"):
+        _environment().get_template(path.name)
+
+
+def render_page(name, **content):
+    """A page: the template `name` of pages/ with its content."""
+    style = (TEMPLATES / "style.css").read_text(encoding="utf-8")
+    digest = base64.b64encode(hashlib.sha256(style.encode()).digest()).decode("ascii")
+    policy = f"default-src 'none'; style-src 'sha256-{digest}'; img-src data:"
+    style = _environment().markup(style)  # our file: escaping would change what the hash covers
+    return _environment().get_template(name).render(style=style, policy=policy, **content)
+
+
+# ---------------------------------------------------------------- a learner's page
+
+
+def learner_page(entry, results, answer_keys, deadlines=None, *, incomplete=False):
+    """The page of one learner.
+
+    Parameters
+    ----------
+    entry : dict, the learner's part of grades.json
+    results : {lesson: GradedSubmission}; of a lesson without a result, the page shows only the points
+    answer_keys : AnswerKeys
+    deadlines : Deadlines, or None; a page with a deduction says what the late policy is
+    incomplete : bool, the page says that its details are missing
+
+    Returns
+    -------
+    str, HTML
+    """
+    lessons = [
+        _lesson_view(lesson, results.get(lesson["lesson"]), answer_keys) for lesson in entry["lessons"]
+    ]
+    late_policy = deadlines.policy.text if deadlines and deadlines.policy else ""
+    return render_page(
+        "learner.html", learner=entry, lessons=lessons, late_policy=late_policy, incomplete=incomplete
+    )
+
+
+def _lesson_view(lesson, result, answer_keys):
+    findings = [finding for finding in lesson["findings"] if finding["kind"] == "message"]
+    key = answer_keys.key_of(lesson["key"]) if lesson["key"] else None
+    views, ids = [], set()
+    for exercise in result.exercises if result else ():
+        notes = [finding["text"] for finding in findings if finding["exercise"] == exercise.id]
+        entry = next(entry for entry in lesson["exercises"] if entry["id"] == exercise.id)
+        views.append(_exercise_view(exercise, entry, notes, key.exercise(exercise.id)))
+        ids.add(exercise.id)
+    return lesson | {
+        "exercises": views,
+        "notes": [finding_text(finding) for finding in findings if finding["exercise"] not in ids],
+        "file": lesson["file"].rpartition("/")[2],
+        "input_set": key.variant if key and key.secret else None,
+        "before_late": plain_number(lesson["points"] + lesson["late_deduction"]),
+    }
+
+
+def finding_text(finding):
+    """A finding outside its exercise: of the whole lesson, or of a practice exercise, which no page lists."""
+    return f"{finding['exercise']}: {finding['text']}" if finding["exercise"] else finding["text"]
+
+
+def _exercise_view(exercise, entry, notes, key_exercise):
+    advice, replaces_hints = _advice_on(exercise)
+    show_values = not advice.endswith(_CELL_ADVICE)
+    is_no_python = any(note.startswith("line ") and NOT_PYTHON in note for note in notes)
+    if is_no_python:
+        advice = _CELL_ADVICE  # the note says what is wrong
+    cases = []
+    for case in exercise.cases:
+        cases.append(_case_view(case, key_exercise, replaces_hints, show_values))
+    for view in [view for view in cases if view["values"]][:1]:
+        view["open"] = True
+    explained_by_notes = is_no_python or (notes and advice == TEXTS[Outcome.MISSING].advice)
+    messages = [exercise.message] if exercise.message and not explained_by_notes else []
+    if replaces_hints and not exercise.message:
+        messages += list(dict.fromkeys(filter(None, map(_message_of, exercise.cases))))[:1]
+    return {
+        "title": exercise.title,
+        "function": key_exercise.function,
+        "points": entry["points"],
+        "max_points": entry["max_points"],
+        "autograded_points": exercise.points,
+        "decision": entry["decision"],
+        "notes": [*notes, *messages],
+        "advice": advice,
+        "mistake": exercise.mistake,
+        "mistake_explanation": exercise.mistake_explanation,
+        "cases": cases,
+    }
+
+
+def _case_view(case, key_exercise, replaced_by_advice, show_values):
+    view = {
+        "title": case.title,
+        "hidden": case.hidden,
+        "passed": case.passed,
+        "points": case.points,
+        "max_points": case.max_points,
+        "label": TEXTS[case.outcome].label,
+        "message": "" if replaced_by_advice else _message_of(case),
+        "hint": "" if replaced_by_advice else case.hint,
+        "values": [],
+        "images": [],
+        "printed": "",
+        "open": False,
+    }
+    if case.failed_call and not case.hidden and TEXTS[case.outcome].shows_values and show_values:
+        view |= _values_view(case, key_exercise)
+    return view
+
+
+def _message_of(case):
+    """What a page says about a case beside its title; for a hidden one at most the exception's name."""
+    reports_exception = case.outcome in (Outcome.RAISED, Outcome.MEMORY)
+    if case.outcome == Outcome.CRASHED or (case.hidden and not reports_exception):
+        return ""
+    return case.message
+
+
+def _advice_on(exercise):
+    """(advice, whether it replaces the hints): every case ended alike, so the cause is not in the inputs."""
+    outcomes = {case.outcome for case in exercise.cases}
+    if len(outcomes) != 1:
+        return "", False
+    (outcome,) = outcomes
+    if outcome == Outcome.RAISED:
+        if exercise.message:
+            advice = _advice_on_exception(exercise.message.partition(": ")[2])
+            return f"{advice} {_CELL_ADVICE}".strip(), True
+        errors = {case.message.partition(":")[0] for case in exercise.cases}
+        if errors == {"NameError"}:
+            return _NAME_ADVICE, False
+        advice = _advice_on_exception(exercise.cases[0].message) if len(errors) == 1 else ""
+        return advice, bool(advice)
+    return TEXTS[outcome].advice, bool(TEXTS[outcome].advice)
+
+
+def _advice_on_exception(text):
+    """The advice of `check` on the exception of a case's message, "" if there is none."""
+    error, _, message = text.partition(": ")
+    before, mark, line = message.rpartition(" (line ")
+    if not mark or not line.endswith(")"):
+        return advice_on(error, message)
+    return advice_on(error, before, f"line {line[:-1]}")
+
+
+def _values_view(case, key_exercise):
+    from imgproc_course.classroom.exercises.answer_images import answer_images
+
+    call = case.failed_call
+    names = [*key_exercise.arguments, *("" for _ in call.arguments)]
+    tolerance = next((declared.tolerance for declared in key_exercise.cases if declared.id == case.id), 0.0)
+    rows = [
+        [value_of(f"given {name}".strip(), form) for name, form in zip(names, call.arguments, strict=False)]
+    ]
+    images, argument = [], next(iter(call.arguments), None)
+    for name, expected, actual in answer_parts(call.expected, call.actual):
+        wrong = differing_elements(expected, actual, tolerance)
+        returned = value_of(f"returned {name}".strip(), actual, wrong)
+        rows.append([returned, value_of(f"expected {name}".strip(), expected, wrong)])
+        images += answer_images(argument, name, expected, actual, wrong)
+        argument = None
+    return {"values": rows, "images": images, "printed": call.printed.strip()}

@@ -1,0 +1,192 @@
+"""A roster: the table of everybody who should submit, as Moodle or Canvas exports it, or written by hand.
+
+Canvas    Grades > Export: Student ("Lovelace, Ada"), ID, SIS Login ID, ...
+Moodle    grading worksheet: Identifier, Full name, Email address, ...; participants and gradebook:
+          First name, Last name (or Surname), ID number, Email address, ...
+by hand   a column `name`, or `student`, or `email`
+"""
+
+import re
+import unicodedata
+from collections import Counter
+from dataclasses import dataclass
+
+from imgproc_course.classroom.autograder.sanitize import sanitize_line
+from imgproc_course.classroom.gradebook.lms_import import TableError, read_csv
+
+_FULL_NAME = ("student", "full name", "name", "learner", "student name")
+_FIRST_NAME = ("first name", "firstname")
+_LAST_NAME = ("last name", "lastname", "surname")
+_IDENTITIES = (
+    "email address",
+    "email",
+    "e-mail",
+    "username",
+    "id number",
+    "sis login id",
+    "sis user id",
+    "login",
+)
+_NUMBERS = {"id": "canvas", "identifier": "moodle"}
+_CLASS_LIST_NUMBER = re.compile(r"\d+[ _.-]+(?=\S)")  # 01_ada
+_NO_PEOPLE = ("", "student, test", "points possible")
+
+
+@dataclass(frozen=True)
+class RosterEntry:
+    """One row: the `name` to show, all `names` by which a submission can arrive, the platform's `number`.
+
+    `number` is (platform, digits), or None.
+    """
+
+    name: str
+    names: tuple
+    number: tuple | None
+
+    def is_sender(self, file):
+        """Whether a SubmittedFile is this person's."""
+        number = (file.platform, file.platform_id)
+        if self.number == number:
+            return True
+        # In Canvas a person has one number; in Moodle another one in each assignment.
+        another_number = self.number and file.platform == self.number[0] == "canvas"
+        return not another_number and self.has_name(file.learner)
+
+    def has_name(self, name):
+        """Whether this person's submission can arrive under a name."""
+        return _squeezed(name) in {_squeezed(own) for own in self.names}
+
+
+def read_roster(path):
+    """Read a roster.
+
+    Parameters
+    ----------
+    path : Path
+
+    Returns
+    -------
+    list of RosterEntry
+
+    Raises
+    ------
+    TableError : it cannot be read, or no column of it names people
+    """
+    columns, rows, _, _ = read_csv(path)
+    columns = [column.casefold() for column in columns]
+    known_columns = (*_FULL_NAME, *_FIRST_NAME, *_LAST_NAME, *_IDENTITIES)
+    if not set(columns) & set(known_columns):
+        shown_columns = sanitize_line(", ".join(columns), 200) or "nothing"
+        raise TableError(
+            f"{path}: its columns are {shown_columns}; expected one that"
+            " names people: Student (Canvas), Full name, or First name and Last name (Moodle), name, email"
+        )
+    entries = [_entry(dict(zip(columns, map(str.strip, row), strict=False))) for row in rows]
+    return [entry for entry in entries if entry is not None]
+
+
+def _entry(row):
+    full = next((row[column] for column in _FULL_NAME if row.get(column)), "")
+    first = next((row[column] for column in _FIRST_NAME if row.get(column)), "")
+    last = next((row[column] for column in _LAST_NAME if row.get(column)), "")
+    if not full:
+        full = f"{first} {last}".strip()
+    elif "," in full:
+        last, _, first = (part.strip() for part in full.partition(","))
+    elif not last:
+        first, _, last = full.rpartition(" ")
+    identities = [row[column] for column in _IDENTITIES if row.get(column)]
+    identities += [text.partition("@")[0] for text in identities if "@" in text]
+    names = tuple(
+        dict.fromkeys(filter(None, (full, f"{first} {last}".strip(), f"{last} {first}".strip(), *identities)))
+    )
+    if full.casefold() in _NO_PEOPLE and not (full == "" and identities):
+        return None
+    numbers = ((_NUMBERS[column], re.search(r"(?<!\d)\d+$", row.get(column, ""))) for column in _NUMBERS)
+    number = next(((platform, match[0]) for platform, match in numbers if match), None)
+    return RosterEntry(sanitize_line(full or identities[0], 120), names, number)
+
+
+def _squeezed(name):
+    """A name by its letters and digits alone: Canvas writes lovelaceada for "Lovelace, Ada"."""
+    return "".join(filter(str.isalnum, unicodedata.normalize("NFC", name).casefold()))
+
+
+def _learners_in(roster, learners):
+    """[(learner, list of their entries)].
+
+    A folder that a class list numbered, 01_ada, is Ada's if nothing else arrived under her name.
+    """
+    found = [
+        (
+            learner,
+            [
+                entry
+                for entry in roster
+                if any(entry.is_sender(submission.file) for submission in learner.all_submissions())
+            ],
+        )
+        for learner in learners
+    ]
+    seen = {entry for _, entries in found for entry in entries}
+    numbered = {}
+    for learner, entries in found:
+        number = _CLASS_LIST_NUMBER.match(learner.name)
+        if number and not entries:
+            name = learner.name[number.end() :]
+            for entry in (entry for entry in roster if entry.has_name(name) and entry not in seen):
+                numbered.setdefault(entry, []).append(entries)
+    for entry, places in numbered.items():
+        if len(places) == 1:
+            places[0].append(entry)
+    return found
+
+
+def _certainty(entry, learner):
+    """How certainly a learner is the person of an entry; sorts from the least to the most certain."""
+    files = [submission.file for submission in learner.all_submissions()]
+    has_number = entry.number in {(file.platform, file.platform_id) for file in files}
+    name = unicodedata.normalize("NFC", learner.name).casefold()
+    return has_number, name in {unicodedata.normalize("NFC", own).casefold() for own in entry.names}
+
+
+def names_in_roster(roster, learners):
+    """Whom the names of a roster mean, for the teacher's tables.
+
+    Parameters
+    ----------
+    roster : list of RosterEntry
+    learners : list of Learner
+
+    Returns
+    -------
+    {name: the learner's name, or None if this person handed in nothing}, without names of two people
+    """
+    senders = {entry.name: None for entry in roster}
+    found = [(entry, learner) for learner, entries in _learners_in(roster, learners) for entry in entries]
+    # Of two with nearly one name, the platform's number decides, then the exact name.
+    for entry, learner in sorted(found, key=lambda pair: _certainty(*pair)):
+        senders[entry.name] = learner.name
+    count = Counter(name for entry in roster for name in {entry.name, *entry.names})
+    names = ((name, entry.name) for entry in roster for name in {entry.name, *entry.names})
+    return {name: senders[entry_name] for name, entry_name in names if count[name] == 1}
+
+
+def roster_report(roster, learners):
+    """Who handed in nothing, and who is not in the roster.
+
+    Parameters
+    ----------
+    roster : list of RosterEntry
+    learners : list of Learner
+
+    Returns
+    -------
+    dict with `count` (of the roster), `missing` and `unknown` (lists of names)
+    """
+    unseen, unknown = list(roster), []
+    for learner, entries in _learners_in(roster, learners):
+        unseen = [entry for entry in unseen if entry not in entries]
+        if not entries:
+            unknown.append(learner.name)
+    return {"count": len(roster), "missing": [entry.name for entry in unseen], "unknown": unknown}

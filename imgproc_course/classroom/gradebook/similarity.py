@@ -1,0 +1,298 @@
+"""Which submissions of a lesson are similar, and which answers equal the course's solution.
+
+Two submissions are compared by their common fingerprints (see `fingerprints`). What the lesson gives (given
+cells, stubs), what the solution contains, and what more than MOST_COMMON different submissions contain says
+nothing, and does not count. Submissions of which each is similar to another one are a group, and the page
+shows their common answers once. Similarity is a reason to look, never a verdict: no point depends on it.
+"""
+
+import json
+import signal
+import subprocess
+import sys
+from collections import Counter
+from dataclasses import dataclass
+from functools import lru_cache
+from itertools import combinations
+from pathlib import Path
+
+from imgproc_course.classroom.autograder.sanitize import sanitize_text
+from imgproc_course.classroom.gradebook.report import render_page
+
+SHORTEST_SOLUTION = 60  # tokens; independent learners often write the same short solution
+MOST_COMMON = 10  # submissions that contain a fingerprint; MOSS has the same limit
+FEWEST_PRINTS = 6  # of a submission that is compared
+LEAST_SHARE = 0.5  # of the fingerprints of the smaller submission
+MOST_GROUPS = 40  # of one lesson
+MOST_VERSIONS = 6  # of an answer, that the page shows of a group
+_TRIES = 4
+_LONGEST_LINE = 20_000  # characters that a page shows
+_PROGRAM = Path(__file__).with_name("fingerprints.py")
+_NOTHING = {"shapes": {}, "prints": {}}
+
+
+@dataclass(frozen=True)
+class Version:
+    """One of the ways in which an exercise is answered in a group.
+
+    lines  numbers of the lines that other submissions of the group have too
+    """
+
+    learners: tuple
+    source: str
+    lines: frozenset
+
+
+@dataclass(frozen=True)
+class SimilarGroup:
+    """Submissions of a lesson of which each is similar to another one.
+
+    share     0 to 1: the greatest of two of them, of the fingerprints of the smaller one
+    learners  names, of all
+    versions  {exercise id: tuple of Version}, those of most learners first
+    """
+
+    lesson: str
+    share: float
+    learners: tuple
+    versions: dict
+
+
+@dataclass
+class _Document:
+    """Different learners' equal submission: its answers, shapes, and the fingerprints that count."""
+
+    learners: list
+    answers: dict
+    shapes: dict
+    prints: dict
+
+
+def read_fingerprints(submissions):
+    """The fingerprints of submissions, computed in a process of its own.
+
+    Parameters
+    ----------
+    submissions : list of {exercise id: source}
+
+    Returns
+    -------
+    list of dict as `fingerprints.fingerprints` returns them, empty ones for what ends the process
+    """
+    results, tries = [], _TRIES
+    while len(results) < len(submissions):
+        text = "".join(json.dumps(answers) + "\n" for answers in submissions[len(results) :])
+        program = [sys.executable, "-I", "-S", "-B", str(_PROGRAM)]
+        process = subprocess.run(program, input=text.encode("ascii"), capture_output=True, check=False)
+        lines = process.stdout.splitlines(keepends=True)
+        results += [json.loads(line) for line in lines if line.endswith(b"\n")]
+        tries = tries - 1 if process.returncode == -signal.SIGKILL else 0
+        if len(results) < len(submissions) and not tries:  # else somebody ended the process
+            results.append(_NOTHING)
+            tries = _TRIES
+    return results
+
+
+def compare(learners, answer_keys, store):
+    """Compare all submissions that count.
+
+    Parameters
+    ----------
+    learners : list of Learner
+    answer_keys : AnswerKeys
+    store : ResultStore, which has their answers
+
+    Returns
+    -------
+    (list of SimilarGroup, {answers digest: list of exercise ids}): the groups of each lesson, the most
+    similar first, and the answers that equal the solution
+    """
+    by_digest = {}
+    for learner in learners:
+        for lesson, submission in learner.submissions.items():
+            if submission.answers_digest:
+                by_digest.setdefault((lesson, submission.answers_digest), []).append(learner.name)
+    places = sorted(by_digest)
+    answers = [store.answers(digest)[2] for _, digest in places]
+    lessons = sorted({lesson for lesson, _ in places})
+    known = [known for lesson in lessons for known in answer_keys.known_code(lesson)]
+    results = read_fingerprints([*answers, *known])
+    compared, known = results[: len(places)], results[len(places) :]
+    groups, copies = [], {}
+    for number, lesson in enumerate(lessons):
+        handed_out, solution = known[2 * number : 2 * number + 2]
+        documents = {}
+        for (name, digest), sources, result in zip(places, answers, compared, strict=True):
+            if name == lesson:
+                copies[digest] = _copied(result["shapes"], solution["shapes"])
+                _add_document(documents, by_digest[name, digest], sources, result)
+        groups += _groups(
+            lesson, list(documents.values()), handed_out["prints"].keys() | solution["prints"].keys()
+        )
+    return groups, copies
+
+
+def _copied(shapes, solution_shapes):
+    """The exercises whose answer has the solution's shape, if that is long enough to say something."""
+    return [
+        id
+        for id, shape in shapes.items()
+        if shape == solution_shapes.get(id) and shape[1] >= SHORTEST_SOLUTION
+    ]
+
+
+def _add_document(documents, learners, sources, result):
+    key = json.dumps(result["shapes"], sort_keys=True)
+    document = documents.setdefault(key, _Document([], sources, result["shapes"], dict(result["prints"])))
+    document.learners += learners
+
+
+def _groups(lesson, documents, known):
+    counts = Counter(fingerprint for document in documents for fingerprint in document.prints)
+    for document in documents:
+        document.learners.sort(key=str.casefold)
+        document.prints = {
+            fingerprint: place
+            for fingerprint, place in document.prints.items()
+            if fingerprint not in known and counts[fingerprint] <= MOST_COMMON
+        }
+    documents = [document for document in documents if len(document.prints) >= FEWEST_PRINTS]
+    group_of, shares = list(range(len(documents))), [1.0 if len(d.learners) > 1 else 0.0 for d in documents]
+    for (i, first), (j, second) in combinations(enumerate(documents), 2):
+        common = len(first.prints.keys() & second.prints.keys())
+        share = common / min(len(first.prints), len(second.prints))
+        if share >= LEAST_SHARE:
+            shares[i], shares[j] = max(shares[i], share), max(shares[j], share)
+            old, new = group_of[j], group_of[i]
+            group_of = [new if group == old else group for group in group_of]
+    groups = [
+        _group(lesson, [documents[place] for place in places], max(shares[place] for place in places))
+        for places in _places(group_of)
+        if shares[places[0]]
+    ]
+    groups.sort(key=lambda group: (-group.share, group.learners))
+    return groups[:MOST_GROUPS]
+
+
+def _places(group_of):
+    """The places of each group's documents."""
+    places = {}
+    for place, group in enumerate(group_of):
+        places.setdefault(group, []).append(place)
+    return list(places.values())
+
+
+def _group(lesson, documents, share):
+    counts = Counter(fingerprint for document in documents for fingerprint in document.prints)
+    learners, versions = [], {}
+    for document in documents:
+        learners += document.learners
+        lines = {}
+        for fingerprint, (id, first, last) in document.prints.items():
+            if counts[fingerprint] > 1 or len(documents) == 1:
+                lines.setdefault(id, set()).update(range(first, last + 1))
+        for id, similar in lines.items():
+            shape = tuple(document.shapes[id])
+            version = (document.learners, document.answers[id], similar)
+            versions.setdefault(id, {}).setdefault(shape, []).append(version)
+    return SimilarGroup(
+        lesson,
+        share,
+        tuple(sorted(learners, key=str.casefold)),
+        {id: tuple(_versions(by_shape.values())) for id, by_shape in sorted(versions.items())},
+    )
+
+
+def _versions(equal_answers):
+    """The versions of an answer; answers that differ in their names only are one."""
+    versions = []
+    for answers in equal_answers:
+        learners = sorted((name for names, _, _ in answers for name in names), key=str.casefold)
+        _, source, lines = min(answers, key=lambda answer: answer[0])
+        versions.append(Version(tuple(learners), source, frozenset(lines)))
+    return sorted(versions, key=lambda version: (-len(version.learners), version.learners))
+
+
+def report_copies(entries, learners, copies):
+    """Add a finding for each graded answer that equals the course's solution; practice has no points.
+
+    Parameters
+    ----------
+    entries : list of dict, the learners' parts of grades.json; they are changed
+    learners : list of Learner, in the same order
+    copies : {answers digest: list of exercise ids}
+
+    Returns
+    -------
+    list of dict, the entries
+    """
+    text = "it equals the course's solution, whatever the names; the solutions are public: a reason to ask"
+    for entry, learner in zip(entries, learners, strict=True):
+        for lesson in entry["lessons"]:
+            submission = learner.submissions.get(lesson["lesson"])
+            copied = copies.get(submission.answers_digest, ()) if submission else ()
+            graded = {exercise["id"] for exercise in lesson["exercises"]}
+            for id in copied:
+                if id in graded:
+                    lesson["findings"].append({"kind": "odd", "exercise": id, "text": text})
+    return entries
+
+
+def similar_entries(groups):
+    """The groups as grades.json has them."""
+    return [
+        {"lesson": group.lesson, "percent": round(100 * group.share), "learners": list(group.learners)}
+        for group in groups
+    ]
+
+
+def similarity_page(groups, names):
+    """The teacher's page of similar submissions, the versions of an answer side by side.
+
+    Parameters
+    ----------
+    groups : list of SimilarGroup
+    names : {learner's name: the name to show}
+
+    Returns
+    -------
+    str, HTML; "" if there are none
+    """
+    views = []
+    for group in groups:
+        exercises = [
+            {
+                "id": id,
+                "versions": [
+                    {
+                        "learners": [names[name] for name in version.learners],
+                        "source": _marked(version.source, version.lines),
+                    }
+                    for version in versions[:MOST_VERSIONS]
+                ],
+                "others": [names[n] for version in versions[MOST_VERSIONS:] for n in version.learners],
+            }
+            for id, versions in group.versions.items()
+        ]
+        learners = [names[name] for name in group.learners]
+        is_same = all(len(versions) == 1 for versions in group.versions.values())
+        view = {"lesson": group.lesson, "percent": round(100 * group.share), "is_same": is_same}
+        views.append(view | {"learners": learners, "exercises": exercises})
+    return render_page("similar.html", groups=views) if views else ""
+
+
+def _marked(source, similar):
+    """A source as HTML, its similar lines marked; the template would take ten times as long."""
+    from jinja2.utils import markupsafe  # see `report.prepare_templates`
+
+    mark, lines = markupsafe.Markup("<mark>{}</mark>"), enumerate(map(_escaped, source.split("\n")), 1)
+    return markupsafe.Markup("\n").join(
+        mark.format(line) if number in similar else line for number, line in lines
+    )
+
+
+@lru_cache(maxsize=10_000)
+def _escaped(line):
+    from jinja2.utils import markupsafe
+
+    return markupsafe.escape(sanitize_text(line, _LONGEST_LINE))

@@ -1,0 +1,428 @@
+"""Read a submission: where each answer is, and what is unusual about the notebook.
+
+`imgproc-course check` and `imgproc-course grade` both read submissions here, so that they find the same
+answers and report the same findings. Only sources are taken: of the answers, and of the definitions in other
+cells that the answers read. Everything else in a notebook (check cells, outputs, kernels, tags) is ignored; a
+change that matters becomes a finding.
+"""
+
+import difflib
+from dataclasses import dataclass, field
+from enum import StrEnum
+from functools import lru_cache
+
+from imgproc_course.classroom.authoring.lesson_names import lesson_name, lessons_named
+from imgproc_course.classroom.autograder.sanitize import sanitize_line
+from imgproc_course.classroom.exercises.error_advice import advice_on
+from imgproc_course.classroom.gradebook.answer_cells import find_answer_cell
+from imgproc_course.classroom.gradebook.submission_reader import MOST_CHARACTERS, syntax_digest
+
+_LONGEST_PREDICTION = 1_000  # characters
+_MOST_PREDICTIONS = 100
+_MOST_NAMES = 8  # that a finding lists
+STUB_LINE = "the line `raise NotImplementedError(...)`: nothing below it runs; delete this line"
+NOT_PYTHON = "of its answer cell is not Python"
+_GRADER_COMMENTS = ("# NBVAL_", "# PYTEST_VALIDATE_")
+
+
+class AnswerState(StrEnum):
+    """The state of one exercise in a submission, before anything is run."""
+
+    ANSWERED = "answered"
+    NOT_ATTEMPTED = "not attempted"  # the stub, as it was handed out
+    MISSING = "missing"  # no answer cell
+    BROKEN = "broken"  # an answer cell that cannot get its points as it is
+
+
+@dataclass(frozen=True)
+class Finding:
+    """Something unusual about a submission.
+
+    kind      "message": for the learner and the instructor
+              "answer": a fault of an answer itself; grading reports it to the learner in its own words
+              "odd": for the instructor
+    exercise  its id, or "" for the whole notebook
+    text      one line
+    """
+
+    kind: str
+    exercise: str
+    text: str
+
+
+PAGES = ("index", "glossary")  # a learner who submits a whole folder submits these too
+
+
+@dataclass
+class SubmissionContent:
+    """What a notebook holds.
+
+    lesson    its name, or None if it is unknown
+    version   str or None, of the course, as the notebook says
+    answers   {exercise id: source}
+    states    {exercise id: AnswerState}, one for every exercise of the lesson
+    findings  list of Finding
+    claims    exercise ids whose stored outputs say that every check passes
+    predictions  {cell id: source}, what the learner predicted
+    reason    why the notebook cannot be read, or ""
+    is_page   it is a page of the course that has no answers, such as the index
+    """
+
+    lesson: str | None = None
+    version: str | None = None
+    answers: dict = field(default_factory=dict)
+    states: dict = field(default_factory=dict)
+    findings: list = field(default_factory=list)
+    claims: list = field(default_factory=list)
+    predictions: dict = field(default_factory=dict)
+    reason: str = ""
+    is_page: bool = False
+
+    def add(self, text, exercise="", kind="message"):
+        """Add a finding."""
+        self.findings.append(Finding(kind, exercise, text))
+
+    def texts_about(self, exercise):
+        """The texts of the findings about an exercise; about the whole notebook if it is ""."""
+        return [finding.text for finding in self.findings if finding.exercise == exercise]
+
+
+def read_submission(data, catalog, reader, name=""):
+    """Read a submission and inspect it.
+
+    Parameters
+    ----------
+    data : bytes of the notebook
+    catalog : AnswerKeys (for `grade`) or CheckFileCatalog (for `check`), the lessons that it can be
+    reader : NotebookReader
+    name : str, the file's name, which may name the lesson
+
+    Returns
+    -------
+    SubmissionContent
+    """
+    notebook, reason = reader.read(data)
+    if notebook is None:
+        return SubmissionContent(lesson=lesson_by_name(name, catalog.lessons), reason=reason)
+    content = SubmissionContent(version=notebook["version"])
+    cells = [cell for cell in notebook["cells"] if cell is not None]
+    content.lesson = _recognize(notebook, cells, catalog, name, content)
+    if content.lesson is None:
+        content.is_page = notebook["lesson"] in PAGES
+        claim = (
+            f"; it says that it is {sanitize_line(notebook['lesson'], 80)!r}" if notebook["lesson"] else ""
+        )
+        content.reason = f"it is not one of the lessons {', '.join(catalog.lessons)}{claim}"
+        return content
+    lesson = catalog.describe(content.lesson, content.version)
+    content.predictions = _predictions(cells, lesson)
+    _inspect_notebook(notebook, cells, lesson, content)
+    answers = {}
+    for exercise in lesson.exercises:
+        answers[exercise] = find_answer_cell(exercise, cells, lesson)
+        content.states[exercise.id] = _inspect_answer(exercise, answers[exercise], content)
+        _compare_given(exercise, cells, lesson, content)
+    _compose_answers(answers, notebook["cells"], reader, content)
+    return content
+
+
+def _predictions(cells, lesson):
+    """{id: source} of the predict cells; of a lesson that was handed out with some only those."""
+    handed_out = {id for id in lesson.cells if id.startswith("predict-")}
+    predictions = {
+        cell["id"]: cell["source"][:_LONGEST_PREDICTION]
+        for cell in cells
+        if cell["id"].startswith(f"predict-{lesson.name}-") and cell["source"]
+        if not handed_out or cell["id"] in handed_out
+    }
+    return dict(list(predictions.items())[:_MOST_PREDICTIONS])
+
+
+def lesson_by_name(name, lessons):
+    """The one lesson that a file's name contains, or None if there is none or more than one.
+
+    Parameters
+    ----------
+    name : str
+    lessons : iterable of str
+    """
+    candidates = lessons_named(name, lessons)
+    return candidates[0] if len(candidates) == 1 else None
+
+
+def _recognize(notebook, cells, catalog, name, content):
+    """The lesson by its metadata if its answer cells agree, by those cells, by its name, or its functions."""
+    marks = {cell["id"] for cell in cells} | {f"answer-{cell['exercise']}" for cell in cells}
+    metadata_lesson = lesson_name(notebook["lesson"] or "")
+    claim = metadata_lesson if metadata_lesson in catalog.lessons else None
+    if claim and marks & catalog.answer_ids(claim):
+        return claim
+    named_lesson = None if metadata_lesson else lesson_by_name(name, catalog.lessons)
+    by_marks = _most({lesson: marks & catalog.answer_ids(lesson) for lesson in catalog.lessons})
+    if by_marks:
+        if (claim or named_lesson) not in (None, by_marks):
+            says = "it says" if claim else "its name says"
+            text = f"{says} that it is {claim or named_lesson}, but its answer cells are those of {by_marks}"
+            content.add(f"{text}; it is graded as {by_marks}")
+        return by_marks
+    if claim or metadata_lesson:
+        return claim
+    return _recognize_unmarked(
+        named_lesson, {name for cell in cells for name in cell["functions"]}, catalog, content
+    )
+
+
+def _recognize_unmarked(named, functions, catalog, content):
+    """The lesson of a notebook without any mark: by the file's name first, then by its functions."""
+    common = {lesson: functions & catalog.functions(lesson) for lesson in catalog.lessons}
+    by_functions = _most(common)
+    if named is None and by_functions:
+        content.add(f"it was recognized as {by_functions} by its functions: {_listed(common[by_functions])}")
+    if named and by_functions not in (None, named) and not common[named]:
+        text = f"its name says that it is {named}, but it defines functions of {by_functions}"
+        content.add(f"{text} ({_listed(common[by_functions])}); it is graded as {named}, by its name")
+    return named or by_functions
+
+
+def _most(sets):
+    """The key whose set is the largest; None if all are empty, or two are equally large."""
+    sizes = sorted(((len(values), key) for key, values in sets.items()), reverse=True)
+    if not sizes or not sizes[0][0] or (len(sizes) > 1 and sizes[0][0] == sizes[1][0]):
+        return None
+    return sizes[0][1]
+
+
+def _listed(functions):
+    return ", ".join(f"{sanitize_line(name, 60)}()" for name in sorted(functions)[:_MOST_NAMES])
+
+
+def _inspect_notebook(notebook, cells, lesson, content):
+    if content.version != lesson.version:
+        version = f"version {content.version[:40]!r}" if content.version else "an unknown version"
+        content.add(
+            f"it was made from {sanitize_line(version)} of the lesson, not from version {lesson.version}"
+        )
+    if len(cells) < len(notebook["cells"]):
+        content.add(f"{len(notebook['cells']) - len(cells)} of its cells are not cells", kind="odd")
+    if notebook["kernel"] not in (None, "python3"):
+        kernel = sanitize_line(notebook["kernel"], 60)
+        content.add(f"it asks for the kernel {kernel!r}; grading uses its own", kind="odd")
+
+
+# ---------------------------------------------------------------- answers
+
+
+def _inspect_answer(exercise, answer, content):
+    """Take an exercise's answer, add what is unusual about it, and return its AnswerState."""
+    if answer is None:
+        content.add(f"its answer cell ({exercise.answer_id}) is missing", exercise.id)
+        return AnswerState.MISSING
+    cell = answer.cell
+    if not answer.is_answer and not answer.own:  # the stub, without its mark
+        content.answers[exercise.id] = cell["source"]
+        return AnswerState.NOT_ATTEMPTED
+    if not answer.is_answer and cell["type"] != "code":
+        content.add(f"its answer cell is a {_kind(cell)} cell; make it a code cell (key Y)", exercise.id)
+        return AnswerState.BROKEN
+    if cell["source"] is None:
+        content.add("the source of its answer cell is not text", exercise.id)
+        return AnswerState.BROKEN
+    content.answers[exercise.id] = cell["source"]
+    tags = cell.get("grader_tags")
+    if tags or any(comment in cell["source"] for comment in _GRADER_COMMENTS):
+        text = "its answer cell has tags or comments that direct a grader; they are ignored"
+        content.add(text, exercise.id, "odd")
+    state = _inspect_source(exercise, answer, content)
+    if state is AnswerState.ANSWERED:
+        _report_place(exercise, answer, content)
+    return state
+
+
+def _inspect_source(exercise, answer, content):
+    source = answer.cell["source"]
+    if len(source) > MOST_CHARACTERS:
+        text = f"its answer is longer than {MOST_CHARACTERS} characters, the most that are graded"
+        content.add(text, exercise.id, "answer")
+        return AnswerState.BROKEN
+    if answer.is_elsewhere:
+        return AnswerState.ANSWERED
+    if _is_stub(answer.cell, exercise):
+        return AnswerState.NOT_ATTEMPTED
+    problem, is_slip = _problem(exercise, answer.cell)
+    if problem:
+        content.add(problem, exercise.id, "message" if is_slip else "answer")
+        return AnswerState.BROKEN
+    if exercise.function in answer.cell["answer"]["stub_lines"]:
+        content.add(f"{exercise.function}() still begins with {STUB_LINE}", exercise.id)
+    return AnswerState.ANSWERED if answer.is_answer else AnswerState.NOT_ATTEMPTED
+
+
+def _is_stub(cell, exercise):
+    if cell["source"].strip() == exercise.stub.strip():
+        return True
+    digest = cell["answer"]["digest"]
+    return digest is not None and digest == _digest_of_stub(exercise.stub)
+
+
+@lru_cache(maxsize=500)
+def _digest_of_stub(stub):
+    return syntax_digest(stub)
+
+
+def _problem(exercise, cell):
+    """(why a marked cell cannot get its points, whether a slip may be the cause), ("", False) if it can."""
+    if not _has_code(cell["source"]):
+        return "its answer cell is empty", False
+    if cell["answer"]["error"]:
+        return _syntax_problem(exercise, cell["answer"])
+    names = cell["answer"]["names"]
+    if names is not None and exercise.function not in names:
+        name = _similar_name(exercise, cell)
+        text = f"its answer cell does not define {exercise.function}()"
+        return text + (f", but {name}; the name must be the one of the task" if name else ""), bool(name)
+    return "", False
+
+
+def _syntax_problem(exercise, syntax):
+    line, text, message = syntax["error"]
+    text, message = sanitize_line(text, 80), sanitize_line(message, 100)
+    problem = f"line {line} {NOT_PYTHON}: {text} ({message})"
+    advice = advice_on("SyntaxError", message, f"line {line}: {text}")
+    mended_line, names = syntax["slip"] or ("", ())
+    is_slip = names is None or exercise.function in names
+    change = f"One change makes it Python: {sanitize_line(mended_line, 80)!r}" if is_slip else ""
+    return ". ".join(filter(None, [problem, advice.removesuffix("."), change])), is_slip
+
+
+def _similar_name(exercise, cell):
+    """The function of the cell whose name was meant: the only one, or one written nearly so; or ""."""
+    defined = sorted(cell["functions"])
+    names = defined if len(defined) == 1 else difflib.get_close_matches(exercise.function, defined, 1)
+    return f"{sanitize_line(names[0], 60)}()" if names else ""
+
+
+def _has_code(source):
+    return any(line.strip() and not line.strip().startswith("#") for line in source.splitlines())
+
+
+def _report_place(exercise, answer, content):
+    """Report an answer that does not stand where it was handed out, or not there alone."""
+    name = f"{exercise.function}()"
+    if answer.is_elsewhere:
+        text = f"graded from another cell ({_place(answer.cell)}), which defines {name}: "
+        content.add(text + _state_of_marked(exercise, answer.own), exercise.id)
+    elif answer.cell["type"] != "code":
+        text = (
+            f"its answer cell is a {_kind(answer.cell)} cell; its text is graded (key Y makes it code again)"
+        )
+        content.add(text, exercise.id)
+    if answer.others:
+        places = ", ".join(map(_place, answer.others[:_MOST_NAMES]))
+        text = (
+            f"{len(answer.others) + 1} cells define {name}: {_place(answer.cell)} is graded, and not {places}"
+        )
+        content.add(text, exercise.id)
+
+
+def _state_of_marked(exercise, own):
+    """What is wrong with the cell that is marked as the answer cell."""
+    text = f"its answer cell ({exercise.answer_id})"
+    if not own:
+        return f"{text} is missing"
+    if own[0]["type"] != "code":
+        return f"{text} is a {_kind(own[0])} cell"
+    if own[0]["source"] is None:
+        return f"{text} holds no text"
+    return _problem(exercise, own[0])[0] or f"{text} holds the stub"
+
+
+def _place(cell):
+    return sanitize_line(cell["id"], 80) or f"cell number {cell['number'] + 1}"
+
+
+def _kind(cell):
+    return sanitize_line(cell["type"], 20) or "nameless"
+
+
+def _compose_answers(answers, all_cells, reader, content):
+    """Replace each answer by the source that is graded: with what it reads from other cells."""
+    answered = {
+        exercise: answer.cell
+        for exercise, answer in answers.items()
+        if content.states[exercise.id] is AnswerState.ANSWERED
+    }
+    if not answered:
+        return
+    preferred = {exercise.function: cell["number"] for exercise, cell in answered.items()}
+    requests = [
+        [cell["number"], exercise.function, sorted(exercise.given_names), preferred]
+        for exercise, cell in answered.items()
+    ]
+    composed = reader.compose(requests)
+    if composed is None:
+        content.add(
+            "what its answers read from other cells takes too much time or memory to find", kind="odd"
+        )
+        return
+    functions = {exercise.function: exercise.id for exercise in answered}
+    for exercise, (source, taken) in zip(answered, composed, strict=True):
+        content.answers[exercise.id] = source
+        if len(source) > MOST_CHARACTERS:
+            text = (
+                f"its answer and what it reads from other cells are longer than {MOST_CHARACTERS} characters"
+            )
+            content.add(text, exercise.id, "answer")
+            content.states[exercise.id] = AnswerState.BROKEN
+        elif taken:
+            content.add(_taken_text(taken, all_cells, functions), exercise.id)
+
+
+def _taken_text(taken, cells, functions):
+    names = [
+        f"{sanitize_line(name, 60)}{'()' if kind == 'function' else ''}"
+        + (f" (your answer to {functions[name]})" if name in functions else "")
+        for name, kind, _ in taken
+    ]
+    places = dict.fromkeys(_place(cells[number]) for _, _, number in taken)
+    more_names = f" and {len(names) - _MOST_NAMES} more" if len(names) > _MOST_NAMES else ""
+    place = "another cell" if len(places) == 1 else "other cells"
+    listed, listed_places = (", ".join(list(texts)[:_MOST_NAMES]) for texts in (names, places))
+    return f"its answer reads {listed}{more_names} of {place} ({listed_places}), which is graded with it"
+
+
+# ---------------------------------------------------------------- cells of the lesson
+
+
+def _compare_given(exercise, cells, lesson, content):
+    """Report check and given cells that were changed or removed, and collect what check cells claim."""
+    cells_by_id, cells_by_source = {}, {}
+    for cell in cells:
+        cells_by_id.setdefault(cell["id"], cell)
+        cells_by_source.setdefault((cell.get("source") or "").strip(), cell)
+    for id, source in sorted(lesson.cells.items()):
+        if source is None or not id.startswith((f"check-{exercise.id}-", f"given-{exercise.id}-")):
+            continue
+        cell = cells_by_id.get(id) or cells_by_source.get(source.strip())  # some tools rewrite ids
+        change = _change(cell, source)
+        if change:
+            role = "check cell" if id.startswith("check-") else "given cell"
+            content.add(f"its {role} ({id}) {change}; grading uses its own", exercise.id)
+    outputs = (cell["output"] for id, cell in cells_by_id.items() if id.startswith(f"check-{exercise.id}-"))
+    if _claims_to_pass(exercise.id, "\n".join(outputs)):
+        content.claims.append(exercise.id)
+
+
+def _change(cell, source):
+    if cell is None:
+        return "is missing"
+    if cell["type"] != "code":
+        return "is not a code cell any more"
+    return "" if (cell["source"] or "").strip() == source.strip() else "was changed"
+
+
+def _claims_to_pass(exercise_id, output):
+    starts = (f"{exercise_id}: the check passes", f"{exercise_id}: all ")
+    return any(
+        line.startswith(starts) and line.rstrip(".").endswith(("passes", "pass"))
+        for line in output.splitlines()
+    )

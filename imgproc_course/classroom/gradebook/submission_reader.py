@@ -1,0 +1,376 @@
+"""Reads notebooks of learners, in a process of its own that may fail without harm.
+
+`notebook_reader.NotebookReader` starts this file as a program with a limit on memory, sends it the bytes of a
+notebook and receives plain data: the id and type of each cell, and the sources of code. It also composes the
+source by which an answer is graded. Nothing in a notebook is run or followed. The program imports the
+standard library only, and `cell_syntax` (and `syntax_slips`, once an answer has an error), which do the same:
+it starts quickly, and no module of a learner can take the place of ours.
+"""
+
+import ast
+import codecs
+import ctypes
+import hashlib
+import importlib
+import json
+import re
+import resource
+import signal
+import sys
+from functools import lru_cache
+from pathlib import Path
+
+if __name__ == "__main__":
+    sys.path.append(str(Path(__file__).parents[1] / "exercises"))
+    import cell_syntax
+else:
+    from imgproc_course.classroom.exercises import cell_syntax
+
+MOST_CHARACTERS = 200_000  # of one source; grading refuses a longer answer
+MOST_CELLS = 5_000
+MOST_CODE = 2_000_000  # characters of all cells that are not the course's; what comes after is not searched
+_COURSE_IDS = ("answer-", "check-", "given-", "predict-")
+_MOST_FUNCTIONS = 200  # functions that are returned per cell
+_MOST_OUTPUT = 2_000  # characters of a check cell's output
+_MOST_NAME = 200  # characters of a name or an id
+_CODE_BEGINS = re.compile(r"^(def|async def|class) \w|^\w+ *= *(lambda|\w)", re.M)
+_PR_SET_PDEATHSIG = 1
+_SLIPS = "syntax_slips" if __name__ == "__main__" else "imgproc_course.classroom.exercises.syntax_slips"
+_UNKNOWN_SYNTAX = {"error": None, "slip": None, "digest": None, "names": None, "stub_lines": []}
+
+
+class UnreadableError(ValueError):
+    """Why the bytes are not a notebook, for instructors and learners."""
+
+
+def read_notebook(data):
+    """Read a notebook as plain data.
+
+    Parameters
+    ----------
+    data : bytes of the file
+
+    Returns
+    -------
+    dict with
+
+    lesson, version, kernel : str, or None if the notebook does not name them
+    cells : list of dict, None in the place of anything that is not a cell. Each has `number`, `id`, `type`,
+        `exercise` (the id in its metadata, or "") and `functions` (see `cell_syntax.function_definitions`; of
+        a cell that is no code only if its text is). A code cell and a cell of the course have `source` (str,
+        at most one character more than MOST_CHARACTERS; None if it is not text, or after MOST_CODE). A cell
+        of the course has `grader_tags`, an answer cell also `answer` (see `_parsed_answer`), a check cell
+        `output`
+
+    Raises
+    ------
+    UnreadableError : the bytes are not a notebook of format 4 or 3
+    """
+    notebook = _parsed(data)
+    nbformat = notebook.get("nbformat")
+    if isinstance(nbformat, bool) or not isinstance(nbformat, int):
+        raise UnreadableError("it does not say which notebook format it has; save it again in JupyterLab")
+    if nbformat not in (3, 4):
+        raise UnreadableError(
+            f"it has notebook format {str(nbformat)[:20]}, and only the formats 4 and 3 can be read; open the"
+            " lesson in JupyterLab and copy your answers there"
+        )
+    cells = notebook.get("cells") if nbformat == 4 else _cells_of_format_3(notebook)
+    if not isinstance(cells, list):
+        raise UnreadableError("it has no list of cells; save it again in JupyterLab")
+    if len(cells) > MOST_CELLS:
+        raise UnreadableError(f"it has {len(cells)} cells; at most {MOST_CELLS} are read")
+    metadata = _dict(notebook.get("metadata"))
+    about = _dict(metadata.get("imgproc_course"))
+    return {
+        "lesson": _text(about.get("lesson")),
+        "version": _text(about.get("version")),
+        "kernel": _text(_dict(metadata.get("kernelspec")).get("name")),
+        "cells": _cells(cells),
+    }
+
+
+def _parsed(data):
+    if not data.strip():
+        raise UnreadableError("the file is empty")
+    # Windows PowerShell and some editors save UTF-16; its byte order mark cannot begin UTF-8.
+    encoding = "utf-16" if data.startswith((codecs.BOM_UTF16_LE, codecs.BOM_UTF16_BE)) else "utf-8-sig"
+    try:
+        notebook = json.loads(data.decode(encoding))
+    except UnicodeDecodeError as error:
+        name = "UTF-16" if encoding == "utf-16" else "UTF-8"
+        raise UnreadableError(
+            f"it is not {name} text (byte {error.start}); save it again in JupyterLab"
+        ) from error
+    except RecursionError as error:
+        raise UnreadableError("it is nested too deep to be a notebook") from error
+    except ValueError as error:
+        line = getattr(error, "lineno", None)
+        place = f" (line {line})" if line else ""
+        raise UnreadableError(
+            f"it is not a notebook: its JSON is broken{place}; save it again in JupyterLab"
+        ) from error
+    if not isinstance(notebook, dict):
+        raise UnreadableError("it is not a notebook: its JSON holds something else")
+    return notebook
+
+
+def _cells_of_format_3(notebook):
+    """The cells of all worksheets as format 4 has them, code as `source`; None without any list of cells."""
+    worksheets = notebook.get("worksheets")
+    parts = [_dict(part).get("cells") for part in worksheets] if isinstance(worksheets, list) else []
+    parts = [cells for cells in parts if isinstance(cells, list)]
+    return [_cell_of_format_3(cell) for cells in parts for cell in cells] if parts else None
+
+
+def _cell_of_format_3(cell):
+    is_code = isinstance(cell, dict) and cell.get("cell_type") == "code"
+    return cell | {"source": cell.get("input")} if is_code else cell
+
+
+def _dict(value):
+    return value if isinstance(value, dict) else {}
+
+
+def _text(value):
+    return value[:_MOST_NAME] if isinstance(value, str) else None
+
+
+def _joined(text):
+    """A text that may be stored as a list of lines, as one str; None if it is neither."""
+    if isinstance(text, list) and all(isinstance(line, str) for line in text):
+        text = "".join(text)
+    return text if isinstance(text, str) else None
+
+
+def _cells(cells):
+    contents, code_left = [], MOST_CODE
+    for number, cell in enumerate(cells):
+        content = _cell(cell, number, code_left) if isinstance(cell, dict) else None
+        contents.append(content)
+        if content and "answer" not in content:
+            code_left -= len(content.get("source") or "")
+    return contents
+
+
+def _cell(cell, number, code_left):
+    """A cell as `read_notebook` describes it."""
+    about = _dict(_dict(cell.get("metadata")).get("imgproc_course"))
+    content = {
+        "number": number,
+        "id": _text(cell.get("id")) or "",
+        "type": _text(cell.get("cell_type")) or "",
+        "exercise": _text(about.get("exercise")) or "",
+        "functions": {},
+    }
+    source = _joined(cell.get("source"))
+    if source is not None:
+        source = source[: MOST_CHARACTERS + 1]
+    is_answer = content["id"].startswith("answer-") or bool(content["exercise"])
+    if is_answer or content["id"].startswith(_COURSE_IDS):
+        content["source"] = source
+        content["grader_tags"] = _grader_tags(cell)
+    elif content["type"] == "code":
+        content["source"] = source if len(source or "") <= code_left else None
+    if is_answer and source is not None:
+        content["answer"] = _parsed_answer(source)
+    if _may_define(content, source):
+        content["functions"] = _functions(source)
+    if content["functions"]:
+        content["source"] = source
+    if content["id"].startswith("check-"):
+        content["output"] = _output_text(cell)
+    return content
+
+
+def _may_define(content, source):
+    """Whether to look for functions: in code, and in another cell if a line of it begins like code."""
+    if content["type"] == "code":
+        return bool(content["source"])
+    return source is not None and len(source) <= MOST_CHARACTERS and bool(_CODE_BEGINS.search(source))
+
+
+def _functions(source):
+    return _cached_functions(source) if len(source) <= cell_syntax.MOST_CACHED else _find_functions(source)
+
+
+@lru_cache(maxsize=2_000)
+def _cached_functions(source):
+    return _find_functions(source)
+
+
+def _find_functions(source):
+    functions = cell_syntax.function_definitions(cell_syntax.plain_python(source))
+    return {name[:_MOST_NAME]: digest for name, digest in list(functions.items())[:_MOST_FUNCTIONS]}
+
+
+def _grader_tags(cell):
+    """The tags and metadata that would direct nbval, nbgrader or otter-grader."""
+    metadata = _dict(cell.get("metadata"))
+    tags = metadata.get("tags")
+    tags = [tag for tag in tags if isinstance(tag, str)] if isinstance(tags, list) else []
+    prefixes = ("nbval-", "raises-exception", "skip", "otter")
+    grader_tags = [tag[:_MOST_NAME] for tag in tags if tag.startswith(prefixes)]
+    return grader_tags[:10] + [name for name in ("nbgrader", "points", "otter") if name in metadata]
+
+
+def syntax_digest(source):
+    """SHA-256 of a source's syntax tree: equal for sources that differ only in comments and spacing.
+
+    Returns
+    -------
+    str of hexadecimal digits, or None if the source does not parse
+    """
+    try:
+        return _tree_digest(ast.parse(source))
+    except cell_syntax.UNPARSABLE:
+        return None
+
+
+def _tree_digest(tree):
+    try:
+        return hashlib.sha256(ast.dump(tree).encode("utf-8", "surrogatepass")).hexdigest()
+    except (RecursionError, MemoryError):
+        return None
+
+
+def _parsed_answer(source):
+    """What the syntax of an answer says.
+
+    Returns
+    -------
+    dict with
+
+    error : [line number, text of the line, message] of a syntax error, or None
+    slip : [the line mended, names as below] if one change makes a source with an error Python, or None
+    digest : see `syntax_digest`
+    names : list of str, what the source binds at its top level; None if that is unknown
+    stub_lines : list of str, the functions that go on after the stub's `raise NotImplementedError(...)`
+    """
+    source = cell_syntax.plain_python(source)
+    try:
+        tree = ast.parse(source)
+    except SyntaxError as error:
+        text = (error.text or "").strip()[:_MOST_NAME]
+        line = [error.lineno or 1, text, error.msg[:_MOST_NAME]]
+        return {**_UNKNOWN_SYNTAX, "error": line, "slip": _slip(source, error)}
+    except (ValueError, RecursionError, MemoryError):
+        return _UNKNOWN_SYNTAX
+    return {
+        "error": None,
+        "slip": None,
+        "digest": _tree_digest(tree),
+        "names": _bound_names(tree),
+        "stub_lines": cell_syntax.functions_with_stub_line(tree)[:_MOST_FUNCTIONS],
+    }
+
+
+def _bound_names(tree):
+    """The names that a module binds at its top level, sorted; None if `import *` hides them."""
+    names = set().union(*map(cell_syntax.names_bound_by, tree.body))
+    return None if "*" in names else sorted(names)
+
+
+def _slip(source, error):
+    mended = importlib.import_module(_SLIPS).without_slip(source, error)
+    if mended is None:
+        return None
+    mended_source, tree = mended
+    lines = re.split("\r\n?|\n", mended_source)  # as Python counts them
+    return [lines[min(error.lineno or 1, len(lines)) - 1].strip()[:_MOST_NAME], _bound_names(tree)]
+
+
+def _output_text(cell):
+    """The beginning of a cell's stored outputs, as text."""
+    outputs = cell.get("outputs")
+    texts = []
+    for output in outputs[:20] if isinstance(outputs, list) else ():
+        output = _dict(output)
+        for text in (output.get("text"), _dict(output.get("data")).get("text/plain")):
+            texts.append((_joined(text) or "")[:_MOST_OUTPUT])
+    return "\n".join(filter(None, texts))[:_MOST_OUTPUT]
+
+
+def compose_answers(cells, requests):
+    """The sources by which answers are graded; see `cell_syntax.CellDefinitions.compose`.
+
+    Parameters
+    ----------
+    cells : as `read_notebook` describes them
+    requests : list of the arguments of `compose`
+
+    Returns
+    -------
+    list of [source, [[name, kind, number of the cell], ...]]
+    """
+    definitions = cell_syntax.CellDefinitions([_source_to_search(cell) for cell in cells])
+    answers = []
+    for request in requests:
+        source, taken = definitions.compose(*request)
+        names = [[definition.name[:_MOST_NAME], definition.kind, definition.cell] for definition in taken]
+        answers.append([source, names])
+    return answers
+
+
+def _source_to_search(cell):
+    """The source of a cell in which names may be defined, None for another cell."""
+    if cell is None or not (cell["type"] == "code" or cell["functions"]):
+        return None
+    source = cell["source"] or ""
+    if 0 < len(source) <= cell_syntax.MOST_CACHED:
+        return _cached_plain_python(source)
+    return cell_syntax.plain_python(source) if 0 < len(source) <= MOST_CHARACTERS else None
+
+
+@lru_cache(maxsize=2_000)
+def _cached_plain_python(source):
+    return cell_syntax.plain_python(source)
+
+
+def serve(requests, replies, most_memory):
+    """Answer each request with a line of JSON, until there is no more, or the memory is in use.
+
+    `read <length>`, and the bytes of a notebook: {"notebook": } or {"reason": }
+    `compose <length>`, and the requests of `compose_answers` as JSON, about the last notebook: {"answers": }
+
+    Parameters
+    ----------
+    requests, replies : binary files
+    most_memory : int, bytes; with more in use, it ends instead of reading another notebook. So what it
+        remembers of earlier notebooks leaves enough memory for each one
+    """
+    notebook = None
+    while header := requests.readline():
+        kind, length = header.split()
+        if kind == b"read" and _memory_in_use() > most_memory:
+            return
+        body = requests.read(int(length))
+        try:
+            if kind == b"read":
+                notebook = read_notebook(body)
+                reply = {"notebook": notebook}
+            else:
+                reply = {"answers": compose_answers(notebook["cells"], json.loads(body))}
+        except UnreadableError as error:
+            reply = {"reason": str(error)}
+        except (MemoryError, RecursionError):
+            reply = {"reason": "reading it takes more memory than a notebook needs"}
+        replies.write(json.dumps(reply).encode("ascii") + b"\n")
+        replies.flush()
+
+
+def _memory_in_use():
+    """Bytes of this process; 0 where the system does not say it."""
+    try:
+        pages = Path("/proc/self/statm").read_text(encoding="ascii").split()[1]
+    except OSError:
+        return 0
+    return int(pages) * resource.getpagesize()
+
+
+if __name__ == "__main__":
+    memory = int(sys.argv[1])
+    resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
+    if sys.platform.startswith("linux"):
+        ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)  # end with the process that started this
+    serve(sys.stdin.buffer, sys.stdout.buffer, memory // 4)

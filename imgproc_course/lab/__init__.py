@@ -1,0 +1,1 @@
+"""JupyterLab on the learner's lessons: working copies, configuration, server."""

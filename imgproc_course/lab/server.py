@@ -1,0 +1,188 @@
+"""Starts JupyterLab on the learner's lessons, with the configuration in jupyter_config/."""
+
+import errno
+import functools
+import importlib.util
+import os
+import sys
+import tempfile
+from pathlib import Path
+
+import nbformat
+from jupyter_core.paths import jupyter_runtime_dir
+from jupyter_server.serverapp import ServerApp, list_running_servers
+from nbformat.sign import NotebookNotary
+from traitlets import TraitError, default, validate
+
+from imgproc_course.lab.working_copies import CHECKOUT, update_lessons
+from imgproc_course.ros_domain import choose_domain
+
+CONFIGURATION = Path(__file__).with_name("jupyter_config")
+DISCOVERY_VARIABLES = (
+    "ROS_DOMAIN_ID",
+    "ROS_AUTOMATIC_DISCOVERY_RANGE",
+    "ROS_LOCALHOST_ONLY",
+    "ROS_STATIC_PEERS",
+)
+
+print_now = functools.partial(print, flush=True)  # before JupyterLab's own lines, also in a log file
+
+
+class LabError(Exception):
+    """JupyterLab cannot be started; the text is one line that says what to do."""
+
+
+class CourseServer(ServerApp):
+    """Jupyter's server. It prints the port that it uses if the configured one is in use.
+
+    Jupyter Server 2.21 logs this at the level INFO only, among much that no learner needs. This class can go
+    when a release of Jupyter Server logs it at the level WARNING.
+
+    It also refuses a number that is not a port: the system would take 65536 for 0, which means any free port.
+    """
+
+    @validate("port")
+    def _check_port(self, proposal):
+        port = proposal["value"]
+        if not 0 <= port <= 65535:
+            raise TraitError(f"--port {port} is not a port; give a number from 1024 to 65535: --port 8888")
+        return port
+
+    @default("static_custom_path")
+    def _static_custom_path_default(self):
+        return [str(CONFIGURATION / "custom")]  # custom.css; LabApp.custom_css switches it on
+
+    @default("port_retries")
+    def _port_retries_default(self):
+        # Below 1024 most users may not listen, and each of 50 more tries would log a warning.
+        return 0 if 0 < self.port < 1024 else super()._port_retries_default()
+
+    def init_httpserver(self):
+        configured_port = self.port
+        try:
+            super().init_httpserver()  # sets `port` to the one that it found free
+        except SystemExit:  # Jupyter has logged that it found none, but not what to do
+            print_now(
+                f"Port {configured_port} belongs to another program, or only root may use it. "
+                "Give another one: environment/lab --port 8890 (or 0: any that is free)"
+            )
+            raise
+        if self.port != configured_port and configured_port != 0:
+            print_now(f"Port {configured_port} is not free; JupyterLab uses port {self.port} instead.")
+
+
+def start(options=(), say=print_now):
+    """Copies the lessons into my_lessons/, then runs JupyterLab there until it is shut down.
+
+    Parameters
+    ----------
+    options : options for JupyterLab, as on its command line
+    say : function that prints one line for the learner
+
+    Raises
+    ------
+    LessonsError, LabError : one line that says what to do
+    """
+    folder = CHECKOUT / "my_lessons"
+    changes = update_lessons(target=folder)
+    for line in changes.lines():
+        say(line)
+    check_runtime_folder()
+    trust([folder / name for name in changes.written if name.endswith(".ipynb")])
+    run(folder, options, say)
+
+
+def trust(notebooks):
+    """Signs these notebooks, so that Jupyter shows their stored figures as they are."""
+    notary = NotebookNotary()
+    for path in notebooks:
+        notary.sign(nbformat.read(path, as_version=4))
+    notary.store.close()
+
+
+def run(folder, options=(), say=print_now):
+    """Runs JupyterLab on a folder until it is shut down; JupyterLab gets the `options`."""
+    check_runtime_folder()
+    if importlib.util.find_spec("rclpy") is None:
+        say(
+            "ROS 2 is not installed: everything works from the recording, live topics do not. "
+            "environment/pixi.toml says how to install it."
+        )
+    else:
+        keep_topics_local(say)
+    for url in running_on(folder):
+        say(f"JupyterLab is already running on these lessons: {url}")
+        say("This starts a second one. If a lesson is open in both, the last save wins.")
+    configure(folder)
+    from jupyterlab.labapp import LabApp
+
+    LabApp.serverapp_class = CourseServer
+    LabApp.launch_instance(list(options))
+
+
+def configure(folder):
+    """Sets the environment variables by which Jupyter reads the course's configuration for a folder."""
+    _put_first("JUPYTER_CONFIG_PATH", CONFIGURATION)
+    # A kernel named python3 elsewhere would hide the one of this environment, which has the course.
+    _put_first("JUPYTER_PATH", Path(sys.prefix) / "share" / "jupyter")
+    os.environ["IMGPROC_COURSE_LESSONS"] = str(folder)
+
+
+def _put_first(variable, path):
+    former_value = os.environ.get(variable)
+    os.environ[variable] = f"{path}{os.pathsep}{former_value}" if former_value else str(path)
+
+
+def keep_topics_local(say=print_now):
+    """Keeps the lessons' topics on this machine, unless the learner chose a domain or a range.
+
+    All computers of a classroom start in domain 0: each would receive the images of all the others.
+    """
+    if not any(os.environ.get(name) for name in DISCOVERY_VARIABLES):
+        os.environ["ROS_AUTOMATIC_DISCOVERY_RANGE"] = "LOCALHOST"
+        domain = choose_domain()
+        others = "" if domain == "0" else f", in domain {domain}, which is yours alone"
+        say(
+            f"ROS topics stay on this machine{others}. To subscribe to a robot's topics, start with its "
+            "domain: ROS_DOMAIN_ID=7 environment/lab"
+        )
+
+
+def running_on(folder):
+    """URLs of the JupyterLabs that run on this folder already."""
+    try:
+        servers = list(list_running_servers())
+    except OSError:
+        return []
+    return [
+        f"{server['url']}lab?token={server.get('token', '')}"
+        for server in servers
+        if _is_same_folder(server.get("root_dir", ""), folder)
+    ]
+
+
+def _is_same_folder(path, other_path):
+    try:
+        return Path(path).samefile(other_path)
+    except OSError:
+        return False
+
+
+def check_runtime_folder():
+    """Raises LabError if JupyterLab cannot write its running state, which it keeps in the home folder.
+
+    JupyterLab itself would stop with a traceback.
+    """
+    folder = Path(jupyter_runtime_dir())
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        with tempfile.TemporaryFile(dir=folder) as file:
+            file.write(bytes(4096))
+    except OSError as error:
+        if error.errno in (errno.ENOSPC, errno.EDQUOT):
+            remedy = "free some space there"
+        else:
+            remedy = "name a folder that you can write: HOME=FOLDER environment/lab"
+        raise LabError(
+            f"JupyterLab cannot keep its running state in your home folder ({error.strerror}); {remedy}"
+        ) from error

@@ -1,0 +1,78 @@
+"""An invalid exercise is not built."""
+
+import pytest
+
+from imgproc_course.classroom.authoring.validation import validate_exercise
+from imgproc_course.classroom.exercises import read_exercises
+
+HIDDEN_INPUTS = "return [(rng.integers(0, 256, (5, 5), dtype=np.uint8),) for _ in range(3)]"
+BRIGHT = "return (rng.integers(128, 256, (5, 5), dtype=np.uint8),)"  # whose doubles are all 255
+ONE_TYPE, FIVE_TYPES = (
+    "astype(np.uint8)\n\n# %% role",
+    "astype('HIqde'[pixels[0, 0] // 10 % 5])\n\n# %% role",
+)
+
+
+def problems_of(path):
+    (exercise,) = read_exercises(path)
+    return validate_exercise(exercise)
+
+
+def test_a_valid_exercise_has_no_problem(write_master):
+    assert problems_of(write_master()) == []
+
+
+@pytest.mark.parametrize(
+    ("replacements", "added", "message"),
+    [
+        ([("    return pixels * 2", "    return solution(pixels)")], "", "passes every public case"),
+        (
+            [],
+            '\n# %% role="mistake" name="twin" says="x"\ndef double(pixels):\n    return pixels + pixels\n',
+            "the mistake 'twin' is taken for 'uint8 wraps'",
+        ),
+        (
+            [],
+            '\n# %% role="case" title="No pixels" points=0\n'
+            "def inputs(rng):\n    return (np.zeros((0, 3), np.uint8),)\n"
+            '\n# %% role="mistake" name="empty" says="x"\n'
+            "def double(pixels):\n    return solution(pixels) if pixels.size else None\n",
+            "the mistake 'empty' earns all points",
+        ),
+        ([('    raise NotImplementedError("your turn")', "    return pixels")], "", "stub returns a value"),
+        (
+            [("    return np.minimum(", "    import cv2\n    return np.minimum(")],
+            "",
+            "the solution uses cv2; name it in allowed",
+        ),
+        (
+            [("    return np.minimum(", "    return np.random.default_rng().random() + np.minimum(")],
+            "",
+            "is the solution random?",
+        ),
+        (
+            [("(5, 5), dtype=np.uint8)", "(200, 200), dtype=np.uint8) * 0.5"), ("np.uint16", "float"),
+             (".astype(np.uint8)\n\n# %% role=\"check\"", "\n\n# %% role=\"check\"")],
+            "",
+            "grading cannot compare an answer of 320000 bytes with a tolerance",
+        ),
+        ([(HIDDEN_INPUTS, "return (np.full((5, 5), 7, np.uint8),)")], "", "inputs(rng) ignores rng"),
+        ([(HIDDEN_INPUTS, BRIGHT)], "", "a constant passes it with several seeds"),
+        ([(HIDDEN_INPUTS, BRIGHT), (ONE_TYPE, FIVE_TYPES)], "", "a constant passes it with several seeds"),
+    ],
+)  # fmt: skip
+def test_an_invalid_exercise_is_named(write_master, replacements, added, message):
+    problems = problems_of(write_master(*replacements, add=added))
+    assert any(message in problem for problem in problems), problems
+
+
+def test_a_mistake_costs_points_for_another_seed_too(write_master):
+    """This mistake is wrong only where the first pixel is as in the public case of the lesson's seed."""
+    (exercise,) = read_exercises(write_master())
+    first_pixel = exercise.arguments(exercise.public[0])[0][0][0, 0]
+    mistake = (
+        '\n# %% role="mistake" name="once" says="x"\n'
+        f"def double(pixels):\n    return None if pixels[0, 0] == {first_pixel} else solution(pixels)\n"
+    )
+    (problem,) = problems_of(write_master(add=mistake))
+    assert "the mistake 'once' earns all points" in problem

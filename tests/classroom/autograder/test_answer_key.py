@@ -1,0 +1,171 @@
+"""A key contains what the autograder needs, and nothing that reveals its seed."""
+
+import json
+import shutil
+from pathlib import Path
+
+import numpy as np
+import pytest
+from master_answers import sample_answers
+
+from imgproc_course.classroom.autograder.answer_key import KeyFolderError, load_key
+from imgproc_course.classroom.autograder.make_answer_key import make_key
+from imgproc_course.classroom.exercises import MasterError, read_exercises
+from imgproc_course.classroom.exercises.input_encoding import decode
+
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("key")]
+MASTERS = Path(__file__).parent / "masters"
+SEED = 8_675_309
+
+
+def files(folder):
+    return {path.relative_to(folder).as_posix(): path.read_text() for path in sorted(folder.rglob("*.*"))}
+
+
+@pytest.fixture
+def copy(key, tmp_path):
+    return Path(shutil.copytree(key.path, tmp_path / "copy"))
+
+
+def test_it_contains_exercises_cases_and_mistakes(key):
+    lesson = key.lessons["attacked"]
+    assert (lesson.title, lesson.points, len(lesson.digest)) == ("Attacked", 10, 64)
+    double, mean, apply = lesson.exercises
+    assert double.allowed == ()
+    assert double.arguments == ("pixels",)
+    assert [(c.id, c.points, c.hidden, c.calls) for c in double.cases] == [
+        ("case-attacked-double-1", 1, False, 1),
+        ("hidden-attacked-double-1", 2, True, 2),
+    ]
+    assert double.cases[1].hint == "What does 200 become?"
+    assert [case.tolerance for case in mean.cases] == [0.01, 0.01]
+    assert [mistake.name for mistake in double.mistakes] == ["uint8 wraps", "half"]
+    assert apply.practice and apply.cases == () and apply.points == 0
+
+
+def test_its_expected_values_are_the_solutions(key):
+    content = key.content("attacked-double")
+    (pixels,) = decode(content.inputs["case-attacked-double-1"][0])
+    assert pixels.min() >= 100
+    twice = np.minimum(pixels.astype(int) * 2, 255).astype(np.uint8)
+    from imgproc_course.exercises import array_of
+
+    assert array_of(content.expected["case-attacked-double-1"][0]).tolist() == twice.tolist()
+
+
+def test_its_inputs_are_not_those_of_the_public_lesson(key):
+    (declared, *_) = read_exercises(MASTERS / "10_attacked.py")
+    public = [pixels for (pixels,) in declared.arguments(declared.cases[0])]
+    secret = [decode(call)[0] for call in key.content(declared.id).inputs[declared.cases[0].id]]
+    assert public[0].tolist() != secret[0].tolist()
+
+
+def test_the_seed_is_in_no_file(key):
+    assert not [name for name, text in files(key.path).items() if str(SEED) in text or "seed" in text]
+
+
+def test_everything_in_it_is_json(key):
+    for name, text in files(key.path).items():
+        assert json.loads(text), name
+
+
+def test_its_notebooks_contain_no_inputs_and_no_hints(key):
+    notebook = json.loads((key.path / "attacked" / "attacked-double.ipynb").read_text())
+    code = [cell for cell in notebook["cells"] if cell["cell_type"] == "code"]
+    assert [cell["execution_count"] for cell in code] == [1, 2, 3, 4]
+    assert [cell["id"] for cell in code][2:] == ["case-attacked-double-1", "hidden-attacked-double-1"]
+    assert "".join(code[3]["source"]).endswith("emit(double)")
+
+
+def test_the_same_seed_gives_the_same_key_and_another_another(key, tmp_path):
+    again = make_key(MASTERS, SEED, tmp_path / "again")
+    other = make_key(MASTERS, "another", tmp_path / "other")
+    assert files(again.path) == files(key.path)
+    assert again.digest == key.digest != other.digest
+
+
+def test_a_key_is_overwritten_only_with_replace(copy):
+    with pytest.raises(KeyFolderError, match="it exists already"):
+        make_key(MASTERS, 1, copy)
+    before = load_key(copy).digest
+    assert make_key(MASTERS, 1, copy, replace=True).digest != before
+    assert [path.name for path in copy.parent.iterdir()] == ["copy"]
+
+
+def test_a_failure_leaves_the_old_key(copy, tmp_path):
+    masters = tmp_path / "masters"
+    masters.mkdir()
+    text = (MASTERS / "10_attacked.py").read_text()
+    (masters / "10_attacked.py").write_text(text.replace("return float(np.mean(values))", "return unknown"))
+    before = files(copy)
+    with pytest.raises(MasterError, match=r"10_attacked.py, case-attacked-mean-1: the solution .*unknown"):
+        make_key(masters, 1, copy, replace=True)
+    assert files(copy) == before
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        (
+            'function="apply",\n    practice=True,',
+            'function="apply",',
+            "case-attacked-apply-1.*cannot be sent.*practice=True",
+        ),
+        ("return float(np.mean(values))", "return object()", "nothing that can be compared"),
+        ("return float(np.mean(values))", "return values.pop()", "changes its input"),
+        ("return float(np.mean(values))", "import os; os._exit(1)", "crashed"),
+        ("return float(np.mean(values))", "return [].index(3)", "compared: ValueError: 3 is not in list$"),
+        ("return float(np.mean(values))", "while True: pass", "compared: it does not finish in time$"),
+    ],
+)
+def test_a_master_that_cannot_be_graded_is_refused(tmp_path, old, new, message):
+    text = (MASTERS / "10_attacked.py").read_text()
+    assert old in text
+    (tmp_path / "10_attacked.py").write_text(text.replace(old, new))
+    with pytest.raises(MasterError, match=message):
+        make_key(tmp_path, 1, tmp_path / "key")
+
+
+def change(path, edit):
+    notebook = json.loads(path.read_text())
+    edit(notebook["cells"])
+    path.write_text(json.dumps(notebook))
+
+
+@pytest.mark.parametrize(
+    "edit",
+    [
+        lambda cells: cells[-1].update(execution_count=None),
+        lambda cells: cells[-1].update(execution_count=None, outputs=[]),
+        lambda cells: cells[-1].update(outputs=[]),
+        lambda cells: cells[1].update(execution_count=None),
+    ],
+)
+def test_a_key_whose_cells_were_not_run_is_refused(copy, edit):
+    change(copy / "attacked" / "attacked-mean.ipynb", edit)
+    with pytest.raises(KeyFolderError, match=r"has no execution count.*make the key again"):
+        load_key(copy)
+
+
+def test_a_folder_without_a_readable_key_is_reported(tmp_path, copy):
+    with pytest.raises(KeyFolderError, match="there is no key; make one: imgproc-course key"):
+        load_key(tmp_path / "nowhere")
+    (copy / "attacked" / "attacked-mean.ipynb").write_text("{")
+    with pytest.raises(KeyFolderError, match="cannot be read"):
+        load_key(copy)
+    (copy / "key.json").write_text('{"format": 99}')
+    with pytest.raises(KeyFolderError, match="a key of format 99, expected 4"):
+        load_key(copy)
+
+
+def test_an_altered_key_is_another_key(copy):
+    before = load_key(copy).digest
+    change(copy / "attacked" / "attacked-mean.ipynb", lambda cells: cells[0].update(source="# other"))
+    assert load_key(copy).digest != before
+
+
+def test_sample_answers_contain_what_they_need():
+    (double, *_) = read_exercises(MASTERS / "10_attacked.py")
+    samples = sample_answers(double)
+    assert list(samples) == ["right", "untouched", "uint8 wraps", "half"]
+    assert "solution = double" in samples["half"]

@@ -1,0 +1,253 @@
+"""What one kernel could leave for the next: every channel of `confine`'s list is tried.
+
+The first kernel leaves a mark wherever it can. The second was forked before that, as in grading, and looks
+for it after the first has ended. `leave` and `look` are cells; `look` prints what it found.
+"""
+
+import platform
+
+import pytest
+
+from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
+
+pytestmark = [
+    pytest.mark.sandbox,
+    pytest.mark.xdist_group("channels"),
+    pytest.mark.skipif(platform.machine() != "x86_64", reason="some calls are made by their numbers"),
+]
+# A process that stays as long as it can; `run` is what it does first.
+STAY = """
+import os, time
+if os.fork() == 0:
+    os.setsid()
+    {run}
+    time.sleep(1000)
+time.sleep(0.2)
+"""
+LIBC = "import ctypes, os, socket\nlibc = ctypes.CDLL(None, use_errno=True)\n"
+ADD_KEY = "libc.syscall(248, b'user', b'mark', b'seen', 4, ctypes.c_long({ring}))"
+SEARCH_KEY = "libc.syscall(250, 10, ctypes.c_long({ring}), b'user', b'mark', 0)"
+CHANNELS = {
+    "files": (
+        "import pathlib\n"
+        "for folder in ('/tmp', '/tmp/home', '/tmp/submission', '/dev/shm', '/dev', '/', '/course'):\n"
+        "    try: pathlib.Path(folder, 'mark').write_text('seen')\n"
+        "    except OSError: pass",
+        "import glob\nprint(*[p for f in ('', 'tmp/', 'tmp/*/', 'dev/', 'dev/shm/', 'course/', 'var/')"
+        " for p in glob.glob(f'/{f}mark')])",
+    ),
+    "open files of the fork server": (
+        "import os, stat\n"
+        "for fd in range(3, 64):\n"
+        "    try:\n"
+        "        if not stat.S_ISSOCK(os.fstat(fd).st_mode): os.pwrite(fd, b'seen', 4096)\n"
+        "    except OSError: pass",
+        "import os, stat\n"
+        "for fd in range(3, 64):\n"
+        "    try:\n"
+        "        if not stat.S_ISSOCK(os.fstat(fd).st_mode): print(fd, os.pread(fd, 4, 4096))\n"
+        "    except OSError: pass",
+    ),
+    "descriptors, but the kernel's own": (
+        "",
+        "import os\nprint(*[fd for fd in os.listdir('/proc/self/fd')[:-1] if int(fd) > 2][1:])",
+    ),
+    "keys of the user": (
+        LIBC + ADD_KEY.format(ring=-4),
+        LIBC + f"found = {SEARCH_KEY.format(ring=-4)}\nprint(found if found > 0 else '')",
+    ),
+    "keys of the session": (
+        LIBC + ADD_KEY.format(ring=-3),
+        LIBC + f"found = {SEARCH_KEY.format(ring=-3)}\nprint(found if found > 0 else '')",
+    ),
+    "the list of keys": (
+        "",
+        "import os\npaths = ('/proc/keys', '/proc/key-users')\n"
+        "print(*[open(path).read() for path in paths if os.path.exists(path)])",
+    ),
+    "counters of the whole machine": (
+        LIBC + "held = ctypes.create_string_buffer(40_000)\n"
+        "for _ in range(10): libc.mlock(held, 40_000), libc.munlock(held, 40_000)",
+        "import os\n"
+        "print(*[name for name in os.listdir('/proc') if not name.isdigit() and 'self' not in name])",
+    ),
+    "times of a device": (
+        "import os\ntry: os.utime('/dev/null')\nexcept OSError: pass",
+        "import os, time\n"
+        "print('seen' if time.time() - os.stat('/dev/null').st_mtime < 10 else '')\n"
+        "open('/dev/null', 'w').write('x')",
+    ),
+    "shared memory": (
+        LIBC + "libc.shmget(4242, 4096, 0o1666)",
+        LIBC + "print('seen' if libc.shmget(4242, 4096, 0o666) != -1 else '')",
+    ),
+    "semaphores": (
+        LIBC + "libc.semget(4242, 1, 0o1666)",
+        LIBC + "print('seen' if libc.semget(4242, 1, 0o666) != -1 else '')",
+    ),
+    "message queues": (
+        LIBC + "libc.msgget(4242, 0o1666), libc.mq_open(b'/mark', 0o102, 0o666, None)",
+        LIBC + "print('seen' if libc.msgget(4242, 0o666) != -1 or libc.mq_open(b'/mark', 2) != -1 else '')",
+    ),
+    "an abstract socket": (
+        STAY.format(run="import socket; s = socket.socket(socket.AF_UNIX); s.bind('\\0mark'); s.listen()"),
+        "import socket\n"
+        "try: socket.socket(socket.AF_UNIX).connect('\\0mark'); print('seen')\n"
+        "except OSError: pass",
+    ),
+    "a port that was used": (
+        "import socket\n"
+        "try:\n"
+        "    server = socket.create_server(('127.0.0.1', 4242))\n"
+        "    client = socket.create_connection(('127.0.0.1', 4242))\n"
+        "    accepted, _ = server.accept()\n"
+        "    accepted.close(); client.close(); server.close()\n"
+        "except OSError: pass",
+        "import socket\n"
+        "try: socket.socket().bind(('127.0.0.1', 4242))\n"
+        "except OSError as error: print('seen' if error.errno == 98 else '')",
+    ),
+    "sockets of the machine (vsock), and of packets": (
+        "",
+        "import socket\n"
+        "for family in (socket.AF_VSOCK, socket.AF_ALG, socket.AF_PACKET):\n"
+        "    try: print(socket.socket(family, socket.SOCK_STREAM))\n"
+        "    except OSError as error: print('' if error.errno == 97 else error)",
+    ),
+    "a process": (
+        STAY.format(run="pass"),
+        "import os\n"
+        "print(*[pid for pid in os.listdir('/proc') if pid.isdigit() and int(pid) != os.getpid()])",
+    ),
+    "a signal to all": (
+        "import os, signal\nsignal.signal(signal.SIGUSR1, signal.SIG_IGN)\n"
+        "for target in (-1, 0):\n    try: os.kill(target, signal.SIGUSR1)\n    except OSError: pass",
+        "",  # it would have ended the second kernel
+    ),
+    "memory of a sibling": (
+        "",
+        LIBC + "print(*[pid for pid in range(2, 200) if libc.ptrace(16, pid, 0, 0) == 0])",
+    ),
+    "a lock on a shared file": (
+        STAY.format(run="import fcntl; f = open('/usr/bin/env', 'rb'); fcntl.flock(f, fcntl.LOCK_EX)"),
+        "import fcntl\n"
+        "try: fcntl.flock(open('/usr/bin/env', 'rb'), fcntl.LOCK_EX | fcntl.LOCK_NB)\n"
+        "except OSError: print('seen')",
+    ),
+    "niceness and processor affinity": (
+        "import os\nos.setpriority(os.PRIO_USER, 0, 7)\nos.setpriority(os.PRIO_PROCESS, 0, 7)\n"
+        "os.sched_setaffinity(0, {min(os.sched_getaffinity(0))})",
+        "import os\nniceness, cores = os.getpriority(os.PRIO_PROCESS, 0), len(os.sched_getaffinity(0))\n"
+        "print('' if (niceness, cores) == BEFORE else (niceness, cores))",
+    ),
+    "the host name, settings of the system": (
+        "import glob, os\n"
+        "try: __import__('socket').sethostname('seen')\n"
+        "except OSError: pass\n"
+        "for path in ('/proc/sys/kernel/hostname', *glob.glob('/proc/sys/net/ipv4/ip_*')):\n"
+        "    try: os.close(os.open(path, os.O_WRONLY)); os.environ['SEEN'] = path\n"
+        "    except OSError: pass\n"
+        "print(os.environ.get('SEEN', ''))",
+        "import os\nprint('' if os.uname().nodename == 'course' else os.uname().nodename)",
+    ),
+    "who is ended first when memory runs out": (
+        "",
+        "import os\n"
+        "try: open('/proc/self/oom_score_adj', 'w').write('0')\n"
+        "except OSError: pass\n"
+        "score = open('/proc/self/oom_score_adj').read().strip()\nprint('' if score == '1000' else score)",
+    ),
+    "the system's log": (
+        "import ctypes, os\nif os.fork() == 0:\n    ctypes.string_at(0x5eed5eed)\nos.wait()",
+        LIBC + "size = libc.syscall(103, 3, buffer := ctypes.create_string_buffer(1 << 20), 1 << 20)\n"
+        "print('seen' if size > 0 and b'5eed5eed' in buffer.raw else '')",
+    ),
+    "core files, also those that a program takes": (
+        "import ctypes, os\nif os.fork() == 0:\n    ctypes.string_at(0x5eed5eed)\nos.wait()",
+        "import glob, resource\n"
+        "most = max(resource.getrlimit(resource.RLIMIT_CORE))\n"
+        "print(*glob.glob('/tmp/**/core*', recursive=True), most if most > 1 else '')",
+    ),
+    "watches on files": (
+        "",
+        LIBC + "print(*[n for n in (253, 294, 300) if libc.syscall(n, 0, 0) != -1])",
+    ),
+    "a watch on a folder, a lease on a file": (
+        "",
+        "import fcntl, os\n"
+        "for path, command, value in (('/usr/bin', 1026, 0x80000001), ('/usr/bin/env', 1024, 0)):\n"
+        "    try: print(fcntl.fcntl(os.open(path, os.O_RDONLY), command, value))\n"
+        "    except OSError as error: print('' if error.errno == 1 else error)",
+    ),
+    "which files are in memory, without a clock": (
+        "",
+        LIBC + "fd = os.open('/usr/bin/env', os.O_RDONLY)\n"
+        "for number in (27, 221, 327, 451):\n"
+        "    result = libc.syscall(number, fd, 0, 0, 0, 0, 0), ctypes.get_errno()\n"
+        "    print('' if result == (-1, 1) else (number, result))",
+    ),
+    "a terminal": (
+        STAY.format(run="__import__('pty').fork()"),
+        "import os\nprint(*set(os.listdir('/dev/pts')) - {'ptmx'},"
+        " os.path.exists('/proc/sys/kernel/pty/nr') or '')\n"
+        "names = []\n"
+        "try:\n    while len(names) < 50: names.append(os.ttyname(os.openpty()[1]))\n"
+        "except OSError: print('' if names == [f'/dev/pts/{k}' for k in range(16)] else names)\n"
+        "else: print('as many as one likes')",
+    ),
+    "environment, umask and random state": (
+        "import os, random, builtins\nos.environ['MARK'] = 'seen'\nos.umask(0)\nrandom.seed(5)\n"
+        "np.random.seed(5)\nbuiltins.mark = 'seen'\nnp.mark = 'seen'",
+        "import os, random, builtins\n"
+        "print('seen' if 'MARK' in os.environ or hasattr(builtins, 'mark') or hasattr(np, 'mark') else '',"
+        " '' if os.umask(0) == 0o022 and random.random() == 0.8444218515250481 else 'seen')",
+    ),
+}
+
+
+# What only slows others down, or takes memory that no limit counts; each prints nothing if it is refused.
+REFUSED = {
+    "hints on how long a file will live, and notes of the file system": (
+        "import fcntl, os\ndescriptor, done = os.open('/usr/bin/env', os.O_RDONLY), []\n"
+        "for step, number in ((fcntl.fcntl, 1036), (fcntl.fcntl, 1038), (fcntl.ioctl, 0x6612)):\n"
+        "    try: step(descriptor, number, (3).to_bytes(8, 'little')), done.append(number)\n"
+        "    except OSError: pass\n"
+        "print(*done)"
+    ),
+    "the disk is written out, of one file system": LIBC
+    + "fd = os.open('/usr/bin/env', os.O_RDONLY)\nprint(libc.syncfs(fd) + 1 or '')",
+    "message queues and semaphores that nobody counts": LIBC
+    + "print(libc.msgget(0, 0o1600) + 1 or '', libc.semget(0, 32_000, 0o1600) + 1 or '')",
+}
+
+
+@pytest.fixture(scope="module")
+def kernel_factory():
+    with KernelFactory("fast") as kernel_factory:
+        yield kernel_factory
+
+
+@pytest.mark.parametrize("name", CHANNELS)
+def test_one_kernel_leaves_nothing_for_the_next(kernel_factory, name):
+    leave, look = CHANNELS[name]
+    first, second = kernel_factory.start((), 30), kernel_factory.start((), 30)
+    try:
+        before = "import os\nBEFORE = (os.getpriority(0, 0), len(os.sched_getaffinity(0)))"
+        assert second.run(before).ended == ""
+        left = first.run(leave)
+        assert (left.ended, left.printed.strip()) == ("", "")
+        first.stop()
+        found = second.run(look)
+        assert (found.ended, found.error) == ("", ("", ""))
+        assert found.printed.split() == []
+    finally:
+        first.stop()
+        second.stop()
+
+
+@pytest.mark.parametrize("name", REFUSED)
+def test_calls_that_cost_others_something_are_refused(kernel_factory, name):
+    kernel = kernel_factory.start((), 30)
+    run = kernel.run(REFUSED[name])
+    kernel.stop()
+    assert (run.ended, run.error, run.printed.split()) == ("", ("", ""), [])

@@ -1,0 +1,267 @@
+"""The checks of one exercise, one after another: what one leaves behind neither costs nor helps another."""
+
+import contextlib
+import select
+from dataclasses import replace
+
+import pytest
+from attacks import LESSON, SHORT
+
+from imgproc_course.classroom.autograder import verdict
+from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun, StoredVerdict
+from imgproc_course.classroom.autograder.pool import Limits, SandboxError, autograde
+from imgproc_course.classroom.autograder.sandbox.cell_run import CellRun
+from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
+from imgproc_course.classroom.exercises.comparison import compare
+
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("isolation")]
+MEAN = "float(np.mean(values))"
+ANSWERS = {
+    "works once": "done = []\ndef mean(values):\n    if done: raise RuntimeError\n    done.append(1)\n"
+    f"    return {MEAN}",
+    "patches numpy": f"def mean(values):\n    got = {MEAN}\n    np.mean = lambda values: 0\n    return got",
+    "ends soon": "import os, threading\ndef mean(values):\n    threading.Timer(0.3, os._exit, [1]).start()\n"
+    f"    return {MEAN}",
+    "spoils from beside": f"import threading\ndef mean(values):\n    got = {MEAN}\n    def spoil():\n"
+    "        while True:\n            np.mean = lambda values: 0\n"
+    "    threading.Thread(target=spoil, daemon=True).start()\n    return got",
+    "begins late": "seen = []\ndef mean(values):\n    seen.append(1)\n"
+    f"    return {MEAN} if len(seen) > 1 else 0.0",
+    "spins later": "import signal\ndef mean(values):\n    if len(values) > 5:\n"
+    f"        signal.setitimer(signal.ITIMER_PROF, 0)\n        while True: pass\n    return {MEAN}",
+    "ends later": "import os\ndef mean(values):\n    if len(values) > 5:\n        os._exit(1)\n"
+    f"    return {MEAN}",
+}
+OUTCOMES = {
+    "works once": ["passed", "passed"],
+    "patches numpy": ["passed", "passed"],
+    "ends soon": ["passed", "passed"],
+    "spoils from beside": ["passed", "passed"],
+    "begins late": ["wrong", "wrong"],
+    "spins later": ["passed", "time"],
+    "ends later": ["passed", "crashed"],
+}
+
+
+# An ipykernel starts for seconds: one answer of each outcome, bench_both_kernels.py asks all of them.
+@pytest.mark.parametrize(
+    ("kernel", "names"), [("fast", OUTCOMES), ("ipykernel", ["works once", "begins late", "ends later"])]
+)
+def test_what_one_check_leaves_behind_neither_costs_nor_helps_another(key, right, kernel, names):
+    assert outcomes_of(names, key, right, kernel) == {name: OUTCOMES[name] for name in names}
+
+
+def outcomes_of(names, key, right, kernel):
+    """{name: outcomes of the cases of `mean`} of some of ANSWERS."""
+    submissions = [(name, LESSON, right | {"attacked-mean": ANSWERS[name]}) for name in names]
+    outcomes = {}
+    for result in autograde(submissions, key, kernel=kernel, workers=2, limits=SHORT):
+        (mean,) = [exercise for exercise in result.exercises if exercise.id == "attacked-mean"]
+        outcomes[result.name] = [case.outcome for case in mean.cases]
+    return outcomes
+
+
+@contextlib.contextmanager
+def exercise_run_of(key, kind_of_factory=KernelFactory):
+    """(ExerciseRun of `mean`, sources of its given cells, list of (KeyCase, source of its check cell))."""
+    (exercise,) = [exercise for exercise in key.lessons[LESSON].exercises if exercise.id == "attacked-mean"]
+    content = key.content(exercise.id)
+    cells = {cell["id"]: "".join(cell["source"]) for cell in content.notebook["cells"]}
+    given = [text for name, text in cells.items() if name.startswith("given")]
+    with kind_of_factory("fast") as kernel_factory:
+        exercise_run = ExerciseRun(exercise, content, kernel_factory, None)
+        yield exercise_run, given, [(case, cells[case.id]) for case in exercise.cases]
+        exercise_run.close()
+
+
+def kernels_for(key, source, titles):
+    """How many kernels the cases of `mean` need, in that order, and which cases passed."""
+    with exercise_run_of(key) as (exercise_run, given, checks):
+        checks_by_title = {case.title: (case, check) for case, check in checks}
+        runs = []
+        for title in titles:
+            case, check = checks_by_title[title]
+            runs.append(exercise_run.run(case, [*given, source], check))
+        return exercise_run._kernel_factory._fork_server._fork_count, [run.passed for run in runs]
+
+
+def test_checks_share_a_kernel_as_long_as_they_pass(key, right):
+    names = ["Five numbers", "Fifty numbers", "Five numbers"]
+    assert kernels_for(key, right["attacked-mean"], names) == (1, [True] * 3)
+    assert kernels_for(key, "def mean(values):\n    return 0.0", names) == (3, [False] * 3)
+    assert kernels_for(key, ANSWERS["works once"], names) == (3, [True] * 3)
+    late = f"def mean(values):\n    return {MEAN} if len(values) > 5 else 0.0"
+    assert kernels_for(key, late, names) == (3, [False, True, False])
+
+
+def test_once_a_case_has_failed_a_kernel_waits_for_the_next_one(key, right):
+    with exercise_run_of(key) as (exercise_run, given, [(first, check), (second, _)]):
+        exercise_run.run(first, [*given, right["attacked-mean"]], check)
+        assert exercise_run._requests_after(first, given) == []
+        exercise_run.close()
+        sources = [*given, "def mean(values):\n    return 0.0"]
+        exercise_run.run(first, sources, check)
+        (request,) = exercise_run._requests_after(first, sources)
+        assert exercise_run._requests_after(second, sources) == []
+        assert request[2] == sources
+        kernels = exercise_run._kernel_factory
+        fork_count = kernels._fork_server._fork_count
+        kernel = kernels.start(*request[:2], sources=sources)
+        run = kernel.run_statements(sources)
+        assert (run.ended, run.error, kernels._fork_server._fork_count) == ("", ("", ""), fork_count)
+        assert kernel.run("print(mean([1]))").printed == "0.0\n"
+        kernel.stop()
+
+
+def test_an_answer_that_has_ended_its_kernel_does_not_run_beside_another(key):
+    with exercise_run_of(key) as (exercise_run, given, [(first, check), _]):
+        sources = [*given, "import os\nos._exit(3)"]
+        exercise_run.run(first, sources, check)
+        (request,) = exercise_run._requests_after(first, sources)
+        assert request[2] == ()
+
+
+def test_a_kernel_that_ran_the_answer_before_costs_no_time_or_memory(key, right):
+    class OutOfTime(KernelFactory):
+        def start(self, *request, **options):
+            kernel = super().start(*request, **options)
+            if kernel.was_prepared:
+                kernel.run_check = lambda *_: CellRun(ended="time")
+            return kernel
+
+    late = f"def mean(values):\n    return {MEAN} if len(values) > 5 else 0.0"
+    with exercise_run_of(key, OutOfTime) as (exercise_run, given, checks):
+        runs = [exercise_run.run(case, [*given, late], check) for case, check in checks]
+        assert [(run.ended, run.passed) for run in runs] == [("", False), ("", True)]
+        assert exercise_run._kernel_factory._fork_server._fork_count == 3
+
+
+def test_an_answer_does_not_run_on_when_no_time_is_left_for_it(key):
+    with exercise_run_of(key) as (exercise_run, given, [(first, check), (second, _)]):
+        sources, spares = [*given, "def mean(values):\n    return 0.0"], exercise_run._kernel_factory._spares
+        exercise_run.run(first, sources, check)
+        assert [sources_to_run for *_, sources_to_run in spares] == [tuple(sources)]
+        exercise_run._stop_at = 0.0
+        assert exercise_run.run(second, sources, check).ended == "budget"
+        assert spares == {}
+
+
+ONCE = """import pathlib
+count = pathlib.Path("count")
+count.write_text(count.read_text() + "x" if count.exists() else "x")
+print(count.read_text())
+print(1 / 0)"""
+
+
+def test_a_kernel_that_waits_runs_an_answer_once_and_only_that_answer():
+    with KernelFactory("fast") as kernel_factory:
+        kernel_factory.keep_spares([((), 5.0, (ONCE,))])
+        kernel = kernel_factory.start((), 5.0, [((), 5.0, ())], sources=[ONCE])
+        assert kernel_factory._fork_server._fork_count == 2
+        run = kernel.run_statements([ONCE])
+        assert (run.printed, run.error) == ("x\n", ("ZeroDivisionError", "division by zero"))
+        assert kernel.run_statements([ONCE]).printed == "xx\n"
+        assert kernel.run("print(count.read_text())").printed == "xx\n"
+        kernel.stop()
+        kernel_factory.keep_spares([((), 5.0, (ONCE,))])
+        kernel = kernel_factory.start((), 5.0, sources=["print(2)"])  # another answer
+        assert kernel.run_statements(["print(2)"]).printed == "2\n"
+        kernel.stop()
+
+
+def test_an_answer_cannot_say_that_its_kernel_was_not_confined():
+    with KernelFactory("fast") as kernel_factory:
+        kernel = kernel_factory.start((), 5.0)
+        assert kernel.run("import os\nos._exit(70)").ended == "crashed"
+        kernel.stop()
+
+
+def test_a_kernel_that_could_not_be_confined_runs_nothing():
+    no_room = replace(Limits(), scratch="no number")  # mount() refuses it
+    with KernelFactory("fast", limits=no_room) as kernel_factory:
+        kernel = kernel_factory.start((), 5.0)
+        with pytest.raises(SandboxError, match="a kernel could not be confined"):
+            kernel.run("print(1)")
+        kernel.stop()
+
+
+BUSY = """
+import os, time
+def work(seconds):
+    begun = time.process_time()
+    while time.process_time() - begun < seconds: pass
+def f(together):
+    for _ in range(3):
+        child = os.fork()
+        if child == 0:
+            work(together / 3)
+            os._exit(0)
+        os.waitpid(child, 0)
+"""
+CHECK = "from imgproc_course.classroom.autograder.sandbox.inside.check_cell import emit\nemit(f)"
+
+
+def test_all_processes_of_a_check_share_its_time():
+    with KernelFactory("fast", limits=replace(SHORT, wall_grace=30.0)) as kernel_factory:
+        kernel = kernel_factory.start((), 0.4)
+        assert kernel.run(BUSY).error == ("", "")
+        assert kernel.run_check(CHECK, [{"tuple": [0.3]}], 0.4).ended == ""
+        # Where this user cannot make control groups, each process has the limit for itself.
+        is_counted = kernel_factory._group.cpu_seconds() is not None
+        assert kernel.run_check(CHECK, [{"tuple": [2.4]}], 0.4).ended == ("time" if is_counted else "")
+        kernel.stop()
+
+
+def test_a_kernel_that_ended_while_it_waited_is_replaced():
+    with KernelFactory("fast") as kernel_factory:
+        ends = "import os, pathlib\nos._exit(3)"
+        kernel_factory.keep_spares([((), 5.0, (ends,))])
+        (spare,) = kernel_factory._spares.values()
+        while spare.is_alive():
+            select.select([spare._socket], [], [])
+        kernel = kernel_factory.start((), 5.0, sources=[ends])
+        assert kernel.run("print(3)").printed == "3\n"
+        assert kernel_factory._fork_server._fork_count == 2
+        kernel.stop()
+
+
+def test_a_case_is_compared_once_and_nbval_reads_that_verdict(key, right, monkeypatch):
+    comparisons = []
+
+    def counted(*arguments, **options):
+        comparisons.append(arguments)
+        return compare(*arguments, **options)
+
+    monkeypatch.setattr(verdict, "compare", counted)
+    runs = {}
+    for name, source in (("right", right["attacked-mean"]), ("wrong", "def mean(values):\n    return 0.0")):
+        with exercise_run_of(key) as (exercise_run, before, checks):
+            before = [*before, source]
+            for case, check in checks:
+                runs[name, case.hidden] = exercise_run.run(case, before, check)
+            stored = [StoredVerdict(exercise_run, case.id) for case, _ in checks]
+            differs = [output != "anything that nbval read" for output in stored]
+            assert differs == [name == "wrong"] * 2
+            assert StoredVerdict(exercise_run, "a case that did not run") != {}
+    assert [run.passed for run in runs.values()] == [True, True, False, False]
+    assert len(comparisons) == 4
+
+
+STATE = """import random, signal, sys
+print(sorted(name for name in globals() if not name.startswith("_")))
+print(random.random(), np.random.random(), signal.getitimer(signal.ITIMER_PROF))
+print(signal.getsignal(signal.SIGINT).__name__, sys.exc_info(), sys.stdout.name)
+print(get_ipython().execution_count, _, __, sorted(get_ipython().user_ns_hidden)[:3], In, Out)"""
+
+
+def test_a_kernel_that_has_waited_is_as_a_new_one():
+    """While it waits, it has run cells of ours."""
+    texts = []
+    with KernelFactory("fast") as kernel_factory:
+        for _ in range(3):  # a new one, then two that have waited
+            kernel = kernel_factory.start((), 5.0, [((), 5.0, ())])
+            run = kernel.run_statements([STATE])
+            texts.append((run.printed, run.error))
+            kernel.stop()
+    assert "random" in texts[0][0] and texts[0][1] == ("", "")
+    assert texts[1:] == texts[:1] * 2

@@ -1,0 +1,53 @@
+"""Masters grade correctly: the stub gets no points, the solution all, and a mistake is named."""
+
+from pathlib import Path
+
+import pytest
+from master_answers import sample_answers
+from sample_answers import FOLDERS, ROOT, SAMPLES, fault_of, grade_samples, title_of
+
+from imgproc_course.classroom.exercises.checking import run_cases as check_answer
+
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("masters"), pytest.mark.timeout(1800)]
+
+
+def is_quick(sample):
+    """The stub, the solution and the first mistake; tests/benchmarks/bench_sample_answers.py grades all."""
+    _, declared, name = sample
+    return name in list(sample_answers(declared))[:3]
+
+
+SOME = [sample for sample in SAMPLES if is_quick(sample)]
+TITLES = [title_of(*sample) for sample in SOME]
+
+
+@pytest.fixture(scope="module")
+def results(tmp_path_factory):
+    """{title: GradedExercise}."""
+    return grade_samples(SOME, tmp_path_factory.mktemp("keys"))
+
+
+@pytest.mark.parametrize(("path", "declared", "name"), SOME, ids=TITLES)
+def test_each_sample_answer_gets_its_points(results, path, declared, name):
+    result = results[title_of(path, declared, name)]
+    assert fault_of(declared, name, result) == ""
+
+
+@pytest.mark.parametrize(("path", "declared", "name"), SOME, ids=TITLES)
+def test_check_in_a_lesson_agrees(results, path, declared, name):
+    """On the public cases. The lesson has other inputs, so a mistake may pass a case in only one of them."""
+    prepared = name not in ("right", "untouched")
+    function = declared.function_of(sample_answers(declared)[name], name, prepared=prepared)
+    checked = check_answer(declared, function)
+    result = results[title_of(path, declared, name)]
+    public_passed = all(case.passed for case in result.cases if not case.hidden)
+    if name in ("right", "untouched"):
+        assert checked.passed == public_passed == (name == "right")
+        assert checked.attempted == (name == "right")
+    else:
+        assert not checked.passed and not public_passed
+        assert checked.mistake.name == result.mistake
+
+
+def test_there_are_masters_to_grade():
+    assert {ROOT / "notebooks" / "masters", Path(__file__).parent / "masters"} <= set(FOLDERS)

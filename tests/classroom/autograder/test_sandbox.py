@@ -1,0 +1,274 @@
+"""The sandbox: what it hides, the error if there is none, and what it leaves behind."""
+
+import os
+import platform
+import re
+import subprocess
+import sys
+import time
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import psutil
+import pytest
+
+from imgproc_course.classroom.autograder.sandbox import bubblewrap, cgroups
+from imgproc_course.classroom.autograder.sandbox.bubblewrap import Limits
+from imgproc_course.classroom.autograder.sandbox.cgroups import ProcessGroup
+from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
+
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("sandbox")]
+
+
+def test_the_environment_and_the_paths_reveal_nothing():
+    with KernelFactory("fast") as kernel_factory:
+        kernel = kernel_factory.start((), 30)
+        printed = kernel.run("import os, sys\nprint(os.environ, sys.path, sys.prefix, os.uname())").printed
+        kernel.stop()
+    checkout = Path(bubblewrap.__file__).parents[4]
+    for trace in (str(Path.home()), str(checkout), os.uname().nodename, "PYTEST", "VIRTUAL_ENV"):
+        assert trace not in printed
+
+
+def test_what_lies_beside_the_systems_folders_is_not_inside(monkeypatch, tmp_path):
+    """A checkout in /usr/src, or another environment in Conda's folder, would have libraries and the key."""
+    for name in ("lib", "envs", "pkgs", "share"):
+        (tmp_path / name).mkdir()
+    (tmp_path / "link").symlink_to("/etc")
+    monkeypatch.setattr(bubblewrap, "python_folder", lambda: (tmp_path, Path("/python")))
+    monkeypatch.setattr(bubblewrap, "SOURCE", Path("/usr/share/man/imgproc_course"))
+    folders = {str(path) for path in bubblewrap._foreign_folders()}
+    assert {"/python/envs", "/python/pkgs", "/usr/share/man"} <= folders
+    assert not {"/python/lib", "/python/share", "/python/link", "/usr/lib", "/usr/local"} & folders
+    assert {"/usr/src"} & folders == {"/usr/src"} & {str(path) for path in Path("/usr").iterdir()}
+    paths = [Path("/usr/share/man/man1"), Path("/usr/src"), Path("/usr/share/man"), Path("/usr/src")]
+    assert bubblewrap._outermost(paths) == [Path("/usr/share/man"), Path("/usr/src")]
+
+
+def test_the_systems_image_libraries_are_empty_inside(monkeypatch):
+    """From apt, OpenCV's functions could be called in C: cvCanny() of libopencv_imgproc.so."""
+    monkeypatch.setattr(bubblewrap, "_IMAGE_LIBRARIES", re.compile(r"libthread_db\.so"))
+    monkeypatch.setattr(bubblewrap, "_PROGRAM_FOLDERS", re.compile(r"dpkg"))
+    (path,) = {path.resolve() for path in Path("/usr/lib").rglob("libthread_db.so*")}
+    emptied = ["--tmpfs", "/usr/lib/dpkg", "--remount-ro", "/usr/lib/dpkg"]
+    assert bubblewrap._image_libraries() == [*emptied, "--ro-bind", "/dev/null", str(path)]
+    with KernelFactory("fast") as kernel_factory:
+        kernel = kernel_factory.start((), 30)
+        programs = kernel.run("import os\nprint(os.listdir('/usr/lib/dpkg'))")
+        run = kernel.run(f"import ctypes\nctypes.CDLL({str(path)!r})")
+        kernel.stop()
+    assert (programs.printed, run.error[0]) == ("[]\n", "OSError")
+
+
+@pytest.mark.parametrize(
+    ("name", "is_emptied"),
+    [
+        *(
+            (name, True)
+            for name in ("libgd.so.3", "libcairo.so.2.11600.0", "libopencv_core.so", "libMagickCore-6.so")
+        ),
+        *(
+            (name, False)
+            for name in ("libgdbm.so.6", "libc.so.6", "libstdc++.so.6", "libIlmThread.so", "libz.so.1")
+        ),
+    ],
+)
+def test_libraries_that_draw_or_filter_are_emptied_and_no_others(name, is_emptied):
+    assert bool(bubblewrap._IMAGE_LIBRARIES.match(name)) == is_emptied
+
+
+def test_the_systems_limits_follow_from_the_case():
+    assert Limits(grace=2).for_system(0.5)["cpu"] == 3
+    assert Limits(grace=1, wall_factor=2, wall_grace=3).deadline(4) == 13
+
+
+def problem_with(monkeypatch, folder, script):
+    bubblewrap.sandbox_problem.cache_clear()
+    program = folder / "bwrap"
+    if script:
+        program.write_text(f"#!/bin/sh\n{script}\n")
+        program.chmod(0o755)
+    monkeypatch.setenv("PATH", str(folder))
+    try:
+        return bubblewrap.sandbox_problem()
+    finally:
+        bubblewrap.sandbox_problem.cache_clear()
+
+
+def test_without_bubblewrap_the_error_says_what_to_install(monkeypatch, tmp_path):
+    assert "sudo apt-get install bubblewrap" in problem_with(monkeypatch, tmp_path, "")
+
+
+def test_without_user_namespaces_the_error_says_how_to_allow_them(monkeypatch, tmp_path):
+    problem = problem_with(
+        monkeypatch, tmp_path, "echo 'bwrap: setting up uid map: Permission denied' >&2; exit 1"
+    )
+    assert "setting up uid map: Permission denied" in problem
+    assert "sysctl -w kernel.unprivileged_userns_clone=1" in problem
+
+
+def test_the_trial_of_the_sandbox_lacks_only_the_packages():
+    kernel, trial = (bubblewrap.sandbox_command(True, packages=packages) for packages in (True, False))
+    length = len(kernel) - len(trial)
+    start = kernel.index(bubblewrap.SITE) - 3  # "--perms", "0755", "--dir"
+    assert length > 200 and kernel[:start] + kernel[start + length :] == trial
+    assert bubblewrap.SITE not in trial
+
+
+def test_on_another_system_the_error_says_where_to_grade(monkeypatch):
+    monkeypatch.setattr(bubblewrap.sys, "platform", "darwin")
+    bubblewrap.sandbox_problem.cache_clear()
+    assert bubblewrap.sandbox_problem().startswith(
+        "grading needs Linux, this is darwin: grade in the course's container"
+    )
+    bubblewrap.sandbox_problem.cache_clear()
+
+
+# ---------------------------------------------------------------- all processes together
+
+
+def test_without_control_groups_the_sizes_are_added_up(monkeypatch):
+    monkeypatch.setattr(cgroups, "_ROOT", Path("/nowhere"))
+    group = ProcessGroup(1 << 40, 64)
+    assert group.folders == [] and not group.ran_out_of_memory(os.getpid()) and not group.is_crowded()
+    group.remove()
+    nothing = ProcessGroup(-cgroups._OWN_MEMORY, 64)
+    assert nothing.ran_out_of_memory(os.getpid()) and nothing.is_crowded()
+    nothing.reset()
+    assert not nothing.is_crowded()
+    assert not nothing.ran_out_of_memory(2**22 + 1)  # there is no such process
+
+
+def test_pages_that_processes_share_are_counted_once():
+    code = "import os, time\nheld = bytearray(b'x' * (200 << 20))\n"
+    code += "[os.fork() or time.sleep(60) for _ in range(3)]\nprint(flush=True)\ntime.sleep(60)"
+    top = subprocess.Popen([sys.executable, "-c", code], stdout=subprocess.PIPE)
+    top.stdout.readline()
+    apart, once = (cgroups._memory_under(top.pid, enough) for enough in (1 << 40, 0))
+    for process in [*psutil.Process(top.pid).children(), top]:
+        process.kill()
+    top.communicate()
+    assert apart > 4 * (200 << 20) and 200 << 20 < once < 300 << 20
+
+
+BOMB = """
+import os, time
+for _ in range(20):
+    if os.fork() == 0:
+        x = np.ones(120 << 20, np.uint8)
+        time.sleep(600)
+time.sleep(600)
+"""
+
+
+@pytest.mark.parametrize("root", [cgroups._ROOT, "/nowhere"])
+def test_all_processes_of_a_kernel_together_keep_to_its_memory(root, monkeypatch):
+    monkeypatch.setattr(
+        cgroups, "_ROOT", Path(root)
+    )  # without control groups, or without the right to make them
+    most = 0
+    with KernelFactory("fast", limits=Limits(memory=1 << 30, wall_grace=15)) as kernel_factory:
+        kernel = kernel_factory.start((), 5)
+        with ThreadPoolExecutor(1) as beside:
+            ended = beside.submit(kernel.run, BOMB)
+            while not ended.done():
+                most = max(most, cgroups._memory_under(kernel_factory._fork_server._process.pid, 0))
+                time.sleep(0.2)
+        assert ended.result().ended == "memory"
+        assert most < 2 << 30  # it tries to use 2.4 GB
+        kernel.stop()
+        after = kernel_factory.start((), 5)
+        ran = after.run("import time\nx = np.ones(120 << 20, np.uint8)\ntime.sleep(0.2)\nprint(x[-1])")
+        assert (ran.printed, ran.ended) == ("1\n", "")
+        after.stop()
+
+
+IPYKERNEL = f"""
+from imgproc_course.classroom.autograder.sandbox.bubblewrap import Limits
+from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
+with KernelFactory("ipykernel", limits=Limits(memory=1 << 30, wall_grace=15)) as kernel_factory:
+    kernel = kernel_factory.start((), 5)
+    print(kernel.run({BOMB!r}).ended)
+    kernel.stop()
+"""
+
+
+def test_jupyters_own_kernel_keeps_to_its_memory_with_all_its_processes():
+    done = subprocess.run([sys.executable, "-c", IPYKERNEL], capture_output=True, text=True, timeout=200)
+    assert done.stdout == "memory\n", done.stderr[-2000:]
+
+
+UNCOUNTED = """
+import ctypes, os, subprocess, threading
+libc = ctypes.CDLL(None, use_errno=True)
+def refused(call, *arguments):
+    return call(*arguments) == -1 and ctypes.get_errno() == 1
+print(refused(libc.shmget, 0, 1 << 30, 0o1600), refused(libc.memfd_create, b"x", 0))
+print(refused(libc.unshare, 0x10000000), refused(libc.mount, b"t", b"/tmp", b"tmpfs", 0, None))
+print(refused(libc.syscall, 56, 0x10000000 | 17, 0, 0, 0, 0), refused(libc.syscall, 425, 8, 0))
+thread = threading.Thread(target=print, args=("a thread",))
+thread.start()
+thread.join()
+print(subprocess.run(["echo", "a process"], capture_output=True, text=True).stdout, end="")
+"""
+
+
+@pytest.mark.skipif(platform.machine() != "x86_64", reason="two of the calls are made by their numbers")
+def test_memory_that_no_process_holds_is_refused_and_threads_and_processes_are_not():
+    with KernelFactory("fast") as kernel_factory:
+        kernel = kernel_factory.start((), 30)
+        lines = kernel.run(UNCOUNTED).printed.splitlines()
+        kernel.stop()
+    assert lines == [*["True True"] * 3, "a thread", "a process"]
+
+
+# ---------------------------------------------------------------- a user who is not root
+
+MARKS = """
+import os
+written = set()
+for path in {line.split()[1] for line in open("/proc/self/mounts")}:
+    try:
+        os.mkdir(path + "/mark")
+        written.add(path)
+    except OSError:
+        pass
+"""
+UNPRIVILEGED = f"""
+from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
+with KernelFactory("fast") as kernel_factory:
+    kernel = kernel_factory.start(("scipy",), 30)
+    print(kernel.run("import os, scipy; print(os.getuid(), os.listdir('/course/extra'))").printed)
+    print(kernel.run("print(open('/proc/self/status').read().count('0000000000000000'))").printed)
+    kernel.run({MARKS!r})
+    print(kernel.run("print(sorted(written))").printed)
+    kernel.stop()
+"""
+
+
+def as_another_user():
+    """The command that runs Python as a user who is not root, with Python's folder readable for everybody."""
+    if os.geteuid() != 0:
+        return [sys.executable]
+    base, home = Path(sys.base_prefix).resolve(), Path.home()
+    opened = ""
+    if base.is_relative_to(home):
+        opened = f"mount --bind {base} /mnt && mount -t tmpfs -o mode=755 t {home} && mkdir -p {base}"
+        opened += f" && mount --bind /mnt {base} && "
+    user = "setpriv --reuid 4242 --regid 4242 --clear-groups"
+    return ["unshare", "--mount", "sh", "-c", f'{opened}exec {user} {sys.executable} "$@"', "sh"]
+
+
+def test_a_user_who_is_not_root_has_a_sandbox_too():
+    done = subprocess.run(
+        [*as_another_user(), "-c", UNPRIVILEGED],
+        env={"PATH": os.environ["PATH"], "HOME": "/tmp"},
+        cwd="/",
+        capture_output=True,
+        text=True,
+        timeout=120,
+    )
+    lines = done.stdout.split("\n")
+    assert lines[0].endswith(" []"), done.stderr[-2000:]
+    assert lines[4] == "['/dev/shm', '/tmp']"  # its own; the next kernel would find what it wrote elsewhere
+    assert int(lines[2]) >= 5  # inheritable, permitted, effective, bounding, ambient: all empty

@@ -1,0 +1,297 @@
+"""The one comparison: as tolerant as the master says, and safe from anything that a kernel sends."""
+
+import json
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from imgproc_course.classroom.autograder.answer_forms import read_calls, read_form
+from imgproc_course.classroom.autograder.results import form_to_show
+from imgproc_course.classroom.autograder.verdict import CaseRun, verdict_on
+from imgproc_course.classroom.exercises.answer_images import answer_images
+from imgproc_course.classroom.exercises.canonical import PLAIN_TYPES, canonical
+from imgproc_course.classroom.exercises.comparison import compare
+from imgproc_course.classroom.exercises.values import answer_parts, differing_elements
+from imgproc_course.classroom.gradebook.report_values import value_of
+
+RIGHT = np.array([[1.0, 2.0], [3.0, 4.0]])
+JSON = st.recursive(
+    st.one_of(st.none(), st.booleans(), st.integers(), st.floats(), st.text(max_size=5)),
+    lambda inner: st.one_of(
+        st.lists(inner, max_size=3), st.dictionaries(st.text(max_size=5), inner, max_size=3)
+    ),
+    max_leaves=10,
+)
+# Forms that are nearly right: the keys and words that `compare` reads, with any values.
+KEYS = st.sampled_from(
+    ["type", "value", "items", "fields", "shape", "dtype", "data", "digest", "length", "opaque", "array"]
+)
+WORDS = st.sampled_from(
+    [
+        "ndarray",
+        "numpy.matrix",
+        "tuple",
+        "dict",
+        "int",
+        "float",
+        "numpy.uint8",
+        "bytes",
+        "uint8",
+        "object",
+        "AAAA",
+        "nan",
+        "str",
+    ]
+)
+NEARLY = st.recursive(
+    st.one_of(WORDS, st.integers(-2, 2**70), st.floats(), st.booleans()),
+    lambda inner: st.one_of(st.lists(inner, max_size=3), st.dictionaries(KEYS, inner, max_size=5)),
+    max_leaves=12,
+)
+
+
+def payload_of(*values, **more):
+    calls = [{"value": canonical(value), "changed": [], "printed": ""} | more for value in values]
+    return {"calls": calls}
+
+
+def passes(payload, expected, tolerance):
+    return verdict_on([payload], [canonical(expected)], tolerance).passed
+
+
+@pytest.mark.parametrize(
+    "value",
+    [
+        *(None, True, 3, 2**70, 0.5, float("nan"), "text", b"bytes", RIGHT, np.uint8(7), np.float32(1)),
+        *(np.bool_(True), (1, "a"), [RIGHT, None], {"edges": RIGHT}, np.zeros((0, 3), ">f4"), object()),
+        *(np.zeros(100_000), RIGHT.view(np.matrix), [RIGHT.astype(object).view(np.matrix)]),
+    ],
+    ids=lambda value: type(value).__name__,
+)
+def test_every_canonical_form_is_accepted(value):
+    form = canonical(value)
+    form.pop("summary", None)  # for readers of `check` only
+    form.pop("length", None) if form.get("too_large") else None
+    assert read_form(json.loads(json.dumps(form))) == form
+
+
+def test_the_tolerance_is_the_limit():
+    assert passes(payload_of(RIGHT + 0.09), RIGHT, 0.1)
+    assert not passes(payload_of(RIGHT + 0.11), RIGHT, 0.1)
+    assert not passes(payload_of(RIGHT + 1e-6), RIGHT, 0.0)
+
+
+@pytest.mark.parametrize(
+    "payload",
+    [
+        payload_of(RIGHT, RIGHT),
+        payload_of(),
+        payload_of(RIGHT, changed=["pixels"]),
+        payload_of(RIGHT.astype(np.float32)),
+        payload_of(RIGHT.tolist()),
+        {"calls": [{"timed_out": True}]},
+        {"calls": [{"error": "E", "message": "", "line": "", "changed": [], "printed": ""}]},
+        "passed",
+        None,
+    ],
+)
+def test_every_other_payload_fails(payload):
+    assert not passes(payload, RIGHT, 0.5)
+
+
+@given(st.one_of(JSON, NEARLY))
+def test_no_other_json_passes_or_raises(payload):
+    assert not passes(payload, RIGHT, 1e9)
+    inner = {"calls": [{"value": payload, "changed": [], "printed": ""}]}
+    assert not passes(inner, RIGHT, 1e9)
+
+
+@given(NEARLY)
+def test_every_accepted_form_can_be_compared_and_shown(data):
+    form = read_form(data)
+    for value in (RIGHT, 1, 0.5, "a", (1, RIGHT), {"a": 1}, b"b", None):
+        if form is not None:
+            show(canonical(value), form)
+
+
+def nested(depth):
+    return {"type": "list", "items": [nested(depth - 1)] if depth else []}
+
+
+DATA = {"type": "bytes", "length": 1, "data": "AA=="}
+FORGED = [
+    {"type": "types.SimpleNamespace", "opaque": True, "fields": {"data": 7}, "items": 5, "shape": "x"},
+    {"type": "str", "too_large": True, "value": 3, "items": [1]},
+    {"type": "ndarray", "opaque": True, "dtype": "uint8", "shape": [3, 4], "data": 5, "fields": 6},
+    {"type": "ndarray", "dtype": "uint8", "shape": [2, 2], "digest": "0" * 64, "summary": "x"},
+    {"type": "ndarray", "dtype": "uint8", "shape": [1], "data": "AA==", "fields": {"height": 1}},
+    {"type": "image", "fields": {"height": DATA, "step": {"type": "str", "value": "1"}, "data": DATA}},
+    {
+        "type": "image",
+        "fields": {"height": {"type": "int", "value": -1}, "step": {"type": "int", "value": -1}},
+    },
+    {
+        "type": "image",
+        "fields": {"data": {"type": "image", "fields": {"data": DATA}}, "height": {"type": "None"}},
+    },
+    {"type": "dict", "items": [[{"type": "list", "items": []}, DATA], [{"type": "list", "items": []}, DATA]]},
+    {"type": "int", "value": 2**4000},
+    {"type": "float", "value": 10**308, "items": []},
+    {"type": "numpy.matrix", "opaque": True, "value": 3},
+    {
+        "type": "numpy.matrix",
+        "opaque": True,
+        "array": {"type": "int", "dtype": "uint8", "shape": [2, 2], "digest": "0" * 64, "opaque": 1},
+    },
+    nested(9),
+]
+
+
+def show(expected, actual):
+    """What a page and `check` do with two values."""
+    difference = compare(expected, actual)
+    for name, part, actual_part in answer_parts(expected, actual):
+        wrong = differing_elements(part, actual_part, 0.0)
+        if actual_part is not None:
+            value_of(name, actual_part, wrong)
+        answer_images(expected, name, part, actual_part, wrong)
+    return difference
+
+
+@pytest.mark.parametrize("data", FORGED, ids=lambda form: repr(form)[:60])
+def test_a_forged_form_is_made_anew_and_can_be_shown(data):
+    form = read_form(json.loads(json.dumps(data)))
+    assert form is not None
+    assert read_form(form) == form
+    for value in (RIGHT, np.zeros((20, 20)), 1, 0.5, "a", (1, RIGHT), {(1, 2): RIGHT}, b"b", None):
+        assert show(canonical(value), form) is not None
+
+
+def test_a_form_keeps_only_the_keys_of_its_type():
+    opaque, large, array, digest, *_ = map(read_form, FORGED)
+    assert opaque == {"type": "types.SimpleNamespace", "opaque": True}
+    assert large == {"type": "str", "too_large": True}
+    assert array == {"type": "ndarray", "dtype": "uint8", "shape": [3, 4], "opaque": True}
+    assert digest.keys() == {"type", "dtype", "shape", "digest"}
+    assert read_form(FORGED[-2])["array"] == digest
+    assert "array" not in read_form(FORGED[-3])
+
+
+@pytest.mark.parametrize("name", PLAIN_TYPES)
+def test_a_class_with_the_name_of_a_plain_type_is_described(name):
+    value = type(name, (), {"__module__": "__main__"})()
+    form = read_form(canonical(value))
+    assert (
+        show(canonical(1), form).message == f"expected the integer 1, got an object of type __main__.{name}"
+    )
+
+
+def test_scalars_without_a_form_of_their_own_are_described():
+    difference = show(canonical(0.5), read_form(canonical(np.complex64(1))))
+    assert difference.message == "expected the float 0.5, got an object of type numpy.complex64"
+
+
+def test_keys_of_a_dict_that_are_tuples_are_compared():
+    assert compare(canonical({(1, 2): 5}), canonical({(1, 2): 5})) is None
+    difference = compare(canonical({(1, 2): 5}), canonical({(3, 4): 5}))
+    assert difference.message == "expected a dict with the keys (1, 2), got a dict with the keys (3, 4)"
+
+
+def test_what_a_call_says_is_bounded():
+    texts = {"error": "E" * 9_000, "message": "m" * 9_000_000, "line": "l" * 9_000, "printed": "p" * 9_000}
+    (call,) = read_calls([texts | {"changed": ["n" * 9_000] * 90}])
+    lengths = [len(text) for text in (call.error, call.message, call.line, call.printed, *call.changed)]
+    assert lengths == [2_000, 2_000, 2_000, 2_000, *[300] * 20]
+
+
+@pytest.mark.parametrize(
+    "form",
+    [
+        {"type": "str", "value": "\ud800"},
+        {"type": "\udfff", "opaque": True},
+        {"type": "float", "value": float("nan")},
+        {"type": "int", "value": True},
+        {"type": "SimpleNamespace", "fields": {"\ud800": {"type": "None"}}},
+        {"type": "ndarray", "dtype": "uint8", "shape": [True], "data": "AA=="},
+        {"type": "ndarray", "dtype": "|u1", "shape": [1], "data": "AA=="},
+        {"type": "bytes", "length": 2, "data": "AA=="},
+        {"type": "numpy.object_", "value": 1},
+        {"type": "dict", "items": [[{"type": "None"}]]},
+        # Opaque or too large, with the type of a form that a reader would open.
+        {"type": "list", "opaque": True},
+        {"type": "numpy.uint8", "opaque": True},
+        {"type": "ndarray", "opaque": True},
+        {"type": "numpy.matrix", "opaque": True, "array": None},
+        {"type": "numpy.matrix", "opaque": True, "array": {"dtype": "uint8", "shape": [1], "data": "AA=="}},
+        {"type": "numpy.matrix", "array": {"dtype": "uint8", "shape": [1, 1], "data": "AA=="}},
+        {"type": "ndarray", "too_large": True},
+        {"type": "bytes", "too_large": True},
+        {"type": "SimpleNamespace", "too_large": True, "fields": {}},
+        # Shapes and dtypes that NumPy refuses.
+        {"type": "ndarray", "dtype": "uint8", "shape": [2**39, 2**39, 0], "data": ""},
+        {"type": "ndarray", "dtype": "float64", "shape": [2**39, 2**39], "digest": "0" * 64},
+        {"type": "ndarray", "dtype": "uint8", "shape": [1] * 65, "data": "AA=="},
+        {"type": "ndarray", "dtype": "U9", "shape": [0], "data": ""},
+        {"type": "ndarray", "dtype": "x" * 301, "shape": [0], "opaque": True},
+        # Numbers outside their type.
+        {"type": "numpy.uint8", "value": 256},
+        {"type": "int", "value": 2**4096},
+        {"type": "float", "value": 2**1024 - 1},
+        {"type": "str", "value": "a" * 60_001},
+        # Too many parts, and too deep.
+        {"type": "tuple", "items": [{"type": "None"}] * 50_000},
+        {"type": "SimpleNamespace", "fields": {str(k): {"type": "None"} for k in range(50_000)}},
+        nested(11),
+    ],
+    ids=lambda form: repr(form)[:60],
+)
+def test_a_malformed_form_is_rejected(form):
+    assert read_form(form) is None
+
+
+def test_a_verdict_names_the_first_call_that_failed():
+    expected = [canonical(1), canonical(2), canonical(3)]
+    verdict = verdict_on([payload_of(1, 5, 4)], expected, 0.0)
+    assert (verdict.failed_call, verdict.difference.actual, verdict.passed) == (1, 5, False)
+    assert [call.value["value"] for call in verdict.calls] == [1, 5, 4]
+    assert verdict_on([payload_of(1, 2)], expected, 0.0).failed_call == 2
+    assert verdict_on([payload_of(1, 2, 3, 4)], expected, 0.0).failed_call == 3
+
+
+def test_exactly_one_answer_counts():
+    payload = payload_of(1)
+    assert verdict_on([payload], [canonical(1)], 0.0).passed
+    assert verdict_on([payload, payload], [canonical(1)], 0.0).calls is None
+    assert verdict_on([], [canonical(1)], 0.0).calls is None
+
+
+def test_a_right_answer_of_a_cell_that_failed_does_not_pass():
+    run = CaseRun(verdict=verdict_on([payload_of(1)], [canonical(1)], 0.0))
+    assert run.passed
+    run.check.error = ("ValueError", "")
+    assert not run.passed
+    run.check.error, run.check.ended = ("", ""), "time"
+    assert not run.passed
+
+
+LARGE = np.arange(1_200_000, dtype=np.uint32).astype(np.uint8)
+
+
+@pytest.mark.parametrize(
+    ("value", "shown"),
+    [
+        ([LARGE[:10]], canonical([LARGE[:10]])),
+        ([LARGE[:900_000]] * 3, {"type": "list", "too_large": True}),
+        (np.append(LARGE, LARGE), canonical(np.append(LARGE, LARGE))),
+    ],
+)
+def test_a_page_shows_no_value_much_larger_than_the_expected_one(value, shown):
+    """All values of a learner are in memory while their page is written."""
+    form = form_to_show(canonical(value, limit=None), canonical(RIGHT))
+    form.pop("summary", None), shown.pop("summary", None)
+    assert form == shown
+    same = canonical(value, limit=None)
+    assert form_to_show(same, same) is same
+    assert form_to_show(None, same) is None

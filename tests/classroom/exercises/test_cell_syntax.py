@@ -1,0 +1,25 @@
+"""The parts in which an answer is run."""
+
+import pytest
+
+from imgproc_course.classroom.exercises.cell_syntax import parts_of
+
+FUTURE = "from __future__ import annotations"
+
+
+def test_each_statement_is_a_part_in_which_its_lines_keep_their_numbers():
+    assert parts_of("a = 1\n\n@b\ndef f():\n    pass\nc") == [
+        "a = 1",
+        "#\n#\n@b\ndef f():\n    pass",
+        "#\n#\n#\n#\n#\nc",
+    ]
+    assert parts_of(f"# x\n{FUTURE}\na\nb") == [f"#\n{FUTURE}", f"#\n{FUTURE}\na", f"#\n{FUTURE}\n#\nb"]
+    assert parts_of("a; b\nc") == ["a; b\nc"] and parts_of("a (\nb") == ["a (\nb"]
+
+
+@pytest.mark.parametrize("start", ["", "from __future__ import (" + "annotations,\n" * 1_000 + ")\n"])
+def test_an_answer_of_very_many_lines_is_one_part(start):
+    """Its parts would have 400 MB together, outside the sandbox."""
+    source = start + "1\n" * (2_000 if start else 20_000) + "def f():\n    return 3"
+    assert parts_of(source) == [source]
+    assert len(parts_of("1\n" * 2_000 + "def f():\n    return 3")) == 2_001

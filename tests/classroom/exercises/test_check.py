@@ -1,0 +1,630 @@
+"""The feedback of `check`."""
+
+import linecache
+import re
+import sys
+from pathlib import Path
+from textwrap import dedent
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from imgproc_course.classroom.authoring.lesson_files import lesson_files
+from imgproc_course.classroom.exercises import check, checking, read_exercises, run_cases
+from imgproc_course.classroom.exercises.cell_runs import CellRuns
+from imgproc_course.classroom.exercises.check_files import find_check_data
+from imgproc_course.classroom.exercises.checking import run_check
+
+
+@pytest.fixture
+def write_master(write_master, tmp_path, monkeypatch):
+    """Writes a master, and the checks file that its lesson carries."""
+
+    def write(**changed):
+        path = write_master(**changed)
+        lesson = SimpleNamespace(name="doubling", exercises=read_exercises(path), handed_out={})
+        for name, text in lesson_files(lesson).items():
+            (tmp_path / name).parent.mkdir(exist_ok=True)
+            (tmp_path / name).write_text(text)
+        monkeypatch.setenv("IMGPROC_COURSE_CHECKS", str(tmp_path / "checks"))
+
+    return write
+
+
+@pytest.fixture(autouse=True)
+def _master(write_master):
+    write_master()
+
+
+def right(pixels):
+    return np.minimum(pixels.astype(np.uint16) * 2, 255).astype(np.uint8)
+
+
+def test_a_right_answer_passes():
+    result = check("test-double", right)
+    assert result.passed and result.points == 3
+    assert repr(result) == (
+        "test-double: both checks pass.\n✓ Bright\n✓ Dark\n"
+        "Points here: 3 of 3. Grading runs 1 more check on other inputs, worth 3."
+    )
+
+
+def stub(pixels):
+    raise NotImplementedError("your turn")
+
+
+def stub_without_a_message(pixels):
+    raise NotImplementedError
+
+
+@pytest.mark.parametrize("function", [stub, stub_without_a_message])
+def test_the_stub_is_not_attempted(function):
+    result = check("test-double", function)
+    assert not result.attempted and not result.passed and result.points == 0
+    assert repr(result).startswith("test-double: not attempted yet.\nWrite double() in its cell")
+
+
+def test_a_stub_of_dots_is_not_attempted(write_master):
+    write_master(answer='# %% role="answer"\ndef double(pixels):\n    ...')
+
+    def dots(pixels): ...
+
+    assert not check("test-double", dots).attempted
+
+
+def wraps(pixels):
+    return pixels * 2
+
+
+def test_a_known_mistake_is_named_and_shown():
+    result = check("test-double", wraps)
+    assert result.mistake.name == "wraps"
+    assert [case_result.passed for case_result in result.results] == [False, True]
+    assert result.points == 1
+    text = repr(result)
+    assert "test-double: 1 of 2 checks pass." in text
+    assert re.search(r"\d+ of 12 values differ; the first at row \d, col \d: expected 255, got \d+", text)
+    assert "It wraps." in text and "Hint" not in text
+    assert "given pixels: an array of shape (3, 4), uint8" in text
+    assert re.search(r" \d+\*", text)  # a differing number, marked
+
+
+def test_a_mistake_is_named_beside_another_fault():
+    def wraps_and_fails(pixels):
+        return pixels * 2 if pixels.ndim == 2 else None
+
+    result = check("test-double", wraps_and_fails)
+    assert [case_result.passed for case_result in result.results] == [False, False]
+    assert result.mistake.name == "wraps"
+
+
+@pytest.mark.parametrize("exact_type", [True, False])
+def test_a_mistake_is_named_in_another_type_if_the_type_is_free(exact_type, write_master):
+    write_master(
+        exercise='# %% role="exercise"\nexercise("test-double", function="double", time_limit=0.5,'
+        f' hint="Widen.", exact_type={exact_type})\nSIDE = 3'
+    )
+    result = check("test-double", lambda pixels: (pixels * 2).astype(float))
+    assert (result.mistake is not None) != exact_type
+
+
+def test_after_a_try_that_fails_the_help_in_steps_is_named(write_master):
+    stuck = 'Stuck? hint("test-double") helps you on, in steps.'
+    assert stuck not in repr(check("test-double", wraps))  # the exercise has no hints
+    write_master(
+        exercise='# %% role="exercise"\nexercise("test-double", function="double", time_limit=0.5,'
+        ' hints=("Widen.",))\nSIDE = 3'
+    )
+    result = check("test-double", wraps)
+    assert repr(result).endswith(f"\n{stuck}") and stuck.replace('"', "&quot;") in result._repr_html_()
+    assert not any("Stuck" in repr(check("test-double", function)) for function in (right, stub))
+
+
+def test_an_unknown_mistake_gets_the_hint():
+    result = check("test-double", lambda pixels: right(pixels) // 2)
+    assert result.mistake is None
+    assert "Hint: Widen." in repr(result)
+
+
+@pytest.mark.parametrize(
+    ("function", "text"),
+    [
+        (lambda pixels: None, "double() returned None. Did you forget return?"),
+        (lambda pixels: 1 / 0, "double() raised ZeroDivisionError: division by zero\n    in your line"),
+        (lambda pixels: right(pixels).tolist(), "Expected an array of shape (3, 4), uint8, got a list of 3."),
+        (lambda pixels: right(pixels)[:2], "Expected shape (3, 4), got an array of shape (2, 4)."),
+        (lambda pixels: right(pixels).astype(int), "Expected uint8, got an array of int64."),
+        (lambda pixels: right(pixels) + pixels.sort(), "double() raised TypeError"),
+        (lambda: 3, "double() raised TypeError"),
+    ],
+)
+def test_each_kind_of_wrong_answer_has_its_text(function, text):
+    result = check("test-double", function)
+    assert not result.passed
+    assert text in repr(result)
+    assert "np.minimum" not in repr(result) + result._repr_html_()  # never the solution
+
+
+def test_a_changed_input_fails_though_the_answer_is_right():
+    def changes(pixels):
+        answer = right(pixels)
+        pixels[:] = 0
+        return answer
+
+    result = check("test-double", changes)
+    assert not result.passed
+    assert (
+        "double() changed its input pixels. Leave the input as it is: write the result into a new array"
+        in repr(result)
+    )
+
+
+def test_an_endless_loop_is_stopped():
+    def endless(pixels):
+        while True:
+            pass
+
+    result = check("test-double", endless)
+    assert [case_result.passed for case_result in result.results] == [False, False] and result.points == 0
+    assert "double() did not finish and was stopped. Is there an endless loop?" in repr(result)
+    assert "✗ Dark\n    not run, because the call above did not finish\n" in repr(result)
+    assert "not run, because" in result._repr_html_()
+
+
+def test_prints_and_warnings_are_shown():
+    def noisy(pixels):
+        print("shape", pixels.shape)
+        return np.uint8(np.float64(1) / np.zeros(1)[0] > 0) + pixels
+
+    text = repr(check("test-double", noisy))
+    assert "Your function printed:\n    shape (3, 4)" in text
+    assert "NumPy or Python warned: divide by zero" in text
+
+
+def test_a_refused_module_does_not_pass():
+    def uses(pixels):
+        import cv2
+
+        return right(pixels) if cv2 else None
+
+    result = check("test-double", uses)
+    assert result.dependencies.refused == ("cv2",) and not result.passed
+    assert "double() uses cv2. Write this exercise without it" in repr(result)
+    assert "the values are right, but grading would refuse this answer" in repr(result)
+
+
+def test_a_refused_module_comes_before_the_error_that_it_causes():
+    def uses(pixels):
+        import cv2
+
+        return cv2.add(pixels)
+
+    result = check("test-double", uses)
+    first, second, third = repr(result).splitlines()[:3]
+    assert first == "test-double: grading would refuse this answer."
+    assert second.startswith("double() uses cv2. Write this exercise without it")
+    assert third == "✗ Bright" and "double() raised error: OpenCV" in repr(result)
+    html = result._repr_html_()
+    assert html.index("double() uses cv2") < html.index("Bright") < html.index("double() raised")
+    assert html.count("double() uses cv2") == 1
+
+
+def test_a_refused_name_that_no_cell_imported_is_refused_too():
+    source = "def double(pixels):\n    return cv2.add(pixels, pixels)\n"
+    namespace = {}
+    exec(compile(source, "<answer>", "exec"), namespace)
+    result = check("test-double", namespace["double"])
+    assert result.dependencies.refused == ("cv2",)
+    assert repr(result).splitlines()[1].startswith("double() uses cv2.")
+
+
+def test_an_answer_of_two_arrays_is_two_tables(write_master):
+    write_master(
+        solution=(
+            '# %% role="solution"\ndef double(pixels):\n'
+            "    wide = pixels[:2, :2].astype(np.int32)\n    return wide * 2, wide"
+        ),
+        case='# %% role="case" title="Pair"\ndef inputs(rng):\n    return (np.uint8([[1, 2], [3, 4]]),)',
+        second="",
+    )
+
+    def swapped(pixels):
+        wide = pixels.astype(np.int32)
+        return wide, wide
+
+    text = repr(check("test-double", swapped))
+    assert "In answer[0]: 4 of 4 values differ" in text
+    assert (
+        "    returned [0]: an array of shape (2, 2), int32, * differs\n     1* 2*\n     3* 4*\n"
+        "    expected [0]: an array of shape (2, 2), int32, * differs\n     2* 4*\n     6* 8*\n"
+        "Points"
+    ) in text.replace("    Hint: Widen.\n", "")  # no tables of the part that is right
+    html = check("test-double", swapped)._repr_html_()
+    assert html.count("overflow-x: auto") == html.count('tabindex="0"') > 0  # the keyboard scrolls a table
+    assert html.count("<table") == 3 and html.count("font-weight: 700") == 8
+    assert all("white-space: nowrap" in cell for cell in re.findall("<td[^>]*>", html))
+
+
+def test_the_first_wrong_image_of_several_is_drawn(write_master):
+    write_master(
+        solution=('# %% role="solution"\ndef double(pixels):\n    return pixels, np.minimum(pixels, 100)'),
+        case='# %% role="case" title="Pair"\ndef inputs(rng):\n    return (np.full((20, 20), 200, "u1"),)',
+        second="",
+    )
+
+    def second_wrong(pixels):
+        other = np.minimum(pixels, 100)
+        other[7, 3] = 99
+        return pixels, other
+
+    assert re.findall(r'alt="([^"]*)"', check("test-double", second_wrong)._repr_html_()) == [
+        "given: 20 rows, 20 cols",
+        "returned [1]: 20 rows, 20 cols",
+        "expected [1]: 20 rows, 20 cols",
+        "1 of 400 pixels differ, the first at row 7, col 3",
+    ]
+
+
+def test_beside_a_wrong_answer_that_is_no_image_the_given_images_are_drawn(write_master):
+    write_master(
+        solution='# %% role="solution"\ndef double(pixels):\n    return int(pixels.max())',
+        case='# %% role="case" title="Size"\ndef inputs(rng):\n    return (np.full((20, 20), 200, "u1"),)',
+        second="",
+    )
+    html = check("test-double", lambda pixels: 5)._repr_html_()
+    assert re.findall(r'alt="([^"]*)"', html) == ["given pixels: 20 rows, 20 cols"]
+
+
+def test_a_message_is_shown_by_its_fields_and_a_table_of_its_bytes(write_master):
+    write_master(
+        exercise=(
+            '# %% role="exercise"\nfrom types import SimpleNamespace\n'
+            'exercise("test-double", function="double", time_limit=0.5)'
+        ),
+        answer='# %% role="answer"\ndef double(message):\n    raise NotImplementedError',
+        solution='# %% role="solution"\ndef double(message):\n    return message.height',
+        case=(
+            '# %% role="case" title="Message"\ndef inputs(rng):\n'
+            "    data = bytes(range(100, 112))\n"
+            '    return (SimpleNamespace(height=2, width=5, encoding="mono8", step=6, data=data),)'
+        ),
+        second="",
+        hidden=(
+            '# %% role="hidden" title="Message"\ndef inputs(rng):\n    return (SimpleNamespace(height=3),)'
+        ),
+        mistake='# %% role="mistake" name="one" says="One."\ndef double(message):\n    return 1',
+        **{"second mistake": ""},
+    )
+    text = repr(check("test-double", lambda message: message.width))
+    assert (
+        "    given message: an object with the fields height=2, width=5, encoding='mono8', step=6,"
+        " data=12 bytes (100, 101, 102, 103, 104, 105, 106, 107, …); data in rows of step bytes\n"
+        "     100  101  102  103  104  105\n     106  107  108  109  110  111\n"
+    ) in text
+
+
+def test_a_name_of_another_cell_does_not_pass():
+    namespace = {"np": np, "most": 255}
+    source = "def double(pixels):\n    return np.minimum(pixels.astype(int) * 2, most).astype(np.uint8)\n"
+    linecache.cache["<answer>"] = (len(source), None, source.splitlines(keepends=True), "<answer>")
+    exec(compile(source, "<answer>", "exec"), namespace)
+    result = check("test-double", namespace["double"])
+    assert not result.passed and result.points == 3
+    assert "double() uses most, which another cell defines. Grading runs only the answer cell" in repr(result)
+
+
+@pytest.mark.parametrize(
+    ("cells", "taken", "foreign"),
+    [
+        (["LIMITS = (0, 255)\nmost = LIMITS[1]"], ("most",), ()),
+        (["from math import *", "most = 255"], ("most",), ()),
+        (["most = 254", "for most in (255,):\n    pass"], (), ("most",)),  # no plain assignment
+        (["most = [255]", "while len(most) < 0:\n    most.append(1)", "most = most[0]"], (), ("most",)),
+        (["import rclpy", "most = rclpy.__name__"], (), ("most",)),
+        (["most = frame.max()"], (), ("most",)),  # no cell says where frame comes from
+        ([], (), ("most",)),
+    ],
+)
+def test_a_value_of_another_cell_passes_where_grading_makes_it_again(monkeypatch, cells, taken, foreign):
+    runs = CellRuns()
+    for cell in cells:
+        runs.start(cell)
+    monkeypatch.setattr(checking, "RUNS", runs)
+    namespace = {"np": np, "most": 255, "__name__": "__main__"}
+    exec("def wide(values):\n    return values.astype(int)", namespace)
+    source = "def double(pixels):\n    return np.minimum(wide(pixels) * 2, most).astype(np.uint8)\n"
+    linecache.cache["<answer>"] = (len(source), None, source.splitlines(keepends=True), "<answer>")
+    exec(compile(source, "<answer>", "exec"), namespace)
+    result = check("test-double", namespace["double"])
+    assert result.dependencies.taken == tuple(sorted((*taken, "wide")))
+    assert result.dependencies.foreign == foreign
+    assert result.passed == (not foreign)
+
+
+GUARDED = {
+    "beside the function": """
+        try:
+            import cv2
+        except ImportError:
+            cv2 = None
+        shown = []
+        shown.append("by the cell")
+        def double(pixels):
+            return cv2.add(pixels, pixels) if cv2 else own_way(pixels)
+        """,
+    "in the function": """
+        def double(pixels):
+            try:
+                from cv2 import add
+            except ImportError:
+                return own_way(pixels)
+            return add(pixels, pixels)
+        """,
+    "in another try, then in with": """
+        import contextlib
+        add = None
+        with contextlib.suppress(ImportError):
+            import skimage.util, cv2 as c
+            add = c.add
+        def double(pixels):
+            return (add or (lambda a, _: own_way(a)))(pixels, pixels)
+        """,
+}
+RIGHT_WAY = "np.minimum(pixels.astype(int) * 2, 255).astype(np.uint8)"
+
+
+@pytest.mark.parametrize("own_way", [RIGHT_WAY, "pixels * 2"], ids=["right", "wrong"])
+@pytest.mark.parametrize("name", GUARDED)
+def test_a_guarded_import_fails_as_in_grading_and_the_answers_own_way_is_judged(name, own_way):
+    source = f"def own_way(pixels):\n    return {own_way}\n{dedent(GUARDED[name])}"
+    linecache.cache["<guarded>"] = (len(source), None, source.splitlines(keepends=True), "<guarded>")
+    namespace = {"np": np, "__name__": "__main__"}
+    exec(compile(source, "<guarded>", "exec"), namespace)
+    result = check("test-double", namespace["double"])
+    assert result.dependencies.refused == () and result.passed == (own_way == RIGHT_WAY)
+    assert namespace.get("shown") in (None, ["by the cell"])  # what only shows something is not run again
+    function, error = find_check_data("test-double").run_answer(f"import numpy as np\n{source}")
+    assert error == "" and run_check(find_check_data("test-double"), function).passed == result.passed
+
+
+def test_html_is_escaped_and_marks_what_differs(write_master):
+    header = '# %% role="mistake" name="wraps" says="Less <b>than</b> 255"'
+    write_master(mistake=f"{header}\ndef double(pixels):\n    return pixels * 2")
+    html = check("test-double", wraps)._repr_html_()
+    assert "Less &lt;b&gt;than&lt;/b&gt; 255" in html
+    assert html.count("font-weight: 700") > 0
+
+
+def test_feedback_is_the_same_each_time():
+    first, second = check("test-double", wraps), check("test-double", wraps)
+    assert repr(first) == repr(second)
+    assert first._repr_html_() == second._repr_html_()
+
+
+def test_large_arrays_are_drawn_with_the_first_differing_pixel_named(tmp_path):
+    (exercise,) = read_exercises(tmp_path / "80_doubling.py")
+    result = run_cases(exercise, wraps, cases=exercise.hidden)
+    html = result._repr_html_()
+    assert 'src="data:image/png;base64,' in html
+    *_, alt = re.findall(r'alt="([^"]*)"', html)
+    difference = result.results[0].failed_call.difference
+    row, col = difference.index
+    assert alt == f"{difference.count} of 400 pixels differ, the first at row {row}, col {col}"
+    assert f"row {row}, col {col}" in repr(result)
+
+
+def test_hidden_cases_draw_from_another_seed(tmp_path):
+    (exercise,) = read_exercises(tmp_path / "80_doubling.py")
+    public = run_cases(exercise, wraps, cases=exercise.hidden).results[0].failed_call.arguments[0]
+    secret = run_cases(exercise, wraps, cases=exercise.hidden, seed=99).results[0].failed_call.arguments[0]
+    assert not np.array_equal(public, secret)
+
+
+def test_a_value_that_is_no_function_is_refused_with_the_remedy():
+    with pytest.raises(
+        TypeError,
+        match="needs your function double itself, got a value of type int; run the cell with your function",
+    ):
+        check("test-double", 3)
+
+
+def test_a_wrong_dtype_gets_the_dtype_and_not_the_hint():
+    text = repr(check("test-double", lambda pixels: right(pixels).astype(np.int64)))
+    assert (
+        "The values are right; only the dtype is not: you return int64. End with .astype(np.uint8)." in text
+    )
+    assert "Hint" not in text
+
+
+PAIR_CASE = '# %% role="case" title="Pair"\ndef inputs(rng):\n    return (np.full((5, 5), 9, "u1"),)'
+
+
+def write_border_master(write_master, border_hint):
+    write_master(
+        exercise=(
+            '# %% role="exercise"\nexercise("test-double", function="double", time_limit=0.5, hint="Widen.",'
+            f' border_hint="{border_hint}")'
+        ),
+        case=PAIR_CASE,
+        second="",
+    )
+
+
+def border_left_out(pixels):
+    return np.pad(right(pixels)[1:-1, 1:-1], 1)
+
+
+def test_a_wrong_border_gets_the_border_hint(write_master):
+    write_border_master(write_master, "Repeat the border.")
+    text = repr(check("test-double", border_left_out))
+    assert "and there your result is 0: is the border never computed?" in text
+    assert "Repeat the border." in text and "Widen." not in text
+    text = repr(check("test-double", lambda pixels: right(pixels) - np.uint8(3)))
+    assert "Hint: Widen." in text and "Repeat the border." not in text
+
+
+def test_a_wrong_border_without_a_border_hint_gets_a_question(write_master):
+    write_border_master(write_master, "")
+    text = repr(check("test-double", border_left_out))
+    assert "Pixels there have neighbours outside the image: how does the task treat those?" in text
+
+
+def test_a_numpy_scalar_gets_the_hint(write_master):
+    write_master(
+        solution='# %% role="solution"\ndef double(pixels):\n    return float(pixels.mean())',
+    )
+    assert "Hint: Widen." in repr(check("test-double", lambda pixels: float(pixels.mean() ** 2)))
+    assert "Hint: Widen." in repr(check("test-double", lambda pixels: np.float64(pixels.mean() ** 2)))
+
+
+def test_an_error_gets_advice_and_not_the_hint():
+    text = repr(check("test-double", lambda pixels: pixels if pixels > 3 else 0))
+    assert "`if` and `while` need one True or False" in text and "Hint" not in text
+
+
+def test_the_case_that_the_mistake_explains_is_shown(write_master):
+    write_master(
+        case='# %% role="case" title="Flat"\ndef inputs(rng):\n    return (np.uint8([200]),)',
+        second='# %% role="case" title="Square"\ndef inputs(rng):\n    return (np.full((2, 2), 200, "u1"),)',
+    )
+    result = check("test-double", lambda pixels: pixels * 2 if pixels.shape[1] else 0)
+    assert result.mistake.name == "wraps" and result.shown.case.title == "Square"
+    assert repr(result).index("✗ Square") < repr(result).index("It wraps.")
+
+
+def test_a_mistake_that_explains_one_case_of_two_is_not_named():
+    result = check("test-double", lambda pixels: pixels * 2 if pixels.ndim == 2 else pixels)
+    assert result.mistake is None
+    assert "It wraps." not in repr(result)
+
+
+def fills_a_part(pixels):
+    doubled = np.empty_like(pixels)
+    doubled[0] = right(pixels)[0]
+    return doubled
+
+
+def test_an_array_that_is_filled_in_part_does_not_pass_by_chance():
+    assert not any(check("test-double", fills_a_part).results[0].passed for _ in range(20))
+
+
+def test_names_of_other_cells_say_where_they_come_from():
+    namespace = {"np": np, "pixels": np.uint8([1]), "gamma": lambda values: values, "__name__": __name__}
+    exec("from statistics import median", namespace)
+    source = "def double(image):\n    return gamma(image), median, pixels, test_double\n"
+    namespace["test_double"] = 3
+    linecache.cache["<answer>"] = (len(source), None, source.splitlines(keepends=True), "<answer>")
+    exec(compile(source, "<answer>", "exec"), namespace)
+    text = repr(check("test-double", namespace["double"]))
+    assert "double() uses pixels, which another cell defines." in text
+    assert "Take pixels as the argument: def double(pixels):" in text
+    assert "double() uses gamma, median of another cell. Grading takes that along." in text
+    assert "Use the arguments of your function (pixels), or define test_double in the answer cell." in text
+    assert "Points here: 0 of 3." in text
+
+
+def test_a_value_of_another_cell_in_a_wrong_answer_is_no_argument(monkeypatch):
+    runs = CellRuns()
+    runs.start("factor = 3", "a-cell")
+    monkeypatch.setattr(checking, "RUNS", runs)
+    namespace = {"factor": 3, "__name__": __name__}
+    source = "def double(pixels):\n    return pixels * factor\n"
+    linecache.cache["<answer>"] = (len(source), None, source.splitlines(keepends=True), "<answer>")
+    exec(compile(source, "<answer>", "exec"), namespace)
+    text = repr(check("test-double", namespace["double"]))
+    assert "double() uses factor of another cell, which is the same in every call." in text
+    assert "computed from the arguments (pixels)?" in text and "takes that along" not in text
+
+
+def test_a_practice_exercise_speaks_of_no_grading(write_master):
+    write_master(
+        exercise=(
+            '# %% role="exercise"\nSIDE = 3\nexercise("test-double", function="double", practice=True)'
+        ),
+    )
+
+    def uses(pixels):
+        import cv2
+
+        return right(pixels) if cv2 else None
+
+    text = repr(check("test-double", uses))
+    assert "the values are right, but this answer uses what is not allowed here" in text
+    assert "rading" not in text and "Practice: no points." in text
+
+
+def test_an_endless_loop_says_what_overflowed():
+    def endless(pixels):
+        level = np.uint8(0)
+        while level <= 255:
+            level += np.uint8(1)
+
+    text = repr(check("test-double", endless))
+    assert "A loop never ends: does each step change what the loop tests?" in text
+    assert "after 255 a uint8 goes on with 0." in text
+
+
+def raise_left_in(pixels):
+    raise NotImplementedError("your turn")
+    return right(pixels)
+
+
+def test_a_raise_that_is_left_in_place_is_told():
+    result = check("test-double", raise_left_in)
+    assert not result.attempted
+    assert "The line with raise NotImplementedError is still there" in repr(result)
+
+
+def theme_colours(theme):
+    """{name: (red, green, blue, opacity)} of the variables of one of JupyterLab's themes."""
+    (path,) = Path(sys.prefix, "share/jupyter/lab/themes/@jupyterlab").glob(
+        f"theme-{theme}-extension/index.css"
+    )
+    named = {"white": "#ffffff"}
+    colours = {}
+    for name, value in re.findall(r"(--jp-[\w-]+):\s*([^;}]+)", path.read_text()):
+        value = named.get(value, re.sub(r"var\(--md-[\w-]+,\s*(#\w+)\)", r"\1", value))
+        if re.fullmatch(r"#(\w{3}|\w{6})", value):
+            digits = value[1:] if len(value) == 7 else "".join(digit * 2 for digit in value[1:])
+            colours[name] = (*bytes.fromhex(digits), 1.0)
+        elif re.fullmatch(r"rgba\([\d., ]+\)", value):
+            colours[name] = tuple(map(float, value[5:-1].split(",")))
+    return colours
+
+
+def contrast(colour, ground):
+    """The contrast of WCAG between a colour, which may be transparent, and its ground."""
+    opacity = colour[3]
+    mixed = [opacity * a + (1 - opacity) * b for a, b in zip(colour[:3], ground[:3], strict=True)]
+    light = [
+        np.dot(
+            [0.2126, 0.7152, 0.0722],
+            [c / 3294.6 if c <= 10 else ((c / 255 + 0.055) / 1.055) ** 2.4 for c in rgb],
+        )
+        for rgb in (mixed, ground[:3])
+    ]
+    return (max(light) + 0.05) / (min(light) + 0.05)
+
+
+@pytest.mark.parametrize("theme", ["light", "dark"])
+@pytest.mark.parametrize("function", [right, wraps, stub])
+def test_the_colours_have_contrast_in_both_themes(theme, function):
+    html = check("test-double", function)._repr_html_()
+    used = re.findall(r"[ ;\"]color: var\((--jp-[\w-]+), (#\w{6})\)", html)
+    assert used and not re.findall(r"[ ;\"]color: #", html)
+    colours = theme_colours(theme)
+    assert all(contrast(colours[name], colours["--jp-layout-color0"]) >= 4.5 for name, _ in used), used
+    assert all(contrast((*bytes.fromhex(fallback[1:]), 1.0), (255, 255, 255)) >= 4.5 for _, fallback in used)
+
+
+def test_a_failing_check_without_points_is_no_full_success(write_master):
+    write_master(
+        case='# %% role="case" title="Bright" points=0\ndef inputs(rng):\n'
+        "    return (np.uint8([[200, 100]]),)"
+    )
+    text = repr(check("test-double", lambda pixels: pixels * 2))
+    assert "✗ Bright" in text and "✓ Dark" in text
+    assert "Points here: 1 of 1. But a check fails, and grading takes points for that" in text
+    assert "But a check fails" not in repr(check("test-double", right))
+    assert "But a check fails" not in repr(check("test-double", lambda pixels: pixels * 3))

@@ -1,0 +1,221 @@
+"""What `check` says of wrong types, shapes, dtypes and values."""
+
+from pathlib import Path
+from types import SimpleNamespace
+
+import numpy as np
+import pytest
+
+from imgproc_course.classroom.exercises.canonical import canonical
+from imgproc_course.classroom.exercises.comparison import compare
+from imgproc_course.classroom.exercises.diagnosis import diagnose
+
+RNG = np.random.default_rng(7)
+GRAY = RNG.integers(20, 200, (5, 6), dtype=np.uint8)
+COLOUR = RNG.integers(20, 200, (4, 5, 3), dtype=np.uint8)
+SIGNED = RNG.integers(-300, 300, (5, 6), dtype=np.int32)
+MASK = RNG.random((5, 6)) > 0.5
+
+
+async def coroutine():
+    """What a learner gets who writes async def."""
+
+
+def call_of(expected, actual, argument=GRAY, tolerance=0.0):
+    forms = canonical(expected, limit=None), canonical(actual, limit=None)
+    return SimpleNamespace(
+        case=SimpleNamespace(tolerance=tolerance),
+        arguments=(argument,),
+        expected=SimpleNamespace(value=forms[0]),
+        result=SimpleNamespace(value=forms[1], finished=True),
+        difference=compare(*forms, tolerance),
+    )
+
+
+def say(expected, actual, argument=GRAY, tolerance=0.0):
+    call = call_of(expected, actual, argument, tolerance)
+    return diagnose([call], call, ("image",))
+
+
+def changed(array, where, value=7):
+    array = array.copy()
+    array[where] = value
+    return array
+
+
+TYPES = [
+    (80, 80.0, "The value is right; only its type is not: / makes a float. Divide with //, or use int()."),
+    (80, 81.5, "The task asks for a whole number (int)."),
+    (80, "80", "return it without quotes, not an f-string"),
+    (80, (5, 16), "You return 2 values (a tuple), and the task asks for one number alone."),
+    (80, GRAY, "You return an array, and the task asks for a number."),
+    ("a/b", Path("a/b"), "You return a Path, and the task asks for a text: return str(path)."),
+    ("a", len, "You return a function itself, and the task asks for a text, such as its name."),
+    ("a", {"b"}, "You return a set, and the task asks for a single text."),
+    (GRAY, np.sum, "You return a function itself, and the task asks for an array."),
+    (GRAY, coroutine(), "begins with async def does not compute when it is called. Write def."),
+    (GRAY, reversed(GRAY), "reversed() gives no array. A slice with the step -1 goes backwards: ::-1."),
+    (GRAY, range(3), "You return a value of type range, and the task asks for an array."),
+    ("a", ["a", "b"], "You return 2 values (a list), and the task asks for a single text."),
+    (GRAY, GRAY.tolist(), "A list is not an array. Make it one: np.array(..., dtype=np.uint8)."),
+    (GRAY, 99, "You return a single number for the whole image."),
+    (GRAY, "gray", "You return a text, and the task asks for an array."),
+    ((GRAY, MASK), GRAY, "You return one array, and the task asks for 2: return both"),
+    (
+        (GRAY, GRAY),
+        np.stack([GRAY, GRAY]),
+        "You return one array of 3 axes, and the task asks for two arrays",
+    ),
+    ((GRAY, MASK), [GRAY, MASK], "only the list around them is not: write them without square brackets"),
+    ((GRAY, MASK), {"a": GRAY, "b": MASK}, "You return a dict, and the task asks for 2 values (a tuple)."),
+    ((GRAY, MASK), (GRAY, MASK, 3), "You return 3 values (a tuple), and the task asks for 2."),
+    ({"gray": GRAY}, GRAY, 'You return an array, and the task asks for a dict: {"gray": ...}.'),
+    ({"gray": GRAY}, {"grey": GRAY}, "The key 'gray' is missing; you wrote 'grey'."),
+    ({"gray": GRAY}, {"gray": GRAY, "frame": 1}, "Leave the other key out: 'frame'."),
+]
+DTYPES = [
+    (
+        SIGNED,
+        SIGNED.astype(np.int64),
+        "The values are right; only the dtype is not: you return int64. End with",
+    ),
+    ((SIGNED, SIGNED), (SIGNED.astype(int), SIGNED.astype(int)), "End with .astype(np.int32)."),
+    ({"gray": GRAY}, {"gray": GRAY.astype(float)}, "you return float64. End with .astype(np.uint8)."),
+    (GRAY, GRAY + 0.3, "Round the values (float64), and end with .astype(np.uint8)."),
+    (MASK, np.where(MASK, 255, 0), "The task asks for bool, True and False, and you return numbers (int64)."),
+    (np.where(MASK, np.uint8(255), np.uint8(0)), MASK, "write np.where(mask, 255, 0).astype(np.uint8)"),
+    (GRAY, GRAY > 0, "you return True and False (bool): return the numbers themselves"),
+    (GRAY / 7, (GRAY / 7).astype(np.uint8), "The fractions are lost: you return uint8"),
+    (
+        (GRAY.astype("i4"), SIGNED),
+        (GRAY, SIGNED.astype(np.uint8)),
+        "The values do not all fit into uint8, and were cut. Make the result int32.",
+    ),
+    (SIGNED, SIGNED.astype(np.uint8), "do not all fit into uint8, and were cut. Make the result int32."),
+]
+SHAPES = [
+    (GRAY, GRAY.T, "Rows and columns are exchanged"),
+    (GRAY, GRAY[1:-1, 1:-1], "smaller than the image by 2 rows and 2 columns, its border. Pad the image"),
+    (GRAY, np.pad(GRAY, 1), "2 rows and 2 columns too many. If you padded the image, cut the padding off."),
+    (GRAY[:3], GRAY[:1, :4], "Your result has 2 rows too few and 2 columns too few."),
+    (GRAY, np.pad(GRAY, ((0, 0), (0, 1))), "Your result is too wide: 7 columns instead of 6."),
+    (COLOUR, COLOUR[..., 0], "The axis of the channels is missing: each pixel has 3 values."),
+    (COLOUR, COLOUR.reshape(4, 15), "reshape to (height, width, 3)"),
+    (COLOUR, np.moveaxis(COLOUR, 2, 0), "The channels come first in your result."),
+    (GRAY, GRAY.max(axis=0), "Your result has fewer axes than the input"),
+    (GRAY, np.stack([GRAY] * 3, axis=2), "Your result still has a third axis, of length 3."),
+]
+VALUES = [
+    ((SIGNED, GRAY.astype("i4")), (GRAY.astype("i4"), SIGNED), "but in the wrong order: exchange the first"),
+    (0.5, 1.0, "Your number is twice the expected number, in every check."),
+    (81, 80, "Your number is one too small, in every check."),
+    (0.25, 25.0, "100 times the expected number (is it in percent?)"),
+    ("Gray", "gray", "Only capital and small letters differ."),
+    ("a b", "ab ", "Only the spaces or line ends differ."),
+    (GRAY, GRAY * 0, "Every value of your result is 0."),
+    (SIGNED, -SIGNED, "All signs are exchanged"),
+    (SIGNED, np.abs(SIGNED), "negative values must stay negative, without abs()"),
+    (MASK * np.uint8(255), MASK * np.uint8(1), "You return 1 where 255 was expected."),
+    (MASK * np.uint8(255), ~MASK * np.uint8(255), "each value is 255 minus the expected one"),
+    (MASK, ~MASK, "True and False are exchanged."),
+    (GRAY[:5, :5], GRAY[:5, :5].T, "Rows and columns are exchanged"),
+    (SIGNED, SIGNED[:, ::-1], "mirrored from left to right"),
+    (SIGNED, SIGNED[::-1], "upside down"),
+    (COLOUR, COLOUR[..., ::-1], "the first and the last are exchanged"),
+    (SIGNED, SIGNED - MASK, "Some values are one too small"),
+]
+PLACES = [
+    (
+        GRAY,
+        changed(GRAY, np.s_[1:], 0),
+        "Only the first row is right; all others are 0. Does return stand inside",
+    ),
+    (GRAY, changed(GRAY, np.s_[:, -1]), "All wrong values lie in the last column."),
+    (GRAY, changed(GRAY, np.s_[0]), "All wrong values lie in the first row."),
+    (
+        COLOUR,
+        changed(COLOUR, np.s_[..., 1]),
+        "All wrong values lie in channel 1; the other channels are right.",
+    ),
+    (GRAY, changed(changed(GRAY, 0), np.s_[:, 0]), "Only values on the border of the image are wrong."),
+    (GRAY, np.pad(GRAY[1:-1, 1:-1], 1), "and there your result is 0: is the border never computed?"),
+]
+
+
+@pytest.mark.parametrize(("expected", "actual", "text"), TYPES + DTYPES + SHAPES)
+def test_a_wrong_form_is_named_without_a_hint_about_values(expected, actual, text):
+    diagnosis = say(expected, actual)
+    assert text in diagnosis.text and diagnosis.is_whole and not diagnosis.on_border
+
+
+def test_a_list_of_another_shape_has_advice_where_lists_are_free():
+    call = call_of(GRAY, GRAY.tolist()[:-1])
+    diagnosis = diagnose([call], call, ("image",), exact_type=False)
+    assert diagnosis.text.startswith("Your result has 1 row too few.")
+    call = call_of(GRAY[0], list(GRAY[0, :2]))
+    assert diagnose([call], call, ("image",), exact_type=False).is_whole
+
+
+def test_of_two_wrong_parts_the_shape_is_explained():
+    call = call_of((GRAY, GRAY), ("gray", GRAY[1:-1, 1:-1]))
+    assert "smaller than the image by 2 rows and 2 columns" in diagnose([call], call).text
+
+
+@pytest.mark.parametrize(("expected", "actual", "text"), VALUES + PLACES)
+def test_what_is_certain_about_values(expected, actual, text):
+    diagnosis = say(expected, actual, argument=None)
+    assert text in diagnosis.text
+    assert diagnosis.on_border == ("border" in text)
+
+
+def test_a_wrong_dtype_with_wrong_values_is_not_called_right():
+    assert say(SIGNED, SIGNED.astype(np.int64) * 3 + 1).text == ""
+    assert not say(SIGNED, SIGNED.astype(np.int64) * 3 + 1).is_whole
+
+
+def test_the_first_row_of_a_colour_image_is_not_a_channel():
+    diagnosis = say(COLOUR[..., 0], COLOUR[0], argument=COLOUR)
+    assert "image[0] is the first row, and axis=0 goes along the rows" in diagnosis.text
+    assert "image[..., 0], axis=-1" in diagnosis.text
+
+
+def test_the_input_unchanged():
+    assert say(GRAY // 2, GRAY).text.startswith("Your result is equal to the input image")
+
+
+def test_what_is_true_of_one_call_only_is_not_said():
+    calls = [call_of(SIGNED, -SIGNED), call_of(SIGNED, SIGNED + 3)]
+    assert diagnose(calls, calls[0], ("image",)).text == ""
+    calls = [call_of(GRAY, np.pad(GRAY[1:-1, 1:-1], 1)), call_of(GRAY, GRAY + np.uint8(1))]
+    assert not diagnose(calls, calls[0], ("image",)).on_border
+
+
+def test_a_fixed_number_is_named():
+    calls = [call_of(80, 921600), call_of(12, 921600)]
+    assert diagnose(calls, calls[0]).text.startswith("Your function returns 921600 for every input")
+    calls = [call_of(80, 921600), call_of(80, 921600)]
+    assert diagnose(calls, calls[0]).text == ""
+
+
+def test_numpy_scalars_count_as_numbers():
+    assert say(0.5, np.float64(1.0)).text == "Your number is twice the expected number, in every check."
+    assert say(80, np.float64(80)).text.startswith("The value is right; only its type is not")
+
+
+def test_a_value_that_cannot_be_compared_is_not_called_fixed():
+    calls = [call_of("a/b", Path("a/b")), call_of("c/d", Path("c/d"))]
+    assert (
+        diagnose(calls, calls[0]).text == "You return a Path, and the task asks for a text: return str(path)."
+    )
+
+
+def test_axis_0_of_a_gray_image():
+    diagnosis = say(GRAY.mean(axis=1), GRAY.mean(axis=0))
+    assert diagnosis.text.endswith("axis=0 goes along the rows, and axis=1 along the columns.")
+    assert "channels" not in diagnosis.text
+
+
+def test_a_few_wrong_values_on_the_border_of_a_small_array_tell_nothing():
+    small = np.arange(9).reshape(3, 3)
+    assert say(small, changed(small, np.s_[0, 0], 50)).text == ""
+    assert say(small, changed(small, ([0, 0, 2], [0, 2, 0]), 50)).text == ""

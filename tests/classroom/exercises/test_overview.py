@@ -1,0 +1,78 @@
+"""The overview: lessons of a folder with links, minutes, needs and progress."""
+
+import json
+
+import pytest
+
+from imgproc_course.classroom.exercises.overview import overview
+
+EXERCISES = {"one": ["one-a", "one-b"], "two": ["two-a"]}
+
+
+@pytest.fixture
+def folder(tmp_path, monkeypatch):
+    """Two lessons with their checks; the second needs the first."""
+    monkeypatch.delenv("IMGPROC_COURSE_CHECKS", raising=False)
+    (tmp_path / "checks").mkdir()
+    for number, name, needs in (("07", "one", ""), ("08", "two", "**You need** [x](07_one.ipynb).")):
+        cells = [{"cell_type": "markdown", "source": f"# {name}\n**Time** about 30 minutes. {needs}"}]
+        about = {"lesson": name, "title": f"Lesson <{name}>", "minutes": 30}
+        text = json.dumps({"cells": cells, "metadata": {"imgproc_course": about}})
+        (tmp_path / f"{number}_{name}.ipynb").write_text(text)
+        checks = {"format": 1, "lesson": name, "version": "1", "cells": {}, "values": {}}
+        checks["exercises"] = {id: {} for id in EXERCISES[name]}
+        (tmp_path / "checks" / f"{name}.json").write_text(json.dumps(checks))
+    (tmp_path / "08_two (version 2).ipynb").write_text("{}")
+    (tmp_path / "notes.ipynb").write_text("{}")
+    return tmp_path
+
+
+def pass_exercises(folder, *ids):
+    entries = {id: {"passed": True, "tries": [], "hints": 0} for id in ids}
+    (folder / ".progress.json").write_text(json.dumps({"format": 1, "exercises": entries}))
+
+
+def test_without_progress_the_first_lesson_is_the_next(folder):
+    result = overview(folder)
+    assert [(lesson.file, lesson.needs) for lesson in result.lessons] == [
+        ("07_one.ipynb", ()),
+        ("08_two.ipynb", ("07",)),
+    ]
+    assert (result.passed, result.exercises) == (0, 3)
+    assert repr(result) == (
+        "░░░░░░░░░░░░░░░░░░░░ 0 of 3 exercises passed · all lessons: 60 minutes\n"
+        "→ 07 Lesson <one>: 30 minutes; 0 of 2 exercises\n"
+        "  08 Lesson <two>: 30 minutes, needs 07; 0 of 1 exercises"
+    )
+    assert '<a href="07_one.ipynb">07 · Lesson &lt;one&gt;</a> <b>begin here</b>' in result._repr_html_()
+
+
+def test_a_lesson_is_done_when_all_its_exercises_pass(folder):
+    pass_exercises(folder, "one-a", "one-b", "other-course")
+    result = overview(folder)
+    assert (result.passed, result.next_lesson.file) == (2, "08_two.ipynb")
+    assert "✓ 07 Lesson <one>" in repr(result) and "→ 08" in repr(result)
+    page = result._repr_html_()
+    assert "✓ 2 of 2" in page and '<progress value="2" max="3"' in page and "<b>continue here</b>" in page
+
+
+def test_when_everything_passes_nothing_is_next(folder):
+    pass_exercises(folder, "one-a", "one-b", "two-a")
+    result = overview(folder)
+    assert result.next_lesson is None and "here</b>" not in result._repr_html_()
+    assert repr(result).startswith("█" * 20)
+
+
+def test_damaged_files_cost_only_themselves(folder):
+    (folder / "07_one.ipynb").write_text("{")
+    (folder / "checks" / "two.json").write_text("{")
+    (folder / ".progress.json").write_text("[")
+    (lesson,) = overview(folder).lessons
+    assert (lesson.file, lesson.exercises, lesson.is_done) == ("08_two.ipynb", (), True)
+
+
+def test_a_folder_without_lessons_is_told(tmp_path, monkeypatch):
+    with pytest.raises(ValueError, match="has no lessons, expected files like"):
+        overview(tmp_path)
+    monkeypatch.chdir(tmp_path)
+    assert overview().lessons[0].file == "00_start_here.ipynb"

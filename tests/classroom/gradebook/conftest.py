@@ -1,0 +1,69 @@
+"""A key of two small lessons, made once per session, and fixtures that grade with it."""
+
+import json
+import sys
+from pathlib import Path
+
+import pytest
+
+sys.path.insert(0, str(Path(__file__).parent))
+sys.path.append(str(Path(__file__).parents[1] / "authoring"))
+from submissions import MASTERS, SEED
+from template_master import write_carried_files, write_master
+
+from imgproc_course.classroom.authoring.masters import find_masters, read_master
+from imgproc_course.classroom.autograder.make_answer_key import make_key
+from imgproc_course.classroom.gradebook.answer_keys import load_keys
+from imgproc_course.classroom.gradebook.grade import grade_submissions
+
+__all__ = ["write_master"]
+
+
+@pytest.fixture(scope="session")
+def masters():
+    return {master.name: master for master in map(read_master, find_masters(MASTERS))}
+
+
+@pytest.fixture(scope="session")
+def light(masters):
+    return masters["light"]
+
+
+@pytest.fixture(scope="session")
+def checks(tmp_path_factory, masters):
+    """The folder of the lessons' checks files."""
+    folder = tmp_path_factory.mktemp("lessons")
+    for master in masters.values():
+        write_carried_files(master, folder)
+    return folder / "checks"
+
+
+@pytest.fixture(scope="session")
+def key_path(tmp_path_factory):
+    path = tmp_path_factory.mktemp("answer_key") / "key"
+    make_key(MASTERS, SEED, path)
+    return path
+
+
+@pytest.fixture(scope="session")
+def answer_keys(key_path):
+    return load_keys([key_path])
+
+
+@pytest.fixture
+def grade(key_path, tmp_path):
+    """Grades a folder, and returns the content of grades.json."""
+
+    def graded(submissions, out=None, **options):
+        out = out or tmp_path / "grades"
+        grade_submissions(submissions, [key_path], out, **({"workers": 1, "quiet": True} | options))
+        return json.loads((out / "grades.json").read_text(encoding="utf-8"))
+
+    return graded
+
+
+@pytest.fixture
+def submissions(tmp_path):
+    folder = tmp_path / "submissions"
+    folder.mkdir()
+    return folder

@@ -1,0 +1,351 @@
+"""`imgproc-course check`: what a learner reads before submitting a lesson."""
+
+import io
+import json
+import sys
+
+import nbformat
+import pytest
+from click.testing import CliRunner
+from template_master import write_carried_files
+
+from imgproc_course.classroom.authoring.build import lesson_notebook
+from imgproc_course.classroom.authoring.masters import read_master
+from imgproc_course.classroom.gradebook import check as check_module
+from imgproc_course.classroom.gradebook.check import LessonFileError, check_lesson, report_lines, run_answers
+from imgproc_course.cli import check
+
+
+@pytest.fixture
+def lesson(write_master, tmp_path):
+    """Writes a learner's notebook, changed by a function, and returns its path."""
+
+    def write(change=lambda cells: None, *, solved=True):
+        master = read_master(write_master())
+        write_carried_files(master, tmp_path)
+        notebook = json.loads(nbformat.writes(lesson_notebook(master, solved=solved)))
+        cells = {cell["id"]: cell for cell in notebook["cells"]}
+        change(cells)
+        notebook["cells"] = [cell for cell in cells.values() if cell is not None]
+        path = tmp_path / "my_lesson.ipynb"
+        path.write_text(json.dumps(notebook), encoding="utf-8")
+        return path
+
+    return write
+
+
+ANSWER = "answer-template-double"
+
+
+def inspect(path):
+    lesson_check = check_lesson(path)
+    (entry,) = lesson_check.exercises
+    return lesson_check, entry.state, " ".join(entry.notes)
+
+
+def test_an_answered_lesson_is_ready(lesson):
+    lesson_check, state, notes = inspect(lesson())
+    assert lesson_check.ready and state == "answered" and notes == ""
+    assert list(report_lines(lesson_check)) == [
+        "my_lesson.ipynb: template",
+        "  template-double: answered",
+        "Complete: every answer cell is there and filled in. The answers were not run;"
+        f" `imgproc-course check --run {lesson_check.path}` runs them.",
+    ]
+
+
+@pytest.mark.parametrize(
+    "source", [None, 'def double(pixels):\n    # hm\n    raise NotImplementedError("your turn")\n']
+)
+def test_the_stub_is_not_attempted(lesson, source):
+    def change(cells):
+        if source:
+            cells[ANSWER]["source"] = source
+
+    lesson_check, state, _ = inspect(lesson(change, solved=False))
+    assert state == "not attempted" and not lesson_check.ready
+
+
+def edit(id, **fields):
+    return lambda cells: cells[id].update(fields)
+
+
+def remove(id):
+    return lambda cells: cells.update({id: None})
+
+
+def duplicate(cells):
+    cells["copy"] = dict(cells[ANSWER])
+
+
+def move(cells):
+    cells["mine"] = dict(cells[ANSWER], id="mine", metadata={})
+    cells[ANSWER] = None
+
+
+def assign(cells):
+    """A variable or an import in another cell is not a misplaced definition."""
+    cells["mine"] = dict(
+        cells[ANSWER], id="mine", metadata={}, source="double = 3\nfrom math import floor as double"
+    )
+    cells[ANSWER] = None
+
+
+def define_in_the_check(cells):
+    cells["check-template-double-1"]["source"] = cells[ANSWER]["source"]
+    cells[ANSWER] = None
+
+
+def split(cells):
+    cells["mine"] = dict(cells[ANSWER], id="mine", metadata={})
+    cells[ANSWER]["source"] = "helper = 3"
+
+
+MISSING = "its answer cell (answer-template-double) is missing"
+
+
+@pytest.mark.parametrize(
+    ("change", "state", "text"),
+    [
+        (remove(ANSWER), "missing", f"{MISSING} Open the lesson afresh"),
+        (assign, "missing", f"{MISSING} Open the lesson afresh"),
+        (edit(ANSWER, source=""), "broken", "its answer cell is empty"),
+        (edit(ANSWER, source="# later"), "broken", "its answer cell is empty"),
+        (edit(ANSWER, source="#" * 200_100), "broken", "its answer is longer than 200000 characters"),
+        (edit(ANSWER, source=7), "broken", "the source of its answer cell is not text"),
+        (edit(ANSWER, cell_type="markdown", source="?"), "broken", "is a markdown cell; make it a code cell"),
+        (edit(ANSWER, cell_type="raw", source="?"), "broken", "is a raw cell; make it a code cell"),
+        (
+            edit(ANSWER, source=["def double(pixels)\n", "    return 3"]),
+            "broken",
+            "line 1 of its answer cell is not Python: def double(pixels) (expected ':')",
+        ),
+        (edit(ANSWER, source="def dubble(pixels): return 3"), "broken", "does not define double()"),
+    ],
+)
+def test_an_answer_that_would_get_no_points_is_reported(lesson, change, state, text):
+    lesson_check, found, notes = inspect(lesson(change))
+    assert found == state and not lesson_check.ready
+    assert text in notes
+
+
+@pytest.mark.parametrize(
+    ("change", "text"),
+    [
+        (move, "graded from another cell (mine), which defines double(): its answer cell"),
+        (define_in_the_check, "graded from another cell (check-template-double-1), which defines double()"),
+        (duplicate, f"2 cells define double(): {ANSWER} is graded, and not {ANSWER}"),
+        (edit(ANSWER, cell_type="markdown"), "is a markdown cell; its text is graded (key Y makes it code"),
+        (split, "graded from another cell (mine), which defines double(): its answer cell does not define"),
+    ],
+)
+def test_an_answer_that_grading_finds_is_ready_and_its_place_is_reported(lesson, change, text):
+    lesson_check, found, notes = inspect(lesson(change))
+    assert found == "answered" and lesson_check.ready
+    assert text in notes
+    run_answers(lesson_check)
+    assert lesson_check.exercises[0].result.passed
+
+
+def test_the_lessons_own_function_of_that_name_is_not_a_misplaced_answer(lesson, write_master):
+    path = lesson(remove(ANSWER))
+    changed = write_master(("LIMIT = 255", "LIMIT = 255\n\ndef double(pixels):\n    return pixels"))
+    write_carried_files(read_master(changed), path.parent)
+    notebook = json.loads(path.read_text())
+    given = next(cell for cell in notebook["cells"] if cell["id"] == "given-template-double-1")
+    given["source"] += "\n\ndef double(pixels):\n    return pixels"
+    path.write_text(json.dumps(notebook))
+    _, _, notes = inspect(path)
+    assert f"{MISSING} Open the lesson afresh" in notes
+
+
+@pytest.mark.parametrize(
+    ("change", "text"),
+    [
+        (
+            remove("check-template-double-1"),
+            "its check cell (check-template-double-1) is missing; grading uses its own",
+        ),
+        (
+            edit("check-template-double-1", source="True"),
+            "its check cell (check-template-double-1) was changed",
+        ),
+        (
+            edit("given-template-double-1", source="LIMIT = 300"),
+            "its given cell (given-template-double-1) was",
+        ),
+    ],
+)
+def test_changed_cells_of_the_lesson_are_reported_and_do_no_harm(lesson, change, text):
+    lesson_check, state, notes = inspect(lesson(change))
+    assert state == "answered" and lesson_check.ready
+    assert text in notes
+
+
+def test_a_lesson_of_another_version_is_reported(lesson):
+    path = lesson()
+    notebook = json.loads(path.read_text())
+    notebook["metadata"]["imgproc_course"]["version"] = "0.0.1"
+    path.write_text(json.dumps(notebook))
+    (note,) = check_lesson(path).notes
+    assert note.startswith("it was made from version '0.0.1' of the lesson, not from version ")
+
+
+def test_the_checks_beside_the_lesson_are_used_and_no_master(lesson, tmp_path):
+    path = lesson()
+    (tmp_path / "masters" / "90_template.py").unlink()
+    assert check_lesson(path).ready
+    (tmp_path / "checks" / "template.json").write_text('{"template-double": ')
+    done = CliRunner().invoke(check, [str(path)])
+    assert done.exit_code == 1 and done.output.startswith("Error: checks/template.json cannot be read (")
+    assert done.output.endswith("take the folder checks/ again from the course or from your teacher\n")
+
+
+def test_a_lesson_without_metadata_is_recognized_by_its_cells_or_its_name(lesson):
+    path = lesson()
+    notebook = json.loads(path.read_text())
+    del notebook["metadata"]["imgproc_course"]
+    path.write_text(json.dumps(notebook))
+    assert check_lesson(path).ready  # by its answer cell
+    notebook["cells"] = [cell for cell in notebook["cells"] if cell["id"] != ANSWER]
+    renamed = path.with_name("80_template_final.ipynb")
+    renamed.write_text(json.dumps(notebook))
+    assert check_lesson(renamed).content.lesson == "template"
+    path.write_text(json.dumps(notebook))
+    with pytest.raises(LessonFileError, match=r"it is not one of the lessons .*template"):
+        check_lesson(path)
+
+
+@pytest.mark.parametrize(
+    ("content", "reason"),
+    [
+        (b"", "the file is empty"),
+        (b"{", "it is not a notebook: its JSON is broken (line 1); save it again in JupyterLab"),
+        (b"[" * 100_000, "it is nested too deep to be a notebook"),
+        (b"\x89PNG\r\n", "it is not UTF-8 text (byte 0); save it again in JupyterLab"),
+        (b"[]", "it is not a notebook: its JSON holds something else"),
+        (b'{"nbformat": 4, "cells": 3}', "it has no list of cells; save it again in JupyterLab"),
+        (
+            b'{"nbformat": 2, "worksheets": []}',
+            "it has notebook format 2, and only the formats 4 and 3 can be read; open the lesson in",
+        ),
+    ],
+)
+def test_a_file_that_is_not_a_notebook_is_answered_with_the_remedy(tmp_path, content, reason):
+    path = tmp_path / "my_lesson.ipynb"
+    path.write_bytes(content)
+    with pytest.raises(LessonFileError) as error:
+        check_lesson(path)
+    assert str(error.value).startswith(f"{path}: {reason}")
+
+
+def test_a_large_file_is_not_read(lesson, monkeypatch):
+    monkeypatch.setattr(check_module, "LARGEST", 100)
+    with pytest.raises(LessonFileError, match="it has 0 MB, at most 0 are read: clear its outputs"):
+        check_lesson(lesson())
+
+
+def test_a_file_of_another_kind_and_a_folder_are_one_line(tmp_path):
+    (tmp_path / "notes.txt").write_text("hello")
+    done = CliRunner().invoke(check, [str(tmp_path / "notes.txt")])
+    assert done.exit_code == 1 and done.output == (
+        f"Error: {tmp_path / 'notes.txt'} is not a notebook: its name does not end in .ipynb;"
+        " give the lesson's own file\n"
+    )
+    folder = f"Error: {tmp_path} is a folder; give the lesson itself, such as"
+    done = CliRunner().invoke(check, [str(tmp_path)])
+    assert done.exit_code == 1 and done.output == f"{folder} my_lessons/03_images_as_messages.ipynb\n"
+    (tmp_path / "03_mine.ipynb").write_text("")
+    done = CliRunner().invoke(check, [str(tmp_path)])
+    assert done.exit_code == 1 and done.output == f"{folder} {tmp_path / '03_mine.ipynb'}\n"
+
+
+def test_a_file_that_does_not_exist(tmp_path):
+    with pytest.raises(LessonFileError, match="no such file"):
+        check_lesson(tmp_path / "nothing.ipynb")
+
+
+# ---------------------------------------------------------------- running the answers
+
+
+def run(path):
+    lesson_check = check_lesson(path)
+    run_answers(lesson_check)
+    return lesson_check
+
+
+def test_answers_run_by_themselves(lesson):
+    lesson_check = run(lesson())
+    assert lesson_check.exercises[0].result.passed
+    assert "  template-double: 1 of 1 checks pass" in list(report_lines(lesson_check))
+
+
+def test_the_terminal_shows_nothing_that_an_answer_prints_or_asks(lesson, capsys, monkeypatch):
+    monkeypatch.setattr("sys.stdin", io.StringIO("Ada"))
+    noise = 'print("x" * 9_000)\nimport sys\nprint("y", file=sys.stderr)\nname = input("Your name?")\n'
+
+    def add_noise(cells):
+        cells[ANSWER]["source"] = f"{noise}{''.join(cells[ANSWER]['source'])}\nsys.exit(0)"
+
+    lesson_check = run(lesson(add_noise))
+    assert lesson_check.exercises[0].result.passed
+    assert lesson_check.exercises[0].notes == [
+        "a statement in its cell fails: EOFError: EOF when reading a line"
+    ]
+    assert capsys.readouterr() == ("", "")
+    assert sys.stdin.read() == "Ada"
+
+
+def test_a_wrong_answer_is_explained(lesson):
+    lesson_check = run(lesson(edit(ANSWER, source="def double(pixels): return pixels * 2")))
+    assert "1 of 1 checks fail: Bright pixels: 11 of 12 values differ" in lesson_check.exercises[0].notes[0]
+    assert list(report_lines(lesson_check))[-1] == (
+        "Complete, but grading would not give every point yet: see above."
+    )
+
+
+def test_a_wrong_answer_is_not_called_ready_if_it_was_not_run(lesson):
+    path = lesson(edit(ANSWER, source="def double(pixels): return pixels * 2"))
+    done = CliRunner().invoke(check, [str(path)])
+    assert done.exit_code == 0 and "eady" not in done.output
+    assert done.output.endswith(f"The answers were not run; `imgproc-course check --run {path}` runs them.\n")
+
+
+def test_a_refused_module_is_reported_before_the_error_that_it_causes(lesson):
+    source = "import cv2\ndef double(pixels): return cv2.add(pixels)"
+    lesson_check = run(lesson(edit(ANSWER, source=source)))
+    notes = lesson_check.exercises[0].notes
+    assert notes[0] == "it uses cv2, which this exercise does not allow"
+    assert notes[1].startswith("1 of 1 checks fail: Bright pixels: double() raised")
+
+
+def test_what_an_exception_means_is_said(lesson):
+    (note,) = run(lesson(edit(ANSWER, source="def double(pixels): return pixels * 300"))).exercises[0].notes
+    assert "OverflowError: Python integer 300 out of bounds for uint8" in note
+    assert "300 does not fit into uint8" in note
+
+
+def test_an_answer_that_still_raises_the_stubs_error_is_not_attempted(lesson):
+    source = 'def double(pixels):\n    half = 3\n    raise NotImplementedError("later")'
+    lesson_check = run(lesson(edit(ANSWER, source=source)))
+    assert lesson_check.exercises[0].state == "not attempted" and not lesson_check.ready
+
+
+def test_an_answer_that_needs_another_cell_is_reported(lesson):
+    lesson_check = run(lesson(edit(ANSWER, source="x = y + 1\ndef double(pixels): return x")))
+    cell_note, check_note = lesson_check.exercises[0].notes
+    assert cell_note == "a statement in its cell fails: NameError: name 'y' is not defined"
+    assert "double() raised NameError: name 'x' is not defined" in check_note
+    lesson_check = run(lesson(edit(ANSWER, source="def double(pixels=y): return 3")))
+    (note,) = lesson_check.exercises[0].notes
+    assert note == "its cell does not run by itself: NameError: name 'y' is not defined"
+    assert not lesson_check.ready
+
+
+def test_the_exit_code_is_1_while_the_lesson_is_not_ready(lesson):
+    done = CliRunner().invoke(check, ["--run", str(lesson())])
+    assert done.exit_code == 0 and done.output.endswith("Ready to submit: every check passes.\n")
+    done = CliRunner().invoke(check, [str(lesson(solved=False))])
+    assert done.exit_code == 1 and "template-double: not attempted" in done.output
+    done = CliRunner().invoke(check, ["nothing.ipynb"])
+    assert done.exit_code == 1 and "Error: nothing.ipynb: no such file" in done.output

@@ -1,0 +1,67 @@
+"""A fault of the autograder is reported to the teacher, never stored, and costs nobody else a point."""
+
+import json
+import shutil
+
+import pytest
+from click.testing import CliRunner
+from submissions import answers_of, notebook, write
+
+from imgproc_course.classroom.gradebook.result_store import GradesFolderError, open_grades_folder
+from imgproc_course.cli import main
+
+pytestmark = pytest.mark.sandbox
+
+
+@pytest.fixture
+def faulty_key(key_path, tmp_path):
+    """A key in which an expected value lacks its items: comparing with it raises a KeyError."""
+    folder = tmp_path / "key"
+    shutil.copytree(key_path, folder)
+    path = next(folder.glob("light/light-halves.ipynb"))
+    notebook = json.loads(path.read_text())
+    for cell in notebook["cells"]:
+        for output in cell.get("outputs", ()):
+            for data in output["data"].values():
+                for call in data["calls"]:
+                    call["value"].pop("items")
+    path.write_text(json.dumps(notebook))
+    return folder
+
+
+def test_an_exception_of_ours_is_not_graded_not_stored_and_reported(light, faulty_key, submissions, tmp_path):
+    write(submissions / "ada" / "light.ipynb", notebook(light, answers_of(light, "right")))
+    out = tmp_path / "grades"
+    command = ["grade", str(submissions), "--key", str(faulty_key), "--out", str(out), "--workers", "1"]
+    for _ in range(2):  # what is not stored is graded again
+        done = CliRunner().invoke(main, command)
+        assert done.exit_code == 3
+        assert "(1 in this run)" in done.output
+        assert "light-halves: the autograder failed: KeyError: 'items'; run the command again" in done.output
+    ((lesson,),) = [
+        learner["lessons"] for learner in json.loads((out / "grades.json").read_text())["learners"]
+    ]
+    outcomes = {
+        exercise["id"]: {case["outcome"] for case in exercise["cases"]} for exercise in lesson["exercises"]
+    }
+    assert outcomes.pop("light-halves") == {"not graded"}
+    assert set().union(*outcomes.values()) == {"passed"}
+    hidden = [
+        case["message"]
+        for exercise in lesson["exercises"]
+        for case in exercise["cases"]
+        if case["hidden"] and case["outcome"] == "not graded"
+    ]
+    assert set(hidden) == {"the autograder failed: KeyError"}
+    assert [path.name for path in (out / "results").iterdir() if "answers" not in path.name] == []
+    assert "could not be graded" in (out / "summary.html").read_text()
+
+
+def test_two_runs_do_not_write_into_one_folder(tmp_path):
+    refusal = pytest.raises(
+        GradesFolderError, match="grades: another run is writing into it; wait for its end"
+    )
+    with open_grades_folder(tmp_path / "grades"), refusal:
+        open_grades_folder(tmp_path / "grades").__enter__()
+    with open_grades_folder(tmp_path / "grades"):
+        pass

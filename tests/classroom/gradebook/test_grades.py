@@ -1,0 +1,369 @@
+"""Thirty submissions from end to end; attacks of form gain nothing; grades are the same every time."""
+
+import json
+import random
+import shutil
+import sys
+from datetime import datetime
+from pathlib import Path
+
+import jsonschema
+import pytest
+
+sys.path.append(str(Path(__file__).parents[1] / "autograder"))
+from attacks import ATTACKS, PUBLISHED
+from form_attacks import FORM_ATTACKS, edit_checks, grade_attacks, wrong_notebook
+from submissions import MASTERS, SEED, answers_of, notebook, thirty, write
+
+from imgproc_course.classroom.autograder.answer_key import load_key
+from imgproc_course.classroom.autograder.make_answer_key import make_key
+from imgproc_course.classroom.autograder.pool import SandboxError
+from imgproc_course.classroom.autograder.sandbox import bubblewrap
+from imgproc_course.classroom.gradebook import grades_json
+from imgproc_course.classroom.gradebook.grade import grade_submissions
+from imgproc_course.classroom.gradebook.grades_json import lesson_names
+from imgproc_course.classroom.gradebook.result_store import GradesFolderError, ResultStore
+
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]
+
+
+def lesson_of(grades, learner, lesson="light"):
+    of = next(each for each in grades["learners"] if each["name"] == learner)
+    return next(each for each in of["lessons"] if each["lesson"] == lesson)
+
+
+def findings_of(lesson):
+    return [finding["text"] for finding in lesson["findings"]]
+
+
+@pytest.fixture(scope="module")
+def classroom(tmp_path_factory, masters):
+    folder = tmp_path_factory.mktemp("classroom") / "submissions"
+    return folder, thirty(folder, list(masters.values()))
+
+
+@pytest.fixture(scope="module")
+def graded(classroom, key_path, tmp_path_factory):
+    out = tmp_path_factory.mktemp("graded") / "grades"
+    summary = grade_submissions(classroom[0], [key_path], out, workers=1, quiet=True)
+    return out, summary
+
+
+def test_lessons_are_in_the_order_of_the_course():
+    mine = {"lessons": [{"lesson": "a", "number": "31"}, {"lesson": "b", "number": "07"}]}
+    course = {"lessons": [{"lesson": "z", "number": "04"}, {"lesson": "b", "number": "05"}]}
+    assert lesson_names({"keys": [mine, course]}) == ["z", "b", "a"]
+    assert lesson_names({"keys": [course, mine]}) == ["z", "b", "a"]
+
+
+def test_a_submission_under_an_older_number_is_graded_as_its_lesson(grade, light, submissions):
+    made = notebook(light, answers_of(light, "right"))
+    made["metadata"]["imgproc_course"]["lesson"] = "21_light"
+    write(submissions / "ada" / "21_light.ipynb", made)
+    (lesson,) = grade(submissions)["learners"][0]["lessons"]
+    assert (lesson["lesson"], lesson["points"], lesson["findings"]) == ("light", 6, [])
+
+
+def test_thirty_submissions_get_the_right_points(graded, classroom):
+    grades = json.loads((graded[0] / "grades.json").read_text())
+    points = {"light": 6, "sound": 4}
+    for learner, lesson, kind in classroom[1]:
+        got = lesson_of(grades, learner, lesson)
+        assert got["max_points"] == points[lesson], learner
+        if kind == "right":
+            assert got["points"] == points[lesson]
+        elif kind == "broken":
+            assert (got["points"], got["status"]) == (0, "not graded") and got["reason"]
+        else:
+            assert got["points"] == 0, (learner, kind)
+        mistakes = [each["mistake"] for each in got["exercises"]]
+        assert all(mistakes) == (kind in (0, 1)) or not mistakes
+        outcomes = {case["outcome"] for each in got["exercises"] for case in each["cases"]}
+        assert outcomes == {
+            "right": {"passed"},
+            "untouched": {"not attempted"},
+            "raising": {"raised"},
+            "broken": set(),
+        }.get(kind, {"wrong"})
+    assert graded[1].not_graded == 4
+    assert "30 learners, 26 lessons graded" in graded[1].text
+
+
+def test_grades_follow_their_schema(graded):
+    grades = json.loads((graded[0] / "grades.json").read_text())
+    schema = json.loads(Path(grades_json.__file__).with_name("grades.schema.json").read_text())
+    jsonschema.Draft202012Validator.check_schema(schema)
+    jsonschema.validate(grades, schema)
+    grades["learners"][0]["seed"] = 1
+    with pytest.raises(jsonschema.ValidationError):
+        jsonschema.validate(grades, schema)
+
+
+def test_another_order_and_more_workers_give_the_same_bytes(graded, classroom, key_path, tmp_path):
+    mixed = tmp_path / "submissions"
+    learners = sorted(classroom[0].iterdir())
+    random.Random(3).shuffle(learners)
+    for learner in learners:
+        shutil.copytree(learner, mixed / learner.name)
+    out = tmp_path / "grades"
+    grade_submissions(mixed, [key_path], out, workers=3, quiet=True)
+    for path in sorted(graded[0].rglob("*")):
+        if path.is_file() and path.parent.name != "results":
+            assert (out / path.relative_to(graded[0])).read_bytes() == path.read_bytes(), path.name
+
+
+def test_ipykernel_gives_the_same_grades(masters, key_path, submissions, tmp_path):
+    for learner, kind in (("ada", "right"), ("bob", 0), ("eve", "raising")):
+        write(
+            submissions / learner / "x.ipynb",
+            notebook(masters["sound"], answers_of(masters["sound"], kind)),
+        )
+    texts = []
+    for kernel in ("fast", "ipykernel"):
+        out = tmp_path / kernel
+        grade_submissions(submissions, [key_path], out, kernel=kernel, workers=1, quiet=True)
+        texts.append((out / "grades.json").read_bytes())
+    assert texts[0] == texts[1]
+
+
+# ---------------------------------------------------------------- going on, and what is kept
+
+
+def test_an_interrupted_run_continues_where_it_stopped(light, key_path, submissions, tmp_path, monkeypatch):
+    for number in range(6):
+        answers = answers_of(light, "right")
+        answers["light-double"] += f"\n# {number}"
+        write(submissions / f"{number}.ipynb", notebook(light, answers))
+    stored, keep = [], ResultStore.keep_result
+
+    def keep_three(store, digest, result):
+        if len(stored) == 3:
+            raise KeyboardInterrupt
+        stored.append(digest)
+        keep(store, digest, result)
+
+    monkeypatch.setattr(ResultStore, "keep_result", keep_three)
+    out = tmp_path / "grades"
+    with pytest.raises(KeyboardInterrupt):
+        grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
+    assert not (out / "grades.json").exists()
+    monkeypatch.setattr(ResultStore, "keep_result", keep)
+    assert (
+        "6 lessons graded (3 in this run; the others equal one of these, or were graded before)"
+        in grade_submissions(submissions, [key_path], out, workers=1, quiet=True).text
+    )
+    assert (
+        "(0 in this run; the others"
+        in grade_submissions(submissions, [key_path], out, workers=1, quiet=True).text
+    )
+    again = grade_submissions(submissions, [key_path], out, workers=1, quiet=True, fresh=True)
+    assert "(6 in this run)" in again.text
+
+
+def test_an_incomplete_result_is_graded_again(light, key_path, submissions, grade, tmp_path):
+    write(submissions / "ada.ipynb", notebook(light, answers_of(light, "right")))
+    first = grade(submissions)
+    (path,) = [each for each in (tmp_path / "grades" / "results").iterdir() if "answers" not in each.name]
+    path.write_text(path.read_text()[:40])
+    assert grade(submissions) == first
+    assert json.loads(path.read_text())["points"] == 6
+
+
+def test_equal_answers_are_graded_once(light, key_path, submissions, tmp_path):
+    for name in ("ada", "bob", "eve"):
+        write(submissions / f"{name}.ipynb", notebook(light, answers_of(light, "right")))
+    summary = grade_submissions(submissions, [key_path], tmp_path / "grades", workers=1, quiet=True)
+    assert "3 lessons graded (1 in this run; the others equal" in summary.text
+
+
+def test_a_whole_folder_with_the_index_and_the_glossary_is_graded(light, submissions, grade):
+    alone = notebook(light, answers_of(light, "right"))
+    write(submissions / "ada" / "20_light.ipynb", alone)
+    expected = grade(submissions)
+    for page in ("index", "glossary"):
+        made = notebook(light)
+        made["metadata"]["imgproc_course"]["lesson"] = page
+        made["cells"] = []
+        write(submissions / "ada" / f"{page}.ipynb", made)
+    assert grade(submissions)["learners"] == expected["learners"]
+
+
+def test_pages_of_learners_who_are_gone_are_removed(light, submissions, grade, tmp_path):
+    write(submissions / "ada.ipynb", notebook(light))
+    write(submissions / "bob.ipynb", notebook(light))
+    grade(submissions)
+    (submissions / "bob.ipynb").unlink()
+    grade(submissions)
+    assert [path.name.split("-")[0] for path in (tmp_path / "grades" / "learners").iterdir()] == ["ada"]
+
+
+def test_no_grades_among_the_submissions(light, key_path, submissions):
+    write(submissions / "ada.ipynb", notebook(light))
+    for out in (submissions, submissions / "grades", key_path / "grades"):
+        with pytest.raises(ValueError, match="name a folder outside it"):
+            grade_submissions(submissions, [key_path], out, quiet=True)
+
+
+def test_grading_without_a_sandbox_is_refused_before_anything_is_read(
+    light, key_path, submissions, tmp_path, monkeypatch
+):
+    write(submissions / "ada.ipynb", notebook(light))
+    monkeypatch.setattr(bubblewrap, "sandbox_problem", lambda: "bubblewrap is not installed")
+    with pytest.raises(SandboxError, match="--unsafe"):
+        grade_submissions(submissions, [key_path], tmp_path / "grades", quiet=True)
+    assert not (tmp_path / "grades").exists()
+
+
+def test_a_folder_that_cannot_be_written(light, key_path, submissions, tmp_path):
+    write(submissions / "ada.ipynb", notebook(light))
+    (tmp_path / "file").write_text("")
+    with pytest.raises(GradesFolderError, match="cannot be"):
+        grade_submissions(submissions, [key_path], tmp_path / "file" / "grades", quiet=True)
+
+
+# ---------------------------------------------------------------- late, again, other versions
+
+
+def test_the_latest_submission_counts_and_all_are_listed(light, submissions, grade):
+    write(submissions / "ada" / "a.ipynb", notebook(light, answers_of(light, "right")), datetime(2026, 11, 1))
+    write(submissions / "ada" / "b.ipynb", notebook(light, answers_of(light, 0)), datetime(2026, 12, 2))
+    write(submissions / "ada" / "c.ipynb", notebook(light), datetime(2026, 10, 1))
+    write(submissions / "ada" / "d.ipynb", b"{", datetime(2026, 12, 3))
+    grades = grade(submissions, deadline=datetime(2026, 12, 1, 23, 59))
+    lesson = lesson_of(grades, "ada")
+    assert (lesson["points"], lesson["file"], lesson["late"]) == (0, "ada/b.ipynb", True)
+    assert [(each["file"], each["late"]) for each in lesson["earlier"]] == [
+        ("ada/c.ipynb", False),
+        ("ada/a.ipynb", False),
+    ]
+    assert "submitted 3 times; this one counts: ada/b.ipynb" in findings_of(lesson)
+    assert lesson_of(grades, "ada", None)["reason"].startswith("it is not a notebook")
+
+
+def test_a_broken_submission_does_not_replace_a_good_one(light, submissions, grade):
+    write(
+        submissions / "ada" / "20_light.ipynb",
+        notebook(light, answers_of(light, "right")),
+        datetime(2026, 11, 1),
+    )
+    write(submissions / "ada" / "20_light-1.ipynb", b"{", datetime(2026, 12, 2))
+    lesson = lesson_of(grade(submissions), "ada")
+    assert (lesson["points"], lesson["status"]) == (6, "graded")
+    assert lesson["earlier"][0]["file"] == "ada/20_light-1.ipynb"
+
+
+def test_canvas_submissions_are_ordered_by_number_and_late_as_canvas_says(light, submissions, grade):
+    right, wrong = notebook(light, answers_of(light, "right")), notebook(light, answers_of(light, 0))
+    write(submissions / "lovelaceada_77_100_20_light.ipynb", wrong, datetime(2026, 11, 5))
+    write(submissions / "lovelaceada_LATE_77_200_20_light-1.ipynb", right, datetime(2026, 11, 1))
+    lesson = lesson_of(grade(submissions), "lovelaceada")
+    assert (lesson["points"], lesson["late"], lesson["platform_id"]) == (6, True, "77")
+
+
+def test_two_learners_of_one_name(light, submissions, grade):
+    right, wrong = notebook(light, answers_of(light, "right")), notebook(light, answers_of(light, 0))
+    write(submissions / "Anna_1_assignsubmission_file_" / "x.ipynb", right)
+    write(submissions / "Anna_2_assignsubmission_file_" / "x.ipynb", wrong)
+    grades = grade(submissions)
+    assert {each["name"]: each["points"] for each in grades["learners"]} == {"Anna (1)": 6, "Anna (2)": 0}
+
+
+@pytest.mark.parametrize("kind", ["no answer cells", "stubs"])
+def test_a_submission_without_answers_does_not_replace_one_with_answers(light, submissions, grade, kind):
+    right = notebook(light, answers_of(light, "right"))
+    write(submissions / "ada" / "20_light.ipynb", right, datetime(2026, 11, 1))
+    empty = right | {"metadata": {}, "cells": right["cells"][:1]}  # recognized by its file name alone
+    empty = notebook(light) if kind == "stubs" else empty
+    write(submissions / "ada" / "20_light-1.ipynb", empty, datetime(2026, 12, 2))
+    lesson = lesson_of(grade(submissions), "ada")
+    assert (lesson["points"], lesson["file"]) == (6, "ada/20_light.ipynb")
+
+
+def test_an_older_version_is_graded_with_its_own_key_or_reported(
+    light, key_path, submissions, tmp_path, grade
+):
+    old = tmp_path / "old-key"
+    shutil.copytree(key_path, old)
+    text = (old / "key.json").read_text().replace('"version": "0.1.0"', '"version": "0.0.9"')
+    (old / "key.json").write_text(text)
+    write(submissions / "ada.ipynb", notebook(light, answers_of(light, "right"), version="0.0.9"))
+    write(submissions / "bob.ipynb", notebook(light, answers_of(light, "right")))
+    lesson = lesson_of(grade(submissions), "ada")
+    assert lesson["points"] == 6
+    assert "it was made from version '0.0.9' of the lesson, not from version 0.1.0" in findings_of(lesson)
+    grade_submissions(submissions, [key_path, old], tmp_path / "both", workers=1, quiet=True)
+    both = json.loads((tmp_path / "both" / "grades.json").read_text())
+    for learner, path in (("ada", old), ("bob", key_path)):
+        lesson = lesson_of(both, learner)
+        assert (lesson["key"], lesson["points"], lesson["findings"]) == (load_key(path).digest, 6, [])
+
+
+# ---------------------------------------------------------------- attacks of form
+
+
+@pytest.fixture(scope="module")
+def attacked(light, key_path, tmp_path_factory):
+    """{name of an attack: its result}"""
+    results = grade_attacks(light, key_path, tmp_path_factory.mktemp("attacked"))
+    return {result.attack.name: result for result in results}
+
+
+@pytest.mark.parametrize("name", [attack.name for attack in FORM_ATTACKS])
+def test_an_attack_of_form_gains_nothing_harms_nobody_and_is_reported(attacked, name):
+    result = attacked[name]
+    assert (result.gained, result.harmed) == (0, ())
+    assert result.attack.reported in result.report
+
+
+def test_attacks_of_form_have_names_of_their_own():
+    names = [attack.name for attack in FORM_ATTACKS]
+    assert len(names) == len(set(names)) >= 55
+
+
+def test_every_number_of_the_published_list_is_tried():
+    tried = {attack.number for attack in [*ATTACKS, *FORM_ATTACKS]}
+    assert sorted(set(PUBLISHED) - tried) == []
+    assert min(tried - set(PUBLISHED)) > 100  # the numbers of our own attacks
+
+
+def test_modules_and_settings_beside_a_notebook_change_nothing(light, submissions, grade, tmp_path):
+    write(submissions / "eve" / "20_light.ipynb", wrong_notebook(light))
+    trap = f"open({str(tmp_path / 'trapped')!r}, 'w').close()"
+    for name in ("conftest.py", "numpy.py", "sitecustomize.py", "coverage.py", "imgproc_course.py"):
+        write(submissions / "eve" / name, trap)
+    write(submissions / "eve" / "pytest.ini", "[pytest]\naddopts = --nbval-lax")
+    grades = grade(submissions)
+    assert lesson_of(grades, "eve")["points"] == 0
+    assert len(grades["ignored"]) == 6
+    assert not (tmp_path / "trapped").exists()
+
+
+def test_two_hundred_megabytes_and_links_get_a_reason_and_end_nothing(light, submissions, grade):
+    with (submissions / "big_20_light.ipynb").open("wb") as file:
+        file.truncate(200_000_000)
+    (submissions / "link.ipynb").symlink_to("/etc/passwd")
+    write(submissions / "zoe.ipynb", notebook(light, answers_of(light, "right")))
+    grades = grade(submissions)
+    assert "200 MB" in lesson_of(grades, "big")["reason"]
+    assert (lesson_of(grades, "big")["points"], lesson_of(grades, "big")["max_points"]) == (0, 6)
+    assert "links are not followed" in lesson_of(grades, "link", None)["reason"]
+    assert lesson_of(grades, "zoe")["points"] == 6
+
+
+def test_a_key_without_the_cells_of_the_lessons_still_grades(light, key_path, submissions, tmp_path):
+    bare = tmp_path / "bare"
+    shutil.copytree(key_path, bare)
+    (bare / "handed_out.json").unlink()
+    made = notebook(light, answers_of(light, "right"))
+    edit_checks(made)
+    write(submissions / "ada.ipynb", made)
+    grade_submissions(submissions, [bare], tmp_path / "grades", workers=1, quiet=True)
+    lesson = lesson_of(json.loads((tmp_path / "grades" / "grades.json").read_text()), "ada")
+    assert (lesson["points"], lesson["findings"]) == (6, [])
+
+
+def test_a_key_made_twice_from_one_seed_is_the_same(key_path, tmp_path):
+    again = make_key(MASTERS, SEED, tmp_path / "key")
+    assert again.digest == load_key(key_path).digest
+    for path in key_path.rglob("*.json"):
+        assert SEED not in path.read_text()

@@ -1,0 +1,573 @@
+"""The table of honest submissions: what tools and learners do to a lesson must not cost its points.
+
+Each case is one submission of the lesson `light` with the points that a fair person gives, or of the lesson
+`sound`, whose answer is a number. `grade` and `check --run` must agree on all of them.
+"""
+
+import codecs
+import copy
+import json
+
+import jupytext
+import nbformat
+import pytest
+from jupyterlab_cells import change_type, copy_and_paste, insert, merge, new_cell, position_of, split
+
+from imgproc_course.classroom.authoring.build import lesson_notebook
+from imgproc_course.classroom.gradebook.check import check_lesson, run_answers
+from imgproc_course.classroom.gradebook.grade import grade_submissions
+
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]  # the key is made in a sandbox
+
+DOUBLE, HALVES, MEAN = "answer-light-double", "answer-light-halves", "answer-sound-mean"
+RIGHT = {
+    DOUBLE: "def double(pixels):\n"
+    "    return np.minimum(pixels.astype(np.uint16) * 2, LIMIT).astype(np.uint8)",
+    HALVES: "def halves(pixels):\n    return pixels[:2].copy(), pixels[2:].copy()",
+    MEAN: "def mean(values):\n    return sum(values) / len(values)",
+}
+STUB = 'def double(pixels):\n    raise NotImplementedError("your turn")'
+WIDE = "def wide(pixels):\n    return pixels.astype(np.uint16)"
+USES_WIDE = "def double(pixels):\n    return np.minimum(wide(pixels) * 2, LIMIT).astype(np.uint8)"
+USES_EVERYTHING = "def double(pixels):\n    return minimum(pixels.astype(uint16) * 2, LIMIT).astype(uint8)"
+BODY = "    return np.minimum(pixels.astype(np.uint16) * 2, LIMIT).astype(np.uint8)"
+TIMES_FACTOR = f"def double(pixels):\n{BODY.replace('* 2', '* FACTOR')}"
+COUNTING = f"def double(pixels):\n    global calls\n    calls += 1\n{BODY}"
+TYPED = f"def double(pixels: NoSuchType) -> NoSuchType:\n{BODY}"
+SQUARE = "def square(value):\n    return value * 2"
+FROM_TABLE = (
+    "def double(pixels):\n    assert rows[3] == 6 and len(rows) == 256\n"
+    "    doubled = [[table[v] for v in row] for row in pixels.tolist()]\n"
+    "    return np.minimum(doubled, LIMIT).astype(np.uint8)"
+)
+CASES = []
+
+
+def case(points=6, finding="", name="20_light.ipynb", **sources):
+    """Add a case: a function that changes a notebook in which every answer is right.
+
+    What it returns, if it is not None, are the bytes of the file.
+
+    Parameters
+    ----------
+    points : int, what a fair person gives, of 6; of 4 in the lesson `sound`
+    finding : str, a part of a finding, "" if nothing must be reported
+    name : str, of the file
+    sources : double, halves: other sources of the answers; mean: of the lesson `sound`
+    """
+
+    def add(change):
+        CASES.append(pytest.param(change, points, finding, name, sources, id=change.__name__))
+        return change
+
+    return add
+
+
+@case()
+def as_it_was_handed_out_and_solved(made):
+    pass
+
+
+# ---------------------------------------------------------------- JupyterLab's own commands
+
+
+@case()
+def merged_with_the_cell_below(made):
+    place = position_of(made, DOUBLE)
+    insert(made, place + 1, new_cell("double(np.uint8([[200]]))"))
+    merge(made, place, place + 1, active=place)
+
+
+@case()
+def merged_with_the_cell_above(made):
+    place = position_of(made, DOUBLE)
+    insert(made, place, new_cell("import math"))
+    merge(made, place, place + 1, active=place + 1)
+
+
+@case()
+def merged_with_its_check(made):
+    place = position_of(made, DOUBLE)
+    merge(made, place, place + 1, active=place)
+
+
+@case(finding="graded from another cell")
+def merged_into_a_cell_of_the_learner(made):
+    place = position_of(made, DOUBLE)
+    insert(made, place, new_cell("first_try = 3"))
+    merge(made, place, place + 1, active=place)
+
+
+@case(finding="graded from another cell")
+def both_answers_merged(made):
+    first, second = position_of(made, DOUBLE), position_of(made, HALVES)
+    merge(made, first, second, active=first)
+
+
+@case()
+def split_between_an_import_and_the_function(made):
+    place = position_of(made, DOUBLE)
+    made["cells"][place]["source"] = f"import math\n\n{RIGHT[DOUBLE]}"
+    split(made, place, len("import math\n"))
+
+
+@case(finding="wide()")
+def split_between_a_helper_and_the_function(made):
+    place = position_of(made, DOUBLE)
+    made["cells"][place]["source"] = f"{WIDE}\n\n{USES_WIDE}"
+    split(made, place, len(WIDE) + 1)
+
+
+@case()
+def split_and_merged_again(made):
+    place = position_of(made, DOUBLE)
+    made["cells"][place]["source"] = f"{WIDE}\n\n{USES_WIDE}"
+    split(made, place, len(WIDE) + 1)
+    merge(made, place, place + 1, active=place + 1)
+
+
+@case(finding="its text is graded")
+def made_markdown(made):
+    change_type(made, position_of(made, DOUBLE), "markdown")
+
+
+@case(finding="its text is graded")
+def made_raw(made):
+    change_type(made, position_of(made, DOUBLE), "raw")
+
+
+@case()
+def made_markdown_and_code_again(made):
+    place = position_of(made, DOUBLE)
+    change_type(made, place, "markdown")
+    change_type(made, place, "code")
+
+
+@case(finding="2 cells define double()")
+def copied_and_the_copy_kept(made):
+    copy_and_paste(made, position_of(made, DOUBLE))
+
+
+@case(finding="graded from another cell", double=STUB)
+def written_below_the_stub(made):
+    insert(made, position_of(made, DOUBLE) + 1, new_cell(RIGHT[DOUBLE]))
+
+
+@case(finding="graded from another cell", double=STUB)
+def written_at_the_end_of_the_notebook(made):
+    insert(made, len(made["cells"]), new_cell(RIGHT[DOUBLE]))
+
+
+@case(double=STUB)
+def written_into_a_copy_of_the_answer_cell(made):
+    place = position_of(made, DOUBLE)
+    copy_and_paste(made, place)
+    made["cells"][place + 1]["source"] = RIGHT[DOUBLE]
+
+
+@case()
+def written_above_the_stub_and_merged(made):
+    place = position_of(made, DOUBLE)
+    made["cells"][place]["source"] = f"{RIGHT[DOUBLE]}\n\n{STUB}"
+
+
+@case(finding="graded from another cell")
+def deleted_and_written_into_a_new_cell(made):
+    made["cells"][position_of(made, DOUBLE)] = new_cell(RIGHT[DOUBLE])
+
+
+@case(finding="2 cells define double()")
+def an_older_wrong_try_is_kept_below(made):
+    insert(made, position_of(made, DOUBLE) + 1, new_cell("def double(pixels):\n    return pixels"))
+
+
+@case(finding="graded from another cell", double="def double(pixels)\n    return pixels")
+def a_broken_try_stays_in_the_answer_cell(made):
+    insert(made, position_of(made, DOUBLE) + 1, new_cell(RIGHT[DOUBLE]))
+
+
+@case(finding="graded from another cell", double="")
+def a_lambda_in_another_cell(made):
+    source = "double = lambda p: np.minimum(p.astype(int) * 2, LIMIT).astype(np.uint8)"
+    insert(made, position_of(made, DOUBLE) + 1, new_cell(source))
+
+
+# ---------------------------------------------------------------- other tools
+
+
+@case()
+def nbstripout_with_its_defaults(made):
+    for number, cell in enumerate(made["cells"]):
+        cell["id"] = str(number)
+        if cell["cell_type"] == "code":
+            cell["outputs"], cell["execution_count"] = [], None
+
+
+@case()
+def saved_in_nbformat_4_4(made):
+    made["nbformat_minor"] = 4
+    for cell in made["cells"]:
+        del cell["id"]
+
+
+@case(finding="graded from another cell")
+def without_ids_and_metadata(made):
+    made["nbformat_minor"] = 4
+    for cell in made["cells"]:
+        del cell["id"]
+        cell["metadata"] = {}
+
+
+@case()
+def through_jupytext_and_back(made):
+    text = jupytext.writes(nbformat.from_dict(copy.deepcopy(made)), "py:percent")
+    made.update(json.loads(nbformat.writes(jupytext.reads(text, "py:percent"))))
+
+
+@case()
+def as_google_colab_saves_it(made):
+    made["nbformat_minor"] = 0
+    made["metadata"]["colab"] = {"provenance": []}
+    for number, cell in enumerate(made["cells"]):
+        del cell["id"]
+        cell["metadata"]["id"] = f"aB3{number}"
+        cell["source"] = cell["source"].splitlines(keepends=True)
+
+
+@case()
+def as_visual_studio_code_saves_it(made):
+    made["metadata"]["language_info"] = {"name": "python"}
+    for cell in made["cells"]:
+        cell["metadata"]["vscode"] = {"languageId": "python"}
+        cell["source"] = cell["source"].splitlines(keepends=True)
+
+
+def with_a_word_in_another_script(made):
+    """The notebook as text, not in ASCII alone."""
+    made["cells"][position_of(made, DOUBLE)]["source"] += "  # größer, 明るい"
+    return json.dumps(made, ensure_ascii=False, indent=1)
+
+
+@case()
+def saved_with_a_byte_order_mark(made):
+    return with_a_word_in_another_script(made).encode("utf-8-sig")
+
+
+@case()
+def saved_as_utf_16(made):
+    return codecs.BOM_UTF16_LE + with_a_word_in_another_script(made).encode("utf-16-le")
+
+
+@case()
+def saved_as_utf_16_big_endian(made):
+    return codecs.BOM_UTF16_BE + with_a_word_in_another_script(made).encode("utf-16-be")
+
+
+def in_format_3(made):
+    return nbformat.v3.writes_json(nbformat.convert(nbformat.from_dict(copy.deepcopy(made)), 3))
+
+
+@case()
+def saved_in_nbformat_3(made):
+    return in_format_3(made).encode()
+
+
+@case(finding="wide()", double=USES_WIDE)
+def saved_in_nbformat_3_with_two_worksheets(made):
+    insert(made, 1, new_cell(WIDE))
+    made = json.loads(in_format_3(made))
+    cells = made["worksheets"][0]["cells"]
+    made["worksheets"] = [{"cells": cells[:3], "metadata": {}}, {"cells": cells[3:], "metadata": {}}]
+    return json.dumps(made).encode()
+
+
+@case(finding="unknown version", name="my light (1).ipynb")
+def no_metadata_but_the_name(made):
+    without_ids_and_metadata(made)
+    made["metadata"] = {}
+
+
+@case(finding="recognized as light by its functions: double(), halves()", name="final.ipynb")
+def no_metadata_and_another_name(made):
+    without_ids_and_metadata(made)
+    made["metadata"] = {}
+
+
+# ---------------------------------------------------------------- definitions in other cells
+
+
+@case(finding="wide()", double=USES_WIDE)
+def a_helper_above(made):
+    insert(made, 1, new_cell(WIDE))
+
+
+@case(finding="wide()", double=USES_WIDE)
+def a_helper_below(made):
+    insert(made, position_of(made, DOUBLE) + 1, new_cell(WIDE))
+
+
+@case(
+    finding="numpy, narrow, FACTOR, WIDE_TYPE, Widener, wide() of other cells",
+    double="def double(pixels):\n    return numpy.minimum(wide(pixels) * FACTOR, LIMIT).astype(narrow)",
+)
+def a_helper_an_import_and_constants_transitively(made):
+    insert(
+        made,
+        1,
+        new_cell("import numpy\nfrom numpy import uint8 as narrow"),
+        new_cell("FACTOR = 2\nWIDE_TYPE: type = numpy.uint16"),
+        new_cell("class Widener:\n    def __call__(self, p):\n        return p.astype(WIDE_TYPE)"),
+        new_cell("def wide(pixels):\n    return Widener()(pixels)"),
+    )
+
+
+@case(
+    finding="your answer to light-double",
+    halves="def halves(p):\n    p = double(p) * 0 + p\n    return p[:2], p[2:]",
+)
+def another_answer(made):
+    pass
+
+
+@case(points=6, double=USES_WIDE, finding="wide()")
+def a_helper_whose_cell_also_fails(made):
+    insert(made, 1, new_cell(f"camera = open_camera()\n{WIDE}\nshow(camera)"))
+
+
+@case(double=f"frame = camera.latest()\nshow(frame)\n{RIGHT[DOUBLE]}\nshow(double(frame))")
+def a_line_above_the_function_that_fails(made):
+    pass
+
+
+@case(double=f"import a_module_that_is_not_there\n\n{RIGHT[DOUBLE]}")
+def an_import_above_the_function_that_fails(made):
+    pass
+
+
+@case(
+    points=3,
+    double=f"import asyncio\nasync def work(pixels):\n{BODY}\ndouble = lambda p: asyncio.run(work(p))",
+)
+def an_event_loop_inside_that_of_jupyter(made):
+    pass
+
+
+@case(double=f"from __future__ import annotations\nframe = camera.latest()\n\n{TYPED}\n\nprint(frame)")
+def lines_that_fail_after_an_import_from_the_future(made):
+    pass
+
+
+@case(points=3, double="def double(pixels):\n    return np.minimum(pixels.astype(int) * 2, LIMIT + shift)")
+def a_name_that_no_cell_defines(made):
+    pass
+
+
+@case(points=6)
+def a_given_name_bound_in_another_cell(made):
+    insert(made, 1, new_cell("LIMIT = 3"))
+
+
+@case(finding="calls of another cell", double=COUNTING)
+def a_counter_in_another_cell(made):
+    insert(made, 1, new_cell("calls = 0"))
+
+
+@case(finding="FACTOR of another cell", double=TIMES_FACTOR)
+def a_constant_that_its_cell_changes(made):
+    insert(made, 1, new_cell("FACTOR = 1\nprint(FACTOR)\nFACTOR += 1"))
+
+
+@case(finding="rows, table, square() of another cell", double=FROM_TABLE)
+def a_table_that_its_cell_fills(made):
+    fills = "for value in range(256):\n    table[value] = square(value)\n    rows.append(table[value])"
+    insert(made, 1, new_cell(f"rows = []\ntable = {{}}\n{SQUARE}\n{fills}\nshow(table)\nno_such.append(3)"))
+
+
+@case(finding="FACTOR of another cell", double=TIMES_FACTOR)
+def a_constant_that_is_assigned_again_after_its_change(made):
+    insert(made, 1, new_cell("FACTOR = 5\nFACTOR += 1\nFACTOR = 2"))
+
+
+@case(finding="math.*, numpy.* of other cells", double=USES_EVERYTHING)
+def everything_of_a_module_imported_above(made):
+    insert(made, 1, new_cell("from math import *"), new_cell("from numpy import *"))
+
+
+@case(finding="numpy.* of another cell", double=USES_EVERYTHING)
+def everything_of_a_module_imported_below(made):
+    insert(made, position_of(made, DOUBLE) + 1, new_cell("from numpy import *"))
+
+
+# ---------------------------------------------------------------- pasted text
+
+
+@case(double=">>> " + RIGHT[DOUBLE].replace("\n", "\n... "))
+def with_the_prompts_of_python(made):
+    pass
+
+
+@case(double="In [12]: " + RIGHT[DOUBLE].replace("\n", "\n    ...: "))
+def with_the_prompts_of_ipython(made):
+    pass
+
+
+@case(
+    points=3,
+    double='def double(pixels):\n    """Twice."""\n    print(\u201cDouble\u201d)\n    return pixels',
+    finding="One change makes it Python: 'print(\"Double\")'",
+)
+def with_the_quotation_marks_of_a_word_processor(made):
+    """A teacher may give the points: Python cannot say whether the answer was right."""
+
+
+@case(double=RIGHT[DOUBLE].replace("return", 'print("\u201cDouble\u201d")\n    return'))
+def with_such_quotation_marks_in_a_text(made):
+    pass
+
+
+@case(points=3, double=RIGHT[DOUBLE].replace("return", "retrun"), finding="One change makes it Python")
+def with_a_misspelled_keyword(made):
+    pass
+
+
+@case(
+    double=f"```python\n{RIGHT[DOUBLE]}\n```",
+    finding="its answer cell is a markdown cell; its text is graded",
+)
+def made_markdown_in_a_fence(made):
+    change_type(made, position_of(made, DOUBLE), "markdown")
+
+
+# ---------------------------------------------------------------- magics and prints
+
+
+@case(double=f"{RIGHT[DOUBLE]}\nname = input()\nexit()")
+def a_cell_that_ends_python(made):
+    pass
+
+
+@case(double=f"%matplotlib inline\nfiles = !ls\n{RIGHT[DOUBLE]}\n%timeit double(np.uint8([[3]]))\ndouble?")
+def magics_around_the_function(made):
+    pass
+
+
+@case(double=f"%%time\n{RIGHT[DOUBLE]}")
+def a_cell_magic(made):
+    pass
+
+
+@case(double=f"print('x' * 9_000_000)\n{RIGHT[DOUBLE]}")
+def nine_megabytes_printed_in_the_cell(made):
+    pass
+
+
+@case(double=RIGHT[DOUBLE].replace("return", "print('x' * 9_000_000)\n    return"))
+def nine_megabytes_printed_in_the_function(made):
+    pass
+
+
+# ---------------------------------------------------------------- right values in another type
+
+
+@case(halves="def halves(p):\n    return [p[:2].astype(int), p[2:].astype(np.float32)]")
+def a_list_for_a_tuple_and_other_dtypes(made):
+    pass
+
+
+@case(double="def double(p):\n    return np.minimum(p.astype(int) * 2, 255).tolist()")
+def a_list_of_lists_for_an_array(made):
+    pass
+
+
+@case(double="def double(p):\n    return [np.minimum(row.astype(int) * 2, 255) for row in p]")
+def a_list_of_arrays_for_an_array(made):
+    pass
+
+
+@case(
+    double="def double(p):\n    return np.asmatrix(np.minimum(p.astype(int) * 2, 255))",
+    halves="def halves(p):\n    return np.asmatrix(p[:2]), np.asmatrix(p[2:])",
+)
+def a_matrix_for_an_array(made):
+    pass
+
+
+@case(points=3, double="def double(p):\n    return np.asmatrix(p) * 2.0")
+def a_matrix_of_wrong_values(made):
+    pass
+
+
+@case(points=4, mean="def mean(values):\n    return np.mean([values], axis=1)")
+def an_array_of_one_element_for_a_number(made):
+    pass
+
+
+@case(points=0, mean="def mean(values):\n    return np.mean([values, values], axis=1)")
+def an_array_of_two_elements_for_a_number(made):
+    pass
+
+
+@case(points=0, mean="def mean(values):\n    return np.sum([values], axis=1)")
+def an_array_of_one_wrong_element_for_a_number(made):
+    pass
+
+
+@case(points=3, double="def double(p):\n    return p * 2.0")
+def a_wrong_value_in_another_type(made):
+    pass
+
+
+# ---------------------------------------------------------------- the two roads
+
+
+@pytest.fixture(scope="module")
+def files(masters, tmp_path_factory):
+    """{name of the case: the submitted file}."""
+    folder = tmp_path_factory.mktemp("honest")
+    paths = {}
+    for parameters in CASES:
+        change, _, _, name, sources = parameters.values
+        lesson = "sound" if "mean" in sources else "light"
+        made = json.loads(json.dumps(lesson_notebook(masters[lesson])))
+        for id, source in RIGHT.items():
+            if not id.startswith(f"answer-{lesson}-"):
+                continue
+            made["cells"][position_of(made, id)]["source"] = sources.get(id.rpartition("-")[2], source)
+        data = change(made)
+        paths[parameters.id] = folder / parameters.id / name
+        paths[parameters.id].parent.mkdir()
+        paths[parameters.id].write_bytes(json.dumps(made).encode() if data is None else data)
+    return paths
+
+
+@pytest.fixture(scope="module")
+def graded(files, key_path, tmp_path_factory):
+    """{name of the case: its lesson in grades.json}."""
+    out = tmp_path_factory.mktemp("grades") / "grades"
+    grade_submissions(next(iter(files.values())).parents[1], [key_path], out, workers=1, quiet=True)
+    grades = json.loads((out / "grades.json").read_text(encoding="utf-8"))
+    return {learner["name"]: learner["lessons"][0] for learner in grades["learners"]}
+
+
+@pytest.mark.parametrize(("change", "points", "finding", "name", "sources"), CASES)
+def test_an_honest_submission_gets_the_fair_points(graded, change, points, finding, name, sources):
+    lesson = graded[change.__name__]
+    texts = [entry["text"] for entry in lesson["findings"]]
+    assert (lesson["reason"], lesson["points"]) == ("", points), texts
+    assert not finding or any(finding in text for text in texts), texts
+    if not finding:
+        assert not any("graded" in text and "grading uses its own" not in text for text in texts), texts
+
+
+@pytest.mark.parametrize("id", [parameters.id for parameters in CASES])
+def test_check_says_what_grading_says(graded, files, checks, id):
+    lesson, lesson_check = graded[id], check_lesson(files[id], [checks])
+    run_answers(lesson_check)
+    entries = [entry for entry in lesson_check.exercises if not entry.exercise.practice]
+    for exercise, entry in zip(lesson["exercises"], entries, strict=True):
+        assert exercise["id"] == entry.exercise.id
+        public = [case["points"] == case["max_points"] for case in exercise["cases"] if not case["hidden"]]
+        passed = [case.passed for case in entry.result.results] if entry.result else [False] * len(public)
+        assert passed == public, entry.notes
+        texts = [found["text"] for found in lesson["findings"] if found["exercise"] == exercise["id"]]
+        assert [note for note in entry.notes if note in texts] == texts

@@ -1,0 +1,80 @@
+"""The tables of points, as other programs read them; no cell is a formula."""
+
+import csv
+import io
+
+import pytest
+from submissions import answers_of, notebook, write
+
+from imgproc_course.classroom.gradebook.grade import grade_submissions
+
+pytestmark = pytest.mark.sandbox
+
+
+@pytest.fixture(scope="module")
+def tables(light, key_path, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("tables")
+    submissions = folder / "submissions"
+    right, untouched = notebook(light, answers_of(light, "right")), notebook(light)
+    write(submissions / "Ada, Lovelace_12345_assignsubmission_file_" / "x.ipynb", right)
+    write(submissions / "Bob_678_assignsubmission_file_" / "20_light.ipynb", b"{")
+    write(submissions / "eveadam_LATE_42_900_20_light.ipynb", untouched)
+    write(submissions / '=cmd|" ,x\n;y' / "x.ipynb", right)
+    out = folder / "grades"
+    grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
+    return {path.name: path.read_bytes() for path in [out / "grades.csv", *(out / "exports").glob("*.csv")]}
+
+
+def rows(data, encoding="utf-8"):
+    return list(csv.DictReader(io.StringIO(data.decode(encoding), newline="")))
+
+
+def test_the_table_for_a_spreadsheet(tables):
+    assert tables["grades.csv"].startswith(b"\xef\xbb\xbf")
+    by_learner = {row["learner"]: row for row in rows(tables["grades.csv"], "utf-8-sig")}
+    assert set(by_learner) == {"Ada, Lovelace", "Bob", "eveadam", "'=cmd|\" ,x\\n;y"}
+    ada = by_learner["Ada, Lovelace"]
+    assert (ada["points"], ada["max_points"], ada["percent"], ada["late"]) == ("6", "6", "100.0", "")
+    assert by_learner["eveadam"]["late"] == "late"
+    assert by_learner["Bob"]["status"] == "not graded" and "not a notebook" in by_learner["Bob"]["findings"]
+    assert by_learner["'=cmd|\" ,x\\n;y"]["points"] == "6"
+
+
+def test_no_cell_of_any_table_is_a_formula(tables):
+    for data in tables.values():
+        for row in csv.reader(io.StringIO(data.decode("utf-8-sig"), newline="")):
+            assert not [cell for cell in row if cell.startswith(("=", "+", "-", "@", "\t", "\r"))]
+
+
+def test_moodles_worksheet(tables):
+    table = rows(tables["moodle-light.csv"])
+    assert list(table[0]) == [
+        "Identifier",
+        "Full name",
+        "Grade",
+        "Last modified (grade)",
+        "Feedback comments",
+    ]
+    assert [(row["Identifier"], row["Grade"]) for row in table] == [
+        ("Participant 12345", "6"),
+        ("Participant 678", "0"),
+    ]
+    assert "moodle-sound.csv" not in tables
+
+
+def test_canvas_gradebook(tables):
+    points, eve = rows(tables["canvas.csv"])
+    assert list(points)[:5] == ["Student", "ID", "SIS User ID", "SIS Login ID", "Section"]
+    assert (points["Student"].strip(), points["light"]) == ("Points Possible", "6")
+    assert (eve["Student"], eve["ID"], eve["light"]) == ("eveadam", "42", "0")
+    assert "sound" not in eve  # nobody submitted it: its column would remove grades
+
+
+def test_nbgraders_columns(tables):
+    table = rows(tables["nbgrader.csv"])
+    columns = ["assignment", "duedate", "timestamp", "student_id", "last_name", "first_name", "email"]
+    assert list(table[0]) == [*columns, "raw_score", "late_submission_penalty", "score", "max_score"]
+    ada = next(row for row in table if row["student_id"] == "Ada, Lovelace" and row["assignment"] == "light")
+    assert (float(ada["score"]), float(ada["max_score"])) == (6.0, 6.0)
+    assert ada["timestamp"] == "2026-11-30 12:00:00"
+    assert len(table) == 2 * 4

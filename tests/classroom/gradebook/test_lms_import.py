@@ -1,0 +1,156 @@
+"""Tables that platforms exported are filled with points; every other cell stays as it was."""
+
+import csv
+import io
+
+import pytest
+from submissions import answers_of, notebook, write
+
+from imgproc_course.classroom.gradebook.grade import grade_submissions
+from imgproc_course.classroom.gradebook.lms_import import TableError, fill_table, read_tables
+
+pytestmark = pytest.mark.sandbox
+
+# As lib/gradebook_exporter.rb of Canvas and the grading table of Moodle's assignments write them.
+CANVAS = (
+    "Student,ID,SIS User ID,SIS Login ID,Section,20_light (901),Essay (902),Current Score\r\n"
+    ",,,,,Manual Posting,,\r\n"
+    '"    Points Possible",,,,,6.00,10.00,(read only)\r\n'
+    '"Adam, Eve",42,s1,eve@school.example,"Mo, We",3.00,9.00,90.0\r\n'
+    '"Byron, Ada",43,s2,ada@school.example,Mo,,7.00,70.0\r\n'
+    '"Crane, Ichabod",44,s3,ichabod@school.example,Mo,5.00,N/A,\r\n'
+    '"Student, Test",45,,,Mo,,,\r\n'
+)
+MOODLE = (
+    "\ufeffIdentifier,Full name,Email address,Status,Grade,Maximum grade,Grade can be changed,"
+    "Last modified (submission),Last modified (grade),Feedback comments\r\n"
+    'Participant 12345,"Ada, Lovelace",ada@school.example,Submitted for grading,,100.00,Yes,'
+    '"Monday, 30 November 2026, 12:00 PM",-,\r\n'
+    "Participant 678,Bob,bob@school.example,Submitted for grading,2.00,100.00,Yes,-,-,See me\r\n"
+    "Participant 9,Carol,carol@school.example,No submission,,100.00,Yes,-,-,\r\n"
+)
+
+
+@pytest.fixture
+def submitted(light, submissions):
+    right, wrong = notebook(light, answers_of(light, "right")), notebook(light, answers_of(light, 0))
+    write(submissions / "eveadam_42_900_20_light.ipynb", right)
+    write(submissions / "ada@school.example" / "x.ipynb", wrong)
+    write(submissions / "Ada, Lovelace_12345_assignsubmission_file_" / "x.ipynb", right)
+    write(submissions / "Bob_678_assignsubmission_file_" / "20_light.ipynb", b"{")
+    write(submissions / "nobody_77_901_20_light.ipynb", right)
+    return submissions
+
+
+@pytest.fixture
+def table(tmp_path):
+    """Writes a table as exported, and returns its path."""
+
+    def write_table(name, text):
+        path = tmp_path / name
+        path.write_bytes(text.encode("utf-8"))
+        return path
+
+    return write_table
+
+
+def cells(text, delimiter=","):
+    return list(csv.reader(io.StringIO(text, newline=""), delimiter=delimiter))
+
+
+def filled(path, grades):
+    (table,) = read_tables([path])
+    return fill_table(table, grades)
+
+
+def test_canvas_gradebook_is_filled_and_nothing_else_changes(submitted, grade, table):
+    text, lines = filled(table("gradebook.csv", CANVAS), grade(submitted))
+    expected = cells(CANVAS)
+    expected[3][5], expected[4][5] = "6", "0"  # by the number; by the login that is the folder's name
+    assert cells(text) == expected
+    assert lines == [
+        "gradebook.csv: 2 points filled in.",
+        "  graded, but in no row of the table: Ada, Lovelace, nobody",
+    ]
+
+
+def test_empty_lines_of_a_table_stay(submitted, grade, table):
+    grades = grade(submitted)
+    text, lines = filled(table("gradebook.csv", CANVAS), grades)
+    assert filled(table("with empty lines.csv", CANVAS.replace("\r\n", "\r\n\r\n", 1) + "\r\n"), grades) == (
+        text.replace("\r\n", "\r\n\r\n", 1) + "\r\n",
+        [lines[0].replace("gradebook", "with empty lines"), lines[1]],
+    )
+
+
+def test_moodles_worksheet_is_filled_and_other_grades_stay(submitted, grade, table):
+    text, lines = filled(table("Grades-20_light.csv", MOODLE), grade(submitted))
+    expected = cells(MOODLE)
+    expected[1][4] = "6"
+    assert cells(text) == expected and text.startswith("\ufeffIdentifier")
+    assert "light is worth 100 points on the platform and 6 here" in lines[-1]
+
+
+def test_a_table_with_semicolons_and_other_languages_numbers(submitted, grade, table):
+    other = MOODLE.replace("Participant ", "Teilnehmer/in").replace('"Ada, Lovelace"', "Ada")
+    other = other.replace('"Monday, 30 November 2026, 12:00 PM"', "30.11.2026").replace(",", ";")
+    text, _ = filled(table("20_light.csv", other), grade(submitted))
+    assert cells(text, ";")[1][:5] == [
+        "Teilnehmer/in12345",
+        "Ada",
+        "ada@school.example",
+        "Submitted for grading",
+        "6",
+    ]
+
+
+def test_a_column_can_have_the_title_of_the_lesson(submitted, grade, table, light):
+    text, _ = filled(
+        table("g.csv", CANVAS.replace("20_light (901)", f"{light.title} (901)")), grade(submitted)
+    )
+    assert cells(text)[3][5] == "6"
+
+
+@pytest.mark.parametrize(
+    ("text", "reason"),
+    [
+        ("", "its columns are nothing"),
+        ("name,points\r\nada,3\r\n", "its columns are name, points; expected Canvas's gradebook export"),
+        ("Student,ID,Group\r\n", "expected Canvas's gradebook export"),
+    ],
+)
+def test_another_table_is_refused_before_anything_is_graded(
+    text, reason, submitted, key_path, table, tmp_path
+):
+    path = table("any.csv", text)
+    with pytest.raises(TableError, match=reason):
+        grade_submissions(submitted, [key_path], tmp_path / "grades", quiet=True, platform_tables=[path])
+    assert not (tmp_path / "grades").exists()
+
+
+def test_a_table_that_cannot_be_read(table, tmp_path):
+    latin = tmp_path / "latin.csv"
+    latin.write_bytes(b"Student,ID,Section\r\n\xe4,1,\r\n")
+    with pytest.raises(TableError, match="it is not UTF-8"):
+        read_tables([latin])
+    with pytest.raises(TableError, match="it cannot be read"):
+        read_tables([tmp_path / "none.csv"])
+    with pytest.raises(TableError, match=r"two tables have the name a\.csv"):
+        read_tables([tmp_path / "a.csv", tmp_path / "b" / "a.csv"])
+
+
+def test_a_worksheet_of_an_unknown_lesson_is_reported_and_the_others_are_filled(
+    submitted, masters, key_path, table, tmp_path
+):
+    write(submitted / "carol" / "y.ipynb", notebook(masters["sound"]))
+    out = tmp_path / "grades"
+    tables = [table("worksheet.csv", MOODLE), table("canvas.csv", CANVAS.replace("20_light", "First"))]
+    tables += [table("20_light.csv", MOODLE)]
+    lines = grade_submissions(submitted, [key_path], out, workers=1, quiet=True, platform_tables=tables).text
+    assert (
+        "worksheet.csv: a worksheet belongs to one lesson, but this one can belong to light, sound" in lines
+    )
+    assert "canvas.csv: no assignment in it has the name of a lesson (light, sound)" in lines
+    assert sorted(path.name for path in (out / "exports").iterdir() if "filled" in path.name) == [
+        "filled-20_light.csv"
+    ]

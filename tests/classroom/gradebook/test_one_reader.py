@@ -1,0 +1,238 @@
+"""`check` and `grade` give one verdict about a notebook, whatever happened to it."""
+
+import json
+
+import pytest
+from hypothesis import HealthCheck, given, settings
+from hypothesis import strategies as st
+from submissions import answers_of, cell_of, notebook
+
+from imgproc_course.classroom.gradebook.check import LessonFileError, check_lesson
+from imgproc_course.classroom.gradebook.collect import collect
+from imgproc_course.classroom.gradebook.learners import read_all
+
+pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]  # the key is made in a sandbox
+
+
+class AnswersStore:
+    """Stands in for the store of `grade`: it keeps the answers of the last submission."""
+
+    def was_too_slow(self, _digest):
+        return False
+
+    def __init__(self):
+        self.answers = None
+
+    def keep_answers(self, _key, _lesson, answers):
+        self.answers = dict(answers)
+        return "digest"
+
+
+def verdict_of(content, answers):
+    findings = [(finding.kind, finding.exercise, finding.text) for finding in content.findings]
+    return {"lesson": content.lesson, "answers": answers, "states": content.states, "findings": findings}
+
+
+def verdict_of_check(path, checks):
+    try:
+        lesson_check = check_lesson(path, [checks])
+    except LessonFileError as error:
+        return {"reason": str(error).removeprefix(f"{path}: ")}
+    assert {entry.exercise.id: entry.state for entry in lesson_check.exercises} == lesson_check.content.states
+    return verdict_of(lesson_check.content, lesson_check.content.answers)
+
+
+def verdict_of_grade(path, answer_keys):
+    store = AnswersStore()
+    with collect(path, tuple(answer_keys.lessons)) as collection:
+        (learner,) = read_all(collection, answer_keys, store, quiet=True)
+    (submission,) = [*learner.submissions.values(), *learner.unidentified]
+    if submission.content.reason:
+        return {"reason": submission.content.reason}
+    return verdict_of(submission.content, store.answers)
+
+
+# ---------------------------------------------------------------- damage
+
+CODE = [
+    "",
+    "# later",
+    "x = 1",
+    "def double(p):\n    return p",
+    "def double(p)\n    return p",
+    "def halves(p):\n    return p, p",
+    'def double(pixels):\n    raise NotImplementedError("your turn")  # hm',
+    "# NBVAL_SKIP\ndef double(p): ...",
+    "%matplotlib inline\ndef double(p): ...",
+    "LIMIT, wide = 3, halves\ndef halves(p):\n    return double(p), LIMIT",
+    "def double(p):\n    return wide(halves(p))",
+    "double = lambda p: p",
+    "from numpy import *",
+    "x = '\ud800'",
+    "\x00",
+    "x = " + "(" * 300,
+    "x = " + "-" * 90_000 + "1",
+    "#" * 200_100,
+]
+IDS = [
+    "answer-light-double",
+    "answer-light-halves",
+    "answer-sound-mean",
+    "check-light-double-1",
+    "given-light-double-1",
+    "mine",
+    "",
+    None,
+    7,
+]
+positions = st.integers(0, 30)
+sources = st.one_of(st.sampled_from(CODE), st.text(max_size=30), st.sampled_from([7, None, ["a", "b"], [1]]))
+damages = st.one_of(
+    st.tuples(st.just("delete"), positions),
+    st.tuples(st.just("duplicate"), positions, positions),
+    st.tuples(st.just("retype"), positions, st.sampled_from(["raw", "markdown", "code", "", None, []])),
+    st.tuples(st.just("split"), positions),
+    st.tuples(st.just("id"), positions, st.sampled_from(IDS)),
+    st.tuples(st.just("source"), positions, sources),
+    st.tuples(st.just("exercise"), positions, st.sampled_from(["light-double", "light-halves", 3])),
+    st.tuples(st.just("tags"), positions, st.sampled_from([["nbval-skip"], ["mine"], 3])),
+    st.tuples(st.just("insert"), positions, st.sampled_from([None, 3, "cell", {}, {"cell_type": "code"}])),
+    st.tuples(st.just("reverse")),
+    st.tuples(st.just("lose ids")),
+    st.tuples(st.just("nbformat"), st.sampled_from([2, 3, 5, None, True, "4"])),
+    st.tuples(st.just("lesson"), st.sampled_from(["21_sound", "20_light", "../x", 3, None])),
+    st.tuples(st.just("version"), st.sampled_from(["0.0.9", None, "\u202e"])),
+    st.tuples(st.just("kernel"), st.sampled_from(["bash", "python3", 3])),
+    st.tuples(st.just("metadata"), st.sampled_from([{}, None, []])),
+    st.tuples(st.just("cells"), st.sampled_from([[], None, {}])),
+)
+names = st.sampled_from(["20_light", "21_sound", "final", "20_light-1", "20_light 21_sound"])
+file_damages = st.sampled_from(["none"] * 9 + ["cut", "byte order mark", "latin-1", "empty", "list"])
+
+
+def damaged(made, damage):
+    """Apply one damage to a notebook (a dict), in place."""
+    kind, *values = damage
+    about = made["metadata"].get("imgproc_course", {}) if isinstance(made["metadata"], dict) else {}
+    if kind in ("nbformat", "metadata", "cells"):
+        made[kind] = values[0]
+    elif kind in ("lesson", "version"):
+        about[kind] = values[0]
+    elif kind == "kernel":
+        if isinstance(made["metadata"], dict):
+            made["metadata"]["kernelspec"] = {"name": values[0]}
+    elif isinstance(made["cells"], list) and made["cells"]:
+        damage_cells(made["cells"], kind, values)
+
+
+def damage_cells(cells, kind, values):
+    if kind == "reverse":
+        cells.reverse()
+        return
+    if kind == "lose ids":
+        for cell in cells:
+            if isinstance(cell, dict):
+                cell.pop("id", None)
+        return
+    position = values[0] % len(cells)
+    cell = cells[position]
+    if kind == "delete":
+        del cells[position]
+    elif kind == "insert":
+        cells.insert(position, values[1])
+    elif not isinstance(cell, dict):
+        return
+    elif kind == "duplicate":
+        cells.insert(values[1] % len(cells), dict(cell))
+    elif kind == "retype":
+        cell["cell_type"] = values[1]
+    elif kind == "split" and isinstance(cell.get("source"), str):
+        lines = cell["source"].splitlines(keepends=True)
+        cells.insert(position + 1, dict(cell, id="second-half", source="".join(lines[1:])))
+        cell["source"] = "".join(lines[:1])
+    elif kind == "id":
+        cell["id"] = values[1]
+    elif kind == "source":
+        cell["source"] = values[1]
+    elif kind == "exercise":
+        cell["metadata"] = {"imgproc_course": {"exercise": values[1]}}
+    elif kind == "tags":
+        cell["metadata"] = {"tags": values[1]}
+
+
+def as_bytes(made, file_damage):
+    data = json.dumps(made).encode()
+    return {
+        "cut": data[: len(data) // 2],
+        "byte order mark": b"\xef\xbb\xbf" + data,
+        "latin-1": data + "ä".encode("latin-1"),
+        "empty": b"",
+        "list": b"[%s]" % data,
+    }.get(file_damage, data)
+
+
+# ---------------------------------------------------------------- one verdict
+
+
+@settings(
+    max_examples=150,
+    deadline=None,
+    derandomize=True,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
+)
+@given(
+    solved=st.booleans(),
+    changes=st.lists(damages, max_size=6),
+    name=names,
+    file_damage=file_damages,
+)
+def test_check_and_grade_give_one_verdict(
+    light, answer_keys, checks, tmp_path, solved, changes, name, file_damage
+):
+    made = notebook(light, answers_of(light, "right") if solved else None)
+    for damage in changes:
+        damaged(made, damage)
+    path = tmp_path / f"{name}.ipynb"
+    path.write_bytes(as_bytes(made, file_damage))
+    assert verdict_of_check(path, checks) == verdict_of_grade(path, answer_keys)
+
+
+def too_long(made):
+    cell_of(made, "answer-light-double")["source"] = "#" * 200_100
+
+
+def format_2(made):
+    made["nbformat"] = 2
+
+
+def no_metadata(made):
+    made["metadata"] = {}
+
+
+def two_answers(made):
+    made["cells"].insert(0, dict(cell_of(made, "answer-light-double"), cell_type="markdown"))
+
+
+@pytest.mark.parametrize(
+    ("damage", "state", "text"),
+    [
+        (too_long, "broken", "its answer is longer than 200000 characters, the most that are graded"),
+        (format_2, None, "it has notebook format 2"),
+        (no_metadata, "answered", "it was made from an unknown version of the lesson"),
+        (two_answers, "answered", "2 cells define double(): answer-light-double is graded, and not "),
+    ],
+)
+def test_notebooks_about_which_check_and_grade_once_disagreed(
+    light, answer_keys, checks, tmp_path, damage, state, text
+):
+    made = notebook(light, answers_of(light, "right"))
+    damage(made)
+    path = tmp_path / "my answers.ipynb"
+    path.write_text(json.dumps(made), encoding="utf-8")
+    verdict = verdict_of_check(path, checks)
+    assert verdict == verdict_of_grade(path, answer_keys)
+    if state is None:
+        assert verdict["reason"].startswith(text)
+    else:
+        assert verdict["states"]["light-double"] == state
+        assert any(finding.startswith(text) for _, _, finding in verdict["findings"])

@@ -1,0 +1,429 @@
+"""The pages: all text is escaped, nothing is loaded, and no page shows another learner; also in a browser."""
+
+import html.parser
+import io
+import json
+import re
+import shutil
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from accessibility import violations
+from PIL import Image
+from submissions import SEED, answers_of, notebook, write
+
+from imgproc_course.classroom.autograder.results import from_json
+from imgproc_course.classroom.autograder.sanitize import (
+    sanitize_line,
+    sanitize_text,
+    spreadsheet_text,
+    without_apostrophes,
+)
+from imgproc_course.classroom.exercises.answer_images import answer_images
+from imgproc_course.classroom.exercises.canonical import canonical
+from imgproc_course.classroom.exercises.values import differing_elements
+from imgproc_course.classroom.gradebook.grade import grade_submissions
+from imgproc_course.classroom.gradebook.report import learner_page
+from imgproc_course.classroom.gradebook.report_values import value_of
+from imgproc_course.classroom.gradebook.similarity import SimilarGroup, Version, similarity_page
+
+pytestmark = pytest.mark.sandbox
+EVIL = "<script>alert(1)</script>"
+SHOUTS = f"""
+def double(pixels):
+    print({EVIL!r}, '\\u202e', '\\x1b[31m')
+    return pixels[::-1] * 1
+"""
+NAME = "<img src=x onerror=alert(1)>\u202e {{ 7*7 }}"
+
+
+@pytest.fixture(scope="module")
+def pages(masters, key_path, tmp_path_factory):
+    """{first word of the learner's name: path of the page}, and "summary": the teacher's page."""
+    folder = tmp_path_factory.mktemp("pages")
+    submissions, light, sound = folder / "submissions", masters["light"], masters["sound"]
+    write(submissions / "ada" / "a.ipynb", notebook(light, answers_of(light, 0)))
+    write(submissions / "ada" / "b.ipynb", notebook(sound, answers_of(sound, "right")))
+    raising = f"def halves(pixels):\n    raise ValueError({EVIL!r} + str(pixels.tolist()))"
+    write(
+        submissions / NAME / f"{EVIL[:8]}.ipynb",
+        notebook(light, {"light-double": SHOUTS, "light-halves": raising}),
+    )
+    write(submissions / "zoe" / "notes.ipynb", b"{")
+    out = folder / "grades"
+    grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
+    found = {path.name.split("-")[0]: path for path in (out / "learners").iterdir()}
+    return found | {"summary": out / "summary.html"}
+
+
+class Tags(html.parser.HTMLParser):
+    def __init__(self, text):
+        super().__init__()
+        self.found, self.attributes = set(), []
+        self.feed(text)
+
+    def handle_starttag(self, tag, attrs):
+        self.found.add(tag)
+        self.attributes += attrs
+
+
+def test_no_page_contains_anything_that_runs_or_loads(pages):
+    for path in pages.values():
+        text = path.read_text(encoding="utf-8")
+        tags = Tags(text)
+        assert not tags.found & {"script", "iframe", "object", "embed", "link", "form", "base", "video"}
+        assert not [name for name, _ in tags.attributes if name.startswith("on") or name == "style"]
+        sources = [value for name, value in tags.attributes if name == "src"]
+        assert all(re.fullmatch(r"data:image/png;base64,[A-Za-z0-9+/=]+", value) for value in sources)
+        links = [value for name, value in tags.attributes if name == "href"]
+        assert all(re.fullmatch(r"learners/[a-z0-9-]+\.html", value) for value in links)
+        (policy,) = [value for name, value in tags.attributes if name == "content" and "default-src" in value]
+        assert re.fullmatch(r"default-src 'none'; style-src 'sha256-[A-Za-z0-9+/=]+'; img-src data:", policy)
+
+
+def test_what_a_learner_writes_is_shown_as_text(pages):
+    text = pages["img"].read_text(encoding="utf-8")
+    assert "&lt;script&gt;alert(1)&lt;/script&gt; \\u202e" in text
+    assert "{{ 7*7 }}" in text and "\u202e" not in text and "\x1b" not in text
+    assert "<script" not in text and "<img src=x" not in text
+    assert "&lt;img src=x onerror=alert(1)&gt;\\u202e" in pages["summary"].read_text(encoding="utf-8")
+
+
+def test_a_learners_page_names_the_mistake_and_shows_the_public_check(pages):
+    text = pages["ada"].read_text(encoding="utf-8")
+    assert "A known mistake: uint8 wraps." in text and "uint8 ends at 255: widen first." in text
+    assert "given pixels" in text and "returned [0]" in text and "expected [1]" in text
+    assert text.count("data:image/png") == 4  # given, returned, expected, and where they differ
+    assert "4 <small>of 10 points" in text
+
+
+def test_a_hidden_check_shows_only_its_title_and_hint(pages):
+    text = pages["img"].read_text(encoding="utf-8")
+    after = text.partition("Four rows more")[2].partition("</li>")[0]
+    assert "Return both halves." in after and "ValueError" in after
+    assert "script" not in after and "[[" not in after and "given" not in after
+
+
+def test_a_hidden_check_shows_no_values_even_if_the_result_has_some(
+    light, answer_keys, submissions, grade, tmp_path
+):
+    write(submissions / "ada.ipynb", notebook(light, answers_of(light, 0)))
+    (entry,) = grade(submissions)["learners"]
+    files = (tmp_path / "grades" / "results").glob("*.json")
+    (stored,) = [json.loads(path.read_text()) for path in files if "answers" not in path.name]
+    result = from_json(stored)
+    exercises = []
+    for exercise in result.exercises:
+        public, hidden = exercise.cases
+        secret_call = replace(
+            public.failed_call, arguments=[canonical("a secret input")], printed="a secret word"
+        )
+        hidden = replace(hidden, message="a secret value", failed_call=secret_call)
+        exercises.append(replace(exercise, cases=(public, hidden), message="its \u202e eye"))
+    result = replace(result, exercises=tuple(exercises))
+    text = learner_page(entry, {"light": result}, answer_keys)
+    assert "returned" in text and "a secret" not in text
+    assert "Its \\u202e eye." in text and "\u202e" not in text
+
+
+def test_a_page_contains_nothing_of_other_learners_or_the_key(pages, key_path, answer_keys):
+    text = pages["ada"].read_text(encoding="utf-8")
+    for secret in (
+        SEED,
+        answer_keys.keys[0].digest,
+        str(key_path),
+        "zoe",
+        "img src=x",
+        "astype(np.uint16)",
+        "rng",
+    ):
+        assert secret not in text
+    for path in key_path.rglob("*.inputs.json"):
+        hidden = re.findall(r'"hidden-[^"]+": \[\[.*?"data": "([^"]{12,})"', path.read_text())
+        for data in hidden:
+            assert data not in text
+
+
+def test_the_teachers_page_has_the_totals_and_the_mistakes(pages):
+    text = pages["summary"].read_text(encoding="utf-8")
+    for expected in (
+        "<b>3</b>learners",
+        "<b>3</b>of 4 submissions graded",
+        "<li>could not be graded: ",
+        "uint8 wraps",
+    ):
+        assert expected in text
+    row = text.partition("An image")[2].partition("</tr>")[0]
+    assert "0 %" in row and "2 of 2" in row
+    row = text.partition("Fifty numbers")[2].partition("</tr>")[0]
+    assert "100 %" in row and "1 of 1" in row
+
+
+def test_a_file_that_could_not_be_read_has_no_points_on_the_page(pages):
+    text = pages["zoe"].read_text(encoding="utf-8")
+    assert "<title>zoe</title>" in text and "0 of 0" not in text and "fresh Python" not in text
+    assert text.count("notes.ipynb") == 1 and "its JSON is broken" in text
+    row = pages["summary"].read_text(encoding="utf-8").rpartition("<bdi>zoe</bdi>")[2].partition("</tr>")[0]
+    assert "not graded" in row
+
+
+# ---------------------------------------------------------------- a page that cannot be written
+
+
+def test_a_value_that_no_page_can_show_costs_its_own_page_the_details_and_nobody_else_anything(
+    light, key_path, submissions, tmp_path
+):
+    for name in ("ada", "bob", "zoe"):
+        answers = answers_of(light, 0)
+        answers["light-double"] += f"\n# {name}"
+        write(submissions / f"{name}.ipynb", notebook(light, answers))
+    out = tmp_path / "grades"
+    grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
+    before = {path.name.split("-")[0]: path.read_text() for path in (out / "learners").iterdir()}
+    for path in (out / "results").glob("*.answers.json"):
+        if "# ada" in path.read_text():
+            stored = path.with_name(path.name.replace(".answers", ""))
+    content = json.loads(stored.read_text())
+    call = next(case["failed_call"] for case in content["exercises"][0]["cases"] if case["failed_call"])
+    call["actual"] = {"type": "ndarray", "dtype": "nonsense", "shape": [2], "data": "!!"}
+    stored.write_text(json.dumps(content))
+    summary = grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
+    assert (summary.failed_pages, summary.not_graded) == (1, 0)
+    assert "The page of ada is incomplete (" in summary.text
+    after = {path.name.split("-")[0]: path.read_text() for path in (out / "learners").iterdir()}
+    assert (after["bob"], after["zoe"]) == (before["bob"], before["zoe"])
+    assert "details of this page could not be written" in after["ada"] and "of 6</small>" in after["ada"]
+    assert "The page of <b><bdi>ada</bdi></b>" in (out / "summary.html").read_text()
+
+
+# ---------------------------------------------------------------- one cause for every check
+
+ALIKE = {
+    "syntax": "def double(pixels)\n    return pixels",
+    "refused": "import cv2\n\ndef double(pixels):\n    return cv2.add(pixels, pixels)",
+    "endless": "def double(pixels):\n    while True:\n        pass",
+    "ending": "import os\n\ndef double(pixels):\n    os._exit(0)",
+    "overflow": "def double(pixels):\n    return (pixels * 300) // 150",
+    "nameless": "def double(pixels):\n    return cv9.add(pixels, pixels)",
+    "at-times": "def double(pixels):\n    assert len(pixels) < 9\n    return pixels",
+    "quotes": "def double(pixels):\n    I don\u2019t know",
+    "unknown": "@cv.fast\ndef double(pixels):\n    return pixels",
+    "deleted": None,
+    "behind": "def double(pixels):\n    raise NotImplementedError('your turn')",
+}
+
+
+@pytest.fixture(scope="module")
+def alike(light, key_path, tmp_path_factory):
+    """{learner: the part of their page about light-double}, and "summary": the teacher's page."""
+    folder = tmp_path_factory.mktemp("alike")
+    for name, source in ALIKE.items():
+        made = notebook(light, {"light-double": source, "light-halves": answers_of(light, 0)["light-halves"]})
+        place = [cell["id"] for cell in made["cells"]].index("answer-light-double")
+        if source is None:
+            del made["cells"][place]
+        if name == "behind":
+            other = {"id": "mine", "source": answers_of(light, "right")["light-double"]}
+            made["cells"].insert(place + 1, made["cells"][place] | other)
+        write(folder / "submissions" / name / "20_light.ipynb", made)
+    out = folder / "grades"
+    grade_submissions(folder / "submissions", [key_path], out, workers=1, quiet=True)
+    found = {"summary": (out / "summary.html").read_text(encoding="utf-8")}
+    for path in (out / "learners").iterdir():
+        text = html.unescape(path.read_text(encoding="utf-8"))
+        found[path.stem.rpartition("-")[0]] = text.partition("Twice as bright")[2].partition("Two halves")[0]
+    return found
+
+
+@pytest.mark.parametrize(
+    ("name", "cause", "advice"),
+    [
+        ("syntax", "(expected ':'). One change makes it Python: 'def double(", "run the cell in the lesson"),
+        ("quotes", "SyntaxError: invalid character '\u2019' (U+2019)", "Type ' or \" there."),
+        ("unknown", "statement in its cell fails: NameError: name 'cv'", "Nothing has the name cv here."),
+        ("refused", "Write this exercise without cv2", "write it by hand"),
+        ("endless", "double() used more than 1 s of processor time.", "loop whose condition stays true"),
+        (
+            "overflow",
+            "OverflowError: Python integer 300 out of bounds for uint8 (line 2: return",
+            "300 does not fit into uint8, the dtype of the array, so the values would overflow",
+        ),
+        ("ending", "", "no os._exit()"),
+        ("deleted", "Its answer cell (answer-light-double) is missing.", "<code>imgproc-course check</code>"),
+    ],
+)
+def test_one_cause_of_every_failure_replaces_the_hints(alike, name, cause, advice):
+    text = alike[name]
+    assert text.count(cause) == 1 or not cause
+    assert text.count(advice) == 1 and "Hint:" not in text
+    assert text.count('class="failed"') == 2
+    assert "Double()" not in text and "answer cell is missing" not in text
+
+
+def test_an_undefined_name_shows_what_grading_runs_and_the_hints(alike):
+    assert alike["nameless"].count("nothing else of the notebook") == 1
+    assert alike["nameless"].count("Hint:") == 2
+
+
+def test_checks_with_different_outcomes_keep_their_hints(alike):
+    assert alike["at-times"].count("Hint:") == 2 and "AssertionError" in alike["at-times"]
+
+
+def test_an_answer_in_another_cell_is_listed_for_the_teacher(alike):
+    _, _, looked_at = alike["summary"].partition("<h2>May have lost points unfairly</h2>")
+    rows = looked_at.partition("</section>")[0].split("<tr>")
+    assert not [row for row in rows if "<bdi>behind</bdi>" in row]  # it lost no points
+    _, _, unusual = alike["summary"].partition("<h2>Also unusual</h2>")
+    (row,) = [row for row in unusual.split("<tr>") if "<bdi>behind</bdi>" in row]
+    assert "graded from another cell" in row and "defines double()" in row
+    assert not [row for row in rows if "<bdi>quotes</bdi>" in row]  # no slip
+
+
+def similar_page(folder):
+    """The page of similar submissions: two answers of a hundred lines, side by side."""
+    source = "\n".join(f"line_{number} = {EVIL!r} * {number}" for number in range(100))
+    versions = tuple(Version((name,), source, frozenset({1, 2, 99})) for name in ("ada", NAME))
+    names = ["ada", NAME, *(f"learner {number}" for number in range(40))]
+    many = SimilarGroup("light", 1.0, tuple(names), {"light-double": (Version(names, source, frozenset()),)})
+    group = SimilarGroup("light", 0.9, ("ada", NAME), {"light-double": versions})
+    path = folder / "similar.html"
+    path.write_text(similarity_page([many, group], {name: name for name in names}), encoding="utf-8")
+    return path
+
+
+@pytest.mark.browser
+def test_the_pages_in_a_browser(pages, tmp_path):
+    from playwright.sync_api import sync_playwright
+
+    options = ["--no-sandbox", "--disable-gpu", "--disable-quic", "--no-first-run"]
+    options += ["--disable-background-networking", "--disable-component-update", "--disable-sync"]
+    with sync_playwright() as playwright:
+        browser = playwright.chromium.launch(executable_path=shutil.which("chromium"), args=options)
+        page = browser.new_page(viewport={"width": 1000, "height": 900})
+        complaints = []
+        page.on("console", lambda message: complaints.append(message.text))
+        page.on("dialog", lambda dialog: complaints.append("a dialog"))
+        pages = pages | {"similar": similar_page(tmp_path)}
+        for path in pages.values():
+            page.goto(path.as_uri())
+            page.eval_on_selector_all("details", "all => all.forEach(each => each.open = true)")
+            assert page.evaluate("document.documentElement.scrollWidth") <= 1000
+            assert page.evaluate("getComputedStyle(document.querySelector('main')).maxWidth") == "992px"
+            for theme in ("light", "dark"):
+                page.emulate_media(color_scheme=theme)
+                assert violations(page) == []
+        page.set_viewport_size({"width": 400, "height": 900})
+        for path in pages.values():
+            page.goto(path.as_uri())
+            assert page.evaluate("document.documentElement.scrollWidth") <= 400
+            apart = "all => all.map(each => [each.firstElementChild, each.lastElementChild])"
+            apart += ".filter(([title, points]) => points.textContent.trim() && "
+            apart += "points.getBoundingClientRect().top > title.getBoundingClientRect().top + 20).length"
+            assert page.eval_on_selector_all(".line", apart) == 0  # points stand beside their title
+            displays = "all => [...new Set(all.map(each => getComputedStyle(each).display))]"
+            assert page.eval_on_selector_all("table.stack td:not(.drawn)", displays) in ([], ["block"])
+        page.goto(pages["similar"].as_uri())
+        page.eval_on_selector_all("details", "all => all.forEach(each => each.open = true)")
+        page.emulate_media(media="print")
+        lost = "all => all.map(each => each.scrollHeight - each.clientHeight)"
+        assert page.eval_on_selector_all("pre.source", lost) == [0, 0, 0]  # paper does not scroll
+        page.goto(pages["ada"].as_uri())
+        widths = page.eval_on_selector_all("figure img", "all => all.map(each => each.naturalWidth)")
+        assert widths == [192, 192, 192, 192]
+        browser.close()
+    assert complaints == []
+
+
+# ---------------------------------------------------------------- values and images
+
+
+def case_of(given, actual, expected):
+    forms = [canonical(value) for value in (given, actual, expected)]
+    return {"given": [forms[0]], "actual": forms[1], "expected": forms[2]}
+
+
+def pixels_of(image):
+    return np.asarray(Image.open(io.BytesIO(image.png)))
+
+
+def test_a_small_array_is_a_table_with_marked_differences():
+    case = case_of(0, np.array([[1, 2]]), np.array([[1, 3]]))
+    wrong = differing_elements(case["expected"], case["actual"], 0)
+    value = value_of("returned", case["actual"], wrong)
+    assert value.rows == ((("1", False), ("2", True)),)
+    assert value.description == "an array of shape (1, 2), int64"
+
+
+def test_images_are_drawn_from_pixels_blue_first():
+    bgr = np.zeros((20, 20, 3), np.uint8)
+    bgr[..., 0] = 200
+    other = bgr.copy()
+    other[0, 0, 1] = 9
+    form, expected = canonical(bgr), canonical(other)
+    given, back, wanted, differs = answer_images(
+        form, "", expected, form, differing_elements(expected, form, 0)
+    )
+    assert pixels_of(given)[0, 0].tolist() == pixels_of(back)[0, 0].tolist() == [0, 0, 200]
+    assert pixels_of(wanted)[0, 0].tolist() == [0, 9, 200]
+    assert pixels_of(differs)[0, 0].tolist() == [200, 40, 40]
+    assert pixels_of(differs)[-1, -1].tolist() == [238, 240, 243]
+    assert (back.width, back.height) == (200, 200)
+    assert "1 of 400 pixels differ, the first at row 0, col 0" in differs.alt
+
+
+def test_images_of_floats_share_their_limits_and_allow_nan_and_infinity():
+    actual = np.full((20, 20), np.nan)
+    actual[0] = [-1.0] * 10 + [np.inf] * 10
+    expected = np.linspace(0, 3, 400).reshape(20, 20)
+    _, back, wanted, _ = answer_images(
+        canonical(expected), "", canonical(expected), canonical(actual), np.ones((20, 20), bool)
+    )
+    assert "black -1, white 3" in back.caption and "black -1, white 3" in wanted.caption
+    assert pixels_of(wanted)[0, 0] == 64 and pixels_of(back)[0, -1] == 255 and pixels_of(back)[5, 5] == 0
+
+
+@pytest.mark.parametrize(
+    "value", [np.zeros((0, 9)), np.zeros((500, 1)), np.zeros((3, 3, 3, 50)), "x", None, 3]
+)
+def test_a_value_that_is_no_image_is_not_drawn(value):
+    form = canonical(value)
+    assert answer_images(form, "", form, form, None) == []
+    assert value_of("returned", form).description
+
+
+def test_hostile_forms_are_shown_as_text():
+    nested = canonical([[[[["<b>\u202e"]]]]])
+    assert "\u202e" not in value_of("x", nested).description
+    assert value_of("x", canonical({"a": {"b": "\ud800"}})).description.encode("utf-8")
+    assert value_of("x", None).description == "nothing was returned"
+
+
+# ---------------------------------------------------------------- text
+
+
+def test_invisible_characters_are_escaped():
+    assert sanitize_text("a\u202eb\x1b[0m\n\ud800é") == "a\\u202eb\\x1b[0m\n\\ud800é".replace(
+        "\\x1b", "\\u001b"
+    )
+    assert sanitize_line("a\nb\tc") == "a\\nb\\tc"
+    assert sanitize_text("x" * 400, 10) == "x" * 9 + "…"
+
+
+@pytest.mark.parametrize(
+    "text", ["=1+1", "+1", "-1", "@SUM(A1)", "\t=1", "\r=1", " =1", "＝1", '"=1', "'=1", "\n-1"]
+)
+def test_no_table_cell_looks_like_a_formula(text):
+    assert spreadsheet_text(text).startswith("'")
+
+
+def test_what_follows_a_semicolon_is_no_formula_either():
+    """A spreadsheet whose cells are separated by semicolons splits a text of ours there."""
+    assert spreadsheet_text("x;=1+1;y") == "x;'=1+1;y"
+    assert spreadsheet_text('x; "-1') == "x; \"'-1"
+    assert without_apostrophes(spreadsheet_text("=x;=1+1; @y")) == "=x;=1+1; @y"
+
+
+def test_other_table_cells_are_unchanged():
+    assert spreadsheet_text("Ada = Lovelace") == "Ada = Lovelace"
+    assert spreadsheet_text(-3.5) == -3.5 and spreadsheet_text("") == ""

@@ -1,0 +1,278 @@
+"""The teacher's pages: what to look at, lines for decisions, predictions, changes, ids, feedback zips."""
+
+import html
+import io
+import json
+import re
+import zipfile
+from datetime import datetime
+
+import pytest
+from submissions import answers_of, cell_of, notebook, write
+
+from imgproc_course.classroom.gradebook.changes import changes_between
+from imgproc_course.classroom.gradebook.grade import grade_submissions
+from imgproc_course.classroom.gradebook.summary import _concerns
+
+pytestmark = pytest.mark.sandbox
+MOODLE = "Ada_B Lovelace_12345_assignsubmission_file_"
+EVIL = "<script>alert(1)</script>"
+
+
+@pytest.fixture(scope="module")
+def class_folder(light, key_path, tmp_path_factory):
+    folder = tmp_path_factory.mktemp("class")
+    right = answers_of(light, "right")
+    write(folder / "in" / MOODLE / "20_light.ipynb", guessing(light, right, "12  # your guess: how many?"))
+    write(folder / "in" / "lovelacebob_LATE_77_100_20_light-1.ipynb", guessing(light, right, EVIL))
+    cheating = guessing(
+        light, right | {"light-double": "def double(p):\n    import os\n    os._exit(0)"}, "12"
+    )
+    write(folder / "in" / "eve" / "20_light.ipynb", cheating)
+    write(folder / "in" / "Zoe, =1+1" / "20_light.ipynb", b"{")
+    return folder
+
+
+def guessing(light, answers, guess):
+    made = notebook(light, answers)
+    source = f"# mine\nguess_sum = {guess}"
+    made["cells"].insert(
+        1, cell_of(made, "answer-light-double") | {"id": "predict-light-1", "source": source}
+    )
+    return made
+
+
+@pytest.fixture(scope="module")
+def graded(class_folder, key_path):
+    """(the summary of a run, its folder)"""
+    out = class_folder / "out"
+    return grade_submissions(class_folder / "in", [key_path], out, workers=1, quiet=True), out
+
+
+def rows_of(out, heading):
+    text = (out / "summary.html").read_text(encoding="utf-8")
+    return text.partition(f"<h2>{heading}</h2>")[2].partition("</section>")[0].split("<tr>")[2:]
+
+
+def test_who_may_have_lost_points_comes_first_and_the_dishonest_last(graded):
+    headings = re.findall(r"<h2>(.*?)</h2>", (graded[1] / "summary.html").read_text(encoding="utf-8"))
+    assert headings[0] == "May have lost points unfairly" and headings[-1] == "Perhaps dishonest"
+    (row,) = rows_of(graded[1], "May have lost points unfairly")
+    assert "could not be graded: " in row and "<bdi>Zoe, =1+1</bdi>" in row
+    (row,) = rows_of(graded[1], "Perhaps dishonest")
+    assert "light-double: ended the Python process" in row and "<bdi>eve</bdi>" in row
+
+
+def test_the_top_names_who_sent_what_under_another_name(light, submissions, key_path, tmp_path):
+    write(submissions / "ada" / "20_light.ipynb", b"{")
+    out = tmp_path / "out"
+    for name in ("mallory", "noah"):
+        with zipfile.ZipFile(submissions / f"{name}.zip", "w") as archive:
+            archive.writestr("ada/20_light.ipynb", json.dumps(notebook(light)))
+    grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
+    text = (out / "summary.html").read_text(encoding="utf-8")
+    top, *sections = text.split("<section")
+    assert "in what arrived from <b><bdi>mallory</bdi></b>, <b><bdi>noah</bdi></b>: see" in top
+    assert [re.search("<h2>(.*?)</h2>", section)[1] for section in sections[:2]] == [
+        "May have lost points unfairly",
+        "What arrived",
+    ]
+    assert 'href="#arrived"' in top and 'id="arrived"' in sections[1]
+    rows = rows_of(out, "What arrived")
+    assert ["mallory" in rows[0], "noah" in rows[1], len(rows)] == [True, True, 2]
+
+
+def test_each_line_can_be_copied_into_the_decisions(graded, class_folder, key_path, tmp_path):
+    lines = [
+        html.unescape(re.search(r"<code>(.*?)</code>", row)[1])
+        for heading in ("May have lost points unfairly", "Perhaps dishonest")
+        for row in rows_of(graded[1], heading)
+    ]
+    assert lines == [
+        '"Zoe, =1+1",light,,6,looked at by hand',
+        "eve,light,light-double,0,looked at by hand",
+    ]
+    decisions = tmp_path / "decisions.csv"
+    decisions.write_text("\n".join(["learner,lesson,exercise,points,comment", *lines]))
+    out = tmp_path / "out"
+    grade_submissions(class_folder / "in", [key_path], out, decisions=decisions, workers=1, quiet=True)
+    grades = json.loads((out / "grades.json").read_text())
+    assert {entry["name"]: entry["points"] for entry in grades["learners"]}["Zoe, =1+1"] == 6
+    assert "May have lost points" not in (out / "summary.html").read_text()
+
+
+def test_a_hundred_files_of_one_learner_do_not_hide_the_others(light, submissions, key_path, tmp_path):
+    write(submissions / "zoe" / "20_light.ipynb", b"{")
+    for number in range(50):
+        write(submissions / "eve" / f"{number}.ipynb", notebook(light) | {"cells": [], "metadata": {}})
+    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
+    rows = rows_of(tmp_path / "out", "May have lost points unfairly")
+    assert [("eve" in row, "zoe" in row) for row in rows] == [(True, False)] * 3 + [(False, True)]
+    assert "47 more files of theirs could not be graded" in rows[2]
+
+
+def test_practice_is_no_reason_for_a_decision_on_the_whole_lesson(masters, submissions, key_path, tmp_path):
+    made = notebook(masters["sound"])
+    made["cells"].remove(cell_of(made, "answer-sound-practice"))
+    write(submissions / "ada" / "21_sound.ipynb", made)
+    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
+    assert rows_of(tmp_path / "out", "May have lost points unfairly") == []
+    (row,) = rows_of(tmp_path / "out", "Also unusual")
+    assert "sound-practice: its answer cell" in row
+
+
+def test_a_lost_name_and_a_file_of_ones_own_are_not_dishonest(light, submissions, key_path, tmp_path):
+    right = answers_of(light, "right")
+    own_file = "from mine import twice\ndef double(pixels):\n    return twice(pixels)"
+    write(submissions / "ada" / "20_light.ipynb", notebook(light, right | {"light-double": own_file}))
+    (submissions / "ada" / "mine.py").write_text("def twice(pixels):\n    return pixels\n")
+    write(submissions / "bob" / "20_light.ipynb", notebook(light, right | {"light-double": USES_CV2}))
+    typo = "def Double(pixels):\n    return pixels"
+    write(submissions / "cy" / "20_light.ipynb", notebook(light, right | {"light-double": typo}))
+    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
+    ada, cy = rows_of(tmp_path / "out", "May have lost points unfairly")
+    assert "light-double: it imports mine, a file of their own; only notebooks are graded" in ada
+    assert "ada,light,light-double,3,looked at by hand" in ada
+    assert "its answer cell does not define double(), but Double()" in cy
+    (bob,) = rows_of(tmp_path / "out", "Perhaps dishonest")
+    assert "light-double: uses a module that this exercise does not allow: cv2" in bob
+
+
+def test_slips_may_be_unfair_and_other_cells_that_do_not_run_are_a_list(
+    light, submissions, key_path, tmp_path
+):
+    answers = {
+        "ada": "def double(pixels):\n    retrun pixels",
+        "bob": "def double(pixels):\n    return \u201cpixels\u201d",
+        "cy": "def double(pixels):\n    I do not know",
+        "di": "def double(pixels, most=the_most):\n    return pixels",
+        "eli": "def double(pixels):\n    return pixels + unknown",
+        "fay": "",
+    }
+    right = answers_of(light, "right")
+    for name, source in answers.items():
+        write(submissions / name / "20_light.ipynb", notebook(light, right | {"light-double": source}))
+    grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
+    ada, bob = rows_of(tmp_path / "out", "May have lost points unfairly")
+    assert "light-double: line 2 of its answer cell is not Python: retrun pixels (invalid syntax)." in ada
+    assert "<code>ada,light,light-double,3,looked at by hand</code>" in ada
+    assert "\u201c is no character of Python" in bob and "bob,light,light-double,3" in bob
+    cy, di = rows_of(tmp_path / "out", "Answers that do not run")
+    assert "light-double: line 2 of its answer cell is not Python: I do not know (invalid syntax)" in cy
+    assert "0 of 3" in cy and "<code>" not in cy
+    assert "light-double: its cell does not run: NameError: name &#39;the_most&#39; is not defined" in di
+
+
+def test_an_answer_that_does_not_run_is_listed_until_it_is_decided(light, submissions, key_path, tmp_path):
+    answers = answers_of(light, "right") | {"light-double": "def double(pixels):\n    I do not know"}
+    write(submissions / "ada" / "20_light.ipynb", notebook(light, answers))
+    decisions, out = tmp_path / "decisions.csv", tmp_path / "out"
+    decisions.write_text("learner,lesson,exercise,points\nada,light,light-double,0\n")
+    grade_submissions(submissions, [key_path], out, decisions=decisions, workers=1, quiet=True)
+    assert rows_of(out, "Answers that do not run") == []
+
+
+USES_CV2 = "import cv2\ndef double(pixels):\n    return cv2.add(pixels, pixels)"
+
+
+def test_answers_without_marks_are_one_row_and_one_sentence():
+    findings = [
+        {"kind": "message", "exercise": f"a-{n}", "text": f"graded from another cell (cell number {n}), which"
+         f" defines f{n}(): its answer cell (answer-a-{n}) is missing"}
+        for n in range(3)
+    ]  # fmt: skip
+    entries = [
+        {"id": f"a-{n}", "cases": [], "points": 2, "max_points": 2, "autograded_points": 2, "decision": None}
+        for n in range(3)
+    ]
+    lesson = {
+        "lesson": "a", "decision": None, "status": "graded", "late_deduction": 0, "late": False, "points": 6,
+        "max_points": 6, "autograded_points": 6, "earlier": [], "findings": findings, "exercises": entries,
+    }  # fmt: skip
+    (concern,) = _concerns([({"name": "ada"}, lesson)], set())
+    assert concern["list"] == "other" and concern["points"] == 6
+    assert concern["texts"] == [
+        "its answers were found by the names of their functions, because their answer cells are missing: a-0,"
+        " a-1, a-2"
+    ]
+
+
+def test_one_learner_and_one_lesson_are_not_plural(light, submissions, key_path, tmp_path):
+    write(submissions / "ada.ipynb", notebook(light))
+    summary = grade_submissions(submissions, [key_path], tmp_path / "out", workers=1, quiet=True)
+    assert summary.text.startswith("1 learner, 1 lesson graded (1 in this run)")
+    text = (tmp_path / "out" / "summary.html").read_text()
+    assert "<b>1</b>learner<" in text and "of 1 submission graded" in text
+
+
+def test_predictions_are_collected_as_text(graded):
+    text = (graded[1] / "predictions.html").read_text(encoding="utf-8")
+    assert "guess_sum: how many?</caption>" in text
+    row = text.partition("<code>12</code>")[2].partition("</tr>")[0]
+    assert "<bdi>Ada_B Lovelace</bdi>" in row and "<bdi>eve</bdi>" in row
+    assert "<code>&lt;script&gt;alert(1)&lt;/script&gt;</code>" in text and "<script" not in text
+    assert 'href="predictions.html"' in (graded[1] / "summary.html").read_text(encoding="utf-8")
+
+
+def test_the_zips_of_feedback_have_the_names_that_moodle_and_canvas_read(graded):
+    with zipfile.ZipFile(graded[1] / "exports" / "moodle-feedback-light.zip") as archive:
+        (name,) = archive.namelist()
+        page = archive.read(name)
+    assert name == "Ada B Lovelace_12345_assignsubmission_file/feedback.html"
+    assert page == next((graded[1] / "learners").glob("ada-b-*.html")).read_bytes()
+    with zipfile.ZipFile(graded[1] / "exports" / "canvas-feedback-light.zip") as archive:
+        assert archive.namelist() == ["lovelacebob_LATE_77_100_20_light-1.html"]
+
+
+def test_an_excused_lesson_is_a_change_by_that_word():
+    lesson = {"lesson": "light", "status": "graded", "points": 4, "max_points": 6, "exercises": []}
+    before, after = (
+        {"learners": [{"name": "Bob", "page": "", "lessons": [lesson | more]}]}
+        for more in ({}, {"points": 0, "max_points": 0, "decision": {"excused": True}})
+    )
+    (change,) = changes_between(before, after)
+    assert (change["before"], change["after"]) == ("4 of 6", "excused")
+
+
+def test_the_changes_since_the_run_before(light, submissions, key_path, tmp_path):
+    options = {"workers": 1, "quiet": True}
+    write(submissions / "ada.ipynb", notebook(light, answers_of(light, "right")))
+    write(submissions / "bob.ipynb", notebook(light, answers_of(light, "right")))
+    out = tmp_path / "out"
+    grade_submissions(submissions, [key_path], out, **options)
+    assert not (out / "changes.html").exists()
+    (out / "decisions.csv").write_text("learner,lesson,points\nbob,light,2\n")
+    grade_submissions(submissions, [key_path], out, **options)
+    text = (out / "changes.html").read_text()
+    row = re.sub(r"<.*?>", " ", text.partition("<tbody>")[2].partition("</tbody>")[0]).split()
+    assert row == ["bob", "light", "6", "of", "6", "2", "of", "6,", "decided", "by", "hand"]
+    grade_submissions(submissions, [key_path], out, **options)
+    assert (out / "changes.html").read_text() == text  # nothing changed: the last change stays
+    before = json.loads((out / "grades.previous.json").read_text())
+    assert [learner["points"] for learner in before["learners"]] == [6, 6]
+
+
+def test_anonymous_pages_show_no_name(class_folder, graded, key_path, tmp_path):
+    out = tmp_path / "out"
+    shown = {"workers": 1, "quiet": True, "anonymous": True, "deadline": datetime(2026, 11, 1)}
+    grade_submissions(class_folder / "in", [key_path], out, **shown)
+    grades = json.loads((out / "grades.json").read_text())
+    for learner in grades["learners"]:
+        assert re.fullmatch(r"learners/learner-[0-9a-f]{10}\.html", learner["page"])
+    pages = [*out.glob("*.html"), *(out / "learners").iterdir()]
+    assert len(pages) == 6
+    for path in pages:
+        text = path.read_text(encoding="utf-8")
+        assert not re.search("lovelace|zoe|eve\\b|20_light", text, re.I), path.name
+    (row,) = rows_of(out, "Perhaps dishonest")
+    line = re.search(r"<code>(.*?)</code>", row)[1]
+    assert re.match("learner-[0-9a-f]{10},light,light-double,0,", line)
+    (out / "decisions.csv").write_text(
+        "learner,lesson,exercise,points,comment\n" + line.replace(",0,", ",1,")
+    )
+    grade_submissions(class_folder / "in", [key_path], out, **shown)
+    grades = json.loads((out / "grades.json").read_text())
+    (eve,) = [learner for learner in grades["learners"] if learner["name"] == "eve"]
+    assert eve["lessons"][0]["exercises"][0]["points"] == 1
+    with zipfile.ZipFile(io.BytesIO((out / "exports" / "moodle-feedback-light.zip").read_bytes())) as archive:
+        assert archive.namelist() == ["Ada B Lovelace_12345_assignsubmission_file/feedback.html"]
