@@ -40,6 +40,7 @@ import click
 from rich.console import Console
 from rich.table import Table
 
+from imgproc_course.classroom.authoring.masters import find_masters
 from imgproc_course.classroom.exercises import CheckResult, read_exercises, run_cases
 from imgproc_course.classroom.exercises.cell_runs import CellRuns
 from imgproc_course.classroom.exercises.percent_script import read_script
@@ -158,7 +159,7 @@ def judge(answer, result, text):
 
 @cache
 def _exercises():
-    masters = sorted((ROOT / "notebooks" / "masters").glob("[0-9]*.py"))
+    masters = find_masters(ROOT / "notebooks" / "masters")
     return {exercise.id: exercise for path in masters for exercise in read_exercises(path)}
 
 

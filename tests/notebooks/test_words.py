@@ -23,7 +23,7 @@ def test_no_lesson_uses_a_term_before_a_lesson_introduces_it_or_a_link_explains_
 
 
 def test_masters_refer_to_lessons_by_name():
-    paths = [*find_masters(MASTERS), MASTERS / GLOSSARY]
+    paths = [*find_masters(MASTERS), *MASTERS.glob("*.mistakes.py"), MASTERS / GLOSSARY]
     numbered = [
         f"{path.name}: {match[0]}" for path in paths for match in NUMBERED.finditer(path.read_text("utf-8"))
     ]

@@ -93,11 +93,22 @@ Roles (`role="..."` in a code cell's header; every other value is JSON: "text", 
                header. The solution gives the expected values; nobody writes them down. Dropped.
     hidden     the same, run only in grading. Dropped.
     mistake    a wrong answer that learners give, with `name` and what it `says` to the learner. It may call
-               the right answer, `solution(...)`, and change its result. Dropped.
+               the right answer, `solution(...)`, and change its result. Dropped. See Known mistakes.
     predict    the learner's guess, before the result: `guess_share = None  # how many percent?`. Its id is
                `predict-<lesson>-<n>`. It belongs to no exercise. See Predictions.
     After the declaration, a role cell belongs to the last declared exercise, or to the one that `exercise=`
     names.
+
+Known mistakes
+    They stand in the master, or, when there are many, in `NN_name.mistakes.py` beside it, below a heading
+    for each exercise. Nothing else stands there but comments in Markdown:
+
+        # %% [markdown]
+        # # template-double
+
+        # %% role="mistake" name="one too many" says="You return 2 * pixels + 1: where does the 1 come from?"
+        def double(pixels):
+            return solution(pixels) + 1
 
 Predictions
     A Markdown cell that says **Predict** is followed by a predict cell, and that by a cell that computes the
@@ -141,7 +152,7 @@ from imgproc_course.classroom.authoring.lesson_names import LESSON_FILE, lesson_
 from imgproc_course.classroom.authoring.references import References
 from imgproc_course.classroom.authoring.rules import FOLDED_LINES, VARYING_TAG, master_problems
 from imgproc_course.classroom.exercises.declaration import MasterError, read_exercises
-from imgproc_course.classroom.exercises.percent_script import DROPPED_ROLES, read_script
+from imgproc_course.classroom.exercises.percent_script import DROPPED_ROLES, MISTAKES_SUFFIX, read_script
 
 _SOURCES = ("stub", "solution", "preparation")  # fields of an Exercise that are Python
 _TEXTS = ("title", "hint", "border_hint", "explanation", "another_way")
@@ -223,8 +234,13 @@ def find_masters(folder, names=()):
 
     Raises
     ------
-    MasterError : no such folder, no master in it, two of one name, or a name of no lesson or of several
+    MasterError : no such folder, no master in it, two of one name, known mistakes without their master, or a
+        name of no lesson or of several
     """
+    for path in sorted(Path(folder).glob(f"*{MISTAKES_SUFFIX}")):
+        master = path.with_name(path.name.removesuffix(MISTAKES_SUFFIX) + ".py")
+        if not master.exists():
+            raise MasterError(f"{path}: there is no {master.name}; rename it like its master, or delete it")
     return _find(folder, names, "masters", "a master", ".py")
 
 

@@ -35,7 +35,7 @@ def new_lesson(name, folder):
             f"{name!r} cannot name a lesson; use letters and digits, as in brightness or 30_brightness"
         )
     path, name_part = folder / f"{stem}.py", stem[3:]
-    for other in sorted(folder.glob(f"[0-9][0-9]_{name_part}.py")):  # the number is only its place
+    for other in sorted(folder.glob(f"[0-9][0-9]_{name_part}.*py")):  # the number is only its place
         raise MasterError(f"{other}: a lesson with that name exists; choose another name")
     text = TEMPLATE.read_text(encoding="utf-8")
     text = text.replace("LESSON-TITLE", name_part.replace("_", " ").capitalize())

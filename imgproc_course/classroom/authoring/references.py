@@ -18,7 +18,7 @@ from pathlib import Path
 
 from imgproc_course.classroom.authoring.glossary import GLOSSARY, read_glossary
 from imgproc_course.classroom.authoring.lesson_names import LESSON_FILE
-from imgproc_course.classroom.exercises.percent_script import MasterError, read_script
+from imgproc_course.classroom.exercises.percent_script import MISTAKES_SUFFIX, MasterError, read_script
 
 _IN_PROSE = re.compile(
     r"(?P<code>(?<!`)(?P<ticks>`{1,3})(?!`).+?(?<!`)(?P=ticks)(?!`))|\[\[(?P<target>[A-Za-z][^\[\]]*)\]\]",
@@ -145,9 +145,15 @@ class References:
         return f"{self._place(target)}: [[{target}]] names no {kind}; {advice}"
 
     def _place(self, target):
-        lines = self._path.read_text(encoding="utf-8").splitlines()
-        line = next((number for number, line in enumerate(lines, 1) if f"[[{target}]]" in line), 0)
-        return f"{self._path.name}, line {line}"
+        files = (self._path, self._path.with_suffix(MISTAKES_SUFFIX))
+        places = (
+            f"{file.name}, line {number}"
+            for file in files
+            if file.exists()
+            for number, line in enumerate(file.read_text(encoding="utf-8").splitlines(), 1)
+            if f"[[{target}]]" in line
+        )
+        return next(places, self._path.name)
 
 
 def _capitalized(words, match, text):

@@ -12,7 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
-from imgproc_course.classroom.exercises.percent_script import ROLES, MasterError, read_script
+from imgproc_course.classroom.exercises.percent_script import MISTAKES_SUFFIX, ROLES, MasterError, read_script
 
 PUBLIC_SEED = 20_240_501  # what `check` draws its inputs from; a teacher's key has a seed of its own
 
@@ -126,7 +126,6 @@ class Mistake:
     name: str
     says: str
     source: str
-    line: int
 
 
 @dataclass(frozen=True)
@@ -240,7 +239,7 @@ def _run(source, names, place):
 
 
 def read_exercises(path):
-    """The exercises that a master declares, in order.
+    """The exercises that a master declares, in order, with the known mistakes in the file beside it.
 
     Parameters
     ----------
@@ -255,7 +254,8 @@ def read_exercises(path):
     MasterError : what is wrong with the declaration, and in which line
     """
     path = Path(path)
-    return _read_exercises(path, path.stat().st_mtime_ns)
+    files = (path, path.with_suffix(MISTAKES_SUFFIX))
+    return _read_exercises(path, tuple(file.stat().st_mtime_ns for file in files if file.exists()))
 
 
 @lru_cache(maxsize=64)
@@ -283,6 +283,7 @@ def _read_exercises(path, _modified):
         for owner in owners:
             if owner not in headings:
                 raise MasterError(f"{place}: exercise={owner!r} is not declared in this master")
+    owned_cells += _cells_beside(path, headings)
     return tuple(
         _assemble(
             path,
@@ -292,6 +293,28 @@ def _read_exercises(path, _modified):
         )
         for id, heading in headings.items()
     )
+
+
+def _cells_beside(path, headings):
+    """(cell, its owner as a list, its place) of each known mistake in the file beside a master."""
+    file, owner = path.with_suffix(MISTAKES_SUFFIX), None
+    for cell in read_script(file).cells if file.exists() else ():
+        place = f"{file.name}, line {cell.line}" if cell.line else file.name
+        if cell.kind == "markdown":
+            if not cell.source.startswith("# "):
+                continue
+            owner = cell.source.removeprefix("# ").strip()
+            if owner not in headings:
+                raise MasterError(
+                    f"{place}: no exercise {owner!r} in {path.name}; a heading names one of"
+                    f" {', '.join(headings) or 'none'}"
+                )
+        elif cell.role != "mistake" or cell.options.get("exercise", owner) != owner:
+            raise MasterError(f'{place}: only role="mistake" cells of the exercise in the heading stand here')
+        elif owner is None:
+            raise MasterError(f"{place}: a mistake before any heading; write its exercise above: # # an-id")
+        else:
+            yield cell, [owner], place
 
 
 def _heading(cell, place):
@@ -323,7 +346,7 @@ def _assemble(path, heading, preparation, cells):
     cases = [_case(heading, cell, place, k) for k, (cell, place) in enumerate(cells_by_role["case"], 1)]
     cases += [_case(heading, cell, place, k) for k, (cell, place) in enumerate(cells_by_role["hidden"], 1)]
     mistakes = [
-        Mistake(_text(cell, "name", place), _text(cell, "says", place), cell.source, cell.line)
+        Mistake(_text(cell, "name", place), _text(cell, "says", place), cell.source)
         for cell, place in cells_by_role["mistake"]
     ]
     return Exercise(

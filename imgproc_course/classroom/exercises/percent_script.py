@@ -11,6 +11,7 @@ from pathlib import Path
 
 ROLES = ("given", "exercise", "answer", "solution", "check", "case", "hidden", "mistake", "predict")
 DROPPED_ROLES = ("exercise", "solution", "case", "hidden", "mistake")  # what a learner does not get
+MISTAKES_SUFFIX = ".mistakes.py"  # of the file beside a master that holds its known mistakes
 
 _ROLE_HEADER = re.compile(r"# ?%%(?!%).*\brole=")
 _UNREADABLE = "incorrectly_encoded_metadata"  # where jupytext puts a header that it cannot read

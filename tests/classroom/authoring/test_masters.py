@@ -174,6 +174,12 @@ def test_lessons_are_found_by_number_and_by_name(write_master, tmp_path):
         find_masters(folder, ["0"])
     with pytest.raises(MasterError, match="no masters in"):
         find_masters(tmp_path)
+    beside = second.with_suffix(".mistakes.py")
+    beside.touch()
+    assert find_masters(folder) == [first, second]
+    beside.rename(folder / "03_images.mistakes.py")
+    with pytest.raises(MasterError, match=r"there is no 03_images\.py; rename it like its master"):
+        find_masters(folder)
     write_master(name="03_images")
     with pytest.raises(MasterError, match="two masters of the lesson images"):
         find_masters(folder)

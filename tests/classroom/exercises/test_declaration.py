@@ -73,6 +73,50 @@ def test_a_changed_master_is_read_again(write_master):
     assert read_exercises(path)[0].stub == "def double(pixels): ..."
 
 
+BESIDE = """# %% [markdown]
+# # test-double
+
+# %% [markdown]
+# Words about them.
+
+# %% role="mistake" name="one less" says="One too few."
+def double(pixels):
+    return solution(pixels) - np.uint8(1)
+"""
+
+
+def test_known_mistakes_stand_in_the_master_or_beside_it(write_master):
+    path = write_master()
+    assert len(read_exercises(path)[0].mistakes) == 2
+    path.with_suffix(".mistakes.py").write_text(BESIDE)
+    (exercise_read,) = read_exercises(path)
+    assert [mistake.name for mistake in exercise_read.mistakes] == ["wraps", "off by one", "one less"]
+    wrong = exercise_read.function_of(exercise_read.mistakes[2].source, "mistake", prepared=True)
+    np.testing.assert_array_equal(wrong(np.uint8([3])), np.uint8([5]))
+    path.with_suffix(".mistakes.py").write_text(BESIDE.replace("one less", "one too few"))
+    assert read_exercises(path)[0].mistakes[2].name == "one too few"
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "message"),
+    [
+        ("test-double", "test-triple", "no exercise 'test-triple' in 80_doubling.py; a heading names one of"),
+        ("# # test-double", "# Words.", "line 7: a mistake before any heading; write its exercise above"),
+        ("mistake", "case", 'line 7: only role="mistake" cells of the exercise in the heading'),
+        ('"mistake"', '"mistake" exercise="test-triple"', "line 7: only"),
+        (' role="mistake" name="one less" says="One too few."', "", "only role"),
+        (' says="One too few."', "", 'line 7: a mistake cell needs says="..." in its header'),
+    ],
+)
+def test_a_fault_in_the_file_of_known_mistakes_is_named(write_master, old, new, message):
+    path = write_master()
+    path.with_suffix(".mistakes.py").write_text(BESIDE.replace(old, new))
+    with pytest.raises(MasterError) as error:
+        read_exercises(path)
+    assert str(error.value).startswith("80_doubling.mistakes.py") and message in str(error.value)
+    assert "\n" not in str(error.value)
+
+
 @pytest.mark.parametrize(
     ("changed", "message"),
     [

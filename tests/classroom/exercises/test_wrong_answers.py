@@ -11,6 +11,7 @@ from pathlib import Path
 
 import pytest
 
+from imgproc_course.classroom.authoring.masters import find_masters
 from imgproc_course.classroom.exercises import MasterError, read_exercises
 from imgproc_course.classroom.exercises.checking import run_cases
 
@@ -21,11 +22,7 @@ _spec.loader.exec_module(wrong_answers)
 MASTERS = Path(__file__).parents[3] / "notebooks" / "masters"
 TABLES = {"table": wrong_answers.FOLDER, "fresh": wrong_answers.FRESH_FOLDER}
 FILES = [path for folder in TABLES.values() for path in sorted(folder.glob("*.py"))]
-EXERCISES = {
-    declared.id: declared
-    for path in sorted(MASTERS.glob("[0-9][0-9]_*.py"))
-    for declared in read_exercises(path)
-}
+EXERCISES = {declared.id: declared for path in find_masters(MASTERS) for declared in read_exercises(path)}
 KINDS = {
     "value",
     "dtype",

@@ -1,0 +1,114 @@
+# %% [markdown]
+# # tour-name
+
+# %% role="mistake" name="gray taken for binary" says="A gray image has up to 256 values, a binary image has two. Count the different values with np.unique."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "binarization" if operation == "grayscale" else operation
+
+# %% role="mistake" name="areas taken for lines" says="Not every image of two values is an edge image: binarization gives areas. Look at the share of white pixels, (after == 255).mean(). It is a number between 0 and 1: compare it with 0.2, not with 20."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "edges" if operation == "binarization" else operation
+
+# %% role="mistake" name="lines taken for areas" says="Not every image of two values is a binary image: edges have only 0 and 255, too. Edges are lines, so the share of white pixels is small. The share is the mean of the mask, (after == 255).mean(). The number of white pixels (sum) is not the share, and after.mean() is the mean gray level, from 0 to 255."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "binarization" if operation == "edges" else operation
+
+# %% role="mistake" name="lines and areas swapped" says="The two names are swapped. In an edge image the lines are thin, so less than a fifth of the pixels are white. A binary image has larger white areas."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return {"edges": "binarization", "binarization": "edges"}.get(operation, operation)
+
+# %% role="mistake" name="other name: gray" says="Your function returns \"gray\". The name in this exercise is \"grayscale\": use the four texts exactly as the task gives them."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "gray" if operation == "grayscale" else operation
+
+# %% role="mistake" name="other name: binary" says="Your function returns \"binary\". The name in this exercise is \"binarization\": use the four texts exactly as the task gives them."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "binary" if operation == "binarization" else operation
+
+# %% role="mistake" name="other name: edge" says="Your function returns \"edge\". The name in this exercise is \"edges\": use the four texts exactly as the task gives them."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "edge" if operation == "edges" else operation
+
+# %% role="mistake" name="other name: noise_removal" says="Your function returns \"noise_removal\". The name in this exercise is \"noise removal\", two words with a space: use the four texts exactly as the task gives them."
+def name_operation(before, after):
+    return solution(before, after).replace("noise ", "noise_")
+
+# %% role="mistake" name="other name: noise-removal" says="Your function returns \"noise-removal\". The name in this exercise is \"noise removal\", two words with a space: use the four texts exactly as the task gives them."
+def name_operation(before, after):
+    return solution(before, after).replace("noise ", "noise-")
+
+# %% role="mistake" name="capital letters" says="The names begin with a capital letter. Python distinguishes capital and small letters: write all four names in small letters."
+def name_operation(before, after):
+    return solution(before, after).capitalize()
+
+# %% role="mistake" name="no name for areas" says="For an image of areas your function returns None: no return was reached. Add the last case, return \"binarization\"."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return None if operation == "binarization" else operation
+
+# %% role="mistake" name="three channels not recognised" says="The colour image was not recognised by its three dimensions. after.shape is a tuple such as (45, 60, 3): it never equals the number 3, and other images have another size than the lesson's frame. Compare after.ndim, the number of dimensions, with 3."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "grayscale" if operation == "noise removal" else operation
+
+# %% role="mistake" name="three rows taken for three channels" says="len(after) and after.shape[0] are the number of rows, not the number of dimensions. Compare after.ndim or len(after.shape) with 3."
+def name_operation(before, after):
+    if len(after) == 3:
+        return "noise removal"
+    operation = solution(before, after)
+    return "grayscale" if operation == "noise removal" else operation
+
+# %% role="mistake" name="before and after expected to be equal" says="Noise removal was recognised only where before and after are equal. But noise removal changes pixels. What stays is the shape, with three channels: look at after.ndim."
+def name_operation(before, after):
+    if np.array_equal(before, after):
+        return "noise removal"
+    operation = solution(before, after)
+    return "grayscale" if operation == "noise removal" else operation
+
+# %% role="mistake" name="the same name for every image" says="An image without colours was named \"noise removal\". Do you look at before? It is a colour image every time. Look at after: its dimensions, its values and its share of white pixels."
+def name_operation(before, after):
+    return "noise removal"
+
+# %% role="mistake" name="two values taken for gray" says="An image with only two different values was named \"grayscale\". Count the different values: np.unique(after).size."
+def name_operation(before, after):
+    return "noise removal" if after.ndim == 3 else "grayscale"
+
+# %% role="mistake" name="image returned" says="For a colour image your function returns the image itself. Return the name of the operation as text, \"noise removal\"."
+def name_operation(before, after):
+    return after if after.ndim == 3 else "grayscale"
+
+# %% role="mistake" name="number of gray levels fixed" says="A gray image was named \"edges\". How many gray levels an image has differs from image to image (one frame of the lesson has 246). More than two different values means grayscale."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "edges" if operation == "grayscale" else operation
+
+# %% role="mistake" name="white pixels in a gray image" says="A gray image with white pixels (255) was not recognised. A gray image can have every value from 0 to 255: count the different values of after. More than two means grayscale."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "edges" if operation == "grayscale" and after.max() == 255 else operation
+
+# %% role="mistake" name="only the first row counted" says="A gray image whose first row has only one value was not recognised. after[0] is only the first row: count the different values of the whole array, np.unique(after)."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "edges" if operation == "grayscale" and np.unique(after[0]).size <= 2 else operation
+
+# %% role="mistake" name="a later name replaces an earlier one" says="All images with few white pixels are named \"edges\", the gray and the colour image, too. If your ifs stand one after the other, a later one replaces the name of an earlier one: use elif, or return the name at once."
+def name_operation(before, after):
+    return "edges" if (after == 255).mean() < 0.2 else solution(before, after)
+
+# %% role="mistake" name="limit for lines too low" says="An edge image with many lines was named \"binarization\". In an edge image, up to a fifth of the pixels may be white: compare the share with 0.2."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "binarization" if operation == "edges" and (after == 255).mean() > 0.1 else operation
+
+# %% role="mistake" name="limit for areas too high" says="A binary image with more black than white was named \"edges\". In a binary image of this exercise only a quarter of the pixels may be white: compare the share with 0.2."
+def name_operation(before, after):
+    operation = solution(before, after)
+    return "edges" if operation == "binarization" and (after == 255).mean() < 0.45 else operation

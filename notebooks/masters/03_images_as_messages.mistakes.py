@@ -1,0 +1,364 @@
+# %% [markdown]
+# # messages-mono8
+
+# %% role="mistake" name="rows and columns exchanged" says="Height and width are exchanged. The first axis of an array is its rows, so the shape is (height, width), and height comes first."
+def decode_mono8(message):
+    return solution(message).reshape(message.width, message.height)
+
+# %% role="mistake" name="not cut into rows" says="The array has only one dimension, all rows one after the other. Cut it into rows with reshape(height, width)."
+def decode_mono8(message):
+    return solution(message).ravel()
+
+# %% role="mistake" name="a third dimension" says="A gray image has two dimensions. Leave the third number out of the shape: (height, width)."
+def decode_mono8(message):
+    return solution(message)[..., np.newaxis]
+
+# %% role="mistake" name="filled column by column" says="The image was filled column by column. In data it is stored row after row: use reshape(height, width), without .T and without order=\"F\"."
+def decode_mono8(message):
+    return solution(message).ravel().reshape((message.height, message.width), order="F")
+
+# %% role="mistake" name="rows of height bytes" says="Row r begins at the wrong position. A row takes width bytes, so it begins at byte r * width, not at r * height."
+def decode_mono8(message):
+    rows = [message.data[row * message.height :][: message.width] for row in range(message.height)]
+    return np.array([list(row) for row in rows], dtype=np.uint8)
+
+# %% role="mistake" name="upside down" says="The image is upside down. The first row in data is the top row: keep the order of the rows, do not reverse it."
+def decode_mono8(message):
+    return solution(message)[::-1]
+
+# %% role="mistake" name="mirrored" says="Left and right are exchanged. The first byte of a row is its left pixel: keep the order of the columns, do not reverse it."
+def decode_mono8(message):
+    return solution(message)[:, ::-1]
+
+# %% role="mistake" name="signed numbers" says="int8 has a sign and ends at 127, so bright pixels became negative. Read the bytes with dtype=np.uint8."
+def decode_mono8(message):
+    return solution(message).view(np.int8)
+
+# %% role="mistake" name="values from 0 to 1" says="The values were divided by 255. Return the gray levels as they are in data, uint8 from 0 to 255."
+def decode_mono8(message):
+    return solution(message) / 255
+
+# %% [markdown]
+# # messages-rgb8
+
+# %% role="mistake" name="channels first" says="The channels are the first axis of your array. The three bytes of a pixel are side by side, so the channels are the last axis: (height, width, 3)."
+def decode_rgb8(message):
+    return solution(message).reshape(3, message.height, message.width)
+
+# %% role="mistake" name="one colour after the other" says="data was read as if it held one image for each channel, one after the other. The three bytes of a pixel are side by side: reshape(height, width, 3) is enough, without transpose."
+def decode_rgb8(message):
+    return solution(message).reshape(3, message.height, message.width).transpose(1, 2, 0)
+
+# %% role="mistake" name="rows and columns exchanged" says="Height and width are exchanged. The first axis of an array is its rows, so the shape is (height, width, 3), and height comes first."
+def decode_rgb8(message):
+    return solution(message).reshape(message.width, message.height, 3)
+
+# %% role="mistake" name="red and blue swapped" says="Red and blue are swapped. Keep the channels in the order of data, and do not reverse them."
+def decode_rgb8(message):
+    return solution(message)[..., ::-1]
+
+# %% role="mistake" name="bgr8 reordered" says="For bgr8, red and blue are swapped. Keep the channels in the order of data, for both encodings."
+def decode_rgb8(message):
+    return solution(message)[..., ::-1] if message.encoding == "bgr8" else solution(message)
+
+# %% role="mistake" name="rgb8 reordered" says="For rgb8, red and blue are swapped. Keep the channels in the order of data, for both encodings."
+def decode_rgb8(message):
+    return solution(message)[..., ::-1] if message.encoding == "rgb8" else solution(message)
+
+# %% role="mistake" name="no axis for the channels" says="The array has only two dimensions, (height, 3 × width). Give the channels an axis of their own: reshape(height, width, 3)."
+def decode_rgb8(message):
+    return solution(message).reshape(message.height, -1)
+
+# %% role="mistake" name="one pixel per row" says="The array has one pixel in each row. Its shape must have the rows and columns of the image, too: reshape(height, width, 3)."
+def decode_rgb8(message):
+    return solution(message).reshape(-1, 3)
+
+# %% role="mistake" name="not cut into rows" says="The array has only one dimension. Cut it into rows and pixels: reshape(height, width, 3)."
+def decode_rgb8(message):
+    return solution(message).ravel()
+
+# %% role="mistake" name="only one channel" says="Your function returns only the first channel. Return all three: an array of shape (height, width, 3)."
+def decode_rgb8(message):
+    return solution(message)[..., 0]
+
+# %% role="mistake" name="mean of the channels" says="Your function returns the mean of the three channels, a gray image. Return all three channels: shape (height, width, 3)."
+def decode_rgb8(message):
+    return solution(message).mean(axis=-1).astype(np.uint8)
+
+# %% role="mistake" name="upside down" says="The image is upside down. The first row in data is the top row: keep the order of the rows, do not reverse it."
+def decode_rgb8(message):
+    return solution(message)[::-1]
+
+# %% role="mistake" name="mirrored" says="Left and right are exchanged: the columns were reversed, not the channels. Keep the order of data for both."
+def decode_rgb8(message):
+    return solution(message)[:, ::-1]
+
+# %% role="mistake" name="pixels one byte apart" says="Neighbouring pixels were read one byte apart. A pixel takes three bytes: column c begins at byte 3 * c of its row."
+def decode_rgb8(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    return np.stack([rows[:, k : k + message.width] for k in range(3)], axis=-1)
+
+# %% role="mistake" name="bgr8 without an answer" says="For bgr8 your function returns None: no return was reached. bgr8 is decoded in the same way as rgb8."
+def decode_rgb8(message):
+    return solution(message) if message.encoding == "rgb8" else None
+
+# %% [markdown]
+# # messages-padding
+
+# %% role="mistake" name="padding read as pixels" says="The padding was read as pixels, so the image is sheared. First cut data into rows of step bytes, reshape(height, step), so that row r begins at byte r * step. Then crop the padding."
+def decode_padded(message):
+    flat = np.frombuffer(message.data, dtype=np.uint8)
+    return flat[: message.height * message.width * 3].reshape(message.height, message.width, 3)
+
+# %% role="mistake" name="only width bytes kept" says="Your function keeps only width bytes of each row, and no axis for the channels. A pixel has three bytes: crop at width * 3, then reshape to (height, width, 3)."
+def decode_padded(message):
+    return solution(message).reshape(message.height, -1)[:, : message.width]
+
+# %% role="mistake" name="padding kept" says="The padding is still in the array, at the end of each row. Keep only the first width * 3 columns, then reshape to (height, width, 3)."
+def decode_padded(message):
+    return np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+
+# %% role="mistake" name="padding made black" says="The padding became 0, but it is still in the array. Cut it off with a slice: keep only the first width * 3 columns."
+def decode_padded(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step).copy()
+    rows[:, message.width * 3 :] = 0
+    return rows
+
+# %% role="mistake" name="no axis for the channels" says="The padding is gone. But the array has only two dimensions, (height, 3 × width). Give the channels an axis of their own: reshape(height, width, 3)."
+def decode_padded(message):
+    return solution(message).reshape(message.height, -1)
+
+# %% role="mistake" name="padding expected in front" says="The first bytes of each row were cut off. The padding is at the end of a row: keep the first width * 3 bytes."
+def decode_padded(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    return rows[:, message.step - message.width * 3 :].reshape(message.height, message.width, 3)
+
+# %% role="mistake" name="one byte too late" says="Every row begins one byte too late: its first byte is missing. Positions are counted from 0, so the slice is rows[:, : width * 3]."
+def decode_padded(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    return rows[:, 1 : message.width * 3 + 1].reshape(message.height, message.width, 3)
+
+# %% role="mistake" name="always three bytes of padding" says="Only a padding of three bytes is removed correctly. Other messages have other paddings: step tells the length of a row. Keep the first width * 3 bytes of it."
+def decode_padded(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    return rows[:, :-3].reshape(message.height, message.width, 3)
+
+# %% role="mistake" name="always one byte of padding" says="Only a padding of one byte is removed correctly. Other messages have other paddings: step tells the length of a row. Keep the first width * 3 bytes of it."
+def decode_padded(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    return rows[:, :-1].reshape(message.height, message.width, 3)
+
+# %% role="mistake" name="whole pixels cropped" says="It works only if the padding is a multiple of three bytes. The padding need not be a whole pixel: crop the bytes of each row first, and form the pixels after that."
+def decode_padded(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, -1, 3)
+    return rows[:, : message.width]
+
+# %% role="mistake" name="padding found by its value" says="It works only where the padding is 99 and no pixel is. A pixel may have the value 99, and padding may have any value. Remove the padding by its place: the end of each row."
+def decode_padded(message):
+    flat = np.frombuffer(message.data, dtype=np.uint8)
+    return flat[flat != 99].reshape(message.height, message.width, 3)
+
+# %% role="mistake" name="rows and columns exchanged" says="Height and width are exchanged. The first axis of an array is its rows, so the shape is (height, width, 3), and height comes first."
+def decode_padded(message):
+    return solution(message).reshape(message.width, message.height, 3)
+
+# %% role="mistake" name="red and blue swapped" says="Red and blue are swapped. Keep the channels in the order of data, and do not reverse them."
+def decode_padded(message):
+    return solution(message)[..., ::-1]
+
+# %% [markdown]
+# # messages-mono16
+
+# %% role="mistake" name="always little-endian" says="The little-endian message is right, the big-endian one is not: its bytes were read in the wrong order. The field is_bigendian is a number: 1 means that the more significant byte comes first."
+def decode_mono16(message):
+    return solution(message).byteswap() if message.is_bigendian else solution(message)
+
+# %% role="mistake" name="always big-endian" says="The big-endian message is right, the little-endian one is not: its bytes were read in the wrong order. The field is_bigendian is a number: 0 means that the less significant byte comes first."
+def decode_mono16(message):
+    return solution(message) if message.is_bigendian else solution(message).byteswap()
+
+# %% role="mistake" name="byte orders swapped" says="The two byte orders are swapped. If is_bigendian is 1, the more significant byte comes first (in a dtype: >u2). If it is 0, the less significant byte comes first (<u2)."
+def decode_mono16(message):
+    return solution(message).byteswap()
+
+# %% role="mistake" name="a pixel for every byte" says="Every byte became a pixel. A pixel of mono16 takes two bytes: combine two bytes to one uint16 number."
+def decode_mono16(message):
+    return np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+
+# %% role="mistake" name="a pixel for every byte, as uint16" says="Every byte became a pixel. A pixel of mono16 takes two bytes: combine two bytes to one uint16 number."
+def decode_mono16(message):
+    return np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step).astype(np.uint16)
+
+# %% role="mistake" name="half of the bytes" says="Every byte became a pixel, and half of them were cut off. A pixel of mono16 takes two bytes: combine two bytes to one uint16 number."
+def decode_mono16(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    return rows[:, : message.width]
+
+# %% role="mistake" name="only the less significant byte" says="Only the less significant byte is left. If you moved the other byte with << 8 while it was uint8: it does not fit, and uint8 wraps to 0. Widen both bytes first, with astype(np.uint16)."
+def decode_mono16(message):
+    return solution(message) & 255
+
+# %% role="mistake" name="narrowed to uint8" says="The numbers were narrowed to uint8, so everything above 255 is lost. Keep them as uint16."
+def decode_mono16(message):
+    return solution(message).astype(np.uint8)
+
+# %% role="mistake" name="255 instead of 256" says="The more significant byte was multiplied by 255. A byte has 256 different values, from 0 to 255, so multiply it by 256."
+def decode_mono16(message):
+    return (solution(message) >> 8) * 255 + (solution(message) & 255)
+
+# %% role="mistake" name="bytes added" says="The two bytes were only added. The more significant byte counts 256 times as much: multiply it by 256 before you add the other byte."
+def decode_mono16(message):
+    return (solution(message) >> 8) + (solution(message) & 255)
+
+# %% role="mistake" name="one byte from each half of a row" says="Each pixel was combined from one byte of the left half of the row and one of the right half. The two bytes of a pixel are side by side: use the slices 0::2 and 1::2."
+def decode_mono16(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step).astype(np.uint16)
+    left, right = rows[:, : message.width], rows[:, message.width :]
+    return left * 256 + right if message.is_bigendian else right * 256 + left
+
+# %% role="mistake" name="only two columns" says="Only the first bytes of each row are left. The slice 0:2 takes the columns 0 and 1; 0::2 takes every second column: the first byte of each pixel."
+def decode_mono16(message):
+    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+    return rows[:, 0:2].reshape(message.height, message.width)
+
+# %% role="mistake" name="only the more significant byte" says="Only the more significant byte is left. A pixel is this byte × 256 plus the other byte."
+def decode_mono16(message):
+    return solution(message) >> 8
+
+# %% role="mistake" name="signed numbers" says="int16 has a sign and ends at 32767, so larger values became negative. Use the unsigned dtype u2 (uint16)."
+def decode_mono16(message):
+    return solution(message).view(np.int16)
+
+# %% role="mistake" name="not cut into rows" says="The array has only one dimension. Cut it into rows: reshape(height, width)."
+def decode_mono16(message):
+    return solution(message).ravel()
+
+# %% role="mistake" name="rows and columns exchanged" says="Height and width are exchanged. The first axis of an array is its rows, so the shape is (height, width), and height comes first."
+def decode_mono16(message):
+    return solution(message).reshape(message.width, message.height)
+
+# %% role="mistake" name="no answer for little-endian" says="For the little-endian message your function returns None: no return was reached. Add the case in which is_bigendian is 0."
+def decode_mono16(message):
+    return solution(message) if message.is_bigendian else None
+
+# %% [markdown]
+# # messages-decode
+
+# %% role="mistake" name="padding read as pixels" says="The padding was read as pixels, so the image is sheared. Cut data into rows of step bytes, then crop the padding."
+def decode(message):
+    flat = np.frombuffer(message.data, np.uint8)
+    row_bytes = solution(message).nbytes // message.height
+    cut = SimpleNamespace(**{**vars(message), "step": row_bytes})
+    cut.data = flat[: message.height * row_bytes].tobytes()
+    return solution(cut)
+
+# %% role="mistake" name="padding not expected" says="Messages without padding are right, messages with padding raise an error. Cut data into rows of step bytes first, then crop the padding of each row."
+def decode(message):
+    if message.encoding == "mono16":
+        order = ">u2" if message.is_bigendian else "<u2"
+        pixels = np.frombuffer(message.data, dtype=order).astype(np.uint16)
+        return pixels.reshape(message.height, message.width)
+    flat = np.frombuffer(message.data, dtype=np.uint8)
+    if message.encoding == "mono8":
+        return flat.reshape(message.height, message.width)
+    return flat.reshape(message.height, message.width, 3)
+
+# %% role="mistake" name="padding kept" says="The array has too many columns: the padding is still there, at the end of each row. Crop it: keep only the bytes of the pixels."
+def decode(message):
+    if message.encoding == "mono8":
+        return rows_of(message)
+    if message.encoding == "mono16":
+        order = ">u2" if message.is_bigendian else "<u2"
+        return np.frombuffer(message.data, order).reshape(message.height, -1).astype(np.uint16)
+    pixels = message.step // 3
+    return rows_of(message)[:, : pixels * 3].reshape(message.height, pixels, 3)
+
+# %% role="mistake" name="padding of gray images kept" says="For mono8 the array has too many columns: the padding is still there, at the end of each row. Keep only the first width columns."
+def decode(message):
+    return rows_of(message) if message.encoding == "mono8" else solution(message)
+
+# %% role="mistake" name="channels swapped" says="Red and blue are swapped. The channels must be in the same order as in data."
+def decode(message):
+    return solution(message)[..., ::-1] if message.encoding in ("rgb8", "bgr8") else solution(message)
+
+# %% role="mistake" name="rgb8 reordered" says="For rgb8, red and blue are swapped. Keep the channels in the order of data, for rgb8 and for bgr8."
+def decode(message):
+    return solution(message)[..., ::-1] if message.encoding == "rgb8" else solution(message)
+
+# %% role="mistake" name="bgr8 reordered" says="For bgr8, red and blue are swapped. Keep the channels in the order of data, for rgb8 and for bgr8."
+def decode(message):
+    return solution(message)[..., ::-1] if message.encoding == "bgr8" else solution(message)
+
+# %% role="mistake" name="rows and columns exchanged" says="Height and width are exchanged. The first axis of an array is its rows, so the shape begins with height."
+def decode(message):
+    pixels = solution(message)
+    return pixels.reshape((message.width, message.height, *pixels.shape[2:]))
+
+# %% role="mistake" name="no axis for the channels" says="The colour image has only two dimensions, (height, 3 × width). Give the channels an axis of their own: reshape to (height, width, 3)."
+def decode(message):
+    return solution(message).reshape(message.height, -1)
+
+# %% role="mistake" name="channels first" says="The channels are the first axis of your colour image. The three bytes of a pixel are side by side in data, so the channels are the last axis: (height, width, 3)."
+def decode(message):
+    pixels = solution(message)
+    return pixels.reshape(3, message.height, message.width) if pixels.ndim == 3 else pixels
+
+# %% role="mistake" name="colour images cropped at width bytes" says="Only the colour images raise an error. A pixel of rgb8 or bgr8 has 3 bytes: crop each row at width * 3 bytes, then reshape to (height, width, 3)."
+def decode(message):
+    if message.encoding in ("rgb8", "bgr8"):
+        return rows_of(message)[:, : message.width].reshape(message.height, message.width, 3)
+    return solution(message)
+
+# %% role="mistake" name="one condition is always true" says='The colour images are right, mono8 and mono16 raise an error. Are they taken for colour images? The condition message.encoding == "rgb8" or "bgr8" is always true: write message.encoding in ("rgb8", "bgr8").'
+def decode(message):
+    pixels = rows_of(message)[:, : message.width * 3]
+    return pixels.reshape(message.height, message.width, 3)
+
+# %% role="mistake" name="every message decoded as mono8" says="Every message was decoded like mono8, with one byte per pixel. Look at message.encoding: rgb8 and bgr8 take three bytes per pixel, mono16 takes two."
+def decode(message):
+    return rows_of(message)[:, : message.width]
+
+# %% role="mistake" name="colour decoded as gray" says="The colour images were decoded with one byte per pixel, like mono8. rgb8 and bgr8 have three channels: crop at width * 3 bytes, and reshape to (height, width, 3)."
+def decode(message):
+    return rows_of(message)[:, : message.width] if solution(message).ndim == 3 else solution(message)
+
+# %% role="mistake" name="bgr8 decoded as gray" says="The bgr8 image was decoded with one byte per pixel, like mono8. bgr8 has three channels, like rgb8: decode both in the same way."
+def decode(message):
+    return rows_of(message)[:, : message.width] if message.encoding == "bgr8" else solution(message)
+
+# %% role="mistake" name="mono16 decoded as mono8" says="For mono16, every byte became a pixel. A pixel takes two bytes: read or combine them as uint16, with the byte order that is_bigendian gives."
+def decode(message):
+    return rows_of(message)[:, : message.width] if message.encoding == "mono16" else solution(message)
+
+# %% role="mistake" name="two columns for each pixel of mono16" says="For mono16, every byte became a pixel, so there are twice as many columns. A pixel takes two bytes: read or combine them as uint16."
+def decode(message):
+    return rows_of(message)[:, : message.width * 2] if message.encoding == "mono16" else solution(message)
+
+# %% role="mistake" name="half of the columns of mono16" says="The mono16 image has only half of its columns. A pixel takes two bytes: crop each row at width * 2 bytes."
+def decode(message):
+    return solution(message)[:, : message.width // 2] if message.encoding == "mono16" else solution(message)
+
+# %% role="mistake" name="mono16 narrowed to uint8" says="The numbers of mono16 were narrowed to uint8, so everything above 255 is lost. Keep them as uint16."
+def decode(message):
+    return solution(message).astype(np.uint8)
+
+# %% role="mistake" name="only the less significant byte" says="Of each mono16 pixel only the less significant byte is left. If you moved the other byte with << 8 while it was uint8: it does not fit, and uint8 wraps to 0. Widen both bytes first, with astype(np.uint16)."
+def decode(message):
+    return solution(message) & np.uint16(255) if message.encoding == "mono16" else solution(message)
+
+# %% role="mistake" name="bytes added" says="The two bytes of a mono16 pixel were only added. The more significant byte counts 256 times as much: multiply it by 256 before you add the other byte."
+def decode(message):
+    pixels = solution(message)
+    return (pixels >> 8) + (pixels & 255) if message.encoding == "mono16" else pixels
+
+# %% role="mistake" name="always little-endian" says="The bytes of the big-endian message were read in the wrong order. is_bigendian says which byte comes first: 1 means the more significant one."
+def decode(message):
+    return solution(message).byteswap() if message.is_bigendian else solution(message)
+
+# %% role="mistake" name="always big-endian" says="The bytes of the little-endian message were read in the wrong order. is_bigendian says which byte comes first: 0 means the less significant one."
+def decode(message):
+    return solution(message) if message.is_bigendian else solution(message).byteswap()
+
+# %% role="mistake" name="byte orders swapped" says="The two byte orders are swapped. If is_bigendian is 1, the more significant byte comes first (in a dtype: >u2). If it is 0, the less significant byte comes first (<u2)."
+def decode(message):
+    return solution(message).byteswap()

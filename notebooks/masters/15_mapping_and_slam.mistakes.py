@@ -1,0 +1,585 @@
+# %% [markdown]
+# # mapping-ray
+
+# %% role="mistake" name="without the end" says="The last cell is missing: the ray ends in end. range(steps + 1) counts to steps."
+def ray_cells(start, end):
+    return solution(start, end)[:-1]
+
+# %% role="mistake" name="without the start" says="The first cell is missing: the ray begins in start. Count k from 0."
+def ray_cells(start, end):
+    return solution(start, end)[1:]
+
+# %% role="mistake" name="rounded down" says="You round down. Take the nearest row and column: add steps before you divide, (2 * k * abs(way) + steps) // (2 * steps)."
+def ray_cells(start, end):
+    return line_of(start, end, length_of(start, end), lambda a, b, k, n: a + k * abs(b - a) // n * (1 if b > a else -1))
+
+# %% role="mistake" name="rounded down also below zero" says="You round down, and // also rounds negative numbers down. Take the nearest row and column, of the length of the way, and multiply by the sign afterwards."
+def ray_cells(start, end):
+    return line_of(start, end, length_of(start, end), lambda a, b, k, n: a + k * (b - a) // n)
+
+# %% role="mistake" name="rounded up" says="You round up. Take the nearest row and column: (2 * k * abs(way) + steps) // (2 * steps)."
+def ray_cells(start, end):
+    return line_of(start, end, length_of(start, end), lambda a, b, k, n: a - -k * abs(b - a) // n * (1 if b > a else -1))
+
+# %% role="mistake" name="Python's round" says="A half goes to the wrong side: round(0.5) is 0, but round(1.5) is 2. Use the formula with whole numbers: (2 * k * abs(way) + steps) // (2 * steps)."
+def ray_cells(start, end):
+    return line_of(start, end, length_of(start, end), lambda a, b, k, n: a + round(k * (b - a) / n))
+
+# %% role="mistake" name="round of the place" says="A half goes to the wrong side: round(0.5) is 0, but round(1.5) is 2. Use the formula with whole numbers, and add it to the start."
+def ray_cells(start, end):
+    return line_of(start, end, length_of(start, end), lambda a, b, k, n: round(a + k * (b - a) / n))
+
+# %% role="mistake" name="halves towards the start" says="A half goes to the wrong side: of two equally near cells, take the one farther from the start."
+def ray_cells(start, end):
+    return line_of(start, end, length_of(start, end), lambda a, b, k, n: a - (-2 * k * abs(b - a) + n) // (2 * n) * (1 if b > a else -1))
+
+# %% role="mistake" name="halves always up" says="The sign is inside of //, and // rounds down: in a negative direction a half goes to the wrong side. Compute with abs(way), and multiply by the sign afterwards."
+def ray_cells(start, end):
+    return line_of(start, end, length_of(start, end), lambda a, b, k, n: a + (2 * k * (b - a) + n) // (2 * n))
+
+# %% role="mistake" name="steps are the columns" says="Your ray takes one step for each column, so a steep ray has gaps, or is missing. The number of steps is the larger of both ways: max(abs(row_way), abs(col_way))."
+def ray_cells(start, end):
+    steps = abs(end[1] - start[1])
+    return line_of(start, end, steps) if steps else [start]
+
+# %% role="mistake" name="steps are the rows" says="Your ray takes one step for each row, so a flat ray has gaps. The number of steps is the larger of both ways: max(abs(row_way), abs(col_way))."
+def ray_cells(start, end):
+    steps = abs(end[0] - start[0])
+    return line_of(start, end, steps) if steps else [start]
+
+# %% role="mistake" name="both ways as steps" says="You take as many steps as both ways together. The number of steps is the larger of both: max(abs(row_way), abs(col_way))."
+def ray_cells(start, end):
+    return line_of(start, end, abs(end[0] - start[0]) + abs(end[1] - start[1]))
+
+# %% role="mistake" name="the smaller way" says="The number of steps is the larger of both ways, not the smaller one: max, not min."
+def ray_cells(start, end):
+    return line_of(start, end, max(1, min(abs(end[0] - start[0]), abs(end[1] - start[1]))))
+
+# %% role="mistake" name="diagonal first" says="Your ray goes diagonally first, and then straight. Spread the smaller way over all steps: compute row and column by the formula for each k."
+def ray_cells(start, end):
+    (row, col), cells = start, [start]
+    while (row, col) != tuple(end):
+        row += (end[0] > row) - (end[0] < row)
+        col += (end[1] > col) - (end[1] < col)
+        cells.append((row, col))
+    return cells
+
+# %% role="mistake" name="signs forgotten" says="The ray goes down and to the right only. If a way is negative, multiply the steps by -1."
+def ray_cells(start, end):
+    return line_of(start, end, length_of(start, end), lambda a, b, k, n: a + (2 * k * abs(b - a) + n) // (2 * n))
+
+# %% role="mistake" name="from zero" says="Your ray begins at (0, 0). Add the start: start[0] + ..., start[1] + ..."
+def ray_cells(start, end):
+    return [(row - start[0], col - start[1]) for row, col in solution(start, end)]
+
+# %% role="mistake" name="column first" says="Each cell is (row, column); you return (column, row)."
+def ray_cells(start, end):
+    return [(col, row) for row, col in solution(start, end)]
+
+# %% role="mistake" name="from the end" says="The cells are in the wrong order: begin with start."
+def ray_cells(start, end):
+    return solution(start, end)[::-1]
+
+# %% role="mistake" name="computed from the end" says="You begin at end. Begin at start: the halves are rounded away from it, and the first cell of the list is start."
+def ray_cells(start, end):
+    return solution(end, start)
+
+# %% role="mistake" name="only both ends" says="Only the first and the last cell are there. Append a cell in each step of the loop."
+def ray_cells(start, end):
+    return [start, end]
+
+# %% role="mistake" name="only the first" says="Only the first cell is there: the return is inside the loop. Move it to the left, behind the loop."
+def ray_cells(start, end):
+    return [start]
+
+# %% role="mistake" name="numbers with a point" says="You did not round: a cell has whole numbers. Use the formula with // and whole numbers."
+def ray_cells(start, end):
+    return line_of(start, end, length_of(start, end), lambda a, b, k, n: a + k * (b - a) / n)
+
+# %% [markdown]
+# # mapping-scan
+
+# %% role="mistake" name="each ray counts" says="You add for each ray: a cell that many rays pass changes many times. In one scan, each cell changes once: write the change into a grid of zeros with =, not with +=."
+def add_scan(grid, rays, hit, passed):
+    new = grid.copy()
+    for ray in rays:
+        for row, col in ray[:-1]:
+            new[row, col] += odds_log(passed)
+        new[ray[-1][0], ray[-1][1]] += odds_log(hit)
+    return np.clip(new, -6, 6)
+
+# %% role="mistake" name="hit and passed added" says="Where one ray ends and another one passes, you add both. The hit wins: write the ends last, with =."
+def add_scan(grid, rays, hit, passed):
+    on_way = changes(grid.shape, rays, 0.0, odds_log(passed), ends_last=False)
+    ends = changes(grid.shape, rays, odds_log(hit), 0.0, ends_last=True)
+    ends[ends < 0] = 0
+    return np.clip(grid + on_way + ends, -6, 6)
+
+# %% role="mistake" name="passing rays win" says="A ray that passes wins over one that ends. The hit must win: write the ends in a second loop, after all cells on the way."
+def add_scan(grid, rays, hit, passed):
+    return np.clip(grid + changes(grid.shape, rays, odds_log(hit), odds_log(passed), ends_last=False), -6, 6)
+
+# %% role="mistake" name="one loop" says="A later ray writes over the end of an earlier one. Write the ends in a second loop over all rays."
+def add_scan(grid, rays, hit, passed):
+    change = np.zeros(grid.shape)
+    for ray in rays:
+        for row, col in ray[:-1]:
+            change[row, col] = odds_log(passed)
+        change[ray[-1][0], ray[-1][1]] = odds_log(hit)
+    return np.clip(grid + change, -6, 6)
+
+# %% role="mistake" name="not clipped" says="Some cells are beyond the limits. Stop them with np.clip(..., -6, 6)."
+def add_scan(grid, rays, hit, passed):
+    return grid + changes(grid.shape, rays, odds_log(hit), odds_log(passed))
+
+# %% role="mistake" name="clipped at 6 only" says="Cells also stop at -6: np.clip(..., -6, 6)."
+def add_scan(grid, rays, hit, passed):
+    return np.minimum(grid + changes(grid.shape, rays, odds_log(hit), odds_log(passed)), 6)
+
+# %% role="mistake" name="clipped at -6 only" says="Cells also stop at 6: np.clip(..., -6, 6)."
+def add_scan(grid, rays, hit, passed):
+    return np.maximum(grid + changes(grid.shape, rays, odds_log(hit), odds_log(passed)), -6)
+
+# %% role="mistake" name="the change clipped" says="You clip the change. Add it to the grid first, and clip the sum."
+def add_scan(grid, rays, hit, passed):
+    return grid + np.clip(changes(grid.shape, rays, odds_log(hit), odds_log(passed)), -0.5, 0.5)
+
+# %% role="mistake" name="probabilities added" says="You added the probabilities. Add their log-odds: math.log(p / (1 - p))."
+def add_scan(grid, rays, hit, passed):
+    return np.clip(grid + changes(grid.shape, rays, hit, passed), -6, 6)
+
+# %% role="mistake" name="probability subtracted" says="You use the probabilities as they are. Add their log-odds, math.log(p / (1 - p)): those of passed are negative by themselves."
+def add_scan(grid, rays, hit, passed):
+    return np.clip(grid + changes(grid.shape, rays, hit, -passed), -6, 6)
+
+# %% role="mistake" name="odds without logarithm" says="You added the odds. Take the logarithm of them: math.log(p / (1 - p))."
+def add_scan(grid, rays, hit, passed):
+    return np.clip(grid + changes(grid.shape, rays, hit / (1 - hit), passed / (1 - passed)), -6, 6)
+
+# %% role="mistake" name="logarithm of the probability" says="You added the logarithm of the probability. Log-odds are the logarithm of p / (1 - p)."
+def add_scan(grid, rays, hit, passed):
+    return np.clip(grid + changes(grid.shape, rays, math.log(hit), math.log(passed)), -6, 6)
+
+# %% role="mistake" name="logarithm to base 10" says="You use the logarithm to base 10. Use the natural one: math.log or np.log."
+def add_scan(grid, rays, hit, passed):
+    return np.clip(grid + changes(grid.shape, rays, odds_log(hit) / math.log(10), odds_log(passed) / math.log(10)), -6, 6)
+
+# %% role="mistake" name="logarithm to base 2" says="You use the logarithm to base 2. Use the natural one: math.log or np.log."
+def add_scan(grid, rays, hit, passed):
+    return np.clip(grid + changes(grid.shape, rays, odds_log(hit) / math.log(2), odds_log(passed) / math.log(2)), -6, 6)
+
+# %% role="mistake" name="passed subtracted" says="The log-odds of passed are negative already (0.4 is less likely than not). Add them; you subtracted them."
+def add_scan(grid, rays, hit, passed):
+    return np.clip(grid + changes(grid.shape, rays, odds_log(hit), -odds_log(passed)), -6, 6)
+
+# %% role="mistake" name="hit and passed exchanged" says="Hit and passed are exchanged: hit belongs to the last cell of a ray, passed to all others."
+def add_scan(grid, rays, hit, passed):
+    return np.clip(grid + changes(grid.shape, rays, odds_log(passed), odds_log(hit)), -6, 6)
+
+# %% role="mistake" name="fixed numbers" says="You wrote 0.85 and -0.4. Compute the log-odds of hit and passed, which can be other probabilities: math.log(p / (1 - p))."
+def add_scan(grid, rays, hit, passed):
+    return np.clip(grid + changes(grid.shape, rays, 0.85, -0.4), -6, 6)
+
+# %% role="mistake" name="old map forgotten" says="The old map is lost: you return the change alone. Add it to the grid."
+def add_scan(grid, rays, hit, passed):
+    return changes(grid.shape, rays, odds_log(hit), odds_log(passed))
+
+# %% role="mistake" name="set in place of added" says="You write the log-odds into the map, so that the old value is lost. Add them to it."
+def add_scan(grid, rays, hit, passed):
+    change = changes(grid.shape, rays, odds_log(hit), odds_log(passed))
+    return np.clip(np.where(change == 0, grid, change), -6, 6)
+
+# %% role="mistake" name="only the ends" says="The cells on the way are unchanged. Add the log-odds of passed there."
+def add_scan(grid, rays, hit, passed):
+    change = changes(grid.shape, rays, odds_log(hit), 0.0)
+    return np.clip(grid + change, -6, 6)
+
+# %% role="mistake" name="only the way" says="The ends of the rays are not hits. Add the log-odds of hit in the last cell of each ray."
+def add_scan(grid, rays, hit, passed):
+    return np.clip(grid + changes(grid.shape, [[*ray[:-1], ray[-1]] for ray in rays], 0.0, odds_log(passed)), -6, 6)
+
+# %% role="mistake" name="the end also passed" says="You treat the last cell as if the ray passed it. It is a hit: ray[:-1] are the others."
+def add_scan(grid, rays, hit, passed):
+    return np.clip(grid + changes(grid.shape, [[*ray, ray[-1]] for ray in rays], odds_log(passed), odds_log(passed)), -6, 6)
+
+# %% role="mistake" name="the first ray only" says="Only the first ray is in the map. Is a return inside the loop?"
+def add_scan(grid, rays, hit, passed):
+    return solution(grid, rays[:1], hit, passed)
+
+# %% role="mistake" name="without the cell of the robot" says="The first cell of a ray, where the robot stands, is free too: the ray passes it."
+def add_scan(grid, rays, hit, passed):
+    return np.clip(grid + changes(grid.shape, [ray[1:] for ray in rays], odds_log(hit), odds_log(passed)), -6, 6)
+
+# %% role="mistake" name="probabilities returned" says="You return probabilities. Return the log-odds."
+def add_scan(grid, rays, hit, passed):
+    return 1 / (1 + np.exp(-solution(grid, rays, hit, passed)))
+
+# %% [markdown]
+# # mapping-error
+
+# %% role="mistake" name="not wrapped" says="Your angle is not wrapped: from 170° to -170°, a robot turns by 20°, not by -340°. Use math.remainder(angle, 2 * math.pi)."
+def edge_error(first, second, measured):
+    return error_with(first, second, measured, angle=float)
+
+# %% role="mistake" name="wrapped too early" says="You wrap before the measured angle is subtracted. The difference can be too large again: wrap at the very end."
+def edge_error(first, second, measured):
+    ahead, left, turn = edge_parts(first, second)
+    return np.array([ahead - measured[0], left - measured[1], wrapped(turn) - measured[2]])
+
+# %% role="mistake" name="% in place of remainder" says="% gives an angle from 0 to 2π, so a small negative angle becomes almost a full turn. Use math.remainder, which gives -π to π."
+def edge_error(first, second, measured):
+    return error_with(first, second, measured, angle=lambda angle: angle % (2 * math.pi))
+
+# %% role="mistake" name="remainder by half a turn" says="You took the remainder by π, which is half a turn. Use 2 * math.pi."
+def edge_error(first, second, measured):
+    return error_with(first, second, measured, angle=lambda angle: math.remainder(angle, math.pi))
+
+# %% role="mistake" name="not turned" says="You take dx and dy of the room. The first pose sees them turned: ahead = c * dx + s * dy, left = c * dy - s * dx."
+def edge_error(first, second, measured):
+    return error_with(first, second, measured, yaw=0.0)
+
+# %% role="mistake" name="turned to the wrong side" says="You turn to the wrong side; a sign of s is wrong: ahead = c * dx + s * dy, left = c * dy - s * dx."
+def edge_error(first, second, measured):
+    return error_with(first, second, measured, side=-1.0)
+
+# %% role="mistake" name="turned by the second yaw" says="You turn by the yaw of the second pose. The motion is seen from the first pose: use first[2]."
+def edge_error(first, second, measured):
+    return error_with(first, second, measured, yaw=second[2])
+
+# %% role="mistake" name="turned by the measured angle" says="You turn by the measured angle. Use the yaw of the first pose, first[2]."
+def edge_error(first, second, measured):
+    return error_with(first, second, measured, yaw=measured[2])
+
+# %% role="mistake" name="sine and cosine exchanged" says="Sine and cosine are exchanged: ahead = c * dx + s * dy, with c the cosine."
+def edge_error(first, second, measured):
+    c, s = math.sin(first[2]), math.cos(first[2])
+    dx, dy = second[0] - first[0], second[1] - first[1]
+    return np.array([c * dx + s * dy - measured[0], c * dy - s * dx - measured[1], solution(first, second, measured)[2]])
+
+# %% role="mistake" name="ahead and left exchanged" says="Ahead and left are exchanged: the first number is ahead."
+def edge_error(first, second, measured):
+    ahead, left, turn = edge_parts(first, second)
+    return np.array([left - measured[0], ahead - measured[1], wrapped(turn - measured[2])])
+
+# %% role="mistake" name="left has the wrong sign" says="The sign of left is wrong: left = c * dy - s * dx."
+def edge_error(first, second, measured):
+    ahead, left, turn = edge_parts(first, second)
+    return np.array([ahead - measured[0], -left - measured[1], wrapped(turn - measured[2])])
+
+# %% role="mistake" name="the negative error" says="All signs are wrong: the error is what the poses say, less what was measured."
+def edge_error(first, second, measured):
+    return -solution(first, second, measured)
+
+# %% role="mistake" name="measured added" says="You added the measured motion. Subtract it."
+def edge_error(first, second, measured):
+    return error_with(first, second, tuple(-v for v in measured))
+
+# %% role="mistake" name="without the measured motion" says="This is the motion that the poses say. Subtract the measured one."
+def edge_error(first, second, measured):
+    return error_with(first, second, (0.0, 0.0, 0.0))
+
+# %% role="mistake" name="measured angle forgotten" says="The measured angle is missing: subtract measured[2] as well."
+def edge_error(first, second, measured):
+    return error_with(first, second, (measured[0], measured[1], 0.0))
+
+# %% role="mistake" name="from the second to the first" says="This is the motion from the second pose to the first. Compute second minus first."
+def edge_error(first, second, measured):
+    return error_with(second, first, measured)
+
+# %% role="mistake" name="second less first exchanged" says="dx, dy and the angle have the wrong sign: they are second minus first."
+def edge_error(first, second, measured):
+    ahead, left, turn = edge_parts(first, second)
+    return np.array([-ahead - measured[0], -left - measured[1], wrapped(-turn - measured[2])])
+
+# %% role="mistake" name="absolute values" says="The signs are lost: an error can be negative. Leave abs out."
+def edge_error(first, second, measured):
+    return np.abs(solution(first, second, measured))
+
+# %% role="mistake" name="absolute angle" says="The sign of the angle is lost: a turn to the right is negative. Leave abs out."
+def edge_error(first, second, measured):
+    ahead, left, angle = solution(first, second, measured)
+    return np.array([ahead, left, abs(angle)])
+
+# %% role="mistake" name="squared" says="You return the squares. Return the differences themselves."
+def edge_error(first, second, measured):
+    return solution(first, second, measured) ** 2
+
+# %% role="mistake" name="one number" says="You return one number. Return the three differences: ahead, left and angle."
+def edge_error(first, second, measured):
+    return float((solution(first, second, measured) ** 2).sum())
+
+# %% role="mistake" name="degrees" says="The angle is in degrees. Leave it in radians."
+def edge_error(first, second, measured):
+    return solution(first, second, measured) * (1, 1, 180 / math.pi)
+
+# %% role="mistake" name="yaw taken as degrees" says="The yaws are radians already. Leave math.radians out."
+def edge_error(first, second, measured):
+    return error_with(first, second, measured, yaw=math.radians(first[2]))
+
+# %% role="mistake" name="rounded" says="The numbers are rounded. Return the exact numbers, and leave round out."
+def edge_error(first, second, measured):
+    return solution(first, second, measured).round(2)
+
+# %% role="mistake" name="only the places" says="The angle is missing: return three numbers."
+def edge_error(first, second, measured):
+    return solution(first, second, measured)[:2]
+
+# %% [markdown]
+# # mapping-loops
+
+# %% role="mistake" name="without the gap" says="Your pairs contain neighbours, which always look alike. j must be at least gap poses after i: j - i >= gap."
+def find_loops(places, shares, radius, gap, least):
+    return all_loops(places, lambda i, j: apart(places, i, j) <= radius and shares[i, j] >= least)
+
+# %% role="mistake" name="more than the gap" says="A pair that is exactly gap poses apart counts too: j begins at i + gap."
+def find_loops(places, shares, radius, gap, least):
+    return all_loops(places, lambda i, j: j - i > gap and apart(places, i, j) <= radius and shares[i, j] >= least)
+
+# %% role="mistake" name="at most the gap" says="You keep pairs of poses that follow soon after each other. j must be at least gap poses after i."
+def find_loops(places, shares, radius, gap, least):
+    return all_loops(places, lambda i, j: j - i <= gap and apart(places, i, j) <= radius and shares[i, j] >= least)
+
+# %% role="mistake" name="exactly the gap" says="You look only at pairs that are exactly gap poses apart. j goes from i + gap to the end."
+def find_loops(places, shares, radius, gap, least):
+    return all_loops(places, lambda i, j: j - i == gap and apart(places, i, j) <= radius and shares[i, j] >= least)
+
+# %% role="mistake" name="only the place" says="You look at the places only. The wheels drift, so most points of the scans must fit as well: shares[i, j] >= least."
+def find_loops(places, shares, radius, gap, least):
+    return all_loops(places, lambda i, j: j - i >= gap and apart(places, i, j) <= radius)
+
+# %% role="mistake" name="only the share" says="You look at the shares only. Two places can look alike, so they must also be near each other: math.dist(...) <= radius."
+def find_loops(places, shares, radius, gap, least):
+    return all_loops(places, lambda i, j: j - i >= gap and shares[i, j] >= least)
+
+# %% role="mistake" name="or in place of and" says="One sign is enough for you. Both must be true, the place and the share: use and."
+def find_loops(places, shares, radius, gap, least):
+    return all_loops(places, lambda i, j: j - i >= gap and (apart(places, i, j) <= radius or shares[i, j] >= least))
+
+# %% role="mistake" name="far places" says="You keep the places that are far apart. At most radius means <=."
+def find_loops(places, shares, radius, gap, least):
+    return all_loops(places, lambda i, j: j - i >= gap and apart(places, i, j) >= radius and shares[i, j] >= least)
+
+# %% role="mistake" name="low shares" says="You keep the pairs of which few points fit. At least means >=."
+def find_loops(places, shares, radius, gap, least):
+    return all_loops(places, lambda i, j: j - i >= gap and apart(places, i, j) <= radius and shares[i, j] <= least)
+
+# %% role="mistake" name="< in place of <=" says="Two places that are exactly radius apart count too: at most means <=."
+def find_loops(places, shares, radius, gap, least):
+    return all_loops(places, lambda i, j: j - i >= gap and apart(places, i, j) < radius and shares[i, j] >= least)
+
+# %% role="mistake" name="> in place of >=" says="A share that is exactly least counts too: at least means >=."
+def find_loops(places, shares, radius, gap, least):
+    return all_loops(places, lambda i, j: j - i >= gap and apart(places, i, j) <= radius and shares[i, j] > least)
+
+# %% role="mistake" name="both limits without =" says="Values that are exactly at the limit count too: <= radius and >= least."
+def find_loops(places, shares, radius, gap, least):
+    return all_loops(places, lambda i, j: j - i >= gap and apart(places, i, j) < radius and shares[i, j] > least)
+
+# %% role="mistake" name="j and i exchanged in the shares" says="The share of the pair is shares[i, j], with i first, the earlier pose."
+def find_loops(places, shares, radius, gap, least):
+    return all_loops(places, lambda i, j: j - i >= gap and apart(places, i, j) <= radius and shares[j, i] >= least)
+
+# %% role="mistake" name="later pose first" says="Each pair is (i, j), the earlier pose first."
+def find_loops(places, shares, radius, gap, least):
+    return [(j, i) for i, j in solution(places, shares, radius, gap, least)]
+
+# %% role="mistake" name="each pair twice" says="Each pair is there twice, as (i, j) and as (j, i). Begin the inner loop at i + gap."
+def find_loops(places, shares, radius, gap, least):
+    pairs = solution(places, shares, radius, gap, least)
+    return sorted(pairs + [(j, i) for i, j in pairs])
+
+# %% role="mistake" name="both orders, each with its share" says="You look at pairs in both orders. Only j after i counts: begin the inner loop at i + gap."
+def find_loops(places, shares, radius, gap, least):
+    count = len(places)
+    pairs = [(i, j) for i in range(count) for j in range(count) if abs(i - j) >= gap]
+    return [(i, j) for i, j in pairs if apart(places, i, j) <= radius and shares[i, j] >= least]
+
+# %% role="mistake" name="in the order of j" says="The order is wrong: all pairs of i = 0 first, then those of i = 1. Make i the outer loop."
+def find_loops(places, shares, radius, gap, least):
+    return sorted(solution(places, shares, radius, gap, least), key=lambda pair: pair[::-1])
+
+# %% role="mistake" name="without the last pose" says="The last pose is missing: range(i + gap, len(places)) goes up to it."
+def find_loops(places, shares, radius, gap, least):
+    return [(i, j) for i, j in solution(places, shares, radius, gap, least) if j < len(places) - 1]
+
+# %% role="mistake" name="the first pose only" says="You look for loops to pose 0 only. Every earlier pose can close one. Or does return stand inside of the outer loop?"
+def find_loops(places, shares, radius, gap, least):
+    return [(i, j) for i, j in solution(places, shares, radius, gap, least) if i == 0]
+
+# %% role="mistake" name="the last pose only" says="You look for loops of the last pose only. Every later pose can close one."
+def find_loops(places, shares, radius, gap, least):
+    return [(i, j) for i, j in solution(places, shares, radius, gap, least) if j == len(places) - 1]
+
+# %% role="mistake" name="one of each i" says="You stop after the first j of each i. Leave break out: all pairs count."
+def find_loops(places, shares, radius, gap, least):
+    pairs = solution(places, shares, radius, gap, least)
+    return [(i, j) for k, (i, j) in enumerate(pairs) if k == 0 or pairs[k - 1][0] != i]
+
+# %% role="mistake" name="only the first loop" says="You return at the first loop. Collect all pairs in a list, and return it after both loops."
+def find_loops(places, shares, radius, gap, least):
+    return solution(places, shares, radius, gap, least)[:1]
+
+# %% role="mistake" name="one pair without a list" says="You return one pair. Return a list of all pairs."
+def find_loops(places, shares, radius, gap, least):
+    pairs = solution(places, shares, radius, gap, least)
+    return pairs[0] if pairs else None
+
+# %% role="mistake" name="how many" says="You return how many loops there are. Return the list of pairs."
+def find_loops(places, shares, radius, gap, least):
+    return len(solution(places, shares, radius, gap, least))
+
+# %% role="mistake" name="only x" says="You look at x only. The distance has two parts, x and y: math.dist."
+def find_loops(places, shares, radius, gap, least):
+    return all_loops(places, lambda i, j: j - i >= gap and abs(places[i][0] - places[j][0]) <= radius and shares[i, j] >= least)
+
+# %% role="mistake" name="x and y added" says="You added the ways in x and y. The distance is the root of the sum of squares: math.dist."
+def find_loops(places, shares, radius, gap, least):
+    return all_loops(places, lambda i, j: j - i >= gap and abs(places[i][0] - places[j][0]) + abs(places[i][1] - places[j][1]) <= radius and shares[i, j] >= least)
+
+# %% role="mistake" name="squared distance" says="You compare the squared distance. Take the root: math.dist gives the distance itself."
+def find_loops(places, shares, radius, gap, least):
+    return all_loops(places, lambda i, j: j - i >= gap and apart(places, i, j) ** 2 <= radius and shares[i, j] >= least)
+
+# %% role="mistake" name="numbers from 1" says="Your numbers are one too high: the first pose is number 0."
+def find_loops(places, shares, radius, gap, least):
+    return [(i + 1, j + 1) for i, j in solution(places, shares, radius, gap, least)]
+
+# %% role="mistake" name="no loops" says="Your list is always empty. Does the inner loop go to len(places), and do you append to the list?"
+def find_loops(places, shares, radius, gap, least):
+    return []
+
+# %% [markdown]
+# # mapping-step
+
+# %% role="mistake" name="the wrong direction" says="Your step goes in the wrong direction. A minus is missing: solve(J.T @ W @ J, -J.T @ W @ errors), and add the step."
+def graph_step(poses, edges):
+    return 2 * poses - solution(poses, edges)
+
+# %% role="mistake" name="without weights" says="All edges count alike. Use the weights: J.T @ W @ J and J.T @ W @ errors, with W = np.diag(weights)."
+def graph_step(poses, edges):
+    J, errors, weights = graph_parts(poses, edges)
+    return moved_by(poses, weighted_step(J[:, 3:], errors, np.ones_like(weights)))
+
+# %% role="mistake" name="weights on the left only" says="W is missing on the right: -J.T @ W @ errors."
+def graph_step(poses, edges):
+    J, errors, weights = graph_parts(poses, edges)
+    J = J[:, 3:]
+    return moved_by(poses, np.linalg.solve(J.T @ (weights[:, np.newaxis] * J), -J.T @ errors))
+
+# %% role="mistake" name="weights on the right only" says="W is missing on the left: J.T @ W @ J."
+def graph_step(poses, edges):
+    J, errors, weights = graph_parts(poses, edges)
+    J = J[:, 3:]
+    return moved_by(poses, np.linalg.solve(J.T @ J, -J.T @ (weights * errors)))
+
+# %% role="mistake" name="weights squared" says="The weights count twice. W stands once between J.T and J, and once between J.T and the errors."
+def graph_step(poses, edges):
+    J, errors, weights = graph_parts(poses, edges)
+    return moved_by(poses, weighted_step(J[:, 3:], errors, weights**2))
+
+# %% role="mistake" name="root of the weights" says="You use the root of the weights. W has the weights themselves."
+def graph_step(poses, edges):
+    J, errors, weights = graph_parts(poses, edges)
+    return moved_by(poses, weighted_step(J[:, 3:], errors, weights**0.5))
+
+# %% role="mistake" name="weights divided" says="You divide by the weights. A large weight means an exact edge: multiply."
+def graph_step(poses, edges):
+    J, errors, weights = graph_parts(poses, edges)
+    return moved_by(poses, weighted_step(J[:, 3:], errors, 1 / weights))
+
+# %% role="mistake" name="weights exchanged" says="The weights are exchanged: the first one belongs to ahead and left, the second one to the angle, so [place, place, angle]."
+def graph_step(poses, edges):
+    exchanged = [(i, j, motion, weights[::-1]) for i, j, motion, weights in edges]
+    return solution(poses, exchanged)
+
+# %% role="mistake" name="place, angle, angle" says="The first weight belongs to two numbers, ahead and left: [place, place, angle]."
+def graph_step(poses, edges):
+    J, errors, weights = graph_parts(poses, edges)
+    weights[1::3] = weights[2::3]
+    return moved_by(poses, weighted_step(J[:, 3:], errors, weights))
+
+# %% role="mistake" name="one weight" says="You use the first weight for all three numbers. The angle has its own, the second one: [place, place, angle]."
+def graph_step(poses, edges):
+    J, errors, weights = graph_parts(poses, edges)
+    weights[2::3] = weights[0::3]
+    return moved_by(poses, weighted_step(J[:, 3:], errors, weights))
+
+# %% role="mistake" name="the first pose moves" says="The first pose moves. Hold it: leave the first three columns of J out, J[:, 3:]."
+def graph_step(poses, edges):
+    J, errors, weights = graph_parts(poses, edges)
+    return poses + weighted_step(J, errors, weights).reshape(-1, 3)
+
+# %% role="mistake" name="the first columns kept, the first pose restored" says="You solve with all columns, and then put the first pose back: the others do not fit it. Leave the first three columns of J out before you solve."
+def graph_step(poses, edges):
+    J, errors, weights = graph_parts(poses, edges)
+    return moved_by(poses, weighted_step(J, errors, weights)[3:])
+
+# %% role="mistake" name="the last pose held" says="You hold the last pose. Hold the first one: J[:, 3:]."
+def graph_step(poses, edges):
+    J, errors, weights = graph_parts(poses, edges)
+    result = poses.copy()
+    result[:-1] += weighted_step(J[:, :-3], errors, weights).reshape(-1, 3)
+    return result
+
+# %% role="mistake" name="blocks exchanged" says="The blocks are exchanged: by_first belongs to the columns of pose i, by_second to those of pose j."
+def graph_step(poses, edges):
+    J, errors, weights = graph_parts(poses, edges, flip=True)
+    return moved_by(poses, weighted_step(J[:, 3:], errors, weights))
+
+# %% role="mistake" name="only the first block" says="by_second is missing: write it into the columns of pose j."
+def graph_step(poses, edges):
+    J, errors, weights = graph_parts(poses, edges, both=(1.0, 0.0))
+    return moved_by(poses, weighted_step(J[:, 3:], errors, weights))
+
+# %% role="mistake" name="only the second block" says="by_first is missing: write it into the columns of pose i."
+def graph_step(poses, edges):
+    J, errors, weights = graph_parts(poses, edges, both=(0.0, 1.0))
+    return moved_by(poses, weighted_step(J[:, 3:], errors, weights))
+
+# %% role="mistake" name="a sign of a block" says="A block has the wrong sign. Write by_first and by_second as linearize returns them."
+def graph_step(poses, edges):
+    J, errors, weights = graph_parts(poses, edges, both=(-1.0, 1.0))
+    return moved_by(poses, weighted_step(J[:, 3:], errors, weights))
+
+# %% role="mistake" name="without the last edge" says="The last edge is missing, the one that closes the loop. Use all edges."
+def graph_step(poses, edges):
+    J, errors, weights = graph_parts(poses, edges[:-1])
+    return moved_by(poses, weighted_step(J[:, 3:], errors, weights))
+
+# %% role="mistake" name="gradient step" says="You return poses - J.T @ W @ errors: a small step down. Solve the equation with J.T @ W @ J."
+def graph_step(poses, edges):
+    J, errors, weights = graph_parts(poses, edges)
+    return moved_by(poses, -J[:, 3:].T @ (weights * errors))
+
+# %% role="mistake" name="many steps" says="You did several steps. Return the poses after one step."
+def graph_step(poses, edges):
+    for _ in range(5):
+        poses = solution(poses, edges)
+    return poses
+
+# %% role="mistake" name="the step itself" says="You return the step. Add it to the poses."
+def graph_step(poses, edges):
+    return solution(poses, edges) - poses
+
+# %% role="mistake" name="the step of all but the first" says="You return the step. Add it to poses[1:], in rows of three numbers."
+def graph_step(poses, edges):
+    return (solution(poses, edges) - poses)[1:]
+
+# %% role="mistake" name="without the first pose" says="The first pose is missing. It belongs to the result, as it was."
+def graph_step(poses, edges):
+    return solution(poses, edges)[1:]
+
+# %% role="mistake" name="unchanged" says="You return the poses as they were. Add the step to result[1:]."
+def graph_step(poses, edges):
+    return poses.copy()
+
+# %% role="mistake" name="reshaped by columns" says="The step is in the wrong order: three numbers of pose 1, then three of pose 2. Use reshape(-1, 3)."
+def graph_step(poses, edges):
+    step = (solution(poses, edges) - poses)[1:].ravel()
+    return moved_by(poses, step.reshape(3, -1).T)
+
+# %% role="mistake" name="only the places" says="The yaws did not change. The step has three numbers for each pose."
+def graph_step(poses, edges):
+    result = solution(poses, edges)
+    result[:, 2] = poses[:, 2]
+    return result

@@ -1,0 +1,525 @@
+# %% [markdown]
+# # text-components
+
+# %% role="mistake" name="4-connectivity" says="You use 4-connectivity. Pixels that touch at a corner belong together too: visit all eight neighbours."
+def label(mask):
+    return filled(mask, FOUR)
+
+# %% role="mistake" name="diagonals only" says="You visit only the neighbours at the corners. The four beside, above and below belong to a component too."
+def label(mask):
+    return filled(mask, [(i, j) for i, j in EIGHT if i and j])
+
+# %% role="mistake" name="along the rows only" says="You visit only the neighbours to the left and right. A component also continues above, below and at the corners: eight neighbours."
+def label(mask):
+    return filled(mask, [(0, -1), (0, 1)])
+
+# %% role="mistake" name="along the columns only" says="You visit only the neighbours above and below. A component also continues to the left, to the right and at the corners: eight neighbours."
+def label(mask):
+    return filled(mask, [(-1, 0), (1, 0)])
+
+# %% role="mistake" name="forward only" says="You visit only neighbours to the right and below. A component can also go back to the left or up, like a U: visit all eight neighbours."
+def label(mask):
+    return filled(mask, [(0, 1), (1, 0), (1, 1)])
+
+# %% role="mistake" name="one pass" says="Two parts that meet farther down keep different numbers, like the two sides of a U. The numbers of parts that meet must become one."
+def label(mask):
+    return one_pass(mask)
+
+# %% role="mistake" name="one pass, the last neighbour" says="Two parts that meet farther down keep different numbers, like the two sides of a U. The numbers of parts that meet must become one."
+def label(mask):
+    return one_pass(mask, lambda near: near[-1])
+
+# %% role="mistake" name="one pass, the first neighbour" says="Two parts that meet farther down keep different numbers, like the two sides of a U. The numbers of parts that meet must become one."
+def label(mask):
+    return one_pass(mask, lambda near: near[0])
+
+# %% role="mistake" name="negative indices" says="At the border, the index -1 is the other side of the image, so components wrap around. Test that row and col are at least 0 and inside the image."
+def label(mask):
+    return filled(mask, EIGHT, tested=False)
+
+# %% role="mistake" name="negative indices, upper limits tested" says="At the border, the index -1 is the other side of the image, so components wrap around. Test also that row and col are at least 0."
+def label(mask):
+    return filled(mask, EIGHT, first=-min(mask.shape))
+
+# %% role="mistake" name="the number of rows for the columns" says="Columns on the right have no number: you compare col with the number of rows. mask.shape[0] is the number of rows, mask.shape[1] the number of columns."
+def label(mask):
+    return filled(mask, EIGHT, columns=min(mask.shape))
+
+# %% role="mistake" name="rows and columns exchanged" says="Rows and columns are exchanged in the test for the border: mask.shape is (rows, columns). A row is compared with mask.shape[0], a column with mask.shape[1]."
+def label(mask):
+    columns, rows = mask.shape
+    labels, count = np.zeros(mask.shape, int), 0
+    for start in np.argwhere(mask):
+        if labels[tuple(start)] == 0:
+            count += 1
+            stack = [tuple(start)]
+            while stack:
+                row, col = stack.pop()
+                if 0 <= row < rows and 0 <= col < columns and mask[row, col] and labels[row, col] == 0:
+                    labels[row, col] = count
+                    stack += [(row + i, col + j) for i in (-1, 0, 1) for j in (-1, 0, 1)]
+    return labels
+
+# %% role="mistake" name="column by column" says="Your numbers are in the order of the columns. Meet the components row by row, from left to right, as np.argwhere(mask) does."
+def label(mask):
+    return filled(mask, EIGHT, starts=np.argwhere(mask.T)[:, ::-1].tolist())
+
+# %% role="mistake" name="from the last pixel" says="Your numbers begin at the end of the image. The first component that you meet from the upper left has the number 1."
+def label(mask):
+    return filled(mask, EIGHT, starts=np.argwhere(mask)[::-1].tolist())
+
+# %% role="mistake" name="numbers from 0" says="Your numbers are one too low: the first component has the number 1, because 0 is the background."
+def label(mask):
+    return solution(mask) - 1
+
+# %% role="mistake" name="numbers from 2" says="Your numbers are one too high where there is ink: the first component has the number 1."
+def label(mask):
+    return np.where(mask, solution(mask) + 1, 0)
+
+# %% role="mistake" name="the background has 1" says="Your background has the number 1, and all others are one too high. The background is 0."
+def label(mask):
+    return solution(mask) + 1
+
+# %% role="mistake" name="the paper labelled" says="You labelled the paper in place of the ink: True is ink."
+def label(mask):
+    return filled(~mask, EIGHT)
+
+# %% role="mistake" name="the mask" says="All ink has the number 1. Each component needs a number of its own: add 1 to the count for each new component."
+def label(mask):
+    return mask.astype(int)
+
+# %% role="mistake" name="a number for each pixel" says="Each pixel has a number of its own. All pixels of a component share one: give it to the neighbours too, with the stack."
+def label(mask):
+    return np.where(mask, mask.cumsum().reshape(mask.shape), 0)
+
+# %% role="mistake" name="first component only" says="Only the first component has a number. Go on with the next pixel of ink that has none: return belongs after the loop."
+def label(mask):
+    return np.where(solution(mask) == 1, 1, 0)
+
+# %% role="mistake" name="how many" says="You return how many components there are. Return the label image: the number of each pixel."
+def label(mask):
+    return int(solution(mask).max())
+
+# %% role="mistake" name="the count as well" says="You return two things, the count and the label image. Return only the label image."
+def label(mask):
+    labels = solution(mask)
+    return int(labels.max()), labels
+
+# %% role="mistake" name="the label image and the count" says="You return two things, the label image and the count. Return only the label image."
+def label(mask):
+    labels = solution(mask)
+    return labels, int(labels.max())
+
+# %% role="mistake" name="sizes" says="You wrote the size of the component into its pixels. Write its number: 1, 2, 3 and so on."
+def label(mask):
+    labels = solution(mask)
+    return np.where(mask, np.bincount(labels.ravel())[labels], 0)
+
+# %% role="mistake" name="zeros" says="Your label image is full of zeros: no pixel ever got a number. Is the test for ink and for no number right, and does the first pixel come on the stack?"
+def label(mask):
+    return np.zeros(mask.shape, int)
+
+# %% role="mistake" name="gaps in the numbers" says="Your numbers have gaps: you add 1 to the count for each pixel of ink. Add 1 only if the pixel has no number yet."
+def label(mask):
+    labels, ink = solution(mask), mask.cumsum()
+    firsts = [0] + [int(ink[np.argmax(labels.ravel() == i)]) for i in range(1, labels.max() + 1)]
+    return np.array(firsts)[labels]
+
+# %% role="mistake" name="border left out" says="Pixels at the border of the image have no number. The test for inside must allow row 0, column 0, the last row and the last column."
+def label(mask):
+    inner = np.zeros_like(mask)
+    inner[1:-1, 1:-1] = mask[1:-1, 1:-1]
+    return filled(inner, EIGHT)
+
+# %% [markdown]
+# # text-ncc
+
+# %% role="mistake" name="means not subtracted" says="Subtract from each image its own mean first; without this, two bright images always look alike."
+def ncc(a, b):
+    return quotient((a * b).sum(), norm2(a) * norm2(b))
+
+# %% role="mistake" name="means not subtracted, 0 / 0" says="Subtract from each image its own mean first; without this, two bright images always look alike. And test for an image without form: 0 / 0 is nan."
+def ncc(a, b):
+    return quotient((a * b).sum(), norm2(a) * norm2(b), float("nan"))
+
+# %% role="mistake" name="means not subtracted, form tested" says="Subtract from each image its own mean first; without this, two bright images always look alike."
+def ncc(a, b):
+    return quotient((a * b).sum(), norm2(a) * norm2(b)) if np.ptp(a) and np.ptp(b) else 0.0
+
+# %% role="mistake" name="means of the rows" says="You subtracted a mean of each row (axis=1). Subtract one mean, that of the whole image: a.mean()."
+def ncc(a, b):
+    a, b = a - a.mean(axis=1, keepdims=True), b - b.mean(axis=1, keepdims=True)
+    return quotient((a * b).sum(), norm2(a) * norm2(b))
+
+# %% role="mistake" name="means of the columns" says="You subtracted a mean of each column (axis=0). Subtract one mean, that of the whole image: a.mean()."
+def ncc(a, b):
+    a, b = a - a.mean(axis=0), b - b.mean(axis=0)
+    return quotient((a * b).sum(), norm2(a) * norm2(b))
+
+# %% role="mistake" name="mean of a only" says="You subtracted the mean of a only. Subtract the mean of b from b as well."
+def ncc(a, b):
+    return quotient((centered(a) * b).sum(), norm2(centered(a)) * norm2(b))
+
+# %% role="mistake" name="mean of b only" says="You subtracted the mean of b only. Subtract the mean of a from a as well."
+def ncc(a, b):
+    return quotient((a * centered(b)).sum(), norm2(a) * norm2(centered(b)))
+
+# %% role="mistake" name="the mean of a from both" says="You subtracted the mean of a from both images. Each image has its own mean."
+def ncc(a, b):
+    return quotient((centered(a) * (b - a.mean())).sum(), norm2(centered(a)) * norm2(b - a.mean()))
+
+# %% role="mistake" name="one mean of both" says="You subtracted one common mean from both images. Each image has its own mean."
+def ncc(a, b):
+    mean = (a.mean() + b.mean()) / 2
+    return quotient(((a - mean) * (b - mean)).sum(), norm2(a - mean) * norm2(b - mean))
+
+# %% role="mistake" name="not divided" says="Your sum of products is not normalized: divide it by the square root of both sums of squares."
+def ncc(a, b):
+    return float((centered(a) * centered(b)).sum())
+
+# %% role="mistake" name="the mean of the products" says="You divided by the number of pixels. Divide the sum of products by the square root of both sums of squares."
+def ncc(a, b):
+    return float((centered(a) * centered(b)).mean())
+
+# %% role="mistake" name="without the root" says="The square root is missing: divide by the root of both sums of squares."
+def ncc(a, b):
+    squares = norm2(centered(a)) * norm2(centered(b))
+    return float((centered(a) * centered(b)).sum() / squares) if squares else 0.0
+
+# %% role="mistake" name="without the root, 0 / 0" says="The square root is missing: divide by the root of both sums of squares. And test for an image without form: 0 / 0 is nan."
+def ncc(a, b):
+    squares = norm2(centered(a)) * norm2(centered(b))
+    return float((centered(a) * centered(b)).sum() / squares) if squares else float("nan")
+
+# %% role="mistake" name="roots added" says="You added the two roots. Multiply them: the root of both sums of squares, multiplied."
+def ncc(a, b):
+    roots = norm2(centered(a)) ** 0.5, norm2(centered(b)) ** 0.5
+    return float((centered(a) * centered(b)).sum() / sum(roots)) if all(roots) else 0.0
+
+# %% role="mistake" name="standardized, and summed" says="Divided by its standard deviation, each image still has a sum of squares of N, the number of pixels. Take the mean of the products, not the sum."
+def ncc(a, b):
+    return solution(a, b) * a.size
+
+# %% role="mistake" name="standardized, and summed, 0 / 0" says="Divided by its standard deviation, each image still has a sum of squares of N, the number of pixels. Take the mean of the products, not the sum. And test for an image without form: 0 / 0 is nan."
+def ncc(a, b):
+    return solution(a, b) * a.size if np.ptp(a) and np.ptp(b) else float("nan")
+
+# %% role="mistake" name="squares of a only" says="You divided by the sum of squares of a. The root contains both: the sum of squares of a, times the sum of squares of b."
+def ncc(a, b):
+    squares = norm2(centered(a))
+    return float((centered(a) * centered(b)).sum() / squares) if squares else 0.0
+
+# %% role="mistake" name="squares of b only" says="You divided by the sum of squares of b. The root contains both: the sum of squares of a, times the sum of squares of b."
+def ncc(a, b):
+    squares = norm2(centered(b))
+    return float((centered(a) * centered(b)).sum() / squares) if squares else 0.0
+
+# %% role="mistake" name="squares added" says="You added the two sums of squares. Multiply them before you take the root."
+def ncc(a, b):
+    return quotient((centered(a) * centered(b)).sum(), norm2(centered(a)) + norm2(centered(b)))
+
+# %% role="mistake" name="squares not centered" says="The sums of squares contain the means again. Take the squares of a - a.mean() and b - b.mean()."
+def ncc(a, b):
+    return quotient((centered(a) * centered(b)).sum(), norm2(a) * norm2(b))
+
+# %% role="mistake" name="absolute value" says="The NCC of an image and its negative is -1. Leave abs out."
+def ncc(a, b):
+    return abs(solution(a, b))
+
+# %% role="mistake" name="never below 0" says="The NCC can be negative. Leave max(0, ...) out."
+def ncc(a, b):
+    return max(0.0, solution(a, b))
+
+# %% role="mistake" name="squared" says="Your result is the square of the NCC. Take the root only of the sums of squares, and do not square the quotient."
+def ncc(a, b):
+    return solution(a, b) ** 2
+
+# %% role="mistake" name="without form: 1" says="If all pixels of one image are equal, it has no form: return 0.0, not 1."
+def ncc(a, b):
+    return solution(a, b) if np.ptp(a) and np.ptp(b) else 1.0
+
+# %% role="mistake" name="0 / 0" says="If all pixels of one image are equal, you divide 0 by 0, which is nan. Test this first, and return 0.0."
+def ncc(a, b):
+    return solution(a, b) if np.ptp(a) and np.ptp(b) else float("nan")
+
+# %% role="mistake" name="means with ddof" says="Your result is a little too small: np.std(ddof=1) divides by N - 1, and the mean of the products by N. Take the sums, as in the formula."
+def ncc(a, b):
+    return solution(a, b) * (a.size - 1) / a.size
+
+# %% role="mistake" name="a distance" says="You return 1 minus the NCC. Return the NCC itself: 1 for images of the same form."
+def ncc(a, b):
+    return 1 - solution(a, b)
+
+# %% role="mistake" name="squared differences" says="You added the squared differences. The NCC adds the products: (a - a.mean()) * (b - b.mean())."
+def ncc(a, b):
+    return norm2(a - b)
+
+# %% role="mistake" name="flipped" says="You flipped one image, as a convolution does. A correlation multiplies the pixels at the same place."
+def ncc(a, b):
+    return solution(a, b[::-1, ::-1])
+
+# %% role="mistake" name="rounded" says="The result is rounded. Return the exact number, and leave round out."
+def ncc(a, b):
+    return round(solution(a, b), 1)
+
+# %% role="mistake" name="not summed" says="You return an array. Add the products with .sum(): the NCC is one number."
+def ncc(a, b):
+    root = np.sqrt(norm2(centered(a)) * norm2(centered(b)))
+    return centered(a) * centered(b) / (root or 1.0)
+
+# %% [markdown]
+# # text-distance
+
+# %% role="mistake" name="the size of the example" says="The numbers 6, 7 and 8 belong to the example. Write len(a) + 1 and len(b) + 1, and return table[len(a), len(b)]."
+def edit_distance(a, b):
+    return table_7_8(a, b)
+
+# %% role="mistake" name="one character too far" says="Row i belongs to the character a[i - 1], and column j to b[j - 1]: Python counts from 0."
+def edit_distance(a, b):
+    return b[len(b)] if a and b else len(a + b)
+
+# %% role="mistake" name="sizes exchanged" says="The table has len(a) + 1 rows and len(b) + 1 columns, in this order: rows belong to a, columns to b."
+def edit_distance(a, b):
+    table = np.zeros((len(b) + 1, len(a) + 1), int)
+    table[:, 0], table[0, :] = range(len(b) + 1), range(len(a) + 1)
+    for i in range(1, len(a) + 1):
+        for j in range(1, len(b) + 1):
+            table[i, j] = min(table[i - 1, j] + 1, table[i, j - 1] + 1, table[i - 1, j - 1] + (a[i - 1] != b[j - 1]))
+    return int(table[len(a), len(b)])
+
+# %% role="mistake" name="place by place" says="You compare the texts place by place. After one inserted letter all others are moved by one: fill the table with the three kinds of steps."
+def edit_distance(a, b):
+    return sum(x != y for x, y in zip(a, b, strict=False)) + abs(len(a) - len(b))
+
+# %% role="mistake" name="place by place, lengths ignored" says="You compare the texts place by place, and ignore what is left of the longer one. Fill the table with the three kinds of steps."
+def edit_distance(a, b):
+    return sum(x != y for x, y in zip(a, b, strict=False))
+
+# %% role="mistake" name="without replacing" says="Replacing is missing, or costs 2: a replaced character is one step, from the number to the upper left, plus 1."
+def edit_distance(a, b):
+    return int(distance(a, b, replace=2)[-1, -1])
+
+# %% role="mistake" name="without inserting" says="The number to the left, plus 1, is missing: this is the step that inserts a character."
+def edit_distance(a, b):
+    return int(distance(a, b, insert=99)[-1, -1])
+
+# %% role="mistake" name="without deleting" says="The number above, plus 1, is missing: this is the step that deletes a character."
+def edit_distance(a, b):
+    return int(distance(a, b, delete=99)[-1, -1])
+
+# %% role="mistake" name="equal costs too" says="Equal characters cost nothing: add 1 to the number at the upper left only if the two characters differ."
+def edit_distance(a, b):
+    return int(distance(a, b, keep=1)[-1, -1])
+
+# %% role="mistake" name="replacing is free" says="Your result is the difference of the lengths. The characters count too: a replaced character costs 1, so add 1 to the number at the upper left if the two characters differ."
+def edit_distance(a, b):
+    return int(distance(a, b, replace=0)[-1, -1])
+
+# %% role="mistake" name="equal costs 1, others 0" says="It is the other way round: characters that differ cost 1, equal ones 0. Use !=, not ==."
+def edit_distance(a, b):
+    return int(distance(a, b, replace=0, keep=1)[-1, -1])
+
+# %% role="mistake" name="insert and delete are free" says="Inserting and deleting cost 1 each: add 1 to the number above, and to the number to the left."
+def edit_distance(a, b):
+    return int(distance(a, b, insert=0, delete=0)[-1, -1])
+
+# %% role="mistake" name="first row and column are 0" says="Your first row and first column are zeros. They count up, 0, 1, 2 and so on: from an empty text, each character must be inserted."
+def edit_distance(a, b):
+    return int(distance(a, b, top=0, left=0)[-1, -1])
+
+# %% role="mistake" name="first row is 0" says="Your first row is full of zeros. It counts up, 0, 1, 2 and so on: from an empty text, each character must be inserted."
+def edit_distance(a, b):
+    return int(distance(a, b, top=0)[-1, -1])
+
+# %% role="mistake" name="first column is 0" says="Your first column is full of zeros. It counts up, 0, 1, 2 and so on: each character of a must be deleted."
+def edit_distance(a, b):
+    return int(distance(a, b, left=0)[-1, -1])
+
+# %% role="mistake" name="last character left out" says="The last characters are not compared: the loops end too early, or you return the wrong number of the table. range(1, len(a) + 1) also contains len(a)."
+def edit_distance(a, b):
+    return solution(a[:-1], b[:-1])
+
+# %% role="mistake" name="first character left out" says="The first characters are not compared. Row i belongs to the character a[i - 1], and column j to b[j - 1]."
+def edit_distance(a, b):
+    return solution(a[1:], b[1:])
+
+# %% role="mistake" name="capitals ignored" says="You ignore capital letters. k and K are different characters here."
+def edit_distance(a, b):
+    return solution(a.lower(), b.lower())
+
+# %% role="mistake" name="an exchange is one step" says="You count two exchanged letters as one step. Here only inserting, deleting and replacing are steps, so it is two."
+def edit_distance(a, b):
+    exchanged = [a[:k] + a[k + 1] + a[k] + a[k + 2:] for k in range(len(a) - 1)]
+    return min(solution(text, b) + (text != a) for text in [a, *exchanged])
+
+# %% role="mistake" name="different letters" says="You count letters that occur in only one text. Their order counts as well: fill the table."
+def edit_distance(a, b):
+    return len(set(a) ^ set(b))
+
+# %% role="mistake" name="a share" says="You divided by the length of a text. Return the number of steps."
+def edit_distance(a, b):
+    return solution(a, b) / max(len(a), len(b), 1)
+
+# %% role="mistake" name="how many agree" says="You return how many characters agree. Return the number of steps."
+def edit_distance(a, b):
+    return max(len(a), len(b)) - solution(a, b)
+
+# %% role="mistake" name="the table" says="You return the whole table. Return its last number, as int: table[len(a), len(b)]."
+def edit_distance(a, b):
+    return distance(a, b)
+
+# %% role="mistake" name="one step too many" says="Your result is one too high. Two equal texts have the distance 0: the table begins with 0."
+def edit_distance(a, b):
+    return solution(a, b) + 1
+
+# %% role="mistake" name="always 0" says="You return 0 for every input. Does the loop write into table[i, j], and do you return the last number of the table?"
+def edit_distance(a, b):
+    return 0
+
+# %% role="mistake" name="last row and column not filled" says="The loops end too early, so the last number of the table is still 0: range(1, len(a)) ends before len(a). Use range(1, len(a) + 1), and the same for b."
+def edit_distance(a, b):
+    return 0 if a and b else len(a + b)
+
+# %% role="mistake" name="the largest of three" says="You took the largest of the three numbers. Take the smallest one: min."
+def edit_distance(a, b):
+    return int(distance(a, b, choose=max)[-1, -1])
+
+# %% role="mistake" name="equal or not" says="You say only whether the texts are equal. Count the steps."
+def edit_distance(a, b):
+    return int(a != b)
+
+# %% [markdown]
+# # text-ctc
+
+# %% role="mistake" name="blanks first" says="You left out the blanks before you looked for repeated characters, so two equal letters became one. Compare with the row before, also if it is a blank."
+def decode(scores, characters):
+    path = [i for i in scores.argmax(axis=1) if i]
+    return text_of(path, characters)
+
+# %% role="mistake" name="runs kept" says="A letter that fills several columns is one letter. Take it only if it differs from the one before."
+def decode(scores, characters):
+    return "".join(characters[i] for i in scores.argmax(axis=1) if i)
+
+# %% role="mistake" name="blanks kept" says="The blanks are still in your text. Leave out position 0."
+def decode(scores, characters):
+    path = scores.argmax(axis=1).tolist()
+    return "".join(characters[i] for k, i in enumerate(path) if k == 0 or i != path[k - 1])
+
+# %% role="mistake" name="nothing left out" says="Your text has a character for each row. Take one of each run of equal characters, and leave out the blanks."
+def decode(scores, characters):
+    return "".join(characters[i] for i in scores.argmax(axis=1))
+
+# %% role="mistake" name="blanks as spaces" says="The blank is not a space: it means that there is no character. Leave it out."
+def decode(scores, characters):
+    path = scores.argmax(axis=1).tolist()
+    return "".join(characters[i] if i else " " for k, i in enumerate(path) if k == 0 or i != path[k - 1])
+
+# %% role="mistake" name="each letter once" says="Each letter occurs only once in your text. Leave out a letter only if it is equal to the one directly before."
+def decode(scores, characters):
+    return "".join(dict.fromkeys(solution(scores, characters)))
+
+# %% role="mistake" name="the last blank" says="You took the last character for the blank. The blank is the first one: position 0."
+def decode(scores, characters):
+    path, last = scores.argmax(axis=1).tolist(), len(characters) - 1
+    return "".join(characters[i] for k, i in enumerate(path) if i != last and (k == 0 or i != path[k - 1]))
+
+# %% role="mistake" name="axis 0" says="You took the best row of each character. Take the best character of each row: argmax(axis=1)."
+def decode(scores, characters):
+    return text_of(scores.argmax(axis=0).tolist(), characters)
+
+# %% role="mistake" name="no axis, a loop" says="argmax() without axis gives one position in all. Take one for each row: argmax(axis=1)."
+def decode(scores, characters):
+    return text_of(scores.argmax(), characters)
+
+# %% role="mistake" name="no axis, a length" says="argmax() without axis gives one position in all, and it has no length. Take one for each row: argmax(axis=1)."
+def decode(scores, characters):
+    return text_of(range(len(scores.argmax())), characters)
+
+# %% role="mistake" name="the smallest score" says="You took the smallest score of each row. The best character has the largest one: argmax."
+def decode(scores, characters):
+    return text_of(scores.argmin(axis=1).tolist(), characters)
+
+# %% role="mistake" name="one character before" says="Your characters are moved by one. The position in the row is the position in characters: characters[i], without - 1."
+def decode(scores, characters):
+    shifted = characters[-1] + characters[:-1]
+    return text_of(scores.argmax(axis=1).tolist(), shifted)
+
+# %% role="mistake" name="one character after" says="Your characters are moved by one. The position in the row is the position in characters: characters[i], without + 1."
+def decode(scores, characters):
+    shifted = characters[1:] + characters[0]
+    return text_of(scores.argmax(axis=1).tolist(), shifted)
+
+# %% role="mistake" name="a list" says="You return a list of characters. Join them to one text: \"\".join(...)."
+def decode(scores, characters):
+    return list(solution(scores, characters))
+
+# %% role="mistake" name="positions" says="You return positions. Return their characters, as one text."
+def decode(scores, characters):
+    return [characters.index(letter) for letter in solution(scores, characters)]
+
+# %% role="mistake" name="backwards" says="Your text is backwards. Add each new character at the end: text + character."
+def decode(scores, characters):
+    return solution(scores, characters)[::-1]
+
+# %% role="mistake" name="ends at the first blank" says="Your text ends at the first blank after a letter. A blank is left out, and then the text goes on: use continue in place of break."
+def decode(scores, characters):
+    path = scores.argmax(axis=1).tolist()
+    start = next(k for k, i in enumerate(path) if i)
+    return text_of(path[start:path.index(0, start)], characters)
+
+# %% role="mistake" name="first letter missing" says="The first letter is missing. The loop over k begins with a letter that has no row before: it is new."
+def decode(scores, characters):
+    return solution(scores, characters)[1:]
+
+# %% role="mistake" name="the first row left out" says="The first row is missing in your loop. It has no row before, so its character is always new."
+def decode(scores, characters):
+    path = scores.argmax(axis=1).tolist()
+    return "".join(characters[i] for k, i in enumerate(path) if k and i and i != path[k - 1])
+
+# %% role="mistake" name="compared with the row after" says="You compare each row with the row after it, and leave out the last row: so a letter at the end is missing. Compare with the row before."
+def decode(scores, characters):
+    path = scores.argmax(axis=1).tolist()
+    return "".join(characters[path[k]] for k in range(len(path) - 1) if path[k] and path[k] != path[k + 1])
+
+# %% role="mistake" name="before the first row" says="For k = 0, best[k - 1] is best[-1], the last row. The first row has no row before, so its character is always new: k == 0 or ..."
+def decode(scores, characters):
+    path = scores.argmax(axis=1).tolist()
+    return "".join(characters[i] for k, i in enumerate(path) if i and i != path[k - 1])
+
+# %% role="mistake" name="a threshold" says="You take a character only if its score is above 0.5. Take the one with the largest score of the row, also if this is below 0.5."
+def decode(scores, characters):
+    return text_of(np.where(scores.max(axis=1) > 0.5, scores.argmax(axis=1), 0).tolist(), characters)
+
+# %% role="mistake" name="seven rows" says="The 7 belongs to the example. Go through all rows: len(scores)."
+def decode(scores, characters):
+    return text_of(scores.argmax(axis=1).tolist()[:7], characters)
+
+# %% role="mistake" name="the minus as the blank" says='You compare with "-". The blank is the character at position 0, and can be written in another way: compare the position with 0.'
+def decode(scores, characters):
+    path = scores.argmax(axis=1).tolist()
+    return "".join(characters[i] for k, i in enumerate(path) if characters[i] != "-" and (k == 0 or i != path[k - 1]))
+
+# %% role="mistake" name="last letter missing" says="The last letter is missing. Go through all rows to the end."
+def decode(scores, characters):
+    return solution(scores, characters)[:-1]
+
+# %% role="mistake" name="the last character only" says="You return one character only. Is return inside the loop, or do you write text = in place of text +=?"
+def decode(scores, characters):
+    return solution(scores, characters)[-1]
+
+# %% role="mistake" name="the first character only" says="You return one character only. Is return inside the loop? Return the text after the loop."
+def decode(scores, characters):
+    return solution(scores, characters)[0]
+
+# %% role="mistake" name="runs compared with the row after" says="A letter counts only if the next row is equal to it. Compare each row with the row before, and keep it if they differ."
+def decode(scores, characters):
+    path = scores.argmax(axis=1).tolist()
+    return "".join(characters[i] for k, i in enumerate(path) if i and k and i == path[k - 1])
+
+# %% role="mistake" name="an empty text" says="Your text is empty. Do you add the characters that are new and not blank? text += characters[i]."
+def decode(scores, characters):
+    return ""
+
+# %% role="mistake" name="how many letters" says="You return how many letters there are. Return the text."
+def decode(scores, characters):
+    return len(solution(scores, characters))

@@ -1,0 +1,526 @@
+# %% [markdown]
+# # objects-cell
+
+# %% role="mistake" name="pixels counted" says="You count the pixels of each bin. Add the magnitude of each pixel, so that a strong edge counts more than a weak one."
+def cell_histogram(grad_row, grad_col):
+    return histogram_of(orientations(grad_row, grad_col), np.ones_like(grad_row))
+
+# %% role="mistake" name="row and column exchanged" says="The gradients are exchanged: arctan2 takes the gradient along the row axis first, np.arctan2(grad_row, grad_col)."
+def cell_histogram(grad_row, grad_col):
+    return solution(grad_col, grad_row)
+
+# %% role="mistake" name="not divided" says="Divide the sums by the number of pixels of the cell: grad_row.size."
+def cell_histogram(grad_row, grad_col):
+    return solution(grad_row, grad_col) * grad_row.size
+
+# %% role="mistake" name="L1 norm" says="You added the L1 norm, |grad_row| + |grad_col|. The magnitude is the L2 norm here: np.hypot(grad_row, grad_col)."
+def cell_histogram(grad_row, grad_col):
+    return histogram_of(orientations(grad_row, grad_col), abs(grad_row) + abs(grad_col))
+
+# %% role="mistake" name="squared magnitude" says="You added the square of the magnitude. Take the square root of the sum of squares: np.hypot."
+def cell_histogram(grad_row, grad_col):
+    return histogram_of(orientations(grad_row, grad_col), grad_row**2 + grad_col**2)
+
+# %% role="mistake" name="radians" says="Your angles are in radians, so all are in the first or the last bin. Make degrees of them, np.degrees(...), and then use % 180."
+def cell_histogram(grad_row, grad_col):
+    return histogram_of(np.arctan2(grad_row, grad_col) % 180, np.hypot(grad_row, grad_col))
+
+# %% role="mistake" name="absolute angle" says="You took the absolute value of the angle, so -30 became 30. Its orientation is 150: use % 180."
+def cell_histogram(grad_row, grad_col):
+    angles = abs(np.degrees(np.arctan2(grad_row, grad_col))) % 180
+    return histogram_of(angles, np.hypot(grad_row, grad_col))
+
+# %% role="mistake" name="absolute angle, 180 degrees" says="An angle of exactly 180 degrees gets bin 9, which does not exist. And the absolute value of -30 is 30, but its orientation is 150. Use % 180 for all angles."
+def cell_histogram(grad_row, grad_col):
+    bins = (abs(np.degrees(np.arctan2(grad_row, grad_col))) // 20).astype(int)
+    histogram = np.zeros(9)
+    for i, magnitude in zip(bins.ravel(), np.hypot(grad_row, grad_col).ravel(), strict=True):
+        histogram[i] += magnitude
+    return histogram / grad_row.size
+
+# %% role="mistake" name="all the way round" says="Your bins go from 0 to 360 degrees, with 40 degrees each. An orientation is from 0 to 180: use % 180, and bins of 20 degrees."
+def cell_histogram(grad_row, grad_col):
+    angles = np.degrees(np.arctan2(grad_row, grad_col)) % 360
+    return histogram_of(angles, np.hypot(grad_row, grad_col), width=40.0)
+
+# %% role="mistake" name="180 degrees" says="An angle of exactly 180 degrees gets bin 9, which does not exist. Its orientation is 0: use % 180 for all angles."
+def cell_histogram(grad_row, grad_col):
+    bins = (np.degrees(np.arctan2(grad_row, grad_col)) // 20).astype(int)
+    histogram = np.zeros(9)
+    for i, magnitude in zip(bins.ravel(), np.hypot(grad_row, grad_col).ravel(), strict=True):
+        histogram[i] += magnitude
+    return histogram / grad_row.size
+
+# %% role="mistake" name="negative angles left out" says="Pixels with a negative angle are missing. Bring all angles into 0 to 180 with % 180."
+def cell_histogram(grad_row, grad_col):
+    angles = np.degrees(np.arctan2(grad_row, grad_col))
+    return histogram_of(np.abs(angles), np.where((angles >= 0) & (angles < 180), np.hypot(grad_row, grad_col), 0.0))
+
+# %% role="mistake" name="nearest bin" says="You rounded to the nearest bin. Bin 0 is from 0 up to 20 degrees: use // 20, which rounds down."
+def cell_histogram(grad_row, grad_col):
+    angles = orientations(grad_row, grad_col)
+    return histogram_of(np.round(angles / 20) * 20.0, np.hypot(grad_row, grad_col))
+
+# %% role="mistake" name="eight bins" says="You have eight bins. Nine bins of 20 degrees make 180."
+def cell_histogram(grad_row, grad_col):
+    return histogram_of(orientations(grad_row, grad_col), np.hypot(grad_row, grad_col), 22.5, 8)
+
+# %% role="mistake" name="bins of 22.5 degrees" says="Your bins have 22.5 degrees, so the last one stays empty. Nine bins have 20 degrees each: // 20."
+def cell_histogram(grad_row, grad_col):
+    return histogram_of(orientations(grad_row, grad_col), np.hypot(grad_row, grad_col), 22.5, 9)
+
+# %% role="mistake" name="bins of 10 degrees" says="Your bins do not have 20 degrees: 180 degrees divided by nine bins is 20."
+def cell_histogram(grad_row, grad_col):
+    return histogram_of(orientations(grad_row, grad_col) / 2, np.hypot(grad_row, grad_col))
+
+# %% role="mistake" name="mean of each bin" says="You divided each bin by the number of its own pixels. Divide all by the number of pixels of the whole cell."
+def cell_histogram(grad_row, grad_col):
+    counts = np.round(histogram_of(orientations(grad_row, grad_col), np.ones_like(grad_row)) * grad_row.size)
+    return solution(grad_row, grad_col) * grad_row.size / np.maximum(counts, 1)
+
+# %% role="mistake" name="sum is 1" says="You divided by the sum of the histogram. Divide by the number of pixels: the light is removed later, for a whole block."
+def cell_histogram(grad_row, grad_col):
+    histogram = solution(grad_row, grad_col)
+    return histogram / histogram.sum()
+
+# %% role="mistake" name="length 1" says="You divided by the L2 norm of the histogram. Divide by the number of pixels: the light is removed later, for a whole block."
+def cell_histogram(grad_row, grad_col):
+    histogram = solution(grad_row, grad_col)
+    return histogram / np.sqrt((histogram * histogram).sum())
+
+# %% role="mistake" name="whole magnitudes" says="Your magnitudes are cut to whole numbers. Begin with np.zeros(9), which has floats, and add the magnitude itself."
+def cell_histogram(grad_row, grad_col):
+    return histogram_of(orientations(grad_row, grad_col), np.floor(np.hypot(grad_row, grad_col)))
+
+# %% role="mistake" name="largest magnitude" says="Each of your bins has the largest magnitude of its pixels, or the last one: you write with =. Add them with +=."
+def cell_histogram(grad_row, grad_col):
+    bins, magnitudes = (orientations(grad_row, grad_col) // 20).astype(int).ravel(), np.hypot(grad_row, grad_col).ravel()
+    return np.array([magnitudes[bins == i].max(initial=0.0) for i in range(9)]) / grad_row.size
+
+# %% role="mistake" name="last magnitude" says="Each of your bins has only the magnitude of its last pixel. histogram[i] = ... overwrites; histogram[bins] += ... with an array of bins also counts each bin once. Add pixel by pixel in a loop, or use np.bincount."
+def cell_histogram(grad_row, grad_col):
+    histogram = np.zeros(9)
+    histogram[(orientations(grad_row, grad_col) // 20).astype(int).ravel()] = np.hypot(grad_row, grad_col).ravel()
+    return histogram / grad_row.size
+
+# %% role="mistake" name="divided by the rows" says="You divided by the number of rows. Divide by the number of all pixels: grad_row.size."
+def cell_histogram(grad_row, grad_col):
+    return solution(grad_row, grad_col) * grad_row.size / len(grad_row)
+
+# %% role="mistake" name="divided by the columns" says="You divided by the number of columns. Divide by the number of all pixels: grad_row.size."
+def cell_histogram(grad_row, grad_col):
+    return solution(grad_row, grad_col) * grad_row.size / grad_row.shape[1]
+
+# %% role="mistake" name="divided by 64" says="You divided by 64. Not every cell has 8 × 8 pixels here: divide by grad_row.size."
+def cell_histogram(grad_row, grad_col):
+    return solution(grad_row, grad_col) * grad_row.size / 64
+
+# %% role="mistake" name="empty bins missing" says="An empty bin counts too: the histogram always has nine numbers (np.bincount needs minlength=9)."
+def cell_histogram(grad_row, grad_col):
+    return np.trim_zeros(solution(grad_row, grad_col), "b")
+
+# %% role="mistake" name="rows of bins" says="You add a whole row of magnitudes to a row of bins, and then each bin counts only once in a row. Add pixel by pixel: go through bins.ravel() and magnitudes.ravel() together."
+def cell_histogram(grad_row, grad_col):
+    histogram = np.zeros(9)
+    bins = (orientations(grad_row, grad_col) // 20).astype(int)
+    for i, magnitudes in zip(bins, np.hypot(grad_row, grad_col), strict=True):
+        histogram[i] += magnitudes
+    return histogram / grad_row.size
+
+# %% role="mistake" name="divided by nine" says="You divided by the number of bins. Divide by the number of pixels of the cell: grad_row.size."
+def cell_histogram(grad_row, grad_col):
+    return solution(grad_row, grad_col) * grad_row.size / 9
+
+# %% role="mistake" name="the largest bin" says="You return only the number of the largest bin. Return the whole histogram, nine numbers."
+def cell_histogram(grad_row, grad_col):
+    return int(solution(grad_row, grad_col).argmax())
+
+# %% role="mistake" name="backwards" says="Your bins are in the opposite order: the rows count downwards here, so do not change the sign of a gradient."
+def cell_histogram(grad_row, grad_col):
+    return solution(-grad_row, grad_col)
+
+# %% role="mistake" name="bins moved" says="Your bins are moved by one: bin 0 is from 0 up to 20 degrees. Use the orientation // 20, without + 1 or - 1."
+def cell_histogram(grad_row, grad_col):
+    return np.roll(solution(grad_row, grad_col), 1)
+
+# %% role="mistake" name="zeros" says="Your histogram is full of zeros. Does the loop add the magnitudes to it?"
+def cell_histogram(grad_row, grad_col):
+    return np.zeros(9)
+
+# %% [markdown]
+# # objects-mean
+
+# %% role="mistake" name="nearest neighbour" says="You take the class of the nearest single vector. Take the mean of each class first, and then the nearest mean."
+def nearest_mean(vectors, classes, new):
+    return nearest(classes, vectors, new)
+
+# %% role="mistake" name="the farthest" says="You take the mean that is farthest away. Take the smallest distance: argmin."
+def nearest_mean(vectors, classes, new):
+    numbers, means = means_of(vectors, classes)
+    return numbers[((new[:, None] - means) ** 2).sum(axis=2).argmax(axis=1)]
+
+# %% role="mistake" name="positions" says="You return positions among the classes. Return the classes at these positions: numbers[positions]."
+def nearest_mean(vectors, classes, new):
+    numbers, means = means_of(vectors, classes)
+    return nearest(np.arange(len(numbers)), means, new)
+
+# %% role="mistake" name="classes at these positions" says="The positions belong to np.unique(classes), and not to classes: numbers[positions]."
+def nearest_mean(vectors, classes, new):
+    _, means = means_of(vectors, classes)
+    return classes[nearest(np.arange(len(means)), means, new)]
+
+# %% role="mistake" name="classes that do not occur" says="A class that does not occur has the mean nan, and argmin takes it. Compute means only for the numbers in np.unique(classes)."
+def nearest_mean(vectors, classes, new):
+    missing = next(number for number in range(classes.max()) if number not in classes)
+    return np.full(len(new), missing)
+
+# %% role="mistake" name="best distance kept" says="The best distance is kept from one new vector to the next. Begin with a large number again for each new vector."
+def nearest_mean(vectors, classes, new):
+    numbers, means = means_of(vectors, classes)
+    best, result = np.inf, np.zeros(len(new), int)
+    for i, distances in enumerate(((new[:, None] - means) ** 2).sum(axis=2)):
+        if distances.min() < best:
+            best, result[i] = distances.min(), numbers[distances.argmin()]
+    return result
+
+# %% role="mistake" name="best distance and class kept" says="The best distance and its class are kept from one new vector to the next. Begin with a large distance again for each new vector."
+def nearest_mean(vectors, classes, new):
+    numbers, means = means_of(vectors, classes)
+    best, result = np.inf, []
+    for distances in ((new[:, None] - means) ** 2).sum(axis=2):
+        if distances.min() < best:
+            best, number = distances.min(), numbers[distances.argmin()]
+        result.append(number)
+    return np.array(result)
+
+# %% role="mistake" name="sums" says="You compare with the sum of the vectors of each class. Divide it by their number: .mean(axis=0)."
+def nearest_mean(vectors, classes, new):
+    return nearest(*means_of(vectors, classes, np.sum), new)
+
+# %% role="mistake" name="medians" says="You compare with the median of each class. Take the mean: .mean(axis=0)."
+def nearest_mean(vectors, classes, new):
+    return nearest(*means_of(vectors, classes, np.median), new)
+
+# %% role="mistake" name="absolute differences" says="You added the absolute differences. The Euclidean distance adds their squares."
+def nearest_mean(vectors, classes, new):
+    return nearest(*means_of(vectors, classes), new, power=1)
+
+# %% role="mistake" name="differences without squares" says="You added the differences with their signs, so they cancel out. Square them first."
+def nearest_mean(vectors, classes, new):
+    numbers, means = means_of(vectors, classes)
+    return numbers[(new[:, None] - means).sum(axis=2).argmin(axis=1)]
+
+# %% role="mistake" name="largest difference" says="You compare the largest difference only. The Euclidean distance adds the squares of all differences."
+def nearest_mean(vectors, classes, new):
+    numbers, means = means_of(vectors, classes)
+    return numbers[abs(new[:, None] - means).max(axis=2).argmin(axis=1)]
+
+# %% role="mistake" name="first number only" says="You compare only the first number of each vector. Add the squares of all differences: .sum(axis=2)."
+def nearest_mean(vectors, classes, new):
+    numbers, means = means_of(vectors, classes)
+    return nearest(numbers, means[:, :1], new[:, :1])
+
+# %% role="mistake" name="products" says="You take the largest sum of products. Here it is the smallest distance between the vector and the mean."
+def nearest_mean(vectors, classes, new):
+    numbers, means = means_of(vectors, classes)
+    return numbers[(new[:, None] * means).sum(axis=2).argmax(axis=1)]
+
+# %% role="mistake" name="one number for each class" says="You compare one number of each vector. Has each mean as many numbers as a vector, .mean(axis=0)? And do you square the differences before you add them?"
+def nearest_mean(vectors, classes, new):
+    numbers = np.unique(classes)
+    means = np.array([vectors[classes == number].mean() for number in numbers])
+    return nearest(numbers, means[:, None], new.mean(axis=1)[:, None])
+
+# %% role="mistake" name="first vector of a class" says="You compare with the first vector of each class. Take the mean of all its vectors."
+def nearest_mean(vectors, classes, new):
+    numbers = np.unique(classes)
+    return nearest(numbers, np.array([vectors[classes == number][0] for number in numbers]), new)
+
+# %% role="mistake" name="last vector of a class" says="You compare with the last vector of each class. Take the mean of all its vectors."
+def nearest_mean(vectors, classes, new):
+    numbers = np.unique(classes)
+    return nearest(numbers, np.array([vectors[classes == number][-1] for number in numbers]), new)
+
+# %% role="mistake" name="one new vector" says="You return the class of the first new vector only. Return one class for each new vector."
+def nearest_mean(vectors, classes, new):
+    return solution(vectors, classes, new)[:1]
+
+# %% role="mistake" name="in the order of first appearance" says="The means and the classes are in a different order: you list the classes as they come, but take the means in the order of np.unique. Use the same list for both."
+def nearest_mean(vectors, classes, new):
+    _, means = means_of(vectors, classes)
+    return nearest(np.array(list(dict.fromkeys(classes.tolist()))), means, new)
+
+# %% role="mistake" name="the last class left out" says="One class is never found: the last one. Take all numbers of np.unique(classes)."
+def nearest_mean(vectors, classes, new):
+    numbers, means = means_of(vectors, classes)
+    return nearest(numbers[:-1], means[:-1], new)
+
+# %% role="mistake" name="the first class left out" says="One class is never found: the first one. Take all numbers of np.unique(classes)."
+def nearest_mean(vectors, classes, new):
+    numbers, means = means_of(vectors, classes)
+    return nearest(numbers[1:], means[1:], new)
+
+# %% role="mistake" name="distances" says="You return the smallest distances. Return the class of each new vector."
+def nearest_mean(vectors, classes, new):
+    _, means = means_of(vectors, classes)
+    return np.sqrt(((new[:, None] - means) ** 2).sum(axis=2).min(axis=1))
+
+# %% role="mistake" name="all distances" says="You return all distances. Take the position of the smallest one in each row, and the class at this position."
+def nearest_mean(vectors, classes, new):
+    _, means = means_of(vectors, classes)
+    return np.sqrt(((new[:, None] - means) ** 2).sum(axis=2))
+
+# %% role="mistake" name="means" says="You return the means. Return the class of each new vector."
+def nearest_mean(vectors, classes, new):
+    return means_of(vectors, classes)[1]
+
+# %% role="mistake" name="one class for all" says="You return the class that is most frequent, for each new vector. Compare each new vector with the means."
+def nearest_mean(vectors, classes, new):
+    return np.full(len(new), np.bincount(classes).argmax())
+
+# %% role="mistake" name="argmin over the new vectors" says="argmin went over the new vectors. Take the smallest distance of each new vector: with distances of shape (M, classes) this is argmin(axis=1)."
+def nearest_mean(vectors, classes, new):
+    _, means = means_of(vectors, classes)
+    return ((new[:, None] - means) ** 2).sum(axis=2).argmin(axis=0)
+
+# %% [markdown]
+# # objects-confusion
+
+# %% role="mistake" name="transposed" says="Rows and columns are exchanged: the row is the true class, the column is the predicted one."
+def confusion(truth, predicted, count):
+    return counted(predicted, truth, count)
+
+# %% role="mistake" name="each pair once" says="Each pair counts only once. In a loop write += 1, not = 1. Without a loop, matrix[truth, predicted] += 1 adds only 1 at each place: use a loop."
+def confusion(truth, predicted, count):
+    return np.minimum(counted(truth, predicted, count), 1)
+
+# %% role="mistake" name="only the right ones" says="Only the right ones are counted. The errors belong into the matrix too, beside the diagonal."
+def confusion(truth, predicted, count):
+    return np.diag(np.diag(counted(truth, predicted, count)))
+
+# %% role="mistake" name="only the errors" says="Only the errors are counted. The right ones belong into the matrix too, on the diagonal."
+def confusion(truth, predicted, count):
+    matrix = counted(truth, predicted, count)
+    return matrix - np.diag(np.diag(matrix))
+
+# %% role="mistake" name="shares of a row" says="You divided each row by its sum. Return the counts, as whole numbers."
+def confusion(truth, predicted, count):
+    matrix = counted(truth, predicted, count)
+    return matrix / np.maximum(matrix.sum(axis=1, keepdims=True), 1)
+
+# %% role="mistake" name="divided by the sums of the rows" says="You divided by the sums of the rows. Return the counts, as whole numbers."
+def confusion(truth, predicted, count):
+    matrix = counted(truth, predicted, count)
+    with np.errstate(all="ignore"):
+        return matrix / matrix.sum(axis=1)
+
+# %% role="mistake" name="shares of a row, and nan" says="You divided each row by its sum. Return the counts, as whole numbers."
+def confusion(truth, predicted, count):
+    matrix = counted(truth, predicted, count)
+    with np.errstate(all="ignore"):
+        return matrix / matrix.sum(axis=1, keepdims=True)
+
+# %% role="mistake" name="shares of a column" says="You divided each column by its sum. Return the counts, as whole numbers."
+def confusion(truth, predicted, count):
+    matrix = counted(truth, predicted, count)
+    return matrix / np.maximum(matrix.sum(axis=0, keepdims=True), 1)
+
+# %% role="mistake" name="shares of all" says="You divided by the number of all pairs. Return the counts, as whole numbers."
+def confusion(truth, predicted, count):
+    return counted(truth, predicted, count) / len(truth)
+
+# %% role="mistake" name="accuracy" says="You return the accuracy. Return the whole matrix."
+def confusion(truth, predicted, count):
+    return float((truth == predicted).mean())
+
+# %% role="mistake" name="how many are right" says="You return how many are right. Return the whole matrix."
+def confusion(truth, predicted, count):
+    return int((truth == predicted).sum())
+
+# %% role="mistake" name="the diagonal" says="You return only the diagonal. Return the whole matrix, with the errors beside it."
+def confusion(truth, predicted, count):
+    return np.diag(counted(truth, predicted, count)).copy()
+
+# %% role="mistake" name="symmetric" says="You add each pair at both places. Add 1 only in the row of the true class and the column of the predicted one."
+def confusion(truth, predicted, count):
+    matrix = counted(truth, predicted, count)
+    return matrix + matrix.T
+
+# %% role="mistake" name="errors at both places" says="You add each error at both places. Add 1 only in the row of the true class and the column of the predicted one."
+def confusion(truth, predicted, count):
+    matrix = counted(truth, predicted, count)
+    return matrix + matrix.T - np.diag(np.diag(matrix))
+
+# %% role="mistake" name="loop in a loop" says="You go through all predictions for each true class. Go through both together: zip(truth, predicted)."
+def confusion(truth, predicted, count):
+    return np.outer(np.bincount(truth, minlength=count), np.bincount(predicted, minlength=count))
+
+# %% role="mistake" name="first pairs only" says="Only the first pairs are counted, as many as there are classes. Go through all pairs: range(len(truth))."
+def confusion(truth, predicted, count):
+    return counted(truth[:count], predicted[:count], count)
+
+# %% role="mistake" name="one list for all rows" says="All rows of your matrix are one and the same list. Make a new one for each row, or np.zeros((count, count), int)."
+def confusion(truth, predicted, count):
+    return np.tile(np.bincount(predicted, minlength=count), (count, 1))
+
+# %% role="mistake" name="percent" says="You computed percent. Return the counts, as whole numbers."
+def confusion(truth, predicted, count):
+    return counted(truth, predicted, count) * 100 / len(truth)
+
+# %% role="mistake" name="the truth alone" says="You count only how often each true class occurs. The column is the predicted class: matrix[row, col] += 1."
+def confusion(truth, predicted, count):
+    return counted(truth, truth, count)
+
+# %% role="mistake" name="the predictions alone" says="You count only how often each class was predicted. The row is the true class: matrix[row, col] += 1."
+def confusion(truth, predicted, count):
+    return counted(predicted, predicted, count)
+
+# %% role="mistake" name="only classes that occur" says="Your matrix is too small: classes that do not occur have no row. Its size is count."
+def confusion(truth, predicted, count):
+    size = max(truth.max(), predicted.max()) + 1
+    return counted(truth, predicted, count)[:size, :size]
+
+# %% role="mistake" name="one too large" says="Your matrix is too large: classes begin with 0, so count rows and columns are enough."
+def confusion(truth, predicted, count):
+    return np.pad(counted(truth, predicted, count), (0, 1))
+
+# %% role="mistake" name="moved by one" says="Your counts are one row and one column too far: class 0 has row 0 and column 0. Leave out + 1."
+def confusion(truth, predicted, count):
+    return np.roll(counted(truth, predicted, count), (1, 1), (0, 1))
+
+# %% role="mistake" name="moved back by one" says="Your counts are one row and one column too early: class 0 has row 0 and column 0. Leave out - 1."
+def confusion(truth, predicted, count):
+    return np.roll(counted(truth, predicted, count), (-1, -1), (0, 1))
+
+# %% role="mistake" name="first pair missing" says="The first pair is missing. Go through all pairs, from position 0."
+def confusion(truth, predicted, count):
+    return counted(truth[1:], predicted[1:], count)
+
+# %% role="mistake" name="last pair missing" says="The last pair is missing. Go through all pairs to the end: range(len(truth))."
+def confusion(truth, predicted, count):
+    return counted(truth[:-1], predicted[:-1], count)
+
+# %% role="mistake" name="first pair only" says="Only the first pair is counted. Is return inside the loop? Return the matrix after it."
+def confusion(truth, predicted, count):
+    return counted(truth[:1], predicted[:1], count)
+
+# %% role="mistake" name="starts with ones" says="Each number is one too high. Begin with zeros: np.zeros((count, count), int)."
+def confusion(truth, predicted, count):
+    return counted(truth, predicted, count) + 1
+
+# %% role="mistake" name="zeros" says="Your matrix is full of zeros. Does the loop add 1 for each pair? (matrix[truth][predicted] with arrays changes only a copy.)"
+def confusion(truth, predicted, count):
+    return np.zeros((count, count), int)
+
+# %% role="mistake" name="class numbers added" says="You add the number of the class. Add 1 for each pair."
+def confusion(truth, predicted, count):
+    return counted(truth, predicted, count) * np.arange(count)[:, None]
+
+# %% [markdown]
+# # objects-inliers
+
+# %% role="mistake" name="not divided" says="You did not divide by the third number: moved[:, :2] / moved[:, 2:]."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: np.linalg.norm(moved_by(H, a, False) - b, axis=1) < limit))
+
+# %% role="mistake" name="the last of equals" says="If two samples have equally many inliers, the first one counts. Use > in place of >=."
+def find_inliers(points, pixels, samples, limit):
+    masks = masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) < limit)
+    return masks[len(masks) - 1 - np.argmax(masks[::-1].sum(axis=1))]
+
+# %% role="mistake" name="the fewest" says="You kept the sample with the fewest inliers. Keep the one with the most."
+def find_inliers(points, pixels, samples, limit):
+    masks = masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) < limit)
+    return masks[np.argmin(masks.sum(axis=1))]
+
+# %% role="mistake" name="the last sample" says="You return the inliers of the last sample. Keep those of the sample with the most."
+def find_inliers(points, pixels, samples, limit):
+    return distance(homography(points[samples[-1]], pixels[samples[-1]]), points, pixels) < limit
+
+# %% role="mistake" name="the first sample" says="You return the inliers of the first sample. Is return inside the loop? Or do you count with len(near)? near.sum() counts the inliers."
+def find_inliers(points, pixels, samples, limit):
+    return distance(homography(points[samples[0]], pixels[samples[0]]), points, pixels) < limit
+
+# %% role="mistake" name="outliers" says="You return the outliers. An inlier is nearer than the limit: <."
+def find_inliers(points, pixels, samples, limit):
+    return ~solution(points, pixels, samples, limit)
+
+# %% role="mistake" name="squared distance" says="You compare the squared distance with the limit. Take its square root, or compare with limit ** 2."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) ** 2 < limit))
+
+# %% role="mistake" name="sum of the differences" says="You added the absolute differences of both columns. The distance is the root of the sum of their squares: np.linalg.norm(..., axis=1)."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: abs(moved_by(H, a) - b).sum(axis=1) < limit))
+
+# %% role="mistake" name="each difference alone" says="You compare the two differences each with the limit. Compare the distance: np.linalg.norm(..., axis=1)."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: abs(moved_by(H, a) - b).max(axis=1) < limit))
+
+# %% role="mistake" name="first coordinate only" says="You compare only the first coordinate. The distance contains both: np.linalg.norm(..., axis=1)."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: abs(moved_by(H, a) - b)[:, 0] < limit))
+
+# %% role="mistake" name="second coordinate only" says="You compare only the second coordinate. The distance contains both: np.linalg.norm(..., axis=1)."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: abs(moved_by(H, a) - b)[:, 1] < limit))
+
+# %% role="mistake" name="back to the plate" says="You moved the pixels back to the points, so your distances are not in pixels of the frame. Move the points: homography(points[sample], pixels[sample])."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: distance(np.linalg.inv(H), b, a) < limit))
+
+# %% role="mistake" name="pixels moved" says="You moved the pixels. Move the points, and compare them with the pixels."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: distance(H, b, a) < limit))
+
+# %% role="mistake" name="the inverse" says="Your homography goes from the pixels to the points. Exchange its arguments: homography(points[sample], pixels[sample])."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: distance(np.linalg.inv(H), a, b) < limit))
+
+# %% role="mistake" name="transposed" says="Your moved points all lie near (0, 0): the matrix is transposed, or the division is by a wrong number. Compute with_one @ H.T, and divide by the third number, moved[:, 2:]."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: distance(H.T, a, b) < limit))
+
+# %% role="mistake" name="one homography of all" says="Your mask is False everywhere, or nearly. Print the distances: is there one for each match (axis=1)? Is the homography computed from the four matches of the sample, and not from all? And do you keep the mask with the most inliers (near.sum(), not len)?"
+def find_inliers(points, pixels, samples, limit):
+    return distance(homography(points, pixels), points, pixels) < limit
+
+# %% role="mistake" name="all samples together" says="You joined the inliers of all samples. Return those of the best sample only."
+def find_inliers(points, pixels, samples, limit):
+    return masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) < limit).any(axis=0)
+
+# %% role="mistake" name="only the sample" says="You return only the four matches of the sample. All matches that are near count as inliers."
+def find_inliers(points, pixels, samples, limit):
+    masks = masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) < limit)
+    return np.isin(np.arange(len(points)), samples[np.argmax(masks.sum(axis=1))])
+
+# %% role="mistake" name="how many" says="You return how many inliers there are. Return the mask: True or False for each match."
+def find_inliers(points, pixels, samples, limit):
+    return int(solution(points, pixels, samples, limit).sum())
+
+# %% role="mistake" name="positions" says="You return the positions of the inliers. Return the mask: True or False for each match."
+def find_inliers(points, pixels, samples, limit):
+    return np.flatnonzero(solution(points, pixels, samples, limit))
+
+# %% role="mistake" name="the matrix" says="You return the homography. Return the mask of its inliers."
+def find_inliers(points, pixels, samples, limit):
+    best = np.argmax(masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) < limit).sum(axis=1))
+    return homography(points[samples[best]], pixels[samples[best]])
+
+# %% role="mistake" name="computed again" says="You computed the homography again, from all inliers of the best sample. On a robot this is good, but here return the inliers of the sample's own homography."
+def find_inliers(points, pixels, samples, limit):
+    best = solution(points, pixels, samples, limit)
+    return distance(homography(points[best], pixels[best]), points, pixels) < limit
+
+# %% role="mistake" name="four points moved" says="You moved only the four matches of the sample. Move all points, and compare all of them."
+def find_inliers(points, pixels, samples, limit):
+    return np.ones(4, bool)
+
+# %% role="mistake" name="smallest sum of distances" says="You keep the sample with the smallest sum of distances, and one far match can change it. Keep the one with the most inliers."
+def find_inliers(points, pixels, samples, limit):
+    distances = masks_of(points, pixels, samples, distance)
+    return distances[np.argmin(distances.sum(axis=1))] < limit
+
+# %% role="mistake" name="half the limit" says="Some matches are missing: compare the distance with the limit itself."
+def find_inliers(points, pixels, samples, limit):
+    return most(masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) < limit / 2))
