@@ -51,12 +51,7 @@ def too_large(size, largest):
 
 
 def open_collected(path, device, inode, largest):
-    """Open a file that was collected, for reading bytes.
-
-    Raises
-    ------
-    CollectError : it cannot be opened, or another file took its place since it was collected
-    """
+    """Open a collected file for reading bytes; CollectError if another file has taken its place."""
     try:
         descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
     except OSError as error:
@@ -73,12 +68,7 @@ def open_collected(path, device, inode, largest):
 
 
 def read_bounded(file):
-    """The bytes of a file, at most those of the largest notebook.
-
-    Raises
-    ------
-    CollectError : it is larger
-    """
+    """The bytes of a file; CollectError if they are more than the largest notebook may have."""
     data = file.read(LARGEST + 1)
     if len(data) > LARGEST:
         raise CollectError(too_large(len(data), LARGEST))
@@ -100,19 +90,10 @@ class Archives:
     """Keeps the last zip open: its members are read one after another."""
 
     def __init__(self):
-        self._location, self._archive, self._file = None, None, None
+        self._location, self._archive, self._file, self._members = None, None, None, []
 
     def members(self, *location):
-        """The members of a zip, without its folders.
-
-        Parameters
-        ----------
-        location : path, device and inode of the zip
-
-        Raises
-        ------
-        CollectError : it cannot be read
-        """
+        """The members of the zip at a path, device and inode, without its folders."""
         if self._location != location:
             self.close()
             self._file = _ContentsReader(open_collected(*location, LARGEST_ZIP).detach())
@@ -121,23 +102,22 @@ class Archives:
             except (*_ERRORS, NotImplementedError) as error:
                 self.close()
                 raise CollectError(f"the zip cannot be read ({sanitize_line(str(error), 100)})") from error
-            self._file.limited, self._location = False, location
-        # Not is_dir(): in Python 3.11 it fails for a member without a name.
-        return [member for member in self._archive.infolist() if not member.filename.endswith("/")]
+            # Not is_dir(): in Python 3.11 it fails for a member without a name.
+            members = [member for member in self._archive.infolist() if not member.filename.endswith("/")]
+            _require_bounded(members)
+            self._file.limited, self._location, self._members = False, location, members
+        return self._members
 
     def read(self, location, number):
         """The bytes of one member."""
         try:
-            with self._archive_open(location, number) as file:
+            member = self.members(*location)[number]
+            with self._archive.open(member) as file:
                 return read_bounded(file)
         except _ERRORS as error:
             if isinstance(error, CollectError):
                 raise
             raise CollectError(f"it cannot be unpacked ({sanitize_line(str(error), 100)})") from error
-
-    def _archive_open(self, location, number):
-        member = self.members(*location)[number]
-        return self._archive.open(member)
 
     def close(self):
         """Close the zip that is open, if any."""
@@ -147,14 +127,13 @@ class Archives:
         self._location, self._archive, self._file = None, None, None
 
 
-def zip_problem(members):
-    """Why nothing of a zip is read, or ""."""
+def _require_bounded(members):
     if len(members) > MOST_MEMBERS:
-        return f"the zip holds {len(members)} files; at most {MOST_MEMBERS} are read"
+        raise CollectError(f"the zip holds {len(members)} files; at most {MOST_MEMBERS} are read")
     size = sum(member.file_size for member in members)
     if size > LARGEST_WITHIN:
-        return f"the zip holds {size // 1_000_000} MB; at most {LARGEST_WITHIN // 1_000_000} are read"
-    return ""
+        megabytes = LARGEST_WITHIN // 1_000_000
+        raise CollectError(f"the zip holds {size // 1_000_000} MB; at most {megabytes} are read")
 
 
 def member_problem(member):

@@ -13,9 +13,10 @@ A single zip can also be given alone. Only regular files are read, as bytes. Lin
 file with a second name (a hard link) is refused, nothing is unpacked to disk, and a name from outside never
 becomes a path.
 
-What arrives as one person's is theirs. Names inside a zip are believed only if every file in it has the form
-that Moodle or Canvas gives it, and the zip lies at the top; and then such a name never takes the place of a
-submission that arrived under that name by itself. Each sender has a budget of files and bytes.
+What arrives as one person's is theirs: names inside it are never believed. A zip is a platform's if it lies
+at the top (or in the folder of a lesson) and every file in it has the form that Moodle or Canvas gives it; a
+zip given alone is the instructor's. See `senders.Certainty` for names that somebody could choose. Each sender
+has a budget of files and bytes.
 """
 
 import hashlib
@@ -27,7 +28,7 @@ from dataclasses import dataclass, field, replace
 from datetime import datetime
 from pathlib import Path, PurePosixPath
 
-from imgproc_course.classroom.authoring.lesson_names import is_lesson, lesson_name
+from imgproc_course.classroom.authoring.lesson_names import is_lesson
 from imgproc_course.classroom.autograder.sanitize import sanitize_line
 from imgproc_course.classroom.gradebook.archives import (
     LARGEST,
@@ -39,11 +40,11 @@ from imgproc_course.classroom.gradebook.archives import (
     member_time,
     open_collected,
     read_bounded,
-    zip_problem,
 )
 from imgproc_course.classroom.gradebook.senders import (
+    Certainty,
+    Sender,
     is_lesson_file,
-    names_within,
     numbered_learners,
     platform_sender,
     sender_of,
@@ -58,60 +59,33 @@ MOST_FILES = 20_000  # in the folders of one sender; as many in the zips
 DEEPEST = 12  # folders
 _MOST_LISTED = 20  # other files of one sender, by name; and findings about what was not looked at
 _MOST_NAMES = 3  # different names in one zip: more look like a zip of several people
-_ALONE = 2  # certainty of a sender that the instructor or the platform named
-_IN_UNKNOWN_FOLDER = 1  # in a folder named like a lesson that no key has: perhaps it is a learner's folder
-_IN_ARCHIVE = 0
 _SKIPPED_FOLDERS = {".ipynb_checkpoints", "__MACOSX", "__pycache__", ".git"}
 _ENVIRONMENTS = {".venv", "venv", "env", ".tox", "site-packages", "node_modules"}
 
 
-@dataclass(frozen=True)
-class SubmittedFile:
-    """One submitted file, not yet read.
+@dataclass(frozen=True, kw_only=True)
+class SubmittedFile(Sender):
+    """One submitted file, not yet read, and who sent it.
 
-    learner       the name that the platform, the folder or the file gives
-    platform      "moodle", "canvas" or "";  platform_id: the platform's number of the learner, or ""
     source        where the file was found, for display
     group         the zip or folder that it came in; distinguishes learners who have the same name
     submitted_at  datetime, local, of the file, or what a platform's zip says; None if unknown
-    late          True if the platform says that it is late
     order         tuple; sorts the submissions of one lesson from the earliest to the latest
-    certainty     tuple; a file never takes the place of one whose sender is more certain
     archived_at   datetime of the platform's zip that says `submitted_at`; None for other files
-    claims        names of people in the part of its path that the sender chose
-    given         the learner's name as it was given, with marks and spaces that nobody sees
-    place         tuple of str, the folders, and the zip, that this name is in
     reason        why the file is not read, or ""
     location      what `read` needs to open it
     """
 
-    learner: str
-    platform: str
-    platform_id: str
     source: str
     group: str
     submitted_at: datetime | None
-    late: bool
     order: tuple
-    certainty: tuple = (_ALONE, 0)
     archived_at: datetime | None = None
-    claims: frozenset = frozenset()
-    given: str = ""
-    place: tuple = ()
     reason: str = ""
     location: tuple = ()
 
     def read(self):
-        """Read the file.
-
-        Returns
-        -------
-        bytes
-
-        Raises
-        ------
-        CollectError : it cannot be read, or it is too large
-        """
+        """The bytes of the file; CollectError if it cannot be read, or if it is too large."""
         if self.reason:
             raise CollectError(self.reason)
         opener, *location = self.location
@@ -177,28 +151,16 @@ class Collection:
         self.findings.append(finding)
 
 
-def collect(path, lessons=(), people=()):
-    """Find every submitted file.
+def collect(path, lessons=()):
+    """Find every submitted file in a folder, a zip or a notebook, as a Collection.
 
-    Parameters
-    ----------
-    path : Path of a folder, a zip or a notebook
-    lessons : names of lessons, to distinguish them from names of learners
-    people : names of the learners of a roster: a zip with such a name is that person's own
-
-    Returns
-    -------
-    Collection
-
-    Raises
-    ------
-    CollectError : the path does not exist, or there is no submission in it
+    The names of lessons distinguish them from names of learners. CollectError: there is no submission.
     """
     path = Path(path)
     if not path.exists():
         raise CollectError(f"{path}: does not exist; give the folder or the zip with the submissions")
     collection = Collection()
-    intake = _Intake(tuple(lessons), {name.casefold() for name in people}, collection)
+    intake = _Intake(tuple(lessons), collection)
     if path.is_dir():
         intake.add_folder(path.resolve())
     else:
@@ -215,8 +177,8 @@ def collect(path, lessons=(), people=()):
 class _Intake:
     """Turns files, and the members of zips, into SubmittedFiles."""
 
-    def __init__(self, lessons, people, collection):
-        self._lessons, self._people, self._collection = lessons, people, collection
+    def __init__(self, lessons, collection):
+        self._lessons, self._collection = lessons, collection
         self._notebooks, self._bytes, self._unlisted = Counter(), Counter(), Counter()
         self._members = Counter()
         self._numbered = frozenset()
@@ -224,7 +186,7 @@ class _Intake:
     # ------------------------------------------------------------ folders
 
     def add_folder(self, root):
-        """Add everything in the folder of submissions; zips last, when the other senders are known."""
+        """Add everything in the folder of submissions."""
         entries = self._entries(root, ())
         folders = [entry for entry in entries if is_lesson(entry.name, self._lessons) and _is_folder(entry)]
         notebooks = [Path(path).relative_to(root).parts for entry in folders for path in _notebooks_in(entry)]
@@ -235,16 +197,13 @@ class _Intake:
                 entries += self._entries(Path(entry.path), (entry.name,))
         if len(entries) > MOST_SENDERS:
             raise CollectError(f"{root}: more than {MOST_SENDERS} submissions; grade it in parts")
-        for entry in sorted(entries, key=lambda entry: (_suffix(entry.name) == ".zip", entry.path)):
+        for entry in sorted(entries, key=lambda entry: entry.path):
             parts = Path(entry.path).relative_to(root).parts
-            if entry.name in _SKIPPED_FOLDERS or entry.name.startswith("."):
-                if entry.name not in _SKIPPED_FOLDERS and _is_folder(entry):
-                    self._ignore((*parts, ""))
-                continue
-            if _is_folder(entry):
+            if not _is_folder(entry):
+                if not entry.name.startswith("."):
+                    self.add_file(Path(entry.path), parts)
+            elif not self._is_hidden(entry, parts):
                 self._walk(Path(entry.path), parts)
-            else:
-                self.add_file(Path(entry.path), parts)
 
     def _walk(self, top, top_parts):
         """Add the notebooks in a sender's folder, the upper folders first."""
@@ -271,15 +230,20 @@ class _Intake:
                     folders.append((Path(entry.path), entry_parts))
 
     def _is_walked(self, entry, parts):
-        if entry.name in _SKIPPED_FOLDERS:
-            return False
         if entry.name in _ENVIRONMENTS or os.access(f"{entry.path}/pyvenv.cfg", os.F_OK):
             self._add_finding("file", parts, "an environment of installed packages; it was not looked at")
-        elif len(parts) > DEEPEST:
+        elif len(parts) > DEEPEST and entry.name not in _SKIPPED_FOLDERS:
             self._add_finding("file", parts, f"more than {DEEPEST} folders deep; it was not looked at")
-        elif entry.name.startswith("."):
-            self._ignore((*parts, ""))
         else:
+            return not self._is_hidden(entry, parts)
+        return False
+
+    def _is_hidden(self, folder, parts):
+        """Whether a folder is not looked at because of its name; it is listed unless a tool made it."""
+        if folder.name in _SKIPPED_FOLDERS:
+            return True
+        if folder.name.startswith("."):
+            self._ignore((*parts, ""))
             return True
         return False
 
@@ -291,10 +255,10 @@ class _Intake:
             reason = f"the folder cannot be read ({error.strerror})"
             if not parts:
                 raise CollectError(f"{folder}: {reason}") from error
-            self._add_submission(self._sender(parts), parts, parts, reason=reason)
+            self._add_submission(self._sender_of_folder(parts), parts, reason=reason)
             return []
 
-    def _sender(self, parts):
+    def _sender_of_folder(self, parts):
         return self._sender_of(parts if len(parts) > 1 else (*parts, ""))
 
     def _sender_of(self, parts):
@@ -326,223 +290,165 @@ class _Intake:
         self._add_submission(
             sender,
             parts,
-            parts[1:],
             submitted_at=modified,
-            certainty=self._certainty(parts),
             size=status.st_size if suffix == ".ipynb" and status else 0,
             reason=reason,
             location=(str(path), status.st_dev, status.st_ino) if status else (),
         )
 
-    def _certainty(self, parts):
-        unknown = len(parts) > 1 and is_lesson(parts[0], self._lessons) and parts[0] not in self._numbered
-        unknown = unknown and lesson_name(parts[0]) not in self._lessons
-        return (_IN_UNKNOWN_FOLDER if unknown else _ALONE, 0)
-
     # ------------------------------------------------------------ zips
 
     def _add_members(self, location, parts, sender, modified, alone):
         """Add the notebooks in a zip; returns why it cannot be read, or ""."""
-        archives, budget = self._collection.archives, (sender.name, sender.platform_id, parts[0])
+        archives, budget = self._collection.archives, (sender.learner, sender.platform_id, parts[0])
         if self._members[budget] > MOST_FILES:
             return f"the zips before it in this submission hold more than {MOST_FILES} files"
         try:
             members = archives.members(*location)
         except CollectError as error:
             return str(error)
-        problem = zip_problem(members)
-        if problem:
-            return problem
         self._members[budget] += len(members)
         names = [_member_name(member) for member in members]
-        counted = [name for name in names if _is_counted(name)]
-        sender_in = self._senders_in(parts, counted, sender, alone)
-        certainty = self._certainty(parts)
-        if sender_in is not None:
-            certainty = (_IN_ARCHIVE, len({sender_in(name).name for name in counted}))
+        sender_in = self._senders_in(parts, [name for name in names if _is_counted(name)], sender, alone)
         for number, (member, name) in enumerate(zip(members, names, strict=True)):
             if not _is_counted(name):
                 continue
-            member_sender = sender_in(name) if sender_in else sender
+            member_sender = sender_in(name)
             if _suffix(name[-1]) not in (".ipynb", ".zip"):
                 self._ignore((*parts, *name), member_sender)
                 continue
-            is_platforms = sender_in is not None and member_sender != sender
+            is_platforms = member_sender != sender
             self._add_submission(
                 member_sender,
                 (*parts, *PurePosixPath(member.filename.replace("\\", "/")).parts),
-                name if not is_platforms else name[1:],
                 # A learner can write any date into a zip.
                 submitted_at=member_time(member, modified) if is_platforms else modified,
                 archived_at=modified if is_platforms else None,
-                certainty=certainty,
                 size=member.file_size,
                 reason=member_problem(member),
                 location=(archives, location, number),
                 group=display_path(parts),
                 number=number,
-                place=(*parts, *member_sender.place) if is_platforms else sender.place,
             )
-        if sender_in is None:
-            self._report_names(parts, counted, sender)
         return ""
 
     def _senders_in(self, parts, names, sender, alone):
-        """A function from a member's name to its Sender, or None if the whole zip is one person's."""
-        if alone and sender.platform == "":
-            return self._senders_in_zip_given_alone(parts, names, sender)
-        at_top = len(parts) == 1 or (len(parts) == 2 and lesson_name(parts[0]) in self._lessons)
+        """A function from a member's name to its Sender."""
+        if alone and not sender.platform:
+            return self._senders_in_folder(names, sender)
+        at_top = sender.place == parts[:-1] and sender.certainty is not Certainty.IN_UNKNOWN_FOLDER
+        if not at_top or sender.platform or not names:
+            return lambda name: sender
         senders = [platform_sender(name[0]) for name in names]
-        known_names = {file.learner.casefold() for file in self._collection.files} | self._people
-        if not at_top or sender.platform or sender.name.casefold() in known_names or not senders:
-            return None
-        has_form = all(sender is not None and not sender.doubt for sender in senders)
-        return (lambda name: sender_of(name, self._lessons)) if has_form else None
+        if all(found is not None and not found.doubt for found in senders):
+            return lambda name: replace(
+                sender_of(name, self._lessons), place=parts, certainty=Certainty.IN_ZIP
+            )
+        self._report_names(parts, names, sender)
+        return lambda name: sender
 
-    def _senders_in_zip_given_alone(self, parts, names, sender):
-        """The same for the only zip: it is the instructor's, who may have put all files into one folder."""
+    def _senders_in_folder(self, names, sender):
+        """The same for a zip given alone: a folder of submissions, perhaps inside one more folder."""
         notebooks = [name for name in names if _suffix(name[-1]) == ".ipynb"]
-        top_folders = {name[0] if len(name) > 1 else None for name in notebooks}
-        one_folder = len(top_folders) == 1 and None not in top_folders
-        one_folder = one_folder and platform_sender(next(iter(top_folders))) is None
-        depth = 2 if one_folder else 1
-        numbered = numbered_learners([name[depth - 1 :] for name in notebooks], self._lessons)
+        tops = {name[0] if len(name) > 1 else "" for name in notebooks}
+        is_wrapped = len(tops) == 1 and "" not in tops and platform_sender(*tops) is None
+        depth = 1 if is_wrapped else 0
+        numbered = numbered_learners([name[depth:] for name in notebooks], self._lessons)
 
         def sender_in(name):
-            if len(name) <= depth and is_lesson_file(name[-1], self._lessons):
+            if len(name) <= depth + 1 and is_lesson_file(name[-1], self._lessons):
                 return sender
-            within = name[1:] if one_folder and len(name) > 1 else name
-            return sender_of(within, self._lessons, numbered)
+            return sender_of(name[depth:] or name, self._lessons, numbered)
 
         return sender_in
 
     def _report_names(self, parts, names, sender):
-        """Report a zip that holds the names of several people, all of which count as its sender's."""
-        claims, has_form = set(), False
-        for name in names:
-            if _suffix(name[-1]) == ".ipynb":
-                claimed, platform_form = names_within(name, self._lessons)
-                claims |= claimed
-                has_form |= platform_form
-        if len(parts) > 2 or not (has_form or len(claims) > _MOST_NAMES):
-            return
-        shown_names = ", ".join(sorted(claims)[:_MOST_NAMES])
-        text = f"this zip names {shown_names}" + (" and others" if len(claims) > _MOST_NAMES else "")
-        text += f"; all of it counts as {sender.name}'s. If it holds submissions of several people, unpack it"
-        self._collection.add_finding("sender", sender.name, parts, text)
+        """Report a zip that may hold submissions of several people; all of them count as its sender's."""
+        tops = {name[0] for name in names if _suffix(name[-1]) == ".ipynb"}
+        people = sorted(top for top in tops if not is_lesson(PurePosixPath(top).stem, self._lessons))
+        if any(map(platform_sender, people)) or len(people) > _MOST_NAMES:
+            text = f"this zip names {sanitize_line(', '.join(people[:_MOST_NAMES]), 200)}"
+            text += f"; all of it counts as {sender.learner}'s. If it holds submissions of several people,"
+            self._collection.add_finding("sender", sender.learner, parts, f"{text} unpack it")
 
     # ------------------------------------------------------------ what was found
 
     def _add_submission(
-        self, sender, parts, inner, *, size=0, reason="", submitted_at=None, number=0, **more
+        self, sender, parts, *, size=0, reason="", submitted_at=None, group="", number=0, **more
     ):
-        """Add a file to the collection, if its sender's budget allows.
-
-        parts  where it was found;  inner: the part of this path that the sender chose
-        """
-        key = (sender.name, sender.platform_id, parts[0])  # a forged name uses up nobody else's budget
+        """Add the file that was found at `parts` to the collection, if its sender's budget allows."""
+        key = (sender.learner, sender.platform_id, parts[0])  # a forged name uses up nobody else's budget
         self._notebooks[key] += 1
         if self._notebooks[key] > MOST_NOTEBOOKS:
             text = f"more than {MOST_NOTEBOOKS} notebooks and zips; the others were not read"
-            self._collection.add_finding("file", sender.name, parts[:1], text)
+            self._collection.add_finding("file", sender.learner, parts[:1], text)
             return
         self._bytes[key] += 0 if reason else size
         if self._bytes[key] > LARGEST_SUBMISSION:
             most = LARGEST_SUBMISSION // 1_000_000
             reason = reason or f"with it, this submission has more than {most} MB of notebooks; submit fewer"
         if sender.doubt:
-            self._collection.add_finding("sender", sender.name, parts, sender.doubt)
-        group = more.pop("group", "") or (
-            "" if sender.platform or len(parts) == 1 else sanitize_line(parts[0], 120)
-        )
-        place = more.pop("place", sender.place)
+            self._collection.add_finding("sender", sender.learner, parts, sender.doubt)
+        if not group and not sender.platform and len(parts) > 1:
+            group = sanitize_line(parts[0], 120)
         _, repetition = split_repetition(PurePosixPath(parts[-1]).stem)
-        moment = submitted_at.isoformat() if submitted_at else ""
+        moment, source = submitted_at.isoformat() if submitted_at else "", display_path(parts)
         file = SubmittedFile(
-            learner=sender.name,
-            platform=sender.platform,
-            platform_id=sender.platform_id,
-            source=display_path(parts),
+            **vars(sender),
+            source=source,
             group=group,
             submitted_at=submitted_at,
-            late=sender.late,
-            order=(sender.order, moment, repetition, number, display_path(parts)),
-            claims=names_within(inner, self._lessons)[0],
-            given=sender.given,
-            place=place,
+            order=(sender.sequence, moment, repetition, number, source),
             reason=reason,
             **more,
         )
         self._collection.files.append(file)
 
     def _add_finding(self, kind, parts, text):
-        self._collection.add_finding(kind, self._sender(parts).name, parts, text)
+        self._collection.add_finding(kind, self._sender_of_folder(parts).learner, parts, text)
 
     def _ignore(self, parts, sender=None):
         sender = sender or self._sender_of(parts)
-        self._unlisted[sender.name] += 1
-        if self._unlisted[sender.name] <= _MOST_LISTED:
+        self._unlisted[sender.learner] += 1
+        if self._unlisted[sender.learner] <= _MOST_LISTED:
             self._collection.ignored.append(display_path(parts))
 
     def finish(self):
         """Report what can only be known now that everything is collected."""
-        self._tell_apart()
-        self._prefer_own_folders()
         files, findings = self._collection.files, self._collection.findings
-        senders = {file.learner for file in files}
-        people = {name.casefold() for name in senders} | self._people
-        for file in files:
-            claims = {name for name in file.claims if name.casefold() != file.learner.casefold()}
-            other_names = sorted(name for name in claims if name.casefold() in people)
-            if other_names:
-                listed = ", ".join(other_names[:_MOST_NAMES])
-                text = f"it has the name of {listed}, but came from {file.learner}:"
-                text += f" it counts as {file.learner}'s"
-                findings.append(IntakeFinding("sender", file.learner, file.source, text))
+        self._collection.files = list(_told_apart(files, findings))
+        senders = {file.learner for file in self._collection.files}
         for name, count in self._unlisted.items():
             if count > _MOST_LISTED:
                 self._collection.ignored.append(f"{name}: {count - _MOST_LISTED} more files")
             if name not in senders:
                 findings.append(IntakeFinding("file", name, "", "no notebook and no zip"))
 
-    def _tell_apart(self):
-        """Give a name of their own to senders whose names look like another one's.
 
-        Names can differ in spaces at their ends, beyond what is shown of a long name, or in a text that looks
-        like an escaped mark. Two forms of one letter (NFC and NFD) are the same name, because systems change
-        them; but not side by side in one folder.
-        """
-        files = self._collection.files
-        spellings, people = {}, {}
-        for file in files:
-            spellings.setdefault((file.place, _composed(file.given)), set()).add(file.given)
-        identities = [
-            file.given if len(spellings[file.place, _composed(file.given)]) > 1 else _composed(file.given)
-            for file in files
-        ]
-        for file, identity in zip(files, identities, strict=True):
-            people.setdefault(file.learner, set()).add(identity)
-        for number, (file, identity) in enumerate(zip(files, identities, strict=True)):
-            look_alikes = people[file.learner]
-            first = file.learner if file.learner in look_alikes else min(look_alikes)
-            if identity != first:
-                name = f"{file.learner} [{digest_of(os.fsencode(identity))[:6]}]"
-                files[number] = replace(file, learner=name)
-                text = f"its name looks like {file.learner}, but is another one; the two are graded apart"
-                self._collection.findings.append(IntakeFinding("sender", name, file.source, text))
+def _told_apart(files, findings):
+    """The files; senders whose names look like another one's get a name of their own, and a finding.
 
-    def _prefer_own_folders(self):
-        """A name that somebody could choose replaces nothing that the instructor has under that name.
-
-        People choose their names on a platform. A folder that is named like a lesson can be that of a learner
-        who is called so, and then the names in it are this learner's choice.
-        """
-        files = self._collection.files
-        by_themselves = {file.learner for file in files if not file.place and not file.platform}
-        for number, file in enumerate(files):
-            was_chosen = file.place or file.platform
-            if was_chosen and file.learner in by_themselves and file.certainty == (_ALONE, 0):
-                files[number] = replace(file, certainty=(_ALONE, -1))
+    Names can differ in spaces at their ends, beyond what is shown of a long name, or in a text that looks
+    like an escaped mark. Two forms of one letter (NFC and NFD) are the same name, because systems change
+    them; but not side by side in one folder.
+    """
+    spellings, people, identities = {}, {}, []
+    for file in files:
+        spellings.setdefault((file.place, _composed(file.given)), set()).add(file.given)
+    for file in files:
+        has_two_forms = len(spellings[file.place, _composed(file.given)]) > 1
+        identities.append(file.given if has_two_forms else _composed(file.given))
+        people.setdefault(file.learner, set()).add(identities[-1])
+    for file, identity in zip(files, identities, strict=True):
+        look_alikes = people[file.learner]
+        first = file.learner if file.learner in look_alikes else min(look_alikes)
+        if identity == first:
+            yield file
+            continue
+        name = f"{file.learner} [{digest_of(os.fsencode(identity))[:6]}]"
+        text = f"its name looks like {file.learner}, but is another one; the two are graded apart"
+        findings.append(IntakeFinding("sender", name, file.source, text))
+        yield replace(file, learner=name)
 
 
 def _composed(name):
@@ -550,12 +456,7 @@ def _composed(name):
 
 
 def local_time(seconds):
-    """A file's time as a local datetime; the first or the last one if the year is beyond the calendar.
-
-    Parameters
-    ----------
-    seconds : float, since 1970
-    """
+    """Seconds since 1970 as a local datetime; the first or the last one if it is beyond the calendar."""
     try:
         return datetime.fromtimestamp(int(seconds))
     except (ValueError, OverflowError, OSError):

@@ -97,7 +97,7 @@ def grade_submissions(
         bubblewrap.require_sandbox()
     roster = read_roster(roster) if roster else None
     with contextlib.ExitStack() as stack:
-        collection = stack.enter_context(_collect(submissions, answer_keys, roster, out))
+        collection = stack.enter_context(_collect(submissions, answer_keys, out))
         stack.enter_context(open_grades_folder(out))
         decisions = decisions or _decisions_file(out)
         rules = TeacherRules(
@@ -133,10 +133,9 @@ def grade_submissions(
     return _summary(grades, graded_now, out, table_lines, pages.failed)
 
 
-def _collect(submissions, answer_keys, roster, out):
-    people = [name for entry in roster or () for name in entry.names]
+def _collect(submissions, answer_keys, out):
     try:
-        return collect(submissions, tuple(answer_keys.lessons), people)
+        return collect(submissions, tuple(answer_keys.lessons))
     except CollectError as error:
         moved = set_pages_aside(out) if submissions.exists() else None
         moved_pages = f"; the pages of the last run are now in {moved}" if moved else ""

@@ -14,6 +14,7 @@ from imgproc_course.classroom.autograder.answer_key import Key
 from imgproc_course.classroom.gradebook.archives import CollectError
 from imgproc_course.classroom.gradebook.collect import IntakeFinding, SubmittedFile, digest_of
 from imgproc_course.classroom.gradebook.notebook_reader import NOT_READ_IN_TIME, NotebookReader
+from imgproc_course.classroom.gradebook.senders import Certainty
 from imgproc_course.classroom.gradebook.submission import (
     AnswerState,
     SubmissionContent,
@@ -195,19 +196,20 @@ def _display_names(submissions):
 
 
 def _most_certain(submissions):
-    """{(name, lesson): the certainty of its most certain file}."""
+    """{(name, lesson): the file of it whose sender is most certain}."""
     certain = {}
     for submission in submissions:
-        place = submission.file.learner, submission.lesson
-        certain[place] = max(certain.get(place, submission.file.certainty), submission.file.certainty)
+        file, place = submission.file, (submission.file.learner, submission.lesson)
+        if place not in certain or certain[place].certainty < file.certainty:
+            certain[place] = file
     return certain
 
 
 def _is_contested(submission, certain):
-    """Whether its name was chosen, and there is a more certain file of this name and lesson."""
-    file = submission.file
-    was_chosen = file.certainty[1] < 0
-    return submission.lesson is not None and was_chosen and certain[file.learner, submission.lesson][1] >= 0
+    """Whether somebody could choose its name, and there is a file of this lesson that has it by itself."""
+    file, lesson = submission.file, submission.lesson
+    is_chosen = file.certainty is Certainty.CHOSEN and lesson is not None
+    return is_chosen and certain[file.learner, lesson].certainty is Certainty.OWN
 
 
 def _add(learner, submission):
@@ -244,16 +246,13 @@ def _report_repeated(learner):
 
 def _replaced_by_name(submissions):
     """A finding for each file that arrived under a name of which there is a more certain submission."""
-    by_name = {}
+    certain = _most_certain(submissions)
     for submission in submissions:
-        if submission.lesson:
-            by_name.setdefault((submission.file.learner, submission.lesson), []).append(submission.file)
-    for (name, lesson), files in by_name.items():
-        counting = max(files, key=lambda file: file.certainty)
-        for file in files:
-            if file.certainty < counting.certainty:
-                text = f"it names {name}, whose own submission of {lesson} counts: {counting.source}"
-                yield IntakeFinding("sender", file.group, file.source, text)
+        file, lesson = submission.file, submission.lesson
+        counting = certain[file.learner, lesson]
+        if lesson and file.certainty < counting.certainty:
+            text = f"it names {file.learner}, whose own submission of {lesson} counts: {counting.source}"
+            yield IntakeFinding("sender", file.group, file.source, text)
 
 
 def unproven_dates(files, deadline):

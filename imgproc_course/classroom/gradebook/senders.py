@@ -7,6 +7,7 @@ the learner, who must not be able to submit as somebody else.
 import re
 import unicodedata
 from dataclasses import dataclass, field, replace
+from enum import IntEnum
 from pathlib import PurePosixPath
 
 from imgproc_course.classroom.authoring.lesson_names import (
@@ -25,41 +26,43 @@ _CANVAS = re.compile(
 _REPEATED = re.compile(r"(?P<stem>.+?)(?:-(?P<number>\d{1,6})|[ _]?\((?P<copy>\d{1,6})\))", re.S)
 
 
+class Certainty(IntEnum):
+    """How certain a sender is: a file never takes the place of one whose sender is more certain."""
+
+    IN_ZIP = 0  # a name in a platform's zip
+    IN_UNKNOWN_FOLDER = 1  # in a folder named like a lesson that no key has: perhaps it is a learner's folder
+    CHOSEN = 2  # a name that somebody chose on a platform; or one in a lesson's folder, perhaps a learner's
+    OWN = 3  # a folder or file at the top that has this name by itself
+
+
 @dataclass(frozen=True)
 class Sender:
     """Who sent a file.
 
-    name          the learner's, one printable line
-    platform      "moodle", "canvas" or "";  platform_id: the platform's number of the learner, or ""
-    late          True if the platform says that it is late
-    order         the platform's number of the submission; sorts the submissions of one learner
-    doubt         why the name cannot be believed, or ""
-    given         the name as it was given, with marks and spaces that nobody sees
-    place         tuple of str, the folders that the name is in
+    learner      the learner's name, one printable line
+    platform     "moodle", "canvas" or "";  platform_id: the platform's number of the learner, or ""
+    late         True if the platform says that it is late
+    sequence     the platform's number of the submission; sorts the submissions of one learner
+    doubt        why the name cannot be believed, or ""
+    given        the name as it was given, with marks and spaces that nobody sees
+    place        tuple of str, the folders, and the zip, that the name is in
     """
 
-    name: str
+    learner: str
     platform: str = ""
     platform_id: str = ""
     late: bool = False
-    order: int = 0
+    sequence: int = 0
     doubt: str = ""
     given: str = field(default="", compare=False)
     place: tuple = field(default=(), compare=False)
+    certainty: Certainty = field(default=Certainty.OWN, compare=False)
 
 
 def sender_of(parts, lessons, numbered=frozenset()):
-    """The sender of a file.
+    """The Sender of the file whose path has these parts; `numbered` is what `numbered_learners` found.
 
-    Parameters
-    ----------
-    parts : tuple of str, the parts of its path; folders with a lesson's name are ignored
-    lessons : names of lessons
-    numbered : what `numbered_learners` found
-
-    Returns
-    -------
-    Sender
+    Folders with a lesson's name are ignored.
     """
     folders = (part in numbered or not is_lesson(part, lessons) for part in parts[:-1])
     depth = next((depth for depth, names_somebody in enumerate(folders) if names_somebody), len(parts) - 1)
@@ -68,24 +71,21 @@ def sender_of(parts, lessons, numbered=frozenset()):
         is_file = depth == len(parts) - 1
         given = name_in_stem(PurePosixPath(parts[-1]).stem, lessons) if is_file else parts[depth]
         sender = Sender(given)
-    name = sanitize_line(unicodedata.normalize("NFC", sender.name.strip()), 120) or "(no name)"
-    return replace(sender, name=name, given=sender.name, place=tuple(parts[:depth]))
+    name = sanitize_line(unicodedata.normalize("NFC", sender.learner.strip()), 120) or "(no name)"
+    certainty = Certainty.CHOSEN if depth or sender.platform else Certainty.OWN
+    if depth and lesson_name(parts[0]) not in lessons:
+        certainty = Certainty.IN_UNKNOWN_FOLDER
+    return replace(
+        sender, learner=name, given=sender.learner, place=tuple(parts[:depth]), certainty=certainty
+    )
 
 
 def numbered_learners(paths, lessons):
     """The folders that a class list numbered: 01_ada has the form of a lesson's name, but is a learner's.
 
     In the folder of a lesson without a key, hardly a file is named after a lesson that has one. If at least
-    half of the files are in at least half of such folders, all of these folders are learners'.
-
-    Parameters
-    ----------
-    paths : list of tuples of str, the parts of the notebooks' paths, from the top folder on
-    lessons : names of the lessons that have a key
-
-    Returns
-    -------
-    frozenset of str
+    half of the files are in at least half of such folders, all of these folders are learners'. A path is a
+    tuple of its parts, from the top folder on.
     """
     votes = {}
     for folder, *_, name in (path for path in paths if len(path) > 1):
@@ -133,26 +133,3 @@ def is_lesson_file(name, lessons):
     """Whether a file is named after a lesson, and after nothing else."""
     stem, _ = split_repetition(PurePosixPath(name).stem)
     return platform_sender(name) is None and is_lesson(stem, lessons)
-
-
-def names_within(parts, lessons):
-    """The names of people that parts of a path could be, chosen by the person who sent the file.
-
-    Parameters
-    ----------
-    parts : tuple of str, the parts after the one that names the sender
-    lessons : names of lessons
-
-    Returns
-    -------
-    (frozenset of str, bool): the names, and whether one of them has a platform's form
-    """
-    names, has_form = set(), False
-    for part in parts:
-        sender = platform_sender(part)
-        has_form |= sender is not None
-        stem = PurePosixPath(part).stem if part is parts[-1] else part
-        name = sender.name if sender else name_in_stem(stem, lessons)
-        if not is_lesson(name, lessons):
-            names.add(sanitize_line(unicodedata.normalize("NFC", name.strip()), 120))
-    return frozenset(names), has_form

@@ -416,7 +416,7 @@ def _dated_zip(path, names, data):
             archive.writestr(zipfile.ZipInfo(name, TOMORROW), data)
 
 
-@attack(201, "a zip with a folder of a neighbour's name", "it counts as 201")
+@attack(201, "a zip with a folder of a neighbour's name", "submitted 3 times")
 def _neighbours_name_in_zip(folder, light):
     names = [f"{LESSON}.ipynb", f"{_neighbour_of(folder)}/{LESSON}.ipynb", f"{_neighbour_of(folder)}.ipynb"]
     _dated_zip(folder.with_name(f"{folder.name}.zip"), names, json.dumps(wrong_notebook(light)))
@@ -431,7 +431,7 @@ def _forged_platform_zip(folder, light):
     _dated_zip(path, names, json.dumps(wrong_notebook(light)))
 
 
-@attack(203, "a zip of Moodle's form under the sender's own name", "it counts as 203")
+@attack(203, "a zip of Moodle's form under the sender's own name", "whose own submission of light counts")
 def _forged_platform_zip_of_a_known_sender(folder, light):
     write(folder / f"{LESSON}.ipynb", wrong_notebook(light))
     names = [f"{_neighbour_of(folder)}_7_assignsubmission_file_/{LESSON}.ipynb"]
@@ -529,7 +529,7 @@ def _one_name_twice(folder, light):
         _zip(folder, [(f"{LESSON}.ipynb", json.dumps(lesson)) for lesson in answers])
 
 
-@attack(224, "names of another system in a zip", "but came from 224")
+@attack(224, "names of another system in a zip", "leads out of the zip")
 def _names_of_another_system(folder, light):
     names = (f"..\\{_neighbour_of(folder)}\\{LESSON}.ipynb", f"C:\\{LESSON}.ipynb", f"{LESSON}.ipynb:x")
     _zip(folder, [(name, json.dumps(wrong_notebook(light))) for name in (f"{LESSON}.ipynb", *names)])

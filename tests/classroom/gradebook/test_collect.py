@@ -12,6 +12,7 @@ from submissions import write
 from imgproc_course.classroom.gradebook import archives
 from imgproc_course.classroom.gradebook.archives import CollectError
 from imgproc_course.classroom.gradebook.collect import collect
+from imgproc_course.classroom.gradebook.senders import Certainty
 
 LESSONS = ("light", "sound")
 
@@ -122,7 +123,7 @@ def test_the_numbers_of_a_class_list_make_no_lessons(files_by_source, submission
         make_zip(tmp_path / "all.zip", [(name, b"{}") for name in names])
     files = files_by_source(tmp_path / "all.zip" if is_zip else submissions).values()
     assert [file.learner for file in files] == ["01_ada", "01_ada", "02_bob", "03_eve", "dan"]
-    assert {file.certainty for file in files} == ({(0, 4)} if is_zip else {(2, 0)})
+    assert [file.certainty for file in files] == [Certainty.OWN] * 4 + [Certainty.CHOSEN]
 
 
 def test_a_folder_of_a_lesson_without_a_key_holds_learners(files_by_source, submissions):
