@@ -74,14 +74,7 @@ class CourseServer(ServerApp):
 def start(options=(), say=print_now):
     """Copies the lessons into my_lessons/, then runs JupyterLab there until it is shut down.
 
-    Parameters
-    ----------
-    options : options for JupyterLab, as on its command line
-    say : function that prints one line for the learner
-
-    Raises
-    ------
-    LessonsError, LabError : one line that says what to do
+    `options` are JupyterLab's own. LessonsError, LabError: one line that says what to do.
     """
     folder = CHECKOUT / "my_lessons"
     changes = update_lessons(target=folder)

@@ -72,21 +72,9 @@ class Origin(NamedTuple):
 
 
 def update_lessons(source=None, target=None, version=None):
-    """Creates or updates the working copies.
+    """Creates or updates the working copies in `target`, by default my_lessons/; returns LessonChanges.
 
-    Parameters
-    ----------
-    source : folder of the lessons; if omitted, notebooks/ of the checkout
-    target : the learner's folder; if omitted, my_lessons/ of the checkout
-    version : version of the course, for the name of an update that is added beside a learner's file
-
-    Returns
-    -------
-    LessonChanges
-
-    Raises
-    ------
-    LessonsError : there are no lessons, or the folder cannot be written; then nothing has changed
+    LessonsError: there are no lessons, or the folder cannot be written; then nothing has changed.
     """
     source = Path(source or CHECKOUT / "notebooks")
     target = Path(target or CHECKOUT / "my_lessons")

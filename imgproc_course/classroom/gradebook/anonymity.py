@@ -14,12 +14,7 @@ def anonymous_id(name, answer_keys):
 
 
 def without_names(grades):
-    """A copy of grades for the pages: ids instead of names, and no names of files.
-
-    Parameters
-    ----------
-    grades : dict, the content of grades.json, made with `anonymous`
-    """
+    """A copy of grades for the pages: ids instead of names, and no names of files."""
     return grades | {
         "ignored": [],
         "intake": [],

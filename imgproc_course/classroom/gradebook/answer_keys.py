@@ -9,14 +9,8 @@ from imgproc_course.classroom.gradebook.lesson_description import LessonDescript
 class AnswerKeys:
     """The keys that a folder of submissions is graded with.
 
-    Parameters
-    ----------
-    keys : list of Key, one per version of a lesson; the first that has a lesson is the default for it. Each
-        may have variants
-
-    Attributes
-    ----------
-    lessons : {name: KeyLesson of the lesson's default key}
+    One key per version of a lesson; the first that has a lesson is the default for it, and `lessons` is
+    {name: KeyLesson of the default key}. Each may have variants.
     """
 
     def __init__(self, keys):
@@ -75,20 +69,7 @@ class AnswerKeys:
 
 
 def load_keys(folders):
-    """Read answer keys.
-
-    Parameters
-    ----------
-    folders : sequence of Path
-
-    Returns
-    -------
-    AnswerKeys
-
-    Raises
-    ------
-    KeyFolderError : one of the folders is not an answer key
-    """
+    """Read the AnswerKeys in some folders; KeyFolderError: one of them is not an answer key."""
     return AnswerKeys([load_key(folder) for folder in folders])
 
 

@@ -18,31 +18,18 @@ def read_grades(path):
 
 
 def changes_page(before, after, names):
-    """The teacher's page of what changed.
+    """The teacher's page of what changed between two contents of grades.json, HTML.
 
-    Parameters
-    ----------
-    before, after : dict, the contents of two grades.json
-    names : {learner's name: the name to show}
-
-    Returns
-    -------
-    str, HTML
+    `names` are {learner's name: the name to show}.
     """
     rows = [row | {"learner": names.get(row["learner"], "(gone)")} for row in changes_between(before, after)]
     return render_page("changes.html", rows=rows)
 
 
 def changes_between(before, after):
-    """The differences of two runs.
+    """The differences of two contents of grades.json.
 
-    Parameters
-    ----------
-    before, after : dict, the contents of two grades.json
-
-    Yields
-    ------
-    dict: learner, page (of the later run, or ""), lesson, exercise (or ""), before, after: texts
+    Yields dicts: learner, page (of the later run, or ""), lesson, exercise (or ""), before, after: texts.
     """
     old, new = _learners(before), _learners(after)
     for name in sorted({*old, *new}, key=lambda name: (name.casefold(), name)):

@@ -30,20 +30,7 @@ class LatePolicy:
 
 
 def read_late_policy(text):
-    """Read a late policy.
-
-    Parameters
-    ----------
-    text : str, "10% a day" or "10% a day, 3 days"
-
-    Returns
-    -------
-    LatePolicy
-
-    Raises
-    ------
-    ValueError : something else is written there
-    """
+    """The LatePolicy of a text, "10% a day" or "10% a day, 3 days"; ValueError: it is something else."""
     match = _POLICY.fullmatch(text.strip())
     if not match or not 0 < float(match[1]) <= 100:
         raise ValueError(f'{text[:60]!r} is no late policy; write "10% a day" or "10% a day, 3 days"')
@@ -72,14 +59,7 @@ class Deadlines:
         return self.deadline, False
 
     def days_late(self, learner, lesson, file):
-        """How many days have begun after the deadline when a file was submitted; 0 if it was in time.
-
-        Parameters
-        ----------
-        learner : str
-        lesson : str or None
-        file : SubmittedFile
-        """
+        """How many days had begun after the deadline when a file was submitted; 0 if it was in time."""
         due, _ = self.due(learner, lesson)
         if due is None or file.submitted_at is None or file.submitted_at <= due:
             return 0

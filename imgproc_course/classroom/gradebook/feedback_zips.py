@@ -18,16 +18,9 @@ _DATE = (1980, 1, 1, 0, 0, 0)  # the same pages give the same bytes
 
 
 def feedback_zips(grades, read_page):
-    """The zips of all lessons that came from a platform.
+    """The zips of all lessons that came from a platform, {file name: bytes}.
 
-    Parameters
-    ----------
-    grades : dict, the content of grades.json
-    read_page : function (learner's entry) -> bytes of the page
-
-    Returns
-    -------
-    {file name: bytes}
+    `read_page` gives the bytes of the page of a learner's entry.
     """
     members, lessons = {}, lessons_of(grades)
     for learner in grades["learners"]:

@@ -8,13 +8,9 @@ from imgproc_course.classroom.gradebook.teacher_tables import plain_number
 
 
 def settle_lesson(entry, decisions, policy):
-    """Set the final points of a lesson's entry in grades.json.
+    """Set the final points of a lesson's entry in grades.json, which has those of the autograder.
 
-    Parameters
-    ----------
-    entry : dict, with the points that the autograder gave; it is changed
-    decisions : list of Decision, of this learner and lesson
-    policy : LatePolicy or None
+    `decisions` are those on this lesson of this learner; `policy` is a LatePolicy or None.
     """
     by_exercise = {decision.exercise: decision for decision in decisions}
     whole_lesson = by_exercise.pop("", None)
@@ -52,12 +48,9 @@ def _decide(entry, decision):
 
 
 def decided_lesson(submitted, lesson):
-    """The entry of a lesson that was not submitted, but on which the teacher has decided.
+    """The entry of a KeyLesson that was not submitted, but on which the teacher has decided.
 
-    Parameters
-    ----------
-    submitted : list of dict, the entries of the learner's other lessons, which know the platform
-    lesson : KeyLesson
+    `submitted` are the entries of the learner's other lessons, which know the platform.
     """
     platform = next(((entry["platform"], entry["platform_id"]) for entry in submitted), ("", ""))
     return {

@@ -31,12 +31,10 @@ _UNTOLD = {"annotation", "returns", "type_comment", "kind"}  # fields that chang
 
 
 def syntax_tokens(source):
-    """The tokens of a source: kinds of syntax, constants, and names that are not its own.
+    """The tokens of a source, (token, line): kinds of syntax, constants, and names that are not its own.
 
-    Returns
-    -------
-    list of (token, line); a name that the source binds is "V" and its number, by first occurrence.
-    Empty if the source does not parse or is longer than LONGEST
+    A name that the source binds is "V" and its number, by first occurrence. There are none if the source does
+    not parse or is longer than LONGEST.
     """
     try:
         tree = ast.parse(source) if len(source) <= LONGEST else ast.Module([], [])
@@ -114,12 +112,7 @@ def _digest(tokens):
 
 
 def fingerprints(answers):
-    """The shapes and the fingerprints of a submission, as the module describes them.
-
-    Parameters
-    ----------
-    answers : {exercise id: source}
-    """
+    """The shapes and the fingerprints of {exercise id: source}, as the module describes them."""
     shapes, prints = {}, {}
     for id, source in sorted(answers.items()):
         tokens = syntax_tokens(source)

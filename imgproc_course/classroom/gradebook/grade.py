@@ -12,10 +12,11 @@ from imgproc_course.classroom.autograder.sandbox import bubblewrap
 from imgproc_course.classroom.gradebook.answer_keys import load_keys
 from imgproc_course.classroom.gradebook.archives import CollectError
 from imgproc_course.classroom.gradebook.collect import collect
+from imgproc_course.classroom.gradebook.csv_table import TableError
 from imgproc_course.classroom.gradebook.grades_folder import LearnerPages, set_pages_aside, write_grades
 from imgproc_course.classroom.gradebook.grades_json import count_not_graded, faults_of, grades_of
 from imgproc_course.classroom.gradebook.learners import read_all, unproven_dates
-from imgproc_course.classroom.gradebook.lms_import import TableError, fill_table, read_tables
+from imgproc_course.classroom.gradebook.lms_import import fill_table, read_tables
 from imgproc_course.classroom.gradebook.report import count_of, prepare_templates
 from imgproc_course.classroom.gradebook.result_store import (
     GradesFolderError,

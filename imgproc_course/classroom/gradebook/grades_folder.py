@@ -38,19 +38,8 @@ _OTHER_PAGES = {
 class LearnerPages:
     """Writes the learners' pages, each as soon as all its results are there: the workers grade on meanwhile.
 
-    Parameters
-    ----------
-    out : Path, the folder of grades
-    learners : list of Learner
-    answer_keys : AnswerKeys
-    store : ResultStore
-    rules : TeacherRules
-    anonymous : bool, the pages show ids instead of names
-
-    Attributes
-    ----------
-    entries : {learner's name: entry in grades.json}
-    failed : {learner's name as pages show it: why their page lacks its details}
+    entries  {learner's name: entry in grades.json}
+    failed   {learner's name as pages show it: why their page lacks its details}
     """
 
     def __init__(self, out, learners, answer_keys, store, rules, *, anonymous=False):
@@ -72,12 +61,7 @@ class LearnerPages:
                 self._write(learner)
 
     def finish(self):
-        """Write all other pages, and remove those of an earlier run.
-
-        Returns
-        -------
-        list of dict, the entries of all learners in grades.json
-        """
+        """Write all other pages, and remove those of an earlier run; returns the entries of all learners."""
         for learner in self._learners:
             if learner.name not in self.entries:
                 self._write(learner)
@@ -108,18 +92,7 @@ class LearnerPages:
 def write_grades(out, grades, learners, lessons, failed_pages, groups):
     """Write everything but the learners' pages and the results.
 
-    Parameters
-    ----------
-    out : Path
-    grades : dict, the content of grades.json
-    learners : list of Learner, in the order of grades["learners"]
-    lessons : {name: KeyLesson}
-    failed_pages : {learner's name as pages show it: why their page lacks its details}
-    groups : list of SimilarGroup
-
-    Raises
-    ------
-    GradesFolderError : the disk is full or read-only
+    `learners` are in the order of grades["learners"]; `groups` are the SimilarGroups.
     """
     before, text = read_grades(out / "grades.json"), grades_text(grades)
     changed = before is not None and grades_text(before) != text
@@ -145,13 +118,7 @@ def write_grades(out, grades, learners, lessons, failed_pages, groups):
 def set_pages_aside(out):
     """Move what an earlier run wrote to give back, so that nobody packs it as the result of this run.
 
-    Parameters
-    ----------
-    out : Path
-
-    Returns
-    -------
-    Path of the folder that holds it now, or None if there was nothing
+    Returns the folder that holds it now, or None if there was nothing.
     """
     aside = out / "last-run"
     folders = [out / name for name in _GIVEN_BACK if (out / name).is_dir()]

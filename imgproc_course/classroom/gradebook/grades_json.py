@@ -19,22 +19,10 @@ FORMAT = 4
 def grades_of(
     entries, answer_keys, *, sandbox, deadlines, collection, roster=None, similar=(), anonymous=False
 ):
-    """The content of grades.json.
+    """The content of grades.json, as grades.schema.json describes it.
 
-    Parameters
-    ----------
-    entries : list of dict, what `learner_entry` returns for each learner
-    answer_keys : AnswerKeys
-    sandbox : bool, whether answers ran in a sandbox
-    deadlines : Deadlines
-    collection : Collection that the learners' files come from
-    similar : list of dict as `similar_entries` returns it
-    roster : dict as `roster_report` returns it, or None
-    anonymous : bool, the pages are named after an id instead of the learner
-
-    Returns
-    -------
-    dict, see grades.schema.json
+    `entries` are what `learner_entry` returns for each learner, `roster` is from `roster_report` or None;
+    `anonymous`: the pages are named after an id instead of the learner.
     """
     return {
         "format": FORMAT,
@@ -76,16 +64,7 @@ def faults_of(lesson):
 
 
 def lesson_names(grades):
-    """The names of the keys' lessons, in the order of the course.
-
-    Parameters
-    ----------
-    grades : dict, the content of grades.json
-
-    Returns
-    -------
-    list of str
-    """
+    """The names of the keys' lessons, in the order of the course."""
     numbers = {
         lesson["lesson"]: lesson["number"] for key in reversed(grades["keys"]) for lesson in key["lessons"]
     }
@@ -112,16 +91,7 @@ def _key_entry(key):
 
 
 def learner_entry(learner, answer_keys, store, rules, *, anonymous=False):
-    """A learner's part of grades.json.
-
-    Parameters
-    ----------
-    learner : Learner, graded
-    answer_keys : AnswerKeys
-    store : ResultStore
-    rules : TeacherRules, assigned
-    anonymous : bool, the page is named after an id instead of the learner
-    """
+    """A graded learner's part of grades.json; `rules` are assigned TeacherRules."""
     deadlines, decisions = rules.deadlines, rules.decisions.get(learner.name, ())
     submissions = [*learner.submissions.values(), *learner.unidentified]
     lessons = [

@@ -81,17 +81,8 @@ class Learner:
 def read_all(collection, answer_keys, store, *, fresh=False, quiet=None):
     """Read every submitted file, assign it to its learner, and choose the submission that counts.
 
-    Parameters
-    ----------
-    collection : Collection
-    answer_keys : AnswerKeys
-    store : ResultStore, keeps the answers until they are graded
-    fresh : bool, read again what took too much time before
-    quiet : bool or None, as tqdm's `disable`
-
-    Returns
-    -------
-    list of Learner, sorted by name; findings about senders are added to the collection
+    Returns a list of Learner, sorted by name; findings about senders are added to the collection. The store
+    keeps the answers until they are graded. `fresh`: what took too much time before is read again.
     """
     submissions = []
     with NotebookReader(NOTEBOOK_SECONDS) as notebook_reader:
@@ -256,17 +247,7 @@ def _replaced_by_name(submissions):
 
 
 def unproven_dates(files, deadline):
-    """A finding for each zip of a platform that was made after the deadline and says earlier dates.
-
-    Parameters
-    ----------
-    files : list of SubmittedFile
-    deadline : datetime, local
-
-    Yields
-    ------
-    IntakeFinding
-    """
+    """An IntakeFinding for each zip of a platform that was made after the deadline and says earlier dates."""
     counts = Counter(
         file.group
         for file in files
@@ -278,18 +259,6 @@ def unproven_dates(files, deadline):
 
 
 def digest_of_answers(key, lesson, answers, conditions):
-    """Everything that a result depends on, as one SHA-256.
-
-    Parameters
-    ----------
-    key : Key
-    lesson : str
-    answers : {exercise id: source}
-    conditions : what else the result depends on, as JSON holds it
-
-    Returns
-    -------
-    str, hexadecimal digits
-    """
+    """Everything that a result depends on, as one SHA-256; `conditions` is what JSON can hold."""
     text = json.dumps([key.digest, lesson, answers, conditions], sort_keys=True, ensure_ascii=True)
     return hashlib.sha256(text.encode("ascii")).hexdigest()

@@ -41,13 +41,7 @@ class LessonDescription:
 
     @classmethod
     def from_key(cls, lesson, cells):
-        """The description of a KeyLesson.
-
-        Parameters
-        ----------
-        lesson : KeyLesson
-        cells : dict, as in `LessonDescription`
-        """
+        """The description of a KeyLesson; `cells` as in `LessonDescription`."""
         return cls(lesson.name, lesson.version, _exercises(lesson.exercises), cells)
 
     @classmethod

@@ -55,16 +55,7 @@ COLUMNS = (
 
 
 def grades_csv(grades):
-    """The text of grades.csv.
-
-    Parameters
-    ----------
-    grades : dict, the content of grades.json
-
-    Returns
-    -------
-    str
-    """
+    """The text of grades.csv."""
     rows = [_grades_row(learner, lesson) for learner in grades["learners"] for lesson in learner["lessons"]]
     return "\ufeff" + _text(COLUMNS, rows)
 
@@ -106,13 +97,7 @@ def _decision_texts(lesson):
 def platform_points(lesson):
     """A lesson's points as a platform takes them, whose maximum does not change if an exercise is excused.
 
-    Parameters
-    ----------
-    lesson : dict, the lesson's entry of a learner
-
-    Returns
-    -------
-    int or float; None if the whole lesson is excused
+    None if the whole lesson is excused.
     """
     decided = [exercise for exercise in lesson["exercises"] if exercise["decision"]]
     excused = [exercise for exercise in decided if exercise["decision"]["excused"]]
@@ -128,16 +113,7 @@ def _percent(lesson):
 
 
 def exports(grades):
-    """The tables for other programs.
-
-    Parameters
-    ----------
-    grades : dict, the content of grades.json
-
-    Returns
-    -------
-    {file name: text}
-    """
+    """The tables for other programs, {file name: text}."""
     lessons = lessons_of(grades)
     files = {"nbgrader.csv": _nbgrader(grades, lessons)}
     for name in lessons:
@@ -152,16 +128,7 @@ def exports(grades):
 
 
 def lessons_of(grades):
-    """The lessons that have points, as the first key that has them describes them.
-
-    Parameters
-    ----------
-    grades : dict, the content of grades.json
-
-    Returns
-    -------
-    {name: dict, the lesson's entry in `keys`}
-    """
+    """{name: entry in `keys`} of the lessons with points, as the first key that has them describes them."""
     lessons = {
         lesson["lesson"]: lesson
         for key in reversed(grades["keys"])

@@ -15,34 +15,18 @@ from dataclasses import dataclass
 from pathlib import Path
 
 from imgproc_course.classroom.authoring.lesson_names import lesson_name, lessons_named
+from imgproc_course.classroom.gradebook.csv_table import CsvTable, TableError, read_csv
 from imgproc_course.classroom.gradebook.lms_export import lessons_of, platform_points
 
 _IDENTITIES = {"SIS Login ID", "SIS User ID", "Integration ID", "Email address", "ID number", "Username"}
 _WITH_NUMBER = re.compile(r"(.+?) \(\d+\)", re.S)
-_LARGEST = 50_000_000  # bytes
 
 
-class TableError(ValueError):
-    """A table that cannot be filled; one line with the remedy."""
+@dataclass(frozen=True, kw_only=True)
+class PlatformTable(CsvTable):
+    """A table that a platform exported: "canvas" or "moodle"."""
 
-
-@dataclass(frozen=True)
-class PlatformTable:
-    """A table that a platform exported.
-
-    platform          "canvas" or "moodle"
-    columns           tuple of str, without spaces around them
-    rows              tuple of lists of str
-    delimiter         the character between two cells
-    byte_order_mark   "\\ufeff" if the file begins with it, else ""
-    """
-
-    path: Path
     platform: str
-    columns: tuple
-    rows: tuple
-    delimiter: str
-    byte_order_mark: str
 
     @property
     def number_column(self):
@@ -51,67 +35,17 @@ class PlatformTable:
 
 
 def read_tables(paths):
-    """Read tables that platforms exported.
+    """Read tables that platforms exported, as a list of PlatformTable.
 
-    Parameters
-    ----------
-    paths : sequence of Path
-
-    Returns
-    -------
-    list of PlatformTable
-
-    Raises
-    ------
-    TableError : a file cannot be read, or it is not a table of Canvas or Moodle; or two have the same name
+    TableError: one cannot be read, is no table of Canvas or Moodle, or has another one's name.
     """
     paths = [Path(path) for path in paths]
     names = [path.name for path in paths]
     for path in paths:
         if names.count(path.name) > 1:
             raise TableError(f"{path}: two tables have the name {path.name}; rename one of them")
-    return [_read(path) for path in paths]
-
-
-def _read(path):
-    columns, rows, delimiter, byte_order_mark = read_csv(path)
-    return PlatformTable(path, _platform(path, columns), columns, tuple(rows), delimiter, byte_order_mark)
-
-
-def read_csv(path):
-    """Read a table that a platform or a spreadsheet exported.
-
-    Parameters
-    ----------
-    path : Path
-
-    Returns
-    -------
-    (columns, rows, delimiter, byte order mark), as `PlatformTable` describes them
-
-    Raises
-    ------
-    TableError : it cannot be read
-    """
-    try:
-        if path.stat().st_size > _LARGEST:
-            raise TableError(f"{path}: larger than {_LARGEST // 1_000_000} MB; give the table as exported")
-        text = path.read_bytes().decode("utf-8")
-    except UnicodeDecodeError as error:
-        message = f"{path}: it is not UTF-8; export it again and do not save it with another program"
-        raise TableError(message) from error
-    except OSError as error:
-        raise TableError(f"{path}: it cannot be read ({error.strerror})") from error
-    byte_order_mark = "\ufeff" if text.startswith("\ufeff") else ""
-    text = text.removeprefix(byte_order_mark)
-    first_line = text.partition("\n")[0]
-    delimiter = max(",;\t", key=first_line.count)
-    try:
-        rows = list(csv.reader(io.StringIO(text, newline=""), delimiter=delimiter))
-    except csv.Error as error:
-        raise TableError(f"{path}: it is not a CSV table ({error}); export it again") from error
-    columns = tuple(column.strip() for column in rows[0]) if rows else ()
-    return columns, rows[1:], delimiter, byte_order_mark
+    tables = [read_csv(path) for path in paths]
+    return [PlatformTable(**vars(table), platform=_platform(table.path, table.columns)) for table in tables]
 
 
 def _platform(path, columns):
@@ -131,23 +65,12 @@ def _platform(path, columns):
 
 
 def fill_table(table, grades):
-    """Write our points into a table.
+    """A PlatformTable's text with our points in it, and lines that report what was filled in.
 
-    Parameters
-    ----------
-    table : PlatformTable
-    grades : dict, the content of grades.json
-
-    Returns
-    -------
-    (str, list of str): the table's text, and lines that report what was filled in
-
-    Raises
-    ------
-    TableError : no column belongs to a lesson
+    TableError: no column belongs to a lesson.
     """
     columns = _lesson_columns(table, grades)
-    rows, filled, matched = [list(row) for row in table.rows], 0, set()
+    rows, filled, matched = [list(row) for _, row in table.rows], 0, set()
     for row in rows:
         learner = _learner(table, row, grades["learners"])
         if learner is None:
@@ -250,10 +173,10 @@ def _different_points(table, columns, grades):
 
 def _maximum_points(table, column):
     if table.platform == "canvas":
-        cells = [row[column] for row in table.rows if column < len(row) and "Points Possible" in row[0]]
+        cells = [row[column] for _, row in table.rows if column < len(row) and "Points Possible" in row[0]]
     elif "Maximum grade" in table.columns:
         position = table.columns.index("Maximum grade")
-        cells = [row[position] for row in table.rows if position < len(row)]
+        cells = [row[position] for _, row in table.rows if position < len(row)]
     else:
         cells = []
     try:

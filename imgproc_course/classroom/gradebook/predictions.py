@@ -11,17 +11,9 @@ _LONGEST = 200  # characters of a guess
 
 
 def predictions_page(learners, lessons, names):
-    """The teacher's page of all predictions.
+    """The teacher's page of all predictions, HTML; "" if nobody has predicted anything.
 
-    Parameters
-    ----------
-    learners : list of Learner
-    lessons : {name: KeyLesson}
-    names : {learner's name: the name to show}
-
-    Returns
-    -------
-    str, HTML; "" if nobody has predicted anything
+    `names` are {learner's name: the name to show}.
     """
     views = []
     for name, lesson in sorted(lessons.items(), key=lambda item: (item[1].number, item[0])):

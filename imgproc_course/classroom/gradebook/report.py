@@ -79,19 +79,10 @@ def render_page(name, **content):
 
 
 def learner_page(entry, results, answer_keys, deadlines=None, *, incomplete=False):
-    """The page of one learner.
+    """The page of one learner, HTML; `entry` is the learner's part of grades.json.
 
-    Parameters
-    ----------
-    entry : dict, the learner's part of grades.json
-    results : {lesson: GradedSubmission}; of a lesson without a result, the page shows only the points
-    answer_keys : AnswerKeys
-    deadlines : Deadlines, or None; a page with a deduction says what the late policy is
-    incomplete : bool, the page says that its details are missing
-
-    Returns
-    -------
-    str, HTML
+    Of a lesson without a GradedSubmission in `results`, {lesson: result}, the page shows only the points.
+    `incomplete`: it says that its details are missing.
     """
     lessons = [
         _lesson_view(lesson, results.get(lesson["lesson"]), answer_keys) for lesson in entry["lessons"]

@@ -18,18 +18,7 @@ class Value:
 
 
 def value_of(label, form, wrong=None):
-    """A canonical form as the report shows it.
-
-    Parameters
-    ----------
-    label : str, "returned"
-    form : dict, canonical form, or None if the function returned nothing
-    wrong : bool array, which elements differ, or None
-
-    Returns
-    -------
-    Value
-    """
+    """The Value of a canonical form, or of None; `wrong` is a bool array: which elements differ."""
     if form is None:
         return Value(label, "nothing was returned")
     return Value(label, sanitize_line(describe_value(form), _MOST_CHARACTERS), table_rows(form, wrong))

@@ -26,14 +26,7 @@ class GradesFolderError(ValueError):
 def write_grades_file(path, data):
     """Write a file that only its owner can read, whole: a reader finds the old file or the new one.
 
-    Parameters
-    ----------
-    path : Path
-    data : str or bytes
-
-    Raises
-    ------
-    GradesFolderError : the disk is full or read-only
+    GradesFolderError: the disk is full or read-only.
     """
     try:
         write_file(path, data, permissions=0o600)
@@ -45,11 +38,8 @@ def write_grades_file(path, data):
 def open_grades_folder(folder):
     """Make a folder that only its owner can open, and lock it; a context manager.
 
-    Unfinished files that a killed run left in it are removed.
-
-    Raises
-    ------
-    GradesFolderError : it cannot be made, or another run is writing into it
+    Unfinished files that a killed run left in it are removed. GradesFolderError: it cannot be made, or
+    another run is writing into it.
     """
     with contextlib.ExitStack() as stack:
         try:
@@ -70,10 +60,7 @@ def open_grades_folder(folder):
 class ResultStore:
     """Answers and their results in a folder, by a digest of answers, key and options.
 
-    Parameters
-    ----------
-    folder : Path
-    options : dict of what a result depends on besides key and answers: the kernel, the sandbox
+    `options` is what a result depends on besides key and answers: the sandbox and the like.
     """
 
     def __init__(self, folder, options):
@@ -122,23 +109,10 @@ class ResultStore:
 
 
 def answers_to_regrade(targets, learners, names, answer_keys, *, fresh=False):
-    """What is graded again though it has a result.
+    """What is graded again though it has a result: {digest of answers: exercise ids, or None for all}.
 
-    Parameters
-    ----------
-    targets : sequence of str: names or anonymous ids of learners, lessons, ids of exercises
-    learners : list of Learner
-    names : {name or anonymous id: the learner's name}
-    answer_keys : AnswerKeys
-    fresh : bool, everything
-
-    Returns
-    -------
-    {digest of answers: set of exercise ids, or None for all exercises}
-
-    Raises
-    ------
-    ValueError : a target is none of them
+    `targets` are names or anonymous ids of learners, lessons, ids of exercises; ValueError: one is none of
+    them. `names` are {name or anonymous id: the learner's name}; `fresh`: everything is graded again.
     """
     lessons = {exercise.id: name for name, exercise in _graded_exercises(answer_keys)}
     again = {}
@@ -173,25 +147,10 @@ def _digests(learners, name=None, lesson=None):
 def grade_missing(
     learners, answer_keys, store, *, again=None, quiet=None, on_result=lambda digest: None, **options
 ):
-    """Grade what has no result yet. Equal answers are graded once.
+    """Grade what has no result yet, equal answers once; returns how many submissions were graded now.
 
-    Parameters
-    ----------
-    learners : list of Learner
-    answer_keys : AnswerKeys
-    store : ResultStore
-    again : as `answers_to_regrade` returns it, or None
-    quiet : bool or None, as tqdm's `disable`
-    on_result : function (digest), called when a result is stored
-    options : as `autograde` takes them
-
-    Returns
-    -------
-    int, how many were graded now
-
-    Raises
-    ------
-    SandboxError : there is no sandbox here
+    `again` is from `answers_to_regrade`; `on_result` is called with the digest of each result; `options` are
+    those of `autograde`.
     """
     again = again or {}
     digests = _digests(learners)

@@ -12,7 +12,7 @@ from collections import Counter
 from dataclasses import dataclass
 
 from imgproc_course.classroom.autograder.sanitize import sanitize_line
-from imgproc_course.classroom.gradebook.lms_import import TableError, read_csv
+from imgproc_course.classroom.gradebook.csv_table import TableError, read_csv
 
 _FULL_NAME = ("student", "full name", "name", "learner", "student name")
 _FIRST_NAME = ("first name", "firstname")
@@ -58,22 +58,9 @@ class RosterEntry:
 
 
 def read_roster(path):
-    """Read a roster.
-
-    Parameters
-    ----------
-    path : Path
-
-    Returns
-    -------
-    list of RosterEntry
-
-    Raises
-    ------
-    TableError : it cannot be read, or no column of it names people
-    """
-    columns, rows, _, _ = read_csv(path)
-    columns = [column.casefold() for column in columns]
+    """Read a roster, as a list of RosterEntry; TableError: it cannot be read, or no column names people."""
+    table = read_csv(path)
+    columns = [column.casefold() for column in table.columns]
     known_columns = (*_FULL_NAME, *_FIRST_NAME, *_LAST_NAME, *_IDENTITIES)
     if not set(columns) & set(known_columns):
         shown_columns = sanitize_line(", ".join(columns), 200) or "nothing"
@@ -81,7 +68,7 @@ def read_roster(path):
             f"{path}: its columns are {shown_columns}; expected one that"
             " names people: Student (Canvas), Full name, or First name and Last name (Moodle), name, email"
         )
-    entries = [_entry(dict(zip(columns, map(str.strip, row), strict=False))) for row in rows]
+    entries = [_entry(dict(zip(columns, map(str.strip, row), strict=False))) for _, row in table.rows]
     return [entry for entry in entries if entry is not None]
 
 
@@ -151,16 +138,9 @@ def _certainty(entry, learner):
 
 
 def names_in_roster(roster, learners):
-    """Whom the names of a roster mean, for the teacher's tables.
+    """Whom the names of a roster mean, for the teacher's tables, without names of two people.
 
-    Parameters
-    ----------
-    roster : list of RosterEntry
-    learners : list of Learner
-
-    Returns
-    -------
-    {name: the learner's name, or None if this person handed in nothing}, without names of two people
+    {name: the learner's name, or None if this person handed in nothing}
     """
     senders = {entry.name: None for entry in roster}
     found = [(entry, learner) for learner, entries in _learners_in(roster, learners) for entry in entries]
@@ -173,17 +153,7 @@ def names_in_roster(roster, learners):
 
 
 def roster_report(roster, learners):
-    """Who handed in nothing, and who is not in the roster.
-
-    Parameters
-    ----------
-    roster : list of RosterEntry
-    learners : list of Learner
-
-    Returns
-    -------
-    dict with `count` (of the roster), `missing` and `unknown` (lists of names)
-    """
+    """The roster's `count`, who handed in nothing (`missing`), and who is not in it (`unknown`): names."""
     unseen, unknown = list(roster), []
     for learner, entries in _learners_in(roster, learners):
         unseen = [entry for entry in unseen if entry not in entries]

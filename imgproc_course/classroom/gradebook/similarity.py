@@ -69,15 +69,9 @@ class _Document:
 
 
 def read_fingerprints(submissions):
-    """The fingerprints of submissions, computed in a process of its own.
+    """The fingerprints of submissions, {exercise id: source}, computed in a process of its own.
 
-    Parameters
-    ----------
-    submissions : list of {exercise id: source}
-
-    Returns
-    -------
-    list of dict as `fingerprints.fingerprints` returns them, empty ones for what ends the process
+    They are empty for a submission that ends the process.
     """
     results, tries = [], _TRIES
     while len(results) < len(submissions):
@@ -96,16 +90,8 @@ def read_fingerprints(submissions):
 def compare(learners, answer_keys, store):
     """Compare all submissions that count.
 
-    Parameters
-    ----------
-    learners : list of Learner
-    answer_keys : AnswerKeys
-    store : ResultStore, which has their answers
-
-    Returns
-    -------
-    (list of SimilarGroup, {answers digest: list of exercise ids}): the groups of each lesson, the most
-    similar first, and the answers that equal the solution
+    Returns the SimilarGroups of each lesson, the most similar first, and the answers that equal the solution:
+    {answers digest: list of exercise ids}.
     """
     by_digest = {}
     for learner in learners:
@@ -216,15 +202,7 @@ def _versions(equal_answers):
 def report_copies(entries, learners, copies):
     """Add a finding for each graded answer that equals the course's solution; practice has no points.
 
-    Parameters
-    ----------
-    entries : list of dict, the learners' parts of grades.json; they are changed
-    learners : list of Learner, in the same order
-    copies : {answers digest: list of exercise ids}
-
-    Returns
-    -------
-    list of dict, the entries
+    `entries` are the learners' parts of grades.json, in the order of `learners`; `copies` is from `compare`.
     """
     text = "it equals the course's solution, whatever the names; the solutions are public: a reason to ask"
     for entry, learner in zip(entries, learners, strict=True):
@@ -247,16 +225,9 @@ def similar_entries(groups):
 
 
 def similarity_page(groups, names):
-    """The teacher's page of similar submissions, the versions of an answer side by side.
+    """The teacher's page of similar submissions, the versions of an answer side by side; HTML, or "".
 
-    Parameters
-    ----------
-    groups : list of SimilarGroup
-    names : {learner's name: the name to show}
-
-    Returns
-    -------
-    str, HTML; "" if there are none
+    `names` are {learner's name: the name to show}.
     """
     views = []
     for group in groups:

@@ -19,17 +19,9 @@ _PERHAPS_DISHONEST = {Outcome.HOSTILE, Outcome.CRASHED, Outcome.REFUSED_MODULE}
 
 
 def summary_page(grades, failed_pages=(), other_pages=()):
-    """The teacher's page.
+    """The teacher's page, HTML.
 
-    Parameters
-    ----------
-    grades : dict, the content of grades.json
-    failed_pages : {learner's name: why their page lacks its details}
-    other_pages : {file name: title} of the teacher's other pages
-
-    Returns
-    -------
-    str, HTML
+    `failed_pages` are {learner's name: why their page lacks its details}, `other_pages` {file name: title}.
     """
     submissions = [(learner, lesson) for learner in grades["learners"] for lesson in learner["lessons"]]
     submitted = {lesson["lesson"] for _, lesson in submissions}

@@ -1,10 +1,10 @@
 """What a teacher adds to the autograder's points, assigned to learners: deadlines and decisions."""
 
 from imgproc_course.classroom.gradebook.anonymity import anonymous_id
+from imgproc_course.classroom.gradebook.csv_table import TableError
 from imgproc_course.classroom.gradebook.deadlines import Deadlines, read_late_policy
 from imgproc_course.classroom.gradebook.roster import names_in_roster
 from imgproc_course.classroom.gradebook.teacher_tables import (
-    TeacherTableError,
     by_learner,
     read_decisions,
     read_extensions,
@@ -12,24 +12,10 @@ from imgproc_course.classroom.gradebook.teacher_tables import (
 
 
 class TeacherRules:
-    """The teacher's deadline, late policy, extensions and decisions.
+    """The teacher's deadline, late policy, extensions and decisions; those two are Paths of tables.
 
-    Parameters
-    ----------
-    answer_keys : AnswerKeys
-    deadline : datetime, local, or None
-    late : str, as `read_late_policy` reads it, or None
-    extensions, decisions : Path of a table, or None
-
-    Attributes (after `assign`)
-    ----------
-    names      {name or anonymous id: the learner's name}
-    deadlines  Deadlines
-    decisions  {learner's name: list of Decision}
-
-    Raises
-    ------
-    TeacherTableError, ValueError : a mistake in a table or in the policy
+    After `assign`: names {name or anonymous id: the learner's name}, deadlines (Deadlines), and
+    decisions {learner's name: list of Decision}. Mistakes in a table or in the policy are ValueErrors.
     """
 
     def __init__(self, answer_keys, *, deadline=None, late=None, extensions=None, decisions=None):
@@ -43,16 +29,8 @@ class TeacherRules:
     def assign(self, learners, roster=()):
         """Assign extensions and decisions to learners, who are read but not yet graded.
 
-        A row about a person of the roster who handed in nothing waits for the submission.
-
-        Parameters
-        ----------
-        learners : list of Learner
-        roster : list of RosterEntry
-
-        Raises
-        ------
-        TeacherTableError : nobody has a name, or a decision is on an exercise that cannot be graded
+        A row about a person of the roster who handed in nothing waits for the submission. TableError:
+        nobody has a name, or a decision is on an exercise that cannot be graded.
         """
         self.names = {anonymous_id(learner.name, self._answer_keys): learner.name for learner in learners}
         self.names |= {learner.name: learner.name for learner in learners}
@@ -70,4 +48,4 @@ def _require_exercises(decision, submission):
     if decision.exercise and (submission is None or not submission.answers_digest):
         problem = "was not submitted" if submission is None else "could not be graded"
         text = f"{decision.learner}'s {decision.lesson} {problem}, so it has no exercises"
-        raise TeacherTableError(f"{decision.place}: {text}; leave the exercise empty")
+        raise TableError(f"{decision.place}: {text}; leave the exercise empty")

@@ -1,30 +1,23 @@
 """Tables that a teacher writes: decisions by hand, and extensions of the deadline.
 
-They are CSV files in UTF-8 with a row of column names, as every spreadsheet writes them; a comma, a semicolon
-or a tab separates the cells. A line that begins with # is a comment.
+They are CSV files in UTF-8 with a row of column names, as every spreadsheet writes them. A line that begins
+with # is a comment.
 """
 
-import csv
 import difflib
-import io
 import unicodedata
 from dataclasses import dataclass
 from datetime import datetime
-from pathlib import Path
 
 from imgproc_course.classroom.authoring.lesson_names import lesson_name
 from imgproc_course.classroom.autograder.sanitize import sanitize_line, without_apostrophes
+from imgproc_course.classroom.gradebook.csv_table import TableError, is_comment, read_csv
 
-_LARGEST = 10_000_000  # bytes
 DECISION_COLUMNS = ("learner", "lesson", "exercise", "points", "comment")
 _EXTENSION_COLUMNS = ("learner", "lesson", "deadline")
 DECISIONS_TEMPLATE = f"""\ufeff{",".join(DECISION_COLUMNS)}
 "# One row per decision. Empty exercise: the whole lesson. Points: a number, excused, or empty for a comment."
 """
-
-
-class TeacherTableError(ValueError):
-    """A table has a mistake; one line with the file, the row and the remedy."""
 
 
 @dataclass(frozen=True)
@@ -56,52 +49,24 @@ class Extension:
 
 
 def read_decisions(path, answer_keys):
-    """Read a teacher's decisions.
-
-    Parameters
-    ----------
-    path : Path
-    answer_keys : AnswerKeys, which know the lessons and exercises
-
-    Returns
-    -------
-    list of Decision
-
-    Raises
-    ------
-    TeacherTableError : a row has a mistake
-    """
+    """Read a teacher's decisions, as a list of Decision; TableError: a row has a mistake."""
     decisions, places = [], {}
     for row, place in _rows(path, DECISION_COLUMNS, required=("learner", "lesson", "points")):
         lesson = _lesson(row["lesson"], answer_keys, place)
         exercise = _exercise(row["exercise"], lesson, answer_keys, place)
         points, excused = _points(row["points"], lesson, exercise, place)
         if points is None and not excused and not row["comment"]:
-            raise TeacherTableError(f"{place}: it decides nothing; give points, excused, or a comment")
+            raise TableError(f"{place}: it decides nothing; give points, excused, or a comment")
         target = (row["learner"], lesson.name, exercise.id if exercise else "")
         if target in places:
-            raise TeacherTableError(f"{place}: the same as {places[target]}; remove one of them")
+            raise TableError(f"{place}: the same as {places[target]}; remove one of them")
         places[target] = place
         decisions.append(Decision(*target, points, excused, row["comment"], place))
     return decisions
 
 
 def read_extensions(path, answer_keys):
-    """Read extensions of the deadline.
-
-    Parameters
-    ----------
-    path : Path
-    answer_keys : AnswerKeys
-
-    Returns
-    -------
-    list of Extension
-
-    Raises
-    ------
-    TeacherTableError : a row has a mistake
-    """
+    """Read extensions of the deadline, as a list of Extension; TableError: a row has a mistake."""
     extensions = []
     for row, place in _rows(path, _EXTENSION_COLUMNS, required=("learner", "deadline")):
         lesson = _lesson(row["lesson"], answer_keys, place).name if row["lesson"] else ""
@@ -109,27 +74,16 @@ def read_extensions(path, answer_keys):
             deadline = datetime.fromisoformat(row["deadline"])
         except ValueError as error:
             text = f"the deadline is {sanitize_line(row['deadline'], 40)!r}"
-            raise TeacherTableError(f"{place}: {text}; write it like 2026-12-01T23:59") from error
+            raise TableError(f"{place}: {text}; write it like 2026-12-01T23:59") from error
         deadline = deadline.astimezone().replace(tzinfo=None) if deadline.tzinfo else deadline
         extensions.append(Extension(row["learner"], lesson, deadline, place))
     return extensions
 
 
 def by_learner(rows, names):
-    """Assign the rows of a table to learners.
+    """Assign the rows of a table to learners, {name: rows}; TableError: nobody has a name.
 
-    Parameters
-    ----------
-    rows : list of Decision or of Extension
-    names : dict {name or anonymous id: the learner's name, or None: this person's rows are left out}
-
-    Returns
-    -------
-    {learner's name: list of rows}
-
-    Raises
-    ------
-    TeacherTableError : nobody has that name
+    `names` are {name or anonymous id: the learner's name, or None: this person's rows are left out}.
     """
     assigned = {}
     for row in rows:
@@ -137,7 +91,7 @@ def by_learner(rows, names):
         written = (row.learner, row.learner.removeprefix("'"), without_apostrophes(row.learner))
         name = next((text for text in written if text in names), None)
         if name is None:
-            raise TeacherTableError(f"{row.place}: there is no learner {_unknown(row.learner, names)}")
+            raise TableError(f"{row.place}: there is no learner {_unknown(row.learner, names)}")
         if names[name] is not None:
             assigned.setdefault(names[name], []).append(row)
     return assigned
@@ -154,54 +108,30 @@ def _unknown(learner, names):
 
 def _rows(path, columns, required):
     """({column: cell}, "file, row 3") of each row that is not empty and no comment."""
-    text = _text(path)
-    lines = csv.reader(io.StringIO(text, newline=""), delimiter=_delimiter(text))
-    header = None
-    try:
-        for cells in lines:
-            cells = [unicodedata.normalize("NFC", cell.strip()) for cell in cells]
-            if not any(cells) or cells[0].startswith("#"):
-                continue
-            if header is None:
-                header = _header(path, cells, columns, required)
-                continue
-            place = f"{path}, row {lines.line_num}"
-            if len(cells) > len(header) and any(cells[len(header) :]):
-                text = f"{len(cells)} cells, expected {len(header)}; put a text with commas in quotes"
-                raise TeacherTableError(f"{place}: {text}")
-            row = dict.fromkeys(columns, "") | dict(zip(header, cells, strict=False))
-            missing = [name for name in required if name != "points" and not row[name]]
-            if missing:
-                raise TeacherTableError(f"{place}: the cell {missing[0]} is empty")
-            yield row, place
-    except csv.Error as error:
-        raise TeacherTableError(f"{path}, row {lines.line_num}: it is not CSV ({error})") from error
+    table = read_csv(path)
+    header = _header(table, columns, required) if table.columns else ()
+    for number, cells in table.rows:
+        if is_comment(cells):
+            continue
+        cells = [unicodedata.normalize("NFC", cell.strip()) for cell in cells]
+        place = f"{path}, row {number}"
+        if any(cells[len(header) :]):
+            text = f"{len(cells)} cells, expected {len(header)}; put a text with commas in quotes"
+            raise TableError(f"{place}: {text}")
+        row = dict.fromkeys(columns, "") | dict(zip(header, cells, strict=False))
+        missing = [name for name in required if name != "points" and not row[name]]
+        if missing:
+            raise TableError(f"{place}: the cell {missing[0]} is empty")
+        yield row, place
 
 
-def _text(path):
-    try:
-        data = Path(path).read_bytes()
-        if len(data) > _LARGEST:
-            raise TeacherTableError(f"{path}: larger than {_LARGEST // 1_000_000} MB")
-        return data.decode("utf-8-sig")
-    except OSError as error:
-        raise TeacherTableError(f"{path}: it cannot be read ({error.strerror})") from error
-    except UnicodeDecodeError as error:
-        raise TeacherTableError(f"{path}: it is not UTF-8; save it as CSV UTF-8") from error
-
-
-def _delimiter(text):
-    first_line = next((line for line in text.splitlines() if line.strip(' "')[:1] not in ("", "#")), "")
-    return max(",;\t", key=first_line.count)
-
-
-def _header(path, cells, columns, required):
-    header = [cell.casefold() for cell in cells]
+def _header(table, columns, required):
+    header = [column.casefold() for column in table.columns]
     unknown = [name for name in header if name and name not in columns]
     missing = [name for name in required if name not in header]
     if unknown or missing:
-        listed = sanitize_line(", ".join(cells), 100)
-        raise TeacherTableError(f"{path}: its columns are {listed}; expected {', '.join(columns)}")
+        listed = sanitize_line(", ".join(table.columns), 100)
+        raise TableError(f"{table.path}: its columns are {listed}; expected {', '.join(columns)}")
     return header
 
 
@@ -209,7 +139,7 @@ def _lesson(text, answer_keys, place):
     lesson = answer_keys.lessons.get(lesson_name(text))
     if lesson is None:
         known_lessons = ", ".join(answer_keys.lessons)
-        raise TeacherTableError(f"{place}: there is no lesson {_quoted(text)}; the key has {known_lessons}")
+        raise TableError(f"{place}: there is no lesson {_quoted(text)}; the key has {known_lessons}")
     return lesson
 
 
@@ -221,7 +151,7 @@ def _exercise(text, lesson, answer_keys, place):
         if exercise and key.lesson_of(text) == lesson.name and not exercise.practice:
             return exercise
     names = ", ".join(exercise.id for exercise in lesson.exercises if not exercise.practice)
-    raise TeacherTableError(
+    raise TableError(
         f"{place}: {lesson.name} has no exercise {_quoted(text)}; it has {names or 'none with points'}"
     )
 
@@ -239,7 +169,7 @@ def _points(text, lesson, exercise, place):
         points = -1.0
     if not 0 <= points <= maximum:
         text = f"the points are {_quoted(text)}"
-        raise TeacherTableError(f"{place}: {text}; expected 0 to {maximum}, excused, or nothing")
+        raise TableError(f"{place}: {text}; expected 0 to {maximum}, excused, or nothing")
     return plain_number(points), False
 
 

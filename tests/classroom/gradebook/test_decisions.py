@@ -6,10 +6,10 @@ from datetime import datetime, timedelta
 import pytest
 from submissions import answers_of, notebook, write
 
+from imgproc_course.classroom.gradebook.csv_table import TableError
 from imgproc_course.classroom.gradebook.deadlines import read_late_policy
 from imgproc_course.classroom.gradebook.grade import grade_submissions
 from imgproc_course.classroom.gradebook.result_store import ResultStore
-from imgproc_course.classroom.gradebook.teacher_tables import TeacherTableError
 
 pytestmark = pytest.mark.sandbox
 DEADLINE = datetime(2026, 12, 1, 23, 59)
@@ -103,7 +103,7 @@ def test_a_decision_on_a_lesson_is_final_and_grades_what_could_not_be_read(grade
 )
 def test_a_bad_row_is_one_line_with_its_number(grade, row, message):
     first = "Ada,sound,,1,once" if "twice" in row else "# a comment"
-    with pytest.raises(TeacherTableError) as caught:
+    with pytest.raises(TableError) as caught:
         grade(HEADER + first + "\n" + row + "\n")
     assert message in str(caught.value) and "\n" not in str(caught.value)
 
@@ -145,7 +145,7 @@ def test_an_extension_is_for_one_learner_and_one_lesson(grade, tmp_path):
     assert (lessons["Bob"]["light"]["late"], lessons["Bob"]["light"]["late_deduction"]) == (False, 0)
     assert (lessons["=Eve"]["light"]["days_late"], lessons["=Eve"]["light"]["points"]) == (1, 5.4)
     table.write_text("learner,lesson,deadline\nBob,light,tomorrow\n")
-    with pytest.raises(TeacherTableError, match=r"row 2: the deadline is 'tomorrow'; write it like 2026-12"):
+    with pytest.raises(TableError, match=r"row 2: the deadline is 'tomorrow'; write it like 2026-12"):
         grade(deadline=DEADLINE, extensions=table)
 
 
@@ -158,7 +158,7 @@ def test_a_row_about_somebody_of_the_roster_who_handed_in_nothing_waits(grade, t
     assert "Illi" not in lessons
     assert not lessons["Bob"]["light"]["late"]  # by the address in the roster
     assert "Of 3 in the roster, 1 handed in nothing. Not in it: 2 learners" in summary.text
-    with pytest.raises(TeacherTableError, match=r"row 2: there is no learner 'Illi'; .* give the --roster"):
+    with pytest.raises(TableError, match=r"row 2: there is no learner 'Illi'; .* give the --roster"):
         grade(decisions, **options)
 
 

@@ -14,9 +14,9 @@ from submissions import answers_of, notebook, write
 from imgproc_course.classroom.gradebook import learners as learners_module
 from imgproc_course.classroom.gradebook.archives import CollectError
 from imgproc_course.classroom.gradebook.collect import collect, digest_of, local_time
+from imgproc_course.classroom.gradebook.csv_table import TableError
 from imgproc_course.classroom.gradebook.deadlines import Deadlines
 from imgproc_course.classroom.gradebook.learners import read_all, unproven_dates
-from imgproc_course.classroom.gradebook.lms_import import TableError
 from imgproc_course.classroom.gradebook.notebook_reader import NOT_READ_IN_TIME
 from imgproc_course.classroom.gradebook.result_store import ResultStore
 from imgproc_course.classroom.gradebook.roster import names_in_roster, read_roster, roster_report

@@ -6,8 +6,9 @@ import io
 import pytest
 from submissions import answers_of, notebook, write
 
+from imgproc_course.classroom.gradebook.csv_table import TableError
 from imgproc_course.classroom.gradebook.grade import grade_submissions
-from imgproc_course.classroom.gradebook.lms_import import TableError, fill_table, read_tables
+from imgproc_course.classroom.gradebook.lms_import import fill_table, read_tables
 
 pytestmark = pytest.mark.sandbox
 

@@ -1,0 +1,64 @@
+"""Read a CSV table: one that a platform or a spreadsheet exported, or one that a teacher wrote."""
+
+import csv
+import io
+from dataclasses import dataclass
+from pathlib import Path
+
+_LARGEST = 50_000_000  # bytes
+
+
+class TableError(ValueError):
+    """A table has a mistake, or cannot be read or filled; one line with the file, the row and the remedy."""
+
+
+@dataclass(frozen=True)
+class CsvTable:
+    """A table in UTF-8; its first row that is not empty and no comment (#) has the names of the columns.
+
+    columns           tuple of str, without spaces around them
+    rows              list of (number of its last line, list of str), of the rows after it
+    delimiter         the character between two cells: a comma, a semicolon or a tab
+    byte_order_mark   "\\ufeff" if the file begins with it, else ""
+    """
+
+    path: Path
+    columns: tuple
+    rows: list
+    delimiter: str
+    byte_order_mark: str
+
+
+def read_csv(path):
+    """The CsvTable in a file; TableError: it cannot be read."""
+    path = Path(path)
+    text = _text(path)
+    byte_order_mark = "\ufeff" if text.startswith("\ufeff") else ""
+    text = text.removeprefix(byte_order_mark)
+    first_line = next((line for line in text.splitlines() if not is_comment([line.strip(' "')])), "")
+    delimiter = max(",;\t", key=first_line.count)
+    reader = csv.reader(io.StringIO(text, newline=""), delimiter=delimiter)
+    try:
+        rows = [(reader.line_num, row) for row in reader]
+    except csv.Error as error:
+        raise TableError(f"{path}, row {reader.line_num}: it is not CSV ({error})") from error
+    header = next((place for place, (_, row) in enumerate(rows) if not is_comment(row)), len(rows))
+    columns = tuple(column.strip() for _, row in rows[header : header + 1] for column in row)
+    rows = rows[header + 1 :]
+    return CsvTable(path, columns, rows, delimiter, byte_order_mark)
+
+
+def is_comment(cells):
+    """Whether a row is empty, or begins with #."""
+    return not any(map(str.strip, cells)) or cells[0].strip().startswith("#")
+
+
+def _text(path):
+    try:
+        if path.stat().st_size > _LARGEST:
+            raise TableError(f"{path}: larger than {_LARGEST // 1_000_000} MB; give the table as exported")
+        return path.read_bytes().decode("utf-8")
+    except UnicodeDecodeError as error:
+        raise TableError(f"{path}: it is not UTF-8; export it again, or save it as CSV UTF-8") from error
+    except OSError as error:
+        raise TableError(f"{path}: it cannot be read ({error.strerror})") from error
