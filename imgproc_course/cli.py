@@ -414,7 +414,6 @@ def _would_be_committed(path):
 @click.option(
     "--workers", type=click.IntRange(1), help="Number of submissions graded at once.  [default: one per core]"
 )
-@click.option("--kernel", type=click.Choice(["fast", "ipykernel"]), default="fast", show_default=True)
 @click.option(
     "--deadline", type=_LocalTime(), help="Mark later submissions as late. In local time: 2026-12-01T23:59."
 )
@@ -468,7 +467,7 @@ def grade(submissions, keys, out, **options):
 
     with contextlib.ExitStack() as stack:
         if not options["scheduler"]:
-            settings = {name: options[name] for name in ("workers", "kernel", "unsafe")}
+            settings = {name: options[name] for name in ("workers", "unsafe")}
             is_first = (
                 options["fresh"] or not (out / "results").exists()
             )  # else perhaps nothing is left to do

@@ -34,10 +34,6 @@ CLASSROOM_ARROWS = {
     "gradebook": {"authoring", "autograder", "exercises"},
 }
 KNOWN_CIRCLES = {
-    (
-        "imgproc_course.classroom.autograder.sandbox.allowed_modules",
-        "imgproc_course.classroom.autograder.sandbox.bubblewrap",
-    ),
     ("imgproc_course.ros.camera_publisher", "imgproc_course.ros.room_publisher"),
 }
 # Arrows that only some modules of a package may use.

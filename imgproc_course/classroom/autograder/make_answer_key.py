@@ -78,7 +78,7 @@ def make_key(masters_dir, seed, out, names=(), *, variants=1, unsafe=False, repl
         HANDED_OUT: _handed_out_cells(masters),
         SOLUTIONS: json.dumps(solutions, indent=1, sort_keys=True),
     }
-    with KernelFactory("fast", unsafe=unsafe) as kernel_factory:
+    with KernelFactory(unsafe=unsafe) as kernel_factory:
         for number in range(1, variants + 1):
             about = _about_variant(seed, number, variants)
             variant_files = _variant_files(masters, _numpy_seed(seed, number), about, kernel_factory)

@@ -20,7 +20,7 @@ def main():
     lines = connection.makefile("r", encoding="utf-8")
     settings = json.loads(lines.readline())
     limits = Limits(**settings["limits"]) if settings["limits"] else None
-    kernel_factory = KernelFactory(settings["kernel"], unsafe=settings["unsafe"], limits=limits)
+    kernel_factory = KernelFactory(unsafe=settings["unsafe"], limits=limits)
     _leave_out_kernels_of_nbval()
     import pytest
 

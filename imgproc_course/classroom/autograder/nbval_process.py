@@ -55,14 +55,14 @@ class NbvalProcessNotStarted(SandboxError):
     """The process ended by itself while it started; the message says why."""
 
 
-def nbval_process_of_thread(kernel, unsafe, limits):
+def nbval_process_of_thread(unsafe, limits):
     """This thread's NbvalProcess with those options, as `autograde` takes them; one with others is stopped.
 
     Raises
     ------
     SandboxError, NbvalProcessKilled : see `NbvalProcess`
     """
-    options = (kernel, unsafe, limits)
+    options = (unsafe, limits)
     process = getattr(_of_thread, "process", None)
     if process is None or process.options != options or not process.is_alive:
         if process is not None:
@@ -96,8 +96,8 @@ class NbvalProcess:
     NbvalProcessKilled : it was killed while it started
     """
 
-    def __init__(self, kernel, unsafe, limits):
-        self.options = (kernel, unsafe, limits)
+    def __init__(self, unsafe, limits):
+        self.options = (unsafe, limits)
         self.thread = threading.current_thread().name
         self._limits = limits or Limits()
         self._folder = TemporaryFolder()
@@ -113,7 +113,6 @@ class NbvalProcess:
         with _lock:
             _running[id(self)] = self
         settings = {
-            "kernel": kernel,
             "unsafe": unsafe,
             "limits": asdict(limits) if limits else None,
             "folder": str(folder / "work"),

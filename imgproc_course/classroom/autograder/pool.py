@@ -40,7 +40,6 @@ from imgproc_course.classroom.autograder.results import (
 )
 from imgproc_course.classroom.autograder.sandbox import bubblewrap
 from imgproc_course.classroom.autograder.sandbox.bubblewrap import Limits, SandboxError
-from imgproc_course.classroom.autograder.sandbox.kernel_factory import KINDS
 from imgproc_course.classroom.autograder.worker_threads import open_worker_threads
 
 __all__ = ["Limits", "SandboxError", "autograde", "grade_one", "open_scheduler"]
@@ -50,7 +49,7 @@ _ATTEMPTS = 3  # to grade a submission, each in a new nbval process
 _KILLS = 10  # of nbval processes while they start or grade one submission; they are not attempts
 
 
-def autograde(submissions, key, *, kernel="fast", unsafe=False, workers=None, executor=None, limits=None):
+def autograde(submissions, key, *, unsafe=False, workers=None, executor=None, limits=None):
     """Grade submissions, lazily and in order.
 
     Parameters
@@ -59,7 +58,6 @@ def autograde(submissions, key, *, kernel="fast", unsafe=False, workers=None, ex
         key, answers a dict of exercise id -> source of its answer cell (an exercise without one is left out).
         It is read as results are taken, so a generator of thousands needs no memory
     key : Key, from `load_key`; or {name: Key}, if the submissions have different keys
-    kernel : "fast", or "ipykernel" for Jupyter's own (some twenty times slower; the same outcomes)
     unsafe : bool, run without a sandbox
     workers : int, how many are graded at once; None: the number of this machine's cores
     executor : concurrent.futures.Executor that runs `grade_one` elsewhere (see `open_scheduler`); None:
@@ -73,13 +71,11 @@ def autograde(submissions, key, *, kernel="fast", unsafe=False, workers=None, ex
     Raises
     ------
     SandboxError : there is no sandbox here; raised before anything is run, one line with the remedy
-    ValueError : a lesson that is not in the key, an unknown kernel; raised before anything of it is run
+    ValueError : a lesson that is not in the key; raised before anything of it is run
     """
-    if kernel not in KINDS:
-        raise ValueError(f"kernel {kernel!r}: expected {' or '.join(KINDS)}")
     if executor is None and not unsafe:
         bubblewrap.require_sandbox()
-    options = {"kernel": kernel, "unsafe": unsafe, "limits": limits}
+    options = {"unsafe": unsafe, "limits": limits}
     return _grade_all(submissions, key, options, workers or os.cpu_count() or 1, executor)
 
 
@@ -187,7 +183,7 @@ def _check_lesson(lesson, key):
         raise ValueError(f"lesson {lesson!r} is not in the key, which has {', '.join(key.lessons)}")
 
 
-def grade_one(submission, key, digest=None, *, kernel="fast", unsafe=False, limits=None):
+def grade_one(submission, key, digest=None, *, unsafe=False, limits=None):
     """Grade one submission; a plain function that any Executor can run, in this process or another.
 
     Parameters
@@ -195,7 +191,7 @@ def grade_one(submission, key, digest=None, *, kernel="fast", unsafe=False, limi
     submission : (name, lesson, answers), as `autograde` takes them
     key : path of the key's folder, which must exist on the machine that runs this; or a Key
     digest : str, `Key.digest` of the expected key, any other key is refused; None: any key
-    kernel, unsafe, limits : as `autograde`
+    unsafe, limits : as `autograde`
 
     Returns
     -------
@@ -213,7 +209,7 @@ def grade_one(submission, key, digest=None, *, kernel="fast", unsafe=False, limi
     attempts = kills = 0
     while attempts < _ATTEMPTS and kills < _KILLS:
         try:
-            process = nbval_process_of_thread(kernel, unsafe, limits)
+            process = nbval_process_of_thread(unsafe, limits)
             result = from_json(process.grade(key, *submission))
         except NbvalProcessNotStarted:
             attempts += 1

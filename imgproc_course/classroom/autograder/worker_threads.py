@@ -15,7 +15,7 @@ _numbers = itertools.count(1)
 
 
 @contextlib.contextmanager
-def open_worker_threads(workers=None, *, early=False, kernel="fast", unsafe=False, limits=None):
+def open_worker_threads(workers=None, *, early=False, unsafe=False, limits=None):
     """A thread pool whose nbval processes are stopped at the end.
 
     They are stopped before the threads: a process ends at once with the thread that started it.
@@ -24,7 +24,7 @@ def open_worker_threads(workers=None, *, early=False, kernel="fast", unsafe=Fals
     ----------
     workers : int, or None for the number of this machine's cores
     early : bool, start the nbval processes now; else each starts with its thread's first submission
-    kernel, unsafe, limits : as `autograde` takes them
+    unsafe, limits : as `autograde` takes them
 
     Returns
     -------
@@ -34,7 +34,7 @@ def open_worker_threads(workers=None, *, early=False, kernel="fast", unsafe=Fals
     executor = ThreadPoolExecutor(workers, thread_name_prefix=prefix)
     try:
         for _ in range(workers if early else 0):  # an error comes again with the first submission
-            executor.submit(nbval_process_of_thread, kernel, unsafe, limits)
+            executor.submit(nbval_process_of_thread, unsafe, limits)
         yield executor
     finally:
         stop_nbval_processes(prefix)

@@ -79,7 +79,7 @@ def grade_submissions(
     platform_tables : sequence of Path, tables that platforms exported, to be filled with points
     roster : Path of a table of all learners, or None
     quiet : True for no progress bars; None: no progress bars if stderr is no terminal
-    options : kernel, unsafe, workers, limits, as `autograde` takes them
+    options : unsafe, workers, limits, as `autograde` takes them
 
     Returns
     -------
@@ -93,7 +93,7 @@ def grade_submissions(
     answer_keys = load_keys(keys)
     _require_separate_folder(submissions, keys, out)
     platform_tables = read_tables(platform_tables)
-    unsafe, kernel = options.get("unsafe", False), options.get("kernel", "fast")
+    unsafe = options.get("unsafe", False)
     if not unsafe and scheduler is None:
         bubblewrap.require_sandbox()
     roster = read_roster(roster) if roster else None
@@ -104,7 +104,7 @@ def grade_submissions(
         rules = TeacherRules(
             answer_keys, deadline=deadline, late=late, extensions=extensions, decisions=decisions
         )
-        store = ResultStore(out / "results", {"kernel": kernel, "unsafe": unsafe})
+        store = ResultStore(out / "results", {"unsafe": unsafe})
         if scheduler is not None:
             options["executor"] = stack.enter_context(open_scheduler(scheduler))
         learners = read_all(collection, answer_keys, store, fresh=fresh, quiet=quiet)

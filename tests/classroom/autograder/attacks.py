@@ -243,51 +243,6 @@ attack(
     "refused module",
     wrong=False,
 )
-attack(
-    24,
-    "the library by a name made up at run time",
-    """
-    def double(pixels):
-        import importlib, sys
-        del sys.meta_path[0]
-        sys.modules.pop("c" + "v2", None)
-        return importlib.import_module("c" + "v2").add(pixels, pixels)
-    """,
-    "raised",
-    "refused module",
-    wrong=False,
-)
-attack(
-    24,
-    "the library's file, loaded by its path",
-    """
-    def double(pixels):
-        import glob, importlib.util, sys
-        found = [path for pattern in ("/course/**/cv2*.so", "/python/**/cv2*.so", "/usr/lib/**/cv2*.so", "/**/cv2/*.so")
-                 for path in glob.glob(pattern, recursive=True)]
-        raise RuntimeError(f"found {found}")
-    """,
-    "raised",
-    "time",
-    unreported="cv2/",
-    wrong=False,
-)
-attack(
-    24,
-    "our own solution from the course's package",
-    """
-    def double(pixels):
-        import sys
-        del sys.meta_path[0]
-        for name in [name for name in sys.modules if name.startswith("imgproc_course")]:
-            del sys.modules[name]
-        from imgproc_course.imaging import to_gray
-        return to_gray
-    """,
-    "raised",
-    "refused module",
-    wrong=False,
-)
 for _number, _name, _source in (
     (
         221,
@@ -300,58 +255,6 @@ for _number, _name, _source in (
         """,
     ),
     (
-        222,
-        "Pillow as matplotlib has it",
-        """
-        import matplotlib.image
-        def double(pixels):
-            image = matplotlib.image.PIL.Image.fromarray(pixels)
-            return np.asarray(image.point(lambda value: 2 * value))
-        """,
-    ),
-    (
-        223,
-        "OpenCV in a process of its own",
-        """
-        import json, subprocess, sys
-        CODE = "import json, sys; sys.path += json.loads(sys.argv[2]); import cv2, numpy as np;"
-        CODE += "a = np.array(json.loads(sys.argv[1]), np.uint8); print(json.dumps(cv2.add(a, a).tolist()))"
-        def double(pixels):
-            places = [*sys.path, "/course/extra/site-0", "/course/extra/site-1", "/usr/lib/python3/dist-packages"]
-            command = [sys.executable, "-c", CODE, json.dumps(pixels.tolist()), json.dumps(places)]
-            return np.array(json.loads(subprocess.check_output(command)), np.uint8)
-        """,
-    ),
-    (
-        224,
-        "the course's own package under its other path",
-        """
-        import sys
-        def double(pixels):
-            sys.path[:0] = ["/course/extra/course", "/course/allowed", "/course/extra"]
-            del sys.meta_path[0]
-            from imaging import box_blur
-            return box_blur(pixels, 1) * 2
-        """,
-    ),
-    (
-        225,
-        "what other modules have imported",
-        """
-        import sys
-        WANTED = ("cv2", "scipy", "skimage", "PIL", "imageio", "tifffile", "networkx", "sklearn", "panda3d")
-        def double(pixels):
-            found = [name for name in sys.modules if name.split(".")[0] in WANTED]
-            for name in found:
-                module = sys.modules[name]
-                if hasattr(module, "add"):
-                    return module.add(pixels, pixels)
-                if hasattr(module, "fromarray"):
-                    return np.asarray(module.fromarray(pixels).point(lambda value: 2 * value))
-            raise RuntimeError(f"found {found}")
-        """,
-    ),
-    (
         226,
         "an import inside a try, and what is taken if it fails",
         """
@@ -361,36 +264,6 @@ for _number, _name, _source in (
             cv2 = None
         def double(pixels):
             return cv2.add(pixels, pixels) if cv2 else pixels
-        """,
-    ),
-    (
-        227,
-        "the finder that refuses is replaced",
-        """
-        import importlib, importlib.machinery, sys
-        sys.meta_path[:] = [importlib.machinery.PathFinder]
-        sys.path_importer_cache.clear()
-        def double(pixels):
-            for name in ("cv2", "skimage.util", "scipy.ndimage", "PIL.ImageChops"):
-                try:
-                    module = importlib.import_module(name)
-                except ImportError:
-                    continue
-                return module.add(pixels, pixels)
-            raise RuntimeError
-        """,
-    ),
-    (
-        228,
-        "the whole file system is searched for libraries",
-        """
-        import os
-        def double(pixels):
-            wanted = ("libopencv_core", "cv2.abi3", "_imaging.cpython", "_nd_image", "libvips", "libMagick")
-            found = [name for _, _, names in os.walk("/course") for name in names if name.startswith(wanted)]
-            if found:
-                return np.minimum(pixels.astype(int) * 2, 255).astype(np.uint8)
-            raise RuntimeError
         """,
     ),
 ):
@@ -677,7 +550,7 @@ attack(
     def double(pixels):
         import os
         done = []
-        for path in ("/course/packages/x", "/course/site-packages/x.pth", "/usr/x", "/etc/x", "/python/x", "/x", "/proc/sys/kernel/hostname"):
+        for path in ("/course/packages/x", "/course/site-0/x.pth", "/usr/x", "/etc/x", "/python/x", "/x", "/proc/sys/kernel/hostname"):
             try:
                 open(path, "w").write("x")
                 done.append(path)
@@ -1224,15 +1097,16 @@ attack(
     124,
     "a user namespace to uncover what is hidden",
     """
-    import ctypes, os
+    import ctypes, glob, os
     def double(pixels):
         libc = ctypes.CDLL(None, use_errno=True)
         libc.unshare(0x10000000 | 0x20000)
         found = []
-        for path in (b"/course/extra", b"/course/extra/course", b"/tmp", b"/proc"):
+        for path in (b"/course/site-0", b"/course/packages/imgproc_course", b"/tmp", b"/proc"):
             if libc.umount2(path, 2) == 0 or libc.umount2(path, 0) == 0:
                 found.append(path)
-        found += os.listdir("/course/extra") + os.listdir("/course/packages/imgproc_course/imaging")
+        copies = [path for path in glob.glob("/course/site-*/*imgproc_course*") if os.path.isdir(path)]
+        found += [name for path in copies for name in os.listdir(path)]
         raise RuntimeError(f"found {found}")
     """,
     "raised",
@@ -1793,48 +1667,6 @@ for _number, _name, _body, _slow in (
     _source = f"def double(pixels):\n    {_body}\n    return pixels\n"
     attack(_number, _name, _source, "time", "raised", "memory", wrong=False, slow=_slow)
 
-USES = """
-import importlib.util, os, subprocess, sys
-def double(pixels):
-    BODY
-    return cv2.add(pixels, pixels)
-"""
-for _number, _name, _body in (
-    (
-        431,
-        "another Python that may import everything",
-        "code = 'import cv2, sys, numpy as n; a = n.frombuffer(sys.stdin.buffer.read(), n.uint8);'\n"
-        "    code += 'sys.stdout.buffer.write(cv2.add(a, a).tobytes())'\n"
-        "    data = subprocess.run([sys.executable, '-c', code], input=pixels.tobytes(), capture_output=True)\n"
-        "    return np.frombuffer(data.stdout, np.uint8).reshape(pixels.shape)",
-    ),
-    (
-        432,
-        "the module from every folder that could have it",
-        "for folder, _, files in os.walk('/'):\n"
-        "        if any(name.startswith('cv2') for name in files): sys.path.insert(0, folder)\n"
-        "    import cv2",
-    ),
-    (
-        433,
-        "an import hook of its own",
-        "sys.meta_path[:] = [m for m in sys.meta_path if 'Path' in repr(m)]\n    import cv2",
-    ),
-    (
-        434,
-        "the library behind the module, without Python",
-        "import ctypes.util\n    cv2 = ctypes.CDLL(ctypes.util.find_library('opencv_core') or 'libopencv_core.so')",
-    ),
-    (
-        435,
-        "the module out of memory that something else has mapped",
-        "maps = [line.split()[-1] for line in open('/proc/self/maps') if 'cv2' in line]\n"
-        "    spec = importlib.util.spec_from_file_location('cv2', maps[0])\n"
-        "    cv2 = importlib.util.module_from_spec(spec)",
-    ),
-):
-    attack(_number, _name, USES.replace("BODY", _body), "raised", "refused module", "time", wrong=False)
-
 for _number, _name, _body in (
     (
         441,
@@ -2241,45 +2073,6 @@ for _number, _name, _source, _outcomes, _more in (
 
 for _number, _name, _body in (
     (
-        551,
-        "a folder of packages added to the site",
-        "import site\n    site.addsitedir('/course/extra/site-0'); sys.meta_path[:] = sys.meta_path[1:]\n    import cv2",
-    ),
-    (
-        552,
-        "the wheels that Python brings along",
-        "import glob, zipimport\n    wheels = glob.glob('/python/lib/python3*/ensurepip/_bundled/*.whl') + glob.glob('/usr/share/python-wheels/*.whl')\n    sys.path[:0] = wheels; del sys.meta_path[0]\n    import cv2",
-    ),
-    (
-        553,
-        "the C functions of the system's image libraries",
-        "import ctypes, glob\n    paths = [p for p in glob.glob('/usr/lib/*/lib*') if 'opencv_core' in p or 'MagickCore' in p]\n    cv2 = ctypes.CDLL(paths[0])",
-    ),
-    (
-        554,
-        "the folder under its other names",
-        "places = [f'/proc/{n}/{w}' for n in ('1', 'self', 'thread-self') for w in ('root', 'cwd')]\n    places += ['/newroot', '/oldroot', '/usr/src', '/usr/local/src', '/python/envs', '/python/pkgs']\n    for place in places:\n        for folder, _, files in os.walk(place + '/course') if 'proc' in place else os.walk(place):\n            if any(f.startswith('cv2') and f.endswith(('.so', '.py')) for f in files): sys.path.insert(0, folder)\n    del sys.meta_path[0]\n    import cv2",
-    ),
-    (
-        555,
-        "the loader of another module, asked for this one",
-        "loader = np.__spec__.loader.__class__\n    spec = importlib.util.spec_from_file_location('cv2', '/course/extra/site-0/cv2/__init__.py')\n    cv2 = importlib.util.module_from_spec(spec); spec.loader.exec_module(cv2)",
-    ),
-    (
-        556,
-        "the module out of a line of the shell",
-        "get_ipython().run_line_magic('load_ext', 'cv2')\n    cv2 = sys.modules['cv2']",
-    ),
-    (
-        557,
-        "the finder that is told that it is a library",
-        "exec(compile('import cv2 as found', 'x', 'exec'), space := {'__name__': 'numpy.core'})\n    cv2 = space['found']",
-    ),
-):
-    attack(_number, _name, USES.replace("BODY", _body), "raised", "refused module", "time", wrong=False)
-
-for _number, _name, _body in (
-    (
         561,
         "the inputs of the case's other calls, from the check's memory",
         "from imgproc_course.classroom.autograder.sandbox.inside import check_cell\n    from imgproc_course.classroom.exercises.input_encoding import decode\n    other = decode(check_cell._case['calls'][-1])[0]\n    return fitted(np.minimum(other.astype(int), 255), pixels)",
@@ -2493,26 +2286,6 @@ for _number, _name, _tries in (
         for _ in range(1000):
             libc.mlock(held, 40_000), libc.munlock(held, 40_000)
         left += [name for name in os.listdir("/proc") if not name.isdigit() and "self" not in name]
-        """,
-    ),
-    (
-        604,
-        "libraries that draw, filter and scale, in C",
-        """
-        for name in ("libgd.so.3", "libcairo.so.2", "libpixman-1.so.0", "libgdk_pixbuf-2.0.so.0", "libswscale.so.6", "liblept.so.5"):
-            try:
-                left.append(ctypes.CDLL(name)._name)
-            except OSError:
-                pass
-        """,
-    ),
-    (
-        605,
-        "other languages, with image libraries of their own",
-        """
-        import glob
-        for pattern in ("jvm/*/bin/java", "R/bin/R", "chromium/chromium", "*/octave*/*", "gimp/*/plug-ins", "node_modules/*"):
-            left += glob.glob(f"/usr/lib/{pattern}")[:2]
         """,
     ),
 ):

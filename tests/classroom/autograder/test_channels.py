@@ -223,7 +223,7 @@ REFUSED = {
 
 @pytest.fixture(scope="module")
 def kernel_factory():
-    with KernelFactory("fast") as kernel_factory:
+    with KernelFactory() as kernel_factory:
         yield kernel_factory
 
 

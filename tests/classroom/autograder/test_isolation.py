@@ -5,7 +5,8 @@ import select
 from dataclasses import replace
 
 import pytest
-from attacks import LESSON, SHORT
+from attacks import LESSON, RIGHT, SHORT
+from jupyter_kernel import JupyterFactory
 
 from imgproc_course.classroom.autograder import verdict
 from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun, StoredVerdict
@@ -43,35 +44,42 @@ OUTCOMES = {
 }
 
 
-# An ipykernel starts for seconds: one answer of each outcome, bench_both_kernels.py asks all of them.
-@pytest.mark.parametrize(
-    ("kernel", "names"), [("fast", OUTCOMES), ("ipykernel", ["works once", "begins late", "ends later"])]
-)
-def test_what_one_check_leaves_behind_neither_costs_nor_helps_another(key, right, kernel, names):
-    assert outcomes_of(names, key, right, kernel) == {name: OUTCOMES[name] for name in names}
-
-
-def outcomes_of(names, key, right, kernel):
-    """{name: outcomes of the cases of `mean`} of some of ANSWERS."""
-    submissions = [(name, LESSON, right | {"attacked-mean": ANSWERS[name]}) for name in names]
+def test_what_one_check_leaves_behind_neither_costs_nor_helps_another(key, right):
+    submissions = [(name, LESSON, right | {"attacked-mean": answer}) for name, answer in ANSWERS.items()]
     outcomes = {}
-    for result in autograde(submissions, key, kernel=kernel, workers=2, limits=SHORT):
+    for result in autograde(submissions, key, workers=2, limits=SHORT):
         (mean,) = [exercise for exercise in result.exercises if exercise.id == "attacked-mean"]
         outcomes[result.name] = [case.outcome for case in mean.cases]
-    return outcomes
+    assert outcomes == OUTCOMES
 
 
 @contextlib.contextmanager
-def exercise_run_of(key, kind_of_factory=KernelFactory):
-    """(ExerciseRun of `mean`, sources of its given cells, list of (KeyCase, source of its check cell))."""
-    (exercise,) = [exercise for exercise in key.lessons[LESSON].exercises if exercise.id == "attacked-mean"]
+def exercise_run_of(key, kind_of_factory=KernelFactory, id="attacked-mean"):
+    """(ExerciseRun, sources of its given cells, list of (KeyCase, source of its check cell))."""
+    (exercise,) = [exercise for exercise in key.lessons[LESSON].exercises if exercise.id == id]
     content = key.content(exercise.id)
     cells = {cell["id"]: "".join(cell["source"]) for cell in content.notebook["cells"]}
     given = [text for name, text in cells.items() if name.startswith("given")]
-    with kind_of_factory("fast") as kernel_factory:
+    with kind_of_factory() as kernel_factory:
         exercise_run = ExerciseRun(exercise, content, kernel_factory, None)
         yield exercise_run, given, [(case, cells[case.id]) for case in exercise.cases]
         exercise_run.close()
+
+
+def runs_of(key, source, kind_of_factory=KernelFactory, id="attacked-double"):
+    """What the cases of an exercise show, raise and get as their verdicts."""
+    with exercise_run_of(key, kind_of_factory, id) as (exercise_run, given, checks):
+        runs = [exercise_run.run(case, [*given, source], check) for case, check in checks]
+        return [(run.ended, run.check.error, run.check.answers, run.verdict) for run in runs]
+
+
+# Those in which the kernel has a part; bench_both_kernels.py compares all samples.
+@pytest.mark.parametrize(
+    "source",
+    [RIGHT["attacked-double"], "1 / 0", "import cv2\ndef double(pixels):\n    return cv2.add(pixels)"],
+)
+def test_a_check_shows_what_it_shows_in_jupyters_own_kernel(key, source):
+    assert runs_of(key, source) == runs_of(key, source, JupyterFactory)
 
 
 def kernels_for(key, source, titles):
@@ -154,7 +162,7 @@ print(1 / 0)"""
 
 
 def test_a_kernel_that_waits_runs_an_answer_once_and_only_that_answer():
-    with KernelFactory("fast") as kernel_factory:
+    with KernelFactory() as kernel_factory:
         kernel_factory.keep_spares([((), 5.0, (ONCE,))])
         kernel = kernel_factory.start((), 5.0, [((), 5.0, ())], sources=[ONCE])
         assert kernel_factory._fork_server._fork_count == 2
@@ -170,7 +178,7 @@ def test_a_kernel_that_waits_runs_an_answer_once_and_only_that_answer():
 
 
 def test_an_answer_cannot_say_that_its_kernel_was_not_confined():
-    with KernelFactory("fast") as kernel_factory:
+    with KernelFactory() as kernel_factory:
         kernel = kernel_factory.start((), 5.0)
         assert kernel.run("import os\nos._exit(70)").ended == "crashed"
         kernel.stop()
@@ -178,7 +186,7 @@ def test_an_answer_cannot_say_that_its_kernel_was_not_confined():
 
 def test_a_kernel_that_could_not_be_confined_runs_nothing():
     no_room = replace(Limits(), scratch="no number")  # mount() refuses it
-    with KernelFactory("fast", limits=no_room) as kernel_factory:
+    with KernelFactory(limits=no_room) as kernel_factory:
         kernel = kernel_factory.start((), 5.0)
         with pytest.raises(SandboxError, match="a kernel could not be confined"):
             kernel.run("print(1)")
@@ -202,7 +210,7 @@ CHECK = "from imgproc_course.classroom.autograder.sandbox.inside.check_cell impo
 
 
 def test_all_processes_of_a_check_share_its_time():
-    with KernelFactory("fast", limits=replace(SHORT, wall_grace=30.0)) as kernel_factory:
+    with KernelFactory(limits=replace(SHORT, wall_grace=30.0)) as kernel_factory:
         kernel = kernel_factory.start((), 0.4)
         assert kernel.run(BUSY).error == ("", "")
         assert kernel.run_check(CHECK, [{"tuple": [0.3]}], 0.4).ended == ""
@@ -213,7 +221,7 @@ def test_all_processes_of_a_check_share_its_time():
 
 
 def test_a_kernel_that_ended_while_it_waited_is_replaced():
-    with KernelFactory("fast") as kernel_factory:
+    with KernelFactory() as kernel_factory:
         ends = "import os, pathlib\nos._exit(3)"
         kernel_factory.keep_spares([((), 5.0, (ends,))])
         (spare,) = kernel_factory._spares.values()
@@ -257,7 +265,7 @@ print(get_ipython().execution_count, _, __, sorted(get_ipython().user_ns_hidden)
 def test_a_kernel_that_has_waited_is_as_a_new_one():
     """While it waits, it has run cells of ours."""
     texts = []
-    with KernelFactory("fast") as kernel_factory:
+    with KernelFactory() as kernel_factory:
         for _ in range(3):  # a new one, then two that have waited
             kernel = kernel_factory.start((), 5.0, [((), 5.0, ())])
             run = kernel.run_statements([STATE])

@@ -209,13 +209,6 @@ def test_order_and_number_of_workers_change_nothing(results, key, right, seed):
         assert json.dumps(to_json(result)) == json.dumps(to_json(results[result.name]))
 
 
-def test_both_kernels_give_the_same_results(results, key, right):
-    # Those in which the kernel has a part; bench_both_kernels.py compares them all.
-    names = ["right", "raises", "a syntax error", "uses cv2", "draws", "top-level await", "magics"]
-    graded = by_name(autograde(submissions_of({}, names), key, kernel="ipykernel", workers=2, limits=PATIENT))
-    assert {name: doubles(graded[name]) for name in names} == {name: doubles(results[name]) for name in names}
-
-
 @pytest.mark.parametrize(
     "name", ["../../etc", "a::b", "-p no:x", "s[1]", "=cmd|' ,x", "x\ny", "\ud800", "", "ä" * 3000, "<b>"]
 )
@@ -236,8 +229,6 @@ def test_missing_and_unknown_answers(key, right):
 def test_a_lesson_that_is_not_in_the_key_is_refused(key, right):
     with pytest.raises(ValueError, match="'99_x' is not in the key, which has attacked"):
         list(autograde([("a", "99_x", right)], key))
-    with pytest.raises(ValueError, match="kernel 'slow': expected fast or ipykernel"):
-        autograde([], key, kernel="slow")
 
 
 def test_submissions_are_read_as_results_are_taken(key, right):

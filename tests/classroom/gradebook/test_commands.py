@@ -180,7 +180,6 @@ def test_exit_codes(run, light, key_path, tmp_path):
         (("grade", "in", "--key", "KEY", "--out", "in/grades"), 1, "name a folder outside it"),
         (("grade", "in", "--key", "KEY", "--deadline", "tomorrow"), 2, "2026-12-01T23:59"),
         (("grade", "in", "--key", "KEY", "--workers", "0"), 2, "0 is not in the range"),
-        (("grade", "in", "--key", "KEY", "--kernel", "bash"), 2, "'fast', 'ipykernel'"),
     ],
 )
 def test_an_error_is_one_line(run, light, key_path, tmp_path, words, code, message):

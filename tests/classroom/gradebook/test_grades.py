@@ -112,20 +112,6 @@ def test_another_order_and_more_workers_give_the_same_bytes(graded, classroom, k
             assert (out / path.relative_to(graded[0])).read_bytes() == path.read_bytes(), path.name
 
 
-def test_ipykernel_gives_the_same_grades(masters, key_path, submissions, tmp_path):
-    for learner, kind in (("ada", "right"), ("bob", 0), ("eve", "raising")):
-        write(
-            submissions / learner / "x.ipynb",
-            notebook(masters["sound"], answers_of(masters["sound"], kind)),
-        )
-    texts = []
-    for kernel in ("fast", "ipykernel"):
-        out = tmp_path / kernel
-        grade_submissions(submissions, [key_path], out, kernel=kernel, workers=1, quiet=True)
-        texts.append((out / "grades.json").read_bytes())
-    assert texts[0] == texts[1]
-
-
 # ---------------------------------------------------------------- going on, and what is kept
 
 

@@ -1,14 +1,12 @@
 """The sandbox around learners' code: bubblewrap's command line, and why there may be no sandbox here.
 
-Inside are, all read-only: the system's libraries and a few of its commands, Python, `inside/`, and the
-installed packages that every answer may use; others, and packages of the course, for an exercise that allows
-them (`allowed_modules`).
-There is no network, no home folder, no environment variable of the user, no key, no master and no
-submission. `inside/confine.py` confines each kernel once more.
+Inside are, all read-only: the system's programs and libraries, Python, the installed packages, the packages
+of the course that answers may use, and `inside/`. There is no network, no home folder, no environment
+variable of the user, no key, no master and no submission. `inside/confine.py` confines each kernel once more;
+`inside/refusal.py` refuses by their names the modules that an exercise does not allow.
 """
 
 import os
-import re
 import shutil
 import signal
 import subprocess
@@ -26,52 +24,14 @@ SOURCE = Path(__file__).resolve().parents[3]  # the folder imgproc_course
 INSIDE = Path(__file__).resolve().parent / "inside"
 # Modules of `exercises` that check cells need; none of them knows an answer.
 EXERCISES_MODULES = ("canonical", "comparison", "input_encoding", "running")
-SITE, COURSE, PYTHON = "/course/site-packages", "/course/packages", "/python"  # paths inside the sandbox
-EXTRA, ALLOWED = confine.EXTRA, confine.ALLOWED
-CLASSROOM = f"{COURSE}/{course.NAME}/classroom"
+SITE, COURSE, PYTHON = "/course/site", "/course/packages", "/python"  # paths inside the sandbox
+_CLASSROOM = f"{COURSE}/{course.NAME}/classroom"
 _PYTHON_OPTIONS = ("-s", "-P", "-B")  # not -I: it ignores PYTHONHASHSEED
 # SYS_RESOURCE: what `die_first` sets is for good. Kernels lose all of them.
 _CAPABILITIES = ("SYS_ADMIN", "SYS_RESOURCE", "SETUID", "SETGID", "SETPCAP", "KILL", "CHOWN")
-_COMMAND_FOLDERS = (
-    *("/bin", "/sbin", "/usr/bin", "/usr/sbin", "/usr/games", "/usr/libexec"),
-    *("/usr/local/bin", "/usr/local/sbin", "/usr/local/games"),
-)
-_COMMANDS = (
-    *(
-        "sh",
-        "bash",
-        "env",
-        "true",
-        "false",
-        "echo",
-        "printf",
-        "cat",
-        "ls",
-        "pwd",
-        "head",
-        "tail",
-        "wc",
-        "grep",
-    ),
-    *("sed", "sort", "cut", "tr", "mkdir", "rm", "cp", "mv", "touch", "sleep", "kill", "date", "uname", "id"),
-)
-# Of /usr, /usr/local and Python's own folder. Beside them lie other people's programs, a checkout, or
-# environments with every library.
-_SYSTEM_FOLDERS = (
-    *("bin", "sbin", "games", "libexec", "lib", "lib32", "lib64", "libx32"),
-    *("share", "etc", "ssl", "include", "man"),
-)
-# Libraries with functions that solve exercises, in C: no Python is needed to call them.
-_IMAGE_LIBRARIES = re.compile(
-    r"lib(opencv_|Magick|GraphicsMagick|vips|gd\.|gdk_pixbuf|cairo|pixman|avfilter|swscale|gegl|Imlib2|IL\."
-    r"|freeimage|lept|tesseract|dlib|itk|ITK|netpbm|zbar|aruco|apriltag|pcl_)",
-)
-_LIBRARY_FOLDERS = ("lib", "lib/*-linux-gnu*", "lib64", "local/lib", "local/lib64")
-# Below these folders: programs with libraries of their own, and other languages.
-_PROGRAM_FOLDERS = re.compile(
-    r"jvm|java.*|R|octave|gimp|GIMP|julia.*|mono|dotnet|node_modules|nodejs|libreoffice|chromium.*|firefox.*"
-    r"|google-cloud-sdk|(Image|Graphics)Magick.*|frei0r.*|gstreamer.*|gdk-pixbuf.*|gegl.*"
-)
+# Of /, and of /usr, /usr/local and Python's own folder: beside them may lie a checkout, a key or submissions.
+_ROOT_FOLDERS = ("bin", "sbin", "lib", "lib32", "lib64")
+_SYSTEM_FOLDERS = (*_ROOT_FOLDERS, "libexec", "share")
 _ETC = ("ld.so.cache", "ld.so.conf", "ld.so.conf.d", "alternatives", "localtime", "nsswitch.conf", "fonts")
 
 
@@ -142,7 +102,7 @@ def _error_of_trial():
     for _ in range(_TRIALS):
         try:
             trial = subprocess.run(
-                [*sandbox_command(confined=True, packages=False), "-c", "print('inside')"],
+                [*sandbox_command(confined=True), "-c", "print('inside')"],
                 env={},
                 capture_output=True,
                 text=True,
@@ -173,14 +133,12 @@ def require_sandbox():
 # ---------------------------------------------------------------- the command line
 
 
-def sandbox_command(confined, *, shared=None, packages=True):
+def sandbox_command(confined):
     """The command line up to the interpreter and its options.
 
     Parameters
     ----------
     confined : bool; False: the interpreter alone, without bubblewrap
-    shared : {folder: its mount point inside}, folders that can be written to: an ipykernel's sockets
-    packages : bool, False: without installed packages and the course, which take longer than all the rest
 
     Returns
     -------
@@ -188,29 +146,10 @@ def sandbox_command(confined, *, shared=None, packages=True):
     """
     if not confined:
         return [sys.executable, *_PYTHON_OPTIONS]
-    base, mount_point = python_folder()
     command = [shutil.which("bwrap") or "bwrap", "--die-with-parent", "--new-session", "--clearenv"]
-    command += [*_namespace_options(), *_environment_options()]
-    command += [*_bind("/usr"), *_system_folders(), *_system_commands(), *_image_libraries()]
+    command += [*_namespace_options(), *_environment_options(), *_system_folders()]
     command += ["--proc", "/proc", "--dev", "/dev", "--perms", "1777", "--tmpfs", "/dev/shm"]
-    command += [
-        "--perms",
-        "1777",
-        "--tmpfs",
-        "/tmp",
-        *_new_folder("/course"),
-        *_new_folder("/course/nothing"),
-        *_new_folder(EXTRA),
-        *_new_folder(ALLOWED),
-    ]
-    if mount_point != base:
-        command += _bind(str(base), str(mount_point))
-    for path in _outermost([*_foreign_folders(), *_foreign_package_folders()]):
-        command += _empty_folder(str(path))
-    if packages:
-        command += [*_site_packages(), *_course_packages()]
-    for folder, shared_mount_point in (shared or {}).items():
-        command += ["--bind", folder, shared_mount_point]
+    command += ["--perms", "1777", "--tmpfs", "/tmp", *_site_packages(), *_course_packages()]
     # If the user does not really change, kernels own these folders: the next kernel would find what one
     # wrote.
     command += ["--remount-ro", "/dev", "--remount-ro", "/"]
@@ -236,113 +175,78 @@ def _bind(source, mount_point=None):
     return ["--ro-bind", source, mount_point or source]
 
 
-def _new_folder(path):
-    return ["--perms", "0755", "--dir", path]
+def _new_folders(*paths):
+    """Folders that everybody can enter; a mount would make them for root alone."""
+    return [option for path in paths for option in ("--perms", "0755", "--dir", path)]
 
 
 def _empty_folder(path):
-    return ["--tmpfs", path, "--remount-ro", path]
+    return ["--tmpfs", str(path), "--remount-ro", str(path)]
 
 
 def _system_folders():
-    options = []
-    for name in ("bin", "sbin", "lib", "lib32", "lib64"):
-        path = Path("/", name)
+    roots = {Path("/usr"): Path("/usr"), Path("/usr/local"): Path("/usr/local")} | dict([python_folder()])
+    places = [(Path("/", name), Path("/", name)) for name in _ROOT_FOLDERS]
+    places += [(root / name, mount / name) for root, mount in roots.items() for name in _SYSTEM_FOLDERS]
+    options = _new_folders("/usr", "/usr/local", PYTHON, "/etc")
+    for path, mount_point in places:
         if path.is_symlink():
-            options += ["--symlink", str(path.readlink()), str(path)]
+            options += ["--symlink", str(path.readlink()), str(mount_point)]
         elif path.is_dir():
-            options += _bind(str(path))
-    options += _new_folder("/etc")
+            options += _bind(str(path), str(mount_point))
     for name in _ETC:
         options += ["--ro-bind-try", f"/etc/{name}", f"/etc/{name}"]
-    return options
+    return options + [option for path in _hidden_folders(roots) for option in _empty_folder(path)]
 
 
-def _system_commands():
-    """Of the system's commands, those for a line such as `!ls`: ImageMagick would solve exercises.
-
-    What lies beside the libraries (below /usr/lib) can still be run, if `_PROGRAM_FOLDERS` does not name it:
-    Python needs that folder.
-    """
-    options, interpreter = [], Path(sys.executable).resolve()
-    for path in filter(Path.is_dir, map(Path, _COMMAND_FOLDERS)):
-        if not path.is_symlink():
-            options += ["--perms", "0755", "--tmpfs", str(path)]
-            commands = [*(path / name for name in _COMMANDS), *([interpreter] * (interpreter.parent == path))]
-            options += [option for command in commands if command.is_file() for option in _bind(str(command))]
-            options += ["--remount-ro", str(path)]
-    return options
-
-
-def _image_libraries():
-    """Put nothing in the place of the system's image libraries; what an exercise allows is in wheels."""
-    folders = {folder.resolve() for name in _LIBRARY_FOLDERS for folder in Path("/usr").glob(name)}
-    entries = [entry for folder in folders if folder.is_dir() for entry in os.scandir(folder)]
-    files = {Path(entry).resolve() for entry in entries if _IMAGE_LIBRARIES.match(entry.name)}
-    programs = [entry.path for entry in entries if _PROGRAM_FOLDERS.fullmatch(entry.name)]
-    options = [
-        option for path in sorted(programs) if _is_plain_folder(Path(path)) for option in _empty_folder(path)
-    ]
-    return options + [
-        option for path in sorted(files) if path.is_file() for option in _bind(os.devnull, str(path))
+def _hidden_folders(roots):
+    """Below {root: its mount point}, as seen inside: other package folders than ours, and a checkout."""
+    package_folders = [path for root in roots for path in root.glob("lib/python3*/*-packages")]
+    checkout = SOURCE.parent
+    own = [] if any(checkout.is_relative_to(path) for path in package_folders) else [checkout]
+    return [
+        mount_point / path.relative_to(root)
+        for root, mount_point in roots.items()
+        for path in (*package_folders, *own)
+        if path.is_relative_to(root) and path.is_dir() and not path.is_symlink()
     ]
 
 
 def _site_packages():
-    from imgproc_course.classroom.autograder.sandbox.allowed_modules import base_paths
-
-    options = _new_folder(SITE)
-    for path in base_paths():
-        options += _bind(str(path), f"{SITE}/{path.name}")
-    options += _bind(str(INSIDE / "PIL"), f"{SITE}/PIL")
-    for folder in site_folders():
-        options += _bind(str(folder), extra_path(folder))
-    # An installed copy of the course would contain the autograder, and a link to the checkout its path.
-    for path in sorted(site_folders()[0].glob(f"*{course.NAME}*")):
-        options += _empty_folder(extra_path(path)) if path.is_dir() else _bind(os.devnull, extra_path(path))
+    options = _new_folders("/course")
+    for folder, mount_point in _package_folders().items():
+        options += _bind(str(folder), mount_point)
+        # An installed copy of the course would contain the autograder, and a link to the checkout its path.
+        for path in folder.glob(f"*{course.NAME}*"):
+            hidden = f"{mount_point}/{path.name}"
+            options += _empty_folder(hidden) if path.is_dir() else _bind(os.devnull, hidden)
     return options
-
-
-def extra_path(path):
-    """Where an installed file or folder is inside the sandbox, out of reach of every kernel."""
-    for number, folder in enumerate(site_folders()):
-        if path.is_relative_to(folder):
-            return str(Path(f"{EXTRA}/site-{number}", path.relative_to(folder)))
-    raise ValueError(f"{path} is in no folder of installed packages")
-
-
-def course_package_paths(package):
-    """Where a package of the course is inside the sandbox, and where in a kernel that may use it."""
-    return f"{EXTRA}/course/{package}", f"{COURSE}/{course.NAME}/{package}"
 
 
 def _course_packages():
     root = f"{COURSE}/{course.NAME}"
-    options = [*_new_folder(COURSE), *_new_folder(root), *_new_folder(f"{EXTRA}/course")]
-    options += _bind(str(SOURCE / "__init__.py"), f"{root}/__init__.py")
-    for package in course.PACKAGES:
-        if (SOURCE / package).is_dir():
-            extra, mount_point = course_package_paths(package)
-            options += [*_bind(str(SOURCE / package), extra), *_new_folder(mount_point)]
+    folders = ("", "/exercises", "/autograder", "/autograder/sandbox")
+    options = _new_folders(COURSE, root, *(f"{_CLASSROOM}{name}" for name in folders))
+    options += _new_folders(f"{root}/exercises", f"{root}/display")
+    for name in ("__init__.py", *course.PACKAGES):
+        if (SOURCE / name).exists():
+            options += _bind(str(SOURCE / name), f"{root}/{name}")
     for package in ("exercises", "display"):
-        options += _new_folder(f"{root}/{package}")
         options += _bind(str(INSIDE / f"{package}_stub.py"), f"{root}/{package}/__init__.py")
-    for name in ("", "/exercises", "/autograder", "/autograder/sandbox"):
-        options += _new_folder(f"{CLASSROOM}{name}")
     names = ["__init__.py", "course.py", *(f"exercises/{module}.py" for module in EXERCISES_MODULES)]
     names += [f"autograder/{name}" for name in ("__init__.py", "sandbox/__init__.py", "sandbox/inside")]
     for name in names:
-        options += _bind(str(SOURCE / "classroom" / name), f"{CLASSROOM}/{name}")
+        options += _bind(str(SOURCE / "classroom" / name), f"{_CLASSROOM}/{name}")
     return options
 
 
 # ---------------------------------------------------------------- folders, environment, user
 
 
-def site_folders():
-    """The folders of installed packages, outside the sandbox."""
-    folders = {sysconfig.get_path("purelib"), sysconfig.get_path("platlib")}
-    return [Path(folder) for folder in sorted(folders) if Path(folder).is_dir()]
+def _package_folders():
+    """{folder of installed packages: where it is inside}."""
+    folders = sorted({sysconfig.get_path("purelib"), sysconfig.get_path("platlib")})
+    return {Path(folder): f"{SITE}-{n}" for n, folder in enumerate(folders) if Path(folder).is_dir()}
 
 
 def python_folder():
@@ -354,41 +258,6 @@ def python_folder():
 def _interpreter():
     base, mount_point = python_folder()
     return str(mount_point / Path(sys.executable).resolve().relative_to(base))
-
-
-def _foreign_folders():
-    """What lies below /usr and in Python's folder and is not the system's, as seen inside: it is emptied."""
-    mount_points = {path: path for path in (Path("/usr"), Path("/usr/local"))} | dict([python_folder()])
-    folders = [
-        mount_point / entry.name
-        for root, mount_point in mount_points.items()
-        for entry in (root.iterdir() if root.is_dir() else ())
-        if entry not in mount_points and entry.name not in _SYSTEM_FOLDERS and _is_plain_folder(entry)
-    ]
-    own = {path for path in (SOURCE.parent, *site_folders()) if path.is_relative_to("/usr")}
-    return [*folders, *filter(_is_plain_folder, own)]
-
-
-def _is_plain_folder(path):
-    return path.is_dir() and not path.is_symlink()
-
-
-def _outermost(paths):
-    """Paths without those that lie in another one of them; sorted."""
-    paths = set(paths)
-    return sorted(path for path in paths if not paths.intersection(path.parents))
-
-
-def _foreign_package_folders():
-    """Package folders of the system and of Python itself, as seen inside: they are emptied."""
-    base, mount_point = python_folder()
-    paths = [path for lib in ("lib", "local/lib") for path in Path("/usr", lib).glob("python3*/*-packages")]
-    paths += [
-        mount_point / path.relative_to(base)
-        for pattern in ("lib/python3*/site-packages", "lib/python3*/dist-packages")
-        for path in base.glob(pattern)
-    ]
-    return paths
 
 
 def environment():
@@ -414,7 +283,7 @@ def environment():
 
 def search_path(confined):
     """Where Python looks for modules inside, after its own library."""
-    return [COURSE, ALLOWED, SITE] if confined else [str(SOURCE.parent)]
+    return [COURSE, *_package_folders().values()] if confined else [str(SOURCE.parent)]
 
 
 def kernel_user():

@@ -1,30 +1,23 @@
-"""Give out kernels of either kind, one after another. The next kernels are forked while one is at work."""
+"""Give out kernels, one after another. The next kernels are forked while one is at work."""
 
 from imgproc_course.classroom.autograder.sandbox import bubblewrap
 from imgproc_course.classroom.autograder.sandbox.cgroups import ProcessGroup
 from imgproc_course.classroom.autograder.sandbox.fork_server_client import ForkedKernel, ForkServer
 
-KINDS = ("fast", "ipykernel")
-
 
 class KernelFactory:
     """Starts kernels; a context manager.
 
-    kind     "fast": forked from a process that has the imports loaded; "ipykernel": Jupyter's own kernel, one
-             process each, over ipc
     unsafe   True: without a sandbox, as the user who grades
     limits   Limits of one kernel, None for the default ones
     """
 
-    def __init__(self, kind="fast", *, unsafe=False, limits=None):
-        if kind not in KINDS:
-            raise ValueError(f"kernel {kind!r}: expected {' or '.join(KINDS)}")
-        self._kind, self._confined = kind, not unsafe
+    def __init__(self, *, unsafe=False, limits=None):
+        self._confined = not unsafe
         self.limits = limits or bubblewrap.Limits()
         self._group = ProcessGroup(self.limits.memory, self.limits.processes, use_cgroups=self._confined)
         self._fork_server = ForkServer(self._group, confined=self._confined)
-        if kind == "fast":
-            self._fork_server.start()
+        self._fork_server.start()
         self._spares = {}  # request: the kernel that waits for it
 
     def start(self, allowed, seconds, next_requests=(), *, sources=()):
@@ -40,14 +33,9 @@ class KernelFactory:
 
         Returns
         -------
-        ForkedKernel or IPykernelClient
+        ForkedKernel
         """
         request = (tuple(allowed), seconds)
-        if self._kind == "ipykernel":
-            # Only this kind needs jupyter_client, whose import takes a quarter of a second.
-            from imgproc_course.classroom.autograder.sandbox.ipykernel_client import IPykernelClient
-
-            return IPykernelClient(*request, self.limits, self._group, confined=self._confined)
         kernel = self._take_spare((*request, tuple(sources))) or self._take_spare((*request, ()))
         kernel = kernel or self._fork(request)
         self.keep_spares(next_requests)
@@ -72,8 +60,6 @@ class KernelFactory:
         requests : iterable of (allowed, seconds, sources), of the kernels that will probably be needed next;
             sources, if not empty, are cells that run while it waits (see `ForkedKernel.prepare`)
         """
-        if self._kind == "ipykernel":
-            return
         requests = [(tuple(allowed), seconds, tuple(sources)) for allowed, seconds, sources in requests]
         for request in [request for request in self._spares if request not in requests]:
             self._spares.pop(request).stop()

@@ -47,8 +47,6 @@ _READ_ONLY, _NOSUID, _NODEV, _NOEXEC, _REC, _PRIVATE, _BIND = 1, 2, 4, 8, 0x4000
 _REMOUNT = 32
 _PR_CAPBSET_DROP, _PR_SET_NO_NEW_PRIVS, _PR_SET_DUMPABLE = 24, 38, 4
 _LAST_CAPABILITY = 63
-EMPTY_FOLDER = "/course/nothing"  # read-only
-EXTRA, ALLOWED = "/course/extra", "/course/allowed"  # all that an exercise may allow, and what it allows
 _DEVICES = ("null", "zero", "full", "random", "urandom", "tty")  # that bubblewrap gives
 _libc = ctypes.CDLL(None, use_errno=True)
 # Looked up here, before the first kernel is forked.
@@ -81,12 +79,11 @@ def _mount(source, target, kind, flags, data=""):
     _check(_mount_call(*texts, ctypes.c_ulong(flags), data.encode() or None), f"mount {target}")
 
 
-def confine(bound, limits, user):
+def confine(limits, user):
     """Confine this process for good.
 
     Parameters
     ----------
-    bound : list of (path below EXTRA, where it appears): the modules that the exercise allows
     limits : dict, see `set_limits`; also "scratch", bytes that can be written to /tmp
     user : int or None, the user and group to become; None inside a user namespace, whose root has no rights
         outside
@@ -97,7 +94,6 @@ def confine(bound, limits, user):
     """
     unshare(NEWNS | NEWIPC | NEWUTS | NEWNET)
     _mount("", "/", "", _REC | _PRIVATE)
-    _bind_allowed(bound)
     scratch = f"size={limits['scratch']},nr_inodes=2000"
     _mount("tmpfs", "/tmp", "tmpfs", _NOSUID | _NODEV, f"{scratch},mode=1777")
     _mount("tmpfs", "/dev/shm", "tmpfs", _NOSUID | _NODEV | _NOEXEC, f"{scratch},mode=1777")
@@ -136,20 +132,6 @@ def protect_devices():
     for path in (f"/dev/{name}" for name in _DEVICES):
         if os.path.ismount(path):
             _mount("", path, "", _BIND | _REMOUNT | _READ_ONLY | _NOSUID | _NOEXEC)
-
-
-def _bind_allowed(bound):
-    if bound:
-        _mount("tmpfs", ALLOWED, "tmpfs", _NOSUID | _NODEV, "size=1m,mode=755")
-    for path, target in bound:
-        if os.path.isdir(path):
-            os.makedirs(target, exist_ok=True)
-        else:
-            os.close(os.open(target, os.O_CREAT | os.O_WRONLY))
-        _mount(path, target, "", _BIND | _REC)
-    if bound:
-        _mount("", ALLOWED, "", _NOSUID | _NODEV | _REMOUNT | _READ_ONLY)
-    _mount(EMPTY_FOLDER, EXTRA, "", _BIND)
 
 
 def set_limits(limits):

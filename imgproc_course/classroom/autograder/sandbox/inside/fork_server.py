@@ -1,8 +1,8 @@
 """The process that forks kernels: it has the imports loaded, and never runs code of a learner's.
 
 `fork_server_client` starts it with a socket (SOCK_SEQPACKET). It takes these orders:
-    {"op": "fork", "id": 7, "bound": [...], "names": [...], "limits": {...}, "has_time": true}, with the
-                                              kernel's socket; "has_time" if it will wait for its first cell
+    {"op": "fork", "id": 7, "allowed": [...], "limits": {...}, "has_time": true}, with the kernel's
+                                              socket; "has_time" if it will wait for its first cell
     {"op": "end", "id": 7, "patience": 1.0}   kill the kernel and all that it started; reply how it had ended
     {"op": "drop", "id": 7}                   the same; reply null at once if it had started nothing
 It ends when its socket is closed.
@@ -81,14 +81,14 @@ def _run_kernel(control, descriptor, order, settings, loaded):
             confine.die_first()
             user = settings["user"]
             user = None if user is None else user + order["id"] % confine.USERS_OF_SERVER
-            confine.confine(order["bound"], order["limits"], user)
+            confine.confine(order["limits"], user)
         else:
             confine.die_with_parent()
             confine.set_limits(order["limits"] | {"processes": 4096})
         os.write(descriptor, b"\n")  # it is confined; until now nobody else's code ran
         cell_shell, serve, check_cell, allow_modules, warm_up = loaded
         check_cell.refuse_input()
-        allow_modules(order["names"])
+        allow_modules(order["allowed"])
         if order["has_time"]:
             warm_up(_USUAL_CELLS)
         random.seed(0)  # Python draws another seed in each fork

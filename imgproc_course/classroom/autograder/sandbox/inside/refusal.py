@@ -1,24 +1,30 @@
 """Modules that an exercise does not allow: importing one costs nothing as long as nothing uses it.
 
-The files of such a module are not in the kernel's file system; this makes its absence kind. An unused import
-gives an empty module. An import inside a try or a with statement fails, so that the answer's own way without
-the module is taken. Using an empty module raises RefusedModule.
+They are refused by their names, and only where the learner's own code imports them: libraries find each
+other. An unused import gives an empty module. An import inside a try or a with statement fails, so that the
+answer's own way without the module is taken. Using an empty module raises RefusedModule.
 """
 
+import builtins
 import dis
-import importlib.machinery
+import importlib
 import sys
 import types
 
 from imgproc_course.classroom import course
-from imgproc_course.classroom.autograder.sandbox.inside import confine
+
+# Every answer may use these, and the standard library.
+_ALWAYS = (
+    *("numpy", "matplotlib", "mpl_toolkits", "matplotlib_inline", "IPython", "ipykernel", "traitlets"),
+    *(course.NAME, f"{course.NAME}.classroom", *course.ALWAYS_ALLOWED),
+)
 
 
 class RefusedModule(ModuleNotFoundError):
     """The answer uses a module that its exercise does not allow."""
 
 
-class Unusable:
+class _Unusable:
     """Stands for whatever a module that is not allowed would hold."""
 
     def __init__(self, module):
@@ -35,43 +41,16 @@ class _EmptyModule(types.ModuleType):
     def __getattr__(self, name):
         if name.startswith("__"):
             raise AttributeError(name)
-        return Unusable(self.__name__)
+        return _Unusable(self.__name__)
 
 
-class _Finder:
-    """Comes before all other finders; it finds what is not allowed."""
-
-    def __init__(self, names):
-        self._names = frozenset(names)
-
-    def find_spec(self, name, path=None, target=None):
-        if self._is_allowed(name):
-            return None
-        frame = _importing_frame()
-        if frame.f_globals.get("__name__") != "__main__":
-            return None  # a library looks for another one; nobody finds what is not there
-        if _is_guarded(frame):
-            raise RefusedModule(f"write this exercise without {name}", name=name)
-        return importlib.machinery.ModuleSpec(name, self, is_package=True)
-
-    def create_module(self, spec):
-        return _EmptyModule(spec.name)
-
-    def exec_module(self, module):
-        pass
-
-    def _is_allowed(self, name):
-        top, *submodules = name.split(".")
-        if top == course.NAME:
-            return not submodules or f"{top}.{submodules[0]}" in self._names
-        return top in self._names or top in sys.stdlib_module_names
-
-
-def _importing_frame():
-    frame = sys._getframe(2)
-    while frame.f_back and frame.f_globals.get("__name__", "").startswith("importlib"):
-        frame = frame.f_back
-    return frame
+def _empty_modules(name):
+    """Empty modules for a dotted name and its packages, the outermost first."""
+    parts = name.split(".")
+    modules = [_EmptyModule(".".join(parts[:count])) for count in range(1, len(parts) + 1)]
+    for package, module, part in zip(modules, modules[1:], parts[1:], strict=False):
+        setattr(package, part, module)
+    return modules
 
 
 def _is_guarded(frame):
@@ -80,13 +59,42 @@ def _is_guarded(frame):
     return any(entry.start <= frame.f_lasti < entry.end for entry in entries)
 
 
-def allow_modules(names):
-    """Let this process import the named modules and the standard library, and no other.
+def allow_modules(allowed):
+    """Let the learner's code import these modules and those of every answer, and no others.
 
     Parameters
     ----------
-    names : sequence of str, as `ModuleAccess.names`
+    allowed : sequence of str, modules that the exercise allows: ("scipy", "imgproc_course.imaging")
     """
-    # Nothing else is mounted after the fork server has loaded; to forget all folders takes longer.
-    sys.path_importer_cache.pop(confine.ALLOWED, None)
-    sys.meta_path.insert(0, _Finder(names))
+    names = {*_ALWAYS, *allowed, *(name.partition(".")[0] for name in allowed)}
+    real_import, real_import_module = builtins.__import__, importlib.import_module
+
+    def is_allowed(name):
+        parts = name.split(".")
+        name = ".".join(parts[: 2 if parts[0] == course.NAME else 1])
+        return name in names or name in sys.stdlib_module_names
+
+    def refused(name, frame):
+        """The empty modules for a name that this frame may not import, [] if it may."""
+        if frame.f_globals.get("__name__") != "__main__" or is_allowed(name):
+            return []
+        if _is_guarded(frame):
+            raise RefusedModule(f"write this exercise without {name}", name=name)
+        return _empty_modules(name)
+
+    def import_(name, globals=None, locals=None, fromlist=(), level=0):
+        frame = sys._getframe(1)
+        modules = refused(name, frame) if not level else []
+        if modules:
+            return modules[-1 if fromlist else 0]
+        module = real_import(name, globals, locals, fromlist, level)
+        for part in fromlist or ():
+            if name == course.NAME and part in course.PACKAGES and refused(f"{name}.{part}", frame):
+                return _EmptyModule(f"{name}.{part}")
+        return module
+
+    def import_module(name, package=None):
+        modules = refused(name, sys._getframe(1))
+        return modules[-1] if modules else real_import_module(name, package)
+
+    builtins.__import__, importlib.import_module = import_, import_module
