@@ -529,7 +529,7 @@ def _one_name_twice(folder, light):
         _zip(folder, [(f"{LESSON}.ipynb", json.dumps(lesson)) for lesson in answers])
 
 
-@attack(224, "names of another system in a zip", "leads out of the zip")
+@attack(224, "names of another system in a zip", "submitted 3 times")
 def _names_of_another_system(folder, light):
     names = (f"..\\{_neighbour_of(folder)}\\{LESSON}.ipynb", f"C:\\{LESSON}.ipynb", f"{LESSON}.ipynb:x")
     _zip(folder, [(name, json.dumps(wrong_notebook(light))) for name in (f"{LESSON}.ipynb", *names)])

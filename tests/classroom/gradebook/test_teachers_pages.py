@@ -63,12 +63,13 @@ def test_who_may_have_lost_points_comes_first_and_the_dishonest_last(graded):
     assert "light-double: ended the Python process" in row and "<bdi>eve</bdi>" in row
 
 
-def test_the_top_names_who_sent_what_under_another_name(light, submissions, key_path, tmp_path):
+def test_the_top_names_whose_zip_has_names_of_others(light, submissions, key_path, tmp_path):
     write(submissions / "ada" / "20_light.ipynb", b"{")
     out = tmp_path / "out"
     for name in ("mallory", "noah"):
         with zipfile.ZipFile(submissions / f"{name}.zip", "w") as archive:
-            archive.writestr("ada/20_light.ipynb", json.dumps(notebook(light)))
+            for folder in ("ada", MOODLE):
+                archive.writestr(f"{folder}/20_light.ipynb", json.dumps(notebook(light)))
     grade_submissions(submissions, [key_path], out, workers=1, quiet=True)
     text = (out / "summary.html").read_text(encoding="utf-8")
     top, *sections = text.split("<section")
