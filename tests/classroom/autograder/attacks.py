@@ -1857,18 +1857,6 @@ for _number, _name, _value in (
 
 for _number, _name, _tries in (
     (
-        531,
-        "a watch on a folder, by the calls for files",
-        """
-        import fcntl, signal
-        signal.signal(signal.SIGIO, signal.SIG_IGN)
-        try:
-            left.append(fcntl.fcntl(os.open("/usr/bin", os.O_RDONLY), 1026, 0x80000001))
-        except OSError:
-            pass
-        """,
-    ),
-    (
         532,
         "a lease on the files of a library, so that others wait",
         """
@@ -1878,21 +1866,6 @@ for _number, _name, _tries in (
                 left.append(fcntl.fcntl(os.open(path, os.O_RDONLY), 1024, 1))
             except OSError:
                 pass
-        """,
-    ),
-    (
-        533,
-        "bits in what the system keeps in memory of files",
-        """
-        import glob
-        for path in glob.glob("/usr/share/**/*.py", recursive=True)[:8] or ["/usr/bin/env"]:
-            fd = os.open(path, os.O_RDONLY)
-            try:
-                os.posix_fadvise(fd, 0, 0, os.POSIX_FADV_DONTNEED)
-                os.preadv(fd, [bytearray(1)], 0, os.RWF_NOWAIT)
-                left.append("told")
-            except OSError as error:
-                left += ["told"] * (error.errno == 11)
         """,
     ),
     (
@@ -2251,33 +2224,6 @@ for _number, _name, _source in (
 # ---------------------------------------------------------------- by fresh eyes
 
 for _number, _name, _tries in (
-    (
-        601,
-        "the times of the machine's devices",
-        """
-        for path in ("/dev/null", "/dev/zero", "/dev/full", "/dev/random", "/dev/urandom", "/dev/tty"):
-            for step in (os.utime, lambda path: os.chmod(path, 0o666), lambda path: os.setxattr(path, "user.x", b"1")):
-                try:
-                    step(path)
-                    left.append(path)
-                except OSError:
-                    pass
-        """,
-    ),
-    (
-        602,
-        "hints and notes that stay with a file that everybody reads",
-        """
-        import fcntl
-        for path in ("/usr/bin/env", np.__file__, "/dev/urandom"):
-            for step, number in ((fcntl.fcntl, 1036), (fcntl.fcntl, 1038), (fcntl.ioctl, 0x6612), (fcntl.ioctl, 0x40085203)):
-                try:
-                    step(os.open(path, os.O_RDONLY), number, (3).to_bytes(8, "little"))
-                    left.append(number)
-                except OSError:
-                    pass
-        """,
-    ),
     (
         603,
         "counters of the whole machine, moved on and read",

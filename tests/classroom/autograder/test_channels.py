@@ -1,4 +1,4 @@
-"""What one kernel could leave for the next: every channel of `confine`'s list is tried.
+"""What one kernel could leave for the next: the channels of `confine`'s list are tried.
 
 The first kernel leaves a mark wherever it can. The second was forked before that, as in grading, and looks
 for it after the first has ended. `leave` and `look` are cells; `look` prints what it found.
@@ -60,22 +60,11 @@ CHANNELS = {
         LIBC + ADD_KEY.format(ring=-3),
         LIBC + f"found = {SEARCH_KEY.format(ring=-3)}\nprint(found if found > 0 else '')",
     ),
-    "the list of keys": (
-        "",
-        "import os\npaths = ('/proc/keys', '/proc/key-users')\n"
-        "print(*[open(path).read() for path in paths if os.path.exists(path)])",
-    ),
     "counters of the whole machine": (
         LIBC + "held = ctypes.create_string_buffer(40_000)\n"
         "for _ in range(10): libc.mlock(held, 40_000), libc.munlock(held, 40_000)",
         "import os\n"
         "print(*[name for name in os.listdir('/proc') if not name.isdigit() and 'self' not in name])",
-    ),
-    "times of a device": (
-        "import os\ntry: os.utime('/dev/null')\nexcept OSError: pass",
-        "import os, time\n"
-        "print('seen' if time.time() - os.stat('/dev/null').st_mtime < 10 else '')\n"
-        "open('/dev/null', 'w').write('x')",
     ),
     "shared memory": (
         LIBC + "libc.shmget(4242, 4096, 0o1666)",
@@ -168,28 +157,9 @@ CHANNELS = {
         "most = max(resource.getrlimit(resource.RLIMIT_CORE))\n"
         "print(*glob.glob('/tmp/**/core*', recursive=True), most if most > 1 else '')",
     ),
-    "watches on files": (
-        "",
-        LIBC + "print(*[n for n in (253, 294, 300) if libc.syscall(n, 0, 0) != -1])",
-    ),
-    "a watch on a folder, a lease on a file": (
-        "",
-        "import fcntl, os\n"
-        "for path, command, value in (('/usr/bin', 1026, 0x80000001), ('/usr/bin/env', 1024, 0)):\n"
-        "    try: print(fcntl.fcntl(os.open(path, os.O_RDONLY), command, value))\n"
-        "    except OSError as error: print('' if error.errno == 1 else error)",
-    ),
-    "which files are in memory, without a clock": (
-        "",
-        LIBC + "fd = os.open('/usr/bin/env', os.O_RDONLY)\n"
-        "for number in (27, 221, 327, 451):\n"
-        "    result = libc.syscall(number, fd, 0, 0, 0, 0, 0), ctypes.get_errno()\n"
-        "    print('' if result == (-1, 1) else (number, result))",
-    ),
     "a terminal": (
         STAY.format(run="__import__('pty').fork()"),
-        "import os\nprint(*set(os.listdir('/dev/pts')) - {'ptmx'},"
-        " os.path.exists('/proc/sys/kernel/pty/nr') or '')\n"
+        "import os\nprint(*set(os.listdir('/dev/pts')) - {'ptmx'})\n"
         "names = []\n"
         "try:\n    while len(names) < 50: names.append(os.ttyname(os.openpty()[1]))\n"
         "except OSError: print('' if names == [f'/dev/pts/{k}' for k in range(16)] else names)\n"
@@ -207,15 +177,11 @@ CHANNELS = {
 
 # What only slows others down, or takes memory that no limit counts; each prints nothing if it is refused.
 REFUSED = {
-    "hints on how long a file will live, and notes of the file system": (
-        "import fcntl, os\ndescriptor, done = os.open('/usr/bin/env', os.O_RDONLY), []\n"
-        "for step, number in ((fcntl.fcntl, 1036), (fcntl.fcntl, 1038), (fcntl.ioctl, 0x6612)):\n"
-        "    try: step(descriptor, number, (3).to_bytes(8, 'little')), done.append(number)\n"
-        "    except OSError: pass\n"
-        "print(*done)"
-    ),
     "the disk is written out, of one file system": LIBC
     + "fd = os.open('/usr/bin/env', os.O_RDONLY)\nprint(libc.syncfs(fd) + 1 or '')",
+    "a lease on a file, so that others wait": LIBC
+    + "fd = os.open('/usr/bin/env', os.O_RDONLY)\nresult = libc.fcntl(fd, 1024, 0), ctypes.get_errno()\n"
+    "print('' if result == (-1, 1) else result)",
     "message queues and semaphores that nobody counts": LIBC
     + "print(libc.msgget(0, 0o1600) + 1 or '', libc.semget(0, 32_000, 0o1600) + 1 or '')",
 }

@@ -4,9 +4,8 @@ Each fork calls it before any code of a learner's runs there. It repeats what bu
 server, so that nothing passes from one fork to the next. It uses `os`, not `pathlib`: each page of memory
 that a fork touches has to be copied.
 
-What one kernel could leave for the next, or show to one beside it, and what prevents it:
+What one kernel could leave for the next, which may be another learner's, and what prevents it:
     files, in /tmp, /dev/shm and home           file systems of its own, everything else is read-only
-    times of the files of devices               the devices' mounts are read-only too
     open files of the fork server               closed, with the database of IPython's history
     processes, signals, ptrace, /proc/<pid>     a PID namespace, which ends with the kernel
     nice values, limits by user                 a user of its own, if root grades; else the PID namespace
@@ -16,19 +15,15 @@ What one kernel could leave for the next, or show to one beside it, and what pre
     host name                                   a UTS namespace
     order of being killed for memory            /proc is read-only
     settings in /proc/sys, counters of the machine    /proc has processes only
-    keys in the system's keyrings               the calls are refused, /proc/keys is hidden, and the session
-                                                keyring is new: the teacher's cannot be searched either
+    keys in the system's keyrings               the calls are refused, and the session keyring is new: the
+                                                teacher's cannot be searched either
     the system's log: a crash writes to it      the call that reads it is refused
-    watches, leases and hints on files          inotify, fanotify, and fcntl's commands for them are refused
-    settings of files and devices               ioctl only reaches terminals, pipes and sockets
-    which files are in memory                   the calls that say it, or change it at once, are refused
-    terminals: their numbers, what they hold    /dev/pts is new; how many there are is hidden
+    terminals                                   /dev/pts is new
     core files                                  a limit of one byte, which pipes to programs obey too
     environment, umask, timers, random state    a fork has copies
     memory and processor time                   a control group counts what all kernels use (`cgroups`)
-Timing remains: whether a file is in the page cache, how busy the machine is. Kernels that run at the same
-time (in two workers, or an answer's kernel and the next one of the same answer, which prepares) can also lock
-a file that both can read. tests/classroom/autograder/test_channels.py tries each.
+Covert channels remain: whether a file is in the page cache, the times of a device, how busy the machine is.
+tests/classroom/autograder/test_channels.py tries each of the others.
 """
 
 import ctypes
@@ -43,11 +38,9 @@ NEWNS, NEWUTS, NEWIPC, NEWPID, NEWNET = 0x20000, 0x4000000, 0x8000000, 0x2000000
 USERS_OF_SERVER = 256  # users of the kernels of one fork server, one after another
 _KEYCTL = {"x86_64": 250, "aarch64": 219}  # numbers of the call; asm/unistd.h
 _JOIN_SESSION_KEYRING = 1
-_READ_ONLY, _NOSUID, _NODEV, _NOEXEC, _REC, _PRIVATE, _BIND = 1, 2, 4, 8, 0x4000, 0x40000, 0x1000
-_REMOUNT = 32
+_READ_ONLY, _NOSUID, _NODEV, _NOEXEC, _REC, _PRIVATE = 1, 2, 4, 8, 0x4000, 0x40000
 _PR_CAPBSET_DROP, _PR_SET_NO_NEW_PRIVS, _PR_SET_DUMPABLE = 24, 38, 4
 _LAST_CAPABILITY = 63
-_DEVICES = ("null", "zero", "full", "random", "urandom", "tty")  # that bubblewrap gives
 _libc = ctypes.CDLL(None, use_errno=True)
 # Looked up here, before the first kernel is forked.
 _mount_call, _unshare_call, _prctl, _capset = _libc.mount, _libc.unshare, _libc.prctl, _libc.capset
@@ -118,20 +111,6 @@ def _mount_proc():
         _mount("proc", "/proc", "proc", flags, "subset=pid")
     except OSError:  # a system before Linux 5.8
         _mount("proc", "/proc", "proc", flags)
-        for path in ("/proc/keys", "/proc/key-users", "/proc/sys/kernel/pty/nr"):
-            if os.path.exists(path):
-                _mount("/dev/null", path, "", _BIND)
-
-
-def protect_devices():
-    """Make the mounts of the machine's devices read-only.
-
-    A process that may write to a device could also set its times, and the next kernel would read them. The
-    devices can be read and written as before. It holds for all kernels that are started afterwards.
-    """
-    for path in (f"/dev/{name}" for name in _DEVICES):
-        if os.path.ismount(path):
-            _mount("", path, "", _BIND | _REMOUNT | _READ_ONLY | _NOSUID | _NOEXEC)
 
 
 def set_limits(limits):

@@ -107,8 +107,6 @@ def main():
     null = os.open(os.devnull, os.O_RDWR)
     for standard_stream in (0, 1, 2):
         os.dup2(null, standard_stream)
-    if settings["confined"]:
-        confine.protect_devices()
     namespace = confine.open_pid_namespace() if settings["confined"] else None
     gc.collect()
     gc.freeze()
