@@ -104,6 +104,18 @@ TRUST = """path => {
     const {content} = widgets.find(widget => widget.context?.path === path);
     for (const cell of content.widgets) cell.model.trusted = true;
 }"""
+# Selects code cells by their numbers, for the command that runs the selected cells; drops what they show.
+SELECT = """([path, numbers]) => {
+    const widgets = [...window.jupyterapp.shell.widgets("main")];
+    const {content} = widgets.find(widget => widget.context?.path === path);
+    const cells = content.widgets.filter(cell => cell.model.type === "code");
+    content.deselectAll();
+    content.activeCellIndex = content.widgets.indexOf(cells[numbers[0]]);
+    for (const number of numbers) {
+        cells[number].model.clearExecution();
+        content.select(cells[number]);
+    }
+}"""
 CLOSE_ALL = (
     """() => { for (const widget of [...window.jupyterapp.shell.widgets("main")]) widget.dispose(); }"""
 )
@@ -251,6 +263,13 @@ class NotebookPage:
         self.page.evaluate(WATCH_RUN)
         self.page.get_by_role("menuitem", name="Run", exact=True).click()
         self.page.get_by_role("menuitem", name="Run All Cells", exact=True).click()
+        self._wait_until_run(timeout)
+
+    def run_cells(self, numbers, timeout=240):
+        """Runs the code cells of these numbers, as if they were selected, and waits until they have run."""
+        self.page.evaluate(SELECT, [self._name, numbers])
+        self.page.evaluate(WATCH_RUN)
+        self.page.evaluate("() => { window.jupyterapp.commands.execute('notebook:run-cell'); }")
         self._wait_until_run(timeout)
 
     def trust(self):

@@ -2,8 +2,7 @@
 
 import ast
 
-from IPython.core.inputtransformer2 import TransformerManager
-from solved_twin import names_of
+from needed_cells import names_of, needed_cells, tree_of
 
 # What differs: only these packages import ROS, or choose their messages by it (tests/test_imports.py).
 PACKAGES = ("imgproc_course.ros", "imgproc_course.messages")
@@ -29,26 +28,20 @@ def cells_of_ros(sources):
         if read & differs:
             chosen.add(number)
             differs |= bound
-    needed, missing = [], set()
-    for number in reversed(range(len(sources))):
-        if number in chosen or names[number][1] & missing:
-            needed.insert(0, number)
-            missing = missing - names[number][1] | names_of(_without_ros(sources[number]))[0]
-    return needed
-
-
-def _tree(source):
-    return ast.parse(TransformerManager().transform_cell(source))
+    names = [
+        (names_of(_without_ros(source))[0], bound) for source, (_, bound) in zip(sources, names, strict=True)
+    ]
+    return needed_cells(names, chosen)
 
 
 def _imported(source):
     """The names that a cell imports from PACKAGES."""
-    imports = [node for node in ast.walk(_tree(source)) if isinstance(node, ast.ImportFrom)]
+    imports = [node for node in ast.walk(tree_of(source)) if isinstance(node, ast.ImportFrom)]
     return {alias.asname or alias.name for node in imports if node.module in PACKAGES for alias in node.names}
 
 
 def _without_ros(source):
-    return ast.unparse(_WithoutRos().visit(_tree(source)))
+    return ast.unparse(_WithoutRos().visit(tree_of(source)))
 
 
 class _WithoutRos(ast.NodeTransformer):

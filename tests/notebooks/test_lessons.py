@@ -120,7 +120,7 @@ def test_nbval_finds_the_lesson_as_shipped_and_the_master_gives_the_same(path, t
     assert differences(build_lesson(master, shipped, executed), shipped) == []
 
 
-@pytest.mark.parametrize("master", by_lesson(MASTERS))
+@pytest.mark.parametrize("master", by_lesson(path for path in MASTERS if path.stem != INDEX))
 def test_nbval_finds_every_check_of_the_solved_twin_passing(master, tmp_path):
     shipped = nbformat.read(NOTEBOOKS / f"{master.stem}.ipynb", as_version=4)
     path = tmp_path / f"{master.stem}.ipynb"
