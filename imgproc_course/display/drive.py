@@ -203,7 +203,7 @@ class DriveView(LiveView):
 
 
 def _front_camera():
-    from imgproc_course.ros.camera import TOPIC
+    from imgproc_course.ros.robot_topics import TOPIC
 
     return TOPIC
 

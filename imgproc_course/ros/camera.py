@@ -11,16 +11,16 @@ import weakref
 from pathlib import Path
 
 from imgproc_course.ros.robot_process import RobotConnection, running_robot, shareable
+from imgproc_course.ros.robot_topics import TOPIC, camera_topics
 from imgproc_course.ros.session import RosSession
 from imgproc_course.ros.subscriber import weak_callback
 
-TOPIC = "/kachaka/front_camera/image_raw"
 SOURCES = ("recording", "room", "webcam", "topic")
 ROOM = {"seed": 0, "size": (640, 360), "lighting": "day", "start": None}  # the room, if nothing else is asked
 RATES = (30, 10)  # images per second of the room, up to this width in pixels and above
 FAST_WIDTH = 640
 robot_log = logging.getLogger("imgproc_course.ros.robot")  # the robot's warnings; display.drive shows them
-ROBOT_MODULE = "imgproc_course.ros.camera_publisher"  # imported only in the process that publishes
+ROBOT_MODULE = "imgproc_course.ros.robot_body"  # imported only in the process that publishes
 
 
 def open_camera(
@@ -128,11 +128,6 @@ def _room_request(rate=None, **options):
     if request["start"] is not None:
         request["start"] = tuple(float(value) for value in request["start"])
     return request | {"rate": float(rate or RATES[request["size"][0] > FAST_WIDTH])}
-
-
-def camera_topics(topic):
-    """The topics beside the raw images: (compressed, (camera info, camera info of the compressed images))."""
-    return f"{topic}/compressed", (f"{topic.rpartition('/')[0]}/camera_info", f"{topic}/camera_info")
 
 
 class Camera:

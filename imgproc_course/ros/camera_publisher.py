@@ -1,66 +1,20 @@
-"""What the robot process publishes: a recording or a webcam, as the robot's camera publishes its images."""
+"""Publishes a recording or a webcam, as the robot's camera publishes its images."""
 
 import threading
 import time
 
-import cv2
 from rclpy.event_handler import PublisherEventCallbacks
 from rclpy.qos import qos_profile_sensor_data
 from rclpy.time import Time
 from sensor_msgs.msg import CameraInfo, CompressedImage, Image
 from std_msgs.msg import Header
 
-from imgproc_course.recording import open_recording
-from imgproc_course.ros.camera import TOPIC, camera_topics
-from imgproc_course.ros.image_sources import RecordedImages, Webcam
-from imgproc_course.ros.robot_process import serve
+from imgproc_course.ros.robot_topics import TOPIC, camera_topics
 from imgproc_course.ros.session import RCLError, RosSession, log
 
 UNKNOWN_NODE_NAME = "_NODE_NAME_UNKNOWN_"  # rclpy's name for a node whose name has not arrived yet
 CHECK_PERIOD = 1.0  # seconds between two checks for other publishers of the topic
 CHECKS = 25  # that find others before the warning: ROS lists those of a killed process for 20 seconds more
-
-
-def open_body(request):
-    """The body that a request of `open_camera` asks for; it publishes after its `start`.
-
-    Raises
-    ------
-    RecordingError, ValueError, RuntimeError : as `open_camera`
-    """
-    source, topic = request["source"], request["topic"]
-    if source == "topic":
-        return OtherPublisher(topic)
-    if source == "room":
-        # Only for a room: what draws it takes a while to import.
-        from imgproc_course.ros.room_publisher import open_room
-
-        return open_room(request)
-    if source == "webcam":
-        return CameraPublisher(topic, Webcam(), f"a webcam on {topic}")
-    recording = open_recording(request["recording"], camera_topic=request["camera_topic"])
-    images = RecordedImages(recording, request["speed"], request["loop"], request["stamps"])
-    description = f"playing {request['recording']} at {images.rate:g} Hz on {topic}"
-    return CameraPublisher(topic, images, description)
-
-
-class OtherPublisher:
-    """Publishes nothing: another node, such as a real robot's bridge, publishes the topic."""
-
-    running = True
-
-    def __init__(self, topic):
-        self._topic = topic
-        self.description = f"a camera that another node publishes on {topic}"
-
-    def start(self, on_end):
-        pass
-
-    def stop(self):
-        self.running = False
-
-    def status(self):
-        return {"running": False, "topic": self._topic}
 
 
 class CameraPublisher:
@@ -213,15 +167,3 @@ class CameraPublisher:
                 self.topic,
                 ", ".join(sorted(other_nodes)),
             )
-
-
-def use_one_thread_for_images():
-    """For images of the robot's size OpenCV's threads take more of the processor's time than they save."""
-    cv2.setNumThreads(1)
-
-
-def main(arguments):
-    """What the robot process runs."""
-    use_one_thread_for_images()
-    serve(arguments, open_body)
-    RosSession().stop()

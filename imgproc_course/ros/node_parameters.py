@@ -1,6 +1,6 @@
-"""The ROS parameters of an ImageProcessor: the numbers that `process` takes, and `display`."""
+"""The ROS parameters of an ImageProcessor: the numbers that `process` takes."""
 
-from rcl_interfaces.msg import ParameterDescriptor, SetParametersResult
+from rcl_interfaces.msg import SetParametersResult
 
 
 class NodeParameters:
@@ -11,12 +11,10 @@ class NodeParameters:
     node : rclpy Node
     numeric_parameters : sequence of NumericParameter
     check : function(**values) that raises ValueError if the values do not fit together; or None
-    window_problem : function that returns why no window can be opened, or None
 
     Attributes
     ----------
     values : {name: number} of the numeric parameters
-    display : bool, whether the images are shown in windows
 
     Raises
     ------
@@ -24,18 +22,15 @@ class NodeParameters:
     rclpy.exceptions.ParameterException : an initial value is out of its range, or has another type
     """
 
-    def __init__(self, node, numeric_parameters, check, window_problem):
+    def __init__(self, node, numeric_parameters, check):
         self._types = {parameter.name: type(parameter.default) for parameter in numeric_parameters}
         self._check = check
-        self._window_problem = window_problem
         initial = {
             parameter.name: node.declare_parameter(
                 parameter.name, parameter.default, parameter.descriptor()
             ).value
             for parameter in numeric_parameters
         }
-        descriptor = ParameterDescriptor(description="show the images in OpenCV windows")
-        self.display = node.declare_parameter("display", False, descriptor).value
         self.values = self._checked(initial)
         node.add_on_set_parameters_callback(self._validate)
         node.add_post_set_parameters_callback(self._apply)
@@ -61,15 +56,8 @@ class NodeParameters:
             self._checked(self._merged(request))
         except ValueError as error:
             return SetParametersResult(successful=False, reason=str(error))
-        if any(parameter.name == "display" and parameter.value for parameter in request) and not self.display:
-            problem = self._window_problem()
-            if problem:
-                return SetParametersResult(successful=False, reason=problem)
         return SetParametersResult(successful=True)
 
     def _apply(self, request):
         # One assignment: an image is processed with all old values or with all new ones, never with a mix.
         self.values = self._checked(self._merged(request))
-        for parameter in request:
-            if parameter.name == "display":
-                self.display = parameter.value

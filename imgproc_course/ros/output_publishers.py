@@ -37,10 +37,6 @@ class OutputPublishers:
     def topics(self):
         return [publisher.topic_name for publisher in self.publishers.values()]
 
-    def all(self):
-        """The names of all outputs."""
-        return list(self.publishers)
-
     def subscribed(self):
         """The names of the outputs that have a subscriber."""
         return [output for output, publisher in self.publishers.items() if publisher.get_subscription_count()]

@@ -1,11 +1,8 @@
 """The camera for a terminal: `imgproc-course play` starts or joins it, until Ctrl-C."""
 
-import signal
-import sys
-import threading
 import time
 
-from imgproc_course.ros.camera import ROOM, open_camera
+from imgproc_course.ros.camera import open_camera
 from imgproc_course.ros.session import RosSession
 from imgproc_course.ros.stop_signals import stop_signals
 
@@ -37,22 +34,6 @@ def play(*, recording="drive", status_seconds=STATUS_SECONDS, **options):
                 return 0 if camera.last_error is None else 1
         finally:
             RosSession().stop()
-
-
-def publish(topic, speed, source="recording"):
-    """Publishes the drive, or the room, as a camera of its own, on a topic of its own, until SIGTERM.
-
-    speed : factor on 10 Hz
-    """
-    from imgproc_course.ros.camera_publisher import open_body, use_one_thread_for_images
-
-    use_one_thread_for_images()
-    signal.signal(signal.SIGTERM, lambda *_: sys.exit())
-    options = {"recording": "drive", "camera_topic": None, "speed": speed, "loop": True, "stamps": "now"}
-    if source == "room":
-        options = ROOM | {"rate": 10.0 * speed}
-    open_body({"source": source, "topic": topic} | options).start(on_end=lambda: None)
-    threading.Event().wait()
 
 
 def _first_line(camera, recording):

@@ -20,16 +20,15 @@ from sensor_msgs.msg import CompressedImage, Image
 from std_msgs.msg import String
 
 from imgproc_course.messages import ConversionError, compressed_to_array, image_to_array
-from imgproc_course.ros.camera import TOPIC
 from imgproc_course.ros.diagnostics import explain_missing_messages
 from imgproc_course.ros.node_log import NodeLog
 from imgproc_course.ros.node_parameters import NodeParameters
 from imgproc_course.ros.output_publishers import OutputPublishers
 from imgproc_course.ros.process_function import SkippedImageError, call_process
+from imgproc_course.ros.robot_topics import TOPIC
 from imgproc_course.ros.session import RosSession, spin_once
 from imgproc_course.ros.stream_statistics import SILENCE, ProcessingStatistics, StreamMonitor
 from imgproc_course.ros.subscriber import QOS
-from imgproc_course.ros.windows import OutputWindows
 
 # BEST_EFFORT, VOLATILE, depth 5: what cameras offer. A late image is worth nothing, so a lost one is not sent
 # again. If more than five images wait, the oldest are dropped.
@@ -57,7 +56,7 @@ class ImageProcessor(Node):
     its results. Without a subscriber it processes nothing.
 
     The node publishes its `statistics()` once per second on `~/statistics` (std_msgs/String, JSON), if that
-    topic has a subscriber. The parameter `display` shows the images in OpenCV windows.
+    topic has a subscriber.
 
     No image stops the node: a failure is counted, and logged with its cause at most every 5 s. In a
     RosSession, the node replaces the one of the same name.
@@ -75,8 +74,7 @@ class ImageProcessor(Node):
         self._statistics = ProcessingStatistics()
         self._stream = StreamMonitor()
         self._log = NodeLog(self)
-        self._windows = OutputWindows(self, self._log)
-        self._node_parameters = NodeParameters(self, parameters, check, self._windows.problem)
+        self._node_parameters = NodeParameters(self, parameters, check)
         self._outputs = OutputPublishers(self, outputs, SENSOR_DATA, self._log)
         self._statistics_publisher = self.create_publisher(String, "~/statistics", 1)
         self._subscribe()
@@ -108,7 +106,7 @@ class ImageProcessor(Node):
         return self._statistics.last_error
 
     def spin(self, should_stop=lambda: False):
-        """Runs the node in the main thread, and shows the windows between two callbacks.
+        """Runs the node.
 
         Parameters
         ----------
@@ -118,16 +116,13 @@ class ImageProcessor(Node):
         ------
         rclpy.executors.ExternalShutdownException : ROS was shut down meanwhile
         """
-        self._windows.start(self._node_parameters.display)
         executor = SingleThreadedExecutor(context=self.context)
         executor.add_node(self)
         try:
             while not should_stop():
-                spin_once(executor, timeout_sec=0.05 if self._node_parameters.display else 0.1)
-                self._windows.refresh(self._node_parameters.display)
+                spin_once(executor, timeout_sec=0.1)
         finally:
             executor.shutdown()
-            self._windows.close()
 
     def _subscribe(self):
         self._topic = self.resolve_topic_name(TOPIC)
@@ -153,7 +148,7 @@ class ImageProcessor(Node):
         start = time.perf_counter()
         self._statistics.count_received(info.get("publication_sequence_number"))
         self._stream.observe(msg)
-        outputs = self._outputs.all() if self._node_parameters.display else self._outputs.subscribed()
+        outputs = self._outputs.subscribed()
         if not outputs:
             self._statistics.ignored += 1
         elif self._process_message(msg, outputs):
@@ -166,13 +161,10 @@ class ImageProcessor(Node):
         try:
             frame = self._frame_of(msg)
             arrays = call_process(self._process, frame, self._node_parameters.values, outputs)
-            published = self._outputs.publish(arrays, msg.header)
+            return self._outputs.publish(arrays, msg.header)
         except SkippedImageError as error:
             self._count_failure(str(error))
             return False
-        if self._node_parameters.display:
-            self._windows.update(arrays)
-        return published
 
     def _frame_of(self, msg):
         try:

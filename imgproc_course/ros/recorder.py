@@ -12,10 +12,9 @@ from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from imgproc_course.recording import RecordingError, RecordingWriter
 from imgproc_course.recording.message_classes import installed_class
 from imgproc_course.recording.topics import POSE_PREFIX, POSES
-from imgproc_course.ros.camera import TOPIC, camera_topics
 from imgproc_course.ros.loss_counter import LossCounter
 from imgproc_course.ros.robot_process import running_robot
-from imgproc_course.ros.robot_topics import COMMANDS, ODOMETRY, SCAN
+from imgproc_course.ros.robot_topics import COMMANDS, ODOMETRY, SCAN, TOPIC, camera_topics
 from imgproc_course.ros.session import RosSession, log
 from imgproc_course.ros.stop_signals import stop_signals
 from imgproc_course.ros.subscriber import weak_callback

@@ -1,5 +1,6 @@
-"""The robot's topics beside those of its camera, with the names that the real robot's bridge gives them."""
+"""The robot's topics, with the names that the real robot's bridge gives them."""
 
+TOPIC = "/kachaka/front_camera/image_raw"
 COMMANDS = "/kachaka/manual_control/cmd_vel"
 ENABLED = "/kachaka/manual_control/set_enabled"
 ODOMETRY = "/kachaka/odometry/odometry"
@@ -7,3 +8,8 @@ WHEEL_ODOMETRY = "/kachaka/wheel_odometry/wheel_odometry"
 SCAN = "/kachaka/lidar/scan"
 TOF = "/kachaka/tof_camera"
 ROOM_NODE = "room"  # of the simulated robot alone: its parameters
+
+
+def camera_topics(topic):
+    """The topics beside the raw images: (compressed, (camera info, camera info of the compressed images))."""
+    return f"{topic}/compressed", (f"{topic.rpartition('/')[0]}/camera_info", f"{topic}/camera_info")

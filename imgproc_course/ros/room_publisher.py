@@ -1,4 +1,4 @@
-"""What the robot process publishes of the room: a robot that can be driven, on the real robot's topics."""
+"""Publishes the room: a robot that can be driven, on the real robot's topics."""
 
 import math
 import time

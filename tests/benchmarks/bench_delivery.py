@@ -88,7 +88,7 @@ def _camera(seconds):
 
 def _subscribe(seconds):
     from imgproc_course.ros import ImageSubscriber
-    from imgproc_course.ros.camera import TOPIC
+    from imgproc_course.ros.robot_topics import TOPIC
 
     latency = []
 

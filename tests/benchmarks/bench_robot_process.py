@@ -82,7 +82,7 @@ def camera_processes():
     processes = []
     for process in psutil.process_iter(["cmdline"]):
         command = process.info["cmdline"] or []
-        if "camera_publisher import main" in " ".join(command) and command[-3] == os.environ["ROS_DOMAIN_ID"]:
+        if "robot_body import main" in " ".join(command) and command[-3] == os.environ["ROS_DOMAIN_ID"]:
             processes.append(process)
     return processes
 

@@ -88,7 +88,7 @@ class Driver(threading.Thread):
 
 
 def is_room(process):
-    return "player import publish" in " ".join(process.cmdline())
+    return "bench_soak import publish" in " ".join(process.cmdline())
 
 
 def main():

@@ -9,9 +9,11 @@ it shorter than 10 minutes after 25 seconds. Ctrl-C ends it and reports what was
 
 import json
 import os
+import signal
 import statistics
 import subprocess
 import sys
+import threading
 import time
 from pathlib import Path
 
@@ -21,7 +23,9 @@ from rich.console import Console
 from rich.table import Table
 from std_msgs.msg import String
 
-from imgproc_course.ros.camera import TOPIC
+from imgproc_course.ros.camera import ROOM
+from imgproc_course.ros.robot_body import open_body
+from imgproc_course.ros.robot_topics import TOPIC
 from imgproc_course.ros.session import RosSession
 from imgproc_course.ros.subscriber import ImageSubscriber
 
@@ -34,7 +38,7 @@ START_TIMEOUT = 60.0  # seconds that a process may take to start, or to end
 # Memory varies by the working arrays of one image (Canny's: 9 MiB), depending on the moment of the sample.
 # A leak of one image in 200 would add 250 MB in 10 minutes.
 MEMORY_SLACK = 20 << 20
-PLAY = "from imgproc_course.ros.player import publish; publish({!r}, {!r}, {!r})"
+PLAY = f"import sys; sys.path.insert(0, {str(Path(__file__).parent)!r}); from bench_soak import publish; "
 RUN = "import sys; sys.path.insert(0, {!r}); from {name}.{name} import main; sys.exit(main())"
 SOURCES = Path(__file__).parents[2] / "environment" / "ros2_ws" / "src"
 
@@ -60,6 +64,17 @@ def soak(source="recording"):
     return run.report()
 
 
+def publish(topic, source):
+    """Publishes the drive, or the room, as a camera of its own, on a topic of its own, until SIGTERM."""
+    cv2.setNumThreads(1)  # as the robot process does
+    signal.signal(signal.SIGTERM, lambda *_: sys.exit())
+    options = {"recording": "drive", "camera_topic": None, "speed": SPEED, "loop": True, "stamps": "now"}
+    if source == "room":
+        options = ROOM | {"rate": 10.0 * SPEED}
+    open_body({"source": source, "topic": topic} | options).start(on_end=lambda: None)
+    threading.Event().wait()
+
+
 class SoakRun:
     """Camera, nodes and subscribers of one run, and what was measured."""
 
@@ -67,7 +82,7 @@ class SoakRun:
         self._namespace = f"/soak_{os.getpid()}"
         self._topic = f"{self._namespace}/image_raw"
         remapping = ["--ros-args", "-r", f"{TOPIC}:={self._topic}", "-r", f"__ns:={self._namespace}"]
-        self._commands = {"camera": [sys.executable, "-c", PLAY.format(self._topic, SPEED, source)]}
+        self._commands = {"camera": [sys.executable, "-c", f"{PLAY}publish({self._topic!r}, {source!r})"]}
         self._commands |= {name: [*node_command(name), *remapping] for name in NODES}
         self._processes, self._samples, self._subscribers, self._counts_before = {}, {}, {}, {}
         self._stderr = dict.fromkeys(self._commands, b"")  # the end of each process's stderr

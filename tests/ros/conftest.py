@@ -46,7 +46,7 @@ def no_robot_of_another_module():
 def _robot_processes():
     for process in psutil.process_iter(["cmdline"]):
         arguments = process.info["cmdline"] or []
-        is_robot = "camera_publisher" in "".join(arguments[3:4])
+        is_robot = "robot_body" in "".join(arguments[3:4])
         if is_robot and arguments[4:5] == [os.environ["ROS_DOMAIN_ID"]]:
             yield process
 

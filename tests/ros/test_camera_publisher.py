@@ -173,7 +173,7 @@ def test_the_depth_of_the_recording_comes_with_its_images(start_camera, collect,
 def test_the_publishers_offer_sensor_data_qos(start_camera, session, wait_until):
     from rclpy.qos import DurabilityPolicy, ReliabilityPolicy
 
-    from imgproc_course.ros.camera import camera_topics
+    from imgproc_course.ros.robot_topics import camera_topics
 
     camera = start_camera()
     compressed_topic, info_topics = camera_topics(camera.topic)

@@ -292,15 +292,6 @@ def test_initial_values_that_do_not_fit_together_are_refused(session):
         )
 
 
-def test_display_in_a_notebook_is_refused_because_windows_need_the_main_thread(make_node):
-    from rclpy.parameter import Parameter
-
-    node = make_node(lambda frame: {"gray": frame})
-    result = node.set_parameters_atomically([Parameter("display", value=True)])
-    assert not result.successful
-    assert result.reason.startswith("display needs a process for the node alone (ros2 run)")
-
-
 def test_statistics_are_published_while_the_topic_has_a_subscriber(
     session, make_node, publish, subscribe, wait_until
 ):
@@ -316,84 +307,6 @@ def test_statistics_are_published_while_the_topic_has_a_subscriber(
     median, slowest = statistics["latency_ms"]
     assert 0 < median <= slowest and statistics["process_ms"][0] <= median
     assert (statistics["failed"], statistics["lost"], statistics["last_error"]) == (0, 0, None)
-
-
-SHOWS = """
-import threading, time
-import numpy as np
-import imgproc_course.ros.windows as windows
-from imgproc_course.messages import array_to_image
-from imgproc_course.ros import ImageProcessor, RosSession, run_processor
-from imgproc_course.ros.camera import TOPIC
-from rclpy.qos import qos_profile_sensor_data
-from sensor_msgs.msg import Image
-
-def draw(images):
-    if images:
-        names = sorted(images), threading.current_thread() is threading.main_thread()
-        print(*names, {title: array.tolist() for title, array in images.items()}, flush=True)
-        raise KeyboardInterrupt
-windows.window_problem = lambda: None
-windows.draw = draw
-windows.close_all = lambda: print("closed", flush=True)
-
-session = RosSession.current()
-camera = session.node.create_publisher(Image, TOPIC, qos_profile_sensor_data)
-def play():
-    camera.publish(array_to_image(np.full((1, 2, 3), 9, np.uint8), "bgr8"))
-session.node.create_timer(0.05, play)
-def make():
-    process = lambda frame: {"gray": frame[..., 0], "view": lambda: frame}
-    node = ImageProcessor("shows", process, ["gray", "view"])
-    return node
-raise SystemExit(run_processor(make, ["--ros-args", "-p", "display:=true"]))
-"""
-
-
-def test_windows_show_every_output_in_the_main_thread_and_are_closed(run_python):
-    code, out, err = run_python(SHOWS)
-    assert code == 0, err
-    assert out.splitlines() == [
-        "['/shows/gray', '/shows/view'] True "
-        "{'/shows/gray': [[9, 9]], '/shows/view': [[[9, 9, 9], [9, 9, 9]]]}",
-        "closed",
-    ]
-    assert "Traceback" not in err
-
-
-def test_an_opencv_that_fails_to_show_switches_display_off_and_the_node_continues(run_python):
-    fails = SHOWS.replace(
-        "        raise KeyboardInterrupt\n", "        import cv2; raise cv2.error('the screen is gone')\n"
-    )
-    leave = """
-    def leave_when_off():
-        import os, signal
-        if not node.get_parameter("display").value: os.kill(os.getpid(), signal.SIGTERM)
-    node.create_timer(0.1, leave_when_off)
-    return node
-"""
-    ends = fails.replace("    return node\n", leave)
-    code, out, err = run_python(ends)
-    assert (code, out.count("True"), out.splitlines()[1:]) == (0, 1, ["closed"]), err
-    assert "OpenCV cannot show the images" in err and "display is switched off" in err
-    assert "Traceback" not in err
-
-
-def test_a_missing_screen_does_not_end_the_process(monkeypatch):
-    from imgproc_course.ros import windows
-
-    monkeypatch.setenv("DISPLAY", ":77")
-    monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
-    # OpenCV's window library does this without a screen: it ends the process.
-    monkeypatch.setattr(windows, "_PROBE", "import os; os.abort()")
-    assert windows.window_problem() == (
-        "display needs a screen, and no screen answers (DISPLAY is :77); start the node on a desktop"
-    )
-    monkeypatch.setattr(windows, "_PROBE", "pass")
-    assert windows.window_problem() is None
-    monkeypatch.setattr(windows, "SCREEN_TIMEOUT", 0.2)
-    monkeypatch.setattr(windows, "_PROBE", "import time; time.sleep(60)")
-    assert windows.window_problem() == "display needs a screen, and no screen answered within 0.2 s"
 
 
 SIGNALS = """

@@ -116,7 +116,7 @@ def robot_processes(domain=None):
     found = []
     for process in psutil.process_iter(["cmdline"]):
         command = process.info["cmdline"] or []
-        if "camera_publisher import main" in " ".join(command) and command[-3] == domain:
+        if "robot_body import main" in " ".join(command) and command[-3] == domain:
             found.append(process)
     return found
 

@@ -614,7 +614,7 @@ def test_after_its_process_was_killed_the_notebook_goes_on(robot, wait_until, ca
         subscriber.wait(30)
         for process in psutil.process_iter(["cmdline"]):
             command = process.info["cmdline"] or []
-            is_robot = "camera_publisher import main" in " ".join(command)
+            is_robot = "robot_body import main" in " ".join(command)
             if is_robot and command[-3] == os.environ["ROS_DOMAIN_ID"]:
                 process.kill()
         wait_until(lambda: any("ended unexpectedly" in record.message for record in caplog.records))

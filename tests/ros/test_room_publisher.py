@@ -183,7 +183,7 @@ def test_without_panda3d_the_room_says_so_before_anything_is_published(run_pytho
     code, out, err = run_python(
         "import sys\nsys.modules['panda3d'] = None\n"
         "from imgproc_course.ros.camera import ROOM\n"
-        "from imgproc_course.ros.camera_publisher import open_body\n"
+        "from imgproc_course.ros.robot_body import open_body\n"
         "try:\n    open_body({'source': 'room', 'topic': '/image', 'rate': 30.0} | ROOM)\n"
         "except RuntimeError as error:\n    print(error)\n"
     )

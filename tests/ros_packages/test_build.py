@@ -135,8 +135,8 @@ def launch_stubs(monkeypatch):
 
 
 DECLARED = {
-    "image_edge_detection": {"low": 50, "high": 150, "sigma": 0.0, "display": False},
-    "image_gray_processor": {"display": False},
+    "image_edge_detection": {"low": 50, "high": 150, "sigma": 0.0},
+    "image_gray_processor": {},  # none
 }
 
 
@@ -153,18 +153,18 @@ def test_the_launch_file_starts_the_executable_with_the_parameters_that_the_node
     assert (source, target.arguments) == (tools.topic, ("topic",))
     defaults = {argument.arguments[0]: argument.options["default_value"] for argument in arguments}
     assert defaults.pop("topic") == tools.topic
-    [parameters] = node.options["parameters"]
+    [parameters] = node.options.get("parameters", [{}])
     assert {
         key: (value.arguments[0].arguments, value.options["value_type"]) for key, value in parameters.items()
     } == {key: ((key,), type(value)) for key, value in DECLARED[name].items()}
     assert {key: ast.literal_eval(value.capitalize()) for key, value in defaults.items()} == DECLARED[name]
 
 
-def test_the_default_values_of_the_launch_files_are_those_of_the_nodes(start_node, parameters_of):
-    for name, values in DECLARED.items():
-        process = start_node(name)
-        assert parameters_of(name).get(*values) == list(values.values())
-        assert process.leave() == 0
+def test_the_default_values_of_the_launch_file_are_those_of_the_node(start_node, parameters_of):
+    name = "image_edge_detection"
+    process = start_node(name)
+    assert parameters_of(name).get(*DECLARED[name]) == list(DECLARED[name].values())
+    assert process.leave() == 0
 
 
 WITHOUT_ROS = """

@@ -26,15 +26,15 @@ def parameters(node, parameters_of):
 
 
 def test_each_parameter_has_a_range_and_a_description(parameters):
-    low, high, sigma, display = parameters.describe("low", "high", "sigma", "display")
+    low, high, sigma = parameters.describe("low", "high", "sigma")
     for threshold in (low, high):
         [limits] = threshold.integer_range
         assert (limits.from_value, limits.to_value) == (0, 1530)
         assert "a pixel above it is " in threshold.description and "4 h" in threshold.description
     [limits] = sigma.floating_point_range
     assert (limits.from_value, limits.to_value) == (0.0, 10.0)
-    assert "pixels" in sigma.description and "windows" in display.description
-    assert parameters.get("low", "high", "sigma", "display") == [50, 150, 0.0, False]
+    assert "pixels" in sigma.description
+    assert parameters.get("low", "high", "sigma") == [50, 150, 0.0]
 
 
 def test_thresholds_changed_in_mid_stream_take_effect_together(
@@ -97,25 +97,6 @@ def test_sigma_accepts_whole_numbers_too(parameters, collect, camera, tools, gra
     assert (expected != cv2.Canny(gray_of(frame), 50, 150)).any()
     result = camera.get_result(collect(f"/{EDGE}/edges"), tools.message_of(frame))
     assert (tools.pixels(result) == expected).all()
-
-
-def test_display_is_refused_if_opencv_has_no_windows(node, parameters):
-    accepted, reason = parameters.set(display=True)
-    assert not accepted
-    assert reason.startswith("display needs an OpenCV with windows, and this one is headless: pip uninstall")
-    assert parameters.get("display") == [False]
-
-
-def test_display_requested_at_the_start_says_what_to_install_and_the_node_continues(
-    start_node, parameters_of
-):
-    process = start_node(EDGE, "-p", "display:=true")
-    process.wait_for(
-        "then pip install opencv-python; or use live_view in a notebook; the node continues without windows"
-    )
-    assert parameters_of(EDGE).get("display") == [False]
-    assert process.leave() == 0
-    assert "Traceback" not in process.output
 
 
 @pytest.mark.parametrize(

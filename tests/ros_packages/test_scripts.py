@@ -11,12 +11,12 @@ import pytest
 
 pytestmark = pytest.mark.ros
 
-SCRIPTS = sorted((Path(__file__).parents[2] / "environment" / "ros2_ws" / "scripts").glob("*.py"))
+SCRIPTS = sorted((Path(__file__).parents[2] / "environment" / "ros2_ws" / "scripts").glob("image_*.py"))
 NAMES = [path.stem for path in SCRIPTS]
 # Runs a script that receives a signal while it makes its n-th message: the first is the camera's, which ROS
 # hands over; the second is the view, which the script is about to publish.
 SIGNALLED = """
-import os, runpy, sys, time
+import os, pathlib, runpy, sys, time
 from sensor_msgs.msg import Image
 script, number, last = sys.argv[1], int(sys.argv[2]), int(sys.argv[3])
 make, count = Image.__init__, 0
@@ -28,6 +28,7 @@ def make_and_signal(self, **fields):
         time.sleep(0.2)  # if ROS has signal handlers of its own, they end it meanwhile
     make(self, **fields)
 Image.__init__ = make_and_signal
+sys.path.insert(0, str(pathlib.Path(script).parent))
 runpy.run_path(script, run_name="__main__")
 """
 
@@ -97,3 +98,24 @@ def test_a_signal_in_the_middle_of_an_image_ends_the_script_quietly(path, number
     camera.send_until(lambda: not process.running, tools.message_of(tools.make_frame(5)))
     assert process.wait() == 0
     assert process.output.count("\n") == 2, process.output  # that it has no window, and that it has started
+
+
+def test_a_missing_screen_does_not_end_the_process(monkeypatch):
+    monkeypatch.syspath_prepend(SCRIPTS[0].parent)
+    import windows
+
+    monkeypatch.setenv("DISPLAY", ":77")
+    monkeypatch.delenv("WAYLAND_DISPLAY", raising=False)
+    assert windows.window_problem().startswith(
+        "windows need an OpenCV that has them, and this one is headless"
+    )
+    # OpenCV's window library does this without a screen: it ends the process.
+    monkeypatch.setattr(windows, "PROBE", "import os; os.abort()")
+    assert windows.window_problem() == (
+        "windows need a screen, and no screen answers (DISPLAY is :77); start the node on a desktop"
+    )
+    monkeypatch.setattr(windows, "PROBE", "pass")
+    assert windows.window_problem() is None
+    monkeypatch.setattr(windows, "SCREEN_TIMEOUT", 0.2)
+    monkeypatch.setattr(windows, "PROBE", "import time; time.sleep(60)")
+    assert windows.window_problem() == "windows need a screen, and no screen answered within 0.2 s"

@@ -10,10 +10,10 @@ from rclpy.executors import ExternalShutdownException
 from rclpy.node import Node
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from sensor_msgs.msg import Image
+from windows import window_problem
 
 # On a robot with cv_bridge: from cv_bridge import CvBridge, CvBridgeError
 from imgproc_course.messages.cv_bridge import CvBridge, CvBridgeError
-from imgproc_course.ros.windows import window_problem
 
 
 class ImageEdgeDetection(Node):

@@ -20,7 +20,6 @@ def generate_launch_description():
             DeclareLaunchArgument(
                 "sigma", default_value="0.0", description="standard deviation of the Gaussian blur, in pixels"
             ),
-            DeclareLaunchArgument("display", default_value="false", description="show OpenCV windows"),
             Node(
                 package="image_edge_detection",
                 executable="image_edge_detection",
@@ -31,7 +30,6 @@ def generate_launch_description():
                         "low": ParameterValue(LaunchConfiguration("low"), value_type=int),
                         "high": ParameterValue(LaunchConfiguration("high"), value_type=int),
                         "sigma": ParameterValue(LaunchConfiguration("sigma"), value_type=float),
-                        "display": ParameterValue(LaunchConfiguration("display"), value_type=bool),
                     }
                 ],
             ),

@@ -1,10 +1,9 @@
-"""ros2 launch image_gray_processor image_gray_processor.launch.py display:=true"""
+"""ros2 launch image_gray_processor image_gray_processor.launch.py"""
 
 from launch import LaunchDescription
 from launch.actions import DeclareLaunchArgument
 from launch.substitutions import LaunchConfiguration
 from launch_ros.actions import Node
-from launch_ros.parameter_descriptions import ParameterValue
 
 TOPIC = "/kachaka/front_camera/image_raw"
 
@@ -15,13 +14,11 @@ def generate_launch_description():
             DeclareLaunchArgument(
                 "topic", default_value=TOPIC, description="topic of the camera, raw or /compressed"
             ),
-            DeclareLaunchArgument("display", default_value="false", description="show OpenCV windows"),
             Node(
                 package="image_gray_processor",
                 executable="image_gray_processor",
                 output="screen",
                 remappings=[(TOPIC, LaunchConfiguration("topic"))],
-                parameters=[{"display": ParameterValue(LaunchConfiguration("display"), value_type=bool)}],
             ),
         ]
     )
