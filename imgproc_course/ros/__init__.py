@@ -4,6 +4,9 @@ Importing this package chooses the Fast DDS profile (unless you set one). The im
 ROS, `ros_available()` is False, and everything that needs a graph raises RosMissingError with the remedy.
 """
 
+from pathlib import Path
+from typing import TYPE_CHECKING
+
 from imgproc_course.ros.availability import RosMissingError, class_stub, import_problem, run_processor_stub
 from imgproc_course.ros.numeric_parameter import NumericParameter
 from imgproc_course.ros.profile import DdsProfile, choose_profile
@@ -14,7 +17,7 @@ _profile = choose_profile()
 choose_domain()
 _problem = import_problem()
 
-if _problem is None:
+if TYPE_CHECKING or _problem is None:
     from imgproc_course.ros.camera import Camera, open_camera
     from imgproc_course.ros.node_process import run_processor
     from imgproc_course.ros.processor import ImageProcessor
@@ -22,6 +25,9 @@ if _problem is None:
     from imgproc_course.ros.robot_process import RobotInUseError
     from imgproc_course.ros.session import RosSession
     from imgproc_course.ros.subscriber import ImageSubscriber
+
+    if TYPE_CHECKING:
+        from imgproc_course.ros.recorder import Recorder
 else:
     Camera, ImageProcessor, ImageSubscriber, Robot, RosSession, open_camera = (
         class_stub(name, _problem)
@@ -31,22 +37,22 @@ else:
     run_processor = run_processor_stub(_problem)
 
 
-def ros_available():
+def ros_available() -> bool:
     """Whether a ROS graph can run here."""
     return _problem is None
 
 
-def ros_problem():
+def ros_problem() -> str | None:
     """Why no ROS graph can run here, with the remedy, in one line; None if one can run."""
     return _problem
 
 
-def dds_profile():
-    """The Fast DDS profile that this process uses: a DdsProfile; its `str()` is one readable line."""
+def dds_profile() -> DdsProfile:
+    """The Fast DDS profile that this process uses; its `str()` is one readable line."""
     return _profile
 
 
-def record(topics=None, path="my_drive"):
+def record(topics: str | list[str] | None = None, path: str | Path = "my_drive") -> "Recorder":
     """Records topics into a new recording in MCAP, until it is stopped: see `Recorder`, which it returns."""
     if _problem is not None:
         raise RosMissingError(_problem)

@@ -8,7 +8,9 @@ import numbers
 import os
 import threading
 import weakref
+from collections.abc import Sequence
 from pathlib import Path
+from typing import Any, Self
 
 from imgproc_course.ros.robot_process import RobotConnection, running_robot, shareable
 from imgproc_course.ros.robot_topics import TOPIC, camera_topics
@@ -16,7 +18,13 @@ from imgproc_course.ros.session import RosSession
 from imgproc_course.ros.subscriber import weak_callback
 
 SOURCES = ("recording", "room", "webcam", "topic")
-ROOM = {"seed": 0, "size": (640, 360), "lighting": "day", "start": None}  # the room, if nothing else is asked
+# The room, if nothing else is asked.
+ROOM: dict[str, Any] = {
+    "seed": 0,
+    "size": (640, 360),
+    "lighting": "day",
+    "start": None,
+}  # the room, if nothing else is asked
 RATES = (30, 10)  # images per second of the room, up to this width in pixels and above
 FAST_WIDTH = 640
 robot_log = logging.getLogger("imgproc_course.ros.robot")  # the robot's warnings; display.drive shows them
@@ -24,21 +32,21 @@ ROBOT_MODULE = "imgproc_course.ros.robot_body"  # imported only in the process t
 
 
 def open_camera(
-    source="recording",
+    source: str = "recording",
     *,
-    topic=TOPIC,
-    speed=1.0,
-    loop=True,
-    recording="drive",
-    camera_topic=None,
-    stamps="now",
-    seed=None,
-    size=None,
-    lighting=None,
-    start=None,
-    rate=None,
-    switch=False,
-):
+    topic: str = TOPIC,
+    speed: float = 1.0,
+    loop: bool = True,
+    recording: str | Path = "drive",
+    camera_topic: str | None = None,
+    stamps: str = "now",
+    seed: int | None = None,
+    size: Sequence[int] | None = None,
+    lighting: str | None = None,
+    start: Sequence[float] | None = None,
+    rate: float | None = None,
+    switch: bool = False,
+) -> "Camera":
     """Opens this machine's camera, which has the topics, headers and QoS of the robot's own camera.
 
     There is one camera for all your notebooks and programs in a ROS domain, as there is one on a robot. It
@@ -61,10 +69,6 @@ def open_camera(
     rate : images per second of the room; 30 if omitted, 10 for images more than 640 pixels wide
     switch : if other programs use the camera in another way: True switches it for all of them
 
-    Returns
-    -------
-    Camera
-
     Raises
     ------
     ValueError : an unknown source or stamps, a bad speed, topic name or option of the room
@@ -73,11 +77,11 @@ def open_camera(
     RuntimeError : no webcam answers, panda3d is missing for the room, or the camera's process does not start
     """
     _check_arguments(source, speed, stamps)
-    room = {"seed": seed, "size": size, "lighting": lighting, "start": start, "rate": rate}
-    room = {name: value for name, value in room.items() if value is not None}
+    options = {"seed": seed, "size": size, "lighting": lighting, "start": start, "rate": rate}
+    room = {name: value for name, value in options.items() if value is not None}
     _check_room(source, room)
     session = RosSession.current()
-    request = {"source": source, "topic": session.resolve_topic(topic)}
+    request: dict[str, Any] = {"source": source, "topic": session.resolve_topic(topic)}
     if source == "recording":
         own_path = str(recording) if recording == "drive" else str(Path(recording).absolute())
         request |= {"recording": own_path, "camera_topic": camera_topic, "speed": float(speed)}
@@ -94,7 +98,7 @@ def _check_arguments(source, speed, stamps):
             f"unknown source {source!r}; use 'recording', 'room', 'webcam' or 'topic'"
             + (f"; did you mean {close_matches[0]!r}?" if close_matches else "")
         )
-    if not (isinstance(speed, numbers.Real) and 0 < speed < float("inf")):
+    if not (_is_number(speed) and speed > 0):
         raise ValueError(f"speed must be a positive number, got {speed!r}; 1.0 plays at the recorded rate")
     if source != "recording" and speed != 1.0:
         raise ValueError(f"speed {speed!r} with source {source!r}: only a recording can change its speed")
@@ -134,24 +138,11 @@ class Camera:
     """This program's use of the camera, until it is stopped: see `open_camera`.
 
     It ends with the RosSession too, and when no reference to it is left; but the newest one is kept.
-
-    Attributes
-    ----------
-    description : what the camera is, for people: what it plays, at which rate, on which topic
-    topic, compressed_topic : sensor_msgs/Image (rgb8) and sensor_msgs/CompressedImage of the same images
-    info_topics : the camera info beside the raw image, and beside the compressed one
-    rate : the intended images per second; None for a robot, and for a webcam that does not know its rate
-    played : images that were due since the camera was started
-    published : raw images that were sent; without a subscriber none is sent
-    last_error : why the camera stopped by itself, in one line; None otherwise
-    bumps : how often the robot in the room has touched something; None for other sources
-    reached_rate : images per second of the room over the last seconds; None before, and for other sources
-    other_users : the other programs that use it: a list of `<program> (pid <pid>)`
     """
 
-    _newest = None  # keeps a camera that is bound to no name
+    _newest: "Camera | None" = None  # keeps a camera that is bound to no name
 
-    def __init__(self, request, switch=False):
+    def __init__(self, request: dict[str, Any], switch: bool = False):
         self._ended = threading.Event()
         self._connection = _connect(request, switch, weak_callback(self._on_event))
         self._status = {"topic": request["topic"]}
@@ -175,35 +166,66 @@ class Camera:
         return self._status
 
     @property
-    def topic(self):
+    def description(self) -> str | None:
+        """What the camera is, for people: what it plays, at which rate, on which topic."""
+        return self._now().get("description")
+
+    @property
+    def topic(self) -> str:
+        """The topic of sensor_msgs/Image, rgb8."""
         return self._now()["topic"]
 
     @property
-    def compressed_topic(self):
+    def compressed_topic(self) -> str:
+        """The topic of sensor_msgs/CompressedImage of the same images."""
         return camera_topics(self.topic)[0]
 
     @property
-    def info_topics(self):
+    def info_topics(self) -> tuple[str, str]:
+        """The topics of the camera info beside the raw image, and beside the compressed one."""
         return camera_topics(self.topic)[1]
 
-    description = property(lambda self: self._now().get("description"))
-    rate = property(lambda self: self._now().get("rate"))
-    played = property(lambda self: self._now().get("played", 0))
-    published = property(lambda self: self._now().get("published", 0))
-    last_error = property(lambda self: self._now().get("last_error"))
-    bumps = property(lambda self: self._now().get("bumps"))
-    reached_rate = property(lambda self: self._now().get("reached_rate"))
+    @property
+    def rate(self) -> float | None:
+        """Intended images per second; None for a robot, and for a webcam that does not know its rate."""
+        return self._now().get("rate")
 
     @property
-    def other_users(self):
+    def played(self) -> int:
+        """Images that were due since the camera was started."""
+        return self._now().get("played", 0)
+
+    @property
+    def published(self) -> int:
+        """Raw images that were sent; without a subscriber none is sent."""
+        return self._now().get("published", 0)
+
+    @property
+    def last_error(self) -> str | None:
+        """Why the camera stopped by itself, in one line; None otherwise."""
+        return self._now().get("last_error")
+
+    @property
+    def bumps(self) -> int | None:
+        """How often the robot in the room has touched something; None for other sources."""
+        return self._now().get("bumps")
+
+    @property
+    def reached_rate(self) -> float | None:
+        """Images per second of the room over the last seconds; None before, and for other sources."""
+        return self._now().get("reached_rate")
+
+    @property
+    def other_users(self) -> list[str]:
+        """The other programs that use it: `<program> (pid <pid>)`."""
         return [str(user) for user in self._now().get("users", ()) if user.pid != os.getpid()]
 
     @property
-    def running(self):
+    def running(self) -> bool:
         """Whether the camera publishes: False after `stop`, and after the end of a recording without loop."""
         return self._connection is not None and not self._connection.left and self._now()["running"]
 
-    def stop(self):
+    def stop(self) -> None:
         """Stops using the camera; it ends with its last user. A second call does nothing."""
         if self._connection is not None:
             self._connection.leave()
@@ -212,13 +234,13 @@ class Camera:
         if Camera._newest is self:
             Camera._newest = None
 
-    def wait(self, timeout=None):
+    def wait(self, timeout: float | None = None) -> bool:
         """Waits for the end of a recording without loop. Returns True if it has ended."""
         if self.running:
             self._ended.wait(timeout)
         return not self.running
 
-    def __enter__(self):
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *exception):
@@ -229,13 +251,13 @@ class Camera:
         state = ", stopped" if rate and not self.running else ""
         return f"<Camera {self.topic}{rate}{state}>"
 
-    def subscribers(self):
+    def subscribers(self) -> dict[str, int]:
         """How many subscribers each topic of the robot has, in all programs: {topic: count}."""
         return self._now()["subscribers"] if self.running else {}
 
 
 def _connect(request, switch, on_event):
-    """A connection to the robot process, or None if nothing of ours publishes the topic of another node."""
+    """A connection to the robot; None if nothing of ours publishes the topic of another node."""
     if not shareable():
         return _OwnRobot(request, on_event)
     domain = RosSession.current().context.get_domain_id()

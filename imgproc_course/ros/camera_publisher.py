@@ -2,6 +2,7 @@
 
 import threading
 import time
+from typing import Any
 
 from rclpy.event_handler import PublisherEventCallbacks
 from rclpy.qos import qos_profile_sensor_data
@@ -18,18 +19,7 @@ CHECKS = 25  # that find others before the warning: ROS lists those of a killed 
 
 
 class CameraPublisher:
-    """Publishes images on the four topics of a camera, until it is stopped or the images end.
-
-    Parameters
-    ----------
-    topic : full name of the topic of raw images
-    images : RecordedImages or Webcam; closed at the end
-    description : what is published, for people
-
-    Attributes
-    ----------
-    running : whether it publishes: False after `stop`, and after the end of the images
-    """
+    """Publishes RecordedImages or a Webcam on the topics of a camera, until it is stopped or they end."""
 
     def __init__(self, topic, images, description=""):
         self.topic, self.description = topic, description
@@ -37,18 +27,13 @@ class CameraPublisher:
         self._stopping = threading.Event()
         self._thread = threading.Thread(target=self._play, name=f"camera on {topic}", daemon=True)
         self._checks_with_others = 0
-        self._on_end = None
+        self._on_end = lambda: None
         self.running = False
         self.played = self.published = 0
-        self.last_error = None
+        self.last_error: str | None = None
 
     def start(self, on_end=lambda: None):
-        """Creates the publishers and begins to publish; calls `on_end` if the images end.
-
-        Raises
-        ------
-        ValueError : this process publishes messages of another type on one of the four topics
-        """
+        """Creates the publishers and begins to publish; calls `on_end` if the images end."""
         self._on_end = on_end
         self._session = RosSession.current()
         try:
@@ -66,7 +51,7 @@ class CameraPublisher:
 
     def _create_publishers(self):
         self._node = node = self._session.node
-        self._publishers = []
+        self._publishers: list[Any] = []
         # Without rclpy's default callbacks: on a mismatch of QoS it is the subscriber that gives the reason.
         events = PublisherEventCallbacks(use_default_callbacks=False)
 

@@ -25,18 +25,9 @@ def explain_missing_messages(
 ):
     """The cause and the remedy, in one line.
 
-    Parameters
-    ----------
-    node : rclpy Node of the subscription, which is asked about the graph
-    topic, message_type, qos : of the subscription
-    seconds : how long no image came
-    matched : number of publishers that the subscription is connected to
-    received : messages received before; 0 if none has ever come
-    failed : messages that arrived in this time and could not be converted
-    last_error : why the last of those failed
-    incompatible_qos : the mismatch of QoS that ROS has reported, with the remedy; None
-    publisher_error : what went wrong last in the publishing node, with its name, if that is known
-    own_topics : topics that the subscriber itself publishes; they are not proposed
+    `node` is asked about the graph; topic, message_type and qos are of its subscription, which waited for so
+    many `seconds` and is connected to `matched` publishers. Before, it has `received` so many messages;
+    `failed` arrived meanwhile and could not be converted. `own_topics` are not proposed in place of `topic`.
     """
     start = f"no image arrived on {topic} in {seconds:g} s: "
     if failed:

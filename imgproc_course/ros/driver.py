@@ -15,7 +15,7 @@ try:
     import termios
     import tty
 except ImportError:
-    termios = None  # Windows: the robot is then driven by other programs alone
+    termios = None  # type: ignore[assignment]  # Windows: the robot is then driven by other programs alone
 
 LINEAR, ANGULAR = 0.25, 1.0  # m/s, rad/s
 KEYS = {
@@ -34,20 +34,9 @@ PLAIN_STATUS_SECONDS = 10.0  # where no terminal rewrites its line
 
 
 def drive(*, status_seconds=None, **options):
-    """Uses the room until Ctrl-C, SIGTERM or the key X. Runs in the main thread.
+    """Uses the room until Ctrl-C, SIGTERM or the key X, in the main thread; `options` are open_camera's.
 
-    Parameters
-    ----------
-    status_seconds : seconds between two status lines
-    options : of `open_camera("room")`
-
-    Returns
-    -------
-    int, the exit code: 0, or 1 if the robot stopped because of an error
-
-    Raises
-    ------
-    ValueError, RuntimeError : as `open_camera`
+    Returns the exit code: 0, or 1 if the robot stopped because of an error.
     """
     with stop_signals() as stopping:
         try:

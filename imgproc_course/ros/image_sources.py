@@ -3,6 +3,7 @@
 import copy
 import functools
 import time
+from typing import Any
 
 import cv2
 import numpy as np
@@ -18,25 +19,16 @@ _WEBCAM_REMEDY = "plug one in, close the program that uses it, or open_camera() 
 class RecordedImages:
     """Yields (due, image) for each image of a recording; `due` is in seconds of time.monotonic().
 
-    Parameters
-    ----------
-    recording : Recording; `close` closes it too
-    speed : factor on the recorded rate
-    loop : whether the recording starts again at its end
-    stamps : "now" or "recorded"
-
-    Raises
-    ------
-    ValueError : the images have neither colour nor gray levels; depth images, for example
+    `speed` is a factor on the recorded rate, `stamps` "now" or "recorded". Depth images are refused.
     """
 
     def __init__(self, recording, speed, loop, stamps):
-        self._recording = recording
+        self.recording = recording
         self._loop = loop
         self._uses_recorded_stamps = stamps == "recorded"
         self._stamps = recording.stamps
         first = recording.message(0)
-        self._frame_id = first.header.frame_id or FRAME_ID
+        self.frame_id = first.header.frame_id or FRAME_ID
         self._is_compressed = hasattr(first, "format")
         if not self._is_compressed and encoding_info(first.encoding).color is None:
             raise ValueError(
@@ -66,13 +58,10 @@ class RecordedImages:
                 return
             start += self._duration
 
-    def message(self, k):
-        return array_to_image(self._recording.frame(k, "rgb8"), "rgb8")
-
     def compressed(self, k, header):
         if not self._is_compressed:
-            return array_to_compressed(self._recording.frame(k, "bgr8"), "bgr8", header=header)
-        msg = self._recording.message(k)
+            return array_to_compressed(self.recording.frame(k, "bgr8"), "bgr8", header=header)
+        msg = self.recording.message(k)
         msg.header = header
         return msg
 
@@ -84,18 +73,11 @@ class RecordedImages:
 
     def other_topics(self, base):
         """What is published beside the camera's topics: (message type, topic, function(image, header))."""
-        has_depth = self._recording.depth_topic is not None
+        has_depth = self.recording.depth_topic is not None
         return [(Image, f"{base}/depth", lambda image, header: image.depth(header))] if has_depth else []
 
-    def depth(self, k, header):
-        return array_to_image(self._recording.depth(k), "16UC1", header)
-
-    @property
-    def frame_id(self):
-        return self._frame_id
-
     def close(self):
-        self._recording.close()
+        self.recording.close()
 
 
 class _RecordedImage:
@@ -103,28 +85,22 @@ class _RecordedImage:
 
     def __init__(self, images, k):
         self._images, self._k = images, k
-        self.frame_id = images.frame_id
+        self.frame_id, self.camera_info = images.frame_id, images.camera_info
         self.stamp = images.stamp(k)
-        self.camera_info = images.camera_info
 
     @functools.cached_property
     def message(self):
-        return self._images.message(self._k)
+        return array_to_image(self._images.recording.frame(self._k, "rgb8"), "rgb8")
 
     def compressed(self, header):
         return self._images.compressed(self._k, header)
 
     def depth(self, header):
-        return self._images.depth(self._k, header)
+        return array_to_image(self._images.recording.depth(self._k), "16UC1", header)
 
 
 class Webcam:
-    """Yields (due, image) for each image of this machine's first camera, at the camera's own rate.
-
-    Raises
-    ------
-    RuntimeError : no camera answers
-    """
+    """Yields (due, image) for each image of this machine's first camera, at the camera's own rate."""
 
     def __init__(self, number=0):
         log_level = cv2.utils.logging.getLogLevel()
@@ -151,6 +127,8 @@ class Webcam:
 
 class FrameImage:
     """An image that is no message yet; a subclass has `_frame`, (H, W, 3) uint8 BGR."""
+
+    _frame: Any
 
     @functools.cached_property
     def message(self):

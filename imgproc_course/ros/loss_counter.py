@@ -6,16 +6,12 @@ class LossCounter:
 
     A publisher numbers its messages. If a number is missing, that message is lost: on the way, or because it
     was overwritten in the queue while the callback's thread was busy.
-
-    Attributes
-    ----------
-    total : messages known to be lost
     """
 
     def __init__(self):
-        self.total = 0
+        self.total = 0  # messages known to be lost
         self._can_count = True
-        self._last_number = None
+        self._last_number: int | None = None
 
     def receive(self, number):
         """Takes the number of a message that arrived; None or 0 if the middleware does not number them."""

@@ -11,12 +11,7 @@ DUPLICATE_NAME_PERIOD = 60.0  # seconds between two warnings about a second node
 
 
 class NodeLog:
-    """Logs in the name of a node. A repeated warning is logged at most every few seconds.
-
-    Parameters
-    ----------
-    node : rclpy Node
-    """
+    """Logs in the name of a node. A repeated warning is logged at most every few seconds."""
 
     def __init__(self, node):
         self._node = node
@@ -27,19 +22,11 @@ class NodeLog:
         self._node.get_logger().info(text)
 
     def warn(self, kind, text):
-        """Logs a warning, unless one of the same kind was logged just before."""
         if self._throttles[kind]():
             self._node.get_logger().warning(text)
 
     def report(self, stream, statistics, explain_silence):
-        """Logs what happened since the last report.
-
-        Parameters
-        ----------
-        stream : StreamMonitor
-        statistics : ProcessingStatistics
-        explain_silence : function that returns why no image arrives; called only if the stream became silent
-        """
+        """Logs what happened since the last report; `explain_silence()` says why no image arrives."""
         for change in stream.changes():
             self.info(change)
         losses = statistics.new_losses()

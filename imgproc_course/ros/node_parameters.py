@@ -4,23 +4,7 @@ from rcl_interfaces.msg import SetParametersResult
 
 
 class NodeParameters:
-    """Declares the parameters, checks every request to change them, and holds their values.
-
-    Parameters
-    ----------
-    node : rclpy Node
-    numeric_parameters : sequence of NumericParameter
-    check : function(**values) that raises ValueError if the values do not fit together; or None
-
-    Attributes
-    ----------
-    values : {name: number} of the numeric parameters
-
-    Raises
-    ------
-    ValueError : `check` refuses the initial values
-    rclpy.exceptions.ParameterException : an initial value is out of its range, or has another type
-    """
+    """Declares the parameters, checks every request to change them, and holds their `values`."""
 
     def __init__(self, node, numeric_parameters, check):
         self._types = {parameter.name: type(parameter.default) for parameter in numeric_parameters}
@@ -36,7 +20,7 @@ class NodeParameters:
         node.add_post_set_parameters_callback(self._apply)
 
     def _checked(self, values):
-        """The values, converted to their declared types. Raises ValueError if they are refused."""
+        """The values in their declared types; ValueError if they are refused."""
         for name, value in values.items():
             if isinstance(value, bool) or not isinstance(value, int | float):
                 raise ValueError(f"{name} must be a number, got {value!r}")

@@ -2,6 +2,8 @@
 
 import signal
 import sys
+from collections.abc import Callable
+from typing import Any
 
 import rclpy
 from rclpy.exceptions import ParameterException
@@ -12,7 +14,7 @@ from rclpy.utilities import remove_ros_args
 from imgproc_course.ros.stream_statistics import statistics_line
 
 
-def run_processor(make_node, args=None):
+def run_processor(make_node: Callable[[], Any], args: list[str] | None = None) -> int:
     """Runs an ImageProcessor until Ctrl-C, SIGTERM, or until ROS is shut down.
 
     Parameters

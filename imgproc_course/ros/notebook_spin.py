@@ -16,13 +16,7 @@ _default_global_executor = rclpy.get_global_executor
 
 
 class InterruptibleExecutor(SingleThreadedExecutor):
-    """Spins in a cell. Afterwards, a node of the session is spun by the session again.
-
-    Parameters
-    ----------
-    context : rclpy Context
-    take_back : function(node), called when this executor stops spinning the node
-    """
+    """Spins in a cell. Afterwards, `take_back(node)` lets the session spin its node again."""
 
     def __init__(self, context, take_back):
         super().__init__(context=context)
@@ -41,7 +35,7 @@ def install(context, take_back):
     shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
     if getattr(shell, "kernel", None) is None:
         return
-    executors = []
+    executors: list[InterruptibleExecutor] = []
 
     def global_executor():
         uninstall_signal_handlers()  # rclpy.init() installs them

@@ -1,6 +1,6 @@
 """A numeric ROS parameter of a node. Imports no ROS, so that a node's functions can be used without ROS."""
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 
 class NumericParameter(NamedTuple):
@@ -20,7 +20,7 @@ class NumericParameter(NamedTuple):
     maximum: int | float
     description: str
 
-    def descriptor(self):
+    def descriptor(self) -> Any:
         """The rcl_interfaces/ParameterDescriptor of the parameter."""
         from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
 

@@ -8,19 +8,7 @@ from imgproc_course.ros.process_function import SkippedImageError
 
 
 class OutputPublishers:
-    """Publishes arrays as sensor_msgs/Image.
-
-    Parameters
-    ----------
-    node : rclpy Node
-    outputs : names; each is published on `~/<name>`
-    qos : QoSProfile
-    log : NodeLog
-
-    Attributes
-    ----------
-    publishers : {output: rclpy Publisher}
-    """
+    """Publishes each output, an array, as sensor_msgs/Image on `~/<output>`."""
 
     def __init__(self, node, outputs, qos, log):
         self._context = node.context
@@ -42,12 +30,7 @@ class OutputPublishers:
         return [output for output, publisher in self.publishers.items() if publisher.get_subscription_count()]
 
     def publish(self, arrays, header):
-        """Publishes {output: array} with this header. Returns False if ROS was shut down meanwhile.
-
-        Raises
-        ------
-        SkippedImageError : an array is not an image, or the middleware refuses a message
-        """
+        """Publishes {output: array} with this header. Returns False if ROS was shut down meanwhile."""
         try:
             messages = {
                 output: array_to_image(array, _encoding_of(array), header) for output, array in arrays.items()

@@ -10,20 +10,10 @@ STATUS_SECONDS = 10.0
 
 
 def play(*, recording="drive", status_seconds=STATUS_SECONDS, **options):
-    """Uses the camera until Ctrl-C, SIGTERM, or its end (without loop). Runs in the main thread.
+    """Uses the camera until Ctrl-C, SIGTERM, or its end (without loop), in the main thread.
 
-    Parameters
-    ----------
-    recording, and `topic`, `camera_topic`, `speed`, `loop`, `stamps`, `switch` : as in `open_camera`
-    status_seconds : seconds between two status lines
-
-    Returns
-    -------
-    int, the exit code: 0, or 1 if the camera stopped because of an error
-
-    Raises
-    ------
-    ValueError, RuntimeError : as `open_camera`
+    `options` are those of `open_camera`. Returns the exit code: 0, or 1 if the camera stopped because of an
+    error.
     """
     with stop_signals() as stopping:
         try:

@@ -9,19 +9,7 @@ class SkippedImageError(Exception):
 
 
 def call_process(process, frame, parameters, outputs):
-    """The arrays that `process` computes for a frame: {output: array} for these outputs.
-
-    Parameters
-    ----------
-    process : function(frame, **parameters) -> dict; a value may be a function that returns the array
-    frame : (H, W, 3) uint8, bgr8; the function may change it
-    parameters : {name: number}
-    outputs : keys of the results that are needed; other results are not computed if they are functions
-
-    Raises
-    ------
-    SkippedImageError : the function failed, or returned something else
-    """
+    """{output: array} of these outputs; a result that is a function is called only if it is one of them."""
     try:
         results = process(frame, **parameters)
         if isinstance(results, dict) and results.keys() >= set(outputs):

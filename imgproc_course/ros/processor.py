@@ -11,24 +11,26 @@ The node translates and never computes; `process` computes and knows nothing abo
 
 import json
 import time
+from collections.abc import Callable, Sequence
+from typing import Any
 
 from rclpy.clock import Clock, ClockType
 from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.executors import SingleThreadedExecutor
 from rclpy.node import Node
-from sensor_msgs.msg import CompressedImage, Image
 from std_msgs.msg import String
 
-from imgproc_course.messages import ConversionError, compressed_to_array, image_to_array
+from imgproc_course.messages import ConversionError
 from imgproc_course.ros.diagnostics import explain_missing_messages
 from imgproc_course.ros.node_log import NodeLog
 from imgproc_course.ros.node_parameters import NodeParameters
+from imgproc_course.ros.numeric_parameter import NumericParameter
 from imgproc_course.ros.output_publishers import OutputPublishers
 from imgproc_course.ros.process_function import SkippedImageError, call_process
 from imgproc_course.ros.robot_topics import TOPIC
 from imgproc_course.ros.session import RosSession, spin_once
 from imgproc_course.ros.stream_statistics import SILENCE, ProcessingStatistics, StreamMonitor
-from imgproc_course.ros.subscriber import QOS
+from imgproc_course.ros.subscriber import QOS, image_type
 
 # BEST_EFFORT, VOLATILE, depth 5: what cameras offer. A late image is worth nothing, so a lost one is not sent
 # again. If more than five images wait, the oldest are dropped.
@@ -67,7 +69,16 @@ class ImageProcessor(Node):
     rclpy.exceptions.ParameterException : an initial value is out of its range, or has another type
     """
 
-    def __init__(self, name, process, outputs, *, parameters=(), check=None, **node_options):
+    def __init__(
+        self,
+        name: str,
+        process: Callable[..., dict[str, Any]],
+        outputs: Sequence[str],
+        *,
+        parameters: Sequence[NumericParameter] = (),
+        check: Callable[..., None] | None = None,
+        **node_options: Any,
+    ):
         RosSession().remove_namesake(name, node_options.get("namespace"), node_options.get("context"))
         super().__init__(name, **node_options)
         self._process = process
@@ -81,7 +92,7 @@ class ImageProcessor(Node):
         steady = Clock(clock_type=ClockType.STEADY_TIME)  # reports must go on when the system clock is set
         self._timer = self.create_timer(REPORT_PERIOD, self._report, clock=steady)
 
-    def statistics(self):
+    def statistics(self) -> dict[str, Any]:
         """What happened so far.
 
         Returns
@@ -101,21 +112,12 @@ class ImageProcessor(Node):
         return self._statistics.as_dict()
 
     @property
-    def last_error(self):
+    def last_error(self) -> str | None:
         """The cause of the latest failure in one line, or None."""
         return self._statistics.last_error
 
-    def spin(self, should_stop=lambda: False):
-        """Runs the node.
-
-        Parameters
-        ----------
-        should_stop : function without arguments, called ten times per second; True ends the spinning
-
-        Raises
-        ------
-        rclpy.executors.ExternalShutdownException : ROS was shut down meanwhile
-        """
+    def spin(self, should_stop: Callable[[], bool] = lambda: False) -> None:
+        """Runs the node until `should_stop()`, which is called ten times per second, returns True."""
         executor = SingleThreadedExecutor(context=self.context)
         executor.add_node(self)
         try:
@@ -126,13 +128,11 @@ class ImageProcessor(Node):
 
     def _subscribe(self):
         self._topic = self.resolve_topic_name(TOPIC)
-        is_compressed = self._topic.rpartition("/")[2] in ("compressed", "compressedDepth")
-        self._message_type = CompressedImage if is_compressed else Image
-        self._convert = compressed_to_array if is_compressed else image_to_array
+        self._message_type, self._convert = image_type(self._topic)
         self._subscription = self.create_subscription(
             self._message_type,
             TOPIC,
-            self._on_message,
+            self._on_message,  # type: ignore[arg-type]  # rclpy gives the info to those who take two arguments
             SENSOR_DATA,
             event_callbacks=SubscriptionEventCallbacks(matched=self._on_matched),
         )
@@ -157,7 +157,6 @@ class ImageProcessor(Node):
         self._statistics.busy += time.perf_counter() - start
 
     def _process_message(self, msg, outputs):
-        """Converts, processes, publishes. Returns whether the results were published."""
         try:
             frame = self._frame_of(msg)
             arrays = call_process(self._process, frame, self._node_parameters.values, outputs)

@@ -51,7 +51,7 @@ class DdsProfile:
     note: str | None = None
 
     def __str__(self):
-        if self.chosen_by == "course":
+        if self.path is not None and self.segment_bytes is not None:
             profile = (
                 f"the course's {Path(self.path).name}: {self.segment_bytes >> 20} MiB shared memory, and UDP"
             )
@@ -87,10 +87,8 @@ def choose_profile():
     path = LARGE if free is None or free >= _LARGE_NEEDS else SMALL
     for variable in PROFILE_VARIABLES:
         os.environ[variable] = str(path)
-    note = None
-    if path is SMALL:
-        note = f"{SHARED_MEMORY} has only {free >> 20} MiB free; docker run --shm-size=1g would give more"
-    return DdsProfile("course", str(path), SEGMENT_BYTES[path], free, note)
+    note = f"{SHARED_MEMORY} has only {(free or 0) >> 20} MiB free; docker run --shm-size=1g would give more"
+    return DdsProfile("course", str(path), SEGMENT_BYTES[path], free, note if path is SMALL else None)
 
 
 def _users_choice():
@@ -101,10 +99,12 @@ def _users_choice():
     files = {name: os.environ[name] for name in PROFILE_VARIABLES if os.environ.get(name)}
     for name, path in files.items():
         if path not in course_files:
-            note = None if Path(path).is_file() else f"{name} names a file that does not exist; unset it"
-            if name != PROFILE_VARIABLES[0] and PROFILE_VARIABLES[0] not in files and note is None:
+            note: str | None = (
+                None if Path(path).is_file() else f"{name} names a file that does not exist; unset it"
+            )
+            if name != PROFILE_VARIABLES[0] and PROFILE_VARIABLES[0] not in files and not note:
                 note = f"Fast DDS 2 (ROS 2 Jazzy) reads only {PROFILE_VARIABLES[0]}; set it too"
-            return DdsProfile("user", path, note=note)
+            return DdsProfile("user", path, note=note or None)
     if os.environ.get("FASTDDS_BUILTIN_TRANSPORTS"):
         return DdsProfile(
             "user", note=f"FASTDDS_BUILTIN_TRANSPORTS={os.environ['FASTDDS_BUILTIN_TRANSPORTS']}"
@@ -149,15 +149,8 @@ def remove_stale_segments(*, older_than=10.0):
     """Removes the shared memory of killed processes: up to 67 MB each. Fast DDS never frees it.
 
     A running owner holds a lock on its segment's `_el` file; a killed one holds none. Files of other users
-    stay.
-
-    Parameters
-    ----------
-    older_than : seconds; younger files stay, because their owner may not have locked them yet
-
-    Returns
-    -------
-    int, the number of segments removed
+    stay, and files younger than `older_than` seconds, which their owner may not have locked yet. Returns how
+    many segments were removed.
     """
     if sys.platform != "linux" or not SHARED_MEMORY.is_dir():
         return 0

@@ -5,6 +5,8 @@ import math
 import threading
 import time
 import weakref
+from pathlib import Path
+from typing import Self
 
 from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
@@ -52,8 +54,6 @@ class Recorder:
     path : the folder
     topics : {topic: message type} of what is recorded
     counts : {topic: messages so far}
-    bytes : size of all messages so far
-    lost : messages that were lost on the way, as far as it is known
     last_error : why it stopped by itself, in one line; None
     running : whether it records
 
@@ -69,7 +69,7 @@ class Recorder:
     >>> frame = open_recording("my_drive").frame(0)
     """
 
-    def __init__(self, topics, path):
+    def __init__(self, topics: str | list[str] | None, path: str | Path):
         self._session = RosSession.current()
         self._lock = threading.Lock()
         self._writer = RecordingWriter(path)
@@ -81,7 +81,8 @@ class Recorder:
             raise
         self.counts = dict.fromkeys(self.topics, 0)
         self._losses = {topic: LossCounter() for topic in self.topics}
-        self.last_error, self.running = None, True
+        self.last_error: str | None = None
+        self.running = True
         counts = self._robots_subscribers()
         self._subscriptions = subscriptions = [self._subscribe(topic) for topic in self.topics]
         self._session.on_shutdown(self, self.stop)  # it also keeps a Recorder that is bound to no name
@@ -90,10 +91,17 @@ class Recorder:
         self._finalizer.atexit = False
         self._wait_for_robot(counts)
 
-    bytes = property(lambda self: self._writer.bytes)
-    lost = property(lambda self: sum(losses.total for losses in self._losses.values()))
+    @property
+    def bytes(self) -> int:
+        """Size of all messages so far."""
+        return self._writer.bytes
 
-    def stop(self):
+    @property
+    def lost(self) -> int:
+        """Messages that were lost on the way, as far as it is known."""
+        return sum(losses.total for losses in self._losses.values())
+
+    def stop(self) -> None:
         """Completes the recording. A second call does nothing."""
         with self._lock:
             if not self.running:
@@ -107,7 +115,7 @@ class Recorder:
         self._session.on_shutdown(self, None)
         self._finalizer()
 
-    def __enter__(self):
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *exception):
@@ -121,7 +129,8 @@ class Recorder:
         """{topic: type} of the requested topics; of those of the robot that are published, if None is."""
         names = [self._session.resolve_topic(topic) for topic in requested or ROBOT_TOPICS]
         end = time.monotonic() + DISCOVERY_TIMEOUT
-        known_topics, settled = set(), 0.0
+        known_topics: set[str] = set()
+        settled = 0.0
         while True:
             published = dict(self._session.node.get_topic_names_and_types())
             missing = [topic for topic in names if topic not in published]
@@ -151,10 +160,7 @@ class Recorder:
         return (status or {}).get("subscribers", {})
 
     def _wait_for_robot(self, counts):
-        """Waits until the robot process sends to our subscriptions, which it finds later than we find it.
-
-        counts : {topic: subscribers} before
-        """
+        """Waits until the robot process, which had `counts` subscribers, sends to our subscriptions."""
         end = time.monotonic() + MATCHING
         while time.monotonic() < end:
             now = self._robots_subscribers()
@@ -179,7 +185,8 @@ class Recorder:
             lambda serialized, info: on_message(topic, serialized, info),
             qos,
             event_callbacks=SubscriptionEventCallbacks(
-                matched=lambda event: losses.set_publishers(event.current_count)
+                # rclpy names a type here that mypy does not find.
+                matched=lambda event: losses.set_publishers(event.current_count)  # type: ignore[attr-defined]
             ),
             raw=True,
         )
@@ -201,15 +208,9 @@ class Recorder:
 
 
 def record_until_signal(topics, path, *, status_seconds=STATUS_SECONDS, say=print):
-    """Records until Ctrl-C, SIGTERM or an error, and says how it goes. Runs in the main thread.
+    """Records until Ctrl-C, SIGTERM or an error, and says how it goes, in the main thread.
 
-    Returns
-    -------
-    int, the exit code: 0, or 1 if nothing was recorded, or the recording stopped because of an error
-
-    Raises
-    ------
-    ValueError, RecordingError : as `Recorder`
+    Returns the exit code: 0, or 1 if nothing was recorded, or the recording stopped because of an error.
     """
     with stop_signals() as stopping:
         try:

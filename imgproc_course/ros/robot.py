@@ -4,6 +4,8 @@ import math
 import threading
 import time
 import weakref
+from collections.abc import Sequence
+from typing import Any, Self
 
 from geometry_msgs.msg import Twist, Vector3
 from nav_msgs.msg import Odometry
@@ -40,22 +42,24 @@ class Robot:
     ...     print(robot.odometry.pose.pose.position.x)
     """
 
-    def __init__(self, namespace="/kachaka"):
+    def __init__(self, namespace: str = "/kachaka"):
         self._session = RosSession.current()
         self._node = self._session.node
         self._change = threading.Condition()
-        self._messages, self._subscriptions = {}, {}
+        self._messages: dict[str, tuple[float, Any]] = {}
+        self._subscriptions: dict[str, Any] = {}
         self._topics = {
             name: self._session.resolve_topic(f"/{namespace.strip('/')}/{topic.partition('/kachaka/')[2]}")
             for name, topic in (("commands", COMMANDS), ("odometry", ODOMETRY), ("scan", SCAN))
         }
-        self._commands = self._client = None
-        self._owned = owned = []
-        self._finalizer = weakref.finalize(self, _destroy, self._session, self._node, owned)
+        self._commands: Any = None
+        self._client: Any = None
+        self._owned: list[Any] = []
+        self._finalizer = weakref.finalize(self, _destroy, self._session, self._node, self._owned)
         self._finalizer.atexit = False  # the session destroys them then
-        self._session.on_shutdown(owned, weak_callback(self._on_shutdown))
+        self._session.on_shutdown(self._owned, weak_callback(self._on_shutdown))
 
-    def drive(self, linear, angular, seconds=None):
+    def drive(self, linear: float, angular: float, seconds: float | None = None) -> None:
         """Sends a command: for 0.5 s at most, unless the next one follows; or for `seconds`, then a stop.
 
         Parameters
@@ -84,13 +88,13 @@ class Robot:
         finally:
             self._send(0.0, 0.0)
 
-    def stop(self):
+    def stop(self) -> None:
         """Sends the command to stand still, if this Robot has driven."""
         if self._finalizer.alive and self._commands is not None:
             self._send(0.0, 0.0)
 
     @property
-    def odometry(self):
+    def odometry(self) -> Odometry:
         """The newest nav_msgs/Odometry: where the wheels say that the robot is, since its start.
 
         Raises
@@ -100,7 +104,7 @@ class Robot:
         return self._newest("odometry", Odometry)
 
     @property
-    def scan(self):
+    def scan(self) -> LaserScan:
         """The newest sensor_msgs/LaserScan; the robot computes scans from the first call on.
 
         Its frame, laser_frame, is turned to the left by 90 degrees: ahead is the angle -π/2.
@@ -108,13 +112,19 @@ class Robot:
         return self._newest("scan", LaserScan)
 
     @property
-    def pose(self):
+    def pose(self) -> tuple[float, float, float]:
         """(x, y, yaw) of the odometry: metres, and radians to the left."""
         pose = self.odometry.pose.pose
         q = pose.orientation
         return pose.position.x, pose.position.y, 2 * math.atan2(q.z, q.w)
 
-    def restart(self, *, seed=None, lighting=None, start=None):
+    def restart(
+        self,
+        *,
+        seed: int | None = None,
+        lighting: str | None = None,
+        start: Sequence[float] | None = None,
+    ) -> None:
         """Begins again in the room, in other light, or at another place; its odometry begins at zero.
 
         Parameters
@@ -152,13 +162,13 @@ class Robot:
             self._messages.clear()  # they are of the time before
         return future.result().result
 
-    def close(self):
+    def close(self) -> None:
         """Stops the robot, and its use. A second call does nothing."""
         self.stop()
         self._session.on_shutdown(self._owned, None)
         self._finalizer()
 
-    def __enter__(self):
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *exception):

@@ -26,11 +26,12 @@ from dataclasses import dataclass
 from multiprocessing import Pipe
 from multiprocessing.connection import Connection, wait
 from pathlib import Path
+from typing import Any, ClassVar
 
 try:
     import fcntl
 except ImportError:
-    fcntl = None  # Windows: `shareable` is False there
+    fcntl = None  # type: ignore[assignment]  # Windows: `shareable` is False there
 
 FOLDERS = Path("/tmp")  # not the user's TMPDIR or XDG_RUNTIME_DIR: they differ between a user's logins
 START_TIMEOUT = 60.0  # seconds that the process may take to answer, on a busy machine too
@@ -69,12 +70,7 @@ def shareable():
 
 
 def runtime_file(domain, kind):
-    """The path of the "lock", "socket" or "log" of a domain's robot, in a folder of this user alone.
-
-    Raises
-    ------
-    RuntimeError : the folder belongs to somebody else
-    """
+    """The path of the "lock", "socket" or "log" of a domain's robot, in a folder of this user alone."""
     folder = FOLDERS / f"imgproc_course-{os.getuid()}"
     with contextlib.suppress(FileExistsError):
         folder.mkdir(mode=0o700)
@@ -100,28 +96,15 @@ def running_robot(domain):
 class RobotConnection:
     """A program's use of the robot, until `leave` or the end of the program.
 
-    Parameters
-    ----------
-    domain : int
-    module : of the function `main(arguments)` that runs in the process; it calls `serve`
-    request : dict
-    switch : whether a robot that others use in another way may be switched to this request
-    on_event : function(text, status), called in a thread of its own: a warning of the robot, or that its
-        process has ended unexpectedly; or, with the text None, the end of what it plays
+    `module` has the function `main(arguments)` that runs in the process and calls `serve`. With `switch`, a
+    robot that others use in another way is switched to this request. `on_event(text, status)` is called in a
+    thread of its own: for a warning of the robot, for the unexpected end of its process, and, with the text
+    None, for the end of what it plays.
 
-    Attributes
-    ----------
-    status : the body's last known status, and the robot's: request, description, users
-    left : whether the robot is not used any more
-
-    Raises
-    ------
-    RobotInUseError : others use it in another way
-    RuntimeError : the process does not start
-    what opening the body raises
+    Raises RobotInUseError, RuntimeError if the process does not start, and what opening the body raises.
     """
 
-    _all = weakref.WeakSet()  # noqa: RUF012  of this program
+    _all: ClassVar["weakref.WeakSet[RobotConnection]"] = weakref.WeakSet()  # of this program
 
     def __init__(self, domain, module, request, *, switch, on_event):
         self._domain, self._module = domain, module
@@ -263,10 +246,8 @@ def _start(domain, module):
 def serve(arguments, open_body):
     """Runs the robot in this process until no program uses it.
 
-    Parameters
-    ----------
-    arguments : the command line that the starting program has passed
-    open_body : function(request) -> body; it may raise ValueError, OSError or RuntimeError
+    `arguments` are those that the starting program has passed. `open_body(request)` returns the body; it may
+    raise ValueError, OSError or RuntimeError.
     """
     domain, lock, listener = (int(argument) for argument in arguments)
     for descriptor in (lock, listener):
@@ -289,8 +270,10 @@ class _Robot(logging.Handler):
         self._listener = listener
         self._open_body = open_body
         self._events, self._event_sender = Pipe(duplex=False)  # from other threads to this one
-        self._connections, self._users = [], {}
-        self._body = self._request = None
+        self._connections: list[Connection] = []
+        self._users: dict[Connection, User] = {}
+        self._body: Any = None
+        self._request: dict[str, Any] = {}
         self._waits_until = time.monotonic() + START_TIMEOUT  # if the program that started it was killed
         logging.getLogger().addHandler(self)
 
@@ -300,8 +283,8 @@ class _Robot(logging.Handler):
     def run(self):
         while self._users or time.monotonic() < self._waits_until:
             for ready in wait([self._listener, self._events, *self._connections], timeout=1.0):
-                if ready is self._listener:
-                    self._connections.append(Connection(self._listener.accept()[0].detach()))
+                if isinstance(ready, socket.socket):
+                    self._connections.append(Connection(ready.accept()[0].detach()))
                 elif ready is self._events:
                     self._tell(self._events.recv())
                 else:

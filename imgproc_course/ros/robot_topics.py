@@ -10,6 +10,6 @@ TOF = "/kachaka/tof_camera"
 ROOM_NODE = "room"  # of the simulated robot alone: its parameters
 
 
-def camera_topics(topic):
+def camera_topics(topic: str) -> tuple[str, tuple[str, str]]:
     """The topics beside the raw images: (compressed, (camera info, camera info of the compressed images))."""
     return f"{topic}/compressed", (f"{topic.rpartition('/')[0]}/camera_info", f"{topic}/camera_info")

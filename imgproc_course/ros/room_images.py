@@ -4,6 +4,7 @@ import functools
 import math
 import threading
 import time
+from collections.abc import Callable
 from concurrent.futures import ThreadPoolExecutor, wait
 
 from imgproc_course.messages import array_to_image
@@ -27,29 +28,17 @@ class RoomImages:
     too long, images are left out, and the motion catches up. If the image before was asked for its depth, a
     second thread computes the depth while the first draws the colors.
 
-    Parameters
-    ----------
-    rate : images per second
-    options : of `Simulation`: seed, size, lighting, start
-
-    Attributes
-    ----------
-    simulation : the Simulation; only the thread that iterates may use it, and that of the depth
-    reached_rate : images per second over the last seconds; None before
-    bumps : how often the robot has touched something
-    on_motion : function(stamp in ns) that the iterating thread calls after each step of the motion
-
-    Raises
-    ------
-    ValueError, RuntimeError : as `Simulation`
+    `options` are of `Simulation`: seed, size, lighting, start. Only the thread that iterates may use the
+    `simulation`, and that of the depth. `on_motion(stamp in ns)` is called after each step of the motion.
     """
 
     def __init__(self, rate, **options):
         self.rate, self._options = rate, options
         self.simulation = Simulation(**options)
         self.simulation.frame()  # the first one takes a second, which the robot would miss while it drives
-        self.on_motion = lambda stamp: None
-        self.reached_rate, self.bumps = None, 0
+        self.on_motion: Callable[[int], None] = lambda stamp: None
+        self.reached_rate: float | None = None  # images per second over the last seconds
+        self.bumps = 0
         self._lock = threading.Lock()
         self._command = (0.0, 0.0, -math.inf)
         self._next = None
@@ -70,10 +59,7 @@ class RoomImages:
         """Begins again with other options; person, car and ball go on. Any other thread may call it.
 
         With another lighting alone the robot stays where it is; its odometry begins at zero in any case.
-
-        Raises
-        ------
-        ValueError : as `Simulation`; the running one goes on
+        After a ValueError the running one goes on.
         """
         if changes.keys() == {"lighting"}:
             changes["start"] = planar(self.simulation.pose("robot"))
@@ -98,7 +84,8 @@ class RoomImages:
             time.sleep(max(0.0, -delay))
             if self._take_next():
                 reach = _ReachedRate()
-            self.simulation.step(*self._current_command(), period)
+            linear, angular = self._current_command()
+            self.simulation.step(linear, angular, period)
             self.bumps += self.simulation.bumped and not was_bumped
             was_bumped = self.simulation.bumped
             stamp = time.time_ns()

@@ -18,10 +18,7 @@ ODOM_FRAME, BASE_FRAME, LASER_FRAME, TOF_FRAME = "odom", "base_footprint", "lase
 
 
 def sensor_topics(base):
-    """What is published with each image: (message type, topic, function(image, header)).
-
-    base : of the front camera's topics; `image` is a RoomImage
-    """
+    """What is published with each RoomImage: (message type, topic, function(image, header))."""
     yield Image, f"{base}/depth", lambda image, header: image.depth(header)
     yield Image, f"{TOF}/image_raw", lambda image, header: image.depth(framed(header, TOF_FRAME), "tof")
     yield CameraInfo, f"{TOF}/camera_info", tof_camera_info

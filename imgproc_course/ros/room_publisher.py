@@ -26,12 +26,7 @@ OPTIONS = ("seed", "lighting", "start")  # the parameters of the node /room
 
 
 def open_room(request):
-    """The body for a request of `open_camera("room")`.
-
-    Raises
-    ------
-    ValueError, RuntimeError : as `Simulation`
-    """
+    """The body for a request of `open_camera("room")`."""
     topic, rate, size = request["topic"], request["rate"], tuple(request["size"])
     start = request["start"] or START
     images = RoomImages(rate, seed=request["seed"], size=size, lighting=request["lighting"], start=start)

@@ -15,6 +15,8 @@ import sys
 import threading
 import time
 import traceback
+from collections.abc import Callable
+from typing import Any, Self
 
 from rclpy.context import Context
 from rclpy.exceptions import InvalidHandle
@@ -56,30 +58,26 @@ class RosSession:
     `RosSession.current()` also starts it. You may start twice, stop twice, and start again after a stop. The
     session has its own context: your rclpy.init() and rclpy.shutdown() in the same process do not affect it.
 
-    Attributes
-    ----------
-    node : the session's own node, which holds the cameras and subscribers of this process; None if stopped
-    context, executor : those of rclpy; None if stopped
     """
 
-    _instance = None
+    _instance: "RosSession | None" = None
     _instance_lock = threading.Lock()
+    _spinner: "Any" = None  # a _Spinner, after the first start
+    _was_forked = False
 
-    def __new__(cls):
+    def __new__(cls) -> "RosSession":
         with cls._instance_lock:
             if cls._instance is None:
                 cls._instance = super().__new__(cls)
                 cls._instance._start_lock = threading.RLock()
-                cls._instance._spinner = None
-                cls._instance._was_forked = False
             return cls._instance
 
     @classmethod
-    def current(cls):
+    def current(cls) -> "RosSession":
         """The running session of this process; started if it was stopped."""
         return cls().start()
 
-    def start(self):
+    def start(self) -> Self:
         """Starts the session; does nothing if it is running. Returns the session.
 
         Raises
@@ -105,7 +103,7 @@ class RosSession:
                 self._spinner = _Spinner()
         return self
 
-    def stop(self):
+    def stop(self) -> None:
         """Stops cameras and subscribers, destroys the nodes, joins the thread. A second call does nothing.
 
         May be called from anywhere. If a callback calls it, the thread ends after that callback.
@@ -121,15 +119,26 @@ class RosSession:
                 )
 
     @property
-    def running(self):
+    def running(self) -> bool:
         """Whether the session's thread spins and has not been asked to stop."""
         return self._spinner is not None and not self._was_forked and self._spinner.spinning
 
-    context = property(lambda self: self._spinner.context if self.running else None)
-    executor = property(lambda self: self._spinner.executor if self.running else None)
-    node = property(lambda self: self._spinner.node if self.running else None)
+    @property
+    def node(self) -> Any:
+        """The session's own node, with this process's cameras and subscribers; None if stopped."""
+        return self._spinner.node if self.running else None
 
-    def __enter__(self):
+    @property
+    def context(self) -> Any:
+        """rclpy's Context of the session; None if stopped."""
+        return self._spinner.context if self.running else None
+
+    @property
+    def executor(self) -> Any:
+        """rclpy's Executor of the session; None if stopped."""
+        return self._spinner.executor if self.running else None
+
+    def __enter__(self) -> Self:
         return self.start()
 
     def __exit__(self, *exception):
@@ -138,7 +147,7 @@ class RosSession:
     def __repr__(self):
         return f"<RosSession: {f'domain {self.context.get_domain_id()}' if self.running else 'stopped'}>"
 
-    def add_node(self, node):
+    def add_node(self, node: Node) -> Node:
         """Spins your node too. Create it with `context=session.context`; the session destroys it on stop.
 
         It replaces the node of the same name and namespace that was added before: that one is destroyed
@@ -148,13 +157,13 @@ class RosSession:
         self.run(lambda: spinner.add(node))
         return node
 
-    def remove_node(self, node):
+    def remove_node(self, node: Node) -> None:
         """Stops spinning your node and destroys it. A second call does nothing."""
         spinner = self._spinner
         if self.running:
             self.run(lambda: spinner.destroy(node))
 
-    def remove_namesake(self, name, namespace=None, context=None):
+    def remove_namesake(self, name: str, namespace: str | None = None, context: Any = None) -> None:
         """Destroys the session's node of this name, before another one is created in the same context.
 
         ROS mixes up two nodes that have one name at the same time: when the first is destroyed, the second
@@ -165,7 +174,7 @@ class RosSession:
             full_name = f"/{(namespace or '').strip('/')}/{name}".replace("//", "/")
             self.run(lambda: spinner.remove_namesakes(full_name))
 
-    def error_of_publisher(self, topic):
+    def error_of_publisher(self, topic: str) -> str | None:
         """What went wrong last in your node that publishes the topic, in one line with its name; or None."""
         for node in self._spinner.nodes() if self.running else ():
             if topic in (publisher.topic_name for publisher in node.publishers):
@@ -174,13 +183,8 @@ class RosSession:
                 return f"{node.get_fully_qualified_name()} publishes it, but {error}" if error else None
         return None
 
-    def resolve_topic(self, topic):
-        """The full name of a topic, after the remapping of the command line.
-
-        Raises
-        ------
-        ValueError : it is not a topic name
-        """
+    def resolve_topic(self, topic: str) -> str:
+        """The full name of a topic, after the remapping of the command line; ValueError if it is none."""
         try:
             return self._running_spinner().node.resolve_topic_name(topic)
         except RCLError as error:
@@ -189,7 +193,7 @@ class RosSession:
                 f"{topic!r} is not a topic name ({cause}); a topic name looks like /camera/image_raw"
             ) from error
 
-    def run(self, function, timeout=CALLBACK_TIMEOUT):
+    def run(self, function: Callable[[], Any], timeout: float = CALLBACK_TIMEOUT) -> Any:
         """Calls a function in the spinning thread, between two callbacks, and returns its result.
 
         Destroy nodes and subscriptions in this way: rclpy's executor fails if one disappears while the
@@ -202,7 +206,7 @@ class RosSession:
         """
         if self.is_spinning_thread():
             return function()
-        future = concurrent.futures.Future()
+        future: concurrent.futures.Future[Any] = concurrent.futures.Future()
 
         def call():
             try:
@@ -214,16 +218,16 @@ class RosSession:
             raise RuntimeError("the ROS session has just stopped; RosSession.current() starts it")
         return future.result(timeout)
 
-    def post(self, function):
+    def post(self, function: Callable[[], Any]) -> None:
         """Lets the spinning thread call a function soon, without waiting. Does nothing if stopped."""
         if self.running:
             self._spinner.post(function)
 
-    def is_spinning_thread(self):
+    def is_spinning_thread(self) -> bool:
         """Whether the caller is a callback of this session."""
         return self._spinner is not None and threading.current_thread() is self._spinner.thread
 
-    def on_shutdown(self, owner, callback):
+    def on_shutdown(self, owner: object, callback: Callable[[], Any] | None) -> None:
         """Lets the spinning thread call `callback()` when the session stops.
 
         Each owner has one callback; a new one replaces it, and None removes it.
@@ -259,11 +263,11 @@ class _Spinner:
         self.executor = SingleThreadedExecutor(context=self.context)
         self.executor.add_node(self.node)
         self.closed = False
-        self.last_callback_error = None
+        self.last_callback_error: str | None = None
         self._nodes = [self.node]
         self._lock = threading.RLock()
         self._leaving = threading.Event()
-        self._tasks = collections.deque()
+        self._tasks: collections.deque[Callable[[], Any]] = collections.deque()
         self._shutdown_callbacks = {}
         self._may_log = Throttle()
         notebook_spin.install(self.context, self._take_back)
@@ -340,9 +344,7 @@ class _Spinner:
         except InvalidHandle:
             pass  # something was destroyed between the wait and its callback; the next round is in order
         except Exception as error:  # callbacks are other people's code, and the graph must live on
-            line = traceback.extract_tb(error.__traceback__)[-1]
-            text = traceback.format_exception_only(error)[-1].strip()
-            self.last_callback_error = f"a callback failed in line {line.lineno} ({line.line}): {text}"
+            self.last_callback_error = f"a callback failed {failed_line(error)}"
             if self._may_log():
                 log.exception("a ROS callback failed; the graph continues")
 
@@ -361,13 +363,15 @@ class _Spinner:
         self.context.try_shutdown()
 
 
-def spin_once(executor, timeout_sec=None):
-    """Executes what is ready, as `executor.spin_once` does, with one exception for every shutdown of ROS.
+def failed_line(error):
+    """Where an exception was raised, and what it says, in one line."""
+    line = traceback.extract_tb(error.__traceback__)[-1]
+    text = traceback.format_exception_only(error)[-1].strip()
+    return f"in line {line.lineno} ({line.line}): {text}"
 
-    Raises
-    ------
-    rclpy.executors.ExternalShutdownException : ROS was shut down meanwhile
-    """
+
+def spin_once(executor, timeout_sec=None):
+    """As `executor.spin_once`, but every shutdown of ROS raises ExternalShutdownException."""
     try:
         executor.spin_once(timeout_sec)
     except RCLError as error:

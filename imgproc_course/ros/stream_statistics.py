@@ -22,7 +22,6 @@ class StreamMonitor:
         self._pause = self._step_back = 0.0  # seconds, not reported yet
 
     def observe(self, msg):
-        """Takes note of a message that arrived."""
         now = time.monotonic()
         if self._is_silent:
             self._pause, self._is_silent = now - self._last_arrival, False
@@ -56,24 +55,14 @@ class StreamMonitor:
 
 
 class ProcessingStatistics:
-    """What an ImageProcessor counts and times.
-
-    Attributes
-    ----------
-    received, processed, failed, ignored : numbers of images; `ImageProcessor.statistics` explains them
-    last_error : the cause of the latest failure in one line, or None
-    busy : seconds spent in the callback
-    losses : LossCounter
-    """
+    """What an ImageProcessor counts and times; `ImageProcessor.statistics` explains it."""
 
     def __init__(self):
         self.received = self.processed = self.failed = self.ignored = 0
-        self.last_error = None
-        self.busy = 0.0
+        self.last_error: str | None = None
+        self.busy = 0.0  # seconds spent in the callback
         self.losses = LossCounter()
-        self._arrivals = collections.deque(maxlen=RECENT)
-        self._latencies = collections.deque(maxlen=RECENT)
-        self._durations = collections.deque(maxlen=RECENT)
+        self._arrivals, self._latencies, self._durations = (_recent_seconds() for _ in range(3))
         self._reported = (0, 0, 0.0, time.perf_counter())
 
     def count_received(self, number):
@@ -110,7 +99,6 @@ class ProcessingStatistics:
         )
 
     def as_dict(self):
-        """The statistics as `ImageProcessor.statistics` describes them."""
         span = self._arrivals[-1] - self._arrivals[0] if len(self._arrivals) > 1 else 0
         return {
             "received": self.received,
@@ -125,12 +113,15 @@ class ProcessingStatistics:
         }
 
 
+def _recent_seconds() -> collections.deque[float]:
+    return collections.deque(maxlen=RECENT)
+
+
 def _percentiles(seconds):
     return np.percentile(seconds, (50, 99)).dot(1e3).round(2).tolist() if seconds else None
 
 
 def statistics_line(statistics):
-    """The dict of `ImageProcessor.statistics` as one line of text."""
     parts = [f"{statistics[key]} {key}" for key in ("received", "processed", "failed", "ignored")]
     if statistics["lost"] is not None:
         parts.append(f"{statistics['lost']} lost")

@@ -3,33 +3,24 @@
 import collections
 import threading
 import time
-import traceback
 import weakref
+from collections.abc import Callable, Iterator
+from typing import Any, ClassVar, Self
 
+import numpy as np
 from rclpy.event_handler import SubscriptionEventCallbacks
-from rclpy.qos import (
-    DurabilityPolicy,
-    HistoryPolicy,
-    QoSPolicyKind,
-    QoSProfile,
-    ReliabilityPolicy,
-)
+from rclpy.qos import QoSPolicyKind, QoSProfile, qos_profile_sensor_data
 from sensor_msgs.msg import CompressedImage, Image
 
 from imgproc_course.messages import ConversionError, compressed_to_array, encoding_info, image_to_array
 from imgproc_course.ros.diagnostics import explain_missing_messages
 from imgproc_course.ros.loss_counter import LossCounter
-from imgproc_course.ros.session import RCLError, RosSession, Throttle, log
+from imgproc_course.ros.session import RCLError, RosSession, Throttle, failed_line, log
 
-# What cameras offer (rclpy.qos.qos_profile_sensor_data): a late frame is worth nothing, so a lost one is not
-# sent again. A reliable subscription would receive nothing from such a publisher.
 QOS = {
-    "sensor_data": QoSProfile(
-        history=HistoryPolicy.KEEP_LAST,
-        depth=5,
-        reliability=ReliabilityPolicy.BEST_EFFORT,
-        durability=DurabilityPolicy.VOLATILE,
-    ),
+    # What cameras offer (best effort, depth 5): a late frame is worth nothing, so a lost one is not sent
+    # again. A reliable subscription would receive nothing from such a publisher.
+    "sensor_data": qos_profile_sensor_data,
     "reliable": QoSProfile(depth=10),  # what a plain 10 in create_subscription means
 }
 RATE_WINDOW = 2.0  # seconds over which the rate is measured
@@ -43,6 +34,13 @@ _QOS_REMEDIES = {
         '(new ones only); use qos="sensor_data"'
     ),
 }
+
+
+def image_type(topic):
+    """The message type of an image topic, and the function that converts a message to an array."""
+    if topic.rpartition("/")[2] in ("compressed", "compressedDepth"):
+        return CompressedImage, compressed_to_array
+    return Image, image_to_array
 
 
 class ImageSubscriber:
@@ -62,11 +60,8 @@ class ImageSubscriber:
     received : messages that arrived
     failed : messages that could not be converted, or for which `on_image` raised; they are logged and skipped
     last_error : why the last of those failed, in one line; None
-    dropped : messages lost on the way, or overwritten while ROS's thread was busy, by the publisher's own
-        numbers; None if the middleware does not number them, or while several nodes publish the topic
     skipped : frames that a loop over this subscriber skipped to get to the newest
     incompatible_qos : the QoS policy that does not match, with the remedy; None
-    measured_rate : frames per second that arrived during the last two seconds
 
     Any thread may use it. It stops with `.stop()`, at the end of its `with`, with the RosSession, or when no
     reference to it is left. A subscriber with an `on_image` is kept alive until it is stopped. In a notebook,
@@ -83,29 +78,35 @@ class ImageSubscriber:
     ...     frame = subscriber.wait()
     """
 
-    _subscribers = {}  # noqa: RUF012  key -> subscriber with an on_image, which keeps it alive
+    _subscribers: ClassVar[dict[Any, "ImageSubscriber"]] = {}  # those with an on_image: it keeps them alive
 
-    def __init__(self, topic, on_image=None, *, qos="sensor_data", encoding="bgr8"):
+    def __init__(
+        self,
+        topic: str,
+        on_image: Callable[[np.ndarray, Any], Any] | None = None,
+        *,
+        qos: str | QoSProfile = "sensor_data",
+        encoding: str = "bgr8",
+    ):
         if encoding != "passthrough":
             encoding_info(encoding)
         self.qos = _qos_profile(qos)
         self.encoding = encoding
-        self._on_image = on_image
+        self._on_image: Any = on_image
         self._change = threading.Condition()
-        self._arrivals = collections.deque()
+        self._arrivals: collections.deque[float] = collections.deque()
         self._may_log = Throttle()
-        self._latest = None
+        self._latest: Any = None
         self._converted = 0
         self._losses = LossCounter()
         self._stopped = False
-        self._key = None
+        self._key: Any = None
         self.received = self.failed = self.skipped = 0
-        self.last_error = self.incompatible_qos = None
+        self.last_error: str | None = None
+        self.incompatible_qos: str | None = None
         self.session = RosSession.current()
         self.topic = self.session.resolve_topic(topic)
-        is_compressed = self.topic.rpartition("/")[2] in ("compressed", "compressedDepth")
-        self.message_type = CompressedImage if is_compressed else Image
-        self._convert = compressed_to_array if is_compressed else image_to_array
+        self.message_type, self._convert = image_type(self.topic)
         if on_image is not None:
             self._replace_previous()
         self._subscription = subscription = self._subscribe()
@@ -146,16 +147,12 @@ class ImageSubscriber:
             previous.stop()
             log.warning("replaced the subscriber that called %s on %s", name, self.topic)
 
-    def latest(self):
+    def latest(self) -> np.ndarray | None:
         """The newest frame, or None before the first."""
         return self._latest
 
-    def wait(self, timeout=5.0):
-        """A frame that arrives after this call.
-
-        Parameters
-        ----------
-        timeout : seconds
+    def wait(self, timeout: float = 5.0) -> np.ndarray:
+        """A frame that arrives after this call, within `timeout` seconds.
 
         Raises
         ------
@@ -191,7 +188,7 @@ class ImageSubscriber:
             )
         )
 
-    def wait_for_incompatible_qos(self, timeout=20.0):
+    def wait_for_incompatible_qos(self, timeout: float = 20.0) -> str | None:
         """Waits until ROS reports a publisher whose QoS policies do not match; returns `incompatible_qos`.
 
         Raises
@@ -205,7 +202,7 @@ class ImageSubscriber:
                 )
             return self.incompatible_qos
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[np.ndarray]:
         """Yields new frames; if several came meanwhile, only the newest. Ends when the subscriber stops."""
         count = self._converted
         while True:
@@ -222,7 +219,8 @@ class ImageSubscriber:
         return lambda: self._converted > count or self._stopped
 
     @property
-    def measured_rate(self):
+    def measured_rate(self) -> float:
+        """Frames per second that arrived during the last two seconds."""
         with self._change:
             self._forget_old_arrivals()
             if len(self._arrivals) < 2:
@@ -230,20 +228,24 @@ class ImageSubscriber:
             return (len(self._arrivals) - 1) / (self._arrivals[-1] - self._arrivals[0])
 
     @property
-    def dropped(self):
+    def dropped(self) -> int | None:
+        """Messages lost on the way, or overwritten while ROS's thread was busy.
+
+        By the publisher's own numbers; None if the middleware does not number them, or while several nodes
+        publish the topic.
+        """
         return self._losses.lost
 
     @property
-    def matched(self):
+    def matched(self) -> int:
         """The number of publishers whose QoS and type match this subscription."""
         return 0 if self._stopped else self._subscription.get_publisher_count()
 
     @property
-    def stopped(self):
-        """Whether the subscriber is stopped."""
+    def stopped(self) -> bool:
         return self._stopped
 
-    def stop(self):
+    def stop(self) -> None:
         """Ends the subscription, and every wait and loop over it. A second call does nothing."""
         with self._change:
             self._stopped = True
@@ -252,7 +254,7 @@ class ImageSubscriber:
             del self._subscribers[self._key]
         self._finalizer()
 
-    def __enter__(self):
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *exception):
@@ -286,9 +288,7 @@ class ImageSubscriber:
         try:
             self._on_image(frame, msg)
         except Exception as error:  # noqa: BLE001  it is the learner's code; the graph must live on
-            location = traceback.extract_tb(error.__traceback__)[-1]
-            text = traceback.format_exception_only(error)[-1].strip()
-            self._count_failure(f"on_image failed in line {location.lineno} ({location.line}): {text}")
+            self._count_failure(f"on_image failed {failed_line(error)}")
 
     def _count_failure(self, text):
         with self._change:
