@@ -5,6 +5,7 @@ import html
 import inspect
 import json
 import math
+from typing import Any
 
 import ipywidgets as widgets
 
@@ -30,18 +31,8 @@ nameHandles(6000);  // ten minutes: the cell may stand outside the visible part
 """
 
 
-def labelled(slider, names):
-    """A slider of ipywidgets whose handles have names, which a screen reader reads.
-
-    Parameters
-    ----------
-    slider : ipywidgets slider
-    names : list of str, one for each handle
-
-    Returns
-    -------
-    ipywidgets.VBox, to display in place of the slider
-    """
+def labelled(slider: widgets.Widget, names: list[str]) -> widgets.VBox:
+    """A box to display in place of a slider, whose handles then have names, which a screen reader reads."""
     return widgets.VBox([slider, _handle_names(names)])
 
 
@@ -53,28 +44,14 @@ def _handle_names(names):
 
 
 class Controls:
-    """One widget per keyword, and the parameter values that the widgets set.
+    """One widget per keyword, and the parameter values that the widgets set; `tune` describes the ranges.
 
-    Parameters
-    ----------
-    function : the function that has the parameters
-    ranges : dict of keyword -> range
-        (low, high) or (low, high, step): a slider, of integers if all are integers;
-        True or False: a check box with this start;
-        a list, or a dict of label -> value: a choice, which starts at the parameter's default or the first;
-        any ipywidgets widget with a value: this widget.
-        A keyword that is not a parameter of the function stands for a pair of parameters that must not
-        cross, such as (low, high), or another pair in PAIRS: one range slider sets both.
-    on_change : called without arguments after a value has changed
-
-    Raises
-    ------
-    ValueError : an invalid range, a keyword that the function does not know
+    `on_change` is called without arguments after a value has changed.
     """
 
     def __init__(self, function, ranges, on_change=lambda: None):
         self._function, self._parameters = function, _parameters(function)
-        self._names = {}  # keyword -> names of the parameters that it sets
+        self._names = {}  # keyword -> names of the one or two parameters that it sets
         self._widgets = {}
         for keyword, range_ in ranges.items():
             self._names[keyword] = self._parameters_of(keyword, range_, function)
@@ -107,7 +84,7 @@ class Controls:
         """The function's call with the current values, as code."""
         first = next(iter(self._parameters or ()), "frame")
         arguments = ", ".join([first, *(f"{name}={_as_code(value)}" for name, value in self._values.items())])
-        return f"{_name(self._function)}({arguments})"
+        return f"{name_of(self._function)}({arguments})"
 
     def note(self, text):
         """Writes a line of text under the code."""
@@ -134,7 +111,7 @@ class Controls:
         self._code.value = f'<code style="{style}">{html.escape(self.call)}</code>{self._note}'
 
     def _read(self):
-        values = {}
+        values: dict[str, Any] = {}
         for keyword, names in self._names.items():
             value = self._widgets[keyword].value
             values.update(zip(names, value, strict=True) if len(names) == 2 else [(names[0], value)])
@@ -150,7 +127,6 @@ class Controls:
         return _handle_names(names)
 
     def _parameters_of(self, keyword, range_, function):
-        """Names of the one or two parameters that a keyword sets."""
         parameters = self._parameters
         if parameters is None or keyword in parameters or _takes_any_keyword(parameters):
             return (keyword,)
@@ -160,7 +136,7 @@ class Controls:
         if len(pairs) == 1 and isinstance(getattr(range_, "value", range_), tuple) and not close_matches:
             return pairs[0]
         raise ValueError(
-            f"{_name(function)} has no parameter {keyword!r}; it has: {', '.join(parameters)}. "
+            f"{name_of(function)} has no parameter {keyword!r}; it has: {', '.join(parameters)}. "
             + (f"Did you mean {close_matches[0]}? " if close_matches else "")
             + "A new name makes one range slider for two parameters, if they are called low and high"
         )
@@ -224,7 +200,7 @@ def _takes_any_keyword(parameters):
     return any(parameter.kind is parameter.VAR_KEYWORD for parameter in parameters.values())
 
 
-def _name(function):
+def name_of(function):
     return getattr(function, "__name__", type(function).__name__)
 
 

@@ -8,6 +8,7 @@ import math
 import threading
 import time
 from pathlib import Path
+from typing import Any
 
 import anywidget
 import ipywidgets as widgets
@@ -29,7 +30,17 @@ SCANNER = (
 )  # where the Kachaka's scanner stands on it: x in metres, and turned to the left
 
 
-def drive(robot, source=None, *, linear=0.3, angular=1.2, width=480, text=None, caption=None, alt=None):
+def drive(
+    robot: Any,
+    source: Any = None,
+    *,
+    linear: float = 0.3,
+    angular: float = 1.2,
+    width: int = 480,
+    text: tuple[str, str] | None = None,
+    caption: str | None = None,
+    alt: str | None = None,
+) -> "DriveView":
     """Shows what the robot sees, and drives it: arrow keys or W A S D, buttons, or a gamepad.
 
     The keys work while the map beside the image has the focus: click on it, or reach it with Tab. The robot
@@ -86,18 +97,14 @@ class _RobotWarnings(logging.Handler):
 
 
 class DriveView(LiveView):
-    """The robot's image, and its controls; `drive` makes one and starts it.
-
-    Attributes
-    ----------
-    trace : list of (x, y) in metres, in the frame of the odometry
-    """
+    """The robot's image, and its controls; `drive` makes one and starts it."""
 
     def __init__(self, robot, source, *, linear, angular, width, caption, alt):
         self._robot, self._width = robot, width
         self._pad = DrivePad(linear=float(linear), angular=float(angular))
         self._pad.on_msg(self._on_message)
-        self._command, self._commanded = None, threading.Condition()
+        self._command: tuple[float, float, float] | None = None  # time, linear, angular
+        self._commanded = threading.Condition()
         self._fastest = math.inf  # seconds from the browser's clock to ours, at best
         self._map = _Map()
         self._threads = []
@@ -119,10 +126,11 @@ class DriveView(LiveView):
         self._box = widgets.HBox([self._box, self._pad], layout=widgets.Layout(flex_flow="row wrap"))
 
     @property
-    def trace(self):
+    def trace(self) -> list[tuple[float, float]]:
+        """The way so far: (x, y) in metres, in the frame of the odometry."""
         return list(self._map.trace)
 
-    def start(self):
+    def start(self) -> None:
         if self.running:
             return
         super().start()
@@ -131,7 +139,7 @@ class DriveView(LiveView):
             self._threads.append(threading.Thread(target=loop, args=(self._stopping,), daemon=True))
             self._threads[-1].start()
 
-    def stop(self):
+    def stop(self) -> None:
         super().stop()
         robot_log.removeHandler(self._warnings)
         with self._commanded:
@@ -212,27 +220,19 @@ class _Map:
     """The way and the obstacles so far, and what of them the browser does not have yet."""
 
     def __init__(self):
-        self.trace, self._cells = [], set()
-        self._places = collections.deque(maxlen=20)  # (time, x, y, yaw): a scan is older than the odometry
-        self._sent, self._begins = (0, set()), True
+        self.trace: list[tuple[float, float]] = []
+        self._cells: set[tuple[int, int]] = set()
+        self._sent: tuple[int, set[tuple[int, int]]] = (0, set())
+        # (time, x, y, yaw): a scan is older than the odometry.
+        self._places: collections.deque[tuple[float, ...]] = collections.deque(maxlen=20)
+        self.begin_again()
 
     def begin_again(self):
         """The next update has everything. Any thread may call it."""
         self._begins = True
 
     def update(self, odometry, scan):
-        """The message for the browser.
-
-        Parameters
-        ----------
-        odometry : nav_msgs/Odometry
-        scan : sensor_msgs/LaserScan, or None
-
-        Returns
-        -------
-        dict : pose (x, y, yaw) and speed (linear, angular) now; trace and cells, those that are new; whether
-            it `begins` again
-        """
+        """The message for the browser; of trace and cells, what is new since the message before."""
         x, y, yaw = self._follow(odometry)
         if not self.trace or math.dist(self.trace[-1], (x, y)) > 0.01:
             self.trace.append((x, y))

@@ -3,12 +3,15 @@
 import base64
 import html
 import itertools
-from typing import NamedTuple
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import NamedTuple, TypeAlias
 
 import cv2
 import matplotlib as mpl
 import numpy as np
 from IPython.display import display
+from matplotlib.axes import Axes
 from matplotlib.backends.backend_agg import FigureCanvasAgg
 from matplotlib.cm import ScalarMappable
 from matplotlib.colors import Normalize
@@ -23,6 +26,7 @@ IMAGE_WIDTH, IMAGE_HEIGHT = 640, 420
 CELL_SIDE, NUMBERED_CELL_SIDE = 32, 46
 LEFT, RIGHT, TOP, BOTTOM = 54, 14, 28, 42
 BAR_GAP, BAR_WIDTH, BAR_LABELS = 10, 12, 46
+BAR = BAR_GAP + BAR_WIDTH + BAR_LABELS
 MOST_NUMBERED = 12
 # Drawn with more pixels than shown, so that text stays sharp on a dense screen.
 DENSITY = 1.5
@@ -31,6 +35,9 @@ SMALLEST_SCALE = 0.8  # of the images of a line in a narrow window; in a narrowe
 
 CHANNEL_ORDERS = {"bgr": (2, 1, 0), "rgb": (0, 1, 2), "bgra": (2, 1, 0, 3), "rgba": (0, 1, 2, 3)}
 OPENCV_ORDERS = {1: "gray", 3: "bgr", 4: "bgra"}  # of the generic 8UC1, 8UC3, 8UC4
+
+
+Images: TypeAlias = np.ndarray | Sequence[np.ndarray] | Mapping[str, np.ndarray]
 
 
 class CheckedImage(NamedTuple):
@@ -44,20 +51,20 @@ class CheckedImage(NamedTuple):
 
 
 def show(
-    images,
-    titles=None,
+    images: Images,
+    titles: str | Sequence[str] | None = None,
     *,
-    encoding="bgr8",
-    text=None,
-    alt=None,
-    caption=None,
-    limits=None,
-    cmap="gray",
-    rows=None,
-    cols=None,
-    numbers=None,
-    columns=None,
-):
+    encoding: str | Sequence[str] = "bgr8",
+    text: tuple[str, str] | None = None,
+    alt: str | None = None,
+    caption: str | None = None,
+    limits: tuple[float, float] | None = None,
+    cmap: str = "gray",
+    rows: tuple[int, int] | None = None,
+    cols: tuple[int, int] | None = None,
+    numbers: bool | None = None,
+    columns: int | None = None,
+) -> None:
     """Shows one image, or several side by side on one scale.
 
     In every uint8 image 0 is black and 255 is white; in every bool image False is black and True is white.
@@ -105,26 +112,22 @@ def show(
         columns=columns,
     )
     caption, alt = split_text(text, caption, alt)
-    show_figure(figure, alt=alt or figure.get_label(), caption=caption)
+    show_figure(figure, alt=alt or str(figure.get_label()), caption=caption)
 
 
 def draw(
-    images,
-    titles=None,
+    images: Images,
+    titles: str | Sequence[str] | None = None,
     *,
-    encoding="bgr8",
-    limits=None,
-    cmap="gray",
-    rows=None,
-    cols=None,
-    numbers=None,
-    columns=None,
-):
+    encoding: str | Sequence[str] = "bgr8",
+    limits: tuple[float, float] | None = None,
+    cmap: str = "gray",
+    rows: tuple[int, int] | None = None,
+    cols: tuple[int, int] | None = None,
+    numbers: bool | None = None,
+    columns: int | None = None,
+) -> tuple[Figure, list[Axes]]:
     """Draws the figure of `show` without showing it: draw arrows, circles or text on it, then `show_figure`.
-
-    Parameters
-    ----------
-    As `show`.
 
     Returns
     -------
@@ -133,15 +136,28 @@ def draw(
     """
     checked_images = _check_images(images, titles, encoding, rows, cols)
     scale = _check_limits(limits, checked_images)
-    numbered = [_is_numbered(image, numbers) for image in checked_images]
+    panels = [
+        _Panel(
+            image,
+            _is_numbered(image, numbers),
+            _is_scaled(image) or (limits is not None and image.order == "gray"),
+        )
+        for image in checked_images
+    ]
     with mpl.rc_context():
         mpl.rcdefaults()  # a learner's dark style must not change what a lesson shows
-        figure, axes = _lay_out(checked_images, numbered, scale, limits, cmap, columns)
+        figure, axes = _draw_panels(panels, scale, cmap, columns)
     figure.set_label("; ".join(_describe(image) for image in checked_images))
     return figure, axes
 
 
-def show_figure(figure, *, alt=None, caption=None, text=None):
+def show_figure(
+    figure: Figure,
+    *,
+    alt: str | None = None,
+    caption: str | None = None,
+    text: tuple[str, str] | None = None,
+) -> None:
     """Shows any matplotlib figure as an image with an alternative text, and closes it.
 
     The stored output has the same bytes whenever the same figure is drawn.
@@ -160,7 +176,9 @@ def show_figure(figure, *, alt=None, caption=None, text=None):
     _close(figure)
 
 
-def split_text(text, caption=None, alt=None):
+def split_text(
+    text: tuple[str, str] | None, caption: str | None = None, alt: str | None = None
+) -> tuple[str | None, str | None]:
     """(caption, alt) of a figure: of its `text`, if it has one; ValueError if this is not a pair of texts."""
     if text is None:
         return caption, alt
@@ -169,7 +187,7 @@ def split_text(text, caption=None, alt=None):
     is_pair = isinstance(text, tuple | list) and len(text) == 2
     if not is_pair or not all(isinstance(part, str) and part.strip() for part in text):
         raise ValueError(f'text must be ("caption", "alternative text"), got {text!r}')
-    return tuple(text)
+    return text[0], text[1]
 
 
 class _Output:
@@ -362,68 +380,82 @@ def _describe(image):
 # ---------------------------------------------------------------- draw
 
 
+@dataclass
+class _Panel:
+    """An image of a figure, and its place: CSS pixels, from the figure's upper left corner."""
+
+    image: CheckedImage
+    is_numbered: bool
+    is_barred: bool  # on the shared scale, which a bar shows
+    box: tuple[int, int] = (0, 0)  # width and height of the image alone
+    has_bar: bool = False
+    left: int = 0
+    top: int = 0
+    height: int = 0
+
+    @property
+    def width(self):
+        return LEFT + self.box[0] + RIGHT + (BAR if self.has_bar else 0)
+
+    def is_cramped(self):
+        """Whether its numbers do not fit into its pixels."""
+        longest = max(len(_number(value)) for value in self.image.array.flat) if self.is_numbered else 0
+        return self.is_numbered and self.box[0] / self.image.array.shape[1] < 6 * longest + 4
+
+
 class _PanelFigure(Figure):
-    """A figure of several images; `panels` are their places: (left, top, width, height) of each, by lines."""
+    """A figure of several images: a list of panels for each line."""
 
-    panels = ()
+    panels: Sequence[list[_Panel]] = ()
 
 
-def _lay_out(images, numbered, scale, limits, cmap, columns):
-    barred = [_is_scaled(image) or (limits is not None and image.order == "gray") for image in images]
-    bar = BAR_GAP + BAR_WIDTH + BAR_LABELS if any(barred) else 0
-    columns, boxes = _choose_boxes(images, numbered, bar, columns)
-    lines = [range(k, min(k + columns, len(images))) for k in range(0, len(images), columns)]
-    # If every image of a line is on the shared scale, one bar at the end of the line is enough.
-    has_bar = [
-        barred[k] and (k == line[-1] or not all(barred[j] for j in line)) for line in lines for k in line
-    ]
-    widths = [LEFT + boxes[k][0] + RIGHT + (bar if has_bar[k] else 0) for k in range(len(images))]
-    total_width = max(sum(widths[k] for k in line) for line in lines)
-    heights = [TOP + max(boxes[k][1] for k in line) + BOTTOM for line in lines]
-    figure = _PanelFigure(figsize=(total_width / 100, sum(heights) / 100), dpi=100 * DENSITY)
+def _draw_panels(panels, scale, cmap, columns):
+    count = _choose_boxes(panels, columns)
+    lines = [panels[k : k + count] for k in range(0, len(panels), count)]
+    height = 0
+    for line in lines:
+        _place_line(line, height)
+        height += line[0].height
+    width = max(line[-1].left + line[-1].width for line in lines)
+    figure = _PanelFigure(figsize=(width / 100, height / 100), dpi=100 * DENSITY)
     FigureCanvasAgg(figure)
-    axes, figure.panels = [], []
-    for number, line in enumerate(lines):
-        left, top = 0, sum(heights[:number])
-        figure.panels.append([])
-        for k in line:
-            box = _place(figure, left + LEFT, top + TOP, *boxes[k])
-            axes.append(
-                _draw_image(figure.add_axes(box), images[k], boxes[k], numbered[k], barred[k], scale, cmap)
-            )
-            if has_bar[k]:
-                place = _place(figure, left + LEFT + boxes[k][0] + BAR_GAP, top + TOP, BAR_WIDTH, boxes[k][1])
-                arrays = [images[j].array for j in line if barred[j]]
-                _draw_bar(figure, place, scale, cmap, arrays)
-            figure.panels[-1].append((left, top, widths[k], heights[number]))
-            left += widths[k]
+    figure.panels, axes = lines, []
+    for line in lines:
+        for panel in line:
+            axes.append(_draw_image(figure, panel, scale, cmap))
+            if panel.has_bar:
+                _draw_bar(figure, panel, scale, cmap, [p.image.array for p in line if p.is_barred])
     return figure, axes
+
+
+def _choose_boxes(panels, columns):
+    """Sets each panel's box; returns the largest number of images per line at which each stays legible."""
+    if columns is not None and columns < 1:
+        raise ValueError(f"columns={columns}: a line has at least one image")
+    bar = BAR if any(panel.is_barred for panel in panels) else 0
+    for count in [columns] if columns else range(min(len(panels), 4), 0, -1):
+        widest = (FIGURE_WIDTH - bar) // count - LEFT - RIGHT
+        for panel in panels:
+            panel.box = _fit(panel.image, widest, panel.is_numbered)
+        if not any(panel.is_cramped() for panel in panels):
+            break
+    return count
+
+
+def _place_line(line, top):
+    height = TOP + max(panel.box[1] for panel in line) + BOTTOM
+    left = 0
+    for panel in line:
+        # If every image of a line is on the shared scale, one bar at the end of the line is enough.
+        panel.has_bar = panel.is_barred and (panel is line[-1] or not all(p.is_barred for p in line))
+        panel.left, panel.top, panel.height = left, top, height
+        left += panel.width
 
 
 def _place(figure, left, top, width, height):
     """A box in CSS pixels from the top left corner, as matplotlib's fractions from the bottom left corner."""
     whole_width, whole_height = figure.get_size_inches() * 100
     return left / whole_width, 1 - (top + height) / whole_height, width / whole_width, height / whole_height
-
-
-def _choose_boxes(images, numbered, bar, columns):
-    """The largest number of images per line at which each stays legible, and each one's (width, height)."""
-    if columns is not None and columns < 1:
-        raise ValueError(f"columns={columns}: a line has at least one image")
-    for count in [columns] if columns else range(min(len(images), 4), 0, -1):
-        widest = (FIGURE_WIDTH - bar) // count - LEFT - RIGHT
-        boxes = [_fit(image, widest, number) for image, number in zip(images, numbered, strict=True)]
-        cramped = any(
-            number and box[0] / image.array.shape[1] < _narrowest_cell(image)
-            for image, box, number in zip(images, boxes, numbered, strict=True)
-        )
-        if not cramped:
-            break
-    return count, boxes
-
-
-def _narrowest_cell(image):
-    return 6 * max(len(_number(value)) for value in image.array.flat) + 4
 
 
 def _fit(image, widest, numbered):
@@ -440,9 +472,11 @@ def _fit(image, widest, numbered):
     return max(1, round(width * factor)), max(1, round(height * factor))
 
 
-def _draw_image(axes, image, box, numbered, barred, scale, cmap):
+def _draw_image(figure, panel, scale, cmap):
+    image, box = panel.image, panel.box
+    axes = figure.add_axes(_place(figure, panel.left + LEFT, panel.top + TOP, *box))
     height, width = image.array.shape[:2]
-    colours = to_rgb(image, _range(image, barred, scale), cmap)
+    colours = to_rgb(image, scale if panel.is_barred else _fixed_range(image), cmap)
     left, top = image.first_col - 0.5, image.first_row - 0.5
     axes.imshow(
         _resample(colours, box),
@@ -455,17 +489,17 @@ def _draw_image(axes, image, box, numbered, barred, scale, cmap):
     axes.set_ylabel("row", fontsize=9, labelpad=2)
     axes.tick_params(labelsize=8, length=3)
     for axis, size in ((axes.xaxis, width), (axes.yaxis, height)):
-        axis.set_major_locator(MaxNLocator(size if numbered else 5, integer=True, steps=[1, 2, 5, 10]))
-    if numbered:
+        axis.set_major_locator(
+            MaxNLocator(size if panel.is_numbered else 5, integer=True, steps=[1, 2, 5, 10])
+        )
+    if panel.is_numbered:
         _write_numbers(axes, image, colours, box[0] / width)
     axes.set_xlim(left, left + width)
     axes.set_ylim(top + height, top)
     return axes
 
 
-def _range(image, barred, scale):
-    if barred:
-        return scale
+def _fixed_range(image):
     return (0, 1) if image.array.dtype == bool else (0, 255)
 
 
@@ -521,7 +555,9 @@ def _write_numbers(axes, image, colours, cell):
         )
 
 
-def _draw_bar(figure, place, scale, cmap, arrays):
+def _draw_bar(figure, panel, scale, cmap, arrays):
+    left = panel.left + LEFT + panel.box[0] + BAR_GAP
+    place = _place(figure, left, panel.top + TOP, BAR_WIDTH, panel.box[1])
     low, high = scale
     below = any(array.min() < low for array in arrays)
     above = any(array.max() > high for array in arrays)
@@ -546,17 +582,16 @@ def _encode(figure):
         return [[_encode_image(bgr, width, LARGEST_PNG)]]
     largest_png = LARGEST_PNG // sum(map(len, panels))
     return [
-        [_encode_image(_part(bgr, panel, (width, height)), panel[2], largest_png) for panel in line]
+        [_encode_image(_part(bgr, panel, (width, height)), panel.width, largest_png) for panel in line]
         for line in panels
     ]
 
 
 def _part(bgr, panel, size):
-    """The pixels of a panel, whose place is given in CSS pixels of a figure of this size."""
-    left, top, width, height = panel
+    """The pixels of a panel of a figure of this size in CSS pixels."""
     col_scale, row_scale = bgr.shape[1] / size[0], bgr.shape[0] / size[1]
-    rows = slice(round(top * row_scale), round((top + height) * row_scale))
-    return bgr[rows, round(left * col_scale) : round((left + width) * col_scale)]
+    rows = slice(round(panel.top * row_scale), round((panel.top + panel.height) * row_scale))
+    return bgr[rows, round(panel.left * col_scale) : round((panel.left + panel.width) * col_scale)]
 
 
 def _encode_image(bgr, width, largest_png):

@@ -5,6 +5,7 @@ import html
 import itertools
 import threading
 import time
+from collections.abc import Callable
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -28,17 +29,17 @@ WITHOUT_BROWSER = 1.0  # seconds between frames without a browser
 
 
 def live_view(
-    source,
-    process=None,
+    source: Any,
+    process: Callable[..., Any] | None = None,
     *,
-    encoding="bgr8",
-    width=None,
-    limits=None,
-    text=None,
-    caption=None,
-    alt=None,
-    **ranges,
-):
+    encoding: str = "bgr8",
+    width: int | None = None,
+    limits: tuple[float, float] | None = None,
+    text: tuple[str, str] | None = None,
+    caption: str | None = None,
+    alt: str | None = None,
+    **ranges: Any,
+) -> "LiveView":
     """Shows a running camera in the notebook, each frame as the learner's function returns it.
 
     It runs on a thread: the cell ends at once, and sliders, other cells and other views go on working. An
@@ -126,7 +127,9 @@ class LiveView:
         self._frame = None
         self._cell = self._cell_run = None
         self._hidden = self._failing = False
-        self.shown, self.rate, self.value, self.error, self.snapshots = 0, 0.0, None, None, []
+        self.shown, self.rate, self.value = 0, 0.0, None
+        self.error: BaseException | None = None
+        self.snapshots: list[Snapshot] = []
         self._make_widgets()
 
     def _make_widgets(self):
@@ -153,25 +156,25 @@ class LiveView:
     # ------------------------------------------------------------ what a learner calls
 
     @property
-    def running(self):
+    def running(self) -> bool:
         return self._thread is not None and self._thread.is_alive()
 
     @property
-    def parameters(self):
+    def parameters(self) -> dict[str, Any]:
         """Dict of parameter -> value, as `process` gets them."""
         return self._controls.values if self._controls else {}
 
     @property
-    def call(self):
+    def call(self) -> str:
         """The call of `process` as code to copy."""
         return self._controls.call if self._controls else f"{self._name}(frame)"
 
-    def reset(self):
+    def reset(self) -> None:
         """Sets every slider back to its start."""
         if self._controls:
             self._controls.reset()
 
-    def start(self):
+    def start(self) -> None:
         """Starts the view, or starts it again. Does nothing if it runs."""
         if self.running:
             return
@@ -182,7 +185,7 @@ class LiveView:
         _running.add(self)
         self._start.disabled, self._stop.disabled = True, False
 
-    def stop(self):
+    def stop(self) -> None:
         """Stops the thread and the view's own subscription; the last image stays."""
         self._stopping.set()
         self._feed.close()  # this also wakes the thread if it waits for a frame
@@ -193,7 +196,7 @@ class LiveView:
         self._start.disabled, self._stop.disabled = False, True
         self._status.value = f"stopped after {self.shown} frame{'' if self.shown == 1 else 's'}"
 
-    def snapshot(self):
+    def snapshot(self) -> Snapshot | None:
         """Adds frame and result to `.snapshots`, and saves the image as a PNG file in the working folder."""
         if self._frame is None:
             self._screen.say("there is no snapshot: no frame has come yet", is_error=True)
@@ -209,7 +212,7 @@ class LiveView:
         self._screen.say(f"saved as .snapshots[{len(self.snapshots) - 1}]{file_text}")
         return snapshot
 
-    def publish(self):
+    def publish(self) -> None:
         """Shows the view in the cell that runs now, and stops the view of an earlier run of this cell."""
         cell, run = _running_cell()
         for view in list(_running):
@@ -300,7 +303,7 @@ class LiveView:
         self._hidden = change["new"] == 0
 
 
-_running = set()
+_running: set[LiveView] = set()
 
 
 @atexit.register

@@ -30,7 +30,7 @@ _lock = threading.Lock()
 @contextmanager
 def captured_prints():
     """Within it, what the calling thread prints goes into the yielded list, which `last_lines` reads."""
-    pieces = []
+    pieces: list[str] = []
     with _lock:
         if not isinstance(sys.stdout, _ThreadAwareStream):
             sys.stdout = _ThreadAwareStream(sys.stdout)

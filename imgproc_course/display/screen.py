@@ -10,6 +10,7 @@ import ipywidgets as widgets
 import numpy as np
 from traitlets import Unicode
 
+from imgproc_course.display.controls import name_of
 from imgproc_course.display.figures import check_image, to_rgb
 
 GAP = 6
@@ -28,20 +29,14 @@ class NamedImage(widgets.Image):
 
 
 class Screen:
-    """Shows arrays in one ipywidgets image. Any thread may call it: it only assigns to existing widgets.
+    """Shows arrays in one ipywidgets image, as `live_view` says.
 
-    Parameters
-    ----------
-    encoding : channel order of colour images
-    width : CSS pixels; None: WIDTH for one image, WIDTH_OF_SEVERAL for several side by side
-    limits : (low, high) shown black and white, for gray images that are neither uint8 nor bool
-    alt : alternative text, which a screen reader reads
-    caption : a sentence under the image, or None
+    Any thread may call it: it only assigns to existing widgets.
     """
 
     def __init__(self, encoding, width, limits, alt, caption):
         self.encoding, self.limits, self._fixed_width = encoding, limits, width
-        self._size = None
+        self._size = (0, 0)
         common = {"max_width": "calc(100% - 4px)", "margin": "2px"}
         self.image = NamedImage(
             format="jpeg", layout=widgets.Layout(object_fit="contain", **common), tooltip=alt
@@ -171,9 +166,9 @@ def describe_error(error, function):
         text += "\nThe frame shares the message's memory: draw on frame.copy()."
     calls = [call for call in traceback.extract_tb(error.__traceback__) if _is_learners(call.filename)]
     if not calls:
-        return f"{text}\n(called as {_name(function)})"
+        return f"{text}\n(called as {name_of(function)})"
     call = calls[-1]
-    line = linecache.getline(call.filename, call.lineno).strip()
+    line = linecache.getline(call.filename, call.lineno or 0).strip()
     return f"{text}\nin {call.name}, line {call.lineno}:  {line}"
 
 
@@ -184,7 +179,3 @@ def _is_learners(filename):
         and "site-packages" not in path.parts
         and not filename.startswith("<frozen")
     )
-
-
-def _name(function):
-    return getattr(function, "__name__", type(function).__name__)

@@ -4,13 +4,15 @@ import base64
 import html
 import threading
 import time
+from collections.abc import Callable
+from typing import Any
 
 import ipywidgets as widgets
 import numpy as np
 
 from imgproc_course.display.controls import Controls
 from imgproc_course.display.figures import split_text
-from imgproc_course.display.live_view import is_live, live_view, publish
+from imgproc_course.display.live_view import LiveView, is_live, live_view, publish
 from imgproc_course.display.printing import captured_prints, last_lines
 from imgproc_course.display.screen import Screen, describe_error
 
@@ -19,17 +21,17 @@ QUICK = 0.05  # seconds that the kernel waits for a computation before it reads 
 
 
 def tune(
-    function,
-    frame,
+    function: Callable[..., Any],
+    frame: Any,
     *,
-    encoding="bgr8",
-    width=None,
-    limits=None,
-    text=None,
-    caption=None,
-    alt=None,
-    **sliders,
-):
+    encoding: str = "bgr8",
+    width: int | None = None,
+    limits: tuple[float, float] | None = None,
+    text: tuple[str, str] | None = None,
+    caption: str | None = None,
+    alt: str | None = None,
+    **sliders: Any,
+) -> "Tuner | LiveView":
     """Shows the result of `function` on a frame, with a slider for each of its parameters.
 
     tune(canny, gray, thresholds=(0, 1020), sigma=(0, 5.0)) calls canny(gray, low=..., high=..., sigma=...)
@@ -62,7 +64,13 @@ def tune(
     if not sliders:
         raise ValueError("nothing to tune: give a parameter and its range, such as sigma=(0, 5.0)")
     caption, alt = split_text(text, caption, alt)
-    common = {"encoding": encoding, "width": width, "limits": limits, "caption": caption, "alt": alt}
+    common: dict[str, Any] = {
+        "encoding": encoding,
+        "width": width,
+        "limits": limits,
+        "caption": caption,
+        "alt": alt,
+    }
     if is_live(frame) and not isinstance(frame, np.ndarray):
         return live_view(frame, function, **common, **sliders)
     if not isinstance(frame, np.ndarray):
@@ -94,7 +102,8 @@ class Tuner:
         self._lock = threading.Lock()
         self._requests, self._working = 0, False
         self._idle = threading.Event()
-        self.error = self._value = None
+        self.error: BaseException | None = None
+        self._value = None
         self._jpeg = b""
         layout = widgets.Layout(flex_flow="row wrap")
         self._box = widgets.HBox([self._screen.box, self._controls.box], layout=layout)
@@ -102,17 +111,17 @@ class Tuner:
         self._idle.set()
 
     @property
-    def parameters(self):
+    def parameters(self) -> dict[str, Any]:
         """Dict of parameter -> value, as the function gets them."""
         return self._controls.values
 
     @property
-    def call(self):
+    def call(self) -> str:
         """The current call as code."""
         return self._controls.call
 
     @property
-    def value(self):
+    def value(self) -> Any:
         """What the function returned for the current parameters; None if it raised.
 
         Raises
@@ -123,15 +132,15 @@ class Tuner:
             raise TimeoutError(f"{self.call} has not returned within {PATIENCE} s; does its loop end?")
         return self._value
 
-    def reset(self):
+    def reset(self) -> None:
         """Sets every slider back to its start."""
         self._controls.reset()
 
-    def __getitem__(self, keyword):
+    def __getitem__(self, keyword: str) -> widgets.Widget:
         """The widget of a keyword: tuner["sigma"].value = 2.0 moves its slider."""
         return self._controls[keyword]
 
-    def publish(self):
+    def publish(self) -> None:
         """Shows the sliders in the cell that runs now."""
         code = html.escape(self.call)
         img_tag = ""
