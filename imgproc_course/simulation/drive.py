@@ -67,7 +67,7 @@ def approach(value, target, step):
 def clearance(distance, x, y, yaw):
     """Metres between the body at (x, y, yaw) and what stands still; negative inside.
 
-    distance : function of a point, metres. Far from everything the result is a lower bound.
+    `distance(x, y)` is that of a point. Far from everything the result is a lower bound.
     """
     c, s = math.cos(yaw), math.sin(yaw)
     center = distance(x + BODY_CENTER * c, y + BODY_CENTER * s) - BODY_REACH
@@ -76,8 +76,9 @@ def clearance(distance, x, y, yaw):
     return min(distance(x + a * c - b * s, y + a * s + b * c) - radius for a, b, radius in DISCS)
 
 
-def nearest_on_body(x, y, yaw, px, py):
-    """The point of the body (in the map) that is nearest to (px, py), and its distance; 0 inside."""
+def nearest_on_body(place, px, py):
+    """The point of the body at (x, y, yaw) that is nearest to (px, py), and its distance; 0 inside."""
+    x, y, yaw = place
     c, s = math.cos(yaw), math.sin(yaw)
     along, aside = (px - x) * c + (py - y) * s - BODY_CENTER, -(px - x) * s + (py - y) * c
     along = min(max(along, -BODY_LENGTH / 2), BODY_LENGTH / 2) + BODY_CENTER

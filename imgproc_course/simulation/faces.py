@@ -8,6 +8,7 @@ processor.
 import math
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 # What the twelve numbers mean, and their ranges; lengths in half heights of the head, rows downwards.
 RANGES = {
@@ -34,12 +35,14 @@ BACKGROUND = 120  # gray level of draw_face
 FACE = (0.13, 0.13, 0.74, 0.74)
 
 
-def random_identity(rng):
-    """The twelve numbers of a face, uniform in RANGES: (12,) float64. `rng`: a NumPy Generator."""
+def random_identity(rng: np.random.Generator) -> NDArray[np.float64]:
+    """The twelve numbers of a face, uniform in RANGES: (12,) float64."""
     return rng.uniform(*np.array(list(RANGES.values())).T)
 
 
-def draw_face(identity, size=64, side_light=0.0, yaw=0.0):
+def draw_face(
+    identity: ArrayLike, size: int = 64, side_light: float = 0.0, yaw: float = 0.0
+) -> NDArray[np.uint8]:
     """A face on a gray background.
 
     Parameters
@@ -57,7 +60,15 @@ def draw_face(identity, size=64, side_light=0.0, yaw=0.0):
     return np.round(255 * mask * colors + BACKGROUND * (1 - mask)).astype(np.uint8)
 
 
-def put_face(frame, identity, left, top, size, side_light=0.0, yaw=0.0):
+def put_face(
+    frame: NDArray[np.uint8],
+    identity: ArrayLike,
+    left: int,
+    top: int,
+    size: int,
+    side_light: float = 0.0,
+    yaw: float = 0.0,
+) -> tuple[NDArray[np.uint8], tuple[int, int, int, int]]:
     """A frame with a face drawn over it.
 
     Parameters

@@ -8,6 +8,7 @@ import math
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
 GREEN = (60, 150, 70)  # bgr8
 # Of an upright hand, in units of its size, seen from the palm's center: x to the right, y up.
@@ -38,10 +39,10 @@ class Hand(NamedTuple):
     col: float
     size: float
     turn: float = 0.0
-    bends: tuple = (0, 0, 0, 0, 0)
+    bends: tuple[float, ...] = (0, 0, 0, 0, 0)
 
 
-def random_hand(rng, fingers, shape=(180, 240)):
+def random_hand(rng: np.random.Generator, fingers: int, shape: tuple[int, int] = (180, 240)) -> Hand:
     """A hand with so many raised fingers, which an image of this shape shows whole."""
     height, width = shape
     row, col = rng.uniform(0.56, 0.64) * height, rng.uniform(0.4, 0.6) * width
@@ -49,12 +50,14 @@ def random_hand(rng, fingers, shape=(180, 240)):
     return Hand(fingers, row, col, rng.uniform(0.18, 0.24) * height, rng.uniform(-0.4, 0.4), bends)
 
 
-def hand_mask(hand, shape=(180, 240)):
+def hand_mask(hand: Hand, shape: tuple[int, int] = (180, 240)) -> NDArray[np.bool_]:
     """(H, W) bool: the pixels of a hand."""
     return _distance(hand, shape) < 0
 
 
-def draw_hand(frame, hand, noise=0.0, rng=None):
+def draw_hand(
+    frame: NDArray[np.uint8], hand: Hand, noise: float = 0.0, rng: np.random.Generator | None = None
+) -> NDArray[np.uint8]:
     """A frame (H, W, 3) uint8, bgr8, with a hand in a green glove before it.
 
     Parameters
@@ -67,6 +70,8 @@ def draw_hand(frame, hand, noise=0.0, rng=None):
     shade = 0.75 + 0.25 * np.clip(-distance / (0.4 * hand.size), 0, 1)  # darker at the outline
     image = frame * (1 - cover) + np.array(GREEN) * shade * cover
     if noise:
+        if rng is None:
+            raise ValueError("noise needs an rng that draws it, such as np.random.default_rng(1)")
         image = image + noise * rng.standard_normal(image.shape)
     return np.rint(np.clip(image, 0, 255)).astype(np.uint8)
 
@@ -103,7 +108,9 @@ def _direction(angle):
     return round(math.sin(angle), 9), round(math.cos(angle), 9)
 
 
-def gesture_track(gesture, rng, noise=0.08, uneven=0.4):
+def gesture_track(
+    gesture: str, rng: np.random.Generator, noise: float = 0.08, uneven: float = 0.4
+) -> NDArray[np.float64]:
     """Where the hand is during a gesture, at equal times: (N, 2) float, with N from 18 to 39.
 
     x to the right, y down, as points of OpenCV; 1 is about half the way of a swipe.

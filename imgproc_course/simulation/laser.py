@@ -84,7 +84,7 @@ class Laser:
         self._moving = np.ascontiguousarray(np.moveaxis(room.triangles[moving], 0, -1), float)
 
     def scan(self, robot, joint_poses, step):
-        """robot : (x, y, yaw) of base_link."""
+        """A LaserScan of the robot whose base_link is at (x, y, yaw)."""
         moving = cut(self._near(joint_poses, MOUNT[1]), MOUNT[1])
         x, y, yaw = robot
         x, y = x + MOUNT[0] * math.cos(yaw), y + MOUNT[0] * math.sin(yaw)

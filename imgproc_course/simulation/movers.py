@@ -14,7 +14,7 @@ from ..geometry.poses import product, rotation_about
 from .drive import nearest_on_body
 
 PERSON_RADIUS, CAR_RADIUS, BALL_RADIUS = 0.25, 0.13, 0.11
-RUG = {"center": (2.55, 0.35), "yaw": 0.06, "size": (1.7, 1.2), "height": 0.012}
+RUG_CENTER, RUG_YAW, RUG_SIZE, RUG_HEIGHT = (2.55, 0.35), 0.06, (1.7, 1.2), 0.012
 WALK_TIME, WALK_LENGTH, STAND_TIME, TURN_TIME = 6.5, 2.35, 4.5, 1.5
 WALK_START = (4.93, -1.72)
 CAR_TIME, CAR_REST = 9.0, 1.0
@@ -24,9 +24,9 @@ BOUNCE = 0.4  # share of its speed that the ball keeps when it meets something
 
 def is_on_rug(x, y):
     """Whether (x, y) is on the rug."""
-    c, s = math.cos(RUG["yaw"]), math.sin(RUG["yaw"])
-    dx, dy = x - RUG["center"][0], y - RUG["center"][1]
-    return abs(dx * c + dy * s) <= RUG["size"][0] / 2 and abs(-dx * s + dy * c) <= RUG["size"][1] / 2
+    c, s = math.cos(RUG_YAW), math.sin(RUG_YAW)
+    dx, dy = x - RUG_CENTER[0], y - RUG_CENTER[1]
+    return abs(dx * c + dy * s) <= RUG_SIZE[0] / 2 and abs(-dx * s + dy * c) <= RUG_SIZE[1] / 2
 
 
 def walk(time):
@@ -47,7 +47,7 @@ def car_path(time):
     t = min(within, CAR_TIME) if within < CAR_TIME + CAR_REST else max(2 * CAR_TIME + CAR_REST - within, 0.0)
     x, y = 2.25 + 0.30 * math.sin(0.45 * t), -1.35 + 0.30 * t
     yaw = math.atan2(0.30, 0.135 * math.cos(0.45 * t))
-    return (x, y, RUG["height"] if y > -0.25 else 0.0, yaw), 0.33 * t / 0.028
+    return (x, y, RUG_HEIGHT if y > -0.25 else 0.0, yaw), 0.33 * t / 0.028
 
 
 @dataclass
@@ -71,7 +71,7 @@ class Ball:
 
     @property
     def height(self):
-        return BALL_RADIUS + (RUG["height"] if is_on_rug(self.x, self.y) else 0.0)
+        return BALL_RADIUS + (RUG_HEIGHT if is_on_rug(self.x, self.y) else 0.0)
 
     def place(self, x, y):
         """Rolls the ball to (x, y)."""
@@ -92,7 +92,8 @@ class Ball:
         if math.hypot(self.vx, self.vy) < 0.002:
             self.vx = self.vy = 0.0
         elif free(x, y) < BALL_RADIUS:
-            self.bounce(*free.away(x, y), 0.0, 0.0)
+            nx, ny = free.away(x, y)
+            self.bounce(nx, ny, 0.0, 0.0)
         else:
             self.place(x, y)
 
@@ -133,8 +134,8 @@ class Movers:
         for name, path, radius in (("person_time", walk, PERSON_RADIUS), ("car_time", car_path, CAR_RADIUS)):
             now, later = getattr(self, name), round(getattr(self, name) + dt, 9)
             before, after = path(now)[0][:2], path(later)[0][:2]
-            distance = nearest_on_body(*robot, *after)[1]
-            if distance >= radius or distance > nearest_on_body(*robot, *before)[1]:
+            distance = nearest_on_body(robot, *after)[1]
+            if distance >= radius or distance > nearest_on_body(robot, *before)[1]:
                 setattr(self, name, later)
                 self._strike(after, radius, [(b - a) / dt for a, b in zip(before, after, strict=True)])
         self.ball.roll(dt, _Floor(self._free_space, robot))
@@ -146,11 +147,11 @@ class Movers:
             self.ball.bounce(dx / distance, dy / distance, *velocity)
 
     def push_ball(self, robot, velocity):
-        """The robot at (x, y, yaw) pushes the ball out of its way. Returns (touched, the ball gave way).
+        """The robot at (x, y, yaw), at (linear, angular), pushes the ball out of its way.
 
-        velocity : (linear, angular) of the robot
+        Returns (touched, the ball gave way).
         """
-        nearest, distance = nearest_on_body(*robot, self.ball.x, self.ball.y)
+        nearest, distance = nearest_on_body(robot, self.ball.x, self.ball.y)
         if distance >= BALL_RADIUS:
             return False, True
         dx, dy = self.ball.x - nearest[0], self.ball.y - nearest[1]
@@ -168,10 +169,7 @@ class Movers:
         return True, True
 
     def joint_poses(self, tree):
-        """The pose of every joint in the map, {name: Pose}.
-
-        tree : each joint's parent and offset, {name: {"parent": …, "offset": …}}, parents first
-        """
+        """The pose of every joint in the map, {name: Pose}, of a RoomModel's joint_tree."""
         (x, y, yaw), phase, amplitude = walk(self.person_time)
         (u, v, z, heading), turn = car_path(self.car_time)
         poses = {
@@ -197,10 +195,10 @@ class _Floor:
         self._free_space, self._robot = free_space, robot
 
     def __call__(self, x, y):
-        return min(self._free_space.distance(x, y), nearest_on_body(*self._robot, x, y)[1])
+        return min(self._free_space.distance(x, y), nearest_on_body(self._robot, x, y)[1])
 
     def away(self, x, y):
-        nearest, distance = nearest_on_body(*self._robot, x, y)
+        nearest, distance = nearest_on_body(self._robot, x, y)
         if 0 < distance < self._free_space.distance(x, y):
             return (x - nearest[0]) / distance, (y - nearest[1]) / distance
         return self._free_space.away(x, y)
@@ -212,7 +210,7 @@ def rounded(pose):
 
 def gait(phase, amplitude):
     """Angles about y of the person's joints, as in the recorded drive."""
-    angles = {}
+    angles: dict[str, float] = {}
     for side, shift in (("L", 0.0), ("R", math.pi)):
         a = phase + shift
         angles |= {

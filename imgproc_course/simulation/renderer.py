@@ -40,12 +40,7 @@ FLOOR_ORDER, SHEEN_ORDER, RUG_ORDER, SHADOW_ORDER, OTHERS_ORDER = 0, 1000, 2000,
 
 @functools.cache
 def configure_panda3d():
-    """Settings of panda3d for the whole process, before its first use.
-
-    Raises
-    ------
-    RuntimeError : panda3d is not installed
-    """
+    """Settings of panda3d for the whole process, before its first use; RuntimeError without panda3d."""
     if p3d is None:
         raise RuntimeError(
             "the room needs panda3d, which is not installed: there is no package of it for this platform; "
@@ -295,6 +290,10 @@ class Renderer:
             node.set_two_sided(chunk.is_two_sided)
             if chunk.atlas == "signs":  # a few millimetres before the wall: they must win at any distance
                 node.set_depth_offset(1)
+
+    def _add_chunk(self, room, chunk, parent):
+        """The node of a ChunkOfTriangles below its parent."""
+        raise NotImplementedError
 
     def place(self, joint_poses):
         """Puts every joint where its pose says."""

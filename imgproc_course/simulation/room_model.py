@@ -3,6 +3,7 @@
 import json
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 
@@ -32,10 +33,10 @@ class RoomModel:
     atlas: np.ndarray
     normals: np.ndarray
     offsets: np.ndarray
-    joint_names: list
-    joint_tree: dict
-    markers: dict
-    label_names: dict
+    joint_names: list[str]
+    joint_tree: dict[str, dict[str, Any]]
+    markers: dict[str, np.ndarray]
+    label_names: dict[int, str]
 
 
 def load_room():
@@ -44,15 +45,13 @@ def load_room():
     description = json.loads((FILES / "scene.json").read_text(encoding="utf-8"))
     tree = description["joint_tree"]
     parts = []
-    for number, atlas in enumerate(ATLASES):
-        triangles, texture = arrays[f"{atlas}_vertices"], arrays[f"{atlas}_uv"]
-        label = arrays[f"{atlas}_label"]
+    for number, name in enumerate(ATLASES):
+        triangles, texture, label = (arrays[f"{name}_{kind}"] for kind in ("vertices", "uv", "label"))
+        if name in LONGEST_EDGE:
+            triangles, texture, label = bisect(triangles, texture, label, LONGEST_EDGE[name])
         joint = np.full(len(label), NO_JOINT)
-        if atlas == "movers":
+        if name == "movers":
             joint = arrays["movers_joint"].astype(int)
-        if atlas in LONGEST_EDGE:
-            triangles, texture, label = bisect(triangles, texture, label, LONGEST_EDGE[atlas])
-            joint = np.full(len(label), NO_JOINT)
         parts.append((triangles, texture, label, joint, np.full(len(label), number)))
     triangles, texture, label, joint, atlas = (
         np.concatenate(columns) for columns in zip(*parts, strict=True)

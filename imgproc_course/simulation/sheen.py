@@ -1,20 +1,27 @@
 """The floor's polish: what it mirrors of the window or the lamp, as a veil that depends on the view."""
 
+from typing import NamedTuple
+
 import numpy as np
 
 COLUMNS, ROWS = 40, 28
 AREA = ((-0.9, 5.6), (-2.1, 2.3))  # the floor, x and y in metres
 HEIGHT = 0.001
-# Bright rectangles: the window in the wall at y = 2.3 (x and z), or the lamp below the ceiling (x and y).
+
+
+class Source(NamedTuple):
+    """A bright rectangle across an axis (1: y, 2: z), and how strong it and the walls are in the mirror."""
+
+    axis: int
+    at: float  # metres
+    across: tuple[tuple[float, float], tuple[float, float]]  # low and high along the two other axes, metres
+    strength: float
+    walls: float
+
+
 SOURCES = {
-    "day": {"axis": 1, "at": 2.3, "across": ((1.7, 3.5), (0.85, 2.15)), "strength": 9.0, "walls": 0.04},
-    "evening": {
-        "axis": 2,
-        "at": 2.4,
-        "across": ((1.35, 1.85), (-0.45, 0.05)),
-        "strength": 6.0,
-        "walls": 0.02,
-    },
+    "day": Source(1, 2.3, ((1.7, 3.5), (0.85, 2.15)), 9.0, 0.04),  # the window in the wall
+    "evening": Source(2, 2.4, ((1.35, 1.85), (-0.45, 0.05)), 6.0, 0.02),  # the lamp below the ceiling
 }
 COLOR = {"day": (235, 228, 220), "evening": (236, 196, 148)}  # red, green, blue
 ROUGHNESS = 0.12  # the mirrored edge is this soft, in metres on each metre of the ray
@@ -41,17 +48,15 @@ class Sheen:
         squared = grazing * grazing
         fresnel = 0.04 + 0.96 * squared * squared * grazing
         rays[:, 2] *= -1
-        axis, source = self._source["axis"], self._source
+        source, axis = self._source, self._source.axis
         ahead = rays[:, axis] > 1e-3
-        way = np.where(
-            ahead, (source["at"] - self.vertices[:, axis]) / np.where(ahead, rays[:, axis], 1), 1e9
-        )
+        way = np.where(ahead, (source.at - self.vertices[:, axis]) / np.where(ahead, rays[:, axis], 1), 1e9)
         soft = ROUGHNESS * np.maximum(way, 0.3)
         light = np.where(ahead, 1.0, 0.0)
-        for other, (low, high) in zip([k for k in range(3) if k != axis], source["across"], strict=True):
+        for other, (low, high) in zip([k for k in range(3) if k != axis], source.across, strict=True):
             hit = self.vertices[:, other] + way * rays[:, other]
             light *= step((hit - low) / soft) * step((high - hit) / soft)
-        cover = fresnel * (source["walls"] + source["strength"] * light)
+        cover = fresnel * (source.walls + source.strength * light)
         red, green, blue = (np.full(len(cover), c) for c in self._color)
         return red, green, blue, np.clip(cover * 255, 0, 200)
 

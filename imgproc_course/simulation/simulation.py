@@ -1,15 +1,18 @@
 """The simulated robot in the room of the recorded drive."""
 
 import math
+from collections.abc import Sequence
 from functools import cached_property
+from typing import Any, Self
 
 import cv2
 import numpy as np
+from numpy.typing import NDArray
 
 from ..geometry import CameraModel, Pose
 from .depth import TriangleDepth
-from .drive import Drive, WheelOdometry, clearance, nearest_on_body
-from .laser import Laser
+from .drive import Drive, Odometry, WheelOdometry, clearance, nearest_on_body
+from .laser import Laser, LaserScan
 from .movers import Movers, is_on_rug
 from .renderer import ColorRenderer, NumberRenderer, configure_panda3d
 from .room_model import FreeSpace, load_room
@@ -52,7 +55,15 @@ class Simulation:
     """
 
     def __init__(
-        self, seed=0, *, start=None, time=0.0, size=(640, 360), lens=True, sensor=True, lighting="day"
+        self,
+        seed: int = 0,
+        *,
+        start: Sequence[float] | None = None,
+        time: float = 0.0,
+        size: tuple[int, int] = (640, 360),
+        lens: bool = True,
+        sensor: bool = True,
+        lighting: str = "day",
     ):
         check_arguments(seed, time, size, lighting)
         self._model = CAMERA.resized(*size)
@@ -72,11 +83,13 @@ class Simulation:
         self._laser = Laser(self._room, seed if sensor else None)
         self._sensor = Sensor(self._model, seed, lighting) if sensor else None
         configure_panda3d()  # a missing one is told here, not with the first image
-        self._look, self._views, self._joints = None, {}, (None, None)
+        self._look: Pose | None = None
+        self._views: dict[str, Any] = {}
+        self._joints: tuple[int, dict[str, Pose]] = (-1, {})  # and the number of their step
 
     # what the robot does
 
-    def step(self, linear, angular, dt=0.02):
+    def step(self, linear: float, angular: float, dt: float = 0.02) -> None:
         """Drives for dt seconds, towards the commanded speeds (m/s, rad/s), within the real robot's limits.
 
         Raises
@@ -122,14 +135,14 @@ class Simulation:
     def _room_around(self, x, y, yaw):
         """Metres between the body and the nearest thing; negative inside."""
         still = clearance(self._free_space.distance, x, y, yaw)
-        return min(still, *(nearest_on_body(x, y, yaw, u, v)[1] - r for u, v, r in self._movers.circles()))
+        return min(still, *(nearest_on_body((x, y, yaw), u, v)[1] - r for u, v, r in self._movers.circles()))
 
     def _hindrance(self, x, y, yaw):
         """The name of what the body at this place would be in, or None."""
         if clearance(self._free_space.distance, x, y, yaw) < 0:
             return "a wall or furniture"
         for name, (u, v, radius) in zip(("the person", "the toy car"), self._movers.circles(), strict=True):
-            if nearest_on_body(x, y, yaw, u, v)[1] < radius:
+            if nearest_on_body((x, y, yaw), u, v)[1] < radius:
                 return name
         return None
 
@@ -144,37 +157,35 @@ class Simulation:
     def _number_renderer(self):
         return NumberRenderer(self._room)
 
-    def look(self, camera_pose):
+    @cached_property
+    def _frame_view(self):
+        """The front camera's view, and the two maps from its drawn image to `frame`."""
+        view = self._color_renderer.add_view(self._model, 1.15 if self._model.width <= 640 else 1.0)
+        pixels = view.pinhole.project(self._model.rays())
+        col, row = pixels[..., 0], view.pinhole.height - 1 - pixels[..., 1]  # the first row is at the bottom
+        return view, *cv2.convertMaps(col.astype(np.float32), row.astype(np.float32), cv2.CV_16SC2)
+
+    def look(self, camera_pose: Sequence[float] | np.ndarray | None) -> None:
         """Takes images from a pose of the optical frame, x y z qx qy qz qw; None: the robot's again."""
         self._look = None if camera_pose is None else Pose.from_vector(np.round(camera_pose, 9))
 
     @property
-    def camera(self):
+    def camera(self) -> CameraModel:
         """The CameraModel of `frame`."""
         return self._model
 
-    def frame(self):
+    def frame(self) -> NDArray[np.uint8]:
         """The front camera's image, (height, width, 3) uint8 BGR."""
-        if "frame" not in self._views:
-            scale = 1.15 if self._model.width <= 640 else 1.0
-            view = self._color_renderer.add_view(self._model, scale)
-            pinhole = view.pinhole
-            pixels = pinhole.project(self._model.rays())
-            col, row = (
-                pixels[..., 0],
-                pinhole.height - 1 - pixels[..., 1],
-            )  # the first row is drawn at the bottom
-            maps = cv2.convertMaps(col.astype(np.float32), row.astype(np.float32), cv2.CV_16SC2)
-            self._views["frame"] = view, maps
-        view, maps = self._views["frame"]
+        view, columns, rows = self._frame_view
         self._color_renderer.place(self._joint_poses())
         drawn = self._color_renderer.render(view, self._camera_pose("front"))
-        image = cv2.cvtColor(cv2.remap(drawn, *maps, cv2.INTER_LINEAR), cv2.COLOR_BGRA2BGR)
+        drawn = cv2.remap(drawn, columns, rows, cv2.INTER_LINEAR)
+        image = np.asarray(cv2.cvtColor(drawn, cv2.COLOR_BGRA2BGR), np.uint8)
         if self._sensor is None:
             return image
         return self._sensor(image, self._steps, 0.0 if self._look else self._drive.angular)
 
-    def depth(self, camera="front"):
+    def depth(self, camera: str = "front") -> NDArray[np.uint16]:
         """Depth along the optical axis in millimetres, (height, width) uint16, 0 where there is none.
 
         "front": of pixels (0, 0), (0, k), … of `frame`, 640 columns at most; "tof": the depth camera's.
@@ -185,16 +196,16 @@ class Simulation:
         metres += 0.5
         return metres.astype(np.uint16)
 
-    def labels(self):
+    def labels(self) -> NDArray[np.uint8]:
         """The class of each pixel of `depth`, (height, width) uint8; `label_names` has the names."""
         numbers, rays = self._numbers("front")
         return rays.labels(numbers)
 
     @property
-    def label_names(self):
+    def label_names(self) -> dict[int, str]:
         return dict(self._room.label_names)
 
-    def depth_camera(self, camera="front"):
+    def depth_camera(self, camera: str = "front") -> CameraModel:
         """The CameraModel of `depth`."""
         if camera == "tof":
             return TOF_CAMERA
@@ -216,33 +227,33 @@ class Simulation:
             kept[:] = key, rays.numbers(self._number_renderer.render(view, pose))
         return kept[1], rays
 
-    def scan(self):
+    def scan(self) -> LaserScan:
         """One turn of the laser scanner."""
         robot = (self._drive.x, self._drive.y, self._drive.yaw)
         return self._laser.scan(robot, self._joint_poses(), self._steps)
 
-    def odometry(self):
+    def odometry(self) -> Odometry:
         """Where the wheels say that the robot is, since the start: with slip."""
         return self._odometry.state
 
     # the truth
 
     @property
-    def time(self):
+    def time(self) -> float:
         """Seconds after the recorded drive's start."""
         return self._time
 
     @property
-    def bumped(self):
+    def bumped(self) -> bool:
         """Whether the body touched anything in the last step."""
         return self._bumped
 
     @property
-    def speeds(self):
+    def speeds(self) -> tuple[float, float]:
         """(linear, angular) in m/s and rad/s: the true ones."""
         return self._drive.linear, self._drive.angular
 
-    def pose(self, name):
+    def pose(self, name: str) -> NDArray[np.float64]:
         """The true pose in the map, [x, y, z, qx, qy, qz, qw], float64.
 
         Of "robot" (its axle's center on the floor), "camera" and "tof" (optical frames), "person", "toycar",
@@ -277,13 +288,13 @@ class Simulation:
             return self._look
         return self._robot_pose() @ Pose(OPTICAL, np.array([CAMERA_MOUNT[0], 0, CAMERA_MOUNT[1]]))
 
-    def close(self):
+    def close(self) -> None:
         """Frees the images; the simulation cannot be used any more."""
         for name in ("_color_renderer", "_number_renderer"):
             if name in vars(self):
                 getattr(self, name).close()
 
-    def __enter__(self):
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *exception):

@@ -127,7 +127,7 @@ def test_the_ball_is_pushed_and_rolls_on():
         after = room.pose("ball")
         assert touched
         assert np.linalg.norm(after[:2] - before[:2]) > 0.1
-        assert nearest_on_body(*place(room), *after[:2])[1] >= BALL_RADIUS - 1e-6
+        assert nearest_on_body(place(room), *after[:2])[1] >= BALL_RADIUS - 1e-6
 
 
 def test_the_car_waits_for_the_robot():
