@@ -2,14 +2,13 @@
 
 import os
 
-FIRST_USER = (
-    1000  # the id of a machine's first ordinary user, who stays in ROS's own default, 0; so does root
-)
+# The id of a machine's first ordinary user, who stays in ROS's own default, 0; so does root.
+FIRST_USER = 1000
 DOMAINS = 102  # ROS allows 0 to 101
 
 
-def choose_domain():
-    """Sets ROS_DOMAIN_ID for this process and its children, unless it is set. Returns it, a str.
+def choose_domain() -> str:
+    """Sets ROS_DOMAIN_ID for this process and its children, unless it is set. Returns it.
 
     Two users share a domain only if they say so, or if their ids differ by a multiple of 102.
     """

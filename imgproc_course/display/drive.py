@@ -24,10 +24,8 @@ STALE = 0.3  # seconds; a command that the kernel reads so late is of a key that
 MAP_PERIOD = 0.1  # seconds
 CELL = 0.05  # metres: of the map's obstacles
 FASTEST = 0.6  # m/s: what is farther from the last odometry is of a robot that has begun again
-SCANNER = (
-    0.156,
-    math.pi / 2,
-)  # where the Kachaka's scanner stands on it: x in metres, and turned to the left
+# Where the Kachaka's scanner stands on it: x in metres, and turned to the left.
+SCANNER = (0.156, math.pi / 2)
 
 
 def drive(

@@ -172,7 +172,7 @@ def show_figure(
     caption, alt = split_text(text, caption, alt)
     if not isinstance(alt, str) or not alt.strip():
         raise ValueError(f"alt must say in words what the figure shows, got {alt!r}")
-    display(_Output(_encode(figure), alt, caption))
+    display(Output(caption or alt, _figure_html(_encode(figure), alt, caption)))
     _close(figure)
 
 
@@ -190,34 +190,36 @@ def split_text(
     return text[0], text[1]
 
 
-class _Output:
-    """A figure as a notebook stores it, as HTML: JupyterLab supports an alternative text in no other form.
+class Output:
+    """Something as a notebook stores it: HTML, text, and the widget, which only a running kernel shows."""
 
-    Each part is an image of its own, so that the images of a line stand below each other in a narrow window.
-    """
-
-    def __init__(self, lines, alt, caption):
-        # JupyterLab 4.6 writes "Image" in place of an empty alternative text.
-        alts = itertools.chain([html.escape(alt)], itertools.repeat("continued"))
-        blocks = [[_img_tag(part, next(alts), len(line)) for part in line] for line in lines]
-        if len(blocks) == len(blocks[0]) == 1:
-            images = blocks[0][0]
-        else:
-            style = "display: flex; flex-wrap: wrap; align-items: flex-start"
-            images = "".join(f'<div style="{style}">{"".join(block)}</div>' for block in blocks)
-        figcaption = (
-            f'<figcaption style="max-width: {FIGURE_WIDTH}px">{html.escape(caption)}</figcaption>'
-            if caption
-            else ""
-        )
-        self.html = f'<figure style="margin: 0">{images}{figcaption}</figure>'
-        self.text = caption or alt
+    def __init__(self, text, html, widget=None):
+        self.text, self.html, self._widget = text, html, widget
 
     def _repr_mimebundle_(self, include=None, exclude=None):
-        return {"text/html": self.html, "text/plain": self.text}
+        bundle = self._widget._repr_mimebundle_() or {} if self._widget is not None else {}
+        return {**bundle, "text/html": self.html, "text/plain": self.text}
 
     def __repr__(self):
         return self.text
+
+
+def _figure_html(lines, alt, caption):
+    """A figure as HTML: JupyterLab supports an alternative text in no other form.
+
+    Each part is an image of its own, so that the images of a line stand below each other in a narrow window.
+    """
+    # JupyterLab 4.6 writes "Image" in place of an empty alternative text.
+    alts = itertools.chain([html.escape(alt)], itertools.repeat("continued"))
+    blocks = [[_img_tag(part, next(alts), len(line)) for part in line] for line in lines]
+    if len(blocks) == len(blocks[0]) == 1:
+        images = blocks[0][0]
+    else:
+        style = "display: flex; flex-wrap: wrap; align-items: flex-start"
+        images = "".join(f'<div style="{style}">{"".join(block)}</div>' for block in blocks)
+    style = f"max-width: {FIGURE_WIDTH}px"
+    figcaption = f'<figcaption style="{style}">{html.escape(caption)}</figcaption>' if caption else ""
+    return f'<figure style="margin: 0">{images}{figcaption}</figure>'
 
 
 def _img_tag(part, alt, count):

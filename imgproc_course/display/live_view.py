@@ -16,7 +16,7 @@ from IPython import get_ipython
 from IPython.display import display
 
 from imgproc_course.display.controls import Controls
-from imgproc_course.display.figures import split_text
+from imgproc_course.display.figures import Output, split_text
 from imgproc_course.display.printing import captured_prints, last_lines
 from imgproc_course.display.screen import Screen, describe_error
 
@@ -451,19 +451,7 @@ def publish(widget, text, still):
 
     The stored output has `text` and `still`, equal in every run; only the id of the widget differs.
     """
-    display(_Published(widget, text, still))
-
-
-class _Published:
-    def __init__(self, widget, text, still):
-        self._widget, self._text, self._still = widget, text, still
-
-    def _repr_mimebundle_(self, include=None, exclude=None):
-        bundle = self._widget._repr_mimebundle_() or {}
-        return {**bundle, "text/plain": self._text, "text/html": self._still}
-
-    def __repr__(self):
-        return self._text
+    display(Output(text, still, widget))
 
 
 def _running_cell():

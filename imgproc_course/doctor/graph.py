@@ -26,11 +26,8 @@ def check_ros():
         is_missing = importlib.util.find_spec("rclpy") is None
         yield (warning if is_missing else failure)("ROS 2", observation, remedy or SET_UP)
         return
-    rclpy, messages = (
-        _version_of("ros-jazzy-rclpy", "rclpy"),
-        _version_of("ros-jazzy-sensor-msgs", "sensor_msgs"),
-    )
-    yield ok("ROS 2", f"rclpy {rclpy}, sensor_msgs {messages}")
+    names = ("rclpy", "sensor_msgs")
+    yield ok("ROS 2", ", ".join(f"{name} {_version_of(name)}" for name in names))
     yield ok("middleware", _middleware())
     profile = dds_profile()
     if profile.note is None:
@@ -41,10 +38,10 @@ def check_ros():
     yield from _domain()
 
 
-def _version_of(*distributions):
-    for name in distributions:
+def _version_of(package):
+    for distribution in (f"ros-jazzy-{package.replace('_', '-')}", package):
         with contextlib.suppress(importlib.metadata.PackageNotFoundError):
-            return importlib.metadata.version(name)
+            return importlib.metadata.version(distribution)
     return "of this system"
 
 

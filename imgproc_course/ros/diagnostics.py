@@ -10,28 +10,24 @@ IMAGE_TYPES = ("sensor_msgs/msg/Image", "sensor_msgs/msg/CompressedImage")
 
 def explain_missing_messages(
     node,
-    topic,
-    message_type,
-    qos,
-    *,
+    subscription,
     seconds,
-    matched,
-    received=0,
-    failed=0,
-    last_error=None,
+    received,
+    *,
+    failure=None,
     incompatible_qos=None,
     publisher_error=None,
     own_topics=(),
 ):
-    """The cause and the remedy, in one line.
+    """Why no image came in so many seconds, and the remedy, in one line.
 
-    `node` is asked about the graph; topic, message_type and qos are of its subscription, which waited for so
-    many `seconds` and is connected to `matched` publishers. Before, it has `received` so many messages;
-    `failed` arrived meanwhile and could not be converted. `own_topics` are not proposed in place of `topic`.
+    Before, `received` messages have come. `failure` is what happened to those that came meanwhile, the next
+    two what ROS has reported and what went wrong in the publishing node. `own_topics` are not proposed.
     """
+    topic, message_type = subscription.topic_name, subscription.msg_type
     start = f"no image arrived on {topic} in {seconds:g} s: "
-    if failed:
-        return f"{start}{failed} arrived and failed; {last_error}"
+    if failure:
+        return start + failure
     publishers = node.get_publishers_info_by_topic(topic)
     if not publishers:
         return start + _no_publisher(node, topic, own_topics)
@@ -39,11 +35,9 @@ def explain_missing_messages(
     of_expected_type = [publisher for publisher in publishers if publisher.topic_type == expected_type]
     if not of_expected_type:
         return start + _wrong_type(publishers[0].topic_type, expected_type, topic)
-    if not matched:
-        return start + (incompatible_qos or _not_matched(of_expected_type[0], qos))
-    if publisher_error:
-        return start + publisher_error
-    return start + _silent_publisher(of_expected_type, topic, received)
+    if not subscription.get_publisher_count():
+        return start + (incompatible_qos or _not_matched(of_expected_type[0], subscription.qos_profile))
+    return start + (publisher_error or _silent_publisher(of_expected_type, topic, received))
 
 
 def _no_publisher(node, topic, own_topics):

@@ -190,13 +190,7 @@ class ImageProcessor(Node):
         self._log.report(self._stream, self._statistics, self._explain_silence)
 
     def _explain_silence(self):
+        topics = self._outputs.topics()
         return explain_missing_messages(
-            self,
-            self._topic,
-            self._message_type,
-            SENSOR_DATA,
-            seconds=SILENCE,
-            matched=self._subscription.get_publisher_count(),
-            received=self._statistics.received,
-            own_topics=self._outputs.topics(),
+            self, self._subscription, SILENCE, self._statistics.received, own_topics=topics
         )

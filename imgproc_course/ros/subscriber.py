@@ -172,17 +172,14 @@ class ImageSubscriber:
         node = self.session.node
         if self._stopped or node is None:
             raise RuntimeError(f"the subscriber of {self.topic} is stopped; make a new ImageSubscriber")
+        failed = self.failed - failed_before
         raise TimeoutError(
             explain_missing_messages(
                 node,
-                self.topic,
-                self.message_type,
-                self.qos,
-                seconds=timeout,
-                matched=self.matched,
-                received=self.received,
-                failed=self.failed - failed_before,
-                last_error=self.last_error,
+                self._subscription,
+                timeout,
+                self.received,
+                failure=f"{failed} arrived and failed; {self.last_error}" if failed else None,
                 incompatible_qos=self.incompatible_qos,
                 publisher_error=self.session.error_of_publisher(self.topic),
             )

@@ -17,9 +17,8 @@ class TriangleDepth:
         pixels = np.rint(pinhole.project(rays))
         col = np.clip(pixels[..., 0], 0, pinhole.width - 1).astype(np.intp)
         row = np.clip(pixels[..., 1], 0, pinhole.height - 1).astype(np.intp)
-        self._pixels = (
-            pinhole.height - 1 - row
-        ) * pinhole.width + col  # the drawn image's first row is at the bottom
+        row = pinhole.height - 1 - row  # the drawn image's first row is at the bottom
+        self._pixels = row * pinhole.width + col
         self._rays = np.ascontiguousarray(np.moveaxis(rays, -1, 0)[:2], np.float32)
         self._label = np.concatenate([[0], room.label]).astype(np.uint8)
         # Columns of all triangles, so that some of them are taken quickly: the joint, the plane (normal and

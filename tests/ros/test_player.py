@@ -43,9 +43,9 @@ def test_it_joins_a_camera_that_runs_and_leaves_it_running(start_python, session
     from imgproc_course.ros import ImageSubscriber
     from imgproc_course.ros.robot_process import User
 
-    first = start_python(PLAY.format("speed=3.0"))
+    first = start_python(PLAY.format("speed=3.0, status_seconds=600"))
     assert first.stdout.readline().startswith("started: drive at 30 Hz")
-    second = start_python(PLAY.format("speed=3.0"))
+    second = start_python(PLAY.format("speed=3.0, status_seconds=600"))
     name = User("python -c", first.pid)
     assert second.stdout.readline().startswith(f"joined the camera of {name}: drive at 30 Hz")
     second.send_signal(signal.SIGINT)
