@@ -43,6 +43,7 @@ class RoomImages:
         self._command = (0.0, 0.0, -math.inf)
         self._next = None
         self._is_reported = False
+        self._times: list[float] = []  # of the images of this RATE_WINDOW
         self._depth_thread = ThreadPoolExecutor(1, "depth of the room")
 
     @property
@@ -75,15 +76,13 @@ class RoomImages:
         steps_per_image = max(1, math.ceil(MOTION_RATE / self.rate))
         period = 1 / (self.rate * steps_per_image)
         start, steps, was_bumped = time.monotonic(), 0, False
-        reach = _ReachedRate()
         is_depth_wanted = False
         while True:
             delay = time.monotonic() - start - steps * period
             if delay > LONGEST_DELAY:
                 start, delay = start + delay, 0.0
             time.sleep(max(0.0, -delay))
-            if self._take_next():
-                reach = _ReachedRate()
+            self._take_next()
             linear, angular = self._current_command()
             self.simulation.step(linear, angular, period)
             self.bumps += self.simulation.bumped and not was_bumped
@@ -97,30 +96,35 @@ class RoomImages:
                     image.begin_depth(self._depth_thread)
                 yield time.monotonic(), image
                 is_depth_wanted = image.end_depth()
-                self._report(reach)
+                self._measure_rate()
             steps += 1
 
     def _take_next(self):
-        """Whether another simulation has begun."""
+        """Begins with the simulation of a restart, if there is one."""
         with self._lock:
             following, self._next = self._next, None
         if following is None:
-            return False
+            return
         self.simulation.close()
         self.simulation, is_taken = following
         self.simulation.frame()
         is_taken.set()
-        return True
+        self._times.clear()
 
     def _current_command(self):
         with self._lock:
             linear, angular, since = self._command
         return (linear, angular) if time.monotonic() - since <= COMMAND_TIMEOUT else (0.0, 0.0)
 
-    def _report(self, reach):
-        rate = reach.count()
-        self.reached_rate = rate or self.reached_rate
-        if rate is not None and rate < SLOW * self.rate and not self._is_reported:
+    def _measure_rate(self):
+        """Counts an image; at the end of a RATE_WINDOW sets the reached rate, and warns if it is low."""
+        self._times.append(time.monotonic())
+        seconds = self._times[-1] - self._times[0]
+        if seconds < RATE_WINDOW:
+            return
+        self.reached_rate = rate = (len(self._times) - 1) / seconds
+        del self._times[:-1]
+        if rate < SLOW * self.rate and not self._is_reported:
             self._is_reported = True
             log.warning(
                 "the room reaches %.1f of %g images per second on this machine; ask for a lower rate, "
@@ -141,26 +145,6 @@ class RoomImages:
 def planar(pose):
     """(x, y, yaw) of a pose [x, y, z, qx, qy, qz, qw] on the floor."""
     return float(pose[0]), float(pose[1]), 2 * math.atan2(pose[5], pose[6])
-
-
-class _ReachedRate:
-    """Counts images over windows of RATE_WINDOW."""
-
-    def __init__(self):
-        self._start, self._images = None, 0
-
-    def count(self):
-        """The rate over a window that ends with this image; None within a window."""
-        now = time.monotonic()
-        if self._start is None:
-            self._start = now
-        elif now - self._start < RATE_WINDOW:
-            self._images += 1
-        else:
-            rate = (self._images + 1) / (now - self._start)
-            self._start, self._images = now, 0
-            return rate
-        return None
 
 
 class RoomImage(FrameImage):
