@@ -133,11 +133,6 @@ class RosSession:
         """rclpy's Context of the session; None if stopped."""
         return self._spinner.context if self.running else None
 
-    @property
-    def executor(self) -> Any:
-        """rclpy's Executor of the session; None if stopped."""
-        return self._spinner.executor if self.running else None
-
     def __enter__(self) -> Self:
         return self.start()
 
