@@ -212,7 +212,7 @@ def test_without_loop_each_image_comes_once_and_then_the_camera_has_ended(start_
     values = [int(msg.data[0]) for msg in raw]
     assert values == [0, 1, 2, 3][-len(values) :] and len(values) >= 3
     assert (camera.running, camera.played, camera.last_error) == (False, 4, None)
-    assert (camera.published, camera._images._recording.closed) == (len(values), True)
+    assert (camera.published, camera._images.recording.closed) == (len(values), True)
 
 
 @pytest.mark.ros
@@ -220,7 +220,7 @@ def test_nothing_is_decoded_without_a_subscriber(start_camera, collect, wait_unt
     from sensor_msgs.msg import Image
 
     camera = start_camera(speed=10)
-    recording = camera._images._recording
+    recording = camera._images.recording
     wait_until(lambda: camera.played > 6)
     assert (recording.decoded, camera.published) == ([], 0)
     counts = camera.status()["subscribers"]

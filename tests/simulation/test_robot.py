@@ -136,7 +136,7 @@ def test_the_car_waits_for_the_robot():
         for _ in range(300):
             room.step(0, 0)
             cars.append(room.pose("toycar")[:2])
-            assert nearest_on_body(*place(room), *cars[-1])[1] >= 0.13 - 0.01
+            assert nearest_on_body(place(room), *cars[-1])[1] >= 0.13 - 0.01
         assert not room.bumped
     assert (cars[-1] == cars[-2]).all()
 
