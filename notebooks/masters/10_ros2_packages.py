@@ -75,7 +75,7 @@ print(script.read_text(encoding="utf-8"))
 # You know the class from [[grayscale_node]]: the QoS profile, the subscription and the callback, which converts with `imgmsg_to_cv2`, processes with `cv2.cvtColor`, and logs an error. What is new, from the top to the bottom:
 #
 # - `#!/usr/bin/env python3` is the *shebang*. It tells Linux which program runs this file.
-# - `cv2.imshow` shows the image in a window, and `cv2.waitKey(1)` gives OpenCV one millisecond to draw it. Where no window can be opened, the script says so once, and publishes the image on `~/view` with `cv2_to_imgmsg`.
+# - `cv2.imshow` shows the image in a window, and `cv2.waitKey(1)` gives OpenCV one millisecond to draw it. Where no window can be opened (`windows.py` beside the script finds that out), the script says so once, and publishes the image on `~/view` with `cv2_to_imgmsg`.
 # - `rclpy.init()` starts ROS in this program. In a notebook, the course's session does this.
 # - `rclpy.spin(node)` waits for messages and calls the callback, until you press Ctrl-C.
 # - Ctrl-C ends ROS in this program; then `spin` raises `ExternalShutdownException`. In many scripts, Ctrl-C raises `KeyboardInterrupt`, too, and that can happen in the middle of an image. The line with `signal.signal` switches this off. Both exceptions end a program as planned, so the script does nothing: `pass`. If ROS ends in the middle of a call, such as `publish`, the call raises `RuntimeError`; then `rclpy.ok()` is False.
