@@ -31,12 +31,21 @@ class CourseGroup(click.Group):
 
 
 @contextlib.contextmanager
-def _in_one_line(*errors):
-    """Prints these errors as one line, without a traceback; exit code 1."""
+def _in_one_line(*errors, written=""):
+    """Prints these errors as one line, without a traceback; so too what stops the writing of `written`."""
     try:
         yield
     except errors as error:
         raise click.ClickException(str(error)) from error
+    except OSError as error:
+        if not written:
+            raise
+        raise click.ClickException(f"{written} cannot be written: {error}") from error
+
+
+def _masters_option(command):
+    folder, text = CHECKOUT / "notebooks" / "masters", "Folder of the masters.  [default: the course's own]"
+    return click.option("--masters", type=_FOLDER, default=folder, help=text)(command)
 
 
 @click.group(cls=CourseGroup, context_settings={"help_option_names": ["-h", "--help"]})
@@ -178,12 +187,7 @@ def record(path, topics):
     is_flag=True,
     help="Write nothing; fail if a stored lesson differs from its master.",
 )
-@click.option(
-    "--masters",
-    type=_FOLDER,
-    default=CHECKOUT / "notebooks" / "masters",
-    help="Folder of the masters.  [default: the course's own]",
-)
+@_masters_option
 @click.option(
     "--out",
     type=_FOLDER,
@@ -212,23 +216,13 @@ def build(lessons, only_check, masters, out, solved, with_solutions):
 
     out = out or masters.parent
     solved = solved or CHECKOUT / "solved"
-    try:
+    with _in_one_line(MasterError, written="the lessons"):
         if only_check:
             result = compare_lessons(masters, out, lessons, progress=click.echo)
         else:
-            own = masters.resolve() == CHECKOUT / "notebooks" / "masters"
-            result = build_lessons(
-                masters,
-                out,
-                solved,
-                lessons,
-                progress=click.echo,
-                with_solutions=with_solutions or own,
-            )
-    except MasterError as error:
-        raise click.ClickException(str(error)) from error
-    except OSError as error:
-        raise click.ClickException(f"cannot write the lessons: {error}") from error
+            with_solutions |= masters.resolve() == CHECKOUT / "notebooks" / "masters"
+            options = {"progress": click.echo, "with_solutions": with_solutions}
+            result = build_lessons(masters, out, solved, lessons, **options)
     for problem in result.problems:
         click.echo(problem, err=True)
     if result.problems:
@@ -258,12 +252,8 @@ def handout(folder, lessons, source, with_solutions, zipped):
     from imgproc_course.classroom.authoring.handout import HandoutError, hand_out
     from imgproc_course.classroom.exercises.declaration import MasterError
 
-    try:
+    with _in_one_line(HandoutError, MasterError, written="the lessons"):
         result = hand_out(folder, source, lessons, with_solutions=with_solutions, zipped=zipped)
-    except (HandoutError, MasterError) as error:
-        raise click.ClickException(str(error)) from error
-    except OSError as error:
-        raise click.ClickException(f"the lessons cannot be written: {error}") from error
     place = f"{folder}/ and {result.archive}" if zipped else f"{folder}/"
     solutions = "with" if with_solutions else "without"
     click.echo(f"Lessons handed out: {len(result.lessons)}, {solutions} solutions, in {place}")
@@ -322,12 +312,7 @@ class _LocalTime(click.ParamType):
     " many as the old key has]",
 )
 @click.option("--out", type=_FOLDER, default=Path("key"), show_default=True, help="Folder for the key.")
-@click.option(
-    "--masters",
-    type=_FOLDER,
-    default=CHECKOUT / "notebooks" / "masters",
-    help="Folder of the masters.  [default: the course's own]",
-)
+@_masters_option
 @click.option("--force", "--replace", "replace", is_flag=True, help="Replace an existing key.")
 @click.option("--unsafe", is_flag=True, help="Run the masters' solutions without a sandbox.")
 def key(lessons, seed, redraw, variants, out, masters, replace, unsafe):
@@ -353,47 +338,41 @@ def key(lessons, seed, redraw, variants, out, masters, replace, unsafe):
         count = variants or (len(old_key.variants) if redraw else 1)
         return make_key(masters, seed, folder, names, variants=count, unsafe=unsafe, replace=replace)
 
-    try:
-        if redraw:
-            click.echo(f"The old key is in {key_seed.redraw(out, make)}/, for the grades that it gave.")
-            answer_key = load_key(out)
-        else:
-            answer_key = make(key_seed.read_or_make_seed(seed_file) if is_seed_saved else seed, out)
-    except MasterError as error:
-        remedy = "--masters takes the folder that the old key was made from"
-        raise click.ClickException(f"{error}; {remedy}" if redraw and not lessons else str(error)) from error
-    except (KeyFolderError, SandboxError) as error:
-        raise click.ClickException(str(error)) from error
-    except OSError as error:
-        raise click.ClickException(f"the key cannot be written: {error}") from error
-    exercises = [exercise for lesson in answer_key.lessons.values() for exercise in lesson.exercises]
-    count = sum(not exercise.practice for exercise in exercises)
-    of_each = f", variants {len(answer_key.variants)}" if len(answer_key.variants) > 1 else ""
-    click.echo(f"Key in {out}/: lessons {len(answer_key.lessons)}, exercises with points {count}{of_each}.")
-    without_points = [lesson.name for lesson in answer_key.lessons.values() if not lesson.points]
-    if without_points:
-        click.echo(f"Lessons without points: {', '.join(without_points)}.")
+    remedy = "; --masters takes the folder that the old key was made from" if redraw and not lessons else ""
+    with _in_one_line(KeyFolderError, SandboxError, written="the key"):
+        try:
+            if redraw:
+                click.echo(f"The old key is in {key_seed.redraw(out, make)}/, for the grades that it gave.")
+                answer_key = load_key(out)
+            else:
+                answer_key = make(key_seed.read_or_make_seed(seed_file) if is_seed_saved else seed, out)
+        except MasterError as error:
+            raise click.ClickException(f"{error}{remedy}") from error
+    click.echo("\n".join(_lines_about_key(answer_key, out)))
     if is_seed_saved:
         click.echo(f"Its secret seed is saved in {seed_file}: you need it to make the same key again.")
     else:
         click.echo("Its seed is not saved: remember it, you need it to make the same key again.")
     for path in (out, *([seed_file] if is_seed_saved else ())):
         if _would_be_committed(path):
-            click.echo(
-                f"Warning: {path} is in a git checkout and git does not ignore it: add it to .gitignore",
-                err=True,
-            )
+            text = "is in a git checkout and git does not ignore it: add it to .gitignore"
+            click.echo(f"Warning: {path} {text}", err=True)
+
+
+def _lines_about_key(answer_key, folder):
+    lessons = answer_key.lessons.values()
+    count = sum(not exercise.practice for lesson in lessons for exercise in lesson.exercises)
+    of_each = f", variants {len(answer_key.variants)}" if len(answer_key.variants) > 1 else ""
+    yield f"Key in {folder}/: lessons {len(lessons)}, exercises with points {count}{of_each}."
+    without_points = [lesson.name for lesson in lessons if not lesson.points]
+    if without_points:
+        yield f"Lessons without points: {', '.join(without_points)}."
 
 
 def _would_be_committed(path):
+    command, folder = ["git", "check-ignore", "-q", path.name], path.resolve().parent
     try:
-        process = subprocess.run(
-            ["git", "check-ignore", "-q", path.name],
-            cwd=path.resolve().parent,
-            capture_output=True,
-            check=False,
-            timeout=20,
-        )
+        process = subprocess.run(command, cwd=folder, capture_output=True, check=False, timeout=20)
     except (OSError, subprocess.TimeoutExpired):
         return False
     return process.returncode == 1  # 0: ignored; 128: not a git checkout
@@ -452,7 +431,7 @@ def _would_be_committed(path):
 )
 @click.option(
     "--roster",
-    type=click.Path(path_type=Path, dir_okay=False),
+    type=_FILE,
     help="Table of all learners, as Moodle or Canvas exports it: who handed in nothing is reported.",
 )
 @click.option("--scheduler", metavar="ADDRESS", help="Grade on a Dask cluster: tcp://10.0.0.5:8786.")
@@ -476,16 +455,12 @@ def grade(submissions, keys, out, **options):
 
 
 def _grade(submissions, keys, out, options):
-    from imgproc_course.classroom.autograder.answer_key import KeyFolderError
     from imgproc_course.classroom.autograder.sandbox.bubblewrap import SandboxError
-    from imgproc_course.classroom.gradebook.collect import CollectError
     from imgproc_course.classroom.gradebook.grade import grade_submissions
-    from imgproc_course.classroom.gradebook.result_store import GradesFolderError
 
     try:
-        report = grade_submissions(submissions, keys, out, **options)
-    except (CollectError, KeyFolderError, SandboxError, GradesFolderError, ValueError) as error:
-        raise click.ClickException(str(error)) from error
+        with _in_one_line(SandboxError, ValueError):  # the other errors of grading are ValueErrors
+            report = grade_submissions(submissions, keys, out, **options)
     except KeyboardInterrupt:
         click.echo("\nStopped. Finished grades are saved: run the same command again to continue.", err=True)
         raise SystemExit(130) from None

@@ -19,8 +19,8 @@ class AnswerKeys:
         for key in self.keys:
             for name, lesson in key.lessons.items():
                 self.lessons.setdefault(name, lesson)
-        self._cells = {key.digest: _read_handed_out(key.path) for key in self.keys}
-        self._solutions = {key.digest: _read_solutions(key.path) for key in self.keys}
+        self._cells = {key.digest: _read(key.path, HANDED_OUT) for key in self.keys}
+        self._solutions = {key.digest: _read(key.path, SOLUTIONS) for key in self.keys}
 
     def variant_for(self, lesson, version, learner):
         """The key that grades a learner's lesson: of the key for this version, the learner's variant."""
@@ -57,10 +57,9 @@ class AnswerKeys:
                 handed_out |= {id: source for id, source in cells.items() if source}
                 exercises = key.lessons[lesson].exercises
                 handed_out |= {f"stub {exercise.id}": exercise.stub for exercise in exercises}
-                known = self._solutions[key.digest]
-                solutions |= {
-                    exercise.id: known[exercise.id] for exercise in exercises if exercise.id in known
-                }
+                ids = {exercise.id for exercise in exercises}
+                known = self._solutions[key.digest].items()
+                solutions |= {id: source for id, source in known if id in ids}
         return [handed_out, solutions]
 
     def key_of(self, digest):
@@ -73,28 +72,11 @@ def load_keys(folders):
     return AnswerKeys([load_key(folder) for folder in folders])
 
 
-def _read_handed_out(folder):
-    """{lesson: {cell id: source or None}}; empty if the key does not have it."""
+def _read(folder, name):
+    """The content of a file of a key, a dict; empty if the key does not have it."""
     try:
-        lessons = json.loads((folder / HANDED_OUT).read_text(encoding="utf-8"))
-        return {
-            name: {id: source if isinstance(source, str) else None for id, source in cells.items()}
-            for name, cells in lessons.items()
-        }
+        return dict(json.loads((folder / name).read_text(encoding="utf-8")))
     except FileNotFoundError:
         return {}
-    except (OSError, ValueError, AttributeError) as error:
-        raise KeyFolderError(
-            f"{folder}/{HANDED_OUT}: cannot be read ({error}); make the key again"
-        ) from error
-
-
-def _read_solutions(folder):
-    """{exercise id: source}; empty if the key does not have them."""
-    try:
-        solutions = json.loads((folder / SOLUTIONS).read_text(encoding="utf-8"))
-        return {id: source for id, source in solutions.items() if isinstance(source, str)}
-    except FileNotFoundError:
-        return {}
-    except (OSError, ValueError, AttributeError) as error:
-        raise KeyFolderError(f"{folder}/{SOLUTIONS}: cannot be read ({error}); make the key again") from error
+    except (OSError, ValueError, TypeError) as error:
+        raise KeyFolderError(f"{folder}/{name}: cannot be read ({error}); make the key again") from error

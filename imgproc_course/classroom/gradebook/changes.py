@@ -33,19 +33,13 @@ def changes_between(before, after):
     """
     old, new = _learners(before), _learners(after)
     for name in sorted({*old, *new}, key=lambda name: (name.casefold(), name)):
-        page = new[name]["page"] if name in new else ""
+        about = {"learner": name, "page": new[name]["page"] if name in new else ""}
         old_parts, new_parts = (_parts(learners.get(name)) for learners in (old, new))
-        for part in {**old_parts, **new_parts}:
-            texts = old_parts.get(part, "not there"), new_parts.get(part, "not there")
+        for lesson, exercise in {**old_parts, **new_parts}:
+            texts = [parts.get((lesson, exercise), "not there") for parts in (old_parts, new_parts)]
             if texts[0] != texts[1]:
-                yield {
-                    "learner": name,
-                    "page": page,
-                    "lesson": part[0],
-                    "exercise": part[1],
-                    "before": texts[0],
-                    "after": texts[1],
-                }
+                part = {"lesson": lesson, "exercise": exercise, "before": texts[0], "after": texts[1]}
+                yield about | part
 
 
 def _learners(grades):

@@ -76,10 +76,10 @@ class SubmittedFile(Sender):
     location      what `read` needs to open it
     """
 
-    source: str
-    group: str
-    submitted_at: datetime | None
-    order: tuple
+    source: str = ""
+    group: str = ""
+    submitted_at: datetime | None = None
+    order: tuple = ()
     archived_at: datetime | None = None
     reason: str = ""
     location: tuple = ()

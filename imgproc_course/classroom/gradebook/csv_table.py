@@ -1,4 +1,4 @@
-"""Read a CSV table: one that a platform or a spreadsheet exported, or one that a teacher wrote."""
+"""Read and write a CSV table: one that a platform or a spreadsheet exported, or one that a teacher wrote."""
 
 import csv
 import io
@@ -62,3 +62,10 @@ def _text(path):
         raise TableError(f"{path}: it is not UTF-8; export it again, or save it as CSV UTF-8") from error
     except OSError as error:
         raise TableError(f"{path}: it cannot be read ({error.strerror})") from error
+
+
+def csv_text(rows, **options):
+    """The text of a CSV file, its lines ended as spreadsheets do; `options` are those of `csv.writer`."""
+    buffer = io.StringIO()
+    csv.writer(buffer, **({"lineterminator": "\r\n"} | options)).writerows(rows)
+    return buffer.getvalue()

@@ -45,32 +45,3 @@ def _decide(entry, decision):
         entry["points"] = entry["max_points"] = 0
     elif decision.points is not None:
         entry["points"] = decision.points
-
-
-def decided_lesson(submitted, lesson):
-    """The entry of a KeyLesson that was not submitted, but on which the teacher has decided.
-
-    `submitted` are the entries of the learner's other lessons, which know the platform.
-    """
-    platform = next(((entry["platform"], entry["platform_id"]) for entry in submitted), ("", ""))
-    return {
-        "lesson": lesson.name,
-        "title": lesson.title,
-        "status": "not graded",
-        "reason": "nothing was submitted",
-        "points": 0,
-        "max_points": lesson.points,
-        "version": None,
-        "key": None,
-        "variant": None,
-        "file": "",
-        "sha256": None,
-        "submitted_at": None,
-        "late": False,
-        "days_late": 0,
-        "platform": platform[0],
-        "platform_id": platform[1],
-        "findings": [],
-        "exercises": [],
-        "earlier": [],
-    }

@@ -9,8 +9,11 @@ from importlib.metadata import version
 
 from imgproc_course.classroom.autograder.outcomes import Outcome
 from imgproc_course.classroom.gradebook.anonymity import anonymous_id
-from imgproc_course.classroom.gradebook.final_points import decided_lesson, settle_lesson
-from imgproc_course.classroom.gradebook.submission import Finding
+from imgproc_course.classroom.gradebook.collect import SubmittedFile
+from imgproc_course.classroom.gradebook.final_points import settle_lesson
+from imgproc_course.classroom.gradebook.learners import Submission
+from imgproc_course.classroom.gradebook.senders import Sender
+from imgproc_course.classroom.gradebook.submission import Finding, SubmissionContent
 from imgproc_course.classroom.gradebook.teacher_tables import plain_number
 
 FORMAT = 4
@@ -98,7 +101,8 @@ def learner_entry(learner, answer_keys, store, rules, *, anonymous=False):
         _lesson_entry(learner, submission, answer_keys, store, deadlines) for submission in submissions
     ]
     for name in {decision.lesson for decision in decisions} - learner.submissions.keys():
-        lessons.append(decided_lesson(lessons, answer_keys.lessons[name]))
+        submission = _nothing_submitted(name, submissions)
+        lessons.append(_lesson_entry(learner, submission, answer_keys, store, deadlines))
     for lesson in lessons:
         about = [decision for decision in decisions if decision.lesson == lesson["lesson"]]
         settle_lesson(lesson, about, deadlines.policy)
@@ -111,6 +115,16 @@ def learner_entry(learner, answer_keys, store, rules, *, anonymous=False):
         "max_points": sum(lesson["max_points"] for lesson in lessons),
         "lessons": sorted(lessons, key=lambda lesson: order.get(lesson["lesson"], ("~", lesson["file"]))),
     }
+
+
+def _nothing_submitted(lesson, submissions):
+    """In place of the Submission of a lesson on which the teacher has decided without one.
+
+    The learner's other submissions know the platform.
+    """
+    known = next((submission.file for submission in submissions), Sender(""))
+    file = SubmittedFile(learner=known.learner, platform=known.platform, platform_id=known.platform_id)
+    return Submission(file, "", SubmissionContent(lesson=lesson, reason="nothing was submitted"))
 
 
 def _lesson_entry(learner, submission, answer_keys, store, deadlines):

@@ -26,31 +26,17 @@ No cell begins like a formula: an apostrophe is put before one that would.
 """
 
 import csv
-import io
 
 from imgproc_course.classroom.autograder.sanitize import spreadsheet_text
+from imgproc_course.classroom.gradebook.csv_table import csv_text
 from imgproc_course.classroom.gradebook.grades_json import lesson_names
 from imgproc_course.classroom.gradebook.report import count_of, finding_text
 from imgproc_course.classroom.gradebook.teacher_tables import plain_number
 
 COLUMNS = (
-    "learner",
-    "lesson",
-    "points",
-    "max_points",
-    "percent",
-    "late",
-    "submitted_at",
-    "submissions",
-    "status",
-    "findings",
-    "file",
-    "platform_id",
-    "autograded_points",
-    "days_late",
-    "late_deduction",
-    "decisions",
-    "page",
+    *("learner", "lesson", "points", "max_points", "percent", "late", "submitted_at", "submissions"),
+    *("status", "findings", "file", "platform_id", "autograded_points", "days_late", "late_deduction"),
+    *("decisions", "page"),
 )
 
 
@@ -63,25 +49,18 @@ def grades_csv(grades):
 def _grades_row(learner, lesson):
     texts = [lesson["reason"]] if lesson["reason"] else []
     texts += [finding_text(finding) for finding in lesson["findings"]]
-    return (
-        learner["name"],
-        lesson["lesson"] or "(unknown)",
-        lesson["points"],
-        lesson["max_points"],
-        _percent(lesson),
-        "late" if lesson["late"] else "",
-        lesson["submitted_at"] or "",
-        1 + len(lesson["earlier"]),
-        lesson["status"],
-        "; ".join(texts),
-        lesson["file"],
-        lesson["platform_id"],
-        lesson["autograded_points"],
-        lesson["days_late"],
-        lesson["late_deduction"],
-        "; ".join(_decision_texts(lesson)),
-        learner["page"],
-    )
+    row = lesson | {
+        "learner": learner["name"],
+        "lesson": lesson["lesson"] or "(unknown)",
+        "percent": round(100 * lesson["points"] / lesson["max_points"], 1) if lesson["max_points"] else 0,
+        "late": "late" if lesson["late"] else "",
+        "submitted_at": lesson["submitted_at"] or "",
+        "submissions": 1 + len(lesson["earlier"]),
+        "findings": "; ".join(texts),
+        "decisions": "; ".join(_decision_texts(lesson)),
+        "page": learner["page"],
+    }
+    return [row[column] for column in COLUMNS]
 
 
 def _decision_texts(lesson):
@@ -106,10 +85,6 @@ def platform_points(lesson):
     excused_cases = [case for exercise in excused for case in exercise["cases"]]
     maximum = lesson["max_points"] + sum(case["max_points"] for case in excused_cases)
     return plain_number(lesson["points"] * maximum / lesson["max_points"]) if excused else lesson["points"]
-
-
-def _percent(lesson):
-    return round(100 * lesson["points"] / lesson["max_points"], 1) if lesson["max_points"] else 0
 
 
 def exports(grades):
@@ -205,8 +180,5 @@ def _nbgrader(grades, lessons):
 
 
 def _text(columns, rows):
-    buffer = io.StringIO()
-    writer = csv.writer(buffer, quoting=csv.QUOTE_NONNUMERIC, lineterminator="\r\n")
-    writer.writerow(columns)
-    writer.writerows([spreadsheet_text(value) for value in row] for row in rows)
-    return buffer.getvalue()
+    rows = [columns, *([spreadsheet_text(value) for value in row] for row in rows)]
+    return csv_text(rows, quoting=csv.QUOTE_NONNUMERIC)

@@ -8,14 +8,12 @@ by the platform's number, which is part of the names of the files that the platf
 matched by a login, an e-mail address or a number that is the learner's name here.
 """
 
-import csv
-import io
 import re
 from dataclasses import dataclass
 from pathlib import Path
 
 from imgproc_course.classroom.authoring.lesson_names import lesson_name, lessons_named
-from imgproc_course.classroom.gradebook.csv_table import CsvTable, TableError, read_csv
+from imgproc_course.classroom.gradebook.csv_table import CsvTable, TableError, csv_text, read_csv
 from imgproc_course.classroom.gradebook.lms_export import lessons_of, platform_points
 
 _IDENTITIES = {"SIS Login ID", "SIS User ID", "Integration ID", "Email address", "ID number", "Username"}
@@ -90,7 +88,8 @@ def fill_table(table, grades):
         names = ", ".join(missing[:5]) + (f" and {len(missing) - 5} more" if len(missing) > 5 else "")
         lines.append(f"  graded, but in no row of the table: {names}")
     lines += _different_points(table, columns, grades)
-    return table.byte_order_mark + _text(table, rows), lines
+    text = csv_text([table.columns, *rows], delimiter=table.delimiter)
+    return table.byte_order_mark + text, lines
 
 
 def _lesson_columns(table, grades):
@@ -183,11 +182,3 @@ def _maximum_points(table, column):
         return float(cells[0].replace(",", ".")) if cells else None
     except ValueError:
         return None
-
-
-def _text(table, rows):
-    buffer = io.StringIO()
-    writer = csv.writer(buffer, delimiter=table.delimiter, lineterminator="\r\n")
-    writer.writerow(table.columns)
-    writer.writerows(rows)
-    return buffer.getvalue()

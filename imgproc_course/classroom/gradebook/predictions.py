@@ -4,6 +4,8 @@ A prediction is the source of a predict cell, `guess_share = 0.3  # your guess: 
 read as text: nothing of it is run or evaluated here.
 """
 
+from collections import Counter
+
 from imgproc_course.classroom.gradebook.report import render_page
 
 _NO_GUESS = ("None", "...", '""', "''", "?")
@@ -25,23 +27,22 @@ def predictions_page(learners, lessons, names):
 
 def _questions(learners, lesson, names):
     """[{id, question, guesses}] of a lesson; guesses: [(text, [names])], the most frequent one first."""
-    questions = {}
+    asked, guesses = {}, {}
     for learner in learners:
         submission = learner.submissions.get(lesson)
         for id, source in submission.content.predictions.items() if submission else ():
             guess, question = _guess_and_question(source)
             if guess:
-                entry = questions.setdefault(id, {"questions": {}, "guesses": {}})
-                entry["questions"][question] = entry["questions"].get(question, 0) + bool(question)
-                entry["guesses"].setdefault(guess, []).append(names[learner.name])
+                asked.setdefault(id, Counter())[question] += bool(question)
+                guesses.setdefault(id, {}).setdefault(guess, []).append(names[learner.name])
     return [
         {
             "id": id,
             # A learner can have changed the question too: most have not.
-            "question": max(entry["questions"], key=entry["questions"].get),
-            "guesses": sorted(entry["guesses"].items(), key=lambda item: (-len(item[1]), item[0])),
+            "question": asked[id].most_common(1)[0][0],
+            "guesses": sorted(guesses[id].items(), key=lambda item: (-len(item[1]), item[0])),
         }
-        for id, entry in sorted(questions.items(), key=lambda item: (len(item[0]), item[0]))
+        for id in sorted(asked, key=lambda id: (len(id), id))
     ]
 
 

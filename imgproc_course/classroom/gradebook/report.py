@@ -7,18 +7,24 @@ characters that a reader would not see are made visible before.
 
 import base64
 import hashlib
+from dataclasses import dataclass
 from functools import lru_cache
 from pathlib import Path
 
 from imgproc_course.classroom.autograder.outcomes import TEXTS, Outcome
-from imgproc_course.classroom.autograder.sanitize import sanitize_text
+from imgproc_course.classroom.autograder.sanitize import sanitize_line, sanitize_text
 from imgproc_course.classroom.exercises.error_advice import advice_on
-from imgproc_course.classroom.exercises.values import answer_parts, differing_elements
-from imgproc_course.classroom.gradebook.report_values import value_of
+from imgproc_course.classroom.exercises.values import (
+    answer_parts,
+    describe_value,
+    differing_elements,
+    table_rows,
+)
 from imgproc_course.classroom.gradebook.submission import NOT_PYTHON
 from imgproc_course.classroom.gradebook.teacher_tables import plain_number
 
 TEMPLATES = Path(__file__).with_name("pages")
+_LONGEST_DESCRIPTION = 400  # characters of a value
 _CELL_ADVICE = (
     "No check could call your function: run the cell in the lesson, and fix what Python reports there."
 )
@@ -122,17 +128,14 @@ def _exercise_view(exercise, entry, notes, key_exercise):
     is_no_python = any(note.startswith("line ") and NOT_PYTHON in note for note in notes)
     if is_no_python:
         advice = _CELL_ADVICE  # the note says what is wrong
-    cases = []
-    for case in exercise.cases:
-        cases.append(_case_view(case, key_exercise, replaces_hints, show_values))
+    cases = [_case_view(case, key_exercise, replaces_hints, show_values) for case in exercise.cases]
     for view in [view for view in cases if view["values"]][:1]:
         view["open"] = True
     explained_by_notes = is_no_python or (notes and advice == TEXTS[Outcome.MISSING].advice)
     messages = [exercise.message] if exercise.message and not explained_by_notes else []
     if replaces_hints and not exercise.message:
         messages += list(dict.fromkeys(filter(None, map(_message_of, exercise.cases))))[:1]
-    return {
-        "title": exercise.title,
+    return vars(exercise) | {
         "function": key_exercise.function,
         "points": entry["points"],
         "max_points": entry["max_points"],
@@ -140,19 +143,13 @@ def _exercise_view(exercise, entry, notes, key_exercise):
         "decision": entry["decision"],
         "notes": [*notes, *messages],
         "advice": advice,
-        "mistake": exercise.mistake,
-        "mistake_explanation": exercise.mistake_explanation,
         "cases": cases,
     }
 
 
 def _case_view(case, key_exercise, replaced_by_advice, show_values):
-    view = {
-        "title": case.title,
-        "hidden": case.hidden,
+    view = vars(case) | {
         "passed": case.passed,
-        "points": case.points,
-        "max_points": case.max_points,
         "label": TEXTS[case.outcome].label,
         "message": "" if replaced_by_advice else _message_of(case),
         "hint": "" if replaced_by_advice else case.hint,
@@ -218,3 +215,19 @@ def _values_view(case, key_exercise):
         images += answer_images(argument, name, expected, actual, wrong)
         argument = None
     return {"values": rows, "images": images, "printed": call.printed.strip()}
+
+
+@dataclass(frozen=True)
+class Value:
+    """A value in a report: its label, its description, and for a small array rows of (text, differs)."""
+
+    label: str
+    description: str
+    rows: tuple = ()
+
+
+def value_of(label, form, wrong=None):
+    """The Value of a canonical form, or of None; `wrong` is a bool array: which elements differ."""
+    if form is None:
+        return Value(label, "nothing was returned")
+    return Value(label, sanitize_line(describe_value(form), _LONGEST_DESCRIPTION), table_rows(form, wrong))

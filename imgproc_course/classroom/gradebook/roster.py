@@ -73,25 +73,32 @@ def read_roster(path):
 
 
 def _entry(row):
-    full = next((row[column] for column in _FULL_NAME if row.get(column)), "")
-    first = next((row[column] for column in _FIRST_NAME if row.get(column)), "")
-    last = next((row[column] for column in _LAST_NAME if row.get(column)), "")
+    """The RosterEntry of {column: cell}; None if the row is no person's."""
+    full, *other_forms = _forms_of_name(row)
+    identities = [row[column] for column in _IDENTITIES if row.get(column)]
+    if full.casefold() in _NO_PEOPLE and not (full == "" and identities):
+        return None
+    identities += [text.partition("@")[0] for text in identities if "@" in text]
+    names = tuple(dict.fromkeys(filter(None, (full, *other_forms, *identities))))
+    numbers = ((_NUMBERS[column], re.search(r"(?<!\d)\d+$", row.get(column, ""))) for column in _NUMBERS)
+    number = next(((platform, match[0]) for platform, match in numbers if match), None)
+    return RosterEntry(sanitize_line(full or identities[0], 120), names, number)
+
+
+def _forms_of_name(row):
+    """A person's name as the table has it, and with the first and with the last name first; perhaps empty."""
+    full, first, last = (_first_cell(row, columns) for columns in (_FULL_NAME, _FIRST_NAME, _LAST_NAME))
     if not full:
         full = f"{first} {last}".strip()
     elif "," in full:
         last, _, first = (part.strip() for part in full.partition(","))
     elif not last:
         first, _, last = full.rpartition(" ")
-    identities = [row[column] for column in _IDENTITIES if row.get(column)]
-    identities += [text.partition("@")[0] for text in identities if "@" in text]
-    names = tuple(
-        dict.fromkeys(filter(None, (full, f"{first} {last}".strip(), f"{last} {first}".strip(), *identities)))
-    )
-    if full.casefold() in _NO_PEOPLE and not (full == "" and identities):
-        return None
-    numbers = ((_NUMBERS[column], re.search(r"(?<!\d)\d+$", row.get(column, ""))) for column in _NUMBERS)
-    number = next(((platform, match[0]) for platform, match in numbers if match), None)
-    return RosterEntry(sanitize_line(full or identities[0], 120), names, number)
+    return full, f"{first} {last}".strip(), f"{last} {first}".strip()
+
+
+def _first_cell(row, columns):
+    return next((row[column] for column in columns if row.get(column)), "")
 
 
 def _squeezed(name):
@@ -104,17 +111,10 @@ def _learners_in(roster, learners):
 
     A folder that a class list numbered, 01_ada, is Ada's if nothing else arrived under her name.
     """
-    found = [
-        (
-            learner,
-            [
-                entry
-                for entry in roster
-                if any(entry.is_sender(submission.file) for submission in learner.all_submissions())
-            ],
-        )
-        for learner in learners
-    ]
+    found = []
+    for learner in learners:
+        files = [submission.file for submission in learner.all_submissions()]
+        found.append((learner, [entry for entry in roster if any(map(entry.is_sender, files))]))
     seen = {entry for _, entries in found for entry in entries}
     numbered = {}
     for learner, entries in found:

@@ -134,6 +134,9 @@ def _add_document(documents, learners, sources, result):
 
 
 def _groups(lesson, documents, known):
+    import numpy as np  # SciPy takes a while: grading starts without it
+    from scipy.sparse.csgraph import connected_components
+
     counts = Counter(fingerprint for document in documents for fingerprint in document.prints)
     for document in documents:
         document.learners.sort(key=str.casefold)
@@ -143,29 +146,20 @@ def _groups(lesson, documents, known):
             if fingerprint not in known and counts[fingerprint] <= MOST_COMMON
         }
     documents = [document for document in documents if len(document.prints) >= FEWEST_PRINTS]
-    group_of, shares = list(range(len(documents))), [1.0 if len(d.learners) > 1 else 0.0 for d in documents]
+    shares = np.diag([float(len(document.learners) > 1) for document in documents])
     for (i, first), (j, second) in combinations(enumerate(documents), 2):
         common = len(first.prints.keys() & second.prints.keys())
-        share = common / min(len(first.prints), len(second.prints))
-        if share >= LEAST_SHARE:
-            shares[i], shares[j] = max(shares[i], share), max(shares[j], share)
-            old, new = group_of[j], group_of[i]
-            group_of = [new if group == old else group for group in group_of]
-    groups = [
-        _group(lesson, [documents[place] for place in places], max(shares[place] for place in places))
-        for places in _places(group_of)
-        if shares[places[0]]
-    ]
+        shares[i, j] = common / min(len(first.prints), len(second.prints))
+    shares[shares < LEAST_SHARE] = 0
+    number, group_of = connected_components(shares, directed=False) if documents else (0, [])
+    groups = []
+    for component in range(number):
+        members = np.flatnonzero(group_of == component)
+        share = float(shares[np.ix_(members, members)].max())
+        if share:
+            groups.append(_group(lesson, [documents[place] for place in members], share))
     groups.sort(key=lambda group: (-group.share, group.learners))
     return groups[:MOST_GROUPS]
-
-
-def _places(group_of):
-    """The places of each group's documents."""
-    places = {}
-    for place, group in enumerate(group_of):
-        places.setdefault(group, []).append(place)
-    return list(places.values())
 
 
 def _group(lesson, documents, share):

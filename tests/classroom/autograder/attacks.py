@@ -17,7 +17,7 @@ from imgproc_course.classroom.autograder.pool import Limits, autograde
 from imgproc_course.classroom.autograder.results import GradedSubmission
 from imgproc_course.classroom.exercises.answer_images import answer_images
 from imgproc_course.classroom.exercises.values import answer_parts, differing_elements
-from imgproc_course.classroom.gradebook.report_values import value_of
+from imgproc_course.classroom.gradebook.report import value_of
 
 MASTERS = Path(__file__).parent / "masters"
 LESSON = "attacked"

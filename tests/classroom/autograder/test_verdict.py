@@ -14,7 +14,7 @@ from imgproc_course.classroom.exercises.answer_images import answer_images
 from imgproc_course.classroom.exercises.canonical import PLAIN_TYPES, canonical
 from imgproc_course.classroom.exercises.comparison import compare
 from imgproc_course.classroom.exercises.values import answer_parts, differing_elements
-from imgproc_course.classroom.gradebook.report_values import value_of
+from imgproc_course.classroom.gradebook.report import value_of
 
 RIGHT = np.array([[1.0, 2.0], [3.0, 4.0]])
 JSON = st.recursive(

@@ -24,8 +24,7 @@ from imgproc_course.classroom.exercises.answer_images import answer_images
 from imgproc_course.classroom.exercises.canonical import canonical
 from imgproc_course.classroom.exercises.values import differing_elements
 from imgproc_course.classroom.gradebook.grade import grade_submissions
-from imgproc_course.classroom.gradebook.report import learner_page
-from imgproc_course.classroom.gradebook.report_values import value_of
+from imgproc_course.classroom.gradebook.report import learner_page, value_of
 from imgproc_course.classroom.gradebook.similarity import SimilarGroup, Version, similarity_page
 
 pytestmark = pytest.mark.sandbox

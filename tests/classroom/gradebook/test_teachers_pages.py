@@ -79,6 +79,7 @@ def test_the_top_names_whose_zip_has_names_of_others(light, submissions, key_pat
         "What arrived",
     ]
     assert 'href="#arrived"' in top and 'id="arrived"' in sections[1]
+    assert '<th scope="col" class="number">light</th>' in text
     rows = rows_of(out, "What arrived")
     assert ["mallory" in rows[0], "noah" in rows[1], len(rows)] == [True, True, 2]
 
@@ -190,8 +191,8 @@ def test_answers_without_marks_are_one_row_and_one_sentence():
         "lesson": "a", "decision": None, "status": "graded", "late_deduction": 0, "late": False, "points": 6,
         "max_points": 6, "autograded_points": 6, "earlier": [], "findings": findings, "exercises": entries,
     }  # fmt: skip
-    (concern,) = _concerns([({"name": "ada"}, lesson)], set())
-    assert concern["list"] == "other" and concern["points"] == 6
+    ((name, concern),) = _concerns({"name": "ada"}, lesson, set())
+    assert name == "others" and concern["points"] == 6
     assert concern["texts"] == [
         "its answers were found by the names of their functions, because their answer cells are missing: a-0,"
         " a-1, a-2"
