@@ -8,18 +8,7 @@ from pathlib import Path
 
 
 def write_file(path, data, permissions=None):
-    """Write a file whole.
-
-    Parameters
-    ----------
-    path : Path; its folder is made if it is missing
-    data : str (stored as UTF-8) or bytes
-    permissions : int, such as 0o600; the process's default if omitted
-
-    Raises
-    ------
-    OSError : the disk is full or read-only; a file that was there stays as it was
-    """
+    """Write a file whole, text as UTF-8; after an OSError a file that was there stays as it was."""
     temporary = stage_file(path, data, permissions)
     try:
         temporary.replace(path)
@@ -28,20 +17,9 @@ def write_file(path, data, permissions=None):
 
 
 def stage_file(path, data, permissions=None, *, sync=False):
-    """Write a hidden temporary file beside a path, which the caller then moves to that path.
+    """Write a hidden temporary file, which the caller moves to the path; after an OSError none is left.
 
-    Parameters
-    ----------
-    path, data, permissions : as in `write_file`
-    sync : bool, wait until the data is on the disk
-
-    Returns
-    -------
-    Path of the temporary file
-
-    Raises
-    ------
-    OSError : as in `write_file`; no temporary file is left
+    With `sync` it waits until the data is on the disk.
     """
     data = data.encode("utf-8") if isinstance(data, str) else data
     path.parent.mkdir(parents=True, exist_ok=True)
@@ -62,18 +40,7 @@ def stage_file(path, data, permissions=None, *, sync=False):
 
 
 def write_folder(path, files, permissions):
-    """Write a folder whole, in place of a folder that is there.
-
-    Parameters
-    ----------
-    path : Path
-    files : dict {relative name: str}
-    permissions : int, of the folder itself
-
-    Raises
-    ------
-    OSError : the disk is full or read-only
-    """
+    """Write a folder whole, {relative name: text}, in place of one that is there."""
     path.parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(dir=path.parent, prefix=".writing-") as work_folder:
         new_folder = Path(work_folder) / "new"

@@ -37,18 +37,7 @@ def build(masters_dir, lessons_dir, solved_dir, names=(), progress=print, *, wit
     """Build lessons and their solved twins, and the files that the lessons carry.
 
     Each lesson is built alone and written when it is complete. A failure or Ctrl-C costs only that lesson:
-    its stored file stays as it was.
-
-    Parameters
-    ----------
-    masters_dir, lessons_dir, solved_dir : Path
-    names : names of lessons; all if empty
-    progress : callable, takes a line of progress
-    with_solutions : bool, write solutions/ too: `solution` opens what is there
-
-    Returns
-    -------
-    BuildResult
+    its stored file stays as it was. `progress` takes a line of text.
     """
     result = BuildResult()
     for path, twins, files, problem in _build_each(masters_dir, lessons_dir, names, progress, solved=True):
@@ -77,16 +66,7 @@ def _write_pages(masters_dir, lessons_dir):
 
 
 def compare_lessons(masters_dir, lessons_dir, names=(), progress=print):
-    """Build lessons without writing them, and report how the stored ones differ.
-
-    Parameters
-    ----------
-    As `build`.
-
-    Returns
-    -------
-    BuildResult, its problems name the lesson and the cell
-    """
+    """Build lessons without writing them; the problems of the BuildResult say how the stored ones differ."""
     result = BuildResult()
     for path, twins, files, problem in _build_each(masters_dir, lessons_dir, names, progress, solved=False):
         if problem:
@@ -101,12 +81,7 @@ def compare_lessons(masters_dir, lessons_dir, names=(), progress=print):
 
 
 def compare_other_files(masters_dir, lessons_dir):
-    """How the pages differ from their sources, and which files have no master; a list of str.
-
-    Parameters
-    ----------
-    As `build`.
-    """
+    """How the pages differ from their sources, and which files have no master; a list of str."""
     try:
         problems = page_differences(build_pages(masters_dir), lessons_dir)
     except MasterError as error:
@@ -151,20 +126,7 @@ def _masters_to_build(folder, names=()):
 
 
 def read_valid_master(path):
-    """Read a master that follows the rules of the format and has valid exercises.
-
-    Parameters
-    ----------
-    path : Path
-
-    Returns
-    -------
-    Master
-
-    Raises
-    ------
-    MasterError : every problem, one per line
-    """
+    """Read a master that follows the rules and has valid exercises; MasterError has a line a problem."""
     master = read_master(path)
     problems = [problem for exercise in master.exercises for problem in validate_exercise(exercise)]
     if problems:
@@ -173,21 +135,10 @@ def read_valid_master(path):
 
 
 def build_lesson(master, stored_path=None, executed=None):
-    """The lesson of a master, executed.
+    """The lesson of a master, executed; a cell whose output varies keeps its output in the stored lesson.
 
-    Parameters
-    ----------
-    master : Master
-    stored_path : Path of the lesson as built before, or None; a cell whose output varies keeps its stored one
-    executed : NotebookNode, `lesson_notebook` with the outputs of its execution; is executed here if omitted
-
-    Returns
-    -------
-    NotebookNode
-
-    Raises
-    ------
-    MasterError : an error in a cell, or an output that is not reproducible; names lesson and cell
+    `executed` is `lesson_notebook` with the outputs of its execution. MasterError: an error in a cell, or an
+    output that is not reproducible.
     """
     lesson = executed or _execute_master(master, solved=False)
     normalize(lesson, master)
@@ -197,16 +148,7 @@ def build_lesson(master, stored_path=None, executed=None):
 
 
 def build_solved(master):
-    """The solved twin of a lesson: the solutions replace the answers.
-
-    Parameters
-    ----------
-    master : Master
-
-    Returns
-    -------
-    NotebookNode
-    """
+    """The solved twin of a lesson: the solutions replace the answers."""
     twin = _execute_master(master, solved=True)
     normalize(twin, master)
     refuse_traces(twin, master)
@@ -222,17 +164,7 @@ def _execute_master(master, *, solved):
 
 
 def lesson_notebook(master, *, solved=False):
-    """A lesson, or its solved twin, without outputs.
-
-    Parameters
-    ----------
-    master : Master
-    solved : bool
-
-    Returns
-    -------
-    NotebookNode
-    """
+    """A lesson, or its solved twin, without outputs."""
     cells = []
     for cell in master.cells:
         source = cell.solved_source if solved else cell.source
@@ -310,17 +242,7 @@ def _orphans(masters_dir, lessons_dir):
 
 
 def differences(built, stored_path):
-    """How a stored lesson differs from a built one.
-
-    Parameters
-    ----------
-    built : NotebookNode
-    stored_path : Path
-
-    Returns
-    -------
-    list of str, one for each cell that differs
-    """
+    """How a stored lesson differs from a built one, a text for each cell."""
     stored_path = Path(stored_path)
     stored = _read_stored(stored_path)
     if stored is None:

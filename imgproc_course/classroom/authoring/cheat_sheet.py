@@ -26,20 +26,7 @@ _EXAMPLE = re.compile(r'File "example: ([^"]*)", line 1')
 
 
 def cheat_sheet_page(template):
-    """The page of a cheat sheet.
-
-    Parameters
-    ----------
-    template : Path; the Python file beside it has the same name and defines the names of the examples
-
-    Returns
-    -------
-    str, HTML
-
-    Raises
-    ------
-    MasterError : an error in the template or in an example, or an unknown reference
-    """
+    """The HTML of a cheat sheet; the Python file beside the template defines the names of its examples."""
     # In a process of its own: the examples are code of the template's author.
     command = [sys.executable, "-m", __name__, str(template)]
     process = subprocess.run(command, capture_output=True, encoding="utf-8")
@@ -51,16 +38,7 @@ def cheat_sheet_page(template):
 
 
 def render(template):
-    """The page of a template, in which references are not resolved yet.
-
-    Parameters
-    ----------
-    template : Path
-
-    Returns
-    -------
-    str
-    """
+    """The page of a template, in which references are not resolved yet."""
     names = runpy.run_path(str(template.with_suffix(".py")))
 
     def run(line):

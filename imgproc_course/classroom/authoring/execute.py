@@ -35,16 +35,7 @@ _WIDGET = "application/vnd.jupyter.widget-view+json"
 
 
 def kernel_environment(checks_dir=None):
-    """The environment of a lesson's kernel: the user's, without variables that would change outputs.
-
-    Parameters
-    ----------
-    checks_dir : Path of the folder of checks files that the lesson uses; the checkout's if omitted
-
-    Returns
-    -------
-    dict of str
-    """
+    """The environment of a lesson's kernel: the user's, without variables that would change outputs."""
     environment = {name: value for name, value in os.environ.items() if name not in _VARIABLES_LEFT_OUT}
     if checks_dir is not None:
         environment[CHECKS_VARIABLE] = str(Path(checks_dir).resolve())
@@ -62,16 +53,7 @@ def kernel_environment(checks_dir=None):
 def execute(notebook, master_path, kernel_name="python3", checks_dir=None):
     """Execute a notebook in its own kernel, in an empty folder; its outputs are stored in the notebook.
 
-    Parameters
-    ----------
-    notebook : NotebookNode with cell ids
-    master_path : Path of its master
-    kernel_name : str
-    checks_dir : as in `kernel_environment`
-
-    Raises
-    ------
-    MasterError : a cell raised or did not finish, or the kernel died
+    MasterError: a cell raised or did not finish, or the kernel died.
     """
     running = {"id": "the kernel's start"}
 
@@ -108,17 +90,7 @@ def execute(notebook, master_path, kernel_name="python3", checks_dir=None):
 
 
 def normalize(notebook, master):
-    """Remove what varies from run to run: times, widget models, dates in images, the order of streams.
-
-    Parameters
-    ----------
-    notebook : NotebookNode, executed
-    master : Master
-
-    Raises
-    ------
-    MasterError : a cell that is tagged to raise did not raise
-    """
+    """Remove what varies from run to run: times, widget models, dates in images, the order of streams."""
     notebook.metadata.language_info = {"name": "python", "file_extension": ".py", "mimetype": "text/x-python"}
     notebook.metadata.pop("widgets", None)
     code_cells = [cell for cell in notebook.cells if cell.cell_type == "code"]
@@ -179,17 +151,7 @@ def _remove_png_metadata(encoded):
 
 
 def refuse_traces(notebook, master):
-    """Refuse outputs with a path of this machine, or with an address, which changes from run to run.
-
-    Parameters
-    ----------
-    notebook : NotebookNode, executed
-    master : Master
-
-    Raises
-    ------
-    MasterError : names the cell and the path or address
-    """
+    """Refuse outputs with a path of this machine, or with an address, which changes from run to run."""
     paths = _machine_paths(master)
     for cell, master_cell in zip(notebook.cells, master.cells, strict=True):
         if master_cell.kind != "code":

@@ -49,20 +49,7 @@ class Term:
 
 
 def read_glossary(path):
-    """Read a glossary.
-
-    Parameters
-    ----------
-    path : Path of glossary.toml; without the file there are no terms
-
-    Returns
-    -------
-    tuple of Term, in alphabetical order
-
-    Raises
-    ------
-    MasterError : not TOML, or a term without lesson or definition, or two terms with one spelling
-    """
+    """The Terms of a glossary.toml in alphabetical order; none without the file. MasterError names faults."""
     path = Path(path)
     return _read_glossary(path, path.stat().st_mtime_ns) if path.exists() else ()
 
@@ -98,20 +85,6 @@ def _read_term(path, name, entry):
 
 
 def glossary_page(terms, references):
-    """The glossary as learners read it: a heading per term, to which the lessons link.
-
-    Parameters
-    ----------
-    terms : tuple of Term
-    references : References, of the glossary
-
-    Returns
-    -------
-    str, Markdown
-
-    Raises
-    ------
-    MasterError : a term whose lesson does not exist, or an unknown reference in a definition
-    """
+    """The glossary as learners read it, in Markdown: a heading per term, to which the lessons link."""
     entries = [f"### {term.name}\n\n{term.definition}\n\n→ [[{term.lesson}]]" for term in terms]
     return "\n\n".join([_INTRODUCTION, *map(references.in_prose, entries)]) + "\n"

@@ -31,26 +31,10 @@ class Handout:
 
 
 def hand_out(folder, source, names=(), *, with_solutions=False, zipped=False):
-    """Write what learners get into a folder.
+    """Write what learners get into a folder, in which no file is replaced; after an error nothing.
 
-    Parameters
-    ----------
-    folder : Path; it may exist, but no file in it is replaced by another one
-    source : Path, a folder of built lessons, with checks/ and solutions/
-    names : names of lessons; all if empty. Other notebooks and pages, such as the glossary, go along
-    with_solutions : bool, whether `solution` shows the solutions
-    zipped : bool, write <folder>.zip as well
-
-    Returns
-    -------
-    Handout
-
-    Raises
-    ------
-    HandoutError : a lesson without its checks, a file that exists and differs, a folder in the source; then
-        nothing was written
-    MasterError : no such lesson
-    OSError : the folder cannot be written
+    The source holds built lessons with checks/ and solutions/. Without names, all lessons are taken; other
+    notebooks and pages, such as the glossary, go along. Zipped, <folder>.zip is written as well.
     """
     folder, source = Path(folder), Path(source)
     chosen = find_lessons(source, names)

@@ -10,16 +10,7 @@ _NOT_FOR_LEARNERS = {"masters", "__pycache__", CHECKS, SOLUTIONS}
 
 
 def files_for_learners(source):
-    """All files of a folder of lessons that belong to learners as they are: no masters, checks, solutions.
-
-    Parameters
-    ----------
-    source : Path
-
-    Returns
-    -------
-    list of Path, sorted
-    """
+    """All files of a folder of lessons that belong to learners as they are: no masters, checks, solutions."""
     return [
         path
         for path in sorted(source.rglob("*"))
@@ -31,15 +22,9 @@ def files_for_learners(source):
 
 
 def without_outputs(data):
-    """A notebook without outputs and counters, as a learner gets it; a cell can be tagged to keep its own.
+    """The bytes of a notebook as a learner gets it: no outputs but of cells tagged to keep them, no counters.
 
-    Parameters
-    ----------
-    data : bytes of a file
-
-    Returns
-    -------
-    bytes : the same ones, if there is nothing to remove, or if the file is no readable notebook
+    The bytes of another file stay as they are.
     """
     with contextlib.suppress(ValueError, KeyError, TypeError, AttributeError):
         notebook, has_changed = json.loads(data), False

@@ -24,20 +24,7 @@ _SMALL_BYTES = 96  # a larger wrong array is stored by its digest
 
 
 def lesson_files(master):
-    """The files that the lesson of a master carries.
-
-    Parameters
-    ----------
-    master : Master
-
-    Returns
-    -------
-    {relative path: text}, the same for the same master; empty for a lesson without exercises
-
-    Raises
-    ------
-    MasterError : a solution or a case fails
-    """
+    """{relative path: text} of what the lesson of a master carries; {} for a lesson without exercises."""
     if not master.exercises:
         return {}
     return {
@@ -146,18 +133,10 @@ def _by_digest(form):
 
 
 def lesson_file_differences(files, folder):
-    """How the files that a stored lesson carries differ from those that are built now.
+    """How a stored lesson's files differ from those that are built now, a text for each exercise.
 
-    Numbers are compared as `check` compares them: another processor may round a float differently.
-
-    Parameters
-    ----------
-    files : from `lesson_files`
-    folder : Path of the lessons; solutions that are not stored there are not missed
-
-    Returns
-    -------
-    list of str, one for each exercise that differs
+    Numbers are compared as `check` compares them: another processor may round a float differently. Solutions
+    that are not stored are not missed.
     """
     differences = []
     for name, text in files.items():

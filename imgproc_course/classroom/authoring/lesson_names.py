@@ -16,17 +16,7 @@ def lesson_name(text):
 
 
 def lessons_named(text, lessons):
-    """The lessons whose names are whole words of a text; of grayscale and grayscale_node the longer one.
-
-    Parameters
-    ----------
-    text : str
-    lessons : iterable of str
-
-    Returns
-    -------
-    list of str, without repetition
-    """
+    """The lessons whose names are whole words of a text; of grayscale and grayscale_node the longer one."""
     return list(dict.fromkeys(match[1] for match in _pattern(tuple(lessons)).finditer(text)))
 
 

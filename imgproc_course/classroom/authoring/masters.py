@@ -220,22 +220,11 @@ class Master:
 
 
 def find_masters(folder, names=()):
-    """The masters in a folder, in the order of the course.
+    """The paths of the masters in a folder, in the order of the course; of all, or of those that are named.
 
-    Parameters
-    ----------
-    folder : Path
-    names : names of lessons; all if empty. "03", "images_as_messages", "images" and "03_images_as_messages"
-        name images_as_messages; of a number and a name, the name decides
-
-    Returns
-    -------
-    list of Path
-
-    Raises
-    ------
-    MasterError : no such folder, no master in it, two of one name, known mistakes without their master, or a
-        name of no lesson or of several
+    "03", "images_as_messages", "images" and "03_images_as_messages" name images_as_messages; of a number
+    and a name, the name decides. MasterError: a name of no lesson or of several, no master, two of one name,
+    or known mistakes without their master.
     """
     for path in sorted(Path(folder).glob(f"*{MISTAKES_SUFFIX}")):
         master = path.with_name(path.name.removesuffix(MISTAKES_SUFFIX) + ".py")
@@ -276,20 +265,7 @@ def _find_master(paths, name):
 
 
 def read_master(path):
-    """Read a whole master, and refuse it if it breaks a rule of the format.
-
-    Parameters
-    ----------
-    path : Path
-
-    Returns
-    -------
-    Master
-
-    Raises
-    ------
-    MasterError : every rule that it breaks, one per line
-    """
+    """Read a whole Master; MasterError has a line for each rule of the format that it breaks."""
     path = Path(path)
     script, references = read_script(path), References(path)
     exercises = tuple(_resolved(exercise, references) for exercise in read_exercises(path))

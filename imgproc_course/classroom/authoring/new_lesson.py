@@ -10,21 +10,9 @@ TEMPLATE = Path(__file__).with_name("new_lesson.py.txt")
 
 
 def new_lesson(name, folder):
-    """Write a template master.
+    """Write a template master, and return its path; MasterError for a name that is taken or impossible.
 
-    Parameters
-    ----------
-    name : str, "brightness" or "30_brightness"; without a number it gets the next free one from 30 on, above
-        the numbers of the course's own lessons
-    folder : Path, made if it is missing
-
-    Returns
-    -------
-    Path of the master
-
-    Raises
-    ------
-    MasterError : a name that no lesson can have, or that another lesson has
+    A name without a number gets the next free one from 30 on, above the course's own lessons.
     """
     folder = Path(folder)
     stem = re.sub(r"[^a-z0-9]+", "_", name.lower()).strip("_")

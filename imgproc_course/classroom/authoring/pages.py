@@ -8,20 +8,7 @@ from imgproc_course.classroom.authoring.references import References
 
 
 def build_pages(masters_dir):
-    """The pages that belong to a folder of masters.
-
-    Parameters
-    ----------
-    masters_dir : Path
-
-    Returns
-    -------
-    {file name: text}; empty if the folder has no sources of pages
-
-    Raises
-    ------
-    MasterError : a source with an error
-    """
+    """{file name: text} of the pages that belong to a folder of masters."""
     masters_dir, pages = Path(masters_dir), {}
     glossary, cheat_sheet = masters_dir / GLOSSARY, masters_dir / CHEAT_SHEET
     if terms := read_glossary(glossary):

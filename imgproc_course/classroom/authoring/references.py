@@ -45,12 +45,7 @@ class LessonPlace:
 
 
 class References:
-    """The references of one master.
-
-    Parameters
-    ----------
-    path : Path of the master; the lessons that it can name are those of its folder
-    """
+    """The references of the master with this path, to the lessons and the glossary of its folder."""
 
     def __init__(self, path):
         self._path = Path(path)

@@ -15,16 +15,7 @@ _HIDING_TAGS = re.compile(r"(hide|remove|skip)([-_]|$)|nbval-skip")
 
 
 def master_problems(master):
-    """The rules that a master breaks.
-
-    Parameters
-    ----------
-    master : Master
-
-    Returns
-    -------
-    list of str, one for each broken rule
-    """
+    """The rules that a master breaks, a text for each."""
     problems = [*_heading_problems(master), *_name_problems(master), *_id_problems(master)]
     code_cells = [cell for cell in master.cells if cell.kind == "code"]
     for cell, next_cell in zip(code_cells, [*code_cells[1:], None], strict=False):
@@ -93,34 +84,67 @@ def _id_problems(master):
 
 
 def _cell_problems(cell, next_cell):
-    lines = [line for line in cell.source.splitlines() if line.strip() and not line.strip().startswith("#")]
-    if not lines:
+    if not _code_lines(cell):
         yield "a code cell without code; nbval would never compare it"
         return
-    is_short = len(lines) <= MOST_LINES or cell.folded or cell.role == "answer" or "long" in cell.tags
-    if not is_short:
-        yield f'{len(lines)} lines of code, at most {MOST_LINES}; split it, or tag it "long", with a reason'
-    if any(
-        re.match(r"\s*(from\s+\S+\s+import\s+\*|%%(capture|script|html|javascript))", line) for line in lines
-    ):
-        yield "star imports and magics that hide work are refused; name each import, and show each step"
-    if lines[-1].rstrip().endswith(";"):
-        yield "ends with ';', which nbval ignores: assign the value to _ instead"
-    if any(_HIDING_TAGS.match(tag) for tag in cell.tags):
-        yield "a tag hides this cell; every cell of a lesson is visible"
-    if re.search(r"^\s*#\s*(NBVAL_|PYTEST_VALIDATE)", cell.source, re.M):
-        yield f'write instructions for nbval as a tag (tags=["{VARYING_TAG}"]), not as a comment'
-    if cell.varies and not (next_cell and _asserts(next_cell)):
-        yield f"tagged {VARYING_TAG}: the next code cell must begin with '{CHECK_LINE}' and hold its asserts"
-    if cell.role and _parse(cell.source) is None:
-        yield f"a {cell.role} cell must be plain Python; it takes no magics"
-    if cell.role == "check" and not re.search(
-        rf"""check\(\s*["']{re.escape(cell.exercise)}["']""", cell.source
-    ):
-        yield f'must call check("{cell.exercise}", ...)'
+    for is_broken, problem in _CELL_RULES:
+        if is_broken(cell, next_cell):
+            yield problem.format(cell=cell, count=len(_code_lines(cell)))
     yield from _figure_problems(cell)
     if cell.folded:
         yield from _folding_problems(cell)
+
+
+def _code_lines(cell):
+    return [line for line in cell.source.splitlines() if line.strip() and not line.strip().startswith("#")]
+
+
+def _is_long(cell, _next_cell):
+    may_be_long = cell.folded or cell.role == "answer" or "long" in cell.tags
+    return not may_be_long and len(_code_lines(cell)) > MOST_LINES
+
+
+def _hides_work(cell, _next_cell):
+    hiding = re.compile(r"\s*(from\s+\S+\s+import\s+\*|%%(capture|script|html|javascript))")
+    return any(hiding.match(line) for line in _code_lines(cell))
+
+
+def _is_hidden(cell, _next_cell):
+    return any(_HIDING_TAGS.match(tag) for tag in cell.tags)
+
+
+def _varies_unchecked(cell, next_cell):
+    return cell.varies and not (next_cell and _asserts(next_cell))
+
+
+def _checks_another(cell, _next_cell):
+    call = rf"""check\(\s*["']{re.escape(cell.exercise)}["']"""
+    return cell.role == "check" and not re.search(call, cell.source)
+
+
+# (whether a cell, seen with the next code cell, breaks the rule; the problem)
+_CELL_RULES = (
+    (_is_long, f'{{count}} lines of code, at most {MOST_LINES}; split it, or tag it "long", with a reason'),
+    (_hides_work, "star imports and magics that hide work are refused; name each import, and show each step"),
+    (
+        lambda cell, _next_cell: _code_lines(cell)[-1].rstrip().endswith(";"),
+        "ends with ';', which nbval ignores: assign the value to _ instead",
+    ),
+    (_is_hidden, "a tag hides this cell; every cell of a lesson is visible"),
+    (
+        lambda cell, _next_cell: re.search(r"^\s*#\s*(NBVAL_|PYTEST_VALIDATE)", cell.source, re.M),
+        f'write instructions for nbval as a tag (tags=["{VARYING_TAG}"]), not as a comment',
+    ),
+    (
+        _varies_unchecked,
+        f"tagged {VARYING_TAG}: the next code cell must begin with '{CHECK_LINE}' and hold its asserts",
+    ),
+    (
+        lambda cell, _next_cell: cell.role and _parse(cell.source) is None,
+        "a {cell.role} cell must be plain Python; it takes no magics",
+    ),
+    (_checks_another, 'must call check("{cell.exercise}", ...)'),
+)
 
 
 def _figure_problems(cell):

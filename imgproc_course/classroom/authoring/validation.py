@@ -12,21 +12,7 @@ _SEEDS = (PUBLIC_SEED, _ANOTHER_SEED, 2, 3)
 
 
 def validate_exercise(exercise):
-    """Check that the solution passes, that the stub and each mistake are recognized, and that each mistake
-    costs points.
-
-    Parameters
-    ----------
-    exercise : Exercise
-
-    Returns
-    -------
-    list of str, the problems; empty for a valid exercise
-
-    Raises
-    ------
-    MasterError : the solution or a case fails outright
-    """
+    """Problems: a solution that fails, a stub or mistake that is not recognized, a mistake without costs."""
     solution = exercise.function_of(exercise.solution, "solution")
     result = run_cases(exercise, solution, cases=exercise.cases)
     other_result = run_cases(exercise, solution, cases=exercise.cases, seed=_ANOTHER_SEED)

@@ -38,19 +38,7 @@ class AnswerImage:
 
 
 def answer_images(argument, name, expected, actual, wrong):
-    """The input, the returned and the expected values, and their difference, as images.
-
-    Parameters
-    ----------
-    argument : canonical form of the call's first argument, or None to leave it out
-    name : str, the part of the answer: "[1]", or "" for the whole answer
-    expected, actual : canonical forms, or None
-    wrong : bool array, from `differing_elements`, or None
-
-    Returns
-    -------
-    list of AnswerImage, empty if none of the values is an image
-    """
+    """The input, the returned and the expected values and their difference as AnswerImages, if images."""
     argument, actual, expected = array_of(argument), array_of(actual), array_of(expected)
     images = [_draw_values("given", argument, _limits(argument))] if is_image(argument) else []
     answers = [values for values in (actual, expected) if is_image(values)]
@@ -64,16 +52,7 @@ def answer_images(argument, name, expected, actual, wrong):
 
 
 def given_images(arguments):
-    """The arguments of a call that are images, drawn.
-
-    Parameters
-    ----------
-    arguments : iterable of (name, value)
-
-    Returns
-    -------
-    list of AnswerImage
-    """
+    """The arguments of a call that are images, of (name, value) pairs, as AnswerImages."""
     return [
         _draw_values(f"given {name}", value, _limits(value)) for name, value in arguments if is_image(value)
     ]

@@ -153,16 +153,7 @@ def kind_of(form):
 
 
 def as_type_of(expected, actual):
-    """The same values in the container of an expected form, where it can hold them; else the form as it is.
-
-    Parameters
-    ----------
-    expected, actual : canonical forms
-
-    Returns
-    -------
-    canonical form; the items inside are not changed
-    """
+    """The same values in the container of the expected form, if it can hold them; else the form as it is."""
     actual = actual.get("array", actual)  # of a matrix
     kind, actual_kind = kind_of(expected), kind_of(actual)
     if kind in ("tuple", "list") and actual_kind in ("tuple", "list"):
@@ -264,17 +255,7 @@ def _rounding(kind, actual_kind):
 
 
 def differing(expected, actual, tolerance=0.0):
-    """The elements in which two arrays of one shape differ by more than the tolerance.
-
-    Parameters
-    ----------
-    expected, actual : ndarray of one shape
-    tolerance : float >= 0, absolute
-
-    Returns
-    -------
-    ndarray of bool, the arrays' shape
-    """
+    """Which elements of two arrays of one shape differ by more than the absolute tolerance; bools."""
     if expected.dtype.kind in "biu" and tolerance == 0:
         return expected != actual
     rounding = _rounding(expected.dtype.name, actual.dtype.name)

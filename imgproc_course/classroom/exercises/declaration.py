@@ -179,17 +179,9 @@ class Exercise:
         return names
 
     def function_of(self, source, label, *, prepared=False):
-        """The exercise's function as a source defines it, in a namespace of its own.
+        """The exercise's function as a source defines it in a new namespace; MasterError if it does not.
 
-        Parameters
-        ----------
-        source : str, Python
-        label : str, names the source in errors: "solution"
-        prepared : bool; a mistake gets the declaration's helpers, and the right answer as `solution`
-
-        Raises
-        ------
-        MasterError : the source fails, or does not define the function
+        Prepared, as for a mistake, it has the declaration's helpers, and the right answer as `solution`.
         """
         names = self.namespace()
         if prepared:
@@ -202,17 +194,7 @@ class Exercise:
         return names[self.function]
 
     def arguments(self, case, seed=PUBLIC_SEED):
-        """The arguments of each call that a case makes.
-
-        Parameters
-        ----------
-        case : Case
-        seed : int; the arguments depend only on the seed and the case
-
-        Returns
-        -------
-        list of tuple
-        """
+        """A tuple of arguments for each call that a case makes; it depends only on the seed and the case."""
         place = f"{self.master.name}, line {case.line}: {case.id}"
         names = self._prepared()
         _run(case.source, names, place)

@@ -6,6 +6,7 @@ more than none.
 
 from dataclasses import dataclass
 from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 
@@ -41,6 +42,9 @@ _FUNCTIONS = (
     "numpy.ufunc",
     "numpy._ArrayFunctionDispatcher",
 )
+_CUT_OFF = (
+    "Some values are one too small, and none is wrong by more. Is the fraction cut off, instead of rounded?"
+)
 _ZEROS = "Every value of your result is 0. Is the result never stored in the array?"
 
 
@@ -59,19 +63,7 @@ class Diagnosis:
 
 
 def diagnose(calls, shown, names=(), *, exact_type=True):
-    """What is certain about a wrong answer.
-
-    Parameters
-    ----------
-    calls : sequence of CaseCall, all calls of the answer
-    shown : CaseCall, the failed one whose values the learner sees; its function returned, and changed nothing
-    names : sequence of str, the names of the arguments
-    exact_type : bool, see `exercises.exercise`
-
-    Returns
-    -------
-    Diagnosis
-    """
+    """The Diagnosis of a wrong answer, from its CaseCalls and the failed one that is shown."""
     expected, actual = shown.expected.value, shown.result.value
     if kind_of(actual) == "None":
         return Diagnosis()
@@ -278,37 +270,81 @@ def _same(values, actual, tolerance=0.0):
 # ---------------------------------------------------------------- shape
 
 
+class _Shapes(NamedTuple):
+    """The shapes of the expected and the wrong result, and of the arrays among the arguments."""
+
+    expected: tuple
+    actual: tuple
+    given: list
+    names: tuple
+    is_transposed: bool
+
+    @property
+    def first(self):
+        return self.given[0] if self.given else ()
+
+    @property
+    def lost_rows(self):
+        is_reduced = len(self.first) > len(self.expected) and self.actual == self.first[1:]
+        return bool(self.names) and is_reduced
+
+
+_SHAPE_RULES = (
+    (
+        lambda shapes: shapes.is_transposed,
+        "Rows and columns are exchanged: your result is the expected one, transposed.",
+    ),
+    (
+        lambda shapes: shapes.lost_rows and len(shapes.first) == 2,
+        "Axis 0, the rows, is gone from your result: axis=0 goes along the rows, and axis=1 along the"
+        " columns.",
+    ),
+    (
+        lambda shapes: shapes.lost_rows,
+        "Axis 0, the rows, is gone from your result: {names[0]}[0] is the first row, and axis=0 goes along"
+        " the rows. The channels are the last axis: {names[0]}[..., 0], axis=-1.",
+    ),
+    (
+        lambda shapes: shapes.actual == _columns_of_all_channels(*shapes.expected),
+        "The axis of the channels is missing: reshape to (height, width, {expected[2]}).",
+    ),
+    (
+        lambda shapes: len(shapes.expected) == 3 and shapes.actual == shapes.expected[:2],
+        "The axis of the channels is missing: each pixel has {expected[2]} values.",
+    ),
+    (
+        lambda shapes: (
+            len(shapes.expected) == 3 and shapes.actual == shapes.expected[-1:] + shapes.expected[:2]
+        ),
+        "The channels come first in your result. The task wants them last, side by side in each pixel.",
+    ),
+    (
+        lambda shapes: len(shapes.expected) == 2 and shapes.expected == shapes.actual[:-1],
+        "Your result still has a third axis, of length {actual[2]}. The task asks for one value for each"
+        " pixel.",
+    ),
+    (
+        lambda shapes: len(shapes.actual) < len(shapes.expected) == len(shapes.first),
+        "Your result has fewer axes than the input: a function with axis=..., or an index such as image[0],"
+        " takes one away.",
+    ),
+)
+
+
+def _columns_of_all_channels(*shape):
+    return (shape[0], shape[1] * shape[2]) if len(shape) == 3 else None
+
+
 def _advice_on_shape(expected, actual, arguments, names):
     shape, actual_shape = tuple(expected["shape"]), tuple(actual["shape"])
-    given_shapes = [np.shape(value) for value in arguments if isinstance(value, np.ndarray)]
     values, actual_values = array_of(expected), array_of(actual)
-    if actual_shape == shape[::-1] and values is not None and _same(values.T, actual_values):
-        return "Rows and columns are exchanged: your result is the expected one, transposed."
-    if given_shapes and names and len(given_shapes[0]) > len(shape) and actual_shape == given_shapes[0][1:]:
-        text = "Axis 0, the rows, is gone from your result: "
-        if len(given_shapes[0]) == 2:
-            return f"{text}axis=0 goes along the rows, and axis=1 along the columns."
-        return (
-            f"{text}{names[0]}[0] is the first row, and axis=0 goes along the rows. The channels are the last"
-            f" axis: {names[0]}[..., 0], axis=-1."
-        )
-    if len(shape) == 3 and actual_shape == (shape[0], shape[1] * shape[2]):
-        return f"The axis of the channels is missing: reshape to (height, width, {shape[2]})."
-    if len(shape) == 3 and actual_shape == shape[:2]:
-        return f"The axis of the channels is missing: each pixel has {shape[2]} values."
-    if len(shape) == 3 and actual_shape == (shape[2], *shape[:2]):
-        return "The channels come first in your result. The task wants them last, side by side in each pixel."
-    if len(shape) == 2 and actual_shape[:2] == shape and len(actual_shape) == 3:
-        return (
-            f"Your result still has a third axis, of length {actual_shape[2]}. The task asks for one value"
-            f" for each pixel."
-        )
-    if len(actual_shape) < len(shape) and given_shapes and len(given_shapes[0]) == len(shape):
-        return (
-            "Your result has fewer axes than the input: a function with axis=..., or an index such as"
-            " image[0], takes one away."
-        )
-    is_image = any(image_shape[:2] == shape[:2] for image_shape in given_shapes)
+    is_transposed = actual_shape == shape[::-1] and values is not None and _same(values.T, actual_values)
+    given = [np.shape(value) for value in arguments if isinstance(value, np.ndarray)]
+    shapes = _Shapes(shape, actual_shape, given, names, is_transposed)
+    for holds, sentence in _SHAPE_RULES:
+        if holds(shapes):
+            return sentence.format_map(shapes._asdict())
+    is_image = any(image_shape[:2] == shape[:2] for image_shape in given)
     return _advice_on_size(shape, actual_shape, is_image) if len(shape) == len(actual_shape) >= 2 else ""
 
 
@@ -417,30 +453,33 @@ def _text(calls):
     return ""
 
 
+def _arrays(calls):
+    """(expected, actual, tolerance) of each part of all calls; an array, or None."""
+    return [
+        (array_of(expected), array_of(actual), call.case.tolerance)
+        for call in calls
+        for expected, actual in side_by_side(call.expected.value, call.result.value)
+    ]
+
+
 def _array(calls):
     """A relation between all arrays of all calls and the expected ones."""
-    arrays = [
-        tuple(array_of(form) for form in pair)
-        for call in calls
-        for pair in side_by_side(call.expected.value, call.result.value)
-    ]
-    if not arrays or any(
-        a is None or b is None or a.shape != b.shape or a.dtype != b.dtype for a, b in arrays
-    ):
+    arrays = [(expected, actual) for expected, actual, _ in _arrays(calls)]
+    if any(a is None or b is None or (a.shape, a.dtype) != (b.shape, b.dtype) for a, b in arrays):
         return ""
     if sum(expected.size for expected, _ in arrays) < 4:
         return ""
     for text, change in _RELATIONS:
         if all(_same(change(_wide(expected)), _wide(actual)) for expected, actual in arrays):
             return text
-    gaps = [_wide(expected) - _wide(actual) for expected, actual in arrays]
+    return _CUT_OFF if _is_cut_off(arrays) else ""
+
+
+def _is_cut_off(arrays):
+    """Whether some integers are one too small, and none is wrong by more."""
     integers = all(expected.dtype.kind in "iu" and expected.max(initial=0) > 1 for expected, _ in arrays)
-    if integers and {int(v) for gap in gaps for v in np.unique(gap)} == {0, 1}:
-        return (
-            "Some values are one too small, and none is wrong by more. Is the fraction cut off, instead of"
-            " rounded?"
-        )
-    return ""
+    gaps = (_wide(expected) - _wide(actual) for expected, actual in arrays)
+    return integers and {int(value) for gap in gaps for value in np.unique(gap)} == {0, 1}
 
 
 def _wide(values):
@@ -479,32 +518,48 @@ _RELATIONS = (
 
 def _place(calls):
     """Where the wrong values of all calls lie, if that tells something."""
-    masks = []
-    for call in calls:
-        for expected, actual in side_by_side(call.expected.value, call.result.value):
-            values, actual_values = array_of(expected), array_of(actual)
-            if values is None or actual_values is None or values.shape != actual_values.shape:
-                return Diagnosis()
-            if values.ndim not in (2, 3):
-                return Diagnosis()
-            masks.append((differing(values, actual_values, call.case.tolerance), actual_values))
-    wrong = [(mask, values) for mask, values in masks if mask.any()]
-    if not wrong:
+    arrays = _arrays(calls)
+    if any(a is None or b is None or a.shape != b.shape or a.ndim not in (2, 3) for a, b, _ in arrays):
         return Diagnosis()
-    flat = [mask.any(axis=2) if mask.ndim == 3 else mask for mask, _ in wrong]
-    if all(values.shape[0] > 2 and not mask[0].any() and not values[1:].any() for mask, values in wrong):
-        return Diagnosis("Only the first row is right; all others are 0. Does return stand inside the loop?")
-    line = next((name for name, place in _LINES.items() if _lie_in(flat, place)), "")
-    if line:
-        return Diagnosis(f"All wrong values lie in {line}.")
-    if _lie_in(flat, np.s_[1:-1, 1:-1], is_inside=False):
-        zeros = all(not values[mask].any() for mask, values in wrong)
-        left = ", and there your result is 0: is the border never computed?" if zeros else "."
-        return Diagnosis(f"Only values on the border of the image are wrong{left}", on_border=True)
-    channels = {int(c) for mask, _ in wrong if mask.ndim == 3 for c in np.argwhere(mask)[:, 2]}
-    if len(channels) == 1 and all(mask.ndim == 3 and mask.shape[2] > 1 for mask, _ in wrong):
-        return Diagnosis(f"All wrong values lie in channel {channels.pop()}; the other channels are right.")
+    masks = [(differing(*array), array[1]) for array in arrays]
+    wrong = [(mask, values) for mask, values in masks if mask.any()]
+    for rule in (_after_first_row, _in_one_line, _on_border, _in_one_channel) if wrong else ():
+        text = rule(wrong)
+        if text:
+            return Diagnosis(text, on_border=rule is _on_border)
     return Diagnosis()
+
+
+def _after_first_row(wrong):
+    if all(values.shape[0] > 2 and not mask[0].any() and not values[1:].any() for mask, values in wrong):
+        return "Only the first row is right; all others are 0. Does return stand inside the loop?"
+    return ""
+
+
+def _in_one_line(wrong):
+    line = next((name for name, place in _LINES.items() if _lie_in(_pixels(wrong), place)), "")
+    return f"All wrong values lie in {line}." if line else ""
+
+
+def _on_border(wrong):
+    if not _lie_in(_pixels(wrong), np.s_[1:-1, 1:-1], is_inside=False):
+        return ""
+    zeros = all(not values[mask].any() for mask, values in wrong)
+    left = ", and there your result is 0: is the border never computed?" if zeros else "."
+    return f"Only values on the border of the image are wrong{left}"
+
+
+def _in_one_channel(wrong):
+    if any(mask.ndim < 3 or mask.shape[2] == 1 for mask, _ in wrong):
+        return ""
+    channels = {int(channel) for mask, _ in wrong for channel in np.argwhere(mask)[:, 2]}
+    if len(channels) > 1:
+        return ""
+    return f"All wrong values lie in channel {channels.pop()}; the other channels are right."
+
+
+def _pixels(wrong):
+    return [mask.any(axis=2) if mask.ndim == 3 else mask for mask, _ in wrong]
 
 
 def _lie_in(masks, place, is_inside=True):

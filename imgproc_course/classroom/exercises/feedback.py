@@ -28,14 +28,7 @@ _COLOURS = {
 
 
 def explain_call(result, difference, function):
-    """What went wrong in one call, in a sentence or two; "" if nothing did.
-
-    Parameters
-    ----------
-    result : CallResult
-    difference : Difference or None
-    function : str, the function's name
-    """
+    """What went wrong in one call of a function, in a sentence or two; "" if nothing did."""
     name = f"{function}()"
     if result.timed_out:
         return _explain_timeout(name, result.stuck)

@@ -14,21 +14,7 @@ _KINDS = "biufc"
 
 
 def encode(value):
-    """A value as JSON.
-
-    Parameters
-    ----------
-    value : None, bool, int, float, str, bytes, ndarray of numbers, NumPy scalar, and tuple, list, dict and
-        types.SimpleNamespace of these
-
-    Returns
-    -------
-    data for json.dumps
-
-    Raises
-    ------
-    TypeError : any other type; the message names it
-    """
+    """None, numbers, text, bytes, arrays, and containers of these, as JSON; TypeError names another type."""
     kind = type(value)
     if kind in (bool, str, type(None)):
         return value
@@ -57,16 +43,7 @@ def encode(value):
 
 
 def decode(form):
-    """The value that `encode` wrote; arrays are writable and own their data.
-
-    Parameters
-    ----------
-    form : from `encode`
-
-    Returns
-    -------
-    the value
-    """
+    """The value that `encode` wrote; arrays are writable and own their data."""
     if isinstance(form, _PLAIN):
         return form
     if "int" in form:

@@ -57,20 +57,7 @@ class Script:
 
 
 def read_script(path):
-    """Read a percent script; a file that has not changed is read once.
-
-    Parameters
-    ----------
-    path : Path
-
-    Returns
-    -------
-    Script
-
-    Raises
-    ------
-    MasterError : a header that cannot be read, or an unknown role
-    """
+    """Read a Script, once if the file has not changed; MasterError for a header or role that is not known."""
     path = Path(path)
     return _read_script(path, path.stat().st_mtime_ns)
 

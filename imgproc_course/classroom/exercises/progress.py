@@ -55,16 +55,7 @@ def learners_folder():
 
 
 def read_progress(folder):
-    """The progress that is kept in a folder.
-
-    Parameters
-    ----------
-    folder : Path
-
-    Returns
-    -------
-    {exercise id: ExerciseProgress}; empty if there is none, or if the file is damaged
-    """
+    """{exercise id: ExerciseProgress} as kept in a folder; empty if there is none, or the file is damaged."""
     try:
         return _parse((Path(folder) / PROGRESS).read_text(encoding="utf-8"))
     except (OSError, ValueError):
@@ -80,17 +71,7 @@ def progress_of(exercise_id):
 
 
 def note_progress(exercise_id, news):
-    """Add to the progress of one exercise.
-
-    Parameters
-    ----------
-    exercise_id : str
-    news : ExerciseProgress, what is new
-
-    Returns
-    -------
-    ExerciseProgress, all that is known now
-    """
+    """Add news to the ExerciseProgress of one exercise; returns all that is known now."""
     earlier_progress = progress_of(exercise_id)
     _of_this_process[exercise_id] = earlier_progress | news
     folder = learners_folder()
@@ -161,16 +142,7 @@ def one_at_a_time(path):
 
 
 def digest_of(function):
-    """A digest of a function and of its cell; comments and spacing make no difference.
-
-    Parameters
-    ----------
-    function : callable
-
-    Returns
-    -------
-    str of 16 hexadecimal digits
-    """
+    """16 hexadecimal digits of a function and its cell; comments and spacing make no difference."""
     code = code_of(function)
     source = "".join(linecache.getlines(code.co_filename)) if code else ""
     with contextlib.suppress(SyntaxError, ValueError, RecursionError):

@@ -13,17 +13,9 @@ _ENDS = (ast.Return, ast.Raise, ast.Continue, ast.Break)
 
 
 def remarks_on_source(function, errors=(), hints=()):
-    """What is certain from the source of a function alone.
+    """Sentences on what is certain from the source of a function alone; [] if the source is not known.
 
-    Parameters
-    ----------
-    function : callable
-    errors : collection of str, the types of the errors that its calls raised
-    hints : collection of str, of the exercise; if they use @, an answer with @ needs no remark on it
-
-    Returns
-    -------
-    list of str, sentences; empty if the source is not known
+    `errors` are the types that its calls raised. If the hints use @, an answer with @ needs no remark.
     """
     try:
         source = textwrap.dedent(inspect.getsource(function))
@@ -43,40 +35,47 @@ def remarks_on_source(function, errors=(), hints=()):
 
 
 def _remarks_on_node(node, source):
-    if isinstance(node, ast.BoolOp) and isinstance(node.op, ast.Or):
-        texts = [value for value in node.values[1:] if isinstance(value, ast.Constant) and value.value]
-        if texts and isinstance(node.values[0], ast.Compare):
-            yield (
-                f"{ast.unparse(node)} is always true, because {ast.unparse(texts[0])} alone counts as"
-                f" True. Compare with each of them, or write: in (..., ...)."
-            )
-    if isinstance(node, ast.BinOp) and isinstance(node.op, ast.MatMult):
-        yield _PRODUCT.format("a @ b")
-    if isinstance(node, ast.Call):
-        yield from _remarks_on_call(node)
-    if isinstance(node, ast.Assign):
-        yield from _width_before_height(node)
-    if isinstance(node, ast.While) and "uint8(" in source:
-        tops = [ast.unparse(part) for part in ast.walk(node.test) if isinstance(part, ast.Compare)]
-        yield from (
-            f"{top} is always true for a uint8: after 255 it goes on with 0. Write for t in range(256)."
-            for top in tops
-            if re.search(r"<= 255$|< 256$", top)
+    for kind, rule in _RULES:
+        if isinstance(node, kind):
+            yield from rule(node, source)
+
+
+def _always_true(node, _source):
+    if not isinstance(node.op, ast.Or) or not isinstance(node.values[0], ast.Compare):
+        return
+    constants = [value for value in node.values[1:] if isinstance(value, ast.Constant) and value.value]
+    if constants:
+        yield (
+            f"{ast.unparse(node)} is always true, because {ast.unparse(constants[0])} alone counts as"
+            f" True. Compare with each of them, or write: in (..., ...)."
         )
-    if isinstance(node, ast.Compare):
-        yield from _remarks_on_comparison(node, source)
-    if isinstance(node, ast.Assign) and len(node.targets) > 1 and _makes_array(node.value):
+
+
+def _matrix_product(node, _source):
+    if isinstance(node.op, ast.MatMult):
+        yield _PRODUCT.format("a @ b")
+
+
+def _loop_over_uint8(node, source):
+    for part in ast.walk(node.test) if "uint8(" in source else ():
+        comparison = ast.unparse(part) if isinstance(part, ast.Compare) else ""
+        if re.search(r"<= 255$|< 256$", comparison):
+            yield (
+                f"{comparison} is always true for a uint8: after 255 it goes on with 0. Write for t in"
+                " range(256)."
+            )
+
+
+def _two_names_of_one_array(node, _source):
+    if len(node.targets) > 1 and _makes_array(node.value):
         first, second, *_ = (ast.unparse(target) for target in node.targets)
         yield (
             f"{first} = {second} = ... gives two names to one array: what you write into {first} is in"
             f" {second} too. Make two arrays, each on a line of its own."
         )
-    for body in (getattr(node, "body", None), getattr(node, "orelse", None)):
-        if isinstance(body, list):
-            yield from _else_of_last_if(body)
 
 
-def _remarks_on_call(node):
+def _remarks_on_call(node, _source):
     name = ast.unparse(node.func)
     if name in ("np.dot", "np.matmul"):
         yield _PRODUCT.format(f"{name}(a, b)")
@@ -87,7 +86,7 @@ def _remarks_on_call(node):
         )
 
 
-def _width_before_height(node):
+def _width_before_height(node, _source):
     """width, height = image.shape: the shape begins with the rows."""
     target, value = node.targets[0], ast.unparse(node.value)
     if not isinstance(target, ast.Tuple) or len(target.elts) < 2 or ".shape" not in value[-10:]:
@@ -117,14 +116,14 @@ def _remarks_on_comparison(node, source):
             )
 
 
-def _else_of_last_if(body):
+def _else_of_last_if(node, _source):
     """An else after several ifs about one value belongs to the last of them only."""
-    for first, last in pairwise(body):
-        tests = [getattr(statement, "test", None) for statement in (first, last)]
+    bodies = (getattr(node, name, None) for name in ("body", "orelse"))
+    pairs = (pair for body in bodies if isinstance(body, list) for pair in pairwise(body))
+    for first, last in pairs:
+        tests = [_equality(statement) for statement in (first, last)]
         if (
-            isinstance(first, ast.If)
-            and isinstance(last, ast.If)
-            and all(isinstance(test, ast.Compare) and isinstance(test.ops[0], ast.Eq) for test in tests)
+            None not in tests
             and ast.dump(tests[0].left) == ast.dump(tests[1].left)
             and not isinstance(first.body[-1], _ENDS)
             and last.orelse
@@ -134,6 +133,25 @@ def _else_of_last_if(body):
                 f"The else belongs to the last if only, so it also runs if {ast.unparse(tests[0])}. Write"
                 " elif in place of every if but the first."
             )
+
+
+def _equality(statement):
+    """The test `a == b` of an if, or None."""
+    test = statement.test if isinstance(statement, ast.If) else None
+    return test if isinstance(test, ast.Compare) and isinstance(test.ops[0], ast.Eq) else None
+
+
+# (kind of node, rule)
+_RULES = (
+    (ast.BoolOp, _always_true),
+    (ast.BinOp, _matrix_product),
+    (ast.Call, _remarks_on_call),
+    (ast.Assign, _width_before_height),
+    (ast.While, _loop_over_uint8),
+    (ast.Compare, _remarks_on_comparison),
+    (ast.Assign, _two_names_of_one_array),
+    (ast.AST, _else_of_last_if),
+)
 
 
 def _remarks_on_function(tree):

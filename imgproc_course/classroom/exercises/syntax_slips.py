@@ -38,25 +38,12 @@ _MISSING = (
 
 
 def plain_character(character):
-    """What a keyboard writes in the place of a typographic character; None if that is not known.
-
-    "" stands for a character that nobody sees.
-    """
+    """What a keyboard writes for a typographic character, "" for one that nobody sees; None if not known."""
     return _PLAIN.get(character)
 
 
 def without_slip(source, error):
-    """A source that does not parse, mended by one change, if this makes it Python.
-
-    Parameters
-    ----------
-    source : str
-    error : SyntaxError, of the source
-
-    Returns
-    -------
-    (source, its ast.Module), or None. The mended source has the same number of lines
-    """
+    """A source that does not parse, mended by one change in a line, and its ast.Module; or None."""
     if len(source) > _MOST_CHARACTERS:
         return None
     for candidate in itertools.islice(_candidates(source, error), _MOST_TRIES):

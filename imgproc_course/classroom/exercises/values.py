@@ -20,15 +20,9 @@ _MOST_CHARACTERS = 60  # of a text inside another value
 
 
 def answer_parts(expected, actual):
-    """The parts of an answer: the items of a tuple, list, dict or message with arrays; else the whole answer.
+    """(name, expected form, actual form or None) of each item of a tuple, list, dict or message with arrays.
 
-    Parameters
-    ----------
-    expected, actual : canonical forms; actual is None if the function returned nothing
-
-    Returns
-    -------
-    list of (name, expected form, actual form or None); the name is "" for the whole answer
+    Another answer is one part, the whole, with the name "".
     """
     items = named_items(expected)
     if not any(form["type"] == "ndarray" for _, form in items) or len(items) > _MOST_PARTS:
@@ -49,13 +43,7 @@ def named_items(form):
 
 
 def differing_elements(expected, actual, tolerance):
-    """Which elements of two arrays differ, as a bool array; None for two shapes, or for numbers and bools.
-
-    Parameters
-    ----------
-    expected, actual : canonical forms, or None
-    tolerance : float
-    """
+    """Which elements of two arrays differ, as bools; None for two shapes, or for numbers and bools."""
     expected, actual = array_of(expected), array_of(actual)
     if expected is None or actual is None or expected.shape != actual.shape:
         return None
@@ -65,17 +53,7 @@ def differing_elements(expected, actual, tolerance):
 
 
 def table_rows(form, wrong=None):
-    """A small array, or the bytes of a small image message, as a table.
-
-    Parameters
-    ----------
-    form : canonical form, or None
-    wrong : bool array, which elements differ, or None
-
-    Returns
-    -------
-    tuple of rows of (text, whether it differs); () if a line of text is enough
-    """
+    """A small array, or the bytes of a small image message, as rows of (text, whether it differs), or ()."""
     values = array_of(form)
     if values is None:
         values = _rows_of_message(form)
@@ -116,17 +94,7 @@ def _number(value):
 
 
 def describe_value(form, depth=0):
-    """A value in one line: a short value whole, a long one by its type and its beginning.
-
-    Parameters
-    ----------
-    form : canonical form
-    depth : int, the number of values that contain this one
-
-    Returns
-    -------
-    str
-    """
+    """A value in one line: a short one whole, a long one by type and beginning; `depth` values hold it."""
     if form["type"] == "ndarray":
         return _describe_array(form, depth)
     if form["type"] == "bytes" and "data" in form:

@@ -7,6 +7,7 @@ import sys
 
 import pytest
 
+from imgproc_course.classroom.exercises import progress
 from imgproc_course.classroom.exercises.progress import (
     PROGRESS,
     ExerciseProgress,
@@ -15,7 +16,6 @@ from imgproc_course.classroom.exercises.progress import (
     progress_of,
     read_progress,
 )
-from imgproc_course.exercises import progress
 
 
 @pytest.fixture

@@ -4,8 +4,8 @@ import ast
 
 import pytest
 
+from imgproc_course.classroom.exercises import syntax_slips
 from imgproc_course.classroom.exercises.syntax_slips import plain_character, without_slip
-from imgproc_course.exercises import syntax_slips
 
 SLIPS = {
     "def f(x)\n    return x": "def f(x):\n    return x",
