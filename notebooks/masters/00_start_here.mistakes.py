@@ -1,10 +1,6 @@
 # %% [markdown]
 # # start-count
 
-# %% role="mistake" name="numbers counted instead of pixels" says="Your function counts all numbers of the array (as frame.size does), and each pixel has three. Multiply only the number of rows by the number of columns."
-def count_pixels(frame):
-    return int(frame.size)
-
 # %% role="mistake" name="rows counted instead of pixels" says="That is only the number of rows, len(frame). Multiply it by the number of columns, frame.shape[1]."
 def count_pixels(frame):
     return len(frame)
@@ -29,21 +25,9 @@ def count_pixels(frame):
 def count_pixels(frame):
     return frame.shape[0] * frame.shape[0]
 
-# %% role="mistake" name="the size of the lesson's frame" says="921600 = 720 × 1280 is right only for the robot's frame. Another image has another size: take the rows and the columns from frame.shape."
-def count_pixels(frame):
-    return 720 * 1280
-
 # %% role="mistake" name="the last row and column not counted" says="One row and one column are missing in the result. If you use loops: range(n) already stops before n, so write range(rows) and range(columns), without - 1."
 def count_pixels(frame):
     return (frame.shape[0] - 1) * (frame.shape[1] - 1)
-
-# %% role="mistake" name="shape returned instead of a product" says="Your function returns two numbers, the rows and the columns, as a tuple. Multiply them, and return one number."
-def count_pixels(frame):
-    return frame.shape[0], frame.shape[1]
-
-# %% role="mistake" name="whole shape returned" says="Your function returns the whole shape, a tuple of three numbers. Multiply its first two numbers, rows and columns, and return one number."
-def count_pixels(frame):
-    return frame.shape
 
 # %% role="mistake" name="black not counted" says="Your function counts the numbers that are not 0. The values do not matter here, only the number of pixels: multiply the rows by the columns of frame.shape."
 def count_pixels(frame):
@@ -56,7 +40,3 @@ def count_pixels(frame):
 # %% role="mistake" name="different values counted" says="That is the number of different values in the image (as np.unique finds them). Count the pixels instead: multiply the rows by the columns of frame.shape."
 def count_pixels(frame):
     return np.unique(frame).size
-
-# %% role="mistake" name="text returned" says="Your function returns the right number as text (a string). Return the number itself: rows * columns, without quotation marks, str() or an f-string."
-def count_pixels(frame):
-    return str(frame.shape[0] * frame.shape[1])

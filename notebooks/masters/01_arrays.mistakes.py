@@ -5,14 +5,6 @@
 def crop(image, top, bottom, left, right):
     return image[left:right, top:bottom]
 
-# %% role="mistake" name="stop included" says="One row and one column too many. The stop of a slice is not included, so bottom needs no + 1: write top:bottom."
-def crop(image, top, bottom, left, right):
-    return image[top:bottom + 1, left:right + 1]
-
-# %% role="mistake" name="one row less" says="One row and one column are missing. The stop of a slice is excluded already, so bottom needs no - 1: write top:bottom."
-def crop(image, top, bottom, left, right):
-    return image[top:bottom - 1, left:right - 1]
-
 # %% role="mistake" name="two pairs of brackets" says="The second pair of brackets cuts the rows again, so the rows were cut twice. Write both slices in one pair, with a comma: image[top:bottom, left:right]."
 def crop(image, top, bottom, left, right):
     return image[top:bottom][left:right]
@@ -24,10 +16,6 @@ def crop(image, top, bottom, left, right):
 # %% role="mistake" name="columns only" says="You cut the columns, but every row is kept. The first slice must be top:bottom."
 def crop(image, top, bottom, left, right):
     return image[:, left:right]
-
-# %% role="mistake" name="lengths instead of ends" says="The second number of a slice is a position, not a length. The slice of the rows is top:bottom."
-def crop(image, top, bottom, left, right):
-    return image[top:bottom - top, left:right - left]
 
 # %% role="mistake" name="the rest is black" says="Your result has the full size of the image, and the rest is 0. Return only the part, with its smaller shape: image[top:bottom, left:right]."
 def crop(image, top, bottom, left, right):
@@ -41,10 +29,6 @@ def crop(image, top, bottom, left, right):
 
 # %% [markdown]
 # # arrays-mirror
-
-# %% role="mistake" name="rows reversed" says="The rows are reversed, so top and bottom are exchanged. Keep the rows with a colon, and reverse the columns: the second index."
-def mirror(image):
-    return image[::-1]
 
 # %% role="mistake" name="both reversed" says="Rows and columns are both reversed, which turns the image by 180 degrees. Keep the rows: a colon alone."
 def mirror(image):
@@ -89,10 +73,6 @@ def red_channel(bgr):
 def red_channel(bgr):
     return bgr[..., 1]
 
-# %% role="mistake" name="row 2" says="This is row 2 of the image: the first index is for rows. The channel is the last index: bgr[..., 2]."
-def red_channel(bgr):
-    return bgr[2]
-
 # %% role="mistake" name="column 2" says="This is column 2 of the image: the second index is for columns. The channel is the third index: bgr[:, :, 2]."
 def red_channel(bgr):
     return bgr[:, 2]
@@ -101,20 +81,9 @@ def red_channel(bgr):
 def red_channel(bgr):
     return bgr[..., 2:3]
 
-# %% role="mistake" name="three channels" says="Your result still has three channels. Return only the red one, an array with two axes: bgr[..., 2]."
-def red_channel(bgr):
-    result = bgr.copy()
-    result[..., 0] = 0
-    result[..., 1] = 0
-    return result
-
 # %% role="mistake" name="mean of the channels" says="This is the mean (average) of the three channels. The task asks for the red one: bgr[..., 2]."
 def red_channel(bgr):
     return bgr.mean(axis=2).astype(np.uint8)
-
-# %% role="mistake" name="a mask" says="This is a mask: True or False for each pixel. Return the numbers of the red channel, without a comparison."
-def red_channel(bgr):
-    return bgr[..., 2] > 0
 
 # %% [markdown]
 # # arrays-share
@@ -122,10 +91,6 @@ def red_channel(bgr):
 # %% role="mistake" name="counted" says="You counted the bright pixels. Percent is 100 times their share: the mean of the mask times 100."
 def bright_percent(gray, level):
     return int((gray > level).sum())
-
-# %% role="mistake" name="the share" says="This is the share, a number from 0 to 1. Multiply it by 100 to get percent."
-def bright_percent(gray, level):
-    return float((gray > level).mean())
 
 # %% role="mistake" name="equal pixels counted" says="Pixels that are equal to level are counted too (>=). Brighter than level means > level."
 def bright_percent(gray, level):
@@ -170,31 +135,9 @@ def bright_percent(gray, level):
 # %% [markdown]
 # # arrays-two-levels
 
-# %% role="mistake" name="inverted" says="Black and white are swapped: bright pixels became 0. The value for True comes first in np.where."
-def two_levels(gray, level):
-    return np.where(gray > level, 0, 255).astype(np.uint8)
-
 # %% role="mistake" name="equal pixels white" says="Pixels that are equal to level became white (>=). Brighter than level means > level."
 def two_levels(gray, level):
     return np.where(gray >= level, 255, 0).astype(np.uint8)
-
-# %% role="mistake" name="a mask" says="This is the mask, with True and False. Make 255 and 0 of it, with np.where and astype(np.uint8)."
-def two_levels(gray, level):
-    return gray > level
-
-# %% role="mistake" name="0 and 1" says="True became 1, and 1 is almost black. Use 255 for the bright pixels, for example with np.where."
-def two_levels(gray, level):
-    return (gray > level).astype(np.uint8)
-
-# %% role="mistake" name="dark pixels unchanged" says="Dark pixels keep their gray level. They must become 0: the result has only 0 and 255."
-def two_levels(gray, level):
-    result = gray.copy()
-    result[gray > level] = 255
-    return result
-
-# %% role="mistake" name="bright pixels unchanged" says="Bright pixels keep their gray level. They must become 255: the result has only 0 and 255."
-def two_levels(gray, level):
-    return np.where(gray > level, gray, 0).astype(np.uint8)
 
 # %% role="mistake" name="always 128" says="128 is fixed in your comparison. Compare with the parameter level."
 def two_levels(gray, level):
@@ -233,12 +176,6 @@ def paint_white(gray, mask):
     result[mask] = 1
     return result
 
-# %% role="mistake" name="the rest is black" says="Pixels outside the mask became 0, but they must keep their gray level. Begin with a copy of gray."
-def paint_white(gray, mask):
-    result = np.zeros_like(gray)
-    result[mask] = 255
-    return result
-
 # %% role="mistake" name="added in uint8" says="The painted pixels are one gray level darker, not white: gray + 255 overflows in uint8. Set them with = instead: result[mask] = 255."
 def paint_white(gray, mask):
     return gray + mask.astype(np.uint8) * np.uint8(255)
@@ -251,16 +188,8 @@ def paint_white(gray, mask):
 def paint_white(gray, mask):
     return mask
 
-# %% role="mistake" name="nothing painted" says="The image came back unchanged: no pixel was painted. Set the pixels of the mask with result[mask] = 255."
-def paint_white(gray, mask):
-    return gray.copy()
-
 # %% [markdown]
 # # arrays-row-means
-
-# %% role="mistake" name="means of the columns" says="These are the means of the columns: axis=0 goes down the rows. For one mean per row, use axis=1."
-def row_means(gray):
-    return gray.mean(axis=0)
 
 # %% role="mistake" name="one mean" says="This is one number for the whole image. With axis=1 you get an array with one mean for each row."
 def row_means(gray):
@@ -313,20 +242,10 @@ def differences(gray):
 def differences(gray):
     return gray[:, 1:] - gray[:, :-1]
 
-# %% role="mistake" name="the sign is turned" says="The sign is turned: this is the pixel minus its right neighbour. The task asks for the right neighbour minus the pixel."
-def differences(gray):
-    wide = gray.astype(np.int16)
-    return wide[:, :-1] - wide[:, 1:]
-
 # %% role="mistake" name="rows" says="These are the differences between a row and the row below it. The right neighbour is in the next column: shift the second index."
 def differences(gray):
     wide = gray.astype(np.int16)
     return wide[1:] - wide[:-1]
-
-# %% role="mistake" name="absolute values" says="All differences are positive: the absolute value dropped the sign. Leave np.abs out."
-def differences(gray):
-    wide = gray.astype(np.int16)
-    return np.abs(wide[:, 1:] - wide[:, :-1])
 
 # %% role="mistake" name="rolled" says="Your result has one column too many. np.roll puts the first column behind the last one, which has no right neighbour. Use two slices."
 def differences(gray):

@@ -21,38 +21,6 @@ def name_operation(before, after):
     operation = solution(before, after)
     return {"edges": "binarization", "binarization": "edges"}.get(operation, operation)
 
-# %% role="mistake" name="other name: gray" says="Your function returns \"gray\". The name in this exercise is \"grayscale\": use the four texts exactly as the task gives them."
-def name_operation(before, after):
-    operation = solution(before, after)
-    return "gray" if operation == "grayscale" else operation
-
-# %% role="mistake" name="other name: binary" says="Your function returns \"binary\". The name in this exercise is \"binarization\": use the four texts exactly as the task gives them."
-def name_operation(before, after):
-    operation = solution(before, after)
-    return "binary" if operation == "binarization" else operation
-
-# %% role="mistake" name="other name: edge" says="Your function returns \"edge\". The name in this exercise is \"edges\": use the four texts exactly as the task gives them."
-def name_operation(before, after):
-    operation = solution(before, after)
-    return "edge" if operation == "edges" else operation
-
-# %% role="mistake" name="other name: noise_removal" says="Your function returns \"noise_removal\". The name in this exercise is \"noise removal\", two words with a space: use the four texts exactly as the task gives them."
-def name_operation(before, after):
-    return solution(before, after).replace("noise ", "noise_")
-
-# %% role="mistake" name="other name: noise-removal" says="Your function returns \"noise-removal\". The name in this exercise is \"noise removal\", two words with a space: use the four texts exactly as the task gives them."
-def name_operation(before, after):
-    return solution(before, after).replace("noise ", "noise-")
-
-# %% role="mistake" name="capital letters" says="The names begin with a capital letter. Python distinguishes capital and small letters: write all four names in small letters."
-def name_operation(before, after):
-    return solution(before, after).capitalize()
-
-# %% role="mistake" name="no name for areas" says="For an image of areas your function returns None: no return was reached. Add the last case, return \"binarization\"."
-def name_operation(before, after):
-    operation = solution(before, after)
-    return None if operation == "binarization" else operation
-
 # %% role="mistake" name="three channels not recognised" says="The colour image was not recognised by its three dimensions. after.shape is a tuple such as (45, 60, 3): it never equals the number 3, and other images have another size than the lesson's frame. Compare after.ndim, the number of dimensions, with 3."
 def name_operation(before, after):
     operation = solution(before, after)

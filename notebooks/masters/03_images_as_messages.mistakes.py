@@ -9,10 +9,6 @@ def decode_mono8(message):
 def decode_mono8(message):
     return solution(message).ravel()
 
-# %% role="mistake" name="a third dimension" says="A gray image has two dimensions. Leave the third number out of the shape: (height, width)."
-def decode_mono8(message):
-    return solution(message)[..., np.newaxis]
-
 # %% role="mistake" name="filled column by column" says="The image was filled column by column. In data it is stored row after row: use reshape(height, width), without .T and without order=\"F\"."
 def decode_mono8(message):
     return solution(message).ravel().reshape((message.height, message.width), order="F")
@@ -22,28 +18,12 @@ def decode_mono8(message):
     rows = [message.data[row * message.height :][: message.width] for row in range(message.height)]
     return np.array([list(row) for row in rows], dtype=np.uint8)
 
-# %% role="mistake" name="upside down" says="The image is upside down. The first row in data is the top row: keep the order of the rows, do not reverse it."
-def decode_mono8(message):
-    return solution(message)[::-1]
-
-# %% role="mistake" name="mirrored" says="Left and right are exchanged. The first byte of a row is its left pixel: keep the order of the columns, do not reverse it."
-def decode_mono8(message):
-    return solution(message)[:, ::-1]
-
-# %% role="mistake" name="signed numbers" says="int8 has a sign and ends at 127, so bright pixels became negative. Read the bytes with dtype=np.uint8."
-def decode_mono8(message):
-    return solution(message).view(np.int8)
-
 # %% role="mistake" name="values from 0 to 1" says="The values were divided by 255. Return the gray levels as they are in data, uint8 from 0 to 255."
 def decode_mono8(message):
     return solution(message) / 255
 
 # %% [markdown]
 # # messages-rgb8
-
-# %% role="mistake" name="channels first" says="The channels are the first axis of your array. The three bytes of a pixel are side by side, so the channels are the last axis: (height, width, 3)."
-def decode_rgb8(message):
-    return solution(message).reshape(3, message.height, message.width)
 
 # %% role="mistake" name="one colour after the other" says="data was read as if it held one image for each channel, one after the other. The three bytes of a pixel are side by side: reshape(height, width, 3) is enough, without transpose."
 def decode_rgb8(message):
@@ -53,10 +33,6 @@ def decode_rgb8(message):
 def decode_rgb8(message):
     return solution(message).reshape(message.width, message.height, 3)
 
-# %% role="mistake" name="red and blue swapped" says="Red and blue are swapped. Keep the channels in the order of data, and do not reverse them."
-def decode_rgb8(message):
-    return solution(message)[..., ::-1]
-
 # %% role="mistake" name="bgr8 reordered" says="For bgr8, red and blue are swapped. Keep the channels in the order of data, for both encodings."
 def decode_rgb8(message):
     return solution(message)[..., ::-1] if message.encoding == "bgr8" else solution(message)
@@ -64,10 +40,6 @@ def decode_rgb8(message):
 # %% role="mistake" name="rgb8 reordered" says="For rgb8, red and blue are swapped. Keep the channels in the order of data, for both encodings."
 def decode_rgb8(message):
     return solution(message)[..., ::-1] if message.encoding == "rgb8" else solution(message)
-
-# %% role="mistake" name="no axis for the channels" says="The array has only two dimensions, (height, 3 × width). Give the channels an axis of their own: reshape(height, width, 3)."
-def decode_rgb8(message):
-    return solution(message).reshape(message.height, -1)
 
 # %% role="mistake" name="one pixel per row" says="The array has one pixel in each row. Its shape must have the rows and columns of the image, too: reshape(height, width, 3)."
 def decode_rgb8(message):
@@ -85,22 +57,10 @@ def decode_rgb8(message):
 def decode_rgb8(message):
     return solution(message).mean(axis=-1).astype(np.uint8)
 
-# %% role="mistake" name="upside down" says="The image is upside down. The first row in data is the top row: keep the order of the rows, do not reverse it."
-def decode_rgb8(message):
-    return solution(message)[::-1]
-
-# %% role="mistake" name="mirrored" says="Left and right are exchanged: the columns were reversed, not the channels. Keep the order of data for both."
-def decode_rgb8(message):
-    return solution(message)[:, ::-1]
-
 # %% role="mistake" name="pixels one byte apart" says="Neighbouring pixels were read one byte apart. A pixel takes three bytes: column c begins at byte 3 * c of its row."
 def decode_rgb8(message):
     rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
     return np.stack([rows[:, k : k + message.width] for k in range(3)], axis=-1)
-
-# %% role="mistake" name="bgr8 without an answer" says="For bgr8 your function returns None: no return was reached. bgr8 is decoded in the same way as rgb8."
-def decode_rgb8(message):
-    return solution(message) if message.encoding == "rgb8" else None
 
 # %% [markdown]
 # # messages-padding
@@ -123,10 +83,6 @@ def decode_padded(message):
     rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step).copy()
     rows[:, message.width * 3 :] = 0
     return rows
-
-# %% role="mistake" name="no axis for the channels" says="The padding is gone. But the array has only two dimensions, (height, 3 × width). Give the channels an axis of their own: reshape(height, width, 3)."
-def decode_padded(message):
-    return solution(message).reshape(message.height, -1)
 
 # %% role="mistake" name="padding expected in front" says="The first bytes of each row were cut off. The padding is at the end of a row: keep the first width * 3 bytes."
 def decode_padded(message):
@@ -162,10 +118,6 @@ def decode_padded(message):
 def decode_padded(message):
     return solution(message).reshape(message.width, message.height, 3)
 
-# %% role="mistake" name="red and blue swapped" says="Red and blue are swapped. Keep the channels in the order of data, and do not reverse them."
-def decode_padded(message):
-    return solution(message)[..., ::-1]
-
 # %% [markdown]
 # # messages-mono16
 
@@ -198,10 +150,6 @@ def decode_mono16(message):
 def decode_mono16(message):
     return solution(message) & 255
 
-# %% role="mistake" name="narrowed to uint8" says="The numbers were narrowed to uint8, so everything above 255 is lost. Keep them as uint16."
-def decode_mono16(message):
-    return solution(message).astype(np.uint8)
-
 # %% role="mistake" name="255 instead of 256" says="The more significant byte was multiplied by 255. A byte has 256 different values, from 0 to 255, so multiply it by 256."
 def decode_mono16(message):
     return (solution(message) >> 8) * 255 + (solution(message) & 255)
@@ -225,10 +173,6 @@ def decode_mono16(message):
 def decode_mono16(message):
     return solution(message) >> 8
 
-# %% role="mistake" name="signed numbers" says="int16 has a sign and ends at 32767, so larger values became negative. Use the unsigned dtype u2 (uint16)."
-def decode_mono16(message):
-    return solution(message).view(np.int16)
-
 # %% role="mistake" name="not cut into rows" says="The array has only one dimension. Cut it into rows: reshape(height, width)."
 def decode_mono16(message):
     return solution(message).ravel()
@@ -236,10 +180,6 @@ def decode_mono16(message):
 # %% role="mistake" name="rows and columns exchanged" says="Height and width are exchanged. The first axis of an array is its rows, so the shape is (height, width), and height comes first."
 def decode_mono16(message):
     return solution(message).reshape(message.width, message.height)
-
-# %% role="mistake" name="no answer for little-endian" says="For the little-endian message your function returns None: no return was reached. Add the case in which is_bigendian is 0."
-def decode_mono16(message):
-    return solution(message) if message.is_bigendian else None
 
 # %% [markdown]
 # # messages-decode
@@ -251,31 +191,6 @@ def decode(message):
     cut = SimpleNamespace(**{**vars(message), "step": row_bytes})
     cut.data = flat[: message.height * row_bytes].tobytes()
     return solution(cut)
-
-# %% role="mistake" name="padding not expected" says="Messages without padding are right, messages with padding raise an error. Cut data into rows of step bytes first, then crop the padding of each row."
-def decode(message):
-    if message.encoding == "mono16":
-        order = ">u2" if message.is_bigendian else "<u2"
-        pixels = np.frombuffer(message.data, dtype=order).astype(np.uint16)
-        return pixels.reshape(message.height, message.width)
-    flat = np.frombuffer(message.data, dtype=np.uint8)
-    if message.encoding == "mono8":
-        return flat.reshape(message.height, message.width)
-    return flat.reshape(message.height, message.width, 3)
-
-# %% role="mistake" name="padding kept" says="The array has too many columns: the padding is still there, at the end of each row. Crop it: keep only the bytes of the pixels."
-def decode(message):
-    if message.encoding == "mono8":
-        return rows_of(message)
-    if message.encoding == "mono16":
-        order = ">u2" if message.is_bigendian else "<u2"
-        return np.frombuffer(message.data, order).reshape(message.height, -1).astype(np.uint16)
-    pixels = message.step // 3
-    return rows_of(message)[:, : pixels * 3].reshape(message.height, pixels, 3)
-
-# %% role="mistake" name="padding of gray images kept" says="For mono8 the array has too many columns: the padding is still there, at the end of each row. Keep only the first width columns."
-def decode(message):
-    return rows_of(message) if message.encoding == "mono8" else solution(message)
 
 # %% role="mistake" name="channels swapped" says="Red and blue are swapped. The channels must be in the same order as in data."
 def decode(message):
@@ -293,21 +208,6 @@ def decode(message):
 def decode(message):
     pixels = solution(message)
     return pixels.reshape((message.width, message.height, *pixels.shape[2:]))
-
-# %% role="mistake" name="no axis for the channels" says="The colour image has only two dimensions, (height, 3 × width). Give the channels an axis of their own: reshape to (height, width, 3)."
-def decode(message):
-    return solution(message).reshape(message.height, -1)
-
-# %% role="mistake" name="channels first" says="The channels are the first axis of your colour image. The three bytes of a pixel are side by side in data, so the channels are the last axis: (height, width, 3)."
-def decode(message):
-    pixels = solution(message)
-    return pixels.reshape(3, message.height, message.width) if pixels.ndim == 3 else pixels
-
-# %% role="mistake" name="colour images cropped at width bytes" says="Only the colour images raise an error. A pixel of rgb8 or bgr8 has 3 bytes: crop each row at width * 3 bytes, then reshape to (height, width, 3)."
-def decode(message):
-    if message.encoding in ("rgb8", "bgr8"):
-        return rows_of(message)[:, : message.width].reshape(message.height, message.width, 3)
-    return solution(message)
 
 # %% role="mistake" name="one condition is always true" says='The colour images are right, mono8 and mono16 raise an error. Are they taken for colour images? The condition message.encoding == "rgb8" or "bgr8" is always true: write message.encoding in ("rgb8", "bgr8").'
 def decode(message):
@@ -337,10 +237,6 @@ def decode(message):
 # %% role="mistake" name="half of the columns of mono16" says="The mono16 image has only half of its columns. A pixel takes two bytes: crop each row at width * 2 bytes."
 def decode(message):
     return solution(message)[:, : message.width // 2] if message.encoding == "mono16" else solution(message)
-
-# %% role="mistake" name="mono16 narrowed to uint8" says="The numbers of mono16 were narrowed to uint8, so everything above 255 is lost. Keep them as uint16."
-def decode(message):
-    return solution(message).astype(np.uint8)
 
 # %% role="mistake" name="only the less significant byte" says="Of each mono16 pixel only the less significant byte is left. If you moved the other byte with << 8 while it was uint8: it does not fit, and uint8 wraps to 0. Widen both bytes first, with astype(np.uint16)."
 def decode(message):

@@ -39,18 +39,6 @@ def luma(bgr):
 def luma(bgr):
     return weighted(bgr, np.uint8(11), np.uint8(59), np.uint8(30)) // np.uint8(100)
 
-# %% role="mistake" name="the first rows instead of the channels" says="bgr[0] is the first row of the image, not the blue channel. The channels are on the last axis: write bgr[..., 0]."
-def luma(bgr):
-    return luma_of(np.stack([bgr[0], bgr[1], bgr[2]], axis=-1))
-
-# %% role="mistake" name="the first rows instead of the channels, truncated" says="bgr[0] is the first row of the image, not the blue channel. The channels are on the last axis: write bgr[..., 0]."
-def luma(bgr):
-    return luma_of(np.stack([bgr[0], bgr[1], bgr[2]], axis=-1), half=0)
-
-# %% role="mistake" name="the average of the first rows, as uint8" says="bgr[0] is the first row of the image, not the blue channel. The channels are on the last axis: write bgr[..., 0]."
-def luma(bgr):
-    return (bgr[0] + bgr[1] + bgr[2]) // np.uint8(3)
-
 # %% role="mistake" name="the first columns instead of the channels" says="bgr[:, 0] is the first column of the image, not the blue channel. The channels are on the last axis: write bgr[..., 0]."
 def luma(bgr):
     return luma_of(np.stack([bgr[:, 0], bgr[:, 1], bgr[:, 2]], axis=-1))
@@ -63,22 +51,10 @@ def luma(bgr):
 def luma(bgr):
     return (weighted(bgr, 0.114, 0.587, 0.299) + 0.5).astype(np.uint8)
 
-# %% role="mistake" name="decimal weights, truncated" says="The values are truncated, not rounded: the fraction is dropped. Add one half before you narrow (with integers: add 2**14 before >> 15)."
-def luma(bgr):
-    return weighted(bgr, 0.114, 0.587, 0.299).astype(np.uint8)
-
 # %% role="mistake" name="each product narrowed" says="The three products are narrowed to uint8 one by one, and each loses its fraction. Add them first; then round, and narrow last."
 def luma(bgr):
     b, g, r = bgr[..., 0], bgr[..., 1], bgr[..., 2]
     return (0.114 * b).astype(np.uint8) + (0.587 * g).astype(np.uint8) + (0.299 * r).astype(np.uint8)
-
-# %% role="mistake" name="decimal weights, as float" says="The values still have fractions, and the dtype is float. Use the integer weights of section 4, round with + 2**14, shift, and narrow with astype(np.uint8)."
-def luma(bgr):
-    return weighted(bgr, 0.114, 0.587, 0.299)
-
-# %% role="mistake" name="the sum divided, as float" says="The values still have fractions, and the dtype is float. Use the integer weights of section 4, round with + 2**14, shift, and narrow with astype(np.uint8)."
-def luma(bgr):
-    return weighted(bgr.astype(np.uint32), 3735, 19235, 9798) / 2**15
 
 # %% role="mistake" name="truncated instead of rounded" says="The values are truncated, not rounded: the fraction is dropped. Add one half before you narrow (with integers: add 2**14 before >> 15)."
 def luma(bgr):
@@ -135,14 +111,6 @@ def luma(bgr):
 # %% role="mistake" name="every value is 0" says="Every value is 0. If you compute with the uint8 values themselves, the sum overflows, and a shift leaves nothing of it: widen first with astype(np.uint32). If you narrow to uint8 before the shift, shift first and narrow last. If you write >> 15 + 2**14, put the sum in parentheses: + is computed before >>, so the shift is too far."
 def luma(bgr):
     return np.zeros(bgr.shape[:2], np.uint8)
-
-# %% role="mistake" name="three channels kept" says="Your result still has three channels. Luma has one value per pixel: add the three weighted channels, then round and narrow."
-def luma(bgr):
-    return ((bgr * np.array([3735, 19235, 9798]) + 2**14) >> 15).astype(np.uint8)
-
-# %% role="mistake" name="summed over the rows" says="Your sum goes over axis 0, along the rows of the image. The three channels are on the last axis: use axis=-1 in sum."
-def luma(bgr):
-    return ((bgr * np.array([3735, 19235, 9798])).sum(axis=0) + 2**14 >> 15).astype(np.uint8)
 
 # %% role="mistake" name="summed over the columns" says="Your sum goes over axis 1, along the columns of the image. The three channels are on the last axis: use axis=-1 in sum."
 def luma(bgr):

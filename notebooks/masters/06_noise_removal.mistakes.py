@@ -51,14 +51,6 @@ def median3(gray):
 def median3(gray):
     return medians_of_windows(gray, lambda window: np.sort(window, axis=None)[window.size // 2])
 
-# %% role="mistake" name="border not padded, lower middle of the sorted rest" says="At the border your neighbourhood has fewer than nine values: four in a corner, six at a side. Repeat the outermost rows and columns with np.pad(gray, 1, mode='edge'), so that every pixel has nine."
-def median3(gray):
-    return medians_of_windows(gray, lambda window: np.sort(window, axis=None)[(window.size - 1) // 2])
-
-# %% role="mistake" name="border not padded, median of the rest" says="At the border your neighbourhood has fewer than nine values: four in a corner, six at a side. Repeat the outermost rows and columns with np.pad(gray, 1, mode='edge'), so that every pixel has nine."
-def median3(gray):
-    return medians_of_windows(gray, np.median)
-
 # %% role="mistake" name="not sorted" says="The result is the image itself. If you take the fifth of the nine neighbours, you must sort them first: before sorting, the fifth is the pixel itself."
 def median3(gray):
     return gray.copy()
@@ -83,11 +75,6 @@ def median3(gray):
     result = np.zeros_like(gray)
     result[-1, -1] = solution(gray)[-1, -1]
     return result
-
-# %% role="mistake" name="gray overwritten" says="Your function writes into gray, so the input image is changed for everybody who uses it. Write into a new array: result = np.empty_like(gray)."
-def median3(gray):
-    gray[:] = solution(gray.copy())
-    return gray
 
 # %% role="mistake" name="the sixth value" says="This is the sixth of the nine sorted values, which has the index 5. The middle one is the fifth, and its index is 4, because Python counts the first value as 0."
 def median3(gray):
@@ -178,16 +165,6 @@ def median3(gray):
     result[:, gray.shape[0] :] = 0
     return result
 
-# %% role="mistake" name="no border handling" says="The result is smaller than the image: the outermost pixels are missing. Pad the image before you take the neighbours: np.pad(gray, 1, mode='edge')."
-def median3(gray):
-    return solution(gray)[1:-1, 1:-1]
-
-# %% role="mistake" name="padding not removed" says="The result is as large as the padded image: it still has the padding, one row or column too many on each side. Return only the part of the image, result[1:-1, 1:-1]."
-def median3(gray):
-    result = np.pad(gray, 1, mode="edge")
-    result[1:-1, 1:-1] = solution(gray)
-    return result
-
 # %% role="mistake" name="a flat array" says="You return all medians in one long row. Give the result the shape of the image: reshape(gray.shape), or write each median to result[row, col]."
 def median3(gray):
     return solution(gray).ravel()
@@ -201,10 +178,6 @@ def median3(gray):
     padded = np.pad(gray, 1, mode="edge")
     medians = [np.median(padded[row : row + 3]) for row in range(gray.shape[0])]
     return np.repeat(np.array(medians).astype(np.uint8), gray.shape[1]).reshape(gray.shape)
-
-# %% role="mistake" name="one median for the whole image" says="This is one number, the median of the whole image. Each pixel needs the median of its own 3 × 3 neighbourhood."
-def median3(gray):
-    return np.sort(gray, axis=None)[gray.size // 2]
 
 # %% role="mistake" name="median along the rows" says="axis=1 takes the median along the rows of the image. The nine shifted images lie one behind the other along axis 0: use axis=0."
 def median3(gray):
@@ -399,11 +372,6 @@ def my_psnr(clean, other):
     mse = mse_of(clean, other)
     return float("-inf") if mse == 0 else psnr_with(mse)
 
-# %% role="mistake" name="0 for equal images" says="For equal images you return 0. They have no noise at all, so their PSNR is infinite: return float(\"inf\")."
-def my_psnr(clean, other):
-    mse = mse_of(clean, other)
-    return 0.0 if mse == 0 else psnr_with(mse)
-
 # %% role="mistake" name="100 for equal images" says="For equal images you return 100. Some programs do so, but here the result must be infinity: return float(\"inf\")."
 def my_psnr(clean, other):
     mse = mse_of(clean, other)
@@ -417,10 +385,6 @@ def my_psnr(clean, other):
 # %% role="mistake" name="divided by an MSE of 0" says="For equal images the MSE is 0, and you divide by it. Return float(\"inf\") in this case first, before you divide."
 def my_psnr(clean, other):
     return float(10 * np.log10(255**2 / mse_of(clean, other)))
-
-# %% role="mistake" name="equal sums" says="Here two different images have the same sum of gray levels, and you return infinity. Equal sums are not enough: return it only if the MSE is 0."
-def my_psnr(clean, other):
-    return float("inf") if clean.sum() == other.sum() else psnr_with(mse_of(clean, other))
 
 # %% role="mistake" name="a small error taken for none" says="One pixel differs by 1, so the MSE is small but not 0, and you return infinity. Only equal images have an infinite PSNR: compare the MSE with 0."
 def my_psnr(clean, other):
@@ -442,11 +406,6 @@ def my_psnr(clean, other):
     squared = (clean.astype(float) - other) ** 2
     return float("inf") if (squared == 0).all() else 10 * np.log10(255**2 / np.maximum(squared, 1e-9))
 
-# %% role="mistake" name="a text with the unit" says="You return a text with the unit dB. Return only the number, a float: leave the quotes and dB out."
-def my_psnr(clean, other):
-    mse = mse_of(clean, other)
-    return psnr_with(mse) if mse == 0 else f"{psnr_with(mse):.1f} dB"
-
 # %% [markdown]
 # # noise-choose
 
@@ -461,14 +420,6 @@ def best_filter(clean, noisy, filters):
 # %% role="mistake" name="the smallest name of the alphabet" says="This is the first name in the order of the alphabet. min(filters) compares the names themselves: compute the PSNR of each filter, and compare these values."
 def best_filter(clean, noisy, filters):
     return min(filters)
-
-# %% role="mistake" name="always the median" says="The function always returns the fixed name 'median 3', which is not even a name in this dictionary. Apply each filter and compare the PSNR."
-def best_filter(clean, noisy, filters):
-    return "median 3"
-
-# %% role="mistake" name="always the lesson's median" says="The function always returns the fixed name 'median', which is not even a name in this dictionary. Apply each filter and compare the PSNR."
-def best_filter(clean, noisy, filters):
-    return "median"
 
 # %% role="mistake" name="filters applied to the clean image" says="Apply each filter to noisy, not to clean: this filter wins if it filters the clean image, so call the function as apply(noisy)."
 def best_filter(clean, noisy, filters):
@@ -511,31 +462,6 @@ def best_filter(clean, noisy, filters):
 def best_filter(clean, noisy, filters):
     return max(psnr_of(clean, apply(noisy)) for apply in filters.values())
 
-# %% role="mistake" name="the error instead of the name" says="You return the smallest mean squared error, a number. The task asks for the name of the filter that has it."
-def best_filter(clean, noisy, filters):
-    return min(mse_of(clean, apply(noisy)) for apply in filters.values())
-
 # %% role="mistake" name="the position instead of the name" says="You return the position of the best filter (its index, as np.argmax gives it). Return its name: list(filters)[position]."
 def best_filter(clean, noisy, filters):
     return list(filters).index(solution(clean, noisy, filters))
-
-# %% role="mistake" name="a ranking" says="You return a list of all names, the best first. The task asks for one name: the first of your list, [0]."
-def best_filter(clean, noisy, filters):
-    return sorted(filters, key=lambda name: psnr_of(clean, filters[name](noisy)), reverse=True)
-
-# %% role="mistake" name="a ranking from the worst" says="You return a list of all names, the best last. The task asks for one name: the last of your list, [-1]."
-def best_filter(clean, noisy, filters):
-    return sorted(filters, key=lambda name: psnr_of(clean, filters[name](noisy)))
-
-# %% role="mistake" name="name and value" says="You return two values, the name and its PSNR. The task asks for the name alone."
-def best_filter(clean, noisy, filters):
-    name = solution(clean, noisy, filters)
-    return name, psnr_of(clean, filters[name](noisy))
-
-# %% role="mistake" name="a dictionary" says="You return a dictionary with the PSNR of every filter. The task asks for one name: the one with the highest PSNR."
-def best_filter(clean, noisy, filters):
-    return {name: psnr_of(clean, apply(noisy)) for name, apply in filters.items()}
-
-# %% role="mistake" name="the filtered image" says="You return the filtered image. The task asks for the name of the best filter."
-def best_filter(clean, noisy, filters):
-    return filters[solution(clean, noisy, filters)](noisy)

@@ -132,14 +132,6 @@ def otsu(gray):
 def otsu(gray):
     return int(np.median(gray))
 
-# %% role="mistake" name="always 128" says="Your function returned 128 for every image, a fixed number. The threshold must be computed from the gray levels of each image."
-def otsu(gray):
-    return 128
-
-# %% role="mistake" name="always 127" says="Your function returned 127 for every image, a fixed number. The threshold must be computed from the gray levels of each image."
-def otsu(gray):
-    return 127
-
 # %% role="mistake" name="always 0" says="Your function returned 0 for every image. Is return inside the for loop? Then the function ends with the first t: move it to the left, below the loop. If not, best_t never got a new value, because no variance was larger than 0. Print w0, w1 and the variance for one t: the shares need /, not //, and ** 2 belongs to the difference of the two means."
 def otsu(gray):
     return 0
@@ -188,12 +180,6 @@ def otsu(gray):
 def otsu(gray):
     return max(1, solution(gray)) if gray.min() < gray.max() else 0
 
-# %% role="mistake" name="no start value for one gray level" says="If the image has only one gray level, no t splits it, and your variable never gets a value. Give it a start value, 0, before the loop."
-def otsu(gray):
-    if gray.min() < gray.max():
-        best_t = solution(gray)
-    return best_t
-
 # %% role="mistake" name="the variance" says="You return the largest variance itself. The task asks for the t that has it."
 def otsu(gray):
     return max(scores(gray, variance_of).values(), default=0.0)
@@ -201,16 +187,3 @@ def otsu(gray):
 # %% role="mistake" name="the variance from the numbers of pixels" says="You return the largest variance itself. The task asks for the t that has it."
 def otsu(gray):
     return max((score * gray.size**2 for score in scores(gray, variance_of).values()), default=0.0)
-
-# %% role="mistake" name="the binary image" says="You return the binary image. The task asks for the threshold itself, one number: return t."
-def otsu(gray):
-    return np.where(gray > solution(gray), 255, 0).astype(np.uint8)
-
-# %% role="mistake" name="the mask" says="You return a mask of the image. The task asks for the threshold itself, one number: return t."
-def otsu(gray):
-    return gray > solution(gray)
-
-# %% role="mistake" name="t and its variance" says="You return two values, the threshold and its variance. The task asks for the threshold alone."
-def otsu(gray):
-    t = solution(gray)
-    return t, scores(gray, variance_of).get(t, 0.0)

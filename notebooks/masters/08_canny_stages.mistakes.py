@@ -30,11 +30,6 @@ def my_sobel(gray):
     grad_row, grad_col = solution(gray)
     return grad_row, -grad_col
 
-# %% role="mistake" name="absolute values" says="Your responses are absolute values. From bright to dark a response is negative, so keep the sign: leave np.abs out."
-def my_sobel(gray):
-    grad_row, grad_col = solution(gray)
-    return np.abs(grad_row), np.abs(grad_col)
-
 # %% role="mistake" name="negative responses set to 0" says="Your negative responses became 0. From bright to dark a response is negative: keep it as it is."
 def my_sobel(gray):
     grad_row, grad_col = solution(gray)
@@ -67,14 +62,6 @@ def my_sobel(gray):
 def my_sobel(gray):
     return gradients(gray.astype(np.int32), "wrap")
 
-# %% role="mistake" name="the border stays 0" says="The border of your results stays 0. Repeat the outermost rows and columns with np.pad(..., mode='edge'), and compute every pixel."
-def my_sobel(gray):
-    return tuple(np.pad(part[1:-1, 1:-1], 1) for part in solution(gray))
-
-# %% role="mistake" name="smaller by the border" says="Your arrays have two rows and two columns fewer than the image. Pad the image first: np.pad(..., 1, mode='edge')."
-def my_sobel(gray):
-    return tuple(part[1:-1, 1:-1] for part in solution(gray))
-
 # %% role="mistake" name="the Prewitt kernel" says="All three rows have the same weight: this is the Prewitt kernel. The Sobel kernel gives the middle row double weight."
 def my_sobel(gray):
     return gradients(gray.astype(np.int32), weights=(1, 1, 1))
@@ -97,19 +84,6 @@ def my_sobel(gray):
 def my_sobel(gray):
     grad_row, grad_col = np.gradient(gray.astype(np.int32))
     return grad_row, grad_col
-
-# %% role="mistake" name="the magnitude" says="You returned one array, the gradient magnitude. Return two arrays: grad_row, grad_col."
-def my_sobel(gray):
-    grad_row, grad_col = solution(gray)
-    return np.abs(grad_row) + np.abs(grad_col)
-
-# %% role="mistake" name="one array of both" says="You returned one array that holds both gradients. Return two arrays with a comma between them, without np.stack or np.array: return grad_row, grad_col."
-def my_sobel(gray):
-    return np.stack(solution(gray))
-
-# %% role="mistake" name="the border stays 0, and float64" says="The border of your results stays 0, and they are float64. Repeat the outermost rows and columns with np.pad(..., mode='edge'), compute every pixel, and store the results in int32 arrays."
-def my_sobel(gray):
-    return tuple(np.pad(part[1:-1, 1:-1], 1).astype(float) for part in solution(gray))
 
 # %% role="mistake" name="the window begins at the pixel" says="Your results are one row and one column too far up and left, because the image was not padded. Pad it first: np.pad(..., 1, mode='edge')."
 def my_sobel(gray):
@@ -168,10 +142,6 @@ def keep_peaks(magnitude):
 def keep_peaks(magnitude):
     return peaks_of(magnitude, lambda left, value, right: (value < left) & (value <= right))
 
-# %% role="mistake" name="the ends left out" says="The first and the last pixel are always 0, as if they were left out. Outside the row the magnitude is 0: pad with np.pad(magnitude, 1), and compare them, too."
-def keep_peaks(magnitude):
-    return np.pad(solution(magnitude)[1:-1], 1)
-
 # %% role="mistake" name="the row repeated at its ends" says="The magnitude was repeated at the ends of the row (mode='edge'). Outside the row it must be 0: pad with np.pad(magnitude, 1)."
 def keep_peaks(magnitude):
     return peaks_of(magnitude, lambda left, value, right: (value > left) & (value >= right), "edge")
@@ -209,10 +179,6 @@ def keep_peaks(magnitude):
 # %% role="mistake" name="255 for a peak" says="A peak became 255. It keeps its magnitude."
 def keep_peaks(magnitude):
     return np.where(solution(magnitude) > 0, 255, 0).astype(np.int32)
-
-# %% role="mistake" name="True and False" says="You returned True and False. Return int32: the magnitude of each peak, 0 for all other pixels."
-def keep_peaks(magnitude):
-    return solution(magnitude) > 0
 
 # %% role="mistake" name="positions" says="You returned the positions of the peaks. Return a row as long as magnitude: the magnitude of each peak, 0 for all other pixels."
 def keep_peaks(magnitude):
@@ -262,11 +228,6 @@ def suppress(magnitude, sector):
 def suppress(magnitude, sector):
     first, second = neighbours(magnitude, sector)
     return thin(magnitude, (magnitude > first) & (magnitude > second))
-
-# %% role="mistake" name=">= for the second neighbour in every sector" says="In sectors 1 and 3 (the diagonals) a pixel must be greater than both neighbours. It may be equal to the second neighbour only in sectors 0 and 2."
-def suppress(magnitude, sector):
-    first, second = neighbours(magnitude, sector)
-    return thin(magnitude, (magnitude > first) & (magnitude >= second))
 
 # %% role="mistake" name="> and >= swapped" says="The two comparisons are swapped: a pixel must be greater than the first neighbour (left or above), and greater than or equal to the second."
 def suppress(magnitude, sector):
@@ -368,10 +329,6 @@ def suppress(magnitude, sector):
 def suppress(magnitude, sector):
     return magnitude.copy()
 
-# %% role="mistake" name="the border left at 0" says="The outermost pixels are 0, as if they were left out. Outside the image the magnitude is 0: pad with np.pad(magnitude, 1), and compare every pixel."
-def suppress(magnitude, sector):
-    return np.pad(solution(magnitude, sector)[1:-1, 1:-1], 1)
-
 # %% role="mistake" name="the border repeated" says="The magnitude was repeated at the border (mode='edge'). Outside the image it must be 0: pad with np.pad(magnitude, 1)."
 def suppress(magnitude, sector):
     return thin(magnitude, is_kept(magnitude, *neighbours(magnitude, sector, "edge"), sector))
@@ -414,25 +371,9 @@ def suppress(magnitude, sector):
 def suppress(magnitude, sector):
     return np.where(solution(magnitude, sector) > 0, 1, 0).astype(np.int32)
 
-# %% role="mistake" name="True and False" says="You returned a mask of True and False. Return int32: the magnitude where a pixel is kept, 0 elsewhere."
-def suppress(magnitude, sector):
-    return solution(magnitude, sector) > 0
-
 # %% role="mistake" name="uint8, values above 255 cut" says="Your result is uint8, but a magnitude can be larger than 255. Make the result int32."
 def suppress(magnitude, sector):
     return np.minimum(solution(magnitude, sector), 255).astype(np.uint8)
-
-# %% role="mistake" name="uint8, values above 255 wrapped" says="Your result is uint8, but a magnitude can be larger than 255. Make the result int32: np.zeros_like(magnitude)."
-def suppress(magnitude, sector):
-    return solution(magnitude, sector).astype(np.uint8)
-
-# %% role="mistake" name="the padded array returned" says="Your result is as large as the padded array. Return an array with the shape of magnitude."
-def suppress(magnitude, sector):
-    return np.pad(solution(magnitude, sector), 1)
-
-# %% role="mistake" name="smaller by the border" says="Your result has two rows and two columns fewer than magnitude. Pad with np.pad(magnitude, 1), and compare every pixel."
-def suppress(magnitude, sector):
-    return solution(magnitude, sector)[1:-1, 1:-1]
 
 # %% role="mistake" name="equal neighbours kept on the diagonals" says="In sectors 1 and 3 (the diagonals) equal neighbours were kept. There a pixel must be greater than both neighbours: use >."
 def suppress(magnitude, sector):
@@ -452,17 +393,9 @@ def suppress(magnitude, sector):
 # %% [markdown]
 # # canny-thresholds
 
-# %% role="mistake" name=">= for >" says="A value equal to a threshold is not above it: use >, as OpenCV does."
-def double_threshold(thinned, low, high):
-    return (thinned >= low) & (thinned < high), thinned >= high
-
 # %% role="mistake" name=">= for low" says="A value equal to low is not above it, so it is not weak: use > for low."
 def double_threshold(thinned, low, high):
     return (thinned >= low) & (thinned <= high), thinned > high
-
-# %% role="mistake" name=">= for high" says="A value equal to high is not above it, so it is weak, not strong: use > for high."
-def double_threshold(thinned, low, high):
-    return (thinned > low) & (thinned < high), thinned >= high
 
 # %% role="mistake" name="a value equal to high is both" says="A value equal to high is weak and strong in your masks. It is not above high, so it is only weak."
 def double_threshold(thinned, low, high):
@@ -512,14 +445,6 @@ def double_threshold(thinned, low, high):
 def double_threshold(thinned, low, high):
     return (thinned > 4 * low) & (thinned <= 4 * high), thinned > 4 * high
 
-# %% role="mistake" name="0 and 255" says="You returned 0 and 255 as uint8. Return bool arrays, True and False: a comparison such as thinned > high is one."
-def double_threshold(thinned, low, high):
-    return tuple(np.where(mask, 255, 0).astype(np.uint8) for mask in solution(thinned, low, high))
-
-# %% role="mistake" name="the magnitudes kept" says="You returned the magnitudes of the pixels. Return bool arrays, True and False: a comparison such as thinned > high is one."
-def double_threshold(thinned, low, high):
-    return tuple(np.where(mask, thinned, 0) for mask in solution(thinned, low, high))
-
 # %% role="mistake" name="the values picked out" says="You returned the values of the pixels, and their places are lost. Return the masks themselves: bool arrays with the shape of thinned."
 def double_threshold(thinned, low, high):
     return tuple(thinned[mask] for mask in solution(thinned, low, high))
@@ -527,14 +452,6 @@ def double_threshold(thinned, low, high):
 # %% role="mistake" name="positions" says="You returned the positions of the pixels. Return masks, bool arrays with the shape of thinned: a comparison such as thinned > high is one."
 def double_threshold(thinned, low, high):
     return tuple(np.argwhere(mask) for mask in solution(thinned, low, high))
-
-# %% role="mistake" name="the strong mask alone" says="You returned only the strong mask. Return both masks: weak, strong."
-def double_threshold(thinned, low, high):
-    return thinned > high
-
-# %% role="mistake" name="one array with three levels" says="You returned one array with the levels 0, 1 and 2. Return two bool arrays: weak, strong."
-def double_threshold(thinned, low, high):
-    return ((thinned > low).astype(np.uint8) + (thinned > high)).astype(np.uint8)
 
 # %% [markdown]
 # # canny-hysteresis
@@ -583,10 +500,6 @@ def grow(weak, strong):
 def grow(weak, strong):
     return after_steps(weak, strong, 1)
 
-# %% role="mistake" name="a fixed number of steps" says="The edges grew by a fixed number of steps, 10. A long chain needs more: repeat the step until nothing changes."
-def grow(weak, strong):
-    return after_steps(weak, strong, 10)
-
 # %% role="mistake" name="the strong pixels alone" says="You returned only the strong pixels. Let them grow along the weak pixels that touch them."
 def grow(weak, strong):
     return as_image(strong)
@@ -610,22 +523,6 @@ def grow(weak, strong):
 # %% role="mistake" name="all pixels that touch an edge" says="Your edges also contain pixels that are not weak. A new edge pixel must be weak: weak & ..."
 def grow(weak, strong):
     return as_image(strong | touching(solution(weak, strong) == 255))
-
-# %% role="mistake" name="0 and 1" says="The edges are right, but they are 0 and 1. An edge pixel must be 255: np.where(edges, 255, 0).astype(np.uint8)."
-def grow(weak, strong):
-    return (solution(weak, strong) == 255).astype(np.uint8)
-
-# %% role="mistake" name="bool instead of 0 and 255" says="The edges are right, but they are True and False. The task asks for uint8, 0 and 255."
-def grow(weak, strong):
-    return solution(weak, strong) == 255
-
-# %% role="mistake" name="0 and 255 exchanged" says="0 and 255 are exchanged: an edge pixel is 255, every other pixel 0."
-def grow(weak, strong):
-    return 255 - solution(weak, strong)
-
-# %% role="mistake" name="recursion without end" says="Your function calls itself again and again, and never stops. If it visits pixels, mark a pixel as visited before you go on to its neighbours."
-def grow(weak, strong):
-    return grow(weak, strong)
 
 # %% role="mistake" name="a negative slice at the border" says="Weak pixels in the first row and the first column were left out: there row - 1 or col - 1 is -1, and such a slice is empty. Pad with False first, or use max(row - 1, 0)."
 def grow(weak, strong):

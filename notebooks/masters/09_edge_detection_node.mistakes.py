@@ -106,20 +106,6 @@ def near(mask, tolerance):
         result[row, col] = result[top : row + tolerance + 1, left : col + tolerance + 1].any()
     return result
 
-# %% role="mistake" name="numbers" says="You returned numbers of near pixels. Return a bool array: True where the number is > 0."
-def near(mask, tolerance):
-    height, width = mask.shape
-    p, sides = np.pad(mask, tolerance).astype(int), range(2 * tolerance + 1)
-    return np.sum([p[row : row + height, col : col + width] for row in sides for col in sides], axis=0)
-
-# %% role="mistake" name="0 and 255" says="You returned 0 and 255 as uint8. Return a bool array, True and False."
-def near(mask, tolerance):
-    return np.where(combined(mask, tolerance), 255, 0).astype(np.uint8)
-
-# %% role="mistake" name="as large as the padded mask" says="Your result is as large as the padded mask. Cut the padding off: the result has the shape of mask."
-def near(mask, tolerance):
-    return combined(np.pad(mask, tolerance), tolerance)
-
 # %% role="mistake" name="an empty slice for tolerance 0" says="With tolerance 0 the slice [tolerance:-tolerance] is empty. Cut with tolerance : tolerance + height instead."
 def near(mask, tolerance):
     return combined(mask, tolerance) if tolerance else mask[:0, :0]
@@ -169,10 +155,6 @@ def f1_score(edges, outlines, tolerance):
     hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
     return (share(hits, edge_count) + share(detected, outline_count)) / 2
 
-# %% role="mistake" name="the factor 2" says="Your result is half of F1: the factor 2 is missing. F1 is 2 * precision * recall / (precision + recall)."
-def f1_score(edges, outlines, tolerance):
-    return solution(edges, outlines, tolerance) / 2
-
 # %% role="mistake" name="the sum" says="You returned the sum of precision and recall. F1 is 2 * precision * recall, divided by this sum."
 def f1_score(edges, outlines, tolerance):
     hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
@@ -201,13 +183,6 @@ def f1_score(edges, outlines, tolerance):
 # %% role="mistake" name="rounded to two digits" says="Your result is rounded to two digits. Return the whole float, without round()."
 def f1_score(edges, outlines, tolerance):
     return round(solution(edges, outlines, tolerance), 2)
-
-# %% role="mistake" name="three numbers" says="You returned three numbers: precision, recall and F1. Return only F1, one float."
-def f1_score(edges, outlines, tolerance):
-    hits, edge_count, detected, outline_count = counts(edges, outlines, tolerance)
-    if not edge_count or not outline_count or not hits:
-        return 0.0, 0.0, 0.0
-    return hits / edge_count, detected / outline_count, solution(edges, outlines, tolerance)
 
 # %% role="mistake" name="edge pixels counted as 255" says="The edge pixels were counted 255 times, because edges holds 0 and 255. Make a mask first, edges > 0, and count with it."
 def f1_score(edges, outlines, tolerance):
@@ -342,31 +317,13 @@ def f1_score(edges, outlines, tolerance):
     precision, recall = hits / edge_count, detected / outline_count
     return 2 * precision * recall / (precision + recall)
 
-# %% role="mistake" name="divides by zero, nan" says="Without edges, without outlines, or without true positives the result is nan, because the function divides by 0. Return 0.0 before you divide."
-def f1_score(edges, outlines, tolerance):
-    return unguarded_f1(*counts(edges, outlines, tolerance))
-
-# %% role="mistake" name="no edges divides by zero" says="Without edges the function divides by 0. Return 0.0 before you divide."
-def f1_score(edges, outlines, tolerance):
-    return solution(edges, outlines, tolerance) if edges.any() else 1 / 0
-
 # %% role="mistake" name="no edges gives nan" says="Without edges the result is nan, because the function divides by 0. Return 0.0 before you divide."
 def f1_score(edges, outlines, tolerance):
     return solution(edges, outlines, tolerance) if edges.any() else float("nan")
 
-# %% role="mistake" name="no outlines divides by zero" says="Without outlines the function divides by 0. Return 0.0 before you divide."
-def f1_score(edges, outlines, tolerance):
-    return solution(edges, outlines, tolerance) if outlines.any() else 1 / 0
-
 # %% role="mistake" name="no outlines gives nan" says="Without outlines the result is nan, because the function divides by 0. Return 0.0 before you divide."
 def f1_score(edges, outlines, tolerance):
     return solution(edges, outlines, tolerance) if outlines.any() else float("nan")
-
-# %% role="mistake" name="no true positives divides by zero" says="If no edge is near an outline, precision + recall is 0, and the function divides by 0. Return 0.0 before you divide."
-def f1_score(edges, outlines, tolerance):
-    if not edges.any() or not outlines.any():
-        return 0.0
-    return solution(edges, outlines, tolerance) or 1 / 0.0
 
 # %% role="mistake" name="no true positives gives nan" says="If no edge is near an outline, precision + recall is 0, and 0 / 0 gives nan. Return 0.0 before you divide."
 def f1_score(edges, outlines, tolerance):

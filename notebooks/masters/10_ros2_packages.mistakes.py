@@ -61,10 +61,6 @@ def executable_of(install, package):
 def executable_of(install, package):
     return f"ros2_ws/install/{package}/lib/{package}/{package}"
 
-# %% role="mistake" name="the example's result" says="You typed the result of the example. Use the arguments install and package, so that the function works for other packages too."
-def executable_of(install, package):
-    return "ros2_ws/install/image_gray_processor/lib/image_gray_processor/image_gray_processor"
-
 # %% role="mistake" name="no f before the quotes" says="The names in braces are not replaced, because the f before the quotes is missing: f\"...\"."
 def executable_of(install, package):
     return "{install}/{package}/lib/{package}/{package}"
@@ -144,7 +140,3 @@ def executable_of(install, package):
 # %% role="mistake" name="the command" says="This is the command that starts the node. The task asks for the path of the file that the command starts."
 def executable_of(install, package):
     return f"ros2 run {package} {package}"
-
-# %% role="mistake" name="join on a list" says="A value does not have what you write after its dot. join is a method of the separator, not of the list: \"/\".join(parts)."
-def executable_of(install, package):
-    return [install, package].join("/")

@@ -109,14 +109,6 @@ def next_pose(x, y, yaw, linear, angular, dt):
     x1, y1, yaw1 = solution(0, 0, yaw, linear, angular, dt)
     return x + y1, y + x1, yaw1
 
-# %% role="mistake" name="yaw not limited" says="The place is right, but the new yaw is not between -pi and pi. Use math.remainder(yaw + angular * dt, 2 * math.pi)."
-def next_pose(x, y, yaw, linear, angular, dt):
-    return *solution(x, y, yaw, linear, angular, dt)[:2], yaw + angular * dt
-
-# %% role="mistake" name="yaw from 0 to 2 pi" says="Your yaw is between 0 and 2 pi, as % gives it. The task asks for -pi to pi: use math.remainder."
-def next_pose(x, y, yaw, linear, angular, dt):
-    return *solution(x, y, yaw, linear, angular, dt)[:2], (yaw + angular * dt) % (2 * math.pi)
-
 # %% role="mistake" name="remainder of pi" says="You took the remainder of pi, which is half a turn. Directions repeat after a whole turn: math.remainder(..., 2 * math.pi)."
 def next_pose(x, y, yaw, linear, angular, dt):
     return *solution(x, y, yaw, linear, angular, dt)[:2], math.remainder(yaw + angular * dt, math.pi)

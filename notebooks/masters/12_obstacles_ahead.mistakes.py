@@ -66,10 +66,6 @@ def pixel_ray(col, row, f, center, k1, k2):
 def pixel_ray(col, row, f, center, k1, k2):
     return solution(col, row, f, center[::-1], k1, k2)
 
-# %% role="mistake" name="x and y exchanged" says="x and y are in the wrong order: return x first."
-def pixel_ray(col, row, f, center, k1, k2):
-    return solution(col, row, f, center, k1, k2)[::-1]
-
 # %% role="mistake" name="without the center" says="The principal point is not subtracted: columns and rows are counted from the corner, and rays from the principal point. Begin with (col - center[0]) / f."
 def pixel_ray(col, row, f, center, k1, k2):
     return solution(col, row, f, (0, 0), k1, k2)
@@ -96,20 +92,10 @@ def plane_of(a, b, c):
     normal = -normal if normal[1] > 0 else normal
     return normal, float(-(normal @ a))
 
-# %% role="mistake" name="not turned up" says="With some points your normal points down. If normal[1] is positive, take the opposite vector."
-def plane_of(a, b, c):
-    normal = normal_of(a, b, c)
-    return normal, float(-(normal @ a))
-
 # %% role="mistake" name="turned down" says="Your normal points down: y grows downward, so the y of a vector that points up is negative. Turn it if normal[1] > 0."
 def plane_of(a, b, c):
     normal, offset = solution(a, b, c)
     return -normal, -offset
-
-# %% role="mistake" name="offset before the turn" says="The normal is right, but the offset has the wrong sign with some points: you computed it before you turned the normal. Compute it from the final normal."
-def plane_of(a, b, c):
-    offset = float(-(normal_of(a, b, c) @ a))
-    return solution(a, b, c)[0], offset
 
 # %% role="mistake" name="offset without minus" says="The normal is right, but the offset has the wrong sign: a must get the height 0, so the offset is -(normal @ a)."
 def plane_of(a, b, c):
@@ -226,10 +212,6 @@ def inliers(points, normal, offset, tolerance):
     heights = heights_of(points, normal, offset)
     return (heights >= 0) & (heights < tolerance)
 
-# %% role="mistake" name="the others" says="True and False are exchanged: you selected the points that are far from the plane. Use <."
-def inliers(points, normal, offset, tolerance):
-    return ~solution(points, normal, offset, tolerance)
-
 # %% role="mistake" name="without the offset" says="The offset is missing: the height is points @ normal + offset."
 def inliers(points, normal, offset, tolerance):
     return solution(points, normal, 0, tolerance)
@@ -257,10 +239,6 @@ def inliers(points, normal, offset, tolerance):
 # %% role="mistake" name="the distances" says="You return the distances of the points from the plane. Compare them with the tolerance: distances < tolerance."
 def inliers(points, normal, offset, tolerance):
     return np.abs(heights_of(points, normal, offset))
-
-# %% role="mistake" name="the number of inliers" says="You return how many points are near. Return the mask itself, True or False for each point: leave sum out."
-def inliers(points, normal, offset, tolerance):
-    return int(solution(points, normal, offset, tolerance).sum())
 
 # %% role="mistake" name="the points" says="You return the points that are near. Return the mask that selects them, True or False for each point."
 def inliers(points, normal, offset, tolerance):
@@ -383,16 +361,6 @@ def nearest_obstacle(forward, left, height, width):
     mask = (np.abs(left) <= width / 2) & standing(height)
     return float(forward[mask].min())
 
-# %% role="mistake" name="and between arrays" says="An array is many values and cannot be used as one True or False, as and, if mask: or a chain such as a < b < c do. Combine the conditions by &, each in parentheses, and ask mask.any()."
-def nearest_obstacle(forward, left, height, width):
-    mask = np.abs(left) <= width / 2 and height > 0.03 and height < 0.40
-    return smallest(forward, mask)
-
-# %% role="mistake" name="& without parentheses" says="Parentheses are missing: Python computes & before <= and >. Put each comparison into parentheses: (height > 0.03) & (height < 0.40)."
-def nearest_obstacle(forward, left, height, width):
-    mask = np.abs(left) <= width / 2 & height > 0.03 & height < 0.40
-    return smallest(forward, mask)
-
 # %% role="mistake" name="a fixed width" says="You typed 0.40, or half of it. Use the argument width, so that the function works for other robots too."
 def nearest_obstacle(forward, left, height, width):
     return solution(forward, left, height, 0.40)
@@ -435,18 +403,6 @@ def time_to_collision(before, now, dt):
 # %% role="mistake" name="divides by zero" says="If both widths are equal, the function divides by 0. Return math.inf before you divide, if now <= before."
 def time_to_collision(before, now, dt):
     return dt * before / (now - before)
-
-# %% role="mistake" name="negative times" says="If the object becomes smaller, your time is negative. The robot does not come nearer then: return math.inf, if now <= before."
-def time_to_collision(before, now, dt):
-    return math.inf if now == before else dt * before / (now - before)
-
-# %% role="mistake" name="absolute growth" says="You used abs of the growth, so an object that moves away gets a time too. Return math.inf, if now <= before."
-def time_to_collision(before, now, dt):
-    return math.inf if now == before else dt * before / abs(now - before)
-
-# %% role="mistake" name="0 without growth" says="You return 0 if the object does not grow. 0 s means: a collision now. Return math.inf."
-def time_to_collision(before, now, dt):
-    return unless_it_grows(0.0, before, now, solution(before, now, dt))
 
 # %% role="mistake" name="None without growth" says="You return None if the object does not grow. A robot compares the time with a number: return math.inf."
 def time_to_collision(before, now, dt):

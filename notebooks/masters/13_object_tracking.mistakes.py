@@ -9,16 +9,6 @@ def iou(a, b):
 def iou(a, b):
     return 2 * both_of(a, b) / (a[2] * a[3] + b[2] * b[3])
 
-# %% role="mistake" name="without max" says="For boxes that do not touch, the common width and height are negative, and their product can be positive. Use max(..., 0) for each of them."
-def iou(a, b):
-    both = common(a, b, 0) * common(a, b, 1)
-    return both / (a[2] * a[3] + b[2] * b[3] - both)
-
-# %% role="mistake" name="max of the product" says="Two negative numbers have a positive product: max of the product is too late. Use max(..., 0) for the width and for the height."
-def iou(a, b):
-    both = max(common(a, b, 0) * common(a, b, 1), 0)
-    return both / (a[2] * a[3] + b[2] * b[3] - both)
-
 # %% role="mistake" name="over the first box" says="You divided by the area of the first box. Divide by the union of both."
 def iou(a, b):
     return both_of(a, b) / (a[2] * a[3])
@@ -79,10 +69,6 @@ def iou(a, b):
 def iou(a, b):
     both = both_of(a, b)
     return (a[2] * a[3] + b[2] * b[3] - both) / both if both else 0.0
-
-# %% role="mistake" name="percent" says="This is the IoU in percent. Return a number from 0 to 1: leave the factor 100 out."
-def iou(a, b):
-    return 100 * solution(a, b)
 
 # %% role="mistake" name="one pixel more" says="You added 1 to the width and to the height of the intersection. The width counts pixels already: it is the end minus the start."
 def iou(a, b):

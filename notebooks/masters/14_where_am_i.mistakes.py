@@ -26,10 +26,6 @@ def find_homography(points, pixels):
     H = solution(points, pixels)
     return H / np.abs(H).max()
 
-# %% role="mistake" name="transposed" says="Your matrix is transposed: h1, h2 and h3 belong to its first row. reshape(3, 3) fills row by row, so leave .T out."
-def find_homography(points, pixels):
-    return solution(points, pixels).T
-
 # %% role="mistake" name="nine numbers in a line" says="You return nine numbers in a line. Give them the shape (3, 3): reshape(3, 3)."
 def find_homography(points, pixels):
     return solution(points, pixels).ravel()
@@ -79,10 +75,6 @@ def find_homography(points, pixels):
     # Rounded before: on some processors a whole number comes out a little smaller.
     return np.trunc(np.round(solution(points, pixels), 6))
 
-# %% role="mistake" name="positive numbers" says="np.abs changes signs of single numbers. Leave it out: the division by the last number decides the sign of the whole matrix."
-def find_homography(points, pixels):
-    return np.abs(solution(points, pixels))
-
 # %% [markdown]
 # # where-decode
 
@@ -118,10 +110,6 @@ def decode(cells, words):
 def decode(cells, words):
     return solution(cells, words)[0], 0
 
-# %% role="mistake" name="turns first" says="The order is wrong: return the number of the marker first, then the turns."
-def decode(cells, words):
-    return solution(cells, words)[::-1]
-
 # %% role="mistake" name="degrees" says="You return degrees. Return the number of quarter turns, 0 to 3."
 def decode(cells, words):
     number, turns = solution(cells, words)
@@ -135,11 +123,6 @@ def decode(cells, words):
 def decode(cells, words):
     number, turns = solution(cells, words)
     return (number + 1, turns) if number >= 0 else (-1, 0)
-
-# %% role="mistake" name="nothing fits: None" says="If no word fits, you return None. Return (-1, 0)."
-def decode(cells, words):
-    found = solution(cells, words)
-    return found if found[0] >= 0 else None
 
 # %% role="mistake" name="nothing fits: 0" says="If no word fits, you return the number 0. But 0 is the number of a marker: return (-1, 0)."
 def decode(cells, words):
@@ -192,11 +175,6 @@ def decode(cells, words):
 
 # %% [markdown]
 # # where-motion
-
-# %% role="mistake" name="a mirror" says="Your matrix can be a mirror: with points on a wall, its determinant is -1. Put np.diag([1, 1, np.linalg.det(U @ V)]) between U and V."
-def find_motion(before, after):
-    U, V = decomposed(before, after)
-    return with_shift(U @ V, before, after)
 
 # %% role="mistake" name="all signs changed" says="If U @ V is a mirror, you change the signs of the whole matrix. Change only the last column of U: np.diag([1, 1, np.linalg.det(U @ V)])."
 def find_motion(before, after):
@@ -309,11 +287,6 @@ def find_motion(before, after):
 # %% [markdown]
 # # where-inliers
 
-# %% role="mistake" name="the last of equals" says="If two motions have equally many inliers, the first one counts. Use > in place of >=."
-def best_inliers(before, after, rotations, shifts, limit):
-    masks = masks_of(before, after, rotations, shifts, limit)
-    return masks[len(masks) - 1 - np.argmax(masks[::-1].sum(axis=1))]
-
 # %% role="mistake" name="the fewest" says="You kept the motion with the fewest inliers. Keep the one with the most."
 def best_inliers(before, after, rotations, shifts, limit):
     masks = masks_of(before, after, rotations, shifts, limit)
@@ -400,10 +373,6 @@ def best_inliers(before, after, rotations, shifts, limit):
     masks = [(before @ R.T + t - after).sum(axis=1) < limit for R, t in zip(rotations, shifts, strict=True)]
     return most(np.array(masks))
 
-# %% role="mistake" name="whole numbers" says="Your mask has 1 and 0. The task asks for bool: leave astype(int) out."
-def best_inliers(before, after, rotations, shifts, limit):
-    return solution(before, after, rotations, shifts, limit).astype(int)
-
 # %% [markdown]
 # # where-keyframes
 
@@ -482,10 +451,6 @@ def keyframes(places, distance, angle):
 # %% role="mistake" name="the frame before" says="You keep the frame before the one that is far enough. The frame itself is the keyframe."
 def keyframes(places, distance, angle):
     return [0] + [k - 1 for k in solution(places, distance, angle)[1:]]
-
-# %% role="mistake" name="how many" says="You return how many keyframes there are. Return the list of their numbers."
-def keyframes(places, distance, angle):
-    return len(solution(places, distance, angle))
 
 # %% role="mistake" name="places of the keyframes" says="You return the places of the keyframes. Return the numbers of the frames."
 def keyframes(places, distance, angle):

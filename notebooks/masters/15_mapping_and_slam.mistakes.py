@@ -266,10 +266,6 @@ def edge_error(first, second, measured):
     ahead, left, turn = edge_parts(first, second)
     return np.array([ahead - measured[0], -left - measured[1], wrapped(turn - measured[2])])
 
-# %% role="mistake" name="the negative error" says="All signs are wrong: the error is what the poses say, less what was measured."
-def edge_error(first, second, measured):
-    return -solution(first, second, measured)
-
 # %% role="mistake" name="measured added" says="You added the measured motion. Subtract it."
 def edge_error(first, second, measured):
     return error_with(first, second, tuple(-v for v in measured))
@@ -290,10 +286,6 @@ def edge_error(first, second, measured):
 def edge_error(first, second, measured):
     ahead, left, turn = edge_parts(first, second)
     return np.array([-ahead - measured[0], -left - measured[1], wrapped(-turn - measured[2])])
-
-# %% role="mistake" name="absolute values" says="The signs are lost: an error can be negative. Leave abs out."
-def edge_error(first, second, measured):
-    return np.abs(solution(first, second, measured))
 
 # %% role="mistake" name="absolute angle" says="The sign of the angle is lost: a turn to the right is negative. Leave abs out."
 def edge_error(first, second, measured):
@@ -423,10 +415,6 @@ def find_loops(places, shares, radius, gap, least):
 def find_loops(places, shares, radius, gap, least):
     pairs = solution(places, shares, radius, gap, least)
     return pairs[0] if pairs else None
-
-# %% role="mistake" name="how many" says="You return how many loops there are. Return the list of pairs."
-def find_loops(places, shares, radius, gap, least):
-    return len(solution(places, shares, radius, gap, least))
 
 # %% role="mistake" name="only x" says="You look at x only. The distance has two parts, x and y: math.dist."
 def find_loops(places, shares, radius, gap, least):
@@ -568,10 +556,6 @@ def graph_step(poses, edges):
 # %% role="mistake" name="without the first pose" says="The first pose is missing. It belongs to the result, as it was."
 def graph_step(poses, edges):
     return solution(poses, edges)[1:]
-
-# %% role="mistake" name="unchanged" says="You return the poses as they were. Add the step to result[1:]."
-def graph_step(poses, edges):
-    return poses.copy()
 
 # %% role="mistake" name="reshaped by columns" says="The step is in the wrong order: three numbers of pose 1, then three of pose 2. Use reshape(-1, 3)."
 def graph_step(poses, edges):

@@ -96,10 +96,6 @@ def label(mask):
 def label(mask):
     return np.where(solution(mask) == 1, 1, 0)
 
-# %% role="mistake" name="how many" says="You return how many components there are. Return the label image: the number of each pixel."
-def label(mask):
-    return int(solution(mask).max())
-
 # %% role="mistake" name="the count as well" says="You return two things, the count and the label image. Return only the label image."
 def label(mask):
     labels = solution(mask)
@@ -233,14 +229,6 @@ def ncc(a, b):
 # %% role="mistake" name="squared" says="Your result is the square of the NCC. Take the root only of the sums of squares, and do not square the quotient."
 def ncc(a, b):
     return solution(a, b) ** 2
-
-# %% role="mistake" name="without form: 1" says="If all pixels of one image are equal, it has no form: return 0.0, not 1."
-def ncc(a, b):
-    return solution(a, b) if np.ptp(a) and np.ptp(b) else 1.0
-
-# %% role="mistake" name="0 / 0" says="If all pixels of one image are equal, you divide 0 by 0, which is nan. Test this first, and return 0.0."
-def ncc(a, b):
-    return solution(a, b) if np.ptp(a) and np.ptp(b) else float("nan")
 
 # %% role="mistake" name="means with ddof" says="Your result is a little too small: np.std(ddof=1) divides by N - 1, and the mean of the products by N. Take the sums, as in the formula."
 def ncc(a, b):
@@ -519,7 +507,3 @@ def decode(scores, characters):
 # %% role="mistake" name="an empty text" says="Your text is empty. Do you add the characters that are new and not blank? text += characters[i]."
 def decode(scores, characters):
     return ""
-
-# %% role="mistake" name="how many letters" says="You return how many letters there are. Return the text."
-def decode(scores, characters):
-    return len(solution(scores, characters))

@@ -286,10 +286,6 @@ def nearest_mean(vectors, classes, new):
 # %% [markdown]
 # # objects-confusion
 
-# %% role="mistake" name="transposed" says="Rows and columns are exchanged: the row is the true class, the column is the predicted one."
-def confusion(truth, predicted, count):
-    return counted(predicted, truth, count)
-
 # %% role="mistake" name="each pair once" says="Each pair counts only once. In a loop write += 1, not = 1. Without a loop, matrix[truth, predicted] += 1 adds only 1 at each place: use a loop."
 def confusion(truth, predicted, count):
     return np.minimum(counted(truth, predicted, count), 1)
@@ -423,11 +419,6 @@ def confusion(truth, predicted, count):
 def find_inliers(points, pixels, samples, limit):
     return most(masks_of(points, pixels, samples, lambda H, a, b: np.linalg.norm(moved_by(H, a, False) - b, axis=1) < limit))
 
-# %% role="mistake" name="the last of equals" says="If two samples have equally many inliers, the first one counts. Use > in place of >=."
-def find_inliers(points, pixels, samples, limit):
-    masks = masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) < limit)
-    return masks[len(masks) - 1 - np.argmax(masks[::-1].sum(axis=1))]
-
 # %% role="mistake" name="the fewest" says="You kept the sample with the fewest inliers. Keep the one with the most."
 def find_inliers(points, pixels, samples, limit):
     masks = masks_of(points, pixels, samples, lambda H, a, b: distance(H, a, b) < limit)
@@ -440,10 +431,6 @@ def find_inliers(points, pixels, samples, limit):
 # %% role="mistake" name="the first sample" says="You return the inliers of the first sample. Is return inside the loop? Or do you count with len(near)? near.sum() counts the inliers."
 def find_inliers(points, pixels, samples, limit):
     return distance(homography(points[samples[0]], pixels[samples[0]]), points, pixels) < limit
-
-# %% role="mistake" name="outliers" says="You return the outliers. An inlier is nearer than the limit: <."
-def find_inliers(points, pixels, samples, limit):
-    return ~solution(points, pixels, samples, limit)
 
 # %% role="mistake" name="squared distance" says="You compare the squared distance with the limit. Take its square root, or compare with limit ** 2."
 def find_inliers(points, pixels, samples, limit):

@@ -73,14 +73,6 @@ def integral_image(gray):
 def integral_image(gray):
     return running(gray, dtype=np.uint8).astype(np.int64)
 
-# %% role="mistake" name="wraps round at 65,536" says="Your sums wrap round at 65,536, because they are uint16. Use np.int64."
-def integral_image(gray):
-    return running(gray, dtype=np.uint16)
-
-# %% role="mistake" name="wraps round at 32,768" says="Your sums wrap round at 32,768, because they are int16. Use np.int64."
-def integral_image(gray):
-    return running(gray, dtype=np.int16)
-
 # %% role="mistake" name="zeros of uint8" says="Your sums wrap round at 256: the array that you fill is uint8, like gray. Begin with np.zeros((H + 1, W + 1), np.int64)."
 def integral_image(gray):
     return running(gray, dtype=np.uint8)
@@ -97,14 +89,6 @@ def integral_image(gray):
     sums = running(gray)
     sums[1:, 1:] = sums[:-1, :-1].copy()
     return sums
-
-# %% role="mistake" name="the sum of everything" says="You return the sum of the whole image. Return the whole table of running sums."
-def integral_image(gray):
-    return int(gray.sum())
-
-# %% role="mistake" name="zeros" says="Your integral image is full of zeros. Does the loop write into it?"
-def integral_image(gray):
-    return np.zeros((gray.shape[0] + 1, gray.shape[1] + 1), np.int64)
 
 # %% [markdown]
 # # faces-haar
@@ -148,10 +132,6 @@ def haar_feature(sums, boxes, row, col):
 # %% role="mistake" name="white minus black" says="You subtract the sums as in a drawing of white and black boxes. Use the weight of each box, here for example -1 and 3."
 def haar_feature(sums, boxes, row, col):
     return feature(sums, [(*box[:4], 1 if box[4] > 0 else -1) for box in boxes], row, col)
-
-# %% role="mistake" name="opposite sign" says="Your value has the opposite sign. Use the weights as they are."
-def haar_feature(sums, boxes, row, col):
-    return -feature(sums, boxes, row, col)
 
 # %% role="mistake" name="absolute weights" says="You use the weights without their signs. A box with the weight -1 is subtracted."
 def haar_feature(sums, boxes, row, col):
@@ -235,10 +215,6 @@ def haar_feature(sums, boxes, row, col):
 # %% role="mistake" name="list of values" says="You return one value for each box. Add them up."
 def haar_feature(sums, boxes, row, col):
     return [feature(sums, [box], row, col) for box in boxes]
-
-# %% role="mistake" name="zero" says="Your value is 0. Does the loop add to it?"
-def haar_feature(sums, boxes, row, col):
-    return 0
 
 # %% [markdown]
 # # faces-residue
@@ -485,24 +461,6 @@ def hide_boxes(frame, boxes, size):
 def hide_boxes(frame, boxes, size):
     return mosaic(frame, [(left, top, width - left, height - top) for left, top, width, height in boxes], size)
 
-# %% role="mistake" name="negative slices" says="A box that begins outside the image stays visible: a negative index counts from the other side. Begin at max(left, 0) and max(top, 0)."
-def hide_boxes(frame, boxes, size):
-    result = frame.copy()
-    for left, top, width, height in boxes:
-        for row in range(top, top + height, size):
-            for col in range(left, left + width, size):
-                ends = min(row + size, top + height), min(col + size, left + width)
-                block = frame[row : ends[0], col : ends[1]]
-                if block.size:
-                    result[row : ends[0], col : ends[1]] = np.round(block.mean(axis=(0, 1)))
-    return result
-
-# %% role="mistake" name="boxes at the border left out" says="You leave out a box that reaches over the border. Cut it to the image, and hide what is left."
-def hide_boxes(frame, boxes, size):
-    rows, cols = frame.shape[:2]
-    inside = [b for b in boxes if b[0] >= 0 and b[1] >= 0 and b[0] + b[2] <= cols and b[1] + b[3] <= rows]
-    return mosaic(frame, inside, size)
-
 # %% role="mistake" name="boxes that begin outside left out" says="You leave out a box that begins outside the image. Cut it to the image, and hide what is left."
 def hide_boxes(frame, boxes, size):
     return mosaic(frame, [b for b in boxes if b[0] >= 0 and b[1] >= 0], size)
@@ -665,10 +623,6 @@ def hide_boxes(frame, boxes, size):
 # %% role="mistake" name="black" says="Your boxes are black. Each block gets the mean of its pixels."
 def hide_boxes(frame, boxes, size):
     return mosaic(frame, boxes, size, lambda block: np.zeros(3))
-
-# %% role="mistake" name="nothing hidden" says="Nothing is hidden: you return the frame as it was. Write into the copy, and return the copy."
-def hide_boxes(frame, boxes, size):
-    return frame.copy()
 
 # %% role="mistake" name="one pixel larger" says="Your boxes are one row and one column too large: they end before top + height and left + width."
 def hide_boxes(frame, boxes, size):

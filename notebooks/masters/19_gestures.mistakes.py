@@ -233,10 +233,6 @@ def deepest_point(contour, start, end):
 def deepest_point(contour, start, end):
     return solution(contour, start, end)[1]
 
-# %% role="mistake" name="only the position" says="You return only the position. Return both, position and depth."
-def deepest_point(contour, start, end):
-    return solution(contour, start, end)[0]
-
 # %% role="mistake" name="the point" says="You return the point itself. Return its position in the contour."
 def deepest_point(contour, start, end):
     place, depth = solution(contour, start, end)
@@ -268,14 +264,6 @@ def deepest_point(contour, start, end):
     way = way_of(contour, start, end)[:-1]
     return deepest_of(way, abs(areas_of(contour, start, end, way)) / length_of(contour, start, end))
 
-# %% role="mistake" name="not over the end" says="If start is larger than end, range(start + 1, end) is empty. After the last point of the contour comes the first one: count with % len(contour)."
-def deepest_point(contour, start, end):
-    return solution(contour, start, end) if start < end else (start, -1.0)
-
-# %% role="mistake" name="not over the end, from 0" says="If start is larger than end, range(start + 1, end) is empty. After the last point of the contour comes the first one: count with % len(contour)."
-def deepest_point(contour, start, end):
-    return solution(contour, start, end) if start < end else (start, 0.0)
-
 # %% role="mistake" name="over the end without remainder" says="The position runs over the end of the contour. After the last point comes the first one: (position + 1) % len(contour)."
 def deepest_point(contour, start, end):
     if start > end:
@@ -286,10 +274,6 @@ def deepest_point(contour, start, end):
 def deepest_point(contour, start, end):
     contour[start + 1]
     return solution(contour, start, end)
-
-# %% role="mistake" name="not over the end, 0 and -1" says="If start is larger than end, range(start + 1, end) is empty. After the last point of the contour comes the first one: count with % len(contour)."
-def deepest_point(contour, start, end):
-    return solution(contour, start, end) if start < end else (0, -1)
 
 # %% role="mistake" name="not over the end, 0 and 0" says="If start is larger than end, range(start + 1, end) is empty. After the last point of the contour comes the first one: count with % len(contour)."
 def deepest_point(contour, start, end):
@@ -316,16 +300,6 @@ def deepest_point(contour, start, end):
 def count_runs(mask, rows, cols):
     return int(values_on(mask, rows, cols).sum())
 
-# %% role="mistake" name="run over the end twice" says="A run that goes on over the end counts once. The pixel before the first one is the last one, values[-1]."
-def count_runs(mask, rows, cols):
-    values = values_on(mask, rows, cols)
-    return int(((values == 1) & (np.append(0, values[:-1]) == 0)).sum())
-
-# %% role="mistake" name="first pixel left out" says="You begin with the second pixel. If a run begins at the first one, it is missing: compare the first pixel with the last one, values[-1]."
-def count_runs(mask, rows, cols):
-    values = values_on(mask, rows, cols)
-    return int(((values[1:] == 1) & (values[:-1] == 0)).sum())
-
 # %% role="mistake" name="beginnings and ends" says="You count where a run begins and also where it ends. Count only the beginnings. (Or do you subtract uint8 values? There, 0 - 1 is 255.)"
 def count_runs(mask, rows, cols):
     return 2 * runs_in(values_on(mask, rows, cols))
@@ -334,10 +308,6 @@ def count_runs(mask, rows, cols):
 def count_runs(mask, rows, cols):
     return runs_in(values_on(mask, rows, cols)) - 1
 
-# %% role="mistake" name="clipped" says="You moved pixels that are outside to the border of the mask. They count as 0."
-def count_runs(mask, rows, cols):
-    return runs_in(mask[np.clip(rows, 0, mask.shape[0] - 1), np.clip(cols, 0, mask.shape[1] - 1)])
-
 # %% role="mistake" name="left out" says="You left out the pixels outside the mask, so the runs before and after them are joined. Such a pixel counts as 0."
 def count_runs(mask, rows, cols):
     return runs_in(values_on(mask, rows, cols)[~is_outside(mask, rows, cols)])
@@ -345,12 +315,6 @@ def count_runs(mask, rows, cols):
 # %% role="mistake" name="outside not tested" says="Some pixels are outside the mask. Test the row and the column before you index; a negative index counts from the end, and does not raise an error."
 def count_runs(mask, rows, cols):
     return runs_in(mask[rows, cols])
-
-# %% role="mistake" name="negative ones not tested" says="A negative row or column is outside too. NumPy counts it from the end, without an error: test < 0 as well."
-def count_runs(mask, rows, cols):
-    too_large = (rows >= mask.shape[0]) | (cols >= mask.shape[1])
-    values = [0 if outside else mask[row, col] for row, col, outside in zip(rows, cols, too_large, strict=True)]
-    return runs_in(np.array(values))
 
 # %% role="mistake" name="negative rows not tested" says="A negative row is outside too. NumPy counts it from the end, without an error: test row < 0 as well."
 def count_runs(mask, rows, cols):
@@ -384,10 +348,6 @@ def count_runs(mask, rows, cols):
 # %% role="mistake" name="row 0 is outside" says="Row 0 and column 0 are inside the mask: test >= 0, not > 0."
 def count_runs(mask, rows, cols):
     return runs_in(np.where((rows == 0) | (cols == 0), 0, values_on(mask, rows, cols)))
-
-# %% role="mistake" name="outside is hand" says="You count pixels outside the mask as 1. They count as 0."
-def count_runs(mask, rows, cols):
-    return runs_in(np.where(is_outside(mask, rows, cols), 1, values_on(mask, rows, cols)))
 
 # %% role="mistake" name="the whole mask" says="Your result does not depend on the way: you count runs in the rows of the mask. Take the pixels mask[row, col] of the way."
 def count_runs(mask, rows, cols):
@@ -450,15 +410,6 @@ def dtw_cost(track, other):
 # %% role="mistake" name="free beginning" says="Your first row is 0, so the second track may begin anywhere. The border is np.inf; only costs[0, 0] is 0."
 def dtw_cost(track, other):
     return float(table_of(track, other, free=True)[-1, -1])
-
-# %% role="mistake" name="border as in the edit distance" says="Your border counts 0, 1, 2 as in the edit distance. Here it is np.inf; only costs[0, 0] is 0."
-def dtw_cost(track, other):
-    costs = table_of(track, other)
-    costs[0], costs[:, 0] = np.arange(len(other) + 1), np.arange(len(track) + 1)
-    distances = norm_of(np.asarray(track)[:, None] - np.asarray(other))
-    for i, j in np.ndindex(distances.shape):
-        costs[i + 1, j + 1] = distances[i, j] + min(costs[i, j], costs[i, j + 1], costs[i + 1, j])
-    return float(costs[-1, -1])
 
 # %% role="mistake" name="dearest" says="You take the largest of the three neighbours. Take the smallest."
 def dtw_cost(track, other):

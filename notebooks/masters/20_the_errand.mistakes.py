@@ -181,17 +181,9 @@ def safe_speed(free, reaction, deceleration, limit):
 def safe_speed(free, reaction, deceleration, limit):
     return min(root_of(deceleration * reaction, 2 * deceleration * free), limit)
 
-# %% role="mistake" name="backward with the length of the way" says="You take a negative free way as if it were positive. If free <= 0, there is no way left: return 0.0."
-def safe_speed(free, reaction, deceleration, limit):
-    return min(root_of(deceleration * reaction, 2 * deceleration * abs(free)), limit)
-
 # %% role="mistake" name="None if nothing is free" says="If nothing is free, the speed is 0.0, a number too, and not None."
 def safe_speed(free, reaction, deceleration, limit):
     return solution(free, reaction, deceleration, limit) if free > 0 else None
-
-# %% role="mistake" name="the limit if nothing is free" says="If free is 0 or negative, the robot must stand: return 0.0, not the limit."
-def safe_speed(free, reaction, deceleration, limit):
-    return solution(free, reaction, deceleration, limit) if free > 0 else limit
 
 # %% role="mistake" name="always zero" says="Your speed is 0.0 for every free way. Did you take the solution with -√? It is negative. Take -h + math.sqrt(h ** 2 + q)."
 def safe_speed(free, reaction, deceleration, limit):
@@ -395,11 +387,6 @@ def choose_direction(directions, ways, goal, need):
     right = solution(directions, ways, goal, need)
     return None if right is None else apart(right, goal)
 
-# %% role="mistake" name="direction and way" says="You return more than one value. Return the direction alone."
-def choose_direction(directions, ways, goal, need):
-    right = solution(directions, ways, goal, need)
-    return None if right is None else (right, float(ways[np.flatnonzero(directions == right)[0]]))
-
 # %% role="mistake" name="the goal if there is none" says="If no direction has enough way, return None. The way to the goal is not free."
 def choose_direction(directions, ways, goal, need):
     return nearest_of(directions, ways >= need, goal, none=goal)
@@ -419,10 +406,6 @@ def choose_direction(directions, ways, goal, need):
 # %% role="mistake" name="the nearest if there is none" says="If no direction has enough way, return None, and not the one nearest to the goal."
 def choose_direction(directions, ways, goal, need):
     return nearest_of(directions, ways >= need, goal, none=nearest_of(directions, ways > -1, goal))
-
-# %% role="mistake" name="an error if there is none" says="The minimum of nothing is an error. If no direction has enough way, return None."
-def choose_direction(directions, ways, goal, need):
-    return min(directions[ways >= need].tolist(), key=lambda direction: apart(direction, goal))
 
 # %% role="mistake" name="argmin of nothing" says="argmin of nothing is an error. If no direction has enough way, return None."
 def choose_direction(directions, ways, goal, need):
@@ -527,12 +510,6 @@ def believe(readings, names, votes):
 # %% role="mistake" name="KITCHEN typed" says="You count only the word KITCHEN. Count the votes for each name in names."
 def believe(readings, names, votes):
     return "KITCHEN" if votes_of(readings, "KITCHEN") >= votes else None
-
-# %% role="mistake" name="the smallest of nothing" says="A look can be empty, and min of nothing is an error. Use any(edit_distance(text.upper(), name) <= 1 for text in look), or write min(..., default=99)."
-def believe(readings, names, votes):
-    if not all(readings):
-        raise ValueError("min() arg is an empty sequence")
-    return solution(readings, names, votes)
 
 # %% role="mistake" name="the count goes on" says="Your count goes on from one name to the next. Set it back to 0 for each name, inside of the loop over the names."
 def believe(readings, names, votes):
@@ -674,15 +651,6 @@ def believe(readings, names, votes):
     right = solution(readings, names, votes)
     return right and (right, votes_of(readings, right))
 
-# %% role="mistake" name="the position" says="You return the position in names. Return the name itself."
-def believe(readings, names, votes):
-    right = solution(readings, names, votes)
-    return right and names.index(right)
-
-# %% role="mistake" name="True" says="You return True or False. Return the name, or None."
-def believe(readings, names, votes):
-    return solution(readings, names, votes) is not None
-
 # %% role="mistake" name="all names" says="You return all names with enough votes. Return the one with the most votes."
 def believe(readings, names, votes):
     return [name for name in names if votes_of(readings, name) >= votes]
@@ -700,9 +668,3 @@ def believe(readings, names, votes):
 # %% role="mistake" name="an empty text for none" says="If no name has enough votes, return None, not an empty text."
 def believe(readings, names, votes):
     return solution(readings, names, votes) or ""
-
-# %% role="mistake" name="an error without looks" says="The maximum of nothing is an error. Begin with None and 0 votes; then no look at all gives None."
-def believe(readings, names, votes):
-    if not readings:
-        raise ValueError("max() arg is an empty sequence")
-    return solution(readings, names, votes)
