@@ -70,7 +70,9 @@ def test_the_fields_are_well_formed(path):
     names = [answer.name for answer in answers]
     assert len(set(names)) == len(names)
     is_fresh = path.parent == wrong_answers.FRESH_FOLDER
-    assert is_fresh or sum(answer.origin == "new" for answer in answers) >= 12
+    new_answers = sum(answer.origin == "new" for answer in answers)
+    # An answer that a known mistake repeats stands there alone: `build` checks that it is recognized.
+    assert is_fresh or new_answers + len(EXERCISES[path.stem].mistakes) >= 12
     for answer in answers:
         assert answer.origin in ({"fresh"} if is_fresh else {"walk", "new"}), answer.name
         assert answer.kind in KINDS, answer.name

@@ -1,20 +1,7 @@
-# %% name="subtracted in uint8" origin="new" sentence="uint8 has no negative numbers, so the differences wrap around: widen with astype(np.int16) before you subtract." must_say=["uint8|negative|wrap|overflow", "int16|widen|astype|before"] kind="value"
-def differences(gray):
-    return (gray[:, 1:] - gray[:, :-1]).astype(np.int16)
-
-# %% name="uint8 result" origin="new" sentence="uint8 has no negative numbers: widen with astype(np.int16) before you subtract." must_say=["uint8|negative|wrap|overflow|dtype", "int16|widen|astype|before"] kind="dtype"
-def differences(gray):
-    return gray[:, 1:] - gray[:, :-1]
-
 # %% name="left minus right" origin="new" sentence="The sign is turned: the task asks for the right neighbour minus the pixel itself." must_say=["sign|order|turned|left minus|minus the|swap|opposite|wrong way", "right|sign|minus|subtract"] kind="value"
 def differences(gray):
     wide = gray.astype(np.int16)
     return wide[:, :-1] - wide[:, 1:]
-
-# %% name="rows instead of columns" origin="new" sentence="You subtract neighbouring rows: the right neighbour is in the next column, so shift the second index." must_say=["rows?|below|axis|first index", "column|second|right|axis"] kind="shape"
-def differences(gray):
-    wide = gray.astype(np.int16)
-    return wide[1:] - wide[:-1]
 
 # %% name="absolute differences" origin="new" sentence="You take the absolute value, and a step down loses its sign: leave np.abs out." must_say=["abs|sign|negative", "leave|without|sign|negative|positive|down"] kind="value"
 def differences(gray):
@@ -25,11 +12,6 @@ def differences(gray):
 def differences(gray):
     wide = gray.astype(np.int16)
     return wide[:, 1:] - wide[:, :-2]
-
-# %% name="rolled around" origin="new" sentence="np.roll brings the first column to the end, so the last difference is false and the shape is too large: use two slices." must_say=["roll|shape|column|last|one too many|wide", "slice|shape|column|roll"] kind="shape"
-def differences(gray):
-    wide = gray.astype(np.int16)
-    return np.roll(wide, -1, axis=1) - wide
 
 # %% name="loop goes one too far" origin="new" sentence="The last pixel has no right neighbour: stop the loop one column earlier." must_say=["last|right neighbour|out of|bounds|width - 1|one column", "neighbour|column|index|range|bounds|loop"] kind="error"
 def differences(gray):
@@ -48,11 +30,6 @@ def differences(gray):
         for column in range(width - 1):
             result[row, column] = gray[row, column + 1] - gray[row, column]
     return result
-
-# %% name="two columns apart" origin="new" sentence="You subtract pixels that are two columns apart: the direct neighbour is one column away, 1: and :-1." must_say=["two|2|apart|direct|one column|next", "neighbour|column|1:|shape|slice"] kind="shape"
-def differences(gray):
-    wide = gray.astype(np.int16)
-    return wide[:, 2:] - wide[:, :-2]
 
 # %% name="a row of zeros kept" origin="new" sentence="You keep the shape of the image and leave the last column 0: return only the differences, one column less." must_say=["shape|column", "less|last|one|shape"] kind="shape"
 def differences(gray):

@@ -28,10 +28,6 @@ def bright_percent(gray, level):
 def bright_percent(gray, level):
     return (gray > level).sum() / len(gray) * 100
 
-# %% name="rounded to a whole number" origin="new" sentence="You round the percentage: return it with its decimals." must_say=["round|whole|decimal|fraction|int"] kind="value"
-def bright_percent(gray, level):
-    return round((gray > level).mean() * 100)
-
 # %% name="integer division" origin="new" sentence="// cuts the fraction, so the share is 0: divide with /." must_say=["//|whole|integer|fraction|cut", "/|divi|share|fraction|0"] kind="value"
 def bright_percent(gray, level):
     return (gray > level).sum() // gray.size * 100
@@ -40,10 +36,6 @@ def bright_percent(gray, level):
 def bright_percent(gray, level):
     return (gray > 128).mean() * 100
 
-# %% name="the mask returned" origin="new" sentence="You return the mask, one truth value for each pixel: its mean times 100 is the percentage." must_say=["mask|array|each pixel|bool|one number", "mean|100|number|float|percent"] kind="type"
-def bright_percent(gray, level):
-    return gray > level
-
 # %% name="a text with percent sign" origin="new" sentence="You return a text: return the number itself, without the percent sign." must_say=["text|string|str", "number|float|without"] kind="type"
 def bright_percent(gray, level):
     return f"{(gray > level).mean() * 100}%"
@@ -51,7 +43,3 @@ def bright_percent(gray, level):
 # %% name="printed" origin="new" sentence="Your function prints the number but returns nothing: give it back with return." must_say=["return", "print"] kind="no-return"
 def bright_percent(gray, level):
     print((gray > level).mean() * 100)
-
-# %% name="mean of one axis" origin="new" sentence="axis=0 gives one number for each column: leave the axis out to get one number for the image." must_say=["axis|column|array|one number", "one number|leave|whole|number|float|array"] kind="type"
-def bright_percent(gray, level):
-    return (gray > level).mean(axis=0) * 100

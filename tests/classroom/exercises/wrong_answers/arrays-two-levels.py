@@ -2,10 +2,6 @@
 def two_levels(gray, level):
     return np.where(gray > level, 0, 255).astype(np.uint8)
 
-# %% name="at least instead of more than" origin="new" sentence="A pixel that is equal to level is not brighter: use > instead of >=." must_say=[">=|equal|at least", ">|brighter|strict|not above"] kind="value"
-def two_levels(gray, level):
-    return np.where(gray >= level, 255, 0).astype(np.uint8)
-
 # %% name="int64 result" origin="new" sentence="The values are right; only the dtype is not: np.where made int64, so end with .astype(np.uint8)." must_say=["dtype|type", "uint8"] kind="dtype"
 def two_levels(gray, level):
     return np.where(gray > level, 255, 0)
@@ -36,21 +32,9 @@ def two_levels(gray, level):
         return 255
     return 0
 
-# %% name="where with one argument" origin="new" sentence="np.where with only a condition returns the positions: give the two values too, np.where(mask, 255, 0)." must_say=["position|index|indices|two values|255|tuple", "where|255|array|tuple"] kind="type"
-def two_levels(gray, level):
-    return np.where(gray > level)
-
 # %% name="bright pixels keep their values" origin="new" sentence="Bright pixels keep their gray level: the result must have only 0 and 255." must_say=["keep|own|gray level|255", "255|only|two|white"] kind="value"
 def two_levels(gray, level):
     return np.where(gray > level, gray, 0).astype(np.uint8)
-
-# %% name="fixed level" origin="new" sentence="128 is fixed: compare with the parameter level." must_say=["128|fixed|parameter|argument|level", "level|parameter"] kind="value"
-def two_levels(gray, level):
-    return np.where(gray > 128, 255, 0).astype(np.uint8)
-
-# %% name="256 for white" origin="new" sentence="256 does not fit into uint8 and becomes 0: white is 255." must_say=["255|256", "fit|uint8|becomes?|white|0|overflow"] kind="value"
-def two_levels(gray, level):
-    return np.where(gray > level, 256, 0).astype(np.uint8)
 
 # %% name="list of lists" origin="new" sentence="You return a list of lists: make an array of it, np.array(result, dtype=np.uint8)." must_say=["list", "np\\.array|array"] kind="type"
 def two_levels(gray, level):

@@ -94,14 +94,6 @@ def otsu(gray):
             best, best_t = variance, t
     return best_t
 
-# %% name="mean of the image" origin="new" sentence="The mean gray level is not Otsu's threshold: try every t and keep the one with the largest between-class variance." must_say=["mean gray level is|mean is|average|not Otsu|mean of the image", "every|each|try|variance"] kind="value"
-def otsu(gray):
-    return int(gray.mean())
-
-# %% name="middle of the range" origin="new" sentence="The middle between the darkest and the brightest pixel is not Otsu's threshold: compute the between-class variance of every t." must_say=["middle|half|darkest|brightest", "variance|every|each"] kind="value"
-def otsu(gray):
-    return (int(gray.min()) + int(gray.max())) // 2
-
 # %% name="hard-coded from the lesson" origin="new" sentence="128 is a fixed number: the threshold must be computed from the gray levels of each image." must_say=["128|fixed|hard|typed|constant", "comput|each image|every image|other image|gray level"] kind="value"
 def otsu(gray):
     return 128

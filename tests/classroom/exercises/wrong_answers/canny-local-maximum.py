@@ -81,10 +81,6 @@ def keep_peaks(magnitude):
     keep = (magnitude > p[:-2]) & (magnitude >= p[2:])
     return np.where(keep, 255, 0).astype(np.int32)
 
-# %% name="only the largest magnitude" origin="new" sentence="You keep only the largest magnitude of the whole row: a peak is larger than its two neighbours, and a row can have several peaks." must_say=["largest|maximum|one peak", "neighbour|several|each"] kind="value"
-def keep_peaks(magnitude):
-    return np.where(magnitude == magnitude.max(), magnitude, 0)
-
 # %% name="input changed" origin="new" sentence="You write the zeros into magnitude itself, so the input is changed: write into a new array." must_say=["input|magnitude|in place", "new array|copy"] kind="input-changed"
 def keep_peaks(magnitude):
     p = np.pad(magnitude, 1)

@@ -134,11 +134,6 @@ def my_sobel(gray):
 
     return convolve(kernel.T), convolve(kernel)
 
-# %% name="np.gradient" origin="new" sentence="np.gradient takes half the difference of two neighbours, not the Sobel weights over three rows: compute the weighted sum of the nine neighbours." must_say=["np\\.gradient|half the difference|half", "sobel|weight|nine|three|1, 2, 1"] kind="dtype"
-def my_sobel(gray):
-    grad_row, grad_col = np.gradient(gray.astype(np.int32))
-    return grad_row, grad_col
-
 # %% name="np.roll wraps around" origin="new" sentence="np.roll brings the opposite side of the image in at the border: repeat the outermost rows and columns with np.pad instead." must_say=["roll|opposite|other side|wrap", "pad|repeat|replicat|border"] kind="value"
 def my_sobel(gray):
     g = gray.astype(np.int32)

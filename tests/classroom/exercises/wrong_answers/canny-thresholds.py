@@ -15,14 +15,6 @@ def double_threshold(thinned, low, high):
     weak = (thinned > low) & ~strong
     return strong, weak
 
-# %% name="weak with the strong ones in it" origin="new" sentence="Your weak mask also holds the strong pixels: weak means above low and not above high, so no pixel may be in both." must_say=["weak", "strong", "not above high|disjoint|overlap|in both|also|as well|twice"] must_not_say=["swap", "dtype"] kind="value"
-def double_threshold(thinned, low, high):
-    return thinned > low, thinned > high
-
-# %% name="below low" origin="new" sentence="weak must be above low, and you take the pixels below it: turn the first comparison around." must_say=["\\blow\\b", "below|<|turn|revers|wrong", "above|>"] must_not_say=["dtype", "bool"] kind="value"
-def double_threshold(thinned, low, high):
-    return thinned < low, thinned > high
-
 # %% name="chained comparison" origin="new" sentence="low < thinned <= high does not work with an array: write two comparisons in parentheses with & between them." must_say=["chain|low < ?thinned|two comparisons|split|between the two", "&|logical_and"] kind="error"
 def double_threshold(thinned, low, high):
     weak = low < thinned <= high

@@ -4,10 +4,6 @@ def stopping_distance(speed, deceleration, rate, latency):
     braking = speed**2 / (2 * deceleration)
     return before + braking
 
-# %% name="braking only" origin="new" sentence="The robot drives on before it brakes: add speed * (1 / rate + latency)." must_say=["before|add", "rate|latency|brak"] kind="value"
-def stopping_distance(speed, deceleration, rate, latency):
-    return speed**2 / (2 * deceleration)
-
 # %% name="no braking" origin="new" sentence="The way of braking is missing: speed ** 2 / (2 * deceleration)." must_say=["brak"] kind="value"
 def stopping_distance(speed, deceleration, rate, latency):
     return speed / rate + speed * latency
@@ -26,18 +22,6 @@ def stopping_distance(speed, deceleration, rate, latency):
 def stopping_distance(speed, deceleration, rate, latency):
     before = speed * (1 / rate + latency)
     return before + speed**2 / deceleration
-
-# %% name="latency forgotten" origin="new" sentence="The latency is missing: the robot also drives on while it computes." must_say=["latency"] kind="value"
-def stopping_distance(speed, deceleration, rate, latency):
-    return speed / rate + speed**2 / (2 * deceleration)
-
-# %% name="frame forgotten" origin="new" sentence="The wait for the next frame is missing: 1 / rate." must_say=["rate|frame"] kind="value"
-def stopping_distance(speed, deceleration, rate, latency):
-    return speed * latency + speed**2 / (2 * deceleration)
-
-# %% name="the time" origin="new" sentence="You return a time in seconds; the task asks for metres." must_say=["time|second", "distance|metre"] kind="value"
-def stopping_distance(speed, deceleration, rate, latency):
-    return 1 / rate + latency + speed / deceleration
 
 # %% name="rounded" origin="new" sentence="Return the exact number: leave round out." must_say=["round"] kind="value"
 def stopping_distance(speed, deceleration, rate, latency):

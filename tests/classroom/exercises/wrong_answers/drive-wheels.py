@@ -20,18 +20,10 @@ def wheel_speeds(linear, angular, distance):
     right = linear + angular
     return left, right
 
-# %% name="distance divided" origin="new" sentence="Divide the distance by 2 and multiply: a wide robot needs faster wheels, and yours get slower." must_say=["divid", "multipl"] kind="value"
-def wheel_speeds(linear, angular, distance):
-    return linear - angular / distance, linear + angular / distance
-
 # %% name="the example robot" origin="new" sentence="You typed 0.1, which is right for the robot of the lesson only: use distance / 2." must_say=["distance", "argument|0\\.1|typed|other robots"] kind="value"
 def wheel_speeds(linear, angular, distance):
     half = 0.1
     return linear - angular * half, linear + angular * half
-
-# %% name="only the right wheel" origin="new" sentence="The left wheel must change too: it loses what the right wheel gains." must_say=["left|both"] kind="value"
-def wheel_speeds(linear, angular, distance):
-    return linear, linear + angular * distance / 2
 
 # %% name="the turn only" origin="new" sentence="Your robot turns on the spot, because the linear velocity is missing." must_say=["linear|on the spot"] kind="value"
 def wheel_speeds(linear, angular, distance):
@@ -86,8 +78,3 @@ def wheel_speeds(linear, angular, distance):
     left = linear - linear * angular * half
     right = linear + linear * angular * half
     return left, right
-
-# %% name="parentheses around the sum" origin="new" sentence="Only the angular velocity is multiplied by half the distance." must_say=["angular", "half"] kind="value"
-def wheel_speeds(linear, angular, distance):
-    half = distance / 2
-    return (linear - angular) * half, (linear + angular) * half

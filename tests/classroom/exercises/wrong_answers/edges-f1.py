@@ -288,10 +288,6 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return 2 * precision * recall / (precision + recall)
 
-# %% name="accuracy" origin="new" sentence="You return the share of pixels on which both agree (accuracy), and most of them are background: compute precision and recall of the edge pixels." must_say=["accuracy|agree|background|same|all pixels", "precision|recall|F1"] kind="value"
-def f1_score(edges, outlines, tolerance):
-    return float(((edges > 0) == outlines).mean())
-
 # %% name="IoU" origin="new" sentence="Intersection over union is another measure (IoU): F1 is computed from precision and recall." must_say=["union|IoU|jaccard|another measure", "precision|recall|F1"] kind="value"
 def f1_score(edges, outlines, tolerance):
     found = edges > 0

@@ -71,10 +71,6 @@ def near(mask, tolerance):
     steps = range(2 * tolerance + 1)
     return np.all([p[y : y + h, x : x + w] for y in steps for x in steps], axis=0)
 
-# %% name="tolerance never used" origin="new" sentence="You return the mask as it is and never use tolerance: the neighbours of a True pixel are near it, too." must_say=["tolerance|neighbour|unchanged|as it is|input", "near|grow|neighbour|never|unchanged"] kind="value"
-def near(mask, tolerance):
-    return mask.copy()
-
 # %% name="0 and 255" origin="new" sentence="You return 0 and 255: the task asks for a bool array, True and False." must_say=["255|uint8|dtype", "bool|True"] kind="dtype"
 def near(mask, tolerance):
     h, w = mask.shape

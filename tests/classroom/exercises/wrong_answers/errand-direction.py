@@ -208,10 +208,6 @@ def choose_direction(directions, ways, goal, need):
             best, nearest = float(direction), off
     return best
 
-# %% name="array of all" origin="new" sentence="Return one direction, the nearest to the goal." must_say=["one"] kind="type"
-def choose_direction(directions, ways, goal, need):
-    return directions[ways >= need]
-
 # %% name="degrees returned" origin="new" sentence="Return radians." must_say=["radian"] kind="value"
 def choose_direction(directions, ways, goal, need):
     best, nearest = None, math.inf

@@ -28,10 +28,6 @@ def integral_image(gray):
 def integral_image(gray):
     return gray.astype(np.int64).cumsum()
 
-# %% name="no axis, reshaped" origin="new" sentence="cumsum without an axis goes on into the next row: use axis=0 and axis=1." must_say=["axis"] kind="value"
-def integral_image(gray):
-    return np.pad(gray.astype(np.int64).cumsum().reshape(gray.shape), ((1, 0), (1, 0)))
-
 # %% name="sums are not chained" origin="new" sentence="Use the second cumsum on the result of the first one." must_say=["second|result of the first|then"] kind="value"
 def integral_image(gray):
     down = gray.astype(np.int64).cumsum(axis=0)

@@ -119,15 +119,6 @@ def luma(bgr):
     weights = np.array([3735, 19235, 9798])
     return ((bgr * weights + 2**14) >> 15).astype(np.uint8)
 
-# %% name="largest channel" origin="new" sentence="The largest channel is not the luma: green, red and blue each count with their own weight." must_say=["largest|\\bmax\\b|brightest", "weigh"] kind="value"
-def luma(bgr):
-    return bgr.max(axis=-1)
-
-# %% name="lightness" origin="new" sentence="The middle between the largest and the smallest channel is lightness, not luma: use the weighted sum." must_say=["lightness|middle|smallest|\\bmin\\b", "luma|weigh"] kind="value"
-def luma(bgr):
-    wide = bgr.astype(np.uint16)
-    return ((wide.max(axis=-1) + wide.min(axis=-1)) // 2).astype(np.uint8)
-
 # %% name="int() of an array" origin="new" sentence="int() takes one number and you give it a whole array: use .astype(np.uint8) to change the dtype of all values." must_say=["int\\(|one number|single|scalar", "astype"] kind="error"
 def luma(bgr):
     b, g, r = bgr[..., 0], bgr[..., 1], bgr[..., 2]

@@ -18,11 +18,6 @@ def decode_mono16(message):
     flat = np.frombuffer(message.data, dtype=np.uint8)
     return flat.reshape(message.height, message.step)
 
-# %% name="first half of the bytes" origin="new" sentence="You read every byte as a pixel and keep the first width of them: a mono16 pixel takes two bytes." must_say=["two bytes|2 bytes|every byte|16 bit", "together|pixel|uint16|combine|pair"] kind="dtype"
-def decode_mono16(message):
-    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
-    return rows[:, : message.width]
-
 # %% name="not widened before the product" origin="new" sentence="256 does not fit into uint8: widen the bytes with astype(np.uint16) before you multiply." must_say=["uint8|does not fit|overflow", "widen|astype|uint16"] kind="error"
 def decode_mono16(message):
     rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)

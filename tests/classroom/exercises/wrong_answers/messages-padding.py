@@ -48,11 +48,6 @@ def decode_padded(message):
     pixels = rows[:, :-3]
     return pixels.reshape(message.height, message.width, 3)
 
-# %% name="whole pixels cropped" origin="new" sentence="The padding may be one byte, which is not a whole pixel: crop the bytes of each row first, then form the pixels." must_say=["byte|whole pixel|multiple of", "crop|first|padd|before"] kind="error"
-def decode_padded(message):
-    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, -1, 3)
-    return rows[:, : message.width]
-
 # %% name="padding removed by its value" origin="new" sentence="A pixel may have the value 99 too, and padding may have any value: remove it by its place, the end of each row." must_say=["99|value", "place|position|end of|any|pixel"] kind="error"
 def decode_padded(message):
     flat = np.frombuffer(message.data, dtype=np.uint8)
@@ -96,12 +91,6 @@ def decode_padded(message):
     rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
     pixels = rows[:, 1 : message.width * 3 + 1]
     return pixels.reshape(message.height, message.width, 3)
-
-# %% name="padding set to black" origin="new" sentence="You write 0 over the padding, but it is still in the array: cut it off with a slice." must_say=["padd|0|black", "slice|cut|crop|still|keep"] kind="shape"
-def decode_padded(message):
-    rows = np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step).copy()
-    rows[:, message.width * 3 :] = 0
-    return rows
 
 # %% name="the lesson's padded message" origin="new" sentence="You decode padded of an earlier cell, not the message that your function receives: use the parameter message." must_say=["padded|another cell|other cell|earlier cell", "message|argument|parameter"] kind="other-cell"
 def decode_padded(message):

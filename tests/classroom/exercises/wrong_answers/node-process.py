@@ -28,10 +28,6 @@ def process(frame):
     gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
     return {gray: gray}
 
-# %% name="RGB2GRAY for a frame with blue first" origin="new" sentence="The frame has blue first, and COLOR_RGB2GRAY takes the first channel for red: use COLOR_BGR2GRAY." must_say=["blue|bgr", "\\bred\\b|RGB|first|order|swap", "RGB|BGR|first|order|swap"] kind="value"
-def process(frame):
-    return {"gray": cv2.cvtColor(frame, cv2.COLOR_RGB2GRAY)}
-
 # %% name="frame returned in three channels" origin="new" sentence="Your value still has three channels: the gray image has one number per pixel and the shape (height, width)." must_say=["three|\\b3\\b|channels", "one (number|value|channel)|height, width|shape|two dimensions"] kind="shape"
 def process(frame):
     gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
@@ -54,10 +50,6 @@ def process(frame):
     gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
     print({"gray": gray})
 
-# %% name="average instead of luma" origin="new" sentence="The mean of the three channels is not luma, which weighs green most: use cv2.cvtColor, or the weights of lesson 03." must_say=["mean|average", "luma|weigh|cvtColor"] must_not_say=["key"] kind="value"
-def process(frame):
-    return {"gray": frame.mean(axis=2).astype(np.uint8)}
-
 # %% name="sum wraps in uint8" origin="new" sentence="The sum of three uint8 channels runs past 255 and wraps around, and a plain average is not luma: use cv2.cvtColor, or widen and use the weights." must_say=["wrap|255|overflow|average", "luma|weigh|cvtColor|widen"] kind="value"
 def process(frame):
     gray = (frame[..., 0] + frame[..., 1] + frame[..., 2]) // 3
@@ -69,17 +61,9 @@ def process(frame):
     gray = 0.114 * b + 0.587 * g + 0.299 * r
     return {"gray": gray.astype(np.uint8)}
 
-# %% name="green channel" origin="new" sentence="You return the green channel alone; luma is a weighted sum of blue, green and red." must_say=["\\bgreen\\b", "green channel|alone|one channel|single"] kind="value"
-def process(frame):
-    return {"gray": frame[..., 1].copy()}
-
 # %% name="file read in gray" origin="new" sentence="cv2.imread reads a file, and frame is an array already: cv2.cvtColor turns it gray." must_say=["imread|file", "array|cvtColor"] kind="error"
 def process(frame):
     return {"gray": cv2.imread(frame, cv2.IMREAD_GRAYSCALE)}
-
-# %% name="conversion code forgotten" origin="new" sentence="cv2.cvtColor must also be told which conversion: give it cv2.COLOR_BGR2GRAY as the second argument." must_say=["second argument|which conversion|conversion code|missing|code"] kind="error"
-def process(frame):
-    return {"gray": cv2.cvtColor(frame)}
 
 # %% name="list of the dictionary" origin="new" sentence="You return a list with the dictionary in it: return the dictionary alone." must_say=["list", "dict"] kind="type"
 def process(frame):

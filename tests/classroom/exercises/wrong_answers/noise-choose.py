@@ -23,10 +23,6 @@ from imgproc_course.imaging import psnr
 def best_filter(clean, noisy, filters):
     return max(filters.values(), key=lambda f: psnr(clean, f(noisy)))
 
-# %% name="the largest name of the alphabet" origin="new" sentence="max(filters) compares the names by the alphabet: give max a key that computes the PSNR of each filter." must_say=["alphabet|names with|names themselves|compares the names|letters", "PSNR|key|value"] kind="value"
-def best_filter(clean, noisy, filters):
-    return max(filters)
-
 # %% name="always median" origin="new" sentence="The median wins against salt and pepper only, and here the name is typed in: apply each filter and compare the PSNR." must_say=["median|typed|hard|fixed|always", "PSNR|each|compare|every"] kind="value"
 def best_filter(clean, noisy, filters):
     return "median 3"
@@ -154,10 +150,6 @@ def best_filter(clean, noisy, filters):
     for filters in filters:
         scores[filters] = psnr(clean, filters[filters](noisy))
     return max(scores, key=scores.get)
-
-# %% name="mean absolute error" origin="new" sentence="You choose by the mean absolute error, which can prefer another filter; the task asks for the highest PSNR, so square the differences." must_say=["absolute|\\babs", "PSNR|squar"] kind="value"
-def best_filter(clean, noisy, filters):
-    return min(filters, key=lambda name: np.abs(clean.astype(int) - filters[name](noisy)).mean())
 
 # %% name="the last filter above 30 dB" origin="new" sentence="You take the last filter that is better than 30 dB, a fixed number: keep the one with the highest PSNR of all." must_say=["30|fixed|last", "highest|best|max|larg"] kind="value"
 from imgproc_course.imaging import psnr

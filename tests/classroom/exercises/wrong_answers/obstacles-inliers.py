@@ -38,14 +38,6 @@ def inliers(points, normal, offset, tolerance):
 def inliers(points, normal, offset, tolerance):
     return np.abs(points @ normal + offset) < 0.02
 
-# %% name="y only" origin="new" sentence="The height is not y: use the normal, points @ normal + offset." must_say=["normal"] kind="value"
-def inliers(points, normal, offset, tolerance):
-    return np.abs(points[:, 1] - offset) < tolerance
-
-# %% name="element-wise" origin="new" sentence="points * normal keeps three columns: add them up, or use @." must_say=["@|sum|columns|three"] kind="shape"
-def inliers(points, normal, offset, tolerance):
-    return np.abs(points * normal + offset) < tolerance
-
 # %% name="normal first" origin="new" sentence="normal @ points does not fit: points have the coordinates in the last axis, so points @ normal." must_say=["points @ normal|shape|order|match"] kind="error"
 def inliers(points, normal, offset, tolerance):
     return np.abs(normal @ points + offset) < tolerance
@@ -60,7 +52,3 @@ def inliers(points, normal, offset, tolerance):
     if np.abs(points @ normal + offset) < tolerance:
         return True
     return False
-
-# %% name="abs before the offset" origin="new" sentence="Take the absolute value of the whole height, after the offset is added." must_say=["abs", "offset"] kind="value"
-def inliers(points, normal, offset, tolerance):
-    return np.abs(points @ normal) + offset < tolerance

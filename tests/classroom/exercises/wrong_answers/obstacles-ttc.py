@@ -28,10 +28,6 @@ def time_to_collision(before, now, dt):
         return math.inf
     return dt * before / now - before
 
-# %% name="zero" origin="new" sentence="If both widths are equal, you divide by 0: return math.inf first." must_say=["inf", "equal|0|before you divide"] kind="error"
-def time_to_collision(before, now, dt):
-    return dt * before / (now - before)
-
 # %% name="negative" origin="new" sentence="If the object becomes smaller, return math.inf, not a negative time." must_say=["inf"] kind="value"
 def time_to_collision(before, now, dt):
     if now == before:

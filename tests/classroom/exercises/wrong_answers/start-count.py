@@ -23,27 +23,15 @@ def count_pixels(frame):
 def count_pixels(frame):
     return 720 * 1280
 
-# %% name="len counts only the rows" origin="new" sentence="len(frame) is the number of rows only: multiply it by the number of columns, frame.shape[1]." must_say=["\\blen\\b|rows only|number of rows|only (counts )?(the )?rows", "column|shape\\[1\\]|width"] kind="value"
-def count_pixels(frame):
-    return len(frame)
-
 # %% name="rows plus columns" origin="new" sentence="You add rows and columns; a grid of rows and columns has rows times columns pixels, so multiply." must_say=["add|sum|\\+|plus", "multipl|times|product|\\*|×"] kind="value"
 def count_pixels(frame):
     rows = frame.shape[0]
     columns = frame.shape[1]
     return rows + columns
 
-# %% name="shape indexed from 1" origin="new" sentence="Python counts from 0: the rows are shape[0] and the columns shape[1], while shape[2] is the number of channels." must_say=["from 0|from zero|shape\\[0\\]|starts? at 0", "channel|shape\\[2\\]|index"] kind="value"
-def count_pixels(frame):
-    return frame.shape[1] * frame.shape[2]
-
 # %% name="rows and columns as a tuple" origin="new" sentence="You return two numbers, the rows and the columns, as a tuple: the task asks for one number, so multiply them." must_say=["tuple|pair|returns? (two|both)|two (numbers|values) came", "multipl|one (whole )?number|product"] kind="type"
 def count_pixels(frame):
     return frame.shape[0], frame.shape[1]
-
-# %% name="only the pixels that are not black" origin="new" sentence="np.count_nonzero counts the values that are not 0, so black pixels are lost and each channel counts: the values do not matter here, only the shape does." must_say=["nonzero|black|not 0|not zero|(is|are|equal|value) 0", "shape|value|every pixel|all pixels|rows"] kind="value"
-def count_pixels(frame):
-    return np.count_nonzero(frame)
 
 # %% name="return forgotten" origin="new" sentence="You compute the number but never give it back: end the function with return." must_say=["return|give .* back", "never|forg|nothing|None|no return|without (a )?return|missing|add (a )?return|end with|end the function|lost"] must_not_say=["print"] kind="no-return"
 def count_pixels(frame):

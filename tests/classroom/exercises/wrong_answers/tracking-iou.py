@@ -56,13 +56,6 @@ def iou(a, b):
     both = max(width, 0) * max(height, 0)
     return both / (a[2] * a[3] + b[2] * b[3] - both)
 
-# %% name="rows and columns mixed" origin="new" sentence="The right end is a[0] + a[2]; you added the height to the column." must_say=["column|row|width|height|exchang"] kind="value"
-def iou(a, b):
-    width = min(a[0] + a[3], b[0] + b[3]) - max(a[0], b[0])
-    height = min(a[1] + a[2], b[1] + b[2]) - max(a[1], b[1])
-    both = max(width, 0) * max(height, 0)
-    return both / (a[2] * a[3] + b[2] * b[3] - both)
-
 # %% name="percent" origin="new" sentence="Return a number from 0 to 1, not percent." must_say=["percent|100|0 to 1"] kind="value"
 def iou(a, b):
     width = min(a[0] + a[2], b[0] + b[2]) - max(a[0], b[0])

@@ -113,17 +113,3 @@ def update(state, covariance, measurement, H, R):
     gain = covariance @ H.T @ np.linalg.inv(S)
     new_state = state + gain @ (measurement - H @ state)
     return new_state
-
-# %% name="star for the gain" origin="new" sentence="The gain is a matrix: gain @ surprise." must_say=["@"] kind="shape"
-def update(state, covariance, measurement, H, R):
-    S = H @ covariance @ H.T + R
-    gain = covariance @ H.T @ np.linalg.inv(S)
-    state = state + gain * (measurement - H @ state)
-    return state, (np.eye(len(state)) - gain @ H) @ covariance
-
-# %% name="star for the covariance" origin="new" sentence="Multiply the covariance with @, not with *." must_say=["@", "\\*|value by value"] kind="value"
-def update(state, covariance, measurement, H, R):
-    S = H @ covariance @ H.T + R
-    gain = covariance @ H.T @ np.linalg.inv(S)
-    state = state + gain @ (measurement - H @ state)
-    return state, (np.eye(len(state)) - gain @ H) * covariance
