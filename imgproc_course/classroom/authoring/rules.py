@@ -11,6 +11,7 @@ MOST_LINES = 12  # of code in a cell
 _FIGURES = ("show", "show_figure", "tune")
 HINTS = 3  # of every exercise
 _MOST_ID_CHARACTERS = 64  # of a cell id in a notebook
+_HIDES_WORK = re.compile(r"\s*(from\s+\S+\s+import\s+\*|%%(capture|script|html|javascript))")
 _HIDING_TAGS = re.compile(r"(hide|remove|skip)([-_]|$)|nbval-skip")
 
 
@@ -84,67 +85,43 @@ def _id_problems(master):
 
 
 def _cell_problems(cell, next_cell):
-    if not _code_lines(cell):
+    lines = [line for line in cell.source.splitlines() if line.strip() and not line.strip().startswith("#")]
+    if not lines:
         yield "a code cell without code; nbval would never compare it"
         return
-    for is_broken, problem in _CELL_RULES:
-        if is_broken(cell, next_cell):
-            yield problem.format(cell=cell, count=len(_code_lines(cell)))
+    yield from (problem for is_broken, problem in _cell_rules(cell, lines, next_cell) if is_broken)
     yield from _figure_problems(cell)
     if cell.folded:
         yield from _folding_problems(cell)
 
 
-def _code_lines(cell):
-    return [line for line in cell.source.splitlines() if line.strip() and not line.strip().startswith("#")]
-
-
-def _is_long(cell, _next_cell):
+def _cell_rules(cell, lines, next_cell):
+    """(whether a cell breaks the rule, the problem) of each rule."""
     may_be_long = cell.folded or cell.role == "answer" or "long" in cell.tags
-    return not may_be_long and len(_code_lines(cell)) > MOST_LINES
-
-
-def _hides_work(cell, _next_cell):
-    hiding = re.compile(r"\s*(from\s+\S+\s+import\s+\*|%%(capture|script|html|javascript))")
-    return any(hiding.match(line) for line in _code_lines(cell))
-
-
-def _is_hidden(cell, _next_cell):
-    return any(_HIDING_TAGS.match(tag) for tag in cell.tags)
-
-
-def _varies_unchecked(cell, next_cell):
-    return cell.varies and not (next_cell and _asserts(next_cell))
-
-
-def _checks_another(cell, _next_cell):
-    call = rf"""check\(\s*["']{re.escape(cell.exercise)}["']"""
-    return cell.role == "check" and not re.search(call, cell.source)
-
-
-# (whether a cell, seen with the next code cell, breaks the rule; the problem)
-_CELL_RULES = (
-    (_is_long, f'{{count}} lines of code, at most {MOST_LINES}; split it, or tag it "long", with a reason'),
-    (_hides_work, "star imports and magics that hide work are refused; name each import, and show each step"),
-    (
-        lambda cell, _next_cell: _code_lines(cell)[-1].rstrip().endswith(";"),
-        "ends with ';', which nbval ignores: assign the value to _ instead",
-    ),
-    (_is_hidden, "a tag hides this cell; every cell of a lesson is visible"),
-    (
-        lambda cell, _next_cell: re.search(r"^\s*#\s*(NBVAL_|PYTEST_VALIDATE)", cell.source, re.M),
+    yield (
+        len(lines) > MOST_LINES and not may_be_long,
+        f'{len(lines)} lines of code, at most {MOST_LINES}; split it, or tag it "long", with a reason',
+    )
+    yield (
+        any(_HIDES_WORK.match(line) for line in lines),
+        "star imports and magics that hide work are refused; name each import, and show each step",
+    )
+    ignored = "ends with ';', which nbval ignores: assign the value to _ instead"
+    yield lines[-1].rstrip().endswith(";"), ignored
+    is_hidden = any(_HIDING_TAGS.match(tag) for tag in cell.tags)
+    yield is_hidden, "a tag hides this cell; every cell of a lesson is visible"
+    yield (
+        re.search(r"^\s*#\s*(NBVAL_|PYTEST_VALIDATE)", cell.source, re.M),
         f'write instructions for nbval as a tag (tags=["{VARYING_TAG}"]), not as a comment',
-    ),
-    (
-        _varies_unchecked,
+    )
+    yield (
+        cell.varies and not (next_cell and _asserts(next_cell)),
         f"tagged {VARYING_TAG}: the next code cell must begin with '{CHECK_LINE}' and hold its asserts",
-    ),
-    (
-        lambda cell, _next_cell: cell.role and _parse(cell.source) is None,
-        "a {cell.role} cell must be plain Python; it takes no magics",
-    ),
-    (_checks_another, 'must call check("{cell.exercise}", ...)'),
-)
+    )
+    is_python = _parse(cell.source) is not None
+    yield cell.role and not is_python, f"a {cell.role} cell must be plain Python; it takes no magics"
+    call = re.search(rf"""check\(\s*["']{re.escape(cell.exercise)}["']""", cell.source)
+    yield cell.role == "check" and not call, f'must call check("{cell.exercise}", ...)'
 
 
 def _figure_problems(cell):

@@ -6,7 +6,6 @@ more than none.
 
 from dataclasses import dataclass
 from functools import partial
-from typing import NamedTuple
 
 import numpy as np
 
@@ -270,82 +269,48 @@ def _same(values, actual, tolerance=0.0):
 # ---------------------------------------------------------------- shape
 
 
-class _Shapes(NamedTuple):
-    """The shapes of the expected and the wrong result, and of the arrays among the arguments."""
-
-    expected: tuple
-    actual: tuple
-    given: list
-    names: tuple
-    is_transposed: bool
-
-    @property
-    def first(self):
-        return self.given[0] if self.given else ()
-
-    @property
-    def lost_rows(self):
-        is_reduced = len(self.first) > len(self.expected) and self.actual == self.first[1:]
-        return bool(self.names) and is_reduced
-
-
-_SHAPE_RULES = (
-    (
-        lambda shapes: shapes.is_transposed,
-        "Rows and columns are exchanged: your result is the expected one, transposed.",
-    ),
-    (
-        lambda shapes: shapes.lost_rows and len(shapes.first) == 2,
-        "Axis 0, the rows, is gone from your result: axis=0 goes along the rows, and axis=1 along the"
-        " columns.",
-    ),
-    (
-        lambda shapes: shapes.lost_rows,
-        "Axis 0, the rows, is gone from your result: {names[0]}[0] is the first row, and axis=0 goes along"
-        " the rows. The channels are the last axis: {names[0]}[..., 0], axis=-1.",
-    ),
-    (
-        lambda shapes: shapes.actual == _columns_of_all_channels(*shapes.expected),
-        "The axis of the channels is missing: reshape to (height, width, {expected[2]}).",
-    ),
-    (
-        lambda shapes: len(shapes.expected) == 3 and shapes.actual == shapes.expected[:2],
-        "The axis of the channels is missing: each pixel has {expected[2]} values.",
-    ),
-    (
-        lambda shapes: (
-            len(shapes.expected) == 3 and shapes.actual == shapes.expected[-1:] + shapes.expected[:2]
-        ),
-        "The channels come first in your result. The task wants them last, side by side in each pixel.",
-    ),
-    (
-        lambda shapes: len(shapes.expected) == 2 and shapes.expected == shapes.actual[:-1],
-        "Your result still has a third axis, of length {actual[2]}. The task asks for one value for each"
-        " pixel.",
-    ),
-    (
-        lambda shapes: len(shapes.actual) < len(shapes.expected) == len(shapes.first),
-        "Your result has fewer axes than the input: a function with axis=..., or an index such as image[0],"
-        " takes one away.",
-    ),
-)
-
-
-def _columns_of_all_channels(*shape):
-    return (shape[0], shape[1] * shape[2]) if len(shape) == 3 else None
-
-
 def _advice_on_shape(expected, actual, arguments, names):
+    given = [np.shape(value) for value in arguments if isinstance(value, np.ndarray)]
+    rules = _shape_rules(expected, actual, given, names[0] if names else "")
+    return next((advice for holds, advice in rules if holds), "")
+
+
+def _shape_rules(expected, actual, given, name):
+    """(whether it holds, advice) of each rule, the surest first; `given` are the shapes of the arguments."""
     shape, actual_shape = tuple(expected["shape"]), tuple(actual["shape"])
     values, actual_values = array_of(expected), array_of(actual)
-    is_transposed = actual_shape == shape[::-1] and values is not None and _same(values.T, actual_values)
-    given = [np.shape(value) for value in arguments if isinstance(value, np.ndarray)]
-    shapes = _Shapes(shape, actual_shape, given, names, is_transposed)
-    for holds, sentence in _SHAPE_RULES:
-        if holds(shapes):
-            return sentence.format_map(shapes._asdict())
+    can_be_transposed = actual_shape == shape[::-1] and values is not None
+    yield (
+        can_be_transposed and _same(values.T, actual_values),
+        "Rows and columns are exchanged: your result is the expected one, transposed.",
+    )
+    first = given[0] if given and name else ()
+    if len(first) > len(shape) and actual_shape == first[1:]:
+        text = "Axis 0, the rows, is gone from your result: "
+        yield len(first) == 2, f"{text}axis=0 goes along the rows, and axis=1 along the columns."
+        yield (
+            True,
+            f"{text}{name}[0] is the first row, and axis=0 goes along the rows. The channels are the last"
+            f" axis: {name}[..., 0], axis=-1.",
+        )
+    if len(shape) == 3:
+        rows, cols, channels = shape
+        text = "The axis of the channels is missing: "
+        yield actual_shape == (rows, cols * channels), f"{text}reshape to (height, width, {channels})."
+        yield actual_shape == (rows, cols), f"{text}each pixel has {channels} values."
+        text = "The channels come first in your result. The task wants them last, side by side in each pixel."
+        yield actual_shape == (channels, rows, cols), text
+    if len(shape) == 2 and shape == actual_shape[:-1]:
+        text = f"Your result still has a third axis, of length {actual_shape[2]}. The task asks for one value"
+        yield True, f"{text} for each pixel."
+    yield (
+        given and len(actual_shape) < len(shape) == len(given[0]),
+        "Your result has fewer axes than the input: a function with axis=..., or an index such as"
+        " image[0], takes one away.",
+    )
     is_image = any(image_shape[:2] == shape[:2] for image_shape in given)
-    return _advice_on_size(shape, actual_shape, is_image) if len(shape) == len(actual_shape) >= 2 else ""
+    if len(shape) == len(actual_shape) >= 2:
+        yield True, _advice_on_size(shape, actual_shape, is_image)
 
 
 def _advice_on_size(shape, actual_shape, is_image):

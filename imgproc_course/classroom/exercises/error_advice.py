@@ -58,74 +58,46 @@ def _nodes(source):
         return ()
 
 
-def _of_type(nodes, *types):
-    return [node for node in nodes if isinstance(node, types)]
+def _ambiguous(_match, source):
+    return next(advice for holds, advice in _truth_rules(_nodes(source)) if holds)
 
 
-def _chained(nodes):
-    return [node for node in _of_type(nodes, ast.Compare) if len(node.ops) > 1]
-
-
-def _bits_in_chain(nodes):
-    inner = [node for chain in _chained(nodes) for node in ast.walk(chain)]
-    return any(isinstance(node.op, ast.BitAnd | ast.BitOr) for node in _of_type(inner, ast.BinOp))
-
-
-def _operands(nodes):
-    """What stands between `and` and `or`."""
-    return [part for node in _of_type(nodes, ast.BoolOp) for part in node.values]
-
-
-def _arrays_alone(nodes):
-    operands = _operands(nodes)
-    return operands and operands == _of_type(operands, ast.Name)
-
-
-def _negated(nodes):
-    return any(isinstance(node.op, ast.Not) for node in _of_type(nodes, ast.UnaryOp))
-
-
-def _extreme(nodes):
-    return {ast.unparse(node.func) for node in _of_type(nodes, ast.Call)} & {"max", "min"}
-
-
-# (condition on the nodes of the line, advice): an array where Python needs one True or False
-_AMBIGUOUS = (
-    (
-        _bits_in_chain,
+def _truth_rules(nodes):
+    """(whether it holds, advice) of each rule about an array where Python needs one True or False."""
+    chained = [node for node in nodes if isinstance(node, ast.Compare) and len(node.ops) > 1]
+    operators = {type(getattr(node, "op", None)) for chain in chained for node in ast.walk(chain)}
+    yield (
+        operators & {ast.BitAnd, ast.BitOr},
         "& is computed before > and <=. Put each comparison in parentheses: (a > low) & (a <= high).",
-    ),
-    (
-        _chained,
+    )
+    yield (
+        chained,
         "A chained comparison such as low < a < high does not work with an array. Write two comparisons"
         " with & between them, each in parentheses: (low < a) & (a < high).",
-    ),
-    (
-        _arrays_alone,
+    )
+    parts = [part for node in nodes if isinstance(node, ast.BoolOp) for part in node.values]
+    yield (
+        parts and all(isinstance(part, ast.Name) for part in parts),
         "An array is neither True nor False. To ask whether it has any values, write array.size > 0.",
-    ),
-    (
-        _operands,
+    )
+    yield (
+        parts,
         "`and` and `or` need a single True or False, and an array has many. Between arrays write & or |,"
         " with each comparison in parentheses.",
-    ),
-    (
-        _negated,
+    )
+    yield (
+        any(isinstance(getattr(node, "op", None), ast.Not) for node in nodes),
         "`not` needs a single True or False, and an array has many. For an array write ~ before it.",
-    ),
-    (_extreme, "max() and min() compare single numbers. For arrays write np.maximum or np.minimum."),
-    (
-        lambda _nodes: True,
+    )
+    calls = {ast.unparse(node.func) for node in nodes if isinstance(node, ast.Call)}
+    text = "max() and min() compare single numbers. For arrays write np.maximum or np.minimum."
+    yield calls & {"max", "min"}, text
+    yield (
+        True,
         "`if` and `while` need one True or False, and a comparison of an array gives many, one for each"
         " value. In a loop over the pixels compare one value: array[row, col]. Outside a loop work with the"
         " mask itself (np.where, array[mask] = ...), or ask mask.any() or mask.all().",
-    ),
-)
-
-
-def _ambiguous(_match, source):
-    nodes = _nodes(source)
-    return next(advice for holds, advice in _AMBIGUOUS if holds(nodes))
+    )
 
 
 def _unhashable(match, source):
@@ -147,60 +119,52 @@ def _article(type_name):
     return {"numpy.ndarray": "an array", "list": "a list", "dict": "a dict"}.get(type_name, type_name)
 
 
-# (condition on the different shapes and the line, what to say of them): two arrays that do not fit
-_UNEQUAL_SHAPES = (
-    (
-        lambda shapes, _source: any(0 in shape for shape in shapes),
-        " One of these is empty. A slice is empty if it ends before it begins; a negative index, such as"
-        " row - 1 in row 0, counts from the end.",
-    ),
-    (
-        lambda _shapes, source: re.search(r"\[:, ?-?\d\]", source),
-        " array[:, 2] has one axis; array[:, 2:3] keeps it as a column, with a row for each.",
-    ),
-    (
-        lambda shapes, source: (
-            len(shapes) == 2 and 1 in map(len, shapes) and ("axis=" in source or shapes[0][0] == shapes[1][0])
-        ),
-        " After sum(axis=0) or mean(axis=0) there is one number for each column, after axis=1 one for each"
-        " row. Are rows and columns, or width and height, exchanged?",
-    ),
-    (
-        lambda shapes, _source: len(shapes) == 2 and len(shapes[0]) > 1 == len(shapes[1]),
-        " The second one, with one axis, has no value for each pixel. If it is a table, use its length,"
-        " len(table), or look values up in it: table[index].",
-    ),
-    (lambda shapes, _source: len(shapes) != 2 or len(shapes[0]) != len(shapes[1]), ""),
-    (
-        lambda shapes, _source: (3, 3) in shapes and max(map(max, shapes)) == 3,
-        " Here the window is smaller than the kernel. It must be array[row : row + 3, col : col + 3], and"
-        " inside the array: loop over the rows and columns of the image, not of the padded array.",
-    ),
-    (
-        lambda shapes, _source: (3, 3) in shapes and min(max(shapes)) > 3,
-        " A kernel is smaller than the image: it slides over it, and each pixel is computed from the products"
-        " with its own 3 × 3 neighbours.",
-    ),
-    (
-        lambda shapes, _source: _widest_gap(shapes) <= 2,
-        " These two differ by {gap}: look where each slice begins and ends, and how wide the padding is.",
-    ),
-    (lambda _shapes, _source: True, ""),
-)
-
-
 def _broadcast(match, source):
     shapes_as_text = re.findall(r"\([\d,]*\)", match.string)
     # a += b names the shape of a twice
     shapes = list(dict.fromkeys(tuple(map(int, re.findall(r"\d+", shape))) for shape in shapes_as_text))
-    advice = next(advice for holds, advice in _UNEQUAL_SHAPES if holds(shapes, source))
-    start = "Arithmetic with two arrays works value by value, and needs equal shapes."
-    return start + advice.replace("{gap}", str(_widest_gap(shapes)))
+    advice = next((advice for holds, advice in _broadcast_rules(shapes, source) if holds), "")
+    return f"Arithmetic with two arrays works value by value, and needs equal shapes.{advice}"
 
 
-def _widest_gap(shapes):
-    """The largest difference between the lengths of one axis."""
-    return max((max(lengths) - min(lengths) for lengths in zip(*shapes, strict=False)), default=0)
+def _broadcast_rules(shapes, source):
+    """(whether it holds, advice) of each rule about the different shapes of arrays in a line."""
+    yield (
+        any(0 in shape for shape in shapes),
+        " One of these is empty. A slice is empty if it ends before it begins; a negative index,"
+        " such as row - 1 in row 0, counts from the end.",
+    )
+    text = " array[:, 2] has one axis; array[:, 2:3] keeps it as a column, with a row for each."
+    yield re.search(r"\[:, ?-?\d\]", source), text
+    if len(shapes) != 2:
+        return
+    first, second = shapes
+    yield (
+        1 in (len(first), len(second)) and ("axis=" in source or first[:1] == second[:1]),
+        " After sum(axis=0) or mean(axis=0) there is one number for each column, after axis=1"
+        " one for each row. Are rows and columns, or width and height, exchanged?",
+    )
+    yield (
+        len(first) > 1 == len(second),
+        " The second one, with one axis, has no value for each pixel. If it is a table, use its"
+        " length, len(table), or look values up in it: table[index].",
+    )
+    if len(first) != len(second):
+        return
+    yield (
+        (3, 3) in shapes and max(*first, *second) == 3,
+        " Here the window is smaller than the kernel. It must be array[row : row + 3,"
+        " col : col + 3], and inside the array: loop over the rows and columns of the image, not of the"
+        " padded array.",
+    )
+    yield (
+        (3, 3) in shapes and min(max(shapes)) > 3,
+        " A kernel is smaller than the image: it slides over it, and each pixel is computed from"
+        " the products with its own 3 × 3 neighbours.",
+    )
+    gap = max((abs(a - b) for a, b in zip(first, second, strict=True)), default=0)
+    text = f" These two differ by {gap}: look where each slice begins and ends, and how wide the padding is."
+    yield gap <= 2, text
 
 
 def _index_outside(match, source):
