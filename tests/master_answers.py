@@ -11,10 +11,11 @@ def sample_answers(exercise):
     Returns
     -------
     {name: source}: "right", "untouched", and the mistakes by their names. A mistake may call the solution or
-    what the master defines beside the declaration; its source then contains both.
+    what stands beside the declaration or the mistakes; its source then contains both.
     """
     helpers = "from imgproc_course.exercises import exercise\n\n"
-    helpers += f"{exercise.preparation}\n\n{exercise.solution}\n\nsolution = {exercise.function}\n\n"
+    helpers += f"{exercise.preparation}\n\n{exercise.helpers}\n\n"
+    helpers += f"{exercise.solution}\n\nsolution = {exercise.function}\n\n"
     answers = {"right": exercise.solution, "untouched": exercise.stub}
     for mistake in exercise.mistakes:
         answers[mistake.name] = f"{helpers}{mistake.source}"

@@ -202,7 +202,6 @@ exercise(
 def count_pixels(frame):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution" exercise="start-count"
 def count_pixels(frame):
     return frame.shape[0] * frame.shape[1]
@@ -213,24 +212,20 @@ from imgproc_course.exercises import check, hint, solution
 
 check("start-count", count_pixels)
 
-
 # %% role="case" exercise="start-count" title="a small image"
 def inputs(rng):
     rows, columns = rng.integers(2, 9, size=2)
     return (rng.integers(0, 256, size=(rows, columns + 9, 3), dtype=np.uint8),)
-
 
 # %% role="case" exercise="start-count" title="a dark image with black pixels" points=0
 def inputs(rng):
     rows, columns = rng.integers(3, 6, size=2)
     return (rng.integers(0, 3, size=(rows + 6, columns, 3), dtype=np.uint8),)
 
-
 # %% role="hidden" exercise="start-count" title="another image" hint="Does your function read both numbers from frame.shape?"
 def inputs(rng):
     rows, columns = rng.integers(10, 30, size=2)
     return (rng.integers(0, 256, size=(rows, columns + 30, 3), dtype=np.uint8),)
-
 
 # %% [markdown]
 # Here is the first hint of this exercise. In other exercises you call `hint` and `solution` yourself, in a cell that you add: press **Esc**, then `b`. (Every lesson imports both, together with `check`.)

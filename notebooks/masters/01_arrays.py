@@ -171,7 +171,6 @@ exercise(
 def crop(image, top, bottom, left, right):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def crop(image, top, bottom, left, right):
     return image[top:bottom, left:right]
@@ -180,16 +179,13 @@ def crop(image, top, bottom, left, right):
 # %% role="check"
 check("arrays-crop", crop)
 
-
 # %% role="case" title="a gray image" points=1
 def inputs(rng):
     return (rng.integers(0, 256, (6, 9), dtype=np.uint8), 1, 4, 2, 7)
 
-
 # %% role="case" title="a colour image, another part" points=0
 def inputs(rng):
     return (rng.integers(0, 256, (5, 4, 3), dtype=np.uint8), 2, 5, 0, 2)
-
 
 # %% role="hidden" title="other parts" points=1
 def inputs(rng):
@@ -254,7 +250,6 @@ exercise(
 def mirror(image):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def mirror(image):
     return image[:, ::-1]
@@ -263,16 +258,13 @@ def mirror(image):
 # %% role="check"
 check("arrays-mirror", mirror)
 
-
 # %% role="case" title="a gray image" points=1
 def inputs(rng):
     return (rng.integers(0, 256, (4, 6), dtype=np.uint8),)
 
-
 # %% role="case" title="a colour image" points=0
 def inputs(rng):
     return (rng.integers(0, 256, (3, 4, 3), dtype=np.uint8),)
-
 
 # %% role="hidden" title="other images" points=1
 def inputs(rng):
@@ -338,7 +330,6 @@ exercise(
 def red_channel(bgr):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def red_channel(bgr):
     return bgr[..., 2]
@@ -347,11 +338,9 @@ def red_channel(bgr):
 # %% role="check"
 check("arrays-red", red_channel)
 
-
 # %% role="case" title="a small image" points=1
 def inputs(rng):
     return (rng.integers(0, 256, (4, 5, 3), dtype=np.uint8),)
-
 
 # %% role="hidden" title="other images" points=1
 def inputs(rng):
@@ -477,15 +466,12 @@ exercise(
 def bright_percent(gray, level):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def bright_percent(gray, level):
     return float((gray > level).mean() * 100)
 
-
 # %% role="check"
 check("arrays-share", bright_percent)
-
 
 # %% role="case" title="few gray levels, then many" points=1
 def inputs(rng):
@@ -496,7 +482,6 @@ def inputs(rng):
 # %% role="case" title="another level" points=0
 def inputs(rng):
     return (rng.integers(0, 256, (7, 9), dtype=np.uint8), 200)
-
 
 # %% role="hidden" title="other images" points=1
 def inputs(rng):
@@ -537,15 +522,12 @@ exercise(
 def two_levels(gray, level):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def two_levels(gray, level):
     return np.where(gray > level, 255, 0).astype(np.uint8)
 
-
 # %% role="check"
 check("arrays-two-levels", two_levels)
-
 
 # %% role="case" title="few gray levels, then many" points=1
 def inputs(rng):
@@ -556,7 +538,6 @@ def inputs(rng):
 # %% role="case" title="another level" points=0
 def inputs(rng):
     return (rng.integers(0, 256, (5, 7), dtype=np.uint8), 200)
-
 
 # %% role="hidden" title="other images" points=1
 def inputs(rng):
@@ -620,7 +601,6 @@ exercise(
 def paint_white(gray, mask):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def paint_white(gray, mask):
     result = gray.copy()
@@ -631,11 +611,9 @@ def paint_white(gray, mask):
 # %% role="check"
 check("arrays-paint", paint_white)
 
-
 # %% role="case" title="a small image" points=1
 def inputs(rng):
     return (rng.integers(3, 250, (4, 6), dtype=np.uint8), rng.random((4, 6)) > 0.6)
-
 
 # %% role="hidden" title="other images" points=1
 def inputs(rng):
@@ -690,20 +668,16 @@ exercise(
 def row_means(gray):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def row_means(gray):
     return gray.mean(axis=1)
 
-
 # %% role="check"
 check("arrays-row-means", row_means)
-
 
 # %% role="case" title="a small image" points=1
 def inputs(rng):
     return (rng.integers(100, 256, (3, 7), dtype=np.uint8),)
-
 
 # %% role="hidden" title="other images" points=1
 def inputs(rng):
@@ -784,7 +758,6 @@ exercise(
 def differences(gray):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def differences(gray):
     wide = gray.astype(np.int16)
@@ -794,14 +767,12 @@ def differences(gray):
 # %% role="check"
 check("arrays-differences", differences)
 
-
 # %% role="case" title="a small image" points=1
 def inputs(rng):
     gray = rng.integers(0, 256, (3, 6), dtype=np.uint8)
     gray[0, :2] = (10, 240)
     gray[1, :2] = (240, 10)
     return (gray,)
-
 
 # %% role="hidden" title="other images" points=1
 def inputs(rng):

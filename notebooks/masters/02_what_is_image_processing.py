@@ -460,11 +460,9 @@ def areas_mostly_black(rng):
     gray = to_gray(before)
     return before, np.where(gray > np.quantile(gray, 0.57), 255, 0).astype(np.uint8)
 
-
 # %% role="answer" exercise="tour-name"
 def name_operation(before, after):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution" exercise="tour-name"
 def name_operation(before, after):
@@ -479,7 +477,6 @@ def name_operation(before, after):
 
 # %% role="check" exercise="tour-name"
 check("tour-name", name_operation)
-
 
 # %% role="case" exercise="tour-name" title="a gray image, and an image of lines" points=1
 def inputs(rng):
@@ -499,44 +496,36 @@ def inputs(rng):
 def inputs(rng):
     return lines(rng)
 
-
 # %% role="case" exercise="tour-name" title="an image with less noise" points=0
 def inputs(rng):
     before = room_image(rng)
     return before, cv2.medianBlur(before, 3)
-
 
 # %% role="case" exercise="tour-name" title="noise removal in an image without noise: nothing changes" points=0
 def inputs(rng):
     before = np.full((7, 9, 3), rng.integers(40, 200, size=3), dtype=np.uint8)
     return before, cv2.medianBlur(before, 3)
 
-
 # %% role="case" exercise="tour-name" title="a gray image with some white pixels" points=0
 def inputs(rng):
     return gray_with_white(rng)
-
 
 # %% role="case" exercise="tour-name" title="a gray image of only three rows" points=0
 def inputs(rng):
     before = rng.integers(20, 200, size=(3, 11, 3), dtype=np.uint8)
     return before, to_gray(before)
 
-
 # %% role="case" exercise="tour-name" title="a gray image whose first row is all the same" points=0
 def inputs(rng):
     return gray_with_even_first_row(rng)
-
 
 # %% role="case" exercise="tour-name" title="an image of areas, mostly black" points=0
 def inputs(rng):
     return areas_mostly_black(rng)
 
-
 # %% role="case" exercise="tour-name" title="an image of many lines" points=0
 def inputs(rng):
     return many_lines(rng)
-
 
 # %% role="hidden" exercise="tour-name" title="images of lines, and an image of areas" points=1 hint="These images have only two values. Lines have less than a fifth of white pixels, areas have more."
 def inputs(rng):

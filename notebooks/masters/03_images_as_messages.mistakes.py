@@ -184,6 +184,10 @@ def decode_mono16(message):
 # %% [markdown]
 # # messages-decode
 
+# %%
+def rows_of(message):
+    return np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
+
 # %% role="mistake" name="padding read as pixels" says="The padding was read as pixels, so the image is sheared. Cut data into rows of step bytes, then crop the padding."
 def decode(message):
     flat = np.frombuffer(message.data, np.uint8)

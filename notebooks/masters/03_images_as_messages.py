@@ -198,37 +198,30 @@ def gray_message(rng, height, width, low=0):
         height=height, width=width, encoding="mono8", is_bigendian=0, step=width, data=pixels.tobytes()
     )
 
-
 # %% role="answer" exercise="messages-mono8"
 def decode_mono8(message):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution" exercise="messages-mono8"
 def decode_mono8(message):
     flat = np.frombuffer(message.data, dtype=np.uint8)
     return flat.reshape(message.height, message.width)
 
-
 # %% role="check" exercise="messages-mono8"
 check("messages-mono8", decode_mono8)
-
 
 # %% role="case" exercise="messages-mono8" title="a small gray image"
 def inputs(rng):
     return (gray_message(rng, 3, 5),)
 
-
 # %% role="case" exercise="messages-mono8" title="a bright gray image, higher than it is wide"
 def inputs(rng):
     return (gray_message(rng, 4, 3, low=128),)
-
 
 # %% role="hidden" exercise="messages-mono8" title="another size"
 def inputs(rng):
     height, width = (int(n) for n in rng.integers(2, 7, size=2))
     return (gray_message(rng, height, width + height),)
-
 
 # %% [markdown]
 # ## 3 · Planned failure: which channel is red? (7 minutes)
@@ -311,37 +304,30 @@ def colour_message(rng, encoding, height, width):
         height=height, width=width, encoding=encoding, is_bigendian=0, step=width * 3, data=pixels.tobytes()
     )
 
-
 # %% role="answer" exercise="messages-rgb8"
 def decode_rgb8(message):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution" exercise="messages-rgb8"
 def decode_rgb8(message):
     flat = np.frombuffer(message.data, dtype=np.uint8)
     return flat.reshape(message.height, message.width, 3)
 
-
 # %% role="check" exercise="messages-rgb8"
 check("messages-rgb8", decode_rgb8)
-
 
 # %% role="case" exercise="messages-rgb8" title="an rgb8 image"
 def inputs(rng):
     return (colour_message(rng, "rgb8", 2, 4),)
 
-
 # %% role="case" exercise="messages-rgb8" title="a bgr8 image, higher than it is wide"
 def inputs(rng):
     return (colour_message(rng, "bgr8", 5, 2),)
-
 
 # %% role="hidden" exercise="messages-rgb8" title="another size"
 def inputs(rng):
     height, width = (int(n) for n in rng.integers(2, 7, size=2))
     return (colour_message(rng, "rgb8", height, width + height),)
-
 
 # %% [markdown]
 # ## 4 · Planned failure: a padded row (10 minutes)
@@ -448,11 +434,9 @@ def padded_message(rng, height, width, padding, *, low=0, padding_byte=None):
         height=height, width=width, encoding="rgb8", is_bigendian=0, step=rows.shape[1], data=rows.tobytes()
     )
 
-
 # %% role="answer" exercise="messages-padding"
 def decode_padded(message):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution" exercise="messages-padding"
 def decode_padded(message):
@@ -460,39 +444,32 @@ def decode_padded(message):
     pixels = rows[:, : message.width * 3]
     return pixels.reshape(message.height, message.width, 3)
 
-
 # %% role="check" exercise="messages-padding"
 check("messages-padding", decode_padded)
-
 
 # %% role="case" exercise="messages-padding" title="one byte of padding, always 99"
 def inputs(rng):
     return (padded_message(rng, 3, 5, 1, low=100, padding_byte=99),)
-
 
 # %% role="case" exercise="messages-padding" title="one byte of padding, any value"
 def inputs(rng):
     message = padded_message(rng, 2, 3, 1, padding_byte=255)
     return (SimpleNamespace(**{**vars(message), "data": bytes([99]) + message.data[1:]}),)
 
-
 # %% role="case" exercise="messages-padding" title="three bytes of padding"
 def inputs(rng):
     message = padded_message(rng, 4, 3, 3)
     return (SimpleNamespace(**{**vars(message), "data": bytes([99]) + message.data[1:]}),)
-
 
 # %% role="case" exercise="messages-padding" title="six bytes of padding"
 def inputs(rng):
     message = padded_message(rng, 2, 4, 6)
     return (SimpleNamespace(**{**vars(message), "data": bytes([99]) + message.data[1:]}),)
 
-
 # %% role="hidden" exercise="messages-padding" title="another padding" hint="The number of padding bytes changes from message to message: step tells it."
 def inputs(rng):
     height, width = (int(n) for n in rng.integers(2, 7, size=2))
     return (padded_message(rng, height, width + height, int(rng.integers(1, 6))),)
-
 
 # %% [markdown]
 # **Pause.** This is a good place for a break. After it, run the cells above again: **Run → Run All Above Selected Cell**.
@@ -588,11 +565,9 @@ def wide_message(rng, height, width, is_bigendian):
         height=height, width=width, encoding="mono16", is_bigendian=is_bigendian, step=width * 2, data=data
     )
 
-
 # %% role="answer" exercise="messages-mono16"
 def decode_mono16(message):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution" exercise="messages-mono16"
 def decode_mono16(message):
@@ -607,16 +582,13 @@ def decode_mono16(message):
 # %% role="check" exercise="messages-mono16"
 check("messages-mono16", decode_mono16)
 
-
 # %% role="case" exercise="messages-mono16" title="big-endian"
 def inputs(rng):
     return (wide_message(rng, 2, 5, 1),)
 
-
 # %% role="case" exercise="messages-mono16" title="little-endian"
 def inputs(rng):
     return (wide_message(rng, 4, 3, 0),)
-
 
 # %% role="hidden" exercise="messages-mono16" title="both byte orders, another size"
 def inputs(rng):
@@ -721,15 +693,9 @@ def make_message(rng, encoding, channels, padding, *, dtype="u1", is_bigendian=0
         height=height, width=width, encoding=encoding, is_bigendian=is_bigendian, step=filled.shape[1], data=filled.tobytes()
     )
 
-
-def rows_of(message):
-    return np.frombuffer(message.data, dtype=np.uint8).reshape(message.height, message.step)
-
-
 # %% role="answer" exercise="messages-decode"
 def decode(message):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution" exercise="messages-decode"
 def decode(message):
@@ -750,41 +716,33 @@ def decode(message):
 # %% role="check" exercise="messages-decode"
 check("messages-decode", decode)
 
-
 # %% role="case" exercise="messages-decode" title="a colour image without padding" points=1
 def inputs(rng):
     return (make_message(rng, "rgb8", 3, 0),)
-
 
 # %% role="case" exercise="messages-decode" title="a colour image with padded rows" points=1
 def inputs(rng):
     return (make_message(rng, "bgr8", 3, int(rng.integers(1, 6))),)
 
-
 # %% role="case" exercise="messages-decode" title="a gray image with padded rows" points=1
 def inputs(rng):
     return (make_message(rng, "mono8", 1, int(rng.integers(1, 6))),)
-
 
 # %% role="case" exercise="messages-decode" title="16 bits, big-endian" points=1
 def inputs(rng):
     return (make_message(rng, "mono16", 1, 2, dtype="u2", is_bigendian=1),)
 
-
 # %% role="case" exercise="messages-decode" title="16 bits, little-endian" points=1
 def inputs(rng):
     return (make_message(rng, "mono16", 1, 0, dtype="u2"),)
-
 
 # %% role="hidden" exercise="messages-decode" title="padding that is not a whole pixel" points=1 hint="The padding may be one byte although a pixel has two or three: crop bytes, not pixels."
 def inputs(rng):
     return (make_message(rng, "rgb8", 3, 1),)
 
-
 # %% role="hidden" exercise="messages-decode" title="16 bits, little-endian, padded" points=1 hint="Does your function read the byte order from the message, or does it always use the same?"
 def inputs(rng):
     return (make_message(rng, "mono16", 1, 3, dtype="u2"),)
-
 
 # %% [markdown]
 # **Pause.** Here is the second place for a break.

@@ -1,6 +1,15 @@
 # %% [markdown]
 # # grayscale-luma
 
+# %%
+def luma_of(bgr, weights=(3735, 19235, 9798), half=2**14, dtype=np.uint32):
+    wide = bgr.astype(dtype)
+    b, g, r = (wide[..., channel] * dtype(weight) for channel, weight in enumerate(weights))
+    return ((b + g + r + dtype(half)) >> dtype(15)).astype(np.uint8)
+
+def weighted(bgr, blue, green, red):
+    return blue * bgr[..., 0] + green * bgr[..., 1] + red * bgr[..., 2]
+
 # %% role="mistake" name="the plain average, added as uint8" says="This is the plain average, and the sum was computed in uint8: above 255 it starts again at 0 (overflow). Luma is a weighted sum: widen first, then use the weights of section 4."
 def luma(bgr):
     b, g, r = bgr[..., 0], bgr[..., 1], bgr[..., 2]

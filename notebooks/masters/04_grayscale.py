@@ -461,21 +461,9 @@ exercise(
     " pixel in two loops over the rows and columns.",
 )
 
-
-def luma_of(bgr, weights=(3735, 19235, 9798), half=2**14, dtype=np.uint32):
-    wide = bgr.astype(dtype)
-    b, g, r = (wide[..., channel] * dtype(weight) for channel, weight in enumerate(weights))
-    return ((b + g + r + dtype(half)) >> dtype(15)).astype(np.uint8)
-
-
-def weighted(bgr, blue, green, red):
-    return blue * bgr[..., 0] + green * bgr[..., 1] + red * bgr[..., 2]
-
-
 # %% role="answer"
 def luma(bgr):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def luma(bgr):
@@ -483,25 +471,20 @@ def luma(bgr):
     total = wide[..., 0] * 3735 + wide[..., 1] * 19235 + wide[..., 2] * 9798
     return ((total + 2**14) >> 15).astype(np.uint8)
 
-
 # %% role="check"
 check("grayscale-luma", luma)
-
 
 # %% role="case" title="dark colours" points=1 hint="Compute one pixel by hand: (blue * 3735 + green * 19235 + red * 9798 + 2**14) >> 15. Where does your function do something else?"
 def inputs(rng):
     return (rng.integers(0, 60, size=(4, 5, 3), dtype=np.uint8),)
 
-
 # %% role="case" title="bright colours" points=1 hint="Do all products and sums fit into their dtype? uint32 is large enough."
 def inputs(rng):
     return (rng.integers(150, 256, size=(4, 5, 3), dtype=np.uint8),)
 
-
 # %% role="case" title="many colours" points=1 hint="Which weights does OpenCV use? The three integers must add up to 32768."
 def inputs(rng):
     return (rng.integers(0, 256, size=(48, 64, 3), dtype=np.uint8),)
-
 
 # %% role="hidden" title="a larger image" points=1 hint="Is every value rounded, not truncated? Add half before you shift."
 def inputs(rng):
@@ -509,12 +492,10 @@ def inputs(rng):
     image[0, :3] = [71, 244, 53], [128, 1, 78], [240, 159, 93]  # colours for which decimal weights give another gray level
     return (image,)
 
-
 # %% role="hidden" title="black, white and pure colours" points=1 hint="White must stay 255 and black 0."
 def inputs(rng):
     corners = np.array([[b, g, r] for b in (0, 255) for g in (0, 255) for r in (0, 255)], dtype=np.uint8)
     return (rng.permutation(corners).reshape(2, 4, 3),)
-
 
 # %% [markdown]
 # ## Recap

@@ -1,6 +1,13 @@
 # %% [markdown]
 # # node-process
 
+# %%
+def gray_of(frame):
+    return cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
+
+def weighted(frame, blue, green, red):
+    return blue * frame[..., 0] + green * frame[..., 1] + red * frame[..., 2]
+
 # %% role="mistake" name="red and blue exchanged" says="The weights of red and blue are exchanged: the frame is BGR (blue first), not RGB. Use COLOR_BGR2GRAY."
 def process(frame):
     return {"gray": cv2.cvtColor(frame, cv2.COLOR_RGB2GRAY)}

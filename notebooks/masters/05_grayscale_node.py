@@ -73,7 +73,6 @@ stamps = []
 def on_image(frame, msg):
     stamps.append(msg.header.stamp)
 
-
 # %% [markdown]
 # The camera sends ten images per second. **Predict** how often ROS calls this function while the next cell sleeps for two seconds.
 
@@ -132,7 +131,6 @@ class Bell:
     def ring(self):
         for callback in self.callbacks:
             callback(self.name)
-
 
 # %% [markdown]
 # - `class Bell:` begins the class. The functions inside it are its *[[term:method|methods]]*.
@@ -426,7 +424,6 @@ def failing(frame):
         raise ValueError("I fail on every second image")
     return make_gray(frame)
 
-
 # %% tags=["nbval-ignore-output"]
 if ros_available():
     from imgproc_course.ros import ImageProcessor
@@ -480,19 +477,9 @@ exercise(
     " (from imgproc_course.imaging import to_gray) in the answer cell.",
 )
 
-
-def gray_of(frame):
-    return cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
-
-
-def weighted(frame, blue, green, red):
-    return blue * frame[..., 0] + green * frame[..., 1] + red * frame[..., 2]
-
-
 # %% role="answer"
 def process(frame):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def process(frame):
@@ -502,23 +489,19 @@ def process(frame):
 # %% role="check"
 check("node-process", process)
 
-
 # %% role="case" title="a small frame" points=1 hint="Is the image the luma of the frame? cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY) computes it."
 def inputs(rng):
     return (rng.integers(0, 256, size=(6, 8, 3), dtype=np.uint8),)
 
-
 # %% role="case" title="a larger frame" points=0 hint="Is every value equal to OpenCV's? cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY) computes it."
 def inputs(rng):
     return (rng.integers(0, 256, size=(48, 64, 3), dtype=np.uint8),)
-
 
 # %% role="hidden" title="any frame" points=1 hint="Blue comes first. Which of OpenCV's conversion codes starts with BGR?"
 def inputs(rng):
     frame = rng.integers(0, 256, size=(30, 40, 3), dtype=np.uint8)
     frame[0, :2] = [128, 1, 78], [65, 168, 127]  # colours for which decimal weights give another gray level
     return (frame,)
-
 
 # %% [markdown]
 # ## 7 · Practice: your node, live (12 minutes)

@@ -1,6 +1,19 @@
 # %% [markdown]
 # # noise-median
 
+# %%
+def nine_neighbours(gray, mode="edge"):
+    height, width = gray.shape
+    padded = np.pad(gray, 1, mode=mode)
+    return np.array([padded[row : row + height, col : col + width] for row in range(3) for col in range(3)])
+
+def medians_of_windows(gray, of_window):
+    """of_window applied to the part of each neighbourhood that lies in the image."""
+    result = np.empty_like(gray)
+    for row, col in np.ndindex(gray.shape):
+        result[row, col] = of_window(gray[max(row - 1, 0) : row + 2, max(col - 1, 0) : col + 2])
+    return result
+
 # %% role="mistake" name="a mean instead of a median" says="This is the mean of the nine values. It spreads a wrong pixel over its neighbours. The median is the fifth of the nine values when they are sorted."
 def median3(gray):
     return np.mean(nine_neighbours(gray), axis=0).astype(np.uint8)
@@ -189,6 +202,13 @@ def median3(gray):
 
 # %% [markdown]
 # # noise-psnr
+
+# %%
+def mse_of(clean, other):
+    return float(np.mean((clean.astype(float) - other.astype(float)) ** 2))
+
+def psnr_with(mse, peak=255**2):
+    return float("inf") if mse == 0 else float(10 * np.log10(peak / mse))
 
 # %% role="mistake" name="subtracted in uint8" says="The difference was computed in uint8, before you widened, and wrapped around: 100 - 110 gave 246. Convert both images first, with astype(float), or one pixel with int(...), then subtract."
 def my_psnr(clean, other):
@@ -408,6 +428,14 @@ def my_psnr(clean, other):
 
 # %% [markdown]
 # # noise-choose
+
+# %%
+def mse_of(image, other):
+    return float(np.mean((image.astype(float) - other.astype(float)) ** 2))
+
+def psnr_of(image, other):
+    mse = mse_of(image, other)
+    return float("inf") if mse == 0 else float(10 * np.log10(255**2 / mse))
 
 # %% role="mistake" name="the worst instead of the best" says="This is the filter with the lowest PSNR, which has the largest mean squared error. Take the highest PSNR (or the smallest MSE); in a list from sorted() the smallest value is the first and the largest the last, [-1]."
 def best_filter(clean, noisy, filters):

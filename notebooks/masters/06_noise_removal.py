@@ -523,24 +523,9 @@ exercise(
     another_way="You can also stack the nine shifted slices padded[row : row + height, col : col + width] in a list and take np.median(shifted, axis=0).astype(np.uint8): the same values without a loop over the pixels, and much faster on a camera frame.",
 )
 
-
-def nine_neighbours(gray, mode="edge"):
-    height, width = gray.shape
-    padded = np.pad(gray, 1, mode=mode)
-    return np.array([padded[row : row + height, col : col + width] for row in range(3) for col in range(3)])
-
-
-def medians_of_windows(gray, of_window):
-    """of_window applied to the part of each neighbourhood that lies in the image."""
-    result = np.empty_like(gray)
-    for row, col in np.ndindex(gray.shape):
-        result[row, col] = of_window(gray[max(row - 1, 0) : row + 2, max(col - 1, 0) : col + 2])
-    return result
-
 # %% role="answer"
 def median3(gray):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def median3(gray):
@@ -557,13 +542,11 @@ def median3(gray):
 # %% role="check"
 check("noise-median", median3)
 
-
 # %% role="case" title="one wrong pixel" points=1
 def inputs(rng):
     image = rng.integers(90, 110, size=(5, 6), dtype=np.uint8)
     image[rng.integers(1, 4), rng.integers(1, 5)] = 255
     return (image,)
-
 
 # %% role="case" title="wrong pixels at the border" points=1
 def inputs(rng):
@@ -572,7 +555,6 @@ def inputs(rng):
     image[rng.integers(0, 5), 4] = 0
     return (image,)
 
-
 # %% role="case" title="strong noise" points=0
 def inputs(rng):
     image = rng.integers(0, 256, size=(7, 9), dtype=np.uint8)
@@ -580,16 +562,13 @@ def inputs(rng):
     image[rng.random((7, 9)) < 0.2] = 0
     return (image,)
 
-
 # %% role="hidden" title="a larger image" points=1 hint="Does your function work if height and width are very different?"
 def inputs(rng):
     return (rng.integers(0, 256, size=(20, 33), dtype=np.uint8),)
 
-
 # %% role="hidden" title="a single row" points=1 hint="What are the neighbours in an image with only one row?"
 def inputs(rng):
     return (rng.integers(0, 256, size=(1, 12), dtype=np.uint8),)
-
 
 # %% [markdown]
 # ## 9 · Your turn: PSNR (12 minutes)
@@ -621,14 +600,6 @@ exercise(
 )
 
 
-def mse_of(clean, other):
-    return float(np.mean((clean.astype(float) - other.astype(float)) ** 2))
-
-
-def psnr_with(mse, peak=255**2):
-    return float("inf") if mse == 0 else float(10 * np.log10(peak / mse))
-
-
 def same_pixels_in_another_order(rng):
     clean = rng.integers(0, 256, size=(6, 6), dtype=np.uint8)
     clean[0, 0], clean[-1, -1] = 0, 255
@@ -645,7 +616,6 @@ def one_pixel_differs(rng):
 def my_psnr(clean, other):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def my_psnr(clean, other):
     difference = clean.astype(float) - other.astype(float)
@@ -654,38 +624,31 @@ def my_psnr(clean, other):
         return float("inf")
     return float(10 * np.log10(255**2 / mse))
 
-
 # %% role="check"
 check("noise-psnr", my_psnr)
-
 
 # %% role="case" title="a brighter image" points=1
 def inputs(rng):
     clean = rng.integers(0, 200, size=(4, 5), dtype=np.uint8)
     return clean, clean + rng.integers(1, 50, size=(4, 5), dtype=np.uint8)
 
-
 # %% role="case" title="a darker image" points=1
 def inputs(rng):
     clean = rng.integers(60, 256, size=(4, 5), dtype=np.uint8)
     return clean, clean - rng.integers(1, 60, size=(4, 5), dtype=np.uint8)
 
-
 # %% role="case" title="the same pixels in another order" points=0 hint="Here some differences are larger than 200, and plus and minus cancel in their sum. Square each difference in float, then take the mean."
 def inputs(rng):
     return same_pixels_in_another_order(rng)
-
 
 # %% role="case" title="one pixel differs by 1" points=0 hint="Only equal images have an infinite PSNR: compare the MSE with 0."
 def inputs(rng):
     return one_pixel_differs(rng)
 
-
 # %% role="case" title="equal images" points=0 hint="For equal images the MSE is 0: return float(\"inf\") before you divide by it."
 def inputs(rng):
     clean = rng.integers(0, 256, size=(4, 5), dtype=np.uint8)
     return clean, clean.copy()
-
 
 # %% role="hidden" title="equal images, and images with very small or very large differences" points=1 hint="Return infinity if the mean squared error is 0, and only then. Compute the squares of large differences in float."
 def inputs(rng):
@@ -721,15 +684,6 @@ exercise(
     explanation="The values of the dictionary are functions: apply is called like any other function, with the noisy image. The loop stores the best name together with its PSNR, because the next filter must be compared with the best one so far. The function knows nothing about the filters, so it works for every dictionary.",
     another_way="You can also write max(filters, key=...): key is a function that gives the PSNR for a name, and max returns the name with the largest one.",
 )
-
-
-def mse_of(image, other):
-    return float(np.mean((image.astype(float) - other.astype(float)) ** 2))
-
-
-def psnr_of(image, other):
-    mse = mse_of(image, other)
-    return float("inf") if mse == 0 else float(10 * np.log10(255**2 / mse))
 
 
 def subtracting(number):
@@ -772,7 +726,6 @@ def many_filters():
 def best_filter(clean, noisy, filters):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 from imgproc_course.imaging import psnr
 
@@ -788,7 +741,6 @@ def best_filter(clean, noisy, filters):
 
 # %% role="check"
 check("noise-choose", best_filter)
-
 
 # %% role="case" title="a brightened image"
 def inputs(rng):
@@ -808,7 +760,6 @@ def inputs(rng):
 def inputs(rng):
     clean = rng.integers(40, 81, size=(8, 8), dtype=np.uint8)
     return clean, clean + np.uint8(60), many_filters()
-
 
 # %% role="case" title="the best filter is the first"
 def inputs(rng):

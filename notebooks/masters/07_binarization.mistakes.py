@@ -1,6 +1,24 @@
 # %% [markdown]
 # # binarization-otsu
 
+# %%
+def scores(gray, score):
+    """{t: score(below, above)} for every t that leaves no class empty."""
+    pairs = {t: (gray[gray <= t].astype(float), gray[gray > t].astype(float)) for t in range(256)}
+    return {t: score(below, above) for t, (below, above) in pairs.items() if below.size and above.size}
+
+def best_of(gray, score):
+    """The first t with the largest score."""
+    score_at = scores(gray, score)
+    return max(score_at, key=score_at.get, default=0)
+
+def variance_of(below, above):
+    count = below.size + above.size
+    return below.size / count * above.size / count * (below.mean() - above.mean()) ** 2
+
+def counts_of(gray):
+    return np.bincount(gray.ravel(), minlength=256)
+
 # %% role="mistake" name="the smallest variance instead of the largest" says="Your threshold has the smallest between-class variance, which is the same as the largest variance inside the classes. Look for the largest between-class variance instead."
 def otsu(gray):
     return best_of(gray, lambda below, above: -variance_of(below, above))

@@ -376,27 +376,6 @@ exercise(
 )
 
 
-def scores(gray, score):
-    """{t: score(below, above)} for every t that leaves no class empty."""
-    pairs = {t: (gray[gray <= t].astype(float), gray[gray > t].astype(float)) for t in range(256)}
-    return {t: score(below, above) for t, (below, above) in pairs.items() if below.size and above.size}
-
-
-def best_of(gray, score):
-    """The first t with the largest score."""
-    score_at = scores(gray, score)
-    return max(score_at, key=score_at.get, default=0)
-
-
-def variance_of(below, above):
-    count = below.size + above.size
-    return below.size / count * above.size / count * (below.mean() - above.mean()) ** 2
-
-
-def counts_of(gray):
-    return np.bincount(gray.ravel(), minlength=256)
-
-
 def print_on_paper(rng):
     dark, bright = rng.integers(20, 60), rng.integers(160, 220)
     image = np.where(rng.random((16, 20)) < 0.4, dark, bright) + rng.integers(-9, 10, size=(16, 20))
@@ -419,11 +398,9 @@ def twelve_pixels(rng):
 def one_gray_level(rng):
     return np.full((4, 5), rng.integers(50, 200), dtype=np.uint8)
 
-
 # %% role="answer"
 def otsu(gray):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def otsu(gray):
@@ -441,7 +418,6 @@ def otsu(gray):
 
 # %% role="check"
 check("binarization-otsu", otsu)
-
 
 # %% role="case" title="print on paper" points=1
 def inputs(rng):
@@ -461,13 +437,11 @@ def inputs(rng):
     image[0, 0] = 0
     return (np.clip(image, 0, 255).astype(np.uint8),)
 
-
 # %% role="case" title="a few bright and a few dark pixels" points=0 hint="The formula multiplies both shares and the square of the difference of the means: w0 * w1 * (mean0 - mean1) ** 2."
 def inputs(rng):
     image = rng.integers(148, 153, size=64).astype(np.uint8)
     image[:5], image[-2:] = 100, 250
     return (rng.permutation(image).reshape(8, 8),)
-
 
 # %% role="case" title="the first and the last threshold" points=0 hint="Try every t from 0 to 255, and leave no t out."
 def inputs(rng):
@@ -478,7 +452,6 @@ def inputs(rng):
 # %% role="case" title="one gray level" points=0 hint="No t splits this image into two classes, so every variance is 0, and the smallest t is 0."
 def inputs(rng):
     return (one_gray_level(rng),)
-
 
 # %% role="hidden" title="peaks that touch, and twelve pixels" points=1 hint="A pixel equal to t belongs to class 0. Keep the means as floats."
 def inputs(rng):

@@ -1,6 +1,14 @@
 # %% [markdown]
 # # canny-sobel
 
+# %%
+def gradients(gray, mode="edge", weights=(1, 2, 1)):
+    p = np.pad(gray, 1, mode=mode)
+    first, middle, last = weights
+    along = first * p[:-2] + middle * p[1:-1] + last * p[2:]
+    across = first * p[:, :-2] + middle * p[:, 1:-1] + last * p[:, 2:]
+    return across[2:] - across[:-2], along[:, 2:] - along[:, :-2]
+
 # %% role="mistake" name="uint8 wraps" says="This is uint8 wrap-around: dark minus bright went below 0 and continued at 255. Widen to int32 before you subtract."
 def my_sobel(gray):
     grad_row, grad_col = gradients(gray)
@@ -114,6 +122,11 @@ def my_sobel(gray):
 # %% [markdown]
 # # canny-local-maximum
 
+# %%
+def peaks_of(magnitude, compare, mode="constant"):
+    p = np.pad(magnitude, 1, mode=mode)
+    return np.where(compare(p[:-2], p[1:-1], p[2:]), magnitude, 0).astype(np.int32)
+
 # %% role="mistake" name=">= on both sides" says="Two equal neighbours were both kept. A pixel must be greater than its left neighbour, not only equal to it: use > for the left one."
 def keep_peaks(magnitude):
     return peaks_of(magnitude, lambda left, value, right: (value >= left) & (value >= right))
@@ -218,6 +231,20 @@ def keep_peaks(magnitude):
 
 # %% [markdown]
 # # canny-suppression
+
+# %%
+def neighbours(magnitude, sector, mode="constant"):
+    """The magnitudes of the first and the second neighbour of each pixel."""
+    p = np.pad(magnitude, 1, mode=mode)
+    row, col = np.indices(magnitude.shape) + 1
+    d_row, d_col = np.array([[0, -1, -1, -1], [-1, -1, 0, 1]])[:, sector]
+    return p[row + d_row, col + d_col], p[row - d_row, col - d_col]
+
+def is_kept(value, first, second, sector):
+    return (value > first) & ((value > second) | ((value == second) & (sector % 2 == 0)))
+
+def thin(magnitude, keep):
+    return np.where(keep, magnitude, 0).astype(np.int32)
 
 # %% role="mistake" name=">= for >" says="Two equal neighbours were both kept, so the edge is two pixels thick. A pixel must be greater than the first neighbour, not only equal to it."
 def suppress(magnitude, sector):
@@ -455,6 +482,35 @@ def double_threshold(thinned, low, high):
 
 # %% [markdown]
 # # canny-hysteresis
+
+# %%
+EIGHT = [(row, col) for row in (-1, 0, 1) for col in (-1, 0, 1)]
+
+def touching(edges, directions=EIGHT):
+    """True at each pixel that has an edge pixel in one of these directions."""
+    height, width = edges.shape
+    p = np.pad(edges, 1)
+    return np.any([p[1 + r : 1 + r + height, 1 + c : 1 + c + width] for r, c in directions], axis=0)
+
+def after_steps(weak, strong, steps=10_000, directions=EIGHT):
+    edges = strong.copy()
+    for _ in range(steps):
+        larger = edges | (weak & touching(edges, directions))
+        if larger.sum() == edges.sum():
+            break
+        edges = larger
+    return as_image(edges)
+
+def after_sweep(weak, strong, pixels):
+    """The edges after one sweep over the pixels, each new edge used at once."""
+    edges = strong.copy()
+    for row, col in pixels:
+        if weak[row, col] and edges[max(row - 1, 0) : row + 2, max(col - 1, 0) : col + 2].any():
+            edges[row, col] = True
+    return as_image(edges)
+
+def as_image(edges):
+    return np.where(edges, 255, 0).astype(np.uint8)
 
 # %% role="mistake" name="four neighbours only" says="Your function uses only the four neighbours at the sides, not the corners, so slanted lines break. Use 8-connectivity: each pixel has eight neighbours."
 def grow(weak, strong):

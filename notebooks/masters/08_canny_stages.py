@@ -247,19 +247,9 @@ exercise(
     another_way="You can also write two loops over rows and columns, take the 3 × 3 window of each pixel, and sum window * kernel.",
 )
 
-
-def gradients(gray, mode="edge", weights=(1, 2, 1)):
-    p = np.pad(gray, 1, mode=mode)
-    first, middle, last = weights
-    along = first * p[:-2] + middle * p[1:-1] + last * p[2:]
-    across = first * p[:, :-2] + middle * p[:, 1:-1] + last * p[:, 2:]
-    return across[2:] - across[:-2], along[:, 2:] - along[:, :-2]
-
-
 # %% role="answer"
 def my_sobel(gray):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def my_sobel(gray):
@@ -274,13 +264,11 @@ def my_sobel(gray):
 # %% role="check"
 check("canny-sobel", my_sobel)
 
-
 # %% role="case" title="vertical edges: dark, bright, dark" points=1 hint="Here the gray level changes only along the rows, so grad_row is 0 everywhere, and grad_col is not 0 beside each edge. Calculate the nine products of one framed pixel by hand."
 def inputs(rng):
     image = np.full((5, 8), rng.integers(0, 100), dtype=np.uint8)
     image[:, rng.integers(2, 4) : 6] = rng.integers(120, 256)
     return (image,)
-
 
 # %% role="case" title="horizontal edges: dark, bright, dark" points=1 hint="Here the gray level changes only down the columns, so grad_col is 0 everywhere. grad_row is positive where the row below is brighter than the row above, and negative where it is darker."
 def inputs(rng):
@@ -288,16 +276,13 @@ def inputs(rng):
     image[rng.integers(2, 4) : 6] = rng.integers(150, 256)
     return (image,)
 
-
 # %% role="case" title="random pixels up to the border" points=1 hint="Choose one pixel whose value is framed, and calculate its nine products by hand."
 def inputs(rng):
     return (rng.integers(0, 256, size=(4, 5), dtype=np.uint8),)
 
-
 # %% role="hidden" title="any image" points=1 hint="Look at the border: are the outermost pixels repeated?"
 def inputs(rng):
     return (rng.integers(0, 256, size=(7, 9), dtype=np.uint8),)
-
 
 # %% [markdown]
 # ## 4 · Gradient magnitude and direction (12 minutes)
@@ -433,16 +418,9 @@ exercise(
     another_way="You can also write it without a loop: keep = (magnitude > padded[:-2]) & (magnitude >= padded[2:]), and then np.where(keep, magnitude, 0).",
 )
 
-
-def peaks_of(magnitude, compare, mode="constant"):
-    p = np.pad(magnitude, 1, mode=mode)
-    return np.where(compare(p[:-2], p[1:-1], p[2:]), magnitude, 0).astype(np.int32)
-
-
 # %% role="answer"
 def keep_peaks(magnitude):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def keep_peaks(magnitude):
@@ -458,19 +436,16 @@ def keep_peaks(magnitude):
 # %% role="check"
 check("canny-local-maximum", keep_peaks)
 
-
 # %% role="case" title="two peaks" hint="A peak is greater than its left neighbour, and greater than or equal to its right one. All other pixels become 0."
 def inputs(rng):
     low = rng.integers(10, 60, size=4)
     first, second = rng.integers(200, 400), rng.integers(100, 190)
     return (np.array([low[0], low[0] + 70, first, low[1] + 30, low[1], low[2], second, low[3]], np.int32),)
 
-
 # %% role="case" title="equal neighbours" hint="Of two equal neighbours the left one is kept: it is greater than its left neighbour, and equal to its right one."
 def inputs(rng):
     value = rng.integers(100, 400)
     return (np.array([0, 30, value, value, 20, 5, 90, 90, 90, 40, 70, 10], np.int32),)
-
 
 # %% role="case" title="peaks at both ends" hint="Outside the row the magnitude is 0. So the first and the last pixel can be peaks, too."
 def inputs(rng):
@@ -578,27 +553,9 @@ exercise(
     another_way="You can also write it without loops: compare shifted slices of the padded array for each sector, and combine the four masks with np.where.",
 )
 
-
-def neighbours(magnitude, sector, mode="constant"):
-    """The magnitudes of the first and the second neighbour of each pixel."""
-    p = np.pad(magnitude, 1, mode=mode)
-    row, col = np.indices(magnitude.shape) + 1
-    d_row, d_col = np.array([[0, -1, -1, -1], [-1, -1, 0, 1]])[:, sector]
-    return p[row + d_row, col + d_col], p[row - d_row, col - d_col]
-
-
-def is_kept(value, first, second, sector):
-    return (value > first) & ((value > second) | ((value == second) & (sector % 2 == 0)))
-
-
-def thin(magnitude, keep):
-    return np.where(keep, magnitude, 0).astype(np.int32)
-
-
 # %% role="answer"
 def suppress(magnitude, sector):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def suppress(magnitude, sector):
@@ -624,12 +581,10 @@ def suppress(magnitude, sector):
 # %% role="check"
 check("canny-suppression", suppress)
 
-
 # %% role="case" title="a vertical ridge" points=1 hint="Every pixel is in sector 0: compare it with its left and its right neighbour."
 def inputs(rng):
     magnitude = np.sort(rng.integers(1, 400, size=(5, 7)), axis=1)[:, [0, 2, 4, 6, 5, 3, 1]].astype(np.int32)
     return magnitude, np.zeros((5, 7), dtype=np.uint8)
-
 
 # %% role="case" title="equal neighbours" points=1 hint="A pixel must be greater than the first neighbour, and greater than or equal to the second. Then one of two equal neighbours is kept."
 def inputs(rng):
@@ -638,21 +593,17 @@ def inputs(rng):
     magnitude[row : row + 2] = rng.integers(100, 400)
     return magnitude, np.full((6, 5), 2, dtype=np.uint8)
 
-
 # %% role="case" title="all four sectors" points=1 hint="Choose one pixel whose value is framed. Look up its sector in the table of section 6, and compare it with these two neighbours."
 def inputs(rng):
     return rng.integers(0, 400, size=(7, 8)).astype(np.int32), rng.integers(0, 4, size=(7, 8), dtype=np.uint8)
-
 
 # %% role="case" title="equal neighbours in all sectors" points=0 hint="In sectors 1 and 3 a pixel must be greater than both neighbours. In sectors 0 and 2 it may be equal to the second one."
 def inputs(rng):
     return rng.integers(0, 4, size=(7, 8)).astype(np.int32), rng.integers(0, 4, size=(7, 8), dtype=np.uint8)
 
-
 # %% role="hidden" title="few values, many equal neighbours" points=1 hint="In sectors 1 and 3 a pixel must be greater than both neighbours."
 def inputs(rng):
     return rng.integers(0, 4, size=(12, 15)).astype(np.int32), rng.integers(0, 4, size=(12, 15), dtype=np.uint8)
-
 
 # %% [markdown]
 # ## 8 · The double threshold (8 minutes)
@@ -718,11 +669,9 @@ exercise(
     another_way="You can also write weak = (thinned > low) & ~strong, because ~ turns True into False and False into True.",
 )
 
-
 # %% role="answer"
 def double_threshold(thinned, low, high):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def double_threshold(thinned, low, high):
@@ -733,7 +682,6 @@ def double_threshold(thinned, low, high):
 
 # %% role="check"
 check("canny-thresholds", double_threshold)
-
 
 # %% role="case" title="values equal to a threshold" points=1 hint="For each framed value ask: is it above low? Is it above high? A value equal to a threshold is not above it."
 def inputs(rng):
@@ -865,38 +813,6 @@ exercise(
     another_way="You can also keep a list of edge pixels to visit: take one pixel from the list, and add each of its weak neighbours that is not an edge yet.",
 )
 
-EIGHT = [(row, col) for row in (-1, 0, 1) for col in (-1, 0, 1)]
-
-
-def touching(edges, directions=EIGHT):
-    """True at each pixel that has an edge pixel in one of these directions."""
-    height, width = edges.shape
-    p = np.pad(edges, 1)
-    return np.any([p[1 + r : 1 + r + height, 1 + c : 1 + c + width] for r, c in directions], axis=0)
-
-
-def after_steps(weak, strong, steps=10_000, directions=EIGHT):
-    edges = strong.copy()
-    for _ in range(steps):
-        larger = edges | (weak & touching(edges, directions))
-        if larger.sum() == edges.sum():
-            break
-        edges = larger
-    return as_image(edges)
-
-
-def after_sweep(weak, strong, pixels):
-    """The edges after one sweep over the pixels, each new edge used at once."""
-    edges = strong.copy()
-    for row, col in pixels:
-        if weak[row, col] and edges[max(row - 1, 0) : row + 2, max(col - 1, 0) : col + 2].any():
-            edges[row, col] = True
-    return as_image(edges)
-
-
-def as_image(edges):
-    return np.where(edges, 255, 0).astype(np.uint8)
-
 
 def some_components(rng):
     """Nobody can know this answer before: a constant passes the other call of a case."""
@@ -917,7 +833,6 @@ def snake(size):
 # %% role="answer"
 def grow(weak, strong):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def grow_once(edges, weak):
@@ -941,7 +856,6 @@ def grow(weak, strong):
 
 # %% role="check"
 check("canny-hysteresis", grow)
-
 
 # %% role="case" title="a chain that turns corners" points=1 hint="Every weak pixel that touches an edge at a side or a corner becomes an edge. Repeat this until nothing changes."
 def inputs(rng):

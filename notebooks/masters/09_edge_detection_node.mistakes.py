@@ -1,6 +1,18 @@
 # %% [markdown]
 # # edges-near
 
+# %%
+def combined(mask, tolerance, is_in_window=lambda row, col: True):
+    """True at each pixel that has a True pixel at one of the accepted distances (row, col)."""
+    height, width = mask.shape
+    p = np.pad(mask, tolerance)
+    result = np.zeros_like(mask)
+    for r in range(-tolerance, tolerance + 1):
+        for c in range(-tolerance, tolerance + 1):
+            if is_in_window(r, c):
+                result |= p[tolerance + r : tolerance + r + height, tolerance + c : tolerance + c + width]
+    return result
+
 # %% role="mistake" name="tolerance not used" says="You returned the mask unchanged. The neighbours of a True pixel are near it, too: up to tolerance rows and columns away."
 def near(mask, tolerance):
     return mask.copy()
@@ -120,6 +132,39 @@ def near(mask, tolerance):
 
 # %% [markdown]
 # # edges-f1
+
+# %%
+def window(mask, tolerance, steps=None):
+    """True at each pixel that has a True pixel in one of the (row, col) steps; the whole square if omitted."""
+    height, width = mask.shape
+    p = np.pad(mask, tolerance)
+    sides = range(2 * tolerance + 1)
+    starts = [(r, c) for r in sides for c in sides]
+    if steps is not None:
+        starts = [(r, c) for r, c in starts if steps(r - tolerance, c - tolerance)]
+    return np.any([p[r : r + height, c : c + width] for r, c in starts] or [np.zeros_like(mask)], axis=0)
+
+def counts(edges, outlines, tolerance, near=window):
+    """Edge pixels near an outline, edge pixels, outline pixels near an edge, outline pixels."""
+    mask = edges > 0
+    hits, detected = mask & near(outlines, tolerance), outlines & near(mask, tolerance)
+    return [int(part.sum()) for part in (hits, mask, detected, outlines)]
+
+def f1_of(hits, edge_count, detected, outline_count):
+    """F1 of four numbers of pixels; 0.0 where it would divide by 0."""
+    if not edge_count or not outline_count or hits + detected == 0:
+        return 0.0
+    precision, recall = hits / edge_count, detected / outline_count
+    return 2 * precision * recall / (precision + recall)
+
+def share(part, whole):
+    """The share as NumPy computes it: nan for 0 / 0."""
+    with np.errstate(invalid="ignore"):
+        return np.float64(part) / np.float64(whole)
+
+def unguarded_f1(hits, edge_count, detected, outline_count):
+    precision, recall = share(hits, edge_count), share(detected, outline_count)
+    return float(share(2 * precision * recall, precision + recall))
 
 # %% role="mistake" name="precision alone" says="That is the precision. F1 also needs the recall: it is the harmonic mean of both."
 def f1_score(edges, outlines, tolerance):

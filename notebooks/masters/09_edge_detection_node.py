@@ -400,23 +400,9 @@ exercise(
     another_way="You can also write two loops over all pixels, and ask with .any() whether the window of the padded mask around each pixel has a True pixel.",
 )
 
-
-def combined(mask, tolerance, is_in_window=lambda row, col: True):
-    """True at each pixel that has a True pixel at one of the accepted distances (row, col)."""
-    height, width = mask.shape
-    p = np.pad(mask, tolerance)
-    result = np.zeros_like(mask)
-    for r in range(-tolerance, tolerance + 1):
-        for c in range(-tolerance, tolerance + 1):
-            if is_in_window(r, c):
-                result |= p[tolerance + r : tolerance + r + height, tolerance + c : tolerance + c + width]
-    return result
-
-
 # %% role="answer"
 def near(mask, tolerance):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def near(mask, tolerance):
@@ -431,7 +417,6 @@ def near(mask, tolerance):
 
 # %% role="check"
 check("edges-near", near)
-
 
 # %% role="case" title="one True pixel, tolerance 2" hint="All pixels of a square of 5 × 5 are near: at most 2 rows and at most 2 columns away."
 def inputs(rng):
@@ -490,43 +475,6 @@ exercise(
 )
 
 
-def window(mask, tolerance, steps=None):
-    """True at each pixel that has a True pixel in one of the (row, col) steps; the whole square if omitted."""
-    height, width = mask.shape
-    p = np.pad(mask, tolerance)
-    sides = range(2 * tolerance + 1)
-    starts = [(r, c) for r in sides for c in sides]
-    if steps is not None:
-        starts = [(r, c) for r, c in starts if steps(r - tolerance, c - tolerance)]
-    return np.any([p[r : r + height, c : c + width] for r, c in starts] or [np.zeros_like(mask)], axis=0)
-
-
-def counts(edges, outlines, tolerance, near=window):
-    """Edge pixels near an outline, edge pixels, outline pixels near an edge, outline pixels."""
-    mask = edges > 0
-    hits, detected = mask & near(outlines, tolerance), outlines & near(mask, tolerance)
-    return [int(part.sum()) for part in (hits, mask, detected, outlines)]
-
-
-def f1_of(hits, edge_count, detected, outline_count):
-    """F1 of four numbers of pixels; 0.0 where it would divide by 0."""
-    if not edge_count or not outline_count or hits + detected == 0:
-        return 0.0
-    precision, recall = hits / edge_count, detected / outline_count
-    return 2 * precision * recall / (precision + recall)
-
-
-def share(part, whole):
-    """The share as NumPy computes it: nan for 0 / 0."""
-    with np.errstate(invalid="ignore"):
-        return np.float64(part) / np.float64(whole)
-
-
-def unguarded_f1(hits, edge_count, detected, outline_count):
-    precision, recall = share(hits, edge_count), share(detected, outline_count)
-    return float(share(2 * precision * recall, precision + recall))
-
-
 def few_pixels(rng):
     """Two outline pixels; one edge pixel on an outline, two at most 3 away in rows and columns, one far away."""
     row, col = rng.integers(0, 5, size=2)
@@ -563,7 +511,6 @@ def far_edges(rng):
 def f1_score(edges, outlines, tolerance):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def near(mask, tolerance):
     height, width = mask.shape
@@ -585,10 +532,8 @@ def f1_score(edges, outlines, tolerance):
         return 0.0
     return float(2 * precision * recall / (precision + recall))
 
-
 # %% role="check"
 check("edges-f1", f1_score)
-
 
 # %% role="case" title="no tolerance" points=1 hint="Count the pixels of this small image: edge pixels, outline pixels, and pixels that are both. What are precision, recall and F1?"
 def inputs(rng):
@@ -621,16 +566,13 @@ def inputs(rng):
 def inputs(rng):
     return no_edges(rng)
 
-
 # %% role="case" title="no outlines" points=0 hint="Without outlines the result is 0.0."
 def inputs(rng):
     return no_outlines(rng)
 
-
 # %% role="case" title="edges far from every outline" points=0 hint="If no edge is near an outline, precision and recall are both 0, and the result is 0.0."
 def inputs(rng):
     return far_edges(rng)
-
 
 # %% role="hidden" title="sparse images" points=1 hint="Is the neighbourhood a square, corners included?"
 def inputs(rng):

@@ -128,7 +128,6 @@ def run(line):
         capture_output=True, text=True)
     return (result.stdout + result.stderr).strip()
 
-
 # %%
 def start(line):
     """Starts a program in the workspace, and does not wait until it ends."""
@@ -145,7 +144,6 @@ def stop(process):
     """Stops a program, as Ctrl-C in its terminal does."""
     process.send_signal(signal.SIGINT)
     process.wait(timeout=20)
-
 
 # %% tags=["nbval-ignore-output"]
 if ros_available():
@@ -499,11 +497,9 @@ exercise(
     " (Path(install) / package / \"lib\" / package / package).as_posix().",
 )
 
-
 # %% role="answer"
 def executable_of(install, package):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def executable_of(install, package):
@@ -513,21 +509,17 @@ def executable_of(install, package):
 # %% role="check"
 check("packages-executable", executable_of)
 
-
 # %% role="case" title="the edge node"
 def inputs(rng):
     return ("/home/robot/ros2_ws/install", "image_edge_detection")
-
 
 # %% role="case" title="a relative path" hint="The path begins with install exactly as it is given, here without the current folder. It is not made absolute."
 def inputs(rng):
     return ("my_ws/install", "image_gray_processor")
 
-
 # %% role="hidden" title="another package" hint="Do you use both arguments for every part of the path?"
 def inputs(rng):
     return ("/opt/ws/install", "front_camera")
-
 
 # %% [markdown]
 # ## 8 · Practice: run the edge node (8 minutes)

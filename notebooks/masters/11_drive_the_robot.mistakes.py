@@ -92,6 +92,12 @@ def wheel_speeds(linear, angular, distance):
 # %% [markdown]
 # # drive-pose
 
+# %%
+def moved(x, y, yaw, linear, angular, dt, heading):
+    """The next pose if the robot drives in another direction than the right one."""
+    end = math.remainder(yaw + angular * dt, 2 * math.pi)
+    return x + linear * dt * math.cos(heading), y + linear * dt * math.sin(heading), end
+
 # %% role="mistake" name="the direction at the beginning" says="You drive in the direction at the beginning of the step. The robot turns while it drives: use the direction in the middle, yaw + angular * dt / 2."
 def next_pose(x, y, yaw, linear, angular, dt):
     return moved(x, y, yaw, linear, angular, dt, yaw)

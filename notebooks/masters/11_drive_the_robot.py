@@ -174,11 +174,9 @@ exercise(
     another_way="You can also write linear + angular * np.array([-distance / 2, distance / 2]) and return its two values.",
 )
 
-
 # %% role="answer"
 def wheel_speeds(linear, angular, distance):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def wheel_speeds(linear, angular, distance):
@@ -188,7 +186,6 @@ def wheel_speeds(linear, angular, distance):
 
 # %% role="check"
 check("drive-wheels", wheel_speeds)
-
 
 # %% role="case" title="a turn to the left" points=1
 def inputs(rng):
@@ -306,17 +303,9 @@ exercise(
     another_way="You can also write (yaw + angular * dt + math.pi) % (2 * math.pi) - math.pi for the new yaw.",
 )
 
-
-def moved(x, y, yaw, linear, angular, dt, heading):
-    """The next pose if the robot drives in another direction than the right one."""
-    end = math.remainder(yaw + angular * dt, 2 * math.pi)
-    return x + linear * dt * math.cos(heading), y + linear * dt * math.sin(heading), end
-
-
 # %% role="answer"
 def next_pose(x, y, yaw, linear, angular, dt):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def next_pose(x, y, yaw, linear, angular, dt):
@@ -325,10 +314,8 @@ def next_pose(x, y, yaw, linear, angular, dt):
     y = y + linear * dt * math.sin(middle)
     return x, y, math.remainder(yaw + angular * dt, 2 * math.pi)
 
-
 # %% role="check"
 check("drive-pose", next_pose)
-
 
 # %% role="case" title="one step" points=1
 def inputs(rng):
@@ -609,11 +596,9 @@ exercise(
     another_way="You can also compute the time of braking, speed / deceleration, and multiply it by speed / 2.",
 )
 
-
 # %% role="answer"
 def stopping_distance(speed, deceleration, rate, latency):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def stopping_distance(speed, deceleration, rate, latency):
@@ -624,7 +609,6 @@ def stopping_distance(speed, deceleration, rate, latency):
 
 # %% role="check"
 check("drive-stop", stopping_distance)
-
 
 # %% role="case" title="the robot of the lesson" points=1
 def inputs(rng):

@@ -1,6 +1,17 @@
 # %% [markdown]
 # # obstacles-ray
 
+# %%
+def steps_of(col, row, f, center, k1, k2, factor_of=None, count=20):
+    """The ray with another factor."""
+    px, py = (col - center[0]) / f, (row - center[1]) / f
+    x, y = px, py
+    for _ in range(count):
+        r2 = x * x + y * y
+        factor = factor_of(r2) if factor_of else 1 + k1 * r2 + k2 * r2 * r2
+        x, y = px / factor, py / factor
+    return x, y
+
 # %% role="mistake" name="pinhole" says="This is the ray of a pinhole camera: the distortion (k1 and k2) is not used. Divide by the factor 1 + k1 * r2 + k2 * r2 * r2, 20 times."
 def pixel_ray(col, row, f, center, k1, k2):
     return steps_of(col, row, f, center, k1, k2, count=0)
@@ -85,6 +96,11 @@ def pixel_ray(col, row, f, center, k1, k2):
 
 # %% [markdown]
 # # obstacles-plane
+
+# %%
+def normal_of(a, b, c):
+    normal = np.cross(b - a, c - a)
+    return normal / np.linalg.norm(normal)
 
 # %% role="mistake" name="not 1 long" says="Your normal is not 1 long. Divide the cross product by its length, np.linalg.norm(normal); otherwise heights are not in metres."
 def plane_of(a, b, c):
@@ -203,6 +219,10 @@ def plane_of(a, b, c):
 # %% [markdown]
 # # obstacles-inliers
 
+# %%
+def heights_of(points, normal, offset):
+    return points @ normal + offset
+
 # %% role="mistake" name="without abs" says="Points far below the plane count as near: their heights are negative, and so less than the tolerance. Use np.abs."
 def inliers(points, normal, offset, tolerance):
     return heights_of(points, normal, offset) < tolerance
@@ -262,6 +282,13 @@ def inliers(points, normal, offset, tolerance):
 
 # %% [markdown]
 # # obstacles-nearest
+
+# %%
+def smallest(forward, mask):
+    return float(forward[mask].min()) if mask.any() else math.inf
+
+def standing(height):
+    return (height > 0.03) & (height < 0.40)
 
 # %% role="mistake" name="the whole width on each side" says="Your corridor is twice as wide: width is the whole width, so it reaches only width / 2 to each side."
 def nearest_obstacle(forward, left, height, width):
@@ -367,6 +394,10 @@ def nearest_obstacle(forward, left, height, width):
 
 # %% [markdown]
 # # obstacles-ttc
+
+# %%
+def unless_it_grows(value, before, now, time):
+    return time if now > before else value
 
 # %% role="mistake" name="now above the line" says="You used the width now above the fraction line: this is the time counted from before. Use before there: dt * before / (now - before)."
 def time_to_collision(before, now, dt):

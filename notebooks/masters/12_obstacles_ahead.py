@@ -175,22 +175,9 @@ exercise(
     another_way="You can also write it with NumPy: ray = (np.array([col, row]) - center) / f, and r2 = (guess**2).sum().",
 )
 
-
-def steps_of(col, row, f, center, k1, k2, factor_of=None, count=20):
-    """The ray with another factor."""
-    px, py = (col - center[0]) / f, (row - center[1]) / f
-    x, y = px, py
-    for _ in range(count):
-        r2 = x * x + y * y
-        factor = factor_of(r2) if factor_of else 1 + k1 * r2 + k2 * r2 * r2
-        x, y = px / factor, py / factor
-    return x, y
-
-
 # %% role="answer"
 def pixel_ray(col, row, f, center, k1, k2):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def pixel_ray(col, row, f, center, k1, k2):
@@ -205,7 +192,6 @@ def pixel_ray(col, row, f, center, k1, k2):
 
 # %% role="check"
 check("obstacles-ray", pixel_ray)
-
 
 # %% role="case" title="the camera of the drive" points=1
 def inputs(rng):
@@ -327,16 +313,9 @@ exercise(
     another_way="You can also write normal *= -np.sign(normal[1]), or compute the offset from b or c.",
 )
 
-
-def normal_of(a, b, c):
-    normal = np.cross(b - a, c - a)
-    return normal / np.linalg.norm(normal)
-
-
 # %% role="answer"
 def plane_of(a, b, c):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def plane_of(a, b, c):
@@ -346,10 +325,8 @@ def plane_of(a, b, c):
         normal = -normal
     return normal, float(-(normal @ a))
 
-
 # %% role="check"
 check("obstacles-plane", plane_of)
-
 
 # %% role="case" title="a floor that is not level" points=1
 def inputs(rng):
@@ -501,10 +478,6 @@ exercise(
 )
 
 
-def heights_of(points, normal, offset):
-    return points @ normal + offset
-
-
 def cloud(rng, count, spread, offset=0.3):
     """Points around a plane that is not level, with its normal and its offset."""
     normal = np.array([0.28, -0.96, 0.0])
@@ -518,7 +491,6 @@ def cloud(rng, count, spread, offset=0.3):
 def inliers(points, normal, offset, tolerance):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def inliers(points, normal, offset, tolerance):
     return np.abs(points @ normal + offset) < tolerance
@@ -526,7 +498,6 @@ def inliers(points, normal, offset, tolerance):
 
 # %% role="check"
 check("obstacles-inliers", inliers)
-
 
 # %% role="case" title="points around a plane" points=1
 def inputs(rng):
@@ -669,14 +640,6 @@ exercise(
 )
 
 
-def smallest(forward, mask):
-    return float(forward[mask].min()) if mask.any() else math.inf
-
-
-def standing(height):
-    return (height > 0.03) & (height < 0.40)
-
-
 def scene(rng, nearest, high=0.5):
     """Floor, something low, something high, beside the corridor on both sides, obstacles in it, and a near floor."""
     forward = np.array([0.4, 0.45, high, 0.55, 0.6, 0.65, 0.7, nearest, nearest + 0.6, nearest + 1.2, 0.2])
@@ -690,7 +653,6 @@ def scene(rng, nearest, high=0.5):
 def nearest_obstacle(forward, left, height, width):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def nearest_obstacle(forward, left, height, width):
     mask = (np.abs(left) <= width / 2) & (height > 0.03) & (height < 0.40)
@@ -698,10 +660,8 @@ def nearest_obstacle(forward, left, height, width):
         return math.inf
     return float(forward[mask].min())
 
-
 # %% role="check"
 check("obstacles-nearest", nearest_obstacle)
-
 
 # %% role="case" title="a corridor with obstacles" points=1
 def inputs(rng):
@@ -842,15 +802,9 @@ exercise(
     another_way="You can also compute the ratio now / before, and return dt / (ratio - 1).",
 )
 
-
-def unless_it_grows(value, before, now, time):
-    return time if now > before else value
-
-
 # %% role="answer"
 def time_to_collision(before, now, dt):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def time_to_collision(before, now, dt):
@@ -858,10 +812,8 @@ def time_to_collision(before, now, dt):
         return math.inf
     return dt * before / (now - before)
 
-
 # %% role="check"
 check("obstacles-ttc", time_to_collision)
-
 
 # %% role="case" title="the object grows" points=1
 def inputs(rng):

@@ -1,6 +1,14 @@
 # %% [markdown]
 # # tracking-iou
 
+# %%
+def common(a, b, axis):
+    """The signed common length of two boxes: axis 0 for columns, 1 for rows."""
+    return min(a[axis] + a[axis + 2], b[axis] + b[axis + 2]) - max(a[axis], b[axis])
+
+def both_of(a, b):
+    return max(common(a, b, 0), 0) * max(common(a, b, 1), 0)
+
 # %% role="mistake" name="the intersection counted twice" says="You divided by the sum of both areas. The intersection lies in both, so the sum counts it twice: subtract it once."
 def iou(a, b):
     return both_of(a, b) / (a[2] * a[3] + b[2] * b[3])
@@ -90,6 +98,10 @@ def iou(a, b):
 # %% [markdown]
 # # tracking-backproject
 
+# %%
+def bins_of(hue, weights):
+    return hue.astype(int) * len(weights) // 180
+
 # %% role="mistake" name="overflow" says="You multiplied in uint8, and large products wrapped around. First widen: hue.astype(int)."
 def backproject(hue, weights):
     return weights[np.minimum(hue * np.uint8(len(weights)) // 180, len(weights) - 1)]
@@ -152,6 +164,32 @@ def backproject(hue, weights):
 
 # %% [markdown]
 # # tracking-mean-shift
+
+# %%
+def means_of(window):
+    """The mean column and the mean row; None without weights."""
+    total = window.sum()
+    if total == 0:
+        return None
+    col = (window.sum(axis=0) * np.arange(window.shape[1])).sum() / total
+    row = (window.sum(axis=1) * np.arange(window.shape[0])).sum() / total
+    return col, row
+
+def step_with(weights, box, shift, inside=True, window=None):
+    """A step with another shift: shift(mean, size, start) for columns and rows."""
+    col, row, width, height = box
+    cut = weights[row : row + height, col : col + width] if window is None else window
+    means = means_of(cut)
+    if means is None:
+        return box
+    col, row = (int(shift(*given)) for given in zip(means, (width, height), (col, row), strict=True))
+    if inside:
+        col = min(max(col, 0), weights.shape[1] - width)
+        row = min(max(row, 0), weights.shape[0] - height)
+    return col, row, width, height
+
+def right_shift(mean, size, start):
+    return start + round(mean - size / 2)
 
 # %% role="mistake" name="the center of mass as the corner" says="You put the corner of the box to the center of mass. Its middle belongs there: subtract half of the width and of the height."
 def mean_shift_step(weights, box):
@@ -327,6 +365,13 @@ def predict(state, covariance, F, Q):
 
 # %% [markdown]
 # # tracking-update
+
+# %%
+def gain_of(covariance, H, R):
+    return covariance @ H.T @ np.linalg.inv(H @ covariance @ H.T + R)
+
+def updated(state, covariance, measurement, H, gain):
+    return state + gain @ (measurement - H @ state), (np.eye(len(state)) - gain @ H) @ covariance
 
 # %% role="mistake" name="without R" says="R is missing in S: then the measurement counts as exact. S = H @ covariance @ H.T + R."
 def update(state, covariance, measurement, H, R):

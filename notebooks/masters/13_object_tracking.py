@@ -163,15 +163,6 @@ exercise(
 )
 
 
-def common(a, b, axis):
-    """The signed common length of two boxes: axis 0 for columns, 1 for rows."""
-    return min(a[axis] + a[axis + 2], b[axis] + b[axis + 2]) - max(a[axis], b[axis])
-
-
-def both_of(a, b):
-    return max(common(a, b, 0), 0) * max(common(a, b, 1), 0)
-
-
 def random_box(rng, low=5, high=40):
     col, row = rng.integers(0, 30, 2)
     width, height = rng.integers(low, high, 2)
@@ -182,7 +173,6 @@ def random_box(rng, low=5, high=40):
 def iou(a, b):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def iou(a, b):
     width = min(a[0] + a[2], b[0] + b[2]) - max(a[0], b[0])
@@ -190,10 +180,8 @@ def iou(a, b):
     both = max(width, 0) * max(height, 0)
     return both / (a[2] * a[3] + b[2] * b[3] - both)
 
-
 # %% role="check"
 check("tracking-iou", iou)
-
 
 # %% role="case" title="boxes that overlap" points=1
 def inputs(rng):
@@ -304,10 +292,6 @@ exercise(
 )
 
 
-def bins_of(hue, weights):
-    return hue.astype(int) * len(weights) // 180
-
-
 def some_weights(rng, count):
     weights = rng.integers(1, 255, count, dtype=np.uint8)
     weights[int(rng.integers(0, count))] = 255
@@ -324,7 +308,6 @@ def some_hues(rng, shape):
 def backproject(hue, weights):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def backproject(hue, weights):
     bins = hue.astype(int) * len(weights) // 180
@@ -333,7 +316,6 @@ def backproject(hue, weights):
 
 # %% role="check"
 check("tracking-backproject", backproject)
-
 
 # %% role="case" title="18 bins" points=1
 def inputs(rng):
@@ -429,34 +411,6 @@ exercise(
 )
 
 
-def means_of(window):
-    """The mean column and the mean row; None without weights."""
-    total = window.sum()
-    if total == 0:
-        return None
-    col = (window.sum(axis=0) * np.arange(window.shape[1])).sum() / total
-    row = (window.sum(axis=1) * np.arange(window.shape[0])).sum() / total
-    return col, row
-
-
-def step_with(weights, box, shift, inside=True, window=None):
-    """A step with another shift: shift(mean, size, start) for columns and rows."""
-    col, row, width, height = box
-    cut = weights[row : row + height, col : col + width] if window is None else window
-    means = means_of(cut)
-    if means is None:
-        return box
-    col, row = (int(shift(*given)) for given in zip(means, (width, height), (col, row), strict=True))
-    if inside:
-        col = min(max(col, 0), weights.shape[1] - width)
-        row = min(max(row, 0), weights.shape[0] - height)
-    return col, row, width, height
-
-
-def right_shift(mean, size, start):
-    return start + round(mean - size / 2)
-
-
 def blob(rng, shape, center, size=5):
     """Weights around a center (row, col), and a few weak ones anywhere."""
     weights = rng.integers(0, 4, shape, dtype=np.uint8)
@@ -469,7 +423,6 @@ def blob(rng, shape, center, size=5):
 # %% role="answer"
 def mean_shift_step(weights, box):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def mean_shift_step(weights, box):
@@ -489,7 +442,6 @@ def mean_shift_step(weights, box):
 
 # %% role="check"
 check("tracking-mean-shift", mean_shift_step)
-
 
 # %% role="case" title="a spot in the box" points=1
 def inputs(rng):
@@ -772,11 +724,9 @@ def random_covariance(rng, size, scale=1.0):
     part = rng.uniform(-0.1, 0.1, (size, size)).round(3)
     return scale * (np.diag(rng.uniform(0.5, 1.5, size).round(3)) + part + part.T)
 
-
 # %% role="answer"
 def predict(state, covariance, F, Q):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def predict(state, covariance, F, Q):
@@ -785,7 +735,6 @@ def predict(state, covariance, F, Q):
 
 # %% role="check"
 check("tracking-predict", predict)
-
 
 # %% role="case" title="place and speed on a line" points=1
 def inputs(rng):
@@ -893,24 +842,14 @@ exercise(
 )
 
 
-def gain_of(covariance, H, R):
-    return covariance @ H.T @ np.linalg.inv(H @ covariance @ H.T + R)
-
-
-def updated(state, covariance, measurement, H, gain):
-    return state + gain @ (measurement - H @ state), (np.eye(len(state)) - gain @ H) @ covariance
-
-
 def random_covariance(rng, size, scale=1.0):
     """Symmetric and positive: rounded, with a strong diagonal."""
     part = rng.uniform(-0.15, 0.15, (size, size)).round(3)
     return scale * (np.diag(rng.uniform(0.6, 1.5, size).round(3)) + part + part.T)
 
-
 # %% role="answer"
 def update(state, covariance, measurement, H, R):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def update(state, covariance, measurement, H, R):
@@ -923,7 +862,6 @@ def update(state, covariance, measurement, H, R):
 
 # %% role="check"
 check("tracking-update", update)
-
 
 # %% role="case" title="place and speed on a line" points=1
 def inputs(rng):

@@ -1,6 +1,18 @@
 # %% [markdown]
 # # where-homography
 
+# %%
+def rows_of(points, pixels, sign=-1.0, last=-1.0):
+    rows = []
+    for (x, y), (u, v) in zip(points, pixels, strict=True):
+        rows.append([x, y, 1, 0, 0, 0, sign * u * x, sign * u * y, last * u])
+        rows.append([0, 0, 0, x, y, 1, sign * v * x, sign * v * y, last * v])
+    return np.array(rows)
+
+def null_matrix(rows):
+    matrix = np.linalg.svd(rows)[2][-1].reshape(3, 3)
+    return matrix / matrix[2, 2]
+
 # %% role="mistake" name="not divided" says="Your numbers are right up to a factor: the vector of NumPy has the length 1. Divide by the last number, so that H[2, 2] is 1."
 def find_homography(points, pixels):
     H = solution(points, pixels)
@@ -77,6 +89,18 @@ def find_homography(points, pixels):
 
 # %% [markdown]
 # # where-decode
+
+# %%
+def search(inside, words, turned):
+    """The first word that is equal to turned(inside, turns); (-1, 0) if there is none."""
+    for turns in range(4):
+        for number, word in enumerate(words):
+            if np.array_equal(turned(inside, turns), word):
+                return number, turns
+    return -1, 0
+
+def border_is_black(cells):
+    return cells.sum() == cells[1:5, 1:5].sum()
 
 # %% role="mistake" name="border not looked at" says="The border of a marker is black. If one of its cells is white, this is not a marker: return (-1, 0)."
 def decode(cells, words):
@@ -175,6 +199,14 @@ def decode(cells, words):
 
 # %% [markdown]
 # # where-motion
+
+# %%
+def decomposed(before, after):
+    U, _, V = np.linalg.svd((after - after.mean(axis=0)).T @ (before - before.mean(axis=0)))
+    return U, V
+
+def with_shift(R, before, after):
+    return R, after.mean(axis=0) - R @ before.mean(axis=0)
 
 # %% role="mistake" name="all signs changed" says="If U @ V is a mirror, you change the signs of the whole matrix. Change only the last column of U: np.diag([1, 1, np.linalg.det(U @ V)])."
 def find_motion(before, after):
@@ -287,6 +319,15 @@ def find_motion(before, after):
 # %% [markdown]
 # # where-inliers
 
+# %%
+def masks_of(before, after, rotations, shifts, limit):
+    return np.array([
+        np.linalg.norm(before @ R.T + t - after, axis=1) < limit for R, t in zip(rotations, shifts, strict=True)
+    ])
+
+def most(masks):
+    return masks[np.argmax(masks.sum(axis=1))]
+
 # %% role="mistake" name="the fewest" says="You kept the motion with the fewest inliers. Keep the one with the most."
 def best_inliers(before, after, rotations, shifts, limit):
     masks = masks_of(before, after, rotations, shifts, limit)
@@ -375,6 +416,21 @@ def best_inliers(before, after, rotations, shifts, limit):
 
 # %% [markdown]
 # # where-keyframes
+
+# %%
+def moved(a, b):
+    return math.dist(a[:2], b[:2])
+
+def turned(a, b):
+    return abs(math.remainder(a[2] - b[2], 2 * math.pi))
+
+def chosen(places, is_next):
+    """Frame 0, and each frame of which is_next(place, place of the last keyframe) is true."""
+    numbers = [0]
+    for k in range(1, len(places)):
+        if is_next(places[k], places[numbers[-1]]):
+            numbers.append(k)
+    return numbers
 
 # %% role="mistake" name="compared with the frame before" says="You compare each frame with the frame before it. Compare it with the last keyframe, places[numbers[-1]]: small steps add up."
 def keyframes(places, distance, angle):

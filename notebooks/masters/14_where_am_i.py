@@ -230,19 +230,6 @@ exercise(
 )
 
 
-def rows_of(points, pixels, sign=-1.0, last=-1.0):
-    rows = []
-    for (x, y), (u, v) in zip(points, pixels, strict=True):
-        rows.append([x, y, 1, 0, 0, 0, sign * u * x, sign * u * y, last * u])
-        rows.append([0, 0, 0, x, y, 1, sign * v * x, sign * v * y, last * v])
-    return np.array(rows)
-
-
-def null_matrix(rows):
-    matrix = np.linalg.svd(rows)[2][-1].reshape(3, 3)
-    return matrix / matrix[2, 2]
-
-
 def corners_of(rng, side=1.0, size=80.0):
     """The corners of a square, and four pixels around a middle: a four-sided figure."""
     points = np.array([[0, 0], [side, 0], [side, side], [0, side]]) - side * rng.uniform(0, 0.6, 2).round(2)
@@ -250,11 +237,9 @@ def corners_of(rng, side=1.0, size=80.0):
     around = np.array([[-1, -1], [1, -1], [1, 1], [-1, 1]]) * size
     return points.round(3), (middle + around + rng.uniform(-0.4, 0.4, (4, 2)) * size).round(1)
 
-
 # %% role="answer"
 def find_homography(points, pixels):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def find_homography(points, pixels):
@@ -269,7 +254,6 @@ def find_homography(points, pixels):
 
 # %% role="check"
 check("where-homography", find_homography)
-
 
 # %% role="case" title="a unit square" points=1
 def inputs(rng):
@@ -397,19 +381,6 @@ exercise(
 )
 
 
-def search(inside, words, turned):
-    """The first word that is equal to turned(inside, turns); (-1, 0) if there is none."""
-    for turns in range(4):
-        for number, word in enumerate(words):
-            if np.array_equal(turned(inside, turns), word):
-                return number, turns
-    return -1, 0
-
-
-def border_is_black(cells):
-    return cells.sum() == cells[1:5, 1:5].sum()
-
-
 def some_words(rng, count):
     """Words that differ from each other, and in each of their turns."""
     words, seen = [], set()
@@ -435,7 +406,6 @@ def seen_cells(word, turns, white=None):
 def decode(cells, words):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def decode(cells, words):
     inside = cells[1:5, 1:5]
@@ -450,7 +420,6 @@ def decode(cells, words):
 
 # %% role="check"
 check("where-decode", decode)
-
 
 # %% role="case" title="upright markers, and turned ones" points=1
 def inputs(rng):
@@ -709,15 +678,6 @@ exercise(
 )
 
 
-def decomposed(before, after):
-    U, _, V = np.linalg.svd((after - after.mean(axis=0)).T @ (before - before.mean(axis=0)))
-    return U, V
-
-
-def with_shift(R, before, after):
-    return R, after.mean(axis=0) - R @ before.mean(axis=0)
-
-
 def turned_about(axis, angle):
     """The rotation about an axis, by the formula of Rodrigues."""
     x, y, z = axis / np.sqrt((axis * axis).sum())
@@ -740,11 +700,9 @@ def wall(rng, count):
     sides = np.column_stack([np.zeros(count), np.zeros(count), bumps])
     return before + sides + (0, 0, 3), ((before - sides + (0, 0, 3)) @ turn.T + shift).round(6)
 
-
 # %% role="answer"
 def find_motion(before, after):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def find_motion(before, after):
@@ -756,7 +714,6 @@ def find_motion(before, after):
 
 # %% role="check"
 check("where-motion", find_motion)
-
 
 # %% role="case" title="a cloud that moves" points=1
 def inputs(rng):
@@ -862,16 +819,6 @@ exercise(
 )
 
 
-def masks_of(before, after, rotations, shifts, limit):
-    return np.array([
-        np.linalg.norm(before @ R.T + t - after, axis=1) < limit for R, t in zip(rotations, shifts, strict=True)
-    ])
-
-
-def most(masks):
-    return masks[np.argmax(masks.sum(axis=1))]
-
-
 def turned_about(axis, angle):
     """The rotation about an axis, by the formula of Rodrigues."""
     x, y, z = axis / np.sqrt((axis * axis).sum())
@@ -925,7 +872,6 @@ def spread_out(rng):
 def best_inliers(before, after, rotations, shifts, limit):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def best_inliers(before, after, rotations, shifts, limit):
     best = np.zeros(len(before), bool)
@@ -939,7 +885,6 @@ def best_inliers(before, after, rotations, shifts, limit):
 
 # %% role="check"
 check("where-inliers", best_inliers)
-
 
 # %% role="case" title="three motions" points=1
 def inputs(rng):
@@ -1048,23 +993,6 @@ exercise(
 )
 
 
-def moved(a, b):
-    return math.dist(a[:2], b[:2])
-
-
-def turned(a, b):
-    return abs(math.remainder(a[2] - b[2], 2 * math.pi))
-
-
-def chosen(places, is_next):
-    """Frame 0, and each frame of which is_next(place, place of the last keyframe) is true."""
-    numbers = [0]
-    for k in range(1, len(places)):
-        if is_next(places[k], places[numbers[-1]]):
-            numbers.append(k)
-    return numbers
-
-
 def drive(rng, count, speed, turn, start=0.0):
     """A path of so many frames; its directions stay between -π and π."""
     x, y, yaw = 0.0, 0.0, start
@@ -1085,7 +1013,6 @@ def forth_and_back(places):
 def keyframes(places, distance, angle):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def keyframes(places, distance, angle):
     numbers = [0]
@@ -1101,7 +1028,6 @@ def keyframes(places, distance, angle):
 
 # %% role="check"
 check("where-keyframes", keyframes)
-
 
 # %% role="case" title="a robot that drives" points=1
 def inputs(rng):

@@ -1,6 +1,18 @@
 # %% [markdown]
 # # mapping-ray
 
+# %%
+def on_way(start, end, k, steps):
+    """Where a coordinate is after step k."""
+    way = (2 * k * abs(end - start) + steps) // (2 * steps)
+    return start + way * (1 if end > start else -1)
+
+def line_of(start, end, steps, place=on_way):
+    return [(place(start[0], end[0], k, steps), place(start[1], end[1], k, steps)) for k in range(steps + 1)]
+
+def length_of(start, end):
+    return max(abs(end[0] - start[0]), abs(end[1] - start[1]))
+
 # %% role="mistake" name="without the end" says="The last cell is missing: the ray ends in end. range(steps + 1) counts to steps."
 def ray_cells(start, end):
     return solution(start, end)[:-1]
@@ -98,6 +110,19 @@ def ray_cells(start, end):
 
 # %% [markdown]
 # # mapping-scan
+
+# %%
+def odds_log(p):
+    return math.log(p / (1 - p))
+
+def changes(shape, rays, at_end, on_way, ends_last=True):
+    change = np.zeros(shape)
+    loops = [[(ray[:-1], on_way) for ray in rays], [(ray[-1:], at_end) for ray in rays]]
+    for parts in loops if ends_last else loops[::-1]:
+        for cells, value in parts:
+            for row, col in cells:
+                change[row, col] = value
+    return change
 
 # %% role="mistake" name="each ray counts" says="You add for each ray: a cell that many rays pass changes many times. In one scan, each cell changes once: write the change into a grid of zeros with =, not with +=."
 def add_scan(grid, rays, hit, passed):
@@ -217,6 +242,18 @@ def add_scan(grid, rays, hit, passed):
 # %% [markdown]
 # # mapping-error
 
+# %%
+def edge_parts(first, second, yaw=None, side=1.0):
+    """ahead, left and the plain difference of the yaws; side -1 turns to the wrong side."""
+    yaw = first[2] if yaw is None else yaw
+    c, s = math.cos(yaw), side * math.sin(yaw)
+    dx, dy = second[0] - first[0], second[1] - first[1]
+    return c * dx + s * dy, c * dy - s * dx, second[2] - first[2]
+
+def error_with(first, second, measured, yaw=None, side=1.0, angle=wrapped):
+    ahead, left, turn = edge_parts(first, second, yaw, side)
+    return np.array([ahead - measured[0], left - measured[1], angle(turn - measured[2])])
+
 # %% role="mistake" name="not wrapped" says="Your angle is not wrapped: from 170° to -170°, a robot turns by 20°, not by -340°. Use math.remainder(angle, 2 * math.pi)."
 def edge_error(first, second, measured):
     return error_with(first, second, measured, angle=float)
@@ -318,6 +355,15 @@ def edge_error(first, second, measured):
 
 # %% [markdown]
 # # mapping-loops
+
+# %%
+def all_loops(places, is_one):
+    """All pairs i < j of which is_one(i, j) is true."""
+    count = len(places)
+    return [(i, j) for i in range(count) for j in range(i + 1, count) if is_one(i, j)]
+
+def apart(places, i, j):
+    return math.dist(places[i], places[j])
 
 # %% role="mistake" name="without the gap" says="Your pairs contain neighbours, which always look alike. j must be at least gap poses after i: j - i >= gap."
 def find_loops(places, shares, radius, gap, least):
@@ -438,6 +484,29 @@ def find_loops(places, shares, radius, gap, least):
 
 # %% [markdown]
 # # mapping-step
+
+# %%
+def graph_parts(poses, edges, flip=False, both=(1.0, 1.0), squared=False):
+    """J, the errors and the weights of all edges, one way or another."""
+    J, errors, weights = np.zeros((3 * len(edges), 3 * len(poses))), [], []
+    for k, (i, j, motion, (place, angle)) in enumerate(edges):
+        error, by_first, by_second = linearize(poses[i], poses[j], motion)
+        if flip:
+            by_first, by_second = by_second, by_first
+        J[3 * k : 3 * k + 3, 3 * i : 3 * i + 3] = both[0] * by_first
+        J[3 * k : 3 * k + 3, 3 * j : 3 * j + 3] = both[1] * by_second
+        errors.extend(error)
+        weights.extend([place, place, angle])
+    return J, np.array(errors), np.array(weights)
+
+def moved_by(poses, step):
+    result = poses.copy()
+    result[1:] += np.asarray(step).reshape(-1, 3)
+    return result
+
+def weighted_step(J, errors, weights):
+    """Of a J that lost its first columns; lstsq also where there is no single solution."""
+    return np.linalg.lstsq(J.T @ (weights[:, np.newaxis] * J), -J.T @ (weights * errors))[0]
 
 # %% role="mistake" name="the wrong direction" says="Your step goes in the wrong direction. A minus is missing: solve(J.T @ W @ J, -J.T @ W @ errors), and add the step."
 def graph_step(poses, edges):

@@ -214,20 +214,6 @@ exercise(
 )
 
 
-def on_way(start, end, k, steps):
-    """Where a coordinate is after step k."""
-    way = (2 * k * abs(end - start) + steps) // (2 * steps)
-    return start + way * (1 if end > start else -1)
-
-
-def line_of(start, end, steps, place=on_way):
-    return [(place(start[0], end[0], k, steps), place(start[1], end[1], k, steps)) for k in range(steps + 1)]
-
-
-def length_of(start, end):
-    return max(abs(end[0] - start[0]), abs(end[1] - start[1]))
-
-
 def far_cell(rng, start, rows, cols):
     """A cell so many rows and columns away, in any of the four directions."""
     return int(start[0] + rows * rng.choice([-1, 1])), int(start[1] + cols * rng.choice([-1, 1]))
@@ -236,11 +222,9 @@ def far_cell(rng, start, rows, cols):
 def far_ray(rng):
     return (20, 20), far_cell(rng, (20, 20), int(rng.integers(5, 9)), int(rng.integers(10, 14)))
 
-
 # %% role="answer"
 def ray_cells(start, end):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def ray_cells(start, end):
@@ -258,7 +242,6 @@ def ray_cells(start, end):
 
 # %% role="check"
 check("mapping-ray", ray_cells)
-
 
 # %% role="case" title="flat rays to the right" points=1
 def inputs(rng):
@@ -370,20 +353,6 @@ exercise(
 )
 
 
-def odds_log(p):
-    return math.log(p / (1 - p))
-
-
-def changes(shape, rays, at_end, on_way, ends_last=True):
-    change = np.zeros(shape)
-    loops = [[(ray[:-1], on_way) for ray in rays], [(ray[-1:], at_end) for ray in rays]]
-    for parts in loops if ends_last else loops[::-1]:
-        for cells, value in parts:
-            for row, col in cells:
-                change[row, col] = value
-    return change
-
-
 def line_between(start, end):
     """Some cells from start to end; which ones exactly does not matter here."""
     ways = [end[axis] - start[axis] for axis in (0, 1)]
@@ -404,11 +373,9 @@ def fan(rng, shape, count, robot=None):
 def one_map(rng, shape):
     return rng.uniform(-5.9, 5.9, shape).round(2)
 
-
 # %% role="answer"
 def add_scan(grid, rays, hit, passed):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def add_scan(grid, rays, hit, passed):
@@ -421,10 +388,8 @@ def add_scan(grid, rays, hit, passed):
         change[row, col] = math.log(hit / (1 - hit))
     return np.clip(grid + change, -6, 6)
 
-
 # %% role="check"
 check("mapping-scan", add_scan)
-
 
 # %% role="case" title="one ray, and two rays that cross" points=1
 def inputs(rng):
@@ -633,21 +598,8 @@ exercise(
 )
 
 
-def edge_parts(first, second, yaw=None, side=1.0):
-    """ahead, left and the plain difference of the yaws; side -1 turns to the wrong side."""
-    yaw = first[2] if yaw is None else yaw
-    c, s = math.cos(yaw), side * math.sin(yaw)
-    dx, dy = second[0] - first[0], second[1] - first[1]
-    return c * dx + s * dy, c * dy - s * dx, second[2] - first[2]
-
-
 def wrapped(angle):
     return math.remainder(angle, 2 * math.pi)
-
-
-def error_with(first, second, measured, yaw=None, side=1.0, angle=wrapped):
-    ahead, left, turn = edge_parts(first, second, yaw, side)
-    return np.array([ahead - measured[0], left - measured[1], angle(turn - measured[2])])
 
 
 def any_edge(rng, yaw, turn, off=0.2):
@@ -665,7 +617,6 @@ def any_edge(rng, yaw, turn, off=0.2):
 def edge_error(first, second, measured):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def edge_error(first, second, measured):
     dx, dy = second[0] - first[0], second[1] - first[1]
@@ -674,10 +625,8 @@ def edge_error(first, second, measured):
     angle = math.remainder(second[2] - first[2] - measured[2], 2 * math.pi)
     return np.array([ahead - measured[0], left - measured[1], angle])
 
-
 # %% role="check"
 check("mapping-error", edge_error)
-
 
 # %% role="case" title="small turns" points=1
 def inputs(rng):
@@ -805,16 +754,6 @@ exercise(
 )
 
 
-def all_loops(places, is_one):
-    """All pairs i < j of which is_one(i, j) is true."""
-    count = len(places)
-    return [(i, j) for i in range(count) for j in range(i + 1, count) if is_one(i, j)]
-
-
-def apart(places, i, j):
-    return math.dist(places[i], places[j])
-
-
 def circle(rng, count, laps, radius=1.0):
     angles = np.arange(count) * 2 * math.pi * laps / count
     wobble = rng.uniform(-0.06, 0.06, (count, 2))
@@ -827,11 +766,9 @@ def shares_of(rng, places, share=0.5):
     low, high = rng.uniform(0.1, 0.5, (count, count)), rng.uniform(0.75, 0.98, (count, count))
     return np.where(rng.random((count, count)) < share, high, low).round(2)
 
-
 # %% role="answer"
 def find_loops(places, shares, radius, gap, least):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def find_loops(places, shares, radius, gap, least):
@@ -846,7 +783,6 @@ def find_loops(places, shares, radius, gap, least):
 
 # %% role="check"
 check("mapping-loops", find_loops)
-
 
 # %% role="case" title="one circle" points=1
 def inputs(rng):
@@ -998,31 +934,6 @@ exercise(
 )
 
 
-def graph_parts(poses, edges, flip=False, both=(1.0, 1.0), squared=False):
-    """J, the errors and the weights of all edges, one way or another."""
-    J, errors, weights = np.zeros((3 * len(edges), 3 * len(poses))), [], []
-    for k, (i, j, motion, (place, angle)) in enumerate(edges):
-        error, by_first, by_second = linearize(poses[i], poses[j], motion)
-        if flip:
-            by_first, by_second = by_second, by_first
-        J[3 * k : 3 * k + 3, 3 * i : 3 * i + 3] = both[0] * by_first
-        J[3 * k : 3 * k + 3, 3 * j : 3 * j + 3] = both[1] * by_second
-        errors.extend(error)
-        weights.extend([place, place, angle])
-    return J, np.array(errors), np.array(weights)
-
-
-def moved_by(poses, step):
-    result = poses.copy()
-    result[1:] += np.asarray(step).reshape(-1, 3)
-    return result
-
-
-def weighted_step(J, errors, weights):
-    """Of a J that lost its first columns; lstsq also where there is no single solution."""
-    return np.linalg.lstsq(J.T @ (weights[:, np.newaxis] * J), -J.T @ (weights * errors))[0]
-
-
 def some_graph(rng, count, loops, drift=0.1):
     """A way of poses, edges between neighbours, and loop edges that contradict them."""
     poses = [np.array([0.5, -0.3, 0.4])]
@@ -1044,7 +955,6 @@ def some_graph(rng, count, loops, drift=0.1):
 def graph_step(poses, edges):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def graph_step(poses, edges):
     J = np.zeros((3 * len(edges), 3 * len(poses)))
@@ -1064,7 +974,6 @@ def graph_step(poses, edges):
 
 # %% role="check"
 check("mapping-step", graph_step)
-
 
 # %% role="case" title="two and three poses" points=1
 def inputs(rng):

@@ -1,6 +1,34 @@
 # %% [markdown]
 # # text-components
 
+# %%
+EIGHT = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if (i, j) != (0, 0)]
+FOUR = [(-1, 0), (1, 0), (0, -1), (0, 1)]
+
+def filled(mask, steps, starts=None, tested=True, first=0, columns=None):
+    """The label image by flood fill over the given steps; first: the lowest row and column that is allowed."""
+    labels, count, columns = np.zeros(mask.shape, int), 0, columns or mask.shape[1]
+    for start in np.argwhere(mask).tolist() if starts is None else starts:
+        stack = [tuple(start)] if labels[tuple(start)] == 0 else []
+        count += len(stack)
+        while stack:
+            row, col = stack.pop()
+            inside = first <= row < mask.shape[0] and first <= col < columns
+            if (inside or not tested) and mask[row, col] and labels[row, col] == 0:
+                labels[row, col] = count
+                stack += [(row + i, col + j) for i, j in steps]
+    return labels
+
+def one_pass(mask, choose=min):
+    """Each pixel takes a number of its neighbours before it; nothing is joined afterwards."""
+    labels, count = np.zeros(mask.shape, int), 0
+    for row, col in np.argwhere(mask).tolist():
+        near = [labels[row + i, col + j] for i, j in ((-1, -1), (-1, 0), (-1, 1), (0, -1))
+                if row + i >= 0 and 0 <= col + j < mask.shape[1] and labels[row + i, col + j]]
+        count += not near
+        labels[row, col] = choose(near) if near else count
+    return labels
+
 # %% role="mistake" name="4-connectivity" says="You use 4-connectivity. Pixels that touch at a corner belong together too: visit all eight neighbours."
 def label(mask):
     return filled(mask, FOUR)
@@ -130,6 +158,16 @@ def label(mask):
 # %% [markdown]
 # # text-ncc
 
+# %%
+def centered(a):
+    return a - a.mean()
+
+def quotient(products, squares, without_form=0.0):
+    return float(products / np.sqrt(squares)) if squares > 0 else without_form
+
+def norm2(a):
+    return float((a * a).sum())
+
 # %% role="mistake" name="means not subtracted" says="Subtract from each image its own mean first; without this, two bright images always look alike."
 def ncc(a, b):
     return quotient((a * b).sum(), norm2(a) * norm2(b))
@@ -258,6 +296,27 @@ def ncc(a, b):
 # %% [markdown]
 # # text-distance
 
+# %%
+def distance(a, b, insert=1, delete=1, replace=1, keep=0, top=None, left=None, choose=min):
+    """The table of costs; top and left: its first row and column, if they do not count up."""
+    table = np.zeros((len(a) + 1, len(b) + 1), int)
+    table[:, 0] = range(len(a) + 1) if left is None else left
+    table[0, :] = range(len(b) + 1) if top is None else top
+    for i in range(1, len(a) + 1):
+        for j in range(1, len(b) + 1):
+            change = replace if a[i - 1] != b[j - 1] else keep
+            table[i, j] = choose(table[i - 1, j] + delete, table[i, j - 1] + insert, table[i - 1, j - 1] + change)
+    return table
+
+def table_7_8(a, b):
+    """The example's code with its own numbers, 7 and 8, which end in an IndexError for short texts."""
+    table = np.zeros((7, 8), int)
+    table[:, 0], table[0, :] = range(7), range(8)
+    for i in range(1, 7):
+        for j in range(1, 8):
+            table[i, j] = min(table[i - 1, j] + 1, table[i, j - 1] + 1, table[i - 1, j - 1] + (a[i - 1] != b[j - 1]))
+    return int(table[6, 7])
+
 # %% role="mistake" name="the size of the example" says="The numbers 6, 7 and 8 belong to the example. Write len(a) + 1 and len(b) + 1, and return table[len(a), len(b)]."
 def edit_distance(a, b):
     return table_7_8(a, b)
@@ -378,6 +437,15 @@ def edit_distance(a, b):
 
 # %% [markdown]
 # # text-ctc
+
+# %%
+def text_of(path, characters):
+    """The text of best positions by the rule of CTC."""
+    before, text = 0, ""
+    for i in path:
+        text += characters[i] if i not in (before, 0) else ""
+        before = i
+    return text
 
 # %% role="mistake" name="blanks first" says="You left out the blanks before you looked for repeated characters, so two equal letters became one. Compare with the row before, also if it is a blank."
 def decode(scores, characters):

@@ -255,36 +255,6 @@ exercise(
 )
 
 
-EIGHT = [(i, j) for i in (-1, 0, 1) for j in (-1, 0, 1) if (i, j) != (0, 0)]
-FOUR = [(-1, 0), (1, 0), (0, -1), (0, 1)]
-
-
-def filled(mask, steps, starts=None, tested=True, first=0, columns=None):
-    """The label image by flood fill over the given steps; first: the lowest row and column that is allowed."""
-    labels, count, columns = np.zeros(mask.shape, int), 0, columns or mask.shape[1]
-    for start in np.argwhere(mask).tolist() if starts is None else starts:
-        stack = [tuple(start)] if labels[tuple(start)] == 0 else []
-        count += len(stack)
-        while stack:
-            row, col = stack.pop()
-            inside = first <= row < mask.shape[0] and first <= col < columns
-            if (inside or not tested) and mask[row, col] and labels[row, col] == 0:
-                labels[row, col] = count
-                stack += [(row + i, col + j) for i, j in steps]
-    return labels
-
-
-def one_pass(mask, choose=min):
-    """Each pixel takes a number of its neighbours before it; nothing is joined afterwards."""
-    labels, count = np.zeros(mask.shape, int), 0
-    for row, col in np.argwhere(mask).tolist():
-        near = [labels[row + i, col + j] for i, j in ((-1, -1), (-1, 0), (-1, 1), (0, -1))
-                if row + i >= 0 and 0 <= col + j < mask.shape[1] and labels[row + i, col + j]]
-        count += not near
-        labels[row, col] = choose(near) if near else count
-    return labels
-
-
 def spots(rng, rows=9, cols=12):
     """A U, a diagonal, spots at opposite borders, and random pixels below them."""
     mask = np.zeros((rows, cols), bool)
@@ -300,7 +270,6 @@ def spots(rng, rows=9, cols=12):
 # %% role="answer"
 def label(mask):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def label(mask):
@@ -321,7 +290,6 @@ def label(mask):
 
 # %% role="check"
 check("text-components", label)
-
 
 # %% role="case" title="some small shapes" points=1
 def inputs(rng):
@@ -455,18 +423,6 @@ exercise(
 )
 
 
-def centered(a):
-    return a - a.mean()
-
-
-def quotient(products, squares, without_form=0.0):
-    return float(products / np.sqrt(squares)) if squares > 0 else without_form
-
-
-def norm2(a):
-    return float((a * a).sum())
-
-
 def two_images(rng, rows=3, cols=4):
     """Two images of small whole numbers that are correlated in part."""
     a = rng.integers(0, 20, (rows, cols)).astype(float)
@@ -479,7 +435,6 @@ def two_images(rng, rows=3, cols=4):
 def ncc(a, b):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def ncc(a, b):
     a = a - a.mean()
@@ -489,10 +444,8 @@ def ncc(a, b):
         return 0.0
     return float((a * b).sum() / root)
 
-
 # %% role="check"
 check("text-ncc", ncc)
-
 
 # %% role="case" title="two small images" points=1
 def inputs(rng):
@@ -610,28 +563,6 @@ exercise(
 )
 
 
-def distance(a, b, insert=1, delete=1, replace=1, keep=0, top=None, left=None, choose=min):
-    """The table of costs; top and left: its first row and column, if they do not count up."""
-    table = np.zeros((len(a) + 1, len(b) + 1), int)
-    table[:, 0] = range(len(a) + 1) if left is None else left
-    table[0, :] = range(len(b) + 1) if top is None else top
-    for i in range(1, len(a) + 1):
-        for j in range(1, len(b) + 1):
-            change = replace if a[i - 1] != b[j - 1] else keep
-            table[i, j] = choose(table[i - 1, j] + delete, table[i, j - 1] + insert, table[i - 1, j - 1] + change)
-    return table
-
-
-def table_7_8(a, b):
-    """The example's code with its own numbers, 7 and 8, which end in an IndexError for short texts."""
-    table = np.zeros((7, 8), int)
-    table[:, 0], table[0, :] = range(7), range(8)
-    for i in range(1, 7):
-        for j in range(1, 8):
-            table[i, j] = min(table[i - 1, j] + 1, table[i, j - 1] + 1, table[i - 1, j - 1] + (a[i - 1] != b[j - 1]))
-    return int(table[6, 7])
-
-
 def damaged(rng, word, steps):
     """The word after some random steps."""
     for _ in range(steps):
@@ -644,7 +575,6 @@ def damaged(rng, word, steps):
 def edit_distance(a, b):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def edit_distance(a, b):
     table = np.zeros((len(a) + 1, len(b) + 1), int)
@@ -656,10 +586,8 @@ def edit_distance(a, b):
             table[i, j] = min(table[i - 1, j] + 1, table[i, j - 1] + 1, table[i - 1, j - 1] + differ)
     return int(table[len(a), len(b)])
 
-
 # %% role="check"
 check("text-distance", edit_distance)
-
 
 # %% role="case" title="words from the sign" points=1
 def inputs(rng):
@@ -842,15 +770,6 @@ exercise(
 )
 
 
-def text_of(path, characters):
-    """The text of best positions by the rule of CTC."""
-    before, text = 0, ""
-    for i in path:
-        text += characters[i] if i not in (before, 0) else ""
-        before = i
-    return text
-
-
 def spelled(rng, word, characters, around=1, highest=0.95):
     """Scores whose best characters spell a word: runs of letters, blanks between equal ones, elsewhere, and around."""
     path = [0] * around
@@ -868,7 +787,6 @@ def spelled(rng, word, characters, around=1, highest=0.95):
 def decode(scores, characters):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def decode(scores, characters):
     text = ""
@@ -882,7 +800,6 @@ def decode(scores, characters):
 
 # %% role="check"
 check("text-ctc", decode)
-
 
 # %% role="case" title="short words" points=1
 def inputs(rng):

@@ -1,6 +1,17 @@
 # %% [markdown]
 # # objects-cell
 
+# %%
+def folded(degrees, period=180.0):
+    return degrees % period
+
+def orientations(grad_row, grad_col):
+    return folded(np.degrees(np.arctan2(grad_row, grad_col)))
+
+def histogram_of(angles, magnitudes, width=20.0, count=9):
+    bins = np.floor(angles / width).astype(int) % count
+    return np.bincount(bins.ravel(), weights=magnitudes.ravel(), minlength=count) / angles.size
+
 # %% role="mistake" name="pixels counted" says="You count the pixels of each bin. Add the magnitude of each pixel, so that a strong edge counts more than a weak one."
 def cell_histogram(grad_row, grad_col):
     return histogram_of(orientations(grad_row, grad_col), np.ones_like(grad_row))
@@ -150,6 +161,10 @@ def cell_histogram(grad_row, grad_col):
 # %% [markdown]
 # # objects-mean
 
+# %%
+def nearest(numbers, means, new, power=2):
+    return numbers[(abs(new[:, None] - means) ** power).sum(axis=2).argmin(axis=1)]
+
 # %% role="mistake" name="nearest neighbour" says="You take the class of the nearest single vector. Take the mean of each class first, and then the nearest mean."
 def nearest_mean(vectors, classes, new):
     return nearest(classes, vectors, new)
@@ -286,6 +301,10 @@ def nearest_mean(vectors, classes, new):
 # %% [markdown]
 # # objects-confusion
 
+# %%
+def counted(truth, predicted, count):
+    return np.bincount(truth * count + predicted, minlength=count * count).reshape(count, count)
+
 # %% role="mistake" name="each pair once" says="Each pair counts only once. In a loop write += 1, not = 1. Without a loop, matrix[truth, predicted] += 1 adds only 1 at each place: use a loop."
 def confusion(truth, predicted, count):
     return np.minimum(counted(truth, predicted, count), 1)
@@ -414,6 +433,16 @@ def confusion(truth, predicted, count):
 
 # %% [markdown]
 # # objects-inliers
+
+# %%
+def masks_of(points, pixels, samples, near):
+    return np.array([near(homography(points[s], pixels[s]), points, pixels) for s in samples])
+
+def distance(H, points, pixels):
+    return np.linalg.norm(moved_by(H, points) - pixels, axis=1)
+
+def most(masks):
+    return masks[np.argmax(masks.sum(axis=1))]
 
 # %% role="mistake" name="not divided" says="You did not divide by the third number: moved[:, :2] / moved[:, 2:]."
 def find_inliers(points, pixels, samples, limit):

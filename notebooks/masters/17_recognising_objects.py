@@ -220,19 +220,6 @@ exercise(
 )
 
 
-def folded(degrees, period=180.0):
-    return degrees % period
-
-
-def orientations(grad_row, grad_col):
-    return folded(np.degrees(np.arctan2(grad_row, grad_col)))
-
-
-def histogram_of(angles, magnitudes, width=20.0, count=9):
-    bins = np.floor(angles / width).astype(int) % count
-    return np.bincount(bins.ravel(), weights=magnitudes.ravel(), minlength=count) / angles.size
-
-
 def gradients(rng, rows=4, cols=4):
     """Whole numbers in all four quadrants, some flat pixels, and steps along one axis only."""
     grad_row = rng.integers(-60, 61, (rows, cols)).astype(float)
@@ -250,7 +237,6 @@ def gradients(rng, rows=4, cols=4):
 def cell_histogram(grad_row, grad_col):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def cell_histogram(grad_row, grad_col):
     angles = np.degrees(np.arctan2(grad_row, grad_col)) % 180
@@ -264,7 +250,6 @@ def cell_histogram(grad_row, grad_col):
 
 # %% role="check"
 check("objects-cell", cell_histogram)
-
 
 # %% role="case" title="a small cell" points=1
 def inputs(rng):
@@ -421,10 +406,6 @@ def means_of(vectors, classes, statistic=np.mean):
     return numbers, np.array([statistic(vectors[classes == number], axis=0) for number in numbers])
 
 
-def nearest(numbers, means, new, power=2):
-    return numbers[(abs(new[:, None] - means) ** power).sum(axis=2).argmin(axis=1)]
-
-
 def groups(rng, numbers, size=4, columns=3, many=16):
     """Vectors of some classes with different spread, and new ones that are clearly nearest to one mean."""
     centres = rng.permutation(np.array([[2, 2, 5], [9, 4, 1], [5, 10, 8], [12, 11, 3], [1, 9, 12]]))[:len(numbers)]
@@ -447,11 +428,9 @@ def groups(rng, numbers, size=4, columns=3, many=16):
             new.append(one)
     return vectors, classes, np.array(new)
 
-
 # %% role="answer"
 def nearest_mean(vectors, classes, new):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def nearest_mean(vectors, classes, new):
@@ -463,7 +442,6 @@ def nearest_mean(vectors, classes, new):
 
 # %% role="check"
 check("objects-mean", nearest_mean)
-
 
 # %% role="case" title="three classes" points=1
 def inputs(rng):
@@ -574,10 +552,6 @@ exercise(
 )
 
 
-def counted(truth, predicted, count):
-    return np.bincount(truth * count + predicted, minlength=count * count).reshape(count, count)
-
-
 def answers_of(rng, count, used, many=30):
     """True and predicted classes; the last classes do not occur, and some pairs occur often."""
     truth = rng.integers(0, used, many)
@@ -590,7 +564,6 @@ def answers_of(rng, count, used, many=30):
 def confusion(truth, predicted, count):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def confusion(truth, predicted, count):
     matrix = np.zeros((count, count), int)
@@ -601,7 +574,6 @@ def confusion(truth, predicted, count):
 
 # %% role="check"
 check("objects-confusion", confusion)
-
 
 # %% role="case" title="four classes" points=1
 def inputs(rng):
@@ -879,18 +851,6 @@ def moved_by(H, points, divide=True):
     return moved[:, :2] / moved[:, 2:] if divide else moved[:, :2]
 
 
-def masks_of(points, pixels, samples, near):
-    return np.array([near(homography(points[s], pixels[s]), points, pixels) for s in samples])
-
-
-def distance(H, points, pixels):
-    return np.linalg.norm(moved_by(H, points) - pixels, axis=1)
-
-
-def most(masks):
-    return masks[np.argmax(masks.sum(axis=1))]
-
-
 def some_homography(rng):
     H = np.array([[1.0, 0.2, 40], [-0.1, 0.9, 60], [0.0, 0.0, 1]])
     H[:2, :2] += rng.uniform(-0.25, 0.25, (2, 2)).round(3)
@@ -937,7 +897,6 @@ def some_matches(rng, sizes, limit, alone=3):
 def find_inliers(points, pixels, samples, limit):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def find_inliers(points, pixels, samples, limit):
     best = np.zeros(len(points), bool)
@@ -954,7 +913,6 @@ def find_inliers(points, pixels, samples, limit):
 
 # %% role="check"
 check("objects-inliers", find_inliers)
-
 
 # %% role="case" title="three samples" points=1
 def inputs(rng):

@@ -1,6 +1,13 @@
 # %% [markdown]
 # # faces-integral
 
+# %%
+def running(gray, axes=(0, 1), pad=((1, 0), (1, 0)), dtype=np.int64):
+    sums = gray.astype(dtype)
+    for axis in axes:
+        sums = sums.cumsum(axis=axis, dtype=dtype)
+    return np.pad(sums, pad)
+
 # %% role="mistake" name="no zeros" says="The row and the column of zeros are missing: np.pad(sums, ((1, 0), (1, 0)))."
 def integral_image(gray):
     return running(gray, pad=0)
@@ -92,6 +99,17 @@ def integral_image(gray):
 
 # %% [markdown]
 # # faces-haar
+
+# %%
+def box_sum(sums, top, left, bottom, right, signs=(1, -1, -1, 1)):
+    corners = sums[bottom, right], sums[top, right], sums[bottom, left], sums[top, left]
+    return sum(sign * int(corner) for sign, corner in zip(signs, corners, strict=True))
+
+def feature(sums, boxes, row, col, total=box_sum):
+    return sum(
+        weight * total(sums, row + top, col + left, row + top + height, col + left + width)
+        for left, top, width, height, weight in boxes
+    )
 
 # %% role="mistake" name="row and column exchanged" says="Row and column of the window are exchanged: row belongs to top, col to left."
 def haar_feature(sums, boxes, row, col):
@@ -219,6 +237,14 @@ def haar_feature(sums, boxes, row, col):
 # %% [markdown]
 # # faces-residue
 
+# %%
+def left_over(vector, mean, directions):
+    difference = vector - mean
+    return difference - (directions @ difference) @ directions
+
+def length_of(vector):
+    return float(np.sqrt((vector**2).sum()))
+
 # %% role="mistake" name="mean not subtracted" says="Subtract the mean before you compute the weights: directions @ (vector - mean)."
 def residue(vector, mean, directions):
     return length_of(vector - mean - (directions @ vector) @ directions)
@@ -326,6 +352,17 @@ def residue(vector, mean, directions):
 
 # %% [markdown]
 # # faces-lbp
+
+# %%
+CLOCKWISE = ((-1, -1), (-1, 0), (-1, 1), (0, 1), (1, 1), (1, 0), (1, -1), (0, -1))
+
+def codes_of(gray, neighbours=CLOCKWISE, answer=np.greater_equal, weights=(1, 2, 4, 8, 16, 32, 64, 128)):
+    rows, cols = gray.shape
+    pixels = gray[1:-1, 1:-1]
+    codes = np.zeros(pixels.shape, int)
+    for (down, right), weight in zip(neighbours, weights, strict=False):
+        codes += weight * answer(gray[1 + down : rows - 1 + down, 1 + right : cols - 1 + right], pixels).astype(int)
+    return codes.astype(np.uint8)
 
 # %% role="mistake" name="brighter only" says="A neighbour that is equal to the pixel counts too: >= instead of >."
 def lbp_codes(gray):
@@ -448,6 +485,24 @@ def lbp_codes(gray):
 
 # %% [markdown]
 # # faces-anonymise
+
+# %%
+def blocks_of(shape, box, size, cut=True):
+    """Slices of the blocks of one box."""
+    left, top, width, height = box
+    first_row, first_col = max(top, 0), max(left, 0)
+    last_row, last_col = min(top + height, shape[0]), min(left + width, shape[1])
+    for row in range(first_row, last_row, size):
+        for col in range(first_col, last_col, size):
+            ends = (min(row + size, last_row), min(col + size, last_col)) if cut else (row + size, col + size)
+            yield slice(row, ends[0]), slice(col, ends[1])
+
+def mosaic(frame, boxes, size, colour=lambda block: block.mean(axis=(0, 1)), cut=True):
+    result = frame.copy()
+    for box in boxes:
+        for block in blocks_of(frame.shape, box, size, cut):
+            result[block] = np.round(colour(frame[block]))
+    return result
 
 # %% role="mistake" name="left and top exchanged" says="left and top are exchanged: left and width belong to the columns, top and height to the rows."
 def hide_boxes(frame, boxes, size):

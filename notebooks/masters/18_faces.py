@@ -172,31 +172,20 @@ exercise(
 )
 
 
-def running(gray, axes=(0, 1), pad=((1, 0), (1, 0)), dtype=np.int64):
-    sums = gray.astype(dtype)
-    for axis in axes:
-        sums = sums.cumsum(axis=axis, dtype=dtype)
-    return np.pad(sums, pad)
-
-
 def image(rng, rows, cols):
     return rng.integers(40, 256, (rows, cols), dtype=np.uint8)
-
 
 # %% role="answer"
 def integral_image(gray):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def integral_image(gray):
     sums = gray.astype(np.int64).cumsum(axis=0).cumsum(axis=1)
     return np.pad(sums, ((1, 0), (1, 0)))
 
-
 # %% role="check"
 check("faces-integral", integral_image)
-
 
 # %% role="case" title="a small image" points=1
 def inputs(rng):
@@ -329,18 +318,6 @@ exercise(
 )
 
 
-def box_sum(sums, top, left, bottom, right, signs=(1, -1, -1, 1)):
-    corners = sums[bottom, right], sums[top, right], sums[bottom, left], sums[top, left]
-    return sum(sign * int(corner) for sign, corner in zip(signs, corners, strict=True))
-
-
-def feature(sums, boxes, row, col, total=box_sum):
-    return sum(
-        weight * total(sums, row + top, col + left, row + top + height, col + left + width)
-        for left, top, width, height, weight in boxes
-    )
-
-
 def integral(rng, rows, cols):
     gray = rng.integers(0, 256, (rows, cols)).astype(np.int64)
     return np.pad(gray.cumsum(axis=0).cumsum(axis=1), ((1, 0), (1, 0)))
@@ -355,7 +332,6 @@ CORNERS = [(1, 0, 4, 6, -1), (1, 0, 2, 3, 2), (3, 3, 2, 3, 2)]
 def haar_feature(sums, boxes, row, col):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def haar_feature(sums, boxes, row, col):
     value = 0
@@ -367,10 +343,8 @@ def haar_feature(sums, boxes, row, col):
         value += weight * total
     return int(value)
 
-
 # %% role="check"
 check("faces-haar", haar_feature)
-
 
 # %% role="case" title="a window" points=1
 def inputs(rng):
@@ -656,15 +630,6 @@ exercise(
 )
 
 
-def left_over(vector, mean, directions):
-    difference = vector - mean
-    return difference - (directions @ difference) @ directions
-
-
-def length_of(vector):
-    return float(np.sqrt((vector**2).sum()))
-
-
 HALVES = np.array([[1, 1, 1, 1, 0, 0], [1, -1, 1, -1, 0, 0], [0, 0, 0, 0, 1.2, 1.6], [1, 1, -1, -1, 0, 0]]) / 2
 
 
@@ -680,17 +645,14 @@ def face(rng, count, repeat=1):
 def residue(vector, mean, directions):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def residue(vector, mean, directions):
     weights = directions @ (vector - mean)
     rebuilt = mean + weights @ directions
     return float(np.sqrt(((vector - rebuilt) ** 2).sum()))
 
-
 # %% role="check"
 check("faces-residue", residue)
-
 
 # %% role="case" title="one and two directions" points=1
 def inputs(rng):
@@ -860,27 +822,14 @@ exercise(
     another_way="Two loops over the inner pixels, with the eight comparisons inside, give the same codes.",
 )
 
-CLOCKWISE = ((-1, -1), (-1, 0), (-1, 1), (0, 1), (1, 1), (1, 0), (1, -1), (0, -1))
-
-
-def codes_of(gray, neighbours=CLOCKWISE, answer=np.greater_equal, weights=(1, 2, 4, 8, 16, 32, 64, 128)):
-    rows, cols = gray.shape
-    pixels = gray[1:-1, 1:-1]
-    codes = np.zeros(pixels.shape, int)
-    for (down, right), weight in zip(neighbours, weights, strict=False):
-        codes += weight * answer(gray[1 + down : rows - 1 + down, 1 + right : cols - 1 + right], pixels).astype(int)
-    return codes.astype(np.uint8)
-
 
 def levels(rng, rows, cols):
     """Few gray levels, so that many neighbours are equal."""
     return rng.choice(np.array([20, 60, 61, 130, 200, 255], np.uint8), (rows, cols))
 
-
 # %% role="answer"
 def lbp_codes(gray):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def lbp_codes(gray):
@@ -894,10 +843,8 @@ def lbp_codes(gray):
         codes += 2**number * (neighbour >= pixels)
     return codes.astype(np.uint8)
 
-
 # %% role="check"
 check("faces-lbp", lbp_codes)
-
 
 # %% role="case" title="small images" points=1
 def inputs(rng):
@@ -1096,33 +1043,12 @@ exercise(
 )
 
 
-def blocks_of(shape, box, size, cut=True):
-    """Slices of the blocks of one box."""
-    left, top, width, height = box
-    first_row, first_col = max(top, 0), max(left, 0)
-    last_row, last_col = min(top + height, shape[0]), min(left + width, shape[1])
-    for row in range(first_row, last_row, size):
-        for col in range(first_col, last_col, size):
-            ends = (min(row + size, last_row), min(col + size, last_col)) if cut else (row + size, col + size)
-            yield slice(row, ends[0]), slice(col, ends[1])
-
-
-def mosaic(frame, boxes, size, colour=lambda block: block.mean(axis=(0, 1)), cut=True):
-    result = frame.copy()
-    for box in boxes:
-        for block in blocks_of(frame.shape, box, size, cut):
-            result[block] = np.round(colour(frame[block]))
-    return result
-
-
 def view(rng, rows, cols):
     return rng.integers(0, 256, (rows, cols, 3), dtype=np.uint8)
-
 
 # %% role="answer"
 def hide_boxes(frame, boxes, size):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def hide_boxes(frame, boxes, size):
@@ -1140,7 +1066,6 @@ def hide_boxes(frame, boxes, size):
 
 # %% role="check"
 check("faces-anonymise", hide_boxes)
-
 
 # %% role="case" title="two faces" points=1
 def inputs(rng):

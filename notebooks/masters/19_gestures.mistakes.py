@@ -1,6 +1,28 @@
 # %% [markdown]
 # # gestures-hull
 
+# %%
+def chain_of(points, is_wrong):
+    chain = []
+    for point in points:
+        while len(chain) >= 2 and is_wrong(turn(chain[-2], chain[-1], point)):
+            chain.pop()
+        chain.append(point)
+    return chain
+
+def hull_of(points, is_wrong=lambda value: value <= 0, key=None):
+    ordered = sorted(points.tolist(), key=key)
+    upper, lower = chain_of(ordered, is_wrong), chain_of(ordered[::-1], is_wrong)
+    return np.array(upper[:-1] + lower[:-1])
+
+def one_pop(points):
+    chain = []
+    for point in points:
+        if len(chain) >= 2 and turn(chain[-2], chain[-1], point) <= 0:
+            chain.pop()
+        chain.append(point)
+    return chain
+
 # %% role="mistake" name="points on a side kept" says="Points in the middle of a straight side are no corners. Remove the last point also if turn is 0: the path goes straight on there."
 def convex_hull(points):
     return hull_of(points, lambda value: value < 0)
@@ -159,6 +181,19 @@ def convex_hull(points):
 # %% [markdown]
 # # gestures-valley
 
+# %%
+def way_of(contour, start, end):
+    return (start + 1 + np.arange((end - start - 1) % len(contour))) % len(contour)
+
+def areas_of(contour, start, end, way):
+    return turn(contour[start], contour[end], contour[way].T)
+
+def length_of(contour, start, end):
+    return float(np.hypot(*(contour[end] - contour[start])))
+
+def deepest_of(way, depths):
+    return int(way[np.argmax(depths)]), float(max(depths))
+
 # %% role="mistake" name="not divided" says="You did not divide by the length of the line. turn is an area: divide it by the length from one corner to the other."
 def deepest_point(contour, start, end):
     way = way_of(contour, start, end)
@@ -296,6 +331,10 @@ def deepest_point(contour, start, end):
 # %% [markdown]
 # # gestures-runs
 
+# %%
+def runs_in(values):
+    return int(((values == 1) & (np.roll(values, 1) == 0)).sum())
+
 # %% role="mistake" name="pixels counted" says="You count all ones on the way. Count only where a run begins: the value is 1, and the one before is 0."
 def count_runs(mask, rows, cols):
     return int(values_on(mask, rows, cols).sum())
@@ -369,6 +408,25 @@ def count_runs(mask, rows, cols):
 
 # %% [markdown]
 # # gestures-dtw
+
+# %%
+def norm_of(differences):
+    return np.linalg.norm(differences, axis=-1)
+
+def table_of(track, other, distance=norm_of, corner=1.0, border=np.inf, free=False, choose=min, above=True, left=True):
+    distances = distance(np.asarray(track)[:, None] - np.asarray(other))
+    costs = np.full((len(track) + 1, len(other) + 1), border)
+    costs[0, 0] = 0
+    if free:
+        costs[0] = 0
+    for i in range(len(track)):
+        for j in range(len(other)):
+            before = [costs[i, j] if corner else np.inf]
+            before += [costs[i, j + 1]] * above + [costs[i + 1, j]] * left
+            if not corner and i == j == 0:
+                before = [0.0]
+            costs[i + 1, j + 1] = distances[i, j] + choose(before)
+    return costs
 
 # %% role="mistake" name="point by point" says="You compare only points with the same number. With time warping, a point may be paired with several points: fill the table."
 def dtw_cost(track, other):

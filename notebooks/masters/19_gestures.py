@@ -262,30 +262,6 @@ exercise(
 )
 
 
-def chain_of(points, is_wrong):
-    chain = []
-    for point in points:
-        while len(chain) >= 2 and is_wrong(turn(chain[-2], chain[-1], point)):
-            chain.pop()
-        chain.append(point)
-    return chain
-
-
-def hull_of(points, is_wrong=lambda value: value <= 0, key=None):
-    ordered = sorted(points.tolist(), key=key)
-    upper, lower = chain_of(ordered, is_wrong), chain_of(ordered[::-1], is_wrong)
-    return np.array(upper[:-1] + lower[:-1])
-
-
-def one_pop(points):
-    chain = []
-    for point in points:
-        if len(chain) >= 2 and turn(chain[-2], chain[-1], point) <= 0:
-            chain.pop()
-        chain.append(point)
-    return chain
-
-
 def some_points(rng, inside=9):
     """Three points on the left side and three on the right one, one above, one below, others inside; mixed."""
     x, y = rng.integers(2, 14, inside), rng.integers(6, 18, inside)
@@ -302,11 +278,9 @@ def some_grid(rng):
     points = np.column_stack([3 * cols.ravel() + rows.ravel(), 2 * rows.ravel()]) + rng.integers(0, 30, 2)
     return (points[rng.permutation(len(points))],)
 
-
 # %% role="answer"
 def convex_hull(points):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def convex_hull(points):
@@ -321,10 +295,8 @@ def convex_hull(points):
         corners += chain[:-1]
     return np.array(corners)
 
-
 # %% role="check"
 check("gestures-hull", convex_hull)
-
 
 # %% role="case" title="some points" points=1
 def inputs(rng):
@@ -440,22 +412,6 @@ exercise(
 )
 
 
-def way_of(contour, start, end):
-    return (start + 1 + np.arange((end - start - 1) % len(contour))) % len(contour)
-
-
-def areas_of(contour, start, end, way):
-    return turn(contour[start], contour[end], contour[way].T)
-
-
-def length_of(contour, start, end):
-    return float(np.hypot(*(contour[end] - contour[start])))
-
-
-def deepest_of(way, depths):
-    return int(way[np.argmax(depths)]), float(max(depths))
-
-
 def some_valley(rng, heights, begin, count=6):
     """A contour with a valley of these heights over a slanted line, mixed signs from call to call; and points outside it."""
     along = np.array([[3, 1], [2, -3], [-1, 4], [-5, -2]][int(rng.integers(4))])
@@ -468,11 +424,9 @@ def some_valley(rng, heights, begin, count=6):
     points = np.array([0 * along, *valley, last, *far]) + rng.integers(20, 60, 2)
     return np.roll(points, begin, axis=0), begin % len(points), (begin + len(heights) + 1) % len(points)
 
-
 # %% role="answer"
 def deepest_point(contour, start, end):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def deepest_point(contour, start, end):
@@ -490,7 +444,6 @@ def deepest_point(contour, start, end):
 
 # %% role="check"
 check("gestures-valley", deepest_point)
-
 
 # %% role="case" title="a valley" points=1
 def inputs(rng):
@@ -659,10 +612,6 @@ def values_on(mask, rows, cols, top=-1):
     return padded[np.clip(rows, top, mask.shape[0]) + 1, np.clip(cols, top, mask.shape[1]) + 1]
 
 
-def runs_in(values):
-    return int(((values == 1) & (np.roll(values, 1) == 0)).sum())
-
-
 def is_outside(mask, rows, cols):
     return (rows < 0) | (cols < 0) | (rows >= mask.shape[0]) | (cols >= mask.shape[1])
 
@@ -710,7 +659,6 @@ def way_outside(rng, top, left, height=8, width=9, border=1):
 def count_runs(mask, rows, cols):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def count_runs(mask, rows, cols):
     values = []
@@ -726,7 +674,6 @@ def count_runs(mask, rows, cols):
 
 # %% role="check"
 check("gestures-runs", count_runs)
-
 
 # %% role="case" title="ways inside the mask" points=1 hint="A run that goes on over the end counts once: the pixel before the first one is the last one."
 def inputs(rng):
@@ -1055,26 +1002,6 @@ exercise(
 )
 
 
-def norm_of(differences):
-    return np.linalg.norm(differences, axis=-1)
-
-
-def table_of(track, other, distance=norm_of, corner=1.0, border=np.inf, free=False, choose=min, above=True, left=True):
-    distances = distance(np.asarray(track)[:, None] - np.asarray(other))
-    costs = np.full((len(track) + 1, len(other) + 1), border)
-    costs[0, 0] = 0
-    if free:
-        costs[0] = 0
-    for i in range(len(track)):
-        for j in range(len(other)):
-            before = [costs[i, j] if corner else np.inf]
-            before += [costs[i, j + 1]] * above + [costs[i + 1, j]] * left
-            if not corner and i == j == 0:
-                before = [0.0]
-            costs[i + 1, j + 1] = distances[i, j] + choose(before)
-    return costs
-
-
 def some_tracks(rng, first, second):
     """Two tracks from left to right, with some noise; the first one waits at its beginning, the second one at its end."""
     def track(count, waits):
@@ -1084,11 +1011,9 @@ def some_tracks(rng, first, second):
 
     return track(first, slice(0, first // 2 or 1)), track(second, slice(second // 2, None))
 
-
 # %% role="answer"
 def dtw_cost(track, other):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def dtw_cost(track, other):
@@ -1100,10 +1025,8 @@ def dtw_cost(track, other):
             costs[i + 1, j + 1] = distance + min(costs[i, j], costs[i, j + 1], costs[i + 1, j])
     return float(costs[-1, -1])
 
-
 # %% role="check"
 check("gestures-dtw", dtw_cost)
-
 
 # %% role="case" title="short tracks" points=1
 def inputs(rng):

@@ -1,6 +1,27 @@
 # %% [markdown]
 # # errand-frame
 
+# %%
+def in_circle(angle):
+    return math.remainder(angle, 2 * math.pi)
+
+def frame_with(place, counted, turn=None, yaw=None, sign=-1):
+    """The place plus or minus the counted way, turned by `turn`; the yaw as it is given."""
+    difference = in_circle(place[2] - counted[2])
+    turn = difference if turn is None else turn
+    x, y, _ = joined((0.0, 0.0, turn), counted)
+    return place[0] + sign * x, place[1] + sign * y, difference if yaw is None else yaw
+
+def joined(frame, pose):
+    c, s = math.cos(frame[2]), math.sin(frame[2])
+    return frame[0] + c * pose[0] - s * pose[1], frame[1] + s * pose[0] + c * pose[1], in_circle(frame[2] + pose[2])
+
+def seen_from(first, second):
+    """The second pose in the frame of the first."""
+    c, s = math.cos(first[2]), math.sin(first[2])
+    dx, dy = second[0] - first[0], second[1] - first[1]
+    return c * dx + s * dy, c * dy - s * dx, in_circle(second[2] - first[2])
+
 # %% role="mistake" name="not turned" says="You subtract x from x and y from y. The frame odom is turned against the map: first turn the counted way by the difference of both yaws, and then subtract it."
 def map_to_odom(place, counted):
     return frame_with(place, counted, turn=0.0)
@@ -145,6 +166,13 @@ def map_to_odom(place, counted):
 
 # %% [markdown]
 # # errand-speed
+
+# %%
+def root_of(h, q):
+    return -h + math.sqrt(max(h * h + q, 0.0))
+
+def within(speed, free, limit):
+    return min(speed, limit) if free > 0 else 0.0
 
 # %% role="mistake" name="without the reaction" says="Your speed is too high: the robot also drives on during its reaction. h is deceleration * reaction."
 def safe_speed(free, reaction, deceleration, limit):
@@ -296,6 +324,15 @@ def safe_speed(free, reaction, deceleration, limit):
 
 # %% [markdown]
 # # errand-direction
+
+# %%
+def apart(direction, goal):
+    return abs(math.remainder(direction - goal, 2 * math.pi))
+
+def nearest_of(directions, mask, goal, measure=apart, choose=min, none=None):
+    """The direction of the mask with the smallest measure; `none` if there is none."""
+    chosen = [float(direction) for direction, free in zip(directions, mask, strict=True) if free]
+    return choose(chosen, key=lambda direction: measure(direction, goal)) if chosen else none
 
 # %% role="mistake" name="not wrapped" says="Your difference is not wrapped: from 170° to -170° there are 20°, not 340°. Use abs(math.remainder(direction - goal, 2 * math.pi)): all angles are in radians, where a full turn is 2 * math.pi, not 360."
 def choose_direction(directions, ways, goal, need):
@@ -463,6 +500,26 @@ def choose_direction(directions, ways, goal, need):
 
 # %% [markdown]
 # # errand-believe
+
+# %%
+def steps_between(a, b):
+    row = list(range(len(b) + 1))
+    for i, first in enumerate(a, 1):
+        above, row = row, [i]
+        for j, second in enumerate(b, 1):
+            row.append(min(above[j] + 1, row[j - 1] + 1, above[j - 1] + (first != second)))
+    return row[-1]
+
+def near(text, name, most=1):
+    return steps_between(text.upper(), name) <= most
+
+def votes_of(readings, name, is_vote=near):
+    return sum(any(is_vote(text, name) for text in look) for look in readings)
+
+def winner(readings, names, votes, count=votes_of, enough=None):
+    counts = [count(readings, name) for name in names]
+    best = max(counts, default=0)
+    return names[counts.index(best)] if counts and best >= (votes if enough is None else enough) else None
 
 # %% role="mistake" name="exact words" says="You count only texts without an error. One wrong character is allowed: edit_distance(text.upper(), name) <= 1."
 def believe(readings, names, votes):

@@ -172,40 +172,14 @@ exercise(
 )
 
 
-def in_circle(angle):
-    return math.remainder(angle, 2 * math.pi)
-
-
-def frame_with(place, counted, turn=None, yaw=None, sign=-1):
-    """The place plus or minus the counted way, turned by `turn`; the yaw as it is given."""
-    difference = in_circle(place[2] - counted[2])
-    turn = difference if turn is None else turn
-    x, y, _ = joined((0.0, 0.0, turn), counted)
-    return place[0] + sign * x, place[1] + sign * y, difference if yaw is None else yaw
-
-
-def joined(frame, pose):
-    c, s = math.cos(frame[2]), math.sin(frame[2])
-    return frame[0] + c * pose[0] - s * pose[1], frame[1] + s * pose[0] + c * pose[1], in_circle(frame[2] + pose[2])
-
-
-def seen_from(first, second):
-    """The second pose in the frame of the first."""
-    c, s = math.cos(first[2]), math.sin(first[2])
-    dx, dy = second[0] - first[0], second[1] - first[1]
-    return c * dx + s * dy, c * dy - s * dx, in_circle(second[2] - first[2])
-
-
 def some_poses(rng, yaw, turned):
     """A place with this yaw and a counted pose with that one; both at least 0.5 m from 0 in x and y."""
     numbers = (rng.uniform(0.5, 3.0, 4) * rng.choice([-1, 1], 4)).round(2).tolist()
     return (numbers[0], numbers[1], round(yaw, 3)), (numbers[2], numbers[3], round(turned, 3))
 
-
 # %% role="answer"
 def map_to_odom(place, counted):
     raise NotImplementedError("your turn: delete this line and write the function")
-
 
 # %% role="solution"
 def map_to_odom(place, counted):
@@ -219,7 +193,6 @@ def map_to_odom(place, counted):
 
 # %% role="check"
 check("errand-frame", map_to_odom)
-
 
 # %% role="case" title="small turns" points=1
 def inputs(rng):
@@ -372,14 +345,6 @@ exercise(
 )
 
 
-def root_of(h, q):
-    return -h + math.sqrt(max(h * h + q, 0.0))
-
-
-def within(speed, free, limit):
-    return min(speed, limit) if free > 0 else 0.0
-
-
 def way_of(speed, reaction, deceleration):
     return reaction * speed + speed**2 / (2 * deceleration)
 
@@ -395,7 +360,6 @@ def some_robot(rng, share, limit=None):
 def safe_speed(free, reaction, deceleration, limit):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def safe_speed(free, reaction, deceleration, limit):
     if free <= 0:
@@ -404,10 +368,8 @@ def safe_speed(free, reaction, deceleration, limit):
     speed = -h + math.sqrt(h**2 + 2 * deceleration * free)
     return min(speed, limit)
 
-
 # %% role="check"
 check("errand-speed", safe_speed)
-
 
 # %% role="case" title="the robot of the lesson" points=1
 def inputs(rng):
@@ -530,16 +492,6 @@ exercise(
 )
 
 
-def apart(direction, goal):
-    return abs(math.remainder(direction - goal, 2 * math.pi))
-
-
-def nearest_of(directions, mask, goal, measure=apart, choose=min, none=None):
-    """The direction of the mask with the smallest measure; `none` if there is none."""
-    chosen = [float(direction) for direction, free in zip(directions, mask, strict=True) if free]
-    return choose(chosen, key=lambda direction: measure(direction, goal)) if chosen else none
-
-
 def fan(rng, goal, need, offsets, ways):
     """Directions at these distances from the goal, in radians, in a random order, with these ways."""
     order = rng.permutation(len(offsets))
@@ -570,7 +522,6 @@ def straight_ahead(way):
 def choose_direction(directions, ways, goal, need):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def choose_direction(directions, ways, goal, need):
     best, nearest = None, math.inf
@@ -583,7 +534,6 @@ def choose_direction(directions, ways, goal, need):
 
 # %% role="check"
 check("errand-direction", choose_direction)
-
 
 # %% role="case" title="a goal ahead" points=1
 def inputs(rng):
@@ -695,29 +645,6 @@ exercise(
 )
 
 
-def steps_between(a, b):
-    row = list(range(len(b) + 1))
-    for i, first in enumerate(a, 1):
-        above, row = row, [i]
-        for j, second in enumerate(b, 1):
-            row.append(min(above[j] + 1, row[j - 1] + 1, above[j - 1] + (first != second)))
-    return row[-1]
-
-
-def near(text, name, most=1):
-    return steps_between(text.upper(), name) <= most
-
-
-def votes_of(readings, name, is_vote=near):
-    return sum(any(is_vote(text, name) for text in look) for look in readings)
-
-
-def winner(readings, names, votes, count=votes_of, enough=None):
-    counts = [count(readings, name) for name in names]
-    best = max(counts, default=0)
-    return names[counts.index(best)] if counts and best >= (votes if enough is None else enough) else None
-
-
 def wrong_by(rng, name, steps):
     """The name with so many wrong characters, in small letters now and then."""
     places = rng.choice(len(name), steps, replace=False)
@@ -798,7 +725,6 @@ def broken(rng, votes):
 def believe(readings, names, votes):
     raise NotImplementedError("your turn: delete this line and write the function")
 
-
 # %% role="solution"
 def believe(readings, names, votes):
     best, most = None, 0
@@ -811,7 +737,6 @@ def believe(readings, names, votes):
 
 # %% role="check"
 check("errand-believe", believe)
-
 
 # %% role="case" title="looks at one door" points=1
 def inputs(rng):

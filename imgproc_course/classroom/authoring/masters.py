@@ -101,14 +101,18 @@ Roles (`role="..."` in a code cell's header; every other value is JSON: "text", 
 
 Known mistakes
     They stand in the master, or, when there are many, in `NN_name.mistakes.py` beside it, below a heading
-    for each exercise. Nothing else stands there but comments in Markdown:
+    for each exercise. Cells without a role run before each of them; nothing else stands there but comments
+    in Markdown:
 
         # %% [markdown]
         # # template-double
 
+        # %%
+        ONE = np.uint8(1)
+
         # %% role="mistake" name="one too many" says="You return 2 * pixels + 1: where does the 1 come from?"
         def double(pixels):
-            return solution(pixels) + 1
+            return solution(pixels) + ONE
 
 Predictions
     A Markdown cell that says **Predict** is followed by a predict cell, and that by a cell that computes the
@@ -154,7 +158,7 @@ from imgproc_course.classroom.authoring.rules import FOLDED_LINES, VARYING_TAG, 
 from imgproc_course.classroom.exercises.declaration import MasterError, read_exercises
 from imgproc_course.classroom.exercises.percent_script import DROPPED_ROLES, MISTAKES_SUFFIX, read_script
 
-_SOURCES = ("stub", "solution", "preparation")  # fields of an Exercise that are Python
+_SOURCES = ("stub", "solution", "preparation", "helpers")  # fields of an Exercise that are Python
 _TEXTS = ("title", "hint", "border_hint", "explanation", "another_way")
 
 

@@ -130,7 +130,10 @@ class Mistake:
 
 @dataclass(frozen=True)
 class Exercise:
-    """An exercise as its master declares it; `exercise` documents the fields of the heading."""
+    """An exercise as its master declares it; `exercise` documents the fields of the heading.
+
+    `preparation` runs before each case and mistake, and then `helpers` before each mistake.
+    """
 
     id: str
     function: str
@@ -152,6 +155,7 @@ class Exercise:
     solution: str = ""
     cases: tuple = ()
     mistakes: tuple = ()
+    helpers: str = ""
 
     @property
     def public(self):
@@ -172,20 +176,21 @@ class Exercise:
             _run(source, names, f"{self.master.name}, given cell {number + 1} of {self.id}")
         return names
 
-    def _prepared(self):
-        """A new namespace for the master's own cases and mistakes; it has the declaration's helpers too."""
+    def _prepared(self, helpers=""):
+        """A new namespace for the master's own cases and mistakes."""
         names = self.namespace() | {"exercise": exercise}
         _run(self.preparation, names, f"{self.master.name}, declaration of {self.id}")
+        _run(helpers, names, f"{self.master.name}, helpers of the mistakes of {self.id}")
         return names
 
     def function_of(self, source, label, *, prepared=False):
         """The exercise's function as a source defines it in a new namespace; MasterError if it does not.
 
-        Prepared, as for a mistake, it has the declaration's helpers, and the right answer as `solution`.
+        Prepared, as for a mistake, it has the helpers, and the right answer as `solution`.
         """
         names = self.namespace()
         if prepared:
-            names = self._prepared() | {"solution": self.function_of(self.solution, "solution")}
+            names = self._prepared(self.helpers) | {"solution": self.function_of(self.solution, "solution")}
         _run(source, names, f"{self.master.name}, {label} of {self.id}")
         if not callable(names.get(self.function)):
             raise MasterError(
@@ -278,7 +283,7 @@ def _read_exercises(path, _modified):
 
 
 def _cells_beside(path, headings):
-    """(cell, its owner as a list, its place) of each known mistake in the file beside a master."""
+    """(cell, its owner as a list, its place) of each mistake and helper in the file beside a master."""
     file, owner = path.with_suffix(MISTAKES_SUFFIX), None
     for cell in read_script(file).cells if file.exists() else ():
         place = f"{file.name}, line {cell.line}" if cell.line else file.name
@@ -291,10 +296,10 @@ def _cells_beside(path, headings):
                     f"{place}: no exercise {owner!r} in {path.name}; a heading names one of"
                     f" {', '.join(headings) or 'none'}"
                 )
-        elif cell.role != "mistake" or cell.options.get("exercise", owner) != owner:
+        elif cell.role not in ("", "mistake") or cell.options.get("exercise", owner) != owner:
             raise MasterError(f'{place}: only role="mistake" cells of the exercise in the heading stand here')
         elif owner is None:
-            raise MasterError(f"{place}: a mistake before any heading; write its exercise above: # # an-id")
+            raise MasterError(f"{place}: code before any heading; write its exercise above: # # an-id")
         else:
             yield cell, [owner], place
 
@@ -340,6 +345,7 @@ def _assemble(path, heading, preparation, cells):
         solution=cells_by_role["solution"][0][0].source,
         cases=tuple(cases),
         mistakes=tuple(mistakes),
+        helpers="\n\n".join(cell.source for cell, _ in cells if not cell.role),
     )
 
 

@@ -79,9 +79,12 @@ BESIDE = """# %% [markdown]
 # %% [markdown]
 # Words about them.
 
+# %%
+ONE = np.uint8(1)
+
 # %% role="mistake" name="one less" says="One too few."
 def double(pixels):
-    return solution(pixels) - np.uint8(1)
+    return solution(pixels) - ONE
 """
 
 
@@ -101,11 +104,10 @@ def test_known_mistakes_stand_in_the_master_or_beside_it(write_master):
     ("old", "new", "message"),
     [
         ("test-double", "test-triple", "no exercise 'test-triple' in 80_doubling.py; a heading names one of"),
-        ("# # test-double", "# Words.", "line 7: a mistake before any heading; write its exercise above"),
-        ("mistake", "case", 'line 7: only role="mistake" cells of the exercise in the heading'),
-        ('"mistake"', '"mistake" exercise="test-triple"', "line 7: only"),
-        (' role="mistake" name="one less" says="One too few."', "", "only role"),
-        (' says="One too few."', "", 'line 7: a mistake cell needs says="..." in its header'),
+        ("# # test-double", "# Words.", "code before any heading; write its exercise above"),
+        ("mistake", "case", 'line 10: only role="mistake" cells of the exercise in the heading'),
+        ('"mistake"', '"mistake" exercise="test-triple"', "line 10: only"),
+        (' says="One too few."', "", 'line 10: a mistake cell needs says="..." in its header'),
     ],
 )
 def test_a_fault_in_the_file_of_known_mistakes_is_named(write_master, old, new, message):
