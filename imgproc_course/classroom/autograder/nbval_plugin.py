@@ -109,7 +109,6 @@ class ExerciseRun:
         self._exercise, self._content = exercise, content
         self._kernel_factory, self._next_request = kernel_factory, next_request
         self._kernel, self._kernel_seconds, self._answer_run = None, 0.0, None
-        self._was_prepared = False  # whether the last kernel that was started ran the answer before
         self._stop_at = stop_at
         self.runs, self.passed, self.faults = {}, set(), {}
         cases = {case.id: case for case in exercise.cases}
@@ -141,18 +140,15 @@ class ExerciseRun:
             self.faults[case.id] = "the process that starts kernels ended, three times"
         else:
             self.runs[case.id] = run
-        if run.ended == "budget":  # nothing of this answer runs any more, also not while it waits
-            self._kernel_factory.keep_spares([])
-        elif not run.passed:  # the next case needs a kernel of its own, too
-            self._kernel_factory.keep_spares(self._requests_after(case, sources_before))
+        if not run.passed:  # the next case needs a kernel of its own, too
+            self._kernel_factory.keep_spares(self._requests_after(case))
         return run
 
     def _run_in_a_kernel(self, case, sources_before, source):
         run = self._run_in_same_kernel(case, source)
         if run is None:
             run = self._run_in_new_kernel(case, sources_before, source)
-        # A kernel that ran the answer while it waited may have used up its time or its memory before.
-        if run.ended in _RUN_AGAIN_AFTER or (run.ended and self._was_prepared):
+        if run.ended in _RUN_AGAIN_AFTER:
             run = self._run_in_new_kernel(case, sources_before, source, alone=True)
         for _ in range(2):
             if run.ended in ("crashed", "gone"):
@@ -174,10 +170,8 @@ class ExerciseRun:
         self._kernel = self._kernel_factory.start(
             self._exercise.allowed,
             self._kernel_seconds,
-            [] if alone else self._requests_after(case, sources_before),
-            sources=() if alone else sources_before,
+            [] if alone else self._requests_after(case),
         )
-        self._was_prepared = self._kernel.was_prepared
         self._answer_run = self._kernel.run_statements(sources_before)
         run = CaseRun(answer=self._answer_run)
         if not run.ended:
@@ -186,19 +180,16 @@ class ExerciseRun:
             self.close()
         return run
 
-    def _requests_after(self, case, sources_before):
+    def _requests_after(self, case):
         """The requests of the kernels that will probably be needed after the one for a case.
 
         An answer that has failed one case mostly fails the next one too, and that one needs its own kernel.
-        It runs the answer while it waits, unless the answer has ended its kernel before.
         """
-        requests = [(*self._next_request, ())] if self._next_request else []
+        requests = [self._next_request] if self._next_request else []
         next_case = next(iter(self._exercise.cases[self._exercise.cases.index(case) + 1 :]), None)
         has_failed = any(not run.passed for run in self.runs.values())
         if has_failed and next_case is not None and next_case.id not in self.runs:
-            is_harmless = not any(run.ended for run in self.runs.values())
-            sources = sources_before if is_harmless else ()
-            requests.append((self._exercise.allowed, seconds_of(self._exercise, next_case), sources))
+            requests.append((self._exercise.allowed, seconds_of(self._exercise, next_case)))
         return requests
 
     def _run_check(self, run, case, source):

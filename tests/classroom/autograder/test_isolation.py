@@ -1,7 +1,6 @@
 """The checks of one exercise, one after another: what one leaves behind neither costs nor helps another."""
 
 import contextlib
-import select
 from dataclasses import replace
 
 import pytest
@@ -11,7 +10,6 @@ from jupyter_kernel import JupyterFactory
 from imgproc_course.classroom.autograder import verdict
 from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun, StoredVerdict
 from imgproc_course.classroom.autograder.pool import Limits, SandboxError, autograde
-from imgproc_course.classroom.autograder.sandbox.cell_run import CellRun
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.classroom.exercises.comparison import compare
 
@@ -105,75 +103,18 @@ def test_checks_share_a_kernel_as_long_as_they_pass(key, right):
 def test_once_a_case_has_failed_a_kernel_waits_for_the_next_one(key, right):
     with exercise_run_of(key) as (exercise_run, given, [(first, check), (second, _)]):
         exercise_run.run(first, [*given, right["attacked-mean"]], check)
-        assert exercise_run._requests_after(first, given) == []
+        assert exercise_run._requests_after(first) == []
         exercise_run.close()
         sources = [*given, "def mean(values):\n    return 0.0"]
         exercise_run.run(first, sources, check)
-        (request,) = exercise_run._requests_after(first, sources)
-        assert exercise_run._requests_after(second, sources) == []
-        assert request[2] == sources
+        (request,) = exercise_run._requests_after(first)
+        assert exercise_run._requests_after(second) == []
         kernels = exercise_run._kernel_factory
         fork_count = kernels._fork_server._fork_count
-        kernel = kernels.start(*request[:2], sources=sources)
+        kernel = kernels.start(*request)
         run = kernel.run_statements(sources)
         assert (run.ended, run.error, kernels._fork_server._fork_count) == ("", ("", ""), fork_count)
         assert kernel.run("print(mean([1]))").printed == "0.0\n"
-        kernel.stop()
-
-
-def test_an_answer_that_has_ended_its_kernel_does_not_run_beside_another(key):
-    with exercise_run_of(key) as (exercise_run, given, [(first, check), _]):
-        sources = [*given, "import os\nos._exit(3)"]
-        exercise_run.run(first, sources, check)
-        (request,) = exercise_run._requests_after(first, sources)
-        assert request[2] == ()
-
-
-def test_a_kernel_that_ran_the_answer_before_costs_no_time_or_memory(key, right):
-    class OutOfTime(KernelFactory):
-        def start(self, *request, **options):
-            kernel = super().start(*request, **options)
-            if kernel.was_prepared:
-                kernel.run_check = lambda *_: CellRun(ended="time")
-            return kernel
-
-    late = f"def mean(values):\n    return {MEAN} if len(values) > 5 else 0.0"
-    with exercise_run_of(key, OutOfTime) as (exercise_run, given, checks):
-        runs = [exercise_run.run(case, [*given, late], check) for case, check in checks]
-        assert [(run.ended, run.passed) for run in runs] == [("", False), ("", True)]
-        assert exercise_run._kernel_factory._fork_server._fork_count == 3
-
-
-def test_an_answer_does_not_run_on_when_no_time_is_left_for_it(key):
-    with exercise_run_of(key) as (exercise_run, given, [(first, check), (second, _)]):
-        sources, spares = [*given, "def mean(values):\n    return 0.0"], exercise_run._kernel_factory._spares
-        exercise_run.run(first, sources, check)
-        assert [sources_to_run for *_, sources_to_run in spares] == [tuple(sources)]
-        exercise_run._stop_at = 0.0
-        assert exercise_run.run(second, sources, check).ended == "budget"
-        assert spares == {}
-
-
-ONCE = """import pathlib
-count = pathlib.Path("count")
-count.write_text(count.read_text() + "x" if count.exists() else "x")
-print(count.read_text())
-print(1 / 0)"""
-
-
-def test_a_kernel_that_waits_runs_an_answer_once_and_only_that_answer():
-    with KernelFactory() as kernel_factory:
-        kernel_factory.keep_spares([((), 5.0, (ONCE,))])
-        kernel = kernel_factory.start((), 5.0, [((), 5.0, ())], sources=[ONCE])
-        assert kernel_factory._fork_server._fork_count == 2
-        run = kernel.run_statements([ONCE])
-        assert (run.printed, run.error) == ("x\n", ("ZeroDivisionError", "division by zero"))
-        assert kernel.run_statements([ONCE]).printed == "xx\n"
-        assert kernel.run("print(count.read_text())").printed == "xx\n"
-        kernel.stop()
-        kernel_factory.keep_spares([((), 5.0, (ONCE,))])
-        kernel = kernel_factory.start((), 5.0, sources=["print(2)"])  # another answer
-        assert kernel.run_statements(["print(2)"]).printed == "2\n"
         kernel.stop()
 
 
@@ -222,12 +163,10 @@ def test_all_processes_of_a_check_share_its_time():
 
 def test_a_kernel_that_ended_while_it_waited_is_replaced():
     with KernelFactory() as kernel_factory:
-        ends = "import os, pathlib\nos._exit(3)"
-        kernel_factory.keep_spares([((), 5.0, (ends,))])
+        kernel_factory.keep_spares([((), 5.0)])
         (spare,) = kernel_factory._spares.values()
-        while spare.is_alive():
-            select.select([spare._socket], [], [])
-        kernel = kernel_factory.start((), 5.0, sources=[ends])
+        spare.run("import os\nos._exit(3)")
+        kernel = kernel_factory.start((), 5.0)
         assert kernel.run("print(3)").printed == "3\n"
         assert kernel_factory._fork_server._fork_count == 2
         kernel.stop()
@@ -267,7 +206,7 @@ def test_a_kernel_that_has_waited_is_as_a_new_one():
     texts = []
     with KernelFactory() as kernel_factory:
         for _ in range(3):  # a new one, then two that have waited
-            kernel = kernel_factory.start((), 5.0, [((), 5.0, ())])
+            kernel = kernel_factory.start((), 5.0, [((), 5.0)])
             run = kernel.run_statements([STATE])
             texts.append((run.printed, run.error))
             kernel.stop()

@@ -35,19 +35,14 @@ class KernelEnded(Exception):
 
 
 class ForkedKernel:
-    """A kernel that was forked from a `ForkServer`.
-
-    was_prepared  whether it has run cells while it waited
-    cpu_limit     seconds of processor time that each of its processes may use
-    """
+    """A kernel that was forked from a `ForkServer`."""
 
     def __init__(self, fork_server, allowed, seconds, limits, *, has_time=False):
         self._fork_server, self._limits = fork_server, limits
         self._seconds, self._deadline = seconds, None
         self._next_look, self._has_looked = 0.0, False
-        self.cpu_limit = limits.for_system(seconds)["cpu"]
+        self._cpu_limit = limits.for_system(seconds)["cpu"]
         self._lines, self._buffer, self._is_confined = deque(), b"", False
-        self.was_prepared, self._prepared, self._unsent = False, None, b""
         our_end, kernel_end = socket.socketpair()
         self._socket = our_end
         with kernel_end:
@@ -69,25 +64,7 @@ class ForkedKernel:
         -------
         CellRun of all together, with the first error
         """
-        self._fork_server.preparing.discard(self)
-        if self._prepared == sources:
-            data, self._prepared = self._unsent, None
-            return self._run_request(data)
-        return self._run_request(_statements_request(sources))
-
-    def prepare(self, sources):
-        """Let it run cells while it waits, whose result the same call of `run_statements` returns.
-
-        They must have run in another kernel before: its deadline begins with `run_statements`, and only the
-        system's limits hold until then.
-        """
-        self.was_prepared = True
-        self._fork_server.preparing.add(self)
-        self._prepared, self._unsent = list(sources), _statements_request(sources)
-        self._fork_server.finish_drops()
-        self._socket.setblocking(False)
-        with suppress(OSError):  # it has ended, or its buffer is full
-            self._unsent = self._unsent[self._socket.send(self._unsent) :]
+        return self._request({"cells": [cell for source in sources for cell in _cells_to_send(source)]})
 
     def run_check(self, code, inputs, seconds):
         """Run a check cell with its inputs (see `check_cell.deliver`); returns its CellRun.
@@ -99,16 +76,13 @@ class ForkedKernel:
         cpu_before, began = group.cpu_seconds(), time.monotonic()
         run = self._request({"case": {"calls": inputs, "seconds": seconds}, "code": code})
         most = seconds * len(inputs) + self._limits.grace
-        if not run.ended and cpu_before is not None and time.monotonic() - began > most:
-            others = _OWN_SECONDS + self._fork_server.seconds_of_preparing()
-            if (group.cpu_seconds() or 0.0) - cpu_before > most + others:
-                run.ended = "time"
+        if run.ended or cpu_before is None or time.monotonic() - began <= most:
+            return run
+        if (group.cpu_seconds() or 0.0) - cpu_before > most + _OWN_SECONDS:
+            run.ended = "time"
         return run
 
     def _request(self, request):
-        return self._run_request(_line_of(request))
-
-    def _run_request(self, data):
         run = CellRun()
         self._fork_server.finish_drops()  # nothing of the kernel before is left now, and counts for this one
         if self._deadline is None:  # the clock starts with the first cell: the kernel may have waited for it
@@ -116,7 +90,7 @@ class ForkedKernel:
             self._next_look = time.monotonic() + LOOK_SECONDS
             self._fork_server.group.reset()
         try:
-            self._send(data)
+            self._send((json.dumps({"n": 1} | request) + "\n").encode("ascii"))
             bytes_left = self._limits.output
             while True:
                 line = self._read_line(bytes_left)
@@ -202,7 +176,7 @@ class ForkedKernel:
         self.is_alive()  # reads the first line, if nobody has
         if status["code"] == 70 and not self._is_confined:  # later, an answer can end with this code too
             raise bubblewrap.SandboxError("a kernel could not be confined; see imgproc-course doctor")
-        if status["signal"] in (9, 24) and status["cpu"] > self.cpu_limit - 0.9:
+        if status["signal"] in (9, 24) and status["cpu"] > self._cpu_limit - 0.9:
             return "time"
         return "memory" if self._fork_server.ran_out_of_memory() else "crashed"
 
@@ -215,7 +189,6 @@ class ForkedKernel:
 
     def stop(self):
         """End the kernel and all that it started."""
-        self._fork_server.preparing.discard(self)
         with suppress(OSError):
             self._socket.close()
         if self._id is not None:
@@ -224,14 +197,6 @@ class ForkedKernel:
                 self._fork_server.end(kernel_id, patience=0)
             else:
                 self._fork_server.drop(kernel_id)
-
-
-def _line_of(request):
-    return (json.dumps({"n": 1} | request) + "\n").encode("ascii")
-
-
-def _statements_request(sources):
-    return _line_of({"cells": [cell for source in sources for cell in _cells_to_send(source)]})
 
 
 @lru_cache(maxsize=16)  # every case that fails has a kernel of its own, with the same cells
@@ -280,11 +245,6 @@ class ForkServer:
         self._is_ready = False
         self._fork_count = 0
         self._drops = 0  # that have no reply yet
-        self.preparing = set()  # kernels that run an answer while they wait
-
-    def seconds_of_preparing(self):
-        """Seconds of processor time that the kernels in `preparing` may use, at most."""
-        return sum(kernel.cpu_limit for kernel in self.preparing)
 
     def start(self):
         """Start the process, without waiting until it is ready."""

@@ -20,57 +20,34 @@ class KernelFactory:
         self._fork_server.start()
         self._spares = {}  # request: the kernel that waits for it
 
-    def start(self, allowed, seconds, next_requests=(), *, sources=()):
-        """Start a new kernel.
+    def start(self, allowed, seconds, next_requests=()):
+        """Start a new kernel; returns a ForkedKernel.
 
         Parameters
         ----------
         allowed : sequence of str, modules that it has beside those that every answer may use
         seconds : float, processor time that the first case may use, and with it all that share the kernel
         next_requests : as `keep_spares` takes them
-        sources : sequence of str, the cells that `run_statements` will run first; a kernel may have run them
-            already
-
-        Returns
-        -------
-        ForkedKernel
         """
         request = (tuple(allowed), seconds)
-        kernel = self._take_spare((*request, tuple(sources))) or self._take_spare((*request, ()))
-        kernel = kernel or self._fork(request)
-        self.keep_spares(next_requests)
-        return kernel
-
-    def _take_spare(self, request):
-        """The spare of a request, or None if there is none or it has ended."""
         kernel = self._spares.pop(request, None)
         if kernel is not None and not kernel.is_alive():
             kernel.stop()
-            return None
+            kernel = None
+        kernel = kernel or self._fork(request)
+        self.keep_spares(next_requests)
         return kernel
 
     def _fork(self, request, *, has_time=False):
         return ForkedKernel(self._fork_server, *request, self.limits, has_time=has_time)
 
     def keep_spares(self, requests):
-        """Let a kernel wait for each of these requests, and no others.
-
-        Parameters
-        ----------
-        requests : iterable of (allowed, seconds, sources), of the kernels that will probably be needed next;
-            sources, if not empty, are cells that run while it waits (see `ForkedKernel.prepare`)
-        """
-        requests = [(tuple(allowed), seconds, tuple(sources)) for allowed, seconds, sources in requests]
+        """Let a kernel wait for each of these requests, (allowed, seconds), and no others."""
+        requests = [(tuple(allowed), seconds) for allowed, seconds in requests]
         for request in [request for request in self._spares if request not in requests]:
             self._spares.pop(request).stop()
         for request in requests:
-            self._spares[request] = self._spares.get(request) or self._fork_spare(*request)
-
-    def _fork_spare(self, allowed, seconds, sources):
-        kernel = self._fork((allowed, seconds), has_time=not sources)
-        if sources:
-            kernel.prepare(sources)
-        return kernel
+            self._spares[request] = self._spares.get(request) or self._fork(request, has_time=True)
 
     def close(self):
         """End all kernels and the fork server."""
