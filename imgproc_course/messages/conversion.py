@@ -42,53 +42,35 @@ def image_to_array(msg, desired_encoding="passthrough"):
         the conversion has no meaning
     """
     try:
-        return _decoded(msg, desired_encoding)
-    except ConversionError as error:
-        raise error.with_traceback(None) from error.__cause__
-
-
-def _decoded(msg, desired_encoding):
-    try:
-        plan = _plan(msg.encoding, desired_encoding)
-        height, width, step = index(msg.height), index(msg.width), index(msg.step)
-        is_bigendian = index(msg.is_bigendian)
+        layout = _layout(msg.encoding, desired_encoding, msg.height, msg.width, msg.step, msg.is_bigendian)
         data = memoryview(msg.data)
-    except ConversionError:
-        raise
-    except (
-        AttributeError,
-        TypeError,
-        ValueError,
-        BufferError,
-    ):  # read again, slowly, to find the wrong field
-        name = _checked_name("encoding", _field(msg, "encoding"))
-        plan = _plan(name, _checked_name("desired_encoding", desired_encoding))
-        height, width, step, is_bigendian = (_number(msg, field) for field in _NUMBER_FIELDS)
-        data = bytes_of(_field(msg, "data"))
-    if data.itemsize != 1 or not data.c_contiguous:
-        data = bytes_of(msg.data)
+        is_plain = layout.format and len(data) == layout.size
+        # The array keeps the memoryview, which locks the buffer: `data` cannot grow under the view.
+        frame = np.asarray(data.toreadonly().cast(layout.format, layout.shape)) if is_plain else None
+    except (AttributeError, TypeError, ValueError, BufferError):  # read again, to find the wrong field
+        frame = None
+    if frame is None:
+        try:
+            layout, frame = _read_any(msg, desired_encoding)
+        except ConversionError as error:
+            raise error.with_traceback(None) from error.__cause__
+    return layout.convert(frame) if layout.convert else frame
 
-    source, byte_orders, pixel_bytes, channel_axis, is_planar, convert = plan
-    row, rows = width * pixel_bytes, source.rows(height) if is_planar else height
-    if not (
-        is_bigendian in (0, 1)
-        and 0 <= height <= UINT32_MAX
-        and 0 <= row <= step <= UINT32_MAX
-        and step * rows <= data.nbytes
-        and not (is_planar and _planes_misfit(source, height, width))
-    ):
-        raise ConversionError(_misfit(source, height, width, step, is_bigendian, data.nbytes))
-    dtype = byte_orders[is_bigendian]
-    # frombuffer, unlike ndarray(buffer=...), locks the buffer: `data` cannot grow under the view.
-    if step == row:
-        values = np.frombuffer(data.toreadonly(), dtype, rows * width * source.channels)
-        frame = values.reshape(rows, width, *channel_axis)
+
+def _read_any(msg, desired_encoding):
+    """(_Layout, array) of a message with padded rows, swapped bytes or data of any kind, or with a fault."""
+    name = _checked_name("encoding", _field(msg, "encoding"))
+    desired = _checked_name("desired_encoding", desired_encoding)
+    layout = _layout(name, desired, *(_number(msg, field) for field in _NUMBER_FIELDS))
+    data = bytes_of(_field(msg, "data"))
+    if data.nbytes < layout.size:
+        raise ConversionError(_cut_short(layout, data.nbytes))
+    if layout.is_padded:
+        frame = _skip_padding(np.frombuffer(data.toreadonly(), np.uint8), layout)
     else:
-        bytes_ = np.frombuffer(data.toreadonly(), np.uint8)
-        frame = _skip_padding(bytes_, source, dtype, height, width, step)
-    if not dtype.isnative:
-        frame = frame.astype(source.dtype)
-    return convert(frame) if convert else frame
+        count = layout.size // layout.dtype.itemsize
+        frame = np.frombuffer(data.toreadonly(), layout.dtype, count).reshape(layout.shape)
+    return layout, frame if layout.dtype.isnative else frame.astype(layout.source.dtype)
 
 
 def array_to_image(array, encoding="passthrough", header=None):
@@ -130,25 +112,45 @@ def _message_of(array, encoding, header):
     return new_image(header, height, width, info.name, int(is_bigendian), step, pixels)
 
 
-class _Plan(NamedTuple):
-    """The part of a conversion that does not depend on the message's size, so that it can be cached."""
+class _Layout(NamedTuple):
+    """Where the values lie in the bytes of a message, and what becomes of them."""
 
     source: EncodingInfo
-    byte_orders: tuple  # dtype of the values for is_bigendian 0, and for 1
-    pixel_bytes: int
-    channel_axis: tuple
-    is_planar: bool
+    dtype: np.dtype  # of the values in the message
+    height: int
+    width: int
+    step: int
+    size: int  # bytes of all rows
+    shape: tuple[int, ...]
+    is_padded: bool
+    format: str  # of the values in a memoryview; empty if rows are padded or bytes swapped
     convert: Callable | None
 
 
-@functools.lru_cache(maxsize=512)
-def _plan(encoding, desired):
+# Cached, since the images of a camera agree in all of this. Typed: 720.0 is no height, though it equals 720.
+@functools.lru_cache(maxsize=512, typed=True)
+def _layout(encoding, desired, height, width, step, is_bigendian):
     source = _known(encoding, "encoding")
     is_passthrough = desired in ("passthrough", "")
     convert = None if is_passthrough else converter(source, _known(desired, "desired_encoding"))
-    byte_orders = source.dtype.newbyteorder("<"), source.dtype.newbyteorder(">")
-    channel_axis = () if source.channels == 1 else (source.channels,)
-    return _Plan(source, byte_orders, source.pixel_bytes, channel_axis, source.is_planar, convert)
+    height, width, step, is_bigendian = map(index, (height, width, step, is_bigendian))
+    misfit = _misfit(source, height, width, step, is_bigendian)
+    if misfit:
+        raise ConversionError(misfit)
+    dtype = source.dtype.newbyteorder(">" if is_bigendian else "<")
+    is_padded = step > width * source.pixel_bytes
+    return _Layout(
+        source=source,
+        dtype=dtype,
+        height=height,
+        width=width,
+        step=step,
+        size=step * source.rows(height),
+        shape=source.shape(height, width),
+        is_padded=is_padded,
+        format=dtype.char if dtype.isnative and not is_padded else "",
+        convert=convert,
+    )
 
 
 def _known(name, field):
@@ -162,7 +164,7 @@ def described(array, encoding):
     """EncodingInfo of an array, which must fit `encoding`; of "passthrough": how the array is stored."""
     if not isinstance(array, np.ndarray):
         raise ConversionError(f"expected a NumPy array, got {quoted(array)}; call np.asarray(...) first")
-    if np.ma.is_masked(array):
+    if type(array) is not np.ndarray and np.ma.is_masked(array):
         raise ConversionError("a message cannot hold a mask; fill it first: array.filled(0)")
     if array.ndim not in (2, 3):
         raise ConversionError(
@@ -170,18 +172,23 @@ def described(array, encoding):
             "send one image per message, without a batch axis"
         )
     channels = array.shape[2] if array.ndim == 3 else 1
-    stored = encoding_info(generic_name(array.dtype, channels))
-    if _checked_name("encoding", encoding) == "passthrough":
-        return stored
-    info = _known(encoding, "encoding")
-    if info[1:3] != stored[1:3]:
+    stored, info, fits, is_planar = _described(array.dtype, channels, _checked_name("encoding", encoding))
+    if not fits:
         raise ConversionError(_mislabelled(array, stored, info))
-    if info.is_planar and (array.shape[0] % 3 or _planes_misfit(info, 0, array.shape[1])):
+    if is_planar and (array.shape[0] % 3 or _planes_misfit(info, 0, array.shape[1])):
         raise ConversionError(
             f"an array of shape {array.shape} cannot be {info.name!r}: expected "
             + ("(H * 3, W)" if info.name == "nv24" else "(H * 3 / 2, W) with H and W even")
         )
     return info
+
+
+@functools.lru_cache(maxsize=256)
+def _described(dtype, channels, encoding):
+    """(EncodingInfo of the values as stored, that of `encoding`, whether both fit, whether it is planar)."""
+    stored = encoding_info(generic_name(dtype, channels))
+    info = stored if encoding == "passthrough" else _known(encoding, "encoding")
+    return stored, info, info[1:3] == stored[1:3], info.is_planar
 
 
 def _mislabelled(array, stored, info):
@@ -204,19 +211,20 @@ def _planes_misfit(source, height, width):
     return source.color != "nv24" and (height % 2 or width % 2)
 
 
-def _skip_padding(bytes_, source, dtype, height, width, step):
+def _skip_padding(bytes_, layout):
     """The rows of pixels without their padding: a view, but a copy of nv24's planes."""
+    source, height, width, step = layout.source, layout.height, layout.width, layout.step
     if source.color == "nv24":  # a row of U and V pairs, and its padding, is twice as long as a row of Y
         luma = bytes_[: height * step].reshape(height, step)[:, :width]
         chroma = bytes_[height * step : 3 * height * step].reshape(height, 2 * step)[:, : 2 * width]
         return np.concatenate([luma, chroma.reshape(2 * height, width)])
-    shape = source.shape(height, width)
-    strides = (step, source.pixel_bytes, dtype.itemsize)[: len(shape)]
-    frame = np.ndarray(shape, dtype, bytes_, strides=strides)
-    return frame if step % dtype.itemsize == 0 else frame.copy()  # OpenCV refuses a step that splits a value
+    value_bytes = layout.dtype.itemsize
+    strides = (step, source.pixel_bytes, value_bytes)[: len(layout.shape)]
+    frame = np.ndarray(layout.shape, layout.dtype, bytes_, strides=strides)
+    return frame if step % value_bytes == 0 else frame.copy()  # OpenCV refuses a step that splits a value
 
 
-# The functions below run only if something is wrong, or if `data` is not a buffer.
+# The functions below run once a layout, or only if something is wrong.
 
 _NUMBER_FIELDS = ("height", "width", "step", "is_bigendian")
 
@@ -257,8 +265,8 @@ def bytes_of(data):
     try:
         view = memoryview(bytes(data) if isinstance(data, list | tuple) else data)
         if view.itemsize == 1:
-            is_plain = view.c_contiguous and view.ndim == 1 and view.format == "B"
-            return view if is_plain else memoryview(view.tobytes())
+            can_cast = view.c_contiguous and view.format in ("B", "b", "c", "?") and view.nbytes
+            return view.cast("B") if can_cast else memoryview(view.tobytes())
     except (TypeError, ValueError, OverflowError, BufferError):
         pass
     raise ConversionError(
@@ -267,8 +275,8 @@ def bytes_of(data):
     )
 
 
-def _misfit(source, height, width, step, is_bigendian, size):
-    """The first contradiction between the fields of a message, and its remedy."""
+def _misfit(source, height, width, step, is_bigendian):
+    """The first contradiction between the numbers of a message, and its remedy; None if they agree."""
     if is_bigendian not in (0, 1):
         return (
             f"field 'is_bigendian' is {quoted(is_bigendian)}; expected 0 or 1: set it to 0, unless "
@@ -288,8 +296,12 @@ def _misfit(source, height, width, step, is_bigendian, size):
             f"encoding {source.name!r} with width {width} needs step >= {row} bytes, got {step}; "
             "the message is cut short or its encoding is mislabelled"
         )
-    rows = source.rows(height)
+    return None
+
+
+def _cut_short(layout, size):
     remedy = "the message is cut short, or its height, step or encoding is wrong"
-    if source.is_planar:
+    if layout.source.is_planar:
         remedy += " (step is the length of a row of Y)"
-    return f"{rows} rows of {step} bytes need {rows * step} bytes of data, got {size}; {remedy}"
+    rows = layout.source.rows(layout.height)
+    return f"{rows} rows of {layout.step} bytes need {layout.size} bytes of data, got {size}; {remedy}"

@@ -46,10 +46,10 @@ def new_image(header, height, width, encoding, is_bigendian, step, pixels):
         image, _, empty_header = _rosbags_classes()
         header = header if header is not None else empty_header()
         return image(header, height, width, encoding, is_bigendian, step, pixels.flatten())
-    msg = _ros_classes()[0]()
+    msg = _ros_classes()[0](
+        height=height, width=width, step=step, encoding=encoding, is_bigendian=is_bigendian
+    )
     _set_header(msg, header)
-    msg.height, msg.width, msg.step = height, width, step
-    msg.encoding, msg.is_bigendian = encoding, is_bigendian
     msg.data.frombytes(pixels.data)  # the only way that is fast with and without ROS_PYTHON_CHECK_FIELDS
     return msg
 
