@@ -97,7 +97,17 @@ class _RobotWarnings(logging.Handler):
 class DriveView(LiveView):
     """The robot's image, and its controls; `drive` makes one and starts it."""
 
-    def __init__(self, robot, source, *, linear, angular, width, caption, alt):
+    def __init__(
+        self,
+        robot: Any,
+        source: Any,
+        *,
+        linear: float,
+        angular: float,
+        width: int,
+        caption: str | None,
+        alt: str | None,
+    ):
         self._robot, self._width = robot, width
         self._pad = DrivePad(linear=float(linear), angular=float(angular))
         self._pad.on_msg(self._on_message)
@@ -105,7 +115,7 @@ class DriveView(LiveView):
         self._commanded = threading.Condition()
         self._fastest = math.inf  # seconds from the browser's clock to ours, at best
         self._map = _Map()
-        self._threads = []
+        self._threads: list[threading.Thread] = []
         self._warnings = _RobotWarnings(lambda text: self._screen.say(text))
         super().__init__(
             source or _front_camera(),

@@ -109,7 +109,18 @@ class LiveView:
     snapshots : list of Snapshot
     """
 
-    def __init__(self, source, process, *, encoding, width, limits, caption, alt, ranges):
+    def __init__(
+        self,
+        source: Any,
+        process: Callable[..., Any] | None,
+        *,
+        encoding: str,
+        width: int | None,
+        limits: tuple[float, float] | None,
+        caption: str | None,
+        alt: str | None,
+        ranges: dict[str, Any],
+    ):
         if process is not None and not callable(process):
             raise ValueError(
                 f"process is {type(process).__name__}; expected a function: live_view(camera, edges)"
@@ -122,7 +133,7 @@ class LiveView:
         self._name = caption or getattr(process, "__name__", "camera").replace("<lambda>", "camera")
         self._screen = Screen(encoding, width, limits, alt or caption or f"Live view: {self._name}", caption)
         self._pacer = _Pacer()
-        self._thread = None
+        self._thread: threading.Thread | None = None
         self._stopping = threading.Event()
         self._frame = None
         self._cell = self._cell_run = None

@@ -93,7 +93,18 @@ class Tuner:
     error : the exception of the last call, None if there was none
     """
 
-    def __init__(self, function, frame, *, encoding, width, limits, caption, alt, ranges):
+    def __init__(
+        self,
+        function: Callable[..., Any],
+        frame: Any,
+        *,
+        encoding: str,
+        width: int | None,
+        limits: tuple[float, float] | None,
+        caption: str | None,
+        alt: str | None,
+        ranges: dict[str, Any],
+    ):
         self._function, self._frame = function, frame
         self._name = getattr(function, "__name__", "function")
         self._controls = Controls(function, ranges, self._request)
