@@ -38,16 +38,7 @@ class _NotAForm(ValueError):
 
 
 def read_form(data):
-    """Make a canonical form from what a learner's process sent.
-
-    Parameters
-    ----------
-    data : any value that JSON can hold
-
-    Returns
-    -------
-    dict, a canonical form that shares no container with `data`; or None if it is no canonical form
-    """
+    """A canonical form, made from what a learner's process sent; None if it is no canonical form."""
     try:
         return _FormReader().read(data, 0)
     except _NotAForm:
@@ -170,16 +161,7 @@ def _data(data, size):
 
 
 def read_answer(payload):
-    """Read what a check cell showed.
-
-    Parameters
-    ----------
-    payload : any value that JSON can hold
-
-    Returns
-    -------
-    list of CallResult, or None if our check cells cannot have shown this
-    """
+    """What a check cell showed, as a list of CallResult; None if ours cannot have shown it."""
     if not isinstance(payload, dict) or not isinstance(payload.get("calls"), list):
         return None
     calls = read_calls(payload["calls"][:_MOST_CALLS])

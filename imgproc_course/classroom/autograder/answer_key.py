@@ -297,20 +297,10 @@ def _read_checked(path):
 
 
 def known_mistake(exercise, content, calls):
-    """The declared mistake that did, on every public call, exactly what the answer did.
+    """The declared mistake (or None) that did, on every public call, exactly what the answer's `calls` did.
 
     A mistake that agrees on the hidden calls too is preferred to one that does not. `check` has the same
     rule, so a lesson and a report name the same mistake.
-
-    Parameters
-    ----------
-    exercise : KeyExercise
-    content : ExerciseContent
-    calls : {case id: list of CallResult, or None}, of the answer
-
-    Returns
-    -------
-    KeyMistake or None
     """
     public = [case for case in exercise.cases if not case.hidden]
     candidates = [

@@ -16,9 +16,7 @@ _LOOKED_AT = 64  # of a longer seed's digits
 def require_unguessable(seed):
     """Raise KeyFolderError, one line with the remedy, for a seed that somebody could guess.
 
-    Parameters
-    ----------
-    seed : str; only hexadecimal digits count, because nobody can tell how many bits are in a phrase
+    Only hexadecimal digits count, because nobody can tell how many bits are in a phrase.
     """
     digits = seed.lower()[:_LOOKED_AT]
     if not re.fullmatch(rf"[0-9a-fA-F]{{{DIGITS},}}", seed) or digits.isdecimal() or _is_pattern(digits):
@@ -59,21 +57,7 @@ def seed_file_of(key):
 
 
 def read_or_make_seed(path):
-    """The secret seed in a file; if there is no such file, make a seed and store it there.
-
-    Parameters
-    ----------
-    path : Path of a text file that only its owner can read
-
-    Returns
-    -------
-    str, hexadecimal digits
-
-    Raises
-    ------
-    OSError : the file cannot be read or written
-    KeyFolderError : the seed in the file can be guessed
-    """
+    """The secret seed in a file that only its owner can read; without such a file, one is made and stored."""
     if path.exists():
         seed = path.read_text(encoding="utf-8").strip()
         require_unguessable(seed)
@@ -86,21 +70,9 @@ def read_or_make_seed(path):
 
 
 def redraw(key, make):
-    """Replace a key by one with a new seed, and keep the old one: its grades stay reproducible.
+    """Replace a key by one that `make(seed, folder)` makes from a new seed; returns where the old one is now.
 
-    Parameters
-    ----------
-    key : Path of the key's folder
-    make : function that makes a key from a seed in a folder: make(seed, folder)
-
-    Returns
-    -------
-    Path, where the old key is now; its seed is beside it
-
-    Raises
-    ------
-    KeyFolderError : there is no key to redraw
-    OSError : a folder cannot be renamed
+    It is kept, with its seed beside it: its grades stay reproducible.
     """
     if not (key / "key.json").is_file():
         raise KeyFolderError(f"{key}: there is no key to redraw; make one without --redraw")

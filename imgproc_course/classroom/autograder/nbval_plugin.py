@@ -120,18 +120,7 @@ class ExerciseRun:
         return self._cases[number]
 
     def run(self, case, sources_before, source):
-        """Run one case.
-
-        Parameters
-        ----------
-        case : KeyCase
-        sources_before : list of str, the given cells and the answer
-        source : str, its check cell
-
-        Returns
-        -------
-        CaseRun
-        """
+        """The CaseRun of one case: its check cell runs after the given cells and the answer."""
         if time.monotonic() > self._stop_at:
             run = CaseRun(check=CellRun(ended="budget"))
         else:
@@ -234,15 +223,7 @@ class StoredVerdict:
 
 
 class GradingPlugin:
-    """The plugin's state: the keys, the kernels, and the socket to `NbvalProcess`.
-
-    Parameters
-    ----------
-    connection : socket
-    lines : file that reads from it; its first line, the settings, has been read
-    folder : str, for the notebooks
-    kernel_factory : KernelFactory
-    """
+    """The plugin's state: the keys, the kernels, and the socket to `NbvalProcess`, of which `lines` reads."""
 
     def __init__(self, connection, lines, folder, kernel_factory):
         self._connection, self._lines = connection, lines

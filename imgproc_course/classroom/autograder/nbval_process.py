@@ -56,12 +56,7 @@ class NbvalProcessNotStarted(SandboxError):
 
 
 def nbval_process_of_thread(unsafe, limits):
-    """This thread's NbvalProcess with those options, as `autograde` takes them; one with others is stopped.
-
-    Raises
-    ------
-    SandboxError, NbvalProcessKilled : see `NbvalProcess`
-    """
+    """This thread's NbvalProcess with these options of `autograde`; one with others is stopped."""
     options = (unsafe, limits)
     process = getattr(_of_thread, "process", None)
     if process is None or process.options != options or not process.is_alive:
@@ -90,10 +85,7 @@ atexit.register(stop_nbval_processes)
 class NbvalProcess:
     """One nbval process, and the socket to it.
 
-    Raises
-    ------
-    SandboxError : there is no sandbox, or the process does not start
-    NbvalProcessKilled : it was killed while it started
+    Raises NbvalProcessKilled if it is killed while it starts, SandboxError if it does not start.
     """
 
     def __init__(self, unsafe, limits):
@@ -159,21 +151,7 @@ class NbvalProcess:
         )
 
     def grade(self, key, name, lesson, answers):
-        """Grade one submission.
-
-        Parameters
-        ----------
-        key : Key
-        name, lesson, answers : as `autograde` takes them
-
-        Returns
-        -------
-        dict, a GradedSubmission as `results.to_json` writes it
-
-        Raises
-        ------
-        NbvalProcessEnded : it ended, or it is stuck
-        """
+        """Grade one submission; what `results.to_json` wrote. NbvalProcessEnded: it ended, or it is stuck."""
         job = {"key": str(key.path), "digest": key.digest}
         self._send(job | {"submission": name, "lesson": lesson, "answers": answers})
         return self._receive(self._patience(key.lessons[lesson]))
@@ -230,12 +208,7 @@ class NbvalProcess:
             self._socket.shutdown(socket.SHUT_RDWR)
 
     def stop(self, *, wait=True):
-        """End the process, and with it its fork server.
-
-        Parameters
-        ----------
-        wait : bool, give it five seconds to end by itself
-        """
+        """End the process, and with it its fork server; `wait`: it has five seconds to end by itself."""
         if not self.is_alive:
             return
         self.is_alive = False

@@ -153,12 +153,7 @@ def _fields_of(failed_call):
 
 
 def from_json(data):
-    """The GradedSubmission that `to_json` wrote.
-
-    Raises
-    ------
-    KeyError, TypeError, ValueError : something else was written there
-    """
+    """The GradedSubmission that `to_json` wrote; KeyError, TypeError or ValueError if it did not."""
     exercises = tuple(_exercise_from_json(entry) for entry in data["exercises"])
     return GradedSubmission(data["submission"], data["lesson"], data["version"], exercises)
 
@@ -177,27 +172,13 @@ def _case_from_json(entry):
 
 
 def ungraded_exercise(exercise, outcome, message):
-    """The GradedExercise of an exercise that was not run.
-
-    Parameters
-    ----------
-    exercise : KeyExercise
-    outcome : Outcome of all its cases
-    message : str, why it was not run
-    """
+    """The GradedExercise of an exercise that was not run: the outcome of all its cases, and why."""
     cases = tuple(_graded_case(case, outcome) for case in exercise.cases)
     return GradedExercise(exercise.id, exercise.title, exercise.points, cases, message=message)
 
 
 def graded_exercise(exercise, content, exercise_run):
-    """The GradedExercise of an exercise that was run.
-
-    Parameters
-    ----------
-    exercise : KeyExercise
-    content : ExerciseContent
-    exercise_run : ExerciseRun, after all cases: its `runs`, `passed` and `faults`
-    """
+    """The GradedExercise of an exercise whose cases all have run."""
     runs = exercise_run.runs
     cases = tuple(
         _case_of_run(exercise, content, case, runs[case.id], case.id in exercise_run.passed)
@@ -338,15 +319,6 @@ def form_to_show(form, expected):
     """A returned value as the page shows it: without the values of one much larger than what is expected.
 
     All results of a learner are in memory while their page is written.
-
-    Parameters
-    ----------
-    form : canonical form, or None
-    expected : canonical form
-
-    Returns
-    -------
-    canonical form, or None
     """
     if form is None or _size(form) <= max(_LARGEST_SHOWN, 3 * _size(expected)):
         return form

@@ -13,19 +13,10 @@ _APOSTROPHE = re.compile(rf"(^|;[ \"]*)'{_FORMULA_START}")
 
 
 def sanitize_text(text, max_length=300):
-    """Shorten a text and make its invisible characters visible.
+    """Shorten a text and make its invisible characters visible: printable, and it can be encoded as UTF-8.
 
     Control characters (the start of a terminal's escape sequence too), lone surrogates and marks that change
     the direction of writing become `\\u202e` and the like. Line ends and tabs stay.
-
-    Parameters
-    ----------
-    text : str
-    max_length : int, number of characters that are kept before escaping
-
-    Returns
-    -------
-    str, printable, can be encoded as UTF-8
     """
     text = text if len(text) <= max_length else text[: max_length - 1] + "…"
     if text.isprintable():  # nearly every text
@@ -44,13 +35,7 @@ def sanitize_line(text, max_length=300):
 def spreadsheet_text(value):
     """One line that no spreadsheet takes for a formula: an apostrophe precedes a line that looks like one.
 
-    Parameters
-    ----------
-    value : str, or a number, which is returned unchanged
-
-    Returns
-    -------
-    str or the number
+    A number is returned unchanged.
     """
     if isinstance(value, (int, float)):
         return value

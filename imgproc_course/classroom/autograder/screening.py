@@ -9,17 +9,7 @@ MAX_ANSWER = 200_000  # characters
 
 
 def reason_not_to_run(exercise, source):
-    """Why an answer is not run.
-
-    Parameters
-    ----------
-    exercise : KeyExercise
-    source : the answer cell's source; anything but a str means that there is none
-
-    Returns
-    -------
-    (Outcome, message), or None if the answer has to run
-    """
+    """Why an answer is not run, as (Outcome, message); None if it has to run. Its source may be missing."""
     if not isinstance(source, str):
         return Outcome.MISSING, "its answer cell is missing"
     if len(source) > MAX_ANSWER:

@@ -44,20 +44,9 @@ class CaseRun:
 
 
 def verdict_on(payloads, expected, tolerance, *, exact_type=True):
-    """Compare what a check cell showed with what the key expects.
+    """The Verdict on what a check cell showed, exactly one payload, against one canonical form per call.
 
     The comparison is `exercises.compare`, so `check` in a lesson and the autograder agree.
-
-    Parameters
-    ----------
-    payloads : list of what the check cell showed; exactly one is right
-    expected : list of canonical forms, one per call
-    tolerance : float >= 0, absolute
-    exact_type : bool, see `exercises.exercise`
-
-    Returns
-    -------
-    Verdict
     """
     calls = read_answer(payloads[0]) if len(payloads) == 1 else None
     if calls is None:

@@ -16,19 +16,9 @@ _numbers = itertools.count(1)
 
 @contextlib.contextmanager
 def open_worker_threads(workers=None, *, early=False, unsafe=False, limits=None):
-    """A thread pool whose nbval processes are stopped at the end.
+    """A thread pool whose nbval processes are stopped at the end; `early`: they start now.
 
     They are stopped before the threads: a process ends at once with the thread that started it.
-
-    Parameters
-    ----------
-    workers : int, or None for the number of this machine's cores
-    early : bool, start the nbval processes now; else each starts with its thread's first submission
-    unsafe, limits : as `autograde` takes them
-
-    Returns
-    -------
-    context manager that gives the Executor
     """
     workers, prefix = workers or os.cpu_count() or 1, f"autograde-{next(_numbers)}-"
     executor = ThreadPoolExecutor(workers, thread_name_prefix=prefix)

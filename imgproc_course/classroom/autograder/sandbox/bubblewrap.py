@@ -134,16 +134,7 @@ def require_sandbox():
 
 
 def sandbox_command(confined):
-    """The command line up to the interpreter and its options.
-
-    Parameters
-    ----------
-    confined : bool; False: the interpreter alone, without bubblewrap
-
-    Returns
-    -------
-    list of str
-    """
+    """The command line up to the interpreter and its options; without bubblewrap if not `confined`."""
     if not confined:
         return [sys.executable, *_PYTHON_OPTIONS]
     command = [shutil.which("bwrap") or "bwrap", "--die-with-parent", "--new-session", "--clearenv"]

@@ -26,17 +26,7 @@ class CellRun:
     printed: str = ""
 
     def add(self, kind, content):
-        """Add a message.
-
-        Parameters
-        ----------
-        kind : str, Jupyter's message type, or "idle" at the cell's end
-        content : dict, the message's content
-
-        Returns
-        -------
-        bool, True at the cell's end
-        """
+        """Add a message of Jupyter's, or "idle"; returns whether it was the cell's end."""
         if kind == "idle":
             if not self.error[0]:  # a cell can fail without showing an error: an unknown magic
                 self._set_error(content)

@@ -98,15 +98,9 @@ class ProcessGroup:
         self._kills, self._used_memory = self._count_kills() or 0, 0
 
     def ran_out_of_memory(self, root):
-        """Whether the processes use more memory than they may.
+        """Whether all processes below one use more memory than they may.
 
-        Parameters
-        ----------
-        root : int, id of the process that all of them descend from
-
-        Returns
-        -------
-        bool; with a control group, whether the system killed one of them since the last question
+        With a control group: whether the system killed one of them since the last question.
         """
         kills = self._count_kills()
         if kills is None:

@@ -54,16 +54,7 @@ class ForkedKernel:
         return self._request({"code": code})
 
     def run_statements(self, sources):
-        """Run cells of which each statement that fails costs only itself.
-
-        Parameters
-        ----------
-        sources : list of str
-
-        Returns
-        -------
-        CellRun of all together, with the first error
-        """
+        """Run cells of which each statement that fails costs only itself; the CellRun has the first error."""
         return self._request({"cells": [cell for source in sources for cell in _cells_to_send(source)]})
 
     def run_check(self, code, inputs, seconds):
@@ -274,18 +265,9 @@ class ForkServer:
         return " ".join(errors.split())[-400:] or "it was killed"
 
     def fork(self, descriptor, allowed, limits, *, has_time=False):
-        """Fork a kernel.
+        """Fork a kernel that has one end of a socket; returns its id.
 
-        Parameters
-        ----------
-        descriptor : int, of the kernel's socket
-        allowed : sequence of str, modules that it has beside those that every answer may use
-        limits : dict, from `Limits.for_system`
-        has_time : bool, the kernel will wait for its first cell; it uses this time to run that one faster
-
-        Returns
-        -------
-        int, the kernel's id
+        If it `has_time`, because it will wait for its first cell, it makes itself ready to run that faster.
         """
         if self._process is None or self._process.poll() is not None:
             self._close()
@@ -311,16 +293,9 @@ class ForkServer:
         return self._fork_count
 
     def end(self, kernel_id, patience):
-        """End a kernel.
+        """End a kernel that did not end by itself within `patience` seconds.
 
-        Parameters
-        ----------
-        kernel_id : int
-        patience : float, seconds in which it may end by itself
-
-        Returns
-        -------
-        dict with "signal", "code", "cpu" (how it ended), or None if the fork server itself has ended
+        Returns how it ended: "signal", "code", "cpu" (seconds); None if the fork server itself has ended.
         """
         order = {"op": "end", "id": kernel_id, "patience": patience}
         self.finish_drops()

@@ -21,13 +21,10 @@ class KernelFactory:
         self._spares = {}  # request: the kernel that waits for it
 
     def start(self, allowed, seconds, next_requests=()):
-        """Start a new kernel; returns a ForkedKernel.
+        """Start a ForkedKernel, and others that wait (see `keep_spares`).
 
-        Parameters
-        ----------
-        allowed : sequence of str, modules that it has beside those that every answer may use
-        seconds : float, processor time that the first case may use, and with it all that share the kernel
-        next_requests : as `keep_spares` takes them
+        Its modules are `allowed`, beside those of every answer. Its first case, and so every case that
+        shares it, may use so many seconds of processor time.
         """
         request = (tuple(allowed), seconds)
         kernel = self._spares.pop(request, None)

@@ -20,13 +20,7 @@ _case = {}  # "calls", "seconds"
 
 
 def deliver(case):
-    """Take the inputs of the next check.
-
-    Parameters
-    ----------
-    case : dict, or its JSON: "calls", a list of arguments for each call, written by `input_encoding.encode`;
-        "seconds" that a call may take
-    """
+    """Take the next check's inputs, also as JSON: its encoded "calls", and "seconds" that each may take."""
     global _case
     _case = json.loads(case) if isinstance(case, str) else case
 

@@ -73,17 +73,9 @@ def _mount(source, target, kind, flags, data=""):
 
 
 def confine(limits, user):
-    """Confine this process for good.
+    """Confine this process for good; OSError if the system refuses a step: no learner's code may run then.
 
-    Parameters
-    ----------
-    limits : dict, see `set_limits`; also "scratch", bytes that can be written to /tmp
-    user : int or None, the user and group to become; None inside a user namespace, whose root has no rights
-        outside
-
-    Raises
-    ------
-    OSError : the system refuses a step; no code of a learner's may run then
+    `user` is the user and group to become; None inside a user namespace, whose root has no rights outside.
     """
     unshare(NEWNS | NEWIPC | NEWUTS | NEWNET)
     _mount("", "/", "", _REC | _PRIVATE)
@@ -114,12 +106,7 @@ def _mount_proc():
 
 
 def set_limits(limits):
-    """Set the limits that the operating system enforces on this process and all that it starts.
-
-    Parameters
-    ----------
-    limits : dict of "cpu" seconds, "memory" bytes, "processes", "file" bytes
-    """
+    """Set the limits of this process and all that it starts: "cpu" in seconds, "memory", "file" in bytes."""
     for kind, limit in (
         (resource.RLIMIT_CPU, limits["cpu"]),
         (resource.RLIMIT_AS, limits["memory"]),

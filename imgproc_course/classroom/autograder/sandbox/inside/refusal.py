@@ -60,12 +60,7 @@ def _is_guarded(frame):
 
 
 def allow_modules(allowed):
-    """Let the learner's code import these modules and those of every answer, and no others.
-
-    Parameters
-    ----------
-    allowed : sequence of str, modules that the exercise allows: ("scipy", "imgproc_course.imaging")
-    """
+    """Let the learner's code import these modules and those of every answer, and no others."""
     names = {*_ALWAYS, *allowed, *(name.partition(".")[0] for name in allowed)}
     real_import, real_import_module = builtins.__import__, importlib.import_module
 

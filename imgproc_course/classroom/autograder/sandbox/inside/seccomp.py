@@ -50,11 +50,7 @@ _PR_SET_SECCOMP, _FILTER = 22, 2
 def refuse_system_calls():
     """Refuse them to this process and all that it starts, for good; no_new_privs must be set.
 
-    On a machine whose call numbers are not in the table, nothing is refused.
-
-    Raises
-    ------
-    OSError : this system has no seccomp filters
+    On a machine whose call numbers are not in the table, nothing is refused. Without seccomp: OSError.
     """
     if not _PROGRAM:
         return

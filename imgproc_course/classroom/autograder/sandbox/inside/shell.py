@@ -221,14 +221,7 @@ def make_shell():
 
 
 def serve(shell, descriptor, deliver):
-    """Run cells from a socket until it is closed.
-
-    Parameters
-    ----------
-    shell : CellShell
-    descriptor : int, a connected stream socket
-    deliver : function that takes the inputs of the next check
-    """
+    """Run cells from a connected socket until it is closed; `deliver` takes the inputs of each check."""
     WRITER.descriptor = descriptor
     sys.stdout, sys.stderr = OutputStream("stdout"), OutputStream("stderr")
     runner = _CellRunner(shell)
