@@ -5,6 +5,7 @@ from imgproc_course.classroom.exercises.check_data import check_data_of
 from imgproc_course.classroom.exercises.checking import run_cases
 from imgproc_course.classroom.exercises.comparison import compare, describe
 from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED
+from imgproc_course.classroom.exercises.dependencies import find_refused
 from imgproc_course.classroom.exercises.running import call
 
 _ANOTHER_SEED = 1  # an instructor's key draws other inputs than the lesson
@@ -23,7 +24,9 @@ def validate_exercise(exercise):
     ]
     problems += [
         f"{exercise.id}: the solution uses {module}; name it in allowed=(...), or solve it without"
-        for module in result.dependencies.refused
+        for module in find_refused(
+            exercise.solution, exercise.function, exercise.allowed, set(exercise.namespace()), {}
+        )
     ]
     if not _is_empty_stub(exercise):
         problems.append(

@@ -5,14 +5,13 @@ name. In a kernel the runs are recorded from the import of this package on; else
 """
 
 import difflib
-import inspect
 import re
 import sys
 from dataclasses import dataclass
 
-from imgproc_course.classroom.exercises.cell_syntax import plain_python
+from imgproc_course.classroom.exercises.cell_syntax import bound_names, function_definitions, plain_python
 from imgproc_course.classroom.exercises.error_advice import advice_on
-from imgproc_course.classroom.exercises.running import code_of
+from imgproc_course.classroom.exercises.running import code_of, source_of
 
 _MOST_RUNS = 500
 _SIMILAR = 0.8
@@ -64,9 +63,13 @@ class CellRuns:
         self._runs = [*self._runs[1 - _MOST_RUNS :], CellRun(source, cell_id or "")]
         return self._runs[-1]
 
-    def sources(self):
-        """The sources of the cells that ran to their end, the newest last."""
-        return [plain_python(run.source) for run in self._runs if not run.error]
+    def cells(self):
+        """The cells that ran, in the order of their first runs, each as it ran last.
+
+        They are dicts, as `answer_cells.find_answer_cell` reads them.
+        """
+        latest = {run.cell_id or number: run for number, run in enumerate(self._runs)}
+        return [_as_cell(number, run) for number, run in enumerate(latest.values())]
 
     def why_older(self, exercise_id, name, function):
         """Why the function is older than the learner's cell, and what to do; "" if it is not.
@@ -81,10 +84,24 @@ class CellRuns:
         if run is None:
             return ""
         if run.error:
-            is_current = run.is_read and _source_of(function) in run.source
+            is_current = run.is_read and (source_of(function).strip() or "\0") in run.source
             return "" if is_current else _FAILED.format(error=run.error, name=name)
         # Under the name that is asked for there may also be a lambda, or an imported function.
         return "" if re.search(rf"\b{name}\b", run.source) else _explain_name(run, name)
+
+
+def _as_cell(number, run):
+    source = plain_python(run.source)
+    names = bound_names(source)
+    return {
+        "number": number,
+        "id": run.cell_id,
+        "type": "code",
+        "exercise": "",
+        "source": run.source,
+        "functions": function_definitions(source),
+        "answer": {"error": not run.is_read, "names": None if "*" in names else names},
+    }
 
 
 def _is_about(run, exercise_id, name, function):
@@ -105,13 +122,6 @@ def _similar(run, name):
     return next(iter(difflib.get_close_matches(name, names, n=1, cutoff=_SIMILAR)), "")
 
 
-def _source_of(function):
-    try:
-        return inspect.getsource(function).strip()
-    except (OSError, TypeError):
-        return "\0"  # unknown: no cell contains it
-
-
 def _explain_name(run, name):
     defined_name = _similar(run, name) or next(iter(run.definitions()), "")
     defined = f"defines {defined_name}()" if defined_name else "defines no function"
@@ -130,6 +140,8 @@ def watch_cells():
     if shell is None or getattr(shell, "imgproc_course_runs", None) is RUNS:
         return
     shell.imgproc_course_runs = RUNS
+    for source in shell.history_manager.input_hist_raw[1:]:  # before the import of this package
+        RUNS.start(source)
 
     run = None
 

@@ -19,6 +19,7 @@ ANSWER_MARK = "# The answer cell:"  # the line between what is taken along and t
 _TAKEN_MARK = "# From other cells of the notebook, because the answer reads it:"
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 _DEFINITIONS = (*_FUNCTIONS, ast.ClassDef)
+_EXPRESSIONS_WITH_NAMES = (ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 _MAGIC = re.compile(
     r"^(?P<indent>[ \t]*)(?![ \t])"
     r"(?:%time[ \t]+(?=[A-Za-z_(])|(?P<target>[\w, \t]+=)[ \t]*[%!].*|[%!?].*|[\w.]+\?\??$)",
@@ -29,7 +30,8 @@ _FIRST_PROMPT = re.compile(r"\s*(>>>( |$)|In \[\d+\]: )")
 _PROMPT = re.compile(r"^[ \t]*(>>>( |$)|In \[\d+\]: |\.{3,}(: ?| |$))", re.M)
 _FENCE = re.compile(r"^```.*$", re.M)  # of a code block in a Markdown cell
 _CELL_MAGIC = re.compile(r"\s*%%(\w+).*\n?")
-_CHANGING_METHODS = ("add", "append", "extend", "fill", "insert", "setdefault", "sort", "update")
+_CHANGING_METHODS = ("add", "append", "clear", "discard", "extend", "fill", "insert", "pop", "popitem")
+_CHANGING_METHODS += ("put", "remove", "resize", "reverse", "setdefault", "sort", "update")
 _PYTHON_MAGICS = ("time", "timeit", "capture", "prun")
 
 
@@ -85,7 +87,7 @@ def names_bound_by(statement):
             names |= {_name_of(alias) for alias in node.names}
         elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
             names.add(node.id)
-        if not isinstance(node, ast.Lambda):
+        if not isinstance(node, _EXPRESSIONS_WITH_NAMES):
             nodes.extend(ast.iter_child_nodes(node))
     return names
 
@@ -240,9 +242,9 @@ def _is_from_future(statement):
 class Statement:
     """A statement at the top level of a cell.
 
-    kind     "function", "class", "import", "value" (an assignment to plain names) or "other"
+    kind     "function", "class", "import", "value" (an assignment to plain names), "expression" or "other"
     binds    frozenset of the names that it binds
-    reads    frozenset of the names that it reads from outside
+    reads    frozenset of the names that it reads before it binds them
     changes  frozenset of the names whose values it changes: `total += 1`, `table[k] = 3`, `names.append(3)`
     source   its source
     """
@@ -256,7 +258,7 @@ class Statement:
 
     @property
     def is_value(self):
-        return self.kind in ("value", "other")
+        return self.kind in ("value", "expression", "other")
 
 
 def statements_of(source):
@@ -287,9 +289,37 @@ def _imports_apart(node):
 
 def _statement(node):
     source, binds = ast.unparse(node), frozenset(names_bound_by(node))
-    kind, reads = _kind_of(node), frozenset(_names_read(source))
-    changes = frozenset(_names_changed(node) if kind == "other" else ())
-    return Statement(kind, binds, reads | changes, changes, source, _is_blank(node))
+    kind, reads, changes = _kind_of(node), _names_read(source), frozenset()
+    if kind not in ("function", "class", "import"):
+        changes = frozenset(_names_changed(node))
+        reads -= _names_bound_first(node)
+    return Statement(kind, binds, frozenset(reads | changes), changes, source, _is_blank(node))
+
+
+def _names_bound_first(statement):
+    """The names that a statement binds before it reads them, such as the variable of a loop; a set."""
+    is_bound = {}
+    for name, binds in _uses_in_order(statement):
+        is_bound.setdefault(name, binds)
+    return {name for name, binds in is_bound.items() if binds}
+
+
+def _uses_in_order(node):
+    """(name, whether it is bound there) for every use of a name, in the order in which Python runs them."""
+    if isinstance(node, (*_DEFINITIONS, *_EXPRESSIONS_WITH_NAMES)):
+        yield from ((name, False) for name in _names_read(ast.unparse(node)))
+        yield from ((name, True) for name in names_bound_by(node))
+    elif isinstance(node, (ast.Import, ast.ImportFrom)):
+        yield from ((_name_of(alias), True) for alias in node.names)
+    elif isinstance(node, ast.Name):
+        yield node.id, isinstance(node.ctx, ast.Store)
+    else:
+        if isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name):
+            yield node.target.id, False
+        first = getattr(node, "iter", None) or getattr(node, "value", None)
+        first = [first] if isinstance(first, ast.AST) else []
+        for child in (*first, *(child for child in ast.iter_child_nodes(node) if child not in first)):
+            yield from _uses_in_order(child)
 
 
 def _names_changed(statement):
@@ -315,6 +345,8 @@ def _kind_of(node):
     if isinstance(node, (ast.Import, ast.ImportFrom)):
         is_plain = node.names[0].name != "*" and getattr(node, "module", "") != "__future__"
         return "import" if is_plain else "other"
+    if isinstance(node, ast.Expr):
+        return "expression"
     targets = node.targets if isinstance(node, ast.Assign) else []
     if isinstance(node, ast.AnnAssign) and node.value is not None:
         targets = [node.target]
@@ -340,6 +372,42 @@ def _names_read(source):
     return names
 
 
+def needed_statements(statements, function, *, with_changes=True):
+    """The statements of a cell that a function needs, itself included, in their order.
+
+    Parameters
+    ----------
+    statements : sequence of Statement
+    function : str
+    with_changes : bool, also those that only change a value, such as a loop that fills a table
+    """
+    names, numbers, size = {function}, set(), -1
+    helpers = {name for statement in statements if statement.kind == "function" for name in statement.binds}
+    while len(numbers) > size:
+        size = len(numbers)
+        values = set().union(*(statements[number].binds for number in numbers if statements[number].is_value))
+        for number, statement in enumerate(statements):
+            changes = statement.changes & names or _may_change(statement, values, helpers)
+            if statement.binds & names or (with_changes and changes):
+                numbers.add(number)
+                names |= statement.reads
+    return [statements[number] for number in sorted(numbers)]
+
+
+def needed_parts(parts, function):
+    """Those of the parts of a cell that a function needs, a set; see `parts_of` and `needed_statements`."""
+    statements = [(part, statement) for part in parts for statement in statements_of(part)]
+    needed = needed_statements([statement for _, statement in statements], function)
+    counts = {id(statement) for statement in needed}
+    return {part for part, statement in statements if id(statement) in counts or "*" in statement.binds}
+
+
+def _may_change(statement, values, helpers):
+    """Whether a statement may change one of the values by a function: what only shows one does not."""
+    may_call = statement.kind == "other" or (statement.kind == "expression" and statement.reads & helpers)
+    return may_call and statement.reads & values
+
+
 def names_needed(statements, function):
     """The names that a function reads from outside its own cell, helper functions of the cell included.
 
@@ -352,18 +420,12 @@ def names_needed(statements, function):
     -------
     set of str
     """
-    names, relevant, size = {function}, set(), -1
-    while len(relevant) > size:
-        size = len(relevant)
-        values = set().union(
-            *(statements[number].binds for number in relevant if statements[number].is_value)
-        )
-        for number, statement in enumerate(statements):
-            fills = statement.kind == "other" and statement.reads & values  # a loop that fills a table
-            if statement.binds & names or fills:
-                relevant.add(number)
-                names |= statement.reads
-    return names.difference({function}, *(statement.binds for statement in statements))
+    names, bound_above = set(), {function}
+    bound = bound_above.union(*(statement.binds for statement in statements))
+    for statement in needed_statements(statements, function):
+        names |= statement.reads - (bound_above if statement.is_value else bound)
+        bound_above |= statement.binds
+    return names
 
 
 @dataclass(frozen=True)
@@ -390,16 +452,15 @@ class CellDefinitions:
         lines = re.findall(r"^(?:(?:async[ \t]+)?(?:def|class)[ \t]+\w+|(?:import|from)[ \t].*)", text, re.M)
         self._defined_words = {word for line in lines for word in re.findall(r"\w+", line)}
         self._imports_everything = re.search(r"^from[ \t]+[\w.]+[ \t]+import[ \t]*\*", text, re.M) is not None
-        self._index = self._changes = None
+        self._index = None
 
     def compose(self, position, function, given=(), preferred=None):
         """The source by which an answer is graded: what it reads from other cells, then its own cell.
 
-        Of several definitions of a name the last one above the answer counts, as after Run All; if there is
-        none, the first one below. An assignment brings the statements below it in its cell that change its
-        value. What the answer's cell defines and what is given is never bound again, and a built-in name only
-        by a function, a class or an import above. `from module import *` may define every name that nothing
-        else defines.
+        A name has the value that it has after all cells above the answer ran: its last definition, and what
+        changes it, with the earlier values that these read. If no cell above defines it, the first one below
+        does. What is given is never bound again, and a built-in name only by a function, a class or an import
+        above. `from module import *` may define every name that nothing else defines.
 
         Parameters
         ----------
@@ -414,87 +475,130 @@ class CellDefinitions:
         """
         answer = _without_stub(self._cells[position], function)
         statements = statements_of(answer)
-        bound = {*given, *(name for statement in statements for name in statement.binds)}
-        names = names_needed(statements, function) - bound
-        places = self._needed_places(position, names, bound, preferred or {})
-        if not places:
+        names = names_needed(statements, function) - set(given)
+        if not any(self._may_define(name) for name in names) and not self._imports_everything:
             return answer, ()
-        text = "\n\n".join(statement.source for _, _, statement in places.values())
-        taken = tuple(
-            Taken(name, statement.kind, cell)
-            for name, (cell, _, statement) in places.items()
-            if isinstance(name, str)
-        )
-        return f"{_TAKEN_MARK}\n{text}\n\n{ANSWER_MARK}\n{answer}", taken
+        own_names = {name for statement in statements for name in statement.binds}
+        places = _Slice(self._places_by_name(), position, set(given), own_names, preferred or {})
+        definitions, names = places.of(names)
+        if not definitions:
+            return answer, ()
+        text = "\n\n".join(statement.source for _, _, statement in definitions)
+        return f"{_TAKEN_MARK}\n{text}\n\n{ANSWER_MARK}\n{answer}", _taken(definitions, names)
 
-    def _needed_places(self, position, needed, bound, preferred):
-        """{name: place} of the definitions that are needed, transitively, in the notebook's order.
-
-        What changes the value of one of them stands there too, under its own place.
-        """
-        names, known_names, places = set(needed), set(needed) | bound, {}
-        while names:
-            name = names.pop()
-            place = self._place(name, position, bound, preferred.get(name))
-            if place is None and self._imports_everything:
-                places |= self._imports_of_everything(name, position)
-            if place is not None and place not in places.values():
-                new_places = {name: place} | self._changes_of(place, bound)
-                reads = frozenset().union(*(statement.reads for _, _, statement in new_places.values()))
-                places |= new_places
-                names |= reads - known_names
-                known_names |= reads
-        return dict(sorted(places.items(), key=lambda item: item[1][:2]))
-
-    def _place(self, name, position, bound, preferred):
-        """(cell, number of the statement, Statement) of the definition of a name that counts, or None."""
-        is_builtin = hasattr(builtins, name)
-        if name not in (self._defined_words if is_builtin else self._words):
-            return None
-        places = [
-            place
-            for place in self._places_by_name().get(name, ())
-            if place[0] != position
-            and not place[2].binds & bound
-            and not (is_builtin and (place[2].is_value or place[0] > position))
-        ]
-        full = [place for place in places if not place[2].is_stub]
-        above = [place for place in full if place[0] < position]
-        below = full[len(above) :]
-        chosen = [place for place in places if place[0] == preferred] or above or below[:1] or places
-        return chosen[-1] if chosen else None
-
-    def _changes_of(self, place, bound):
-        """{(cell, number): place} of what changes, below an assignment in its cell, what it assigns."""
-        cell, number, statement = place
-        changes = (
-            change
-            for name in statement.binds
-            for change in self._changes.get((cell, name), ())
-            if statement.kind == "value" and change[1] > number and not change[2].binds & bound
-        )
-        return {change[:2]: change for change in changes}
-
-    def _imports_of_everything(self, name, position):
-        """{text: place} of `from module import *` in other cells; for a built-in name only of those above."""
-        is_builtin = hasattr(builtins, name)
-        return {
-            f"{ast.parse(place[2].source).body[0].module}.*": place
-            for place in self._places_by_name().get("*", ())
-            if place[0] < position or (place[0] > position and not is_builtin)
-        }
+    def _may_define(self, name):
+        """Whether a cell may define a name; that no cell does is mostly certain without reading them."""
+        return name in (self._defined_words if hasattr(builtins, name) else self._words)
 
     def _places_by_name(self):
+        """{name: [(cell, number of the statement, Statement)] of all that bind or change it}, in order."""
         if self._index is None:
-            self._index, self._changes = {}, {}  # the latter: {(cell, name): its changes}
+            self._index = {}
             for cell, source in enumerate(self._cells):
                 for number, statement in enumerate(statements_of(source or "")):
-                    is_taken = statement.kind != "other" or statement.binds == {"*"}
-                    for name in statement.binds if is_taken else ():
+                    for name in statement.binds | statement.changes:
                         self._index.setdefault(name, []).append((cell, number, statement))
-                    for name in statement.changes:
-                        self._changes.setdefault((cell, name), []).append((cell, number, statement))
         return self._index
+
+
+def _taken(definitions, names):
+    """The definitions of the names that are read, each by its last one: a tuple of Taken."""
+    taken = {}
+    for cell, _, statement in definitions:
+        for name in sorted(statement.binds & names):
+            if statement.kind != "other" or name not in taken:
+                taken[name] = Taken(name, statement.kind, cell)
+        if "*" in statement.binds:
+            module = ast.parse(statement.source).body[0].module
+            taken[module] = Taken(f"{module}.*", statement.kind, cell)
+    return tuple(taken.values())
+
+
+class _Slice:
+    """The statements of other cells that decide what names are when an answer is called.
+
+    Parameters
+    ----------
+    index : {name: places}, as `CellDefinitions` has it
+    position : int, of the answer's cell
+    given, own_names : sets of str, what the answer has already, and what its cell binds
+    preferred : as in `CellDefinitions.compose`
+    """
+
+    def __init__(self, index, position, given, own_names, preferred):
+        self._index, self._position, self._preferred = index, position, preferred
+        self._given, self._own_names = given, own_names
+        self._known_places = {}
+
+    def of(self, names):
+        """(the places that count, in the notebook's order; all names that they and the answer read)."""
+        names = self._closure(names)
+        places = {place: statement for name in names for place, statement in self._places(name).items()}
+        wanted, taken = set(names), []
+        for place, statement in sorted(places.items(), key=lambda item: item[0], reverse=True):
+            if any(place in self._places(name) for name in (statement.binds | statement.changes) & wanted):
+                taken.append((*place, statement))
+                wanted -= statement.binds if statement.kind != "other" else set()
+                wanted |= self._closure(self._reads(statement))
+        stars = self._imports_of_everything({name for name in names if not self._places(name)})
+        return sorted([*taken, *stars], key=lambda place: place[:2]), names
+
+    def _closure(self, names):
+        """The names, and all that their definitions read."""
+        known_names, waiting = set(), list(names)
+        while waiting:
+            name = waiting.pop()
+            if name not in known_names:
+                known_names.add(name)
+                waiting += [
+                    read for statement in self._places(name).values() for read in self._reads(statement)
+                ]
+        return known_names
+
+    def _reads(self, statement):
+        """What a statement reads that is not given; functions run when the answer's cell has run."""
+        return statement.reads - self._given - (set() if statement.is_value else self._own_names)
+
+    def _places(self, name):
+        if name not in self._known_places:
+            self._known_places[name] = self._find_places(name)
+        return self._known_places[name]
+
+    def _find_places(self, name):
+        """{(cell, number): Statement} of what binds or changes a name; empty if no cell binds it."""
+        is_builtin = hasattr(builtins, name)
+        places = [
+            place
+            for place in self._index.get(name, ())
+            if place[0] != self._position
+            and not place[2].binds & self._given
+            and not (is_builtin and (place[2].is_value or place[0] > self._position))
+        ]
+        binding = [place for place in places if name in place[2].binds]
+        binding = [place for place in binding if not place[2].is_stub] or binding[-1:]
+        cells = self._cells_that_count(name, sorted({place[0] for place in binding}))
+        return {
+            place[:2]: place[2]
+            for place in places
+            if place[0] in cells and (place in binding or not place[2].is_stub)
+        }
+
+    def _cells_that_count(self, name, cells):
+        """Those of the cells that bind or change a name: all above the answer, or the first one below."""
+        if self._preferred.get(name) in cells:
+            return (self._preferred[name],)
+        if not cells or cells[0] > self._position:
+            return tuple(cells[:1])
+        return range(cells[0], self._position)
+
+    def _imports_of_everything(self, unknown_names):
+        """The places of `from module import *` that may define names; for built-in names only those above."""
+        needs_more = any(not hasattr(builtins, name) for name in unknown_names)
+        return [
+            place
+            for place in self._index.get("*", ())
+            if unknown_names and place[0] != self._position and (place[0] < self._position or needs_more)
+        ]
 
 
 def _without_stub(source, function):

@@ -4,6 +4,7 @@ It is made from a declared exercise (`check_data_of`: validation, tests, the ans
 that a lesson carries (`check_files`: the learner's `check`).
 """
 
+import linecache
 from collections.abc import Mapping
 from dataclasses import dataclass
 from functools import lru_cache
@@ -12,9 +13,9 @@ from inspect import signature
 import numpy as np
 
 from imgproc_course.classroom.exercises import feedback
-from imgproc_course.classroom.exercises.cell_syntax import parts_of
+from imgproc_course.classroom.exercises.cell_syntax import cells_of, needed_parts, parts_of
 from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED, MasterError
-from imgproc_course.classroom.exercises.guarded_imports import tree_as_graded
+from imgproc_course.classroom.exercises.dependencies import tree_as_graded
 from imgproc_course.classroom.exercises.running import CallResult, by_itself, call
 
 
@@ -94,26 +95,40 @@ class CheckData:
             exec(compile(source, f"<given cell of {self.id}>", "exec", dont_inherit=True), names)
         return names
 
-    def run_answer(self, source):
+    def run_answer(self, source, function=None):
         """Run the source of an answer in a namespace of its own.
 
         As in grading, it runs statement by statement, one that fails or calls exit() costs only itself, and
-        nobody sees what it prints.
+        nobody sees what it prints. Modules that the exercise does not allow are not there.
+
+        Parameters
+        ----------
+        source : str, as `CellDefinitions.compose` gives it
+        function : str, the name of a function; then only what it needs is run
 
         Returns
         -------
-        (the exercise's function or None, the first error as text or "")
+        (the names that it defines, as a dict; the first error as text or "")
         """
         names, reason = self.namespace(), ""
-        for part in parts_of(source):
+        for file, part in self._parts(source, function):
             try:
-                part = tree_as_graded(part, self.allowed) or part
                 with by_itself():
-                    exec(compile(part, f"<answer to {self.id}>", "exec", dont_inherit=True), names)
+                    part = tree_as_graded(part, self.allowed) or part
+                    exec(compile(part, file, "exec", dont_inherit=True), names)
             except (Exception, SystemExit) as error:  # noqa: BLE001 - the learner's code may raise anything
                 reason = reason or f"{type(error).__name__}: {error}"
-        function = names.get(self.function)
-        return (function if callable(function) else None), reason
+        return names, reason
+
+    def _parts(self, source, function):
+        """(name of its file, part) of a source; the lines stay readable by the name of their file."""
+        parts = []
+        for place, cell in zip(("answer", "beside the answer"), reversed(cells_of(source)), strict=False):
+            file = f"<{place} to {self.id}>"
+            linecache.cache[file] = (len(cell), None, cell.splitlines(keepends=True), file)
+            parts = [*((file, part) for part in parts_of(cell)), *parts]
+        needed = None if function is None else needed_parts([part for _, part in parts], function)
+        return [(file, part) for file, part in parts if needed is None or part in needed]
 
     def call(self, function, arguments):
         """The CallResult of one call of an answer."""

@@ -21,6 +21,7 @@ from pathlib import Path
 from imgproc_course.classroom.exercises.check_data import CheckCase, CheckData, CheckMistake, ExpectedCall
 from imgproc_course.classroom.exercises.declaration import Case, Exercise, MasterError
 from imgproc_course.classroom.exercises.input_encoding import decode
+from imgproc_course.classroom.exercises.lesson_description import ExerciseDescription, LessonDescription
 from imgproc_course.classroom.exercises.running import CallResult
 
 FORMAT = 1
@@ -84,6 +85,17 @@ class CheckFile:
     def ids(self):
         """The ids of its exercises, as a list."""
         return list(self.entries)
+
+    def description(self):
+        """The LessonDescription."""
+        try:
+            exercises = tuple(
+                ExerciseDescription(id, entry["function"], entry["stub"], tuple(entry["given"]))
+                for id, entry in self.entries.items()
+            )
+        except DAMAGED as error:
+            raise damaged(self.path, error) from error
+        return LessonDescription(self.lesson, self.version, exercises, self.cells)
 
     def exercise(self, id):
         """The CheckData of one of its exercises.

@@ -1,22 +1,47 @@
 """`check`: run an answer's public cases in the learner's notebook."""
 
+import linecache
 import types
 from dataclasses import dataclass, field, replace
+from pathlib import Path
 
 from imgproc_course.classroom.exercises import feedback
+from imgproc_course.classroom.exercises.answer_cells import ComposedAnswer, compose_answer
 from imgproc_course.classroom.exercises.cell_runs import RUNS
+from imgproc_course.classroom.exercises.cell_syntax import plain_python
 from imgproc_course.classroom.exercises.check_data import CheckCase, CheckData, CheckMistake, check_data_of
-from imgproc_course.classroom.exercises.check_files import find_check_data
+from imgproc_course.classroom.exercises.check_files import find_check_file
 from imgproc_course.classroom.exercises.comparison import Difference, compare
 from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED
-from imgproc_course.classroom.exercises.dependencies import Dependencies, find_dependencies, split_taken
+from imgproc_course.classroom.exercises.dependencies import (
+    Dependencies,
+    find_refused,
+    names_unbound,
+    searched_statements,
+)
 from imgproc_course.classroom.exercises.diagnosis import Diagnosis, diagnose
-from imgproc_course.classroom.exercises.guarded_imports import function_as_graded
 from imgproc_course.classroom.exercises.progress import ExerciseProgress, digest_of, note_progress
-from imgproc_course.classroom.exercises.running import CallResult, code_of, overwrite_freed_memory
+from imgproc_course.classroom.exercises.running import (
+    CallResult,
+    TimeUp,
+    call_within,
+    code_of,
+    overwrite_freed_memory,
+    source_of,
+)
 from imgproc_course.classroom.exercises.source_remarks import remarks_on_source
 
 _NONE = {"type": "None"}
+_SECONDS = 10  # for the statements beside an answer
+_ANOTHER = (
+    "Several cells define {name}(). Grading takes the one of the answer cell, and so does this check; the one"
+    " that Python has now is another."
+)
+_ONLY_HERE = (
+    "In this notebook {name}() gives the right values, but not as grading runs it: in a new kernel, with"
+    " nothing but the answer cell and what it reads of other cells. Restart the kernel, run all cells, and"
+    " check again."
+)
 
 
 @dataclass(frozen=True)
@@ -73,7 +98,7 @@ class CheckResult:
     @property
     def passed(self):
         """True if grading would give every point of the public cases."""
-        is_accepted = not self.dependencies.refused and not self.dependencies.foreign and not self.why_older
+        is_accepted = self.dependencies.are_accepted and not self.why_older
         return self.attempted and is_accepted and all(result.passed for result in self.results)
 
     @property
@@ -85,7 +110,9 @@ class CheckResult:
 
     @property
     def points(self):
-        """Points of the public cases that pass."""
+        """What grading gives for the public cases."""
+        if not self.dependencies.are_accepted:
+            return 0
         return sum(result.case.points for result in self.results if result.passed)
 
     def __repr__(self):
@@ -112,7 +139,8 @@ def check(exercise_id, function):
     CheckFileError : there is no such exercise, or its file is missing or damaged
     TypeError : `function` cannot be called
     """
-    exercise = find_check_data(exercise_id)
+    file = find_check_file(exercise_id)
+    exercise = file.exercise(exercise_id)
     if not callable(function):
         raise TypeError(
             f"check({exercise_id!r}, ...) needs your function {exercise.function} itself, got a value of type"
@@ -122,9 +150,19 @@ def check(exercise_id, function):
     why_older = RUNS.why_older(exercise_id, exercise.function, function)
     if why_older:
         return CheckResult(exercise, attempted=True, why_older=why_older)
-    result = run_check(exercise, function)
+    result = run_check(exercise, function, _answer_in_notebook(file, exercise, function))
     _note(result, function)
     return result
+
+
+def _answer_in_notebook(file, exercise, function):
+    """The ComposedAnswer of the notebook that runs; None if no cell is known that defines the function."""
+    cells, lesson = RUNS.cells(), file.description()
+    for name in dict.fromkeys((getattr(code_of(function), "co_name", ""), exercise.function)):
+        answer = compose_answer(lesson, exercise.id, name, cells)
+        if answer is not None:
+            return answer
+    return None
 
 
 def _note(result, function):
@@ -152,48 +190,138 @@ def run_cases(exercise, function, *, cases=None, seed=PUBLIC_SEED):
     return run_check(check_data_of(exercise, None if cases is None else tuple(cases), seed), function)
 
 
-def run_check(exercise, function):
-    """Run an answer on the cases of an exercise.
+def run_check(exercise, function, answer=None):
+    """Run an answer on the cases of an exercise, as grading does.
 
     Parameters
     ----------
     exercise : CheckData
-    function : callable
+    function : callable, as the notebook has it
+    answer : ComposedAnswer; if omitted, the function's cell alone, or the function itself without a cell
 
     Returns
     -------
     CheckResult
     """
-    hints = [case.hint for case in exercise.cases]
-    remarks = tuple(remarks_on_source(function, hints=hints))
-    if _is_stub(exercise, function):
-        return CheckResult(exercise, attempted=False, remarks=remarks)
-    function = function_as_graded(function, exercise.allowed)
+    answer = answer or _answer_alone(function)
+    graded, dependencies = _as_graded(exercise, function, answer)
+    judged = graded or function
+    if _is_stub(exercise, judged):
+        return CheckResult(exercise, attempted=False, remarks=_remarks(exercise, judged))
+    calls = _run_calls(exercise, judged)
+    remarks = ()
+    if dependencies.foreign and not any(call.passed for call in calls):
+        calls, judged = _run_calls(exercise, function), function  # they tell more than a NameError
+    else:
+        dependencies = replace(dependencies, foreign={})
+        if judged is not function and not _is_same(judged, function):
+            remarks = (_ANOTHER.format(name=exercise.function),)
+        elif judged is not function and not all(call.passed for call in calls):
+            is_right = all(call.passed for call in _run_calls(exercise, function))
+            remarks = (_ONLY_HERE.format(name=exercise.function),) if is_right else ()
+    result = _judge_calls(exercise, judged, calls, dependencies)
+    return replace(result, remarks=(*remarks, *result.remarks))
+
+
+def _answer_alone(function):
+    """The ComposedAnswer of a function by its own cell; None for a function of no cell."""
+    code = code_of(function)
+    source = "" if code is None else "".join(linecache.getlines(code.co_filename))
+    if not source or Path(code.co_filename).exists():
+        return None
+    return ComposedAnswer(function.__name__, plain_python(source))
+
+
+def _as_graded(exercise, function, answer):
+    """(the function as grading has it, or None; Dependencies). A refused answer is not run as in grading."""
+    namespace = getattr(function, "__globals__", {})
+    given = set(exercise.provided)
+    if answer is None:
+        source, name = source_of(function), getattr(function, "__name__", "")
+        return None, Dependencies(find_refused(source, name, exercise.allowed, given, namespace))
+    refused = find_refused(answer.source, answer.function, exercise.allowed, given, namespace)
+    if refused:
+        return None, Dependencies(refused)
+    try:
+        names, error = call_within(lambda: exercise.run_answer(answer.source, answer.function), _SECONDS)
+    except TimeUp:
+        names, error = {}, "it did not finish"
+    graded = names.get(answer.function)
+    statements = searched_statements(answer.source, answer.function)
+    names_read = {*names_unbound(statements), *(name for statement in statements for name in statement.binds)}
+    taken = {
+        taken.name: taken.kind
+        for taken in answer.taken
+        if taken.name.endswith(".*") or (taken.name in names_read and taken.name in names)
+    }
+    foreign = {
+        name: "function" if isinstance(namespace[name], types.FunctionType) else "value"
+        for name in sorted(names_unbound(statements) & namespace.keys() - names.keys())
+    }
+    if callable(graded):
+        return graded, Dependencies(foreign=foreign, taken=taken)
+    error = error or f"it does not define {answer.function}()"
+    return None, Dependencies(foreign=foreign, error=error)
+
+
+def _is_same(function, other):
+    codes = [code_of(function), code_of(other)]
+    return None in codes or (codes[0].co_code, codes[0].co_consts) == (codes[1].co_code, codes[1].co_consts)
+
+
+def _run_calls(exercise, function):
+    """Run a function on the cases of an exercise, until a call does not end in time; a list of CaseCall."""
     calls = []
     pairs = [(case, expected) for case in exercise.cases for expected in case.calls]
     for case, expected in pairs:
         overwrite_freed_memory(expected.result.value)
         result = exercise.call(function, expected.arguments)
-        if result.error == "NotImplementedError":
-            return CheckResult(exercise, attempted=False, remarks=remarks)
         difference = None
         if result.finished:
             difference = compare(
                 expected.result.value, result.value, case.tolerance, exact_type=exercise.exact_type
             )
         calls.append(CaseCall(case, expected.arguments, expected.result, result, difference))
-        if result.timed_out:
+        if result.timed_out or result.error == "NotImplementedError":
             break  # a learner waits for one time limit, not for one per call
+    return calls
+
+
+def check_built(exercise, function, source):
+    """Run an answer that was built as in grading on the cases of its exercise.
+
+    Parameters
+    ----------
+    exercise : CheckData
+    function : callable
+    source : str, from which it was built
+
+    Returns
+    -------
+    CheckResult
+    """
+    if _is_stub(exercise, function):
+        return CheckResult(exercise, attempted=False, remarks=_remarks(exercise, function))
+    namespace = getattr(function, "__globals__", {})
+    refused = find_refused(source, exercise.function, exercise.allowed, set(exercise.provided), namespace)
+    return _judge_calls(exercise, function, _run_calls(exercise, function), Dependencies(refused))
+
+
+def _judge_calls(exercise, function, calls, dependencies):
+    """The CheckResult of the calls of a function."""
+    errors = {case_call.result.error for case_call in calls}
+    if "NotImplementedError" in errors:
+        return CheckResult(exercise, attempted=False, remarks=_remarks(exercise, function))
     results = tuple(_case_result(case, calls) for case in exercise.cases)
-    dependencies = find_dependencies(function, exercise.allowed, set(exercise.provided))
-    if dependencies.foreign:
-        dependencies = split_taken(dependencies, RUNS.sources(), exercise.names)
     has_passed = all(result.passed for result in results)
     mistake = None if has_passed else _known_mistake(exercise, calls)
-    errors = {case_call.result.error for case_call in calls}
-    remarks = () if has_passed else tuple(remarks_on_source(function, errors, hints))
+    remarks = () if has_passed else _remarks(exercise, function, errors)
     result = CheckResult(exercise, True, results, mistake, dependencies, remarks=remarks)
     return replace(result, diagnosis=_diagnosis(result, calls))
+
+
+def _remarks(exercise, function, errors=()):
+    return tuple(remarks_on_source(function, errors, [case.hint for case in exercise.cases]))
 
 
 def _diagnosis(result, calls):

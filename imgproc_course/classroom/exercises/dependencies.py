@@ -1,38 +1,44 @@
-"""What an answer uses from outside its own cell: modules that are not allowed, names unknown to grading.
+"""Modules that an exercise does not allow: which of them an answer uses, and how their imports fail.
 
-Grading runs the answer cell, and what it reads of other cells if that can be taken along. If a function works
-in the notebook only because another cell did more, the learner reads it here, before submitting.
+In grading such a module is not there. An answer that uses it is refused; an import of it inside a try or a
+with statement raises ImportError, so that the answer takes its own way.
 """
 
+import ast
 import builtins
-import dis
 import importlib.util
-import linecache
 import sys
 import types
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 
 from imgproc_course.classroom import course
-from imgproc_course.classroom.exercises.cell_syntax import bound_names, statements_of
-from imgproc_course.classroom.exercises.running import code_of
+from imgproc_course.classroom.exercises.cell_syntax import (
+    UNPARSABLE,
+    cells_of,
+    needed_statements,
+    statements_of,
+)
 
 
 @dataclass(frozen=True)
 class Dependencies:
     """What an answer uses from outside its cell.
 
-    refused   modules that the exercise does not allow, sorted
-    foreign   names that another cell defines, sorted; without those that grading takes along
-    taken     names that another cell defines, and that grading takes along (see `split_taken`), sorted
-    origins   {name that another cell defines: its import line, "function" for a function of it, or "value"}
-    names     {refused module: the name by which the answer uses it}
+    refused   {module that the exercise does not allow: the name by which the answer uses it}
+    foreign   {name that another cell defines, and that grading does not have: "function" or "value"}
+    taken     {name that another cell defines, and that grading takes along: its kind (see `Statement`)}
+    error     why the answer's cell does not run by itself, ""
     """
 
-    refused: tuple = ()
-    foreign: tuple = ()
-    taken: tuple = ()
-    origins: dict = field(default_factory=dict, compare=False)
-    names: dict = field(default_factory=dict, compare=False)
+    refused: dict = field(default_factory=dict)
+    foreign: dict = field(default_factory=dict)
+    taken: dict = field(default_factory=dict)
+    error: str = ""
+
+    @property
+    def are_accepted(self):
+        """Whether grading accepts them."""
+        return not (self.refused or self.foreign or self.error)
 
 
 # What every answer may use: NumPy, and what shows something. Inside the sandbox nothing else exists.
@@ -43,111 +49,8 @@ _FOR_ALL = (
     "__main__",
     *course.ALWAYS_ALLOWED,
 )
-
-
-def find_dependencies(function, allowed, provided):
-    """What a function and its helper functions use.
-
-    The compiled code is read, so `import cv2 as c` and `from cv2 import cvtColor` in other cells are found
-    too.
-
-    Parameters
-    ----------
-    function : the learner's
-    allowed : sequence of str, modules that the exercise allows beside NumPy and the standard library
-    provided : set of str, names that every answer has (from the given cells)
-
-    Returns
-    -------
-    Dependencies
-    """
-    if code_of(function) is None:
-        return Dependencies()
-    walker = _Walker(allowed, provided)
-    walker.visit(function)
-    refused, foreign = tuple(sorted(walker.used_refused)), tuple(sorted(walker.foreign))
-    return Dependencies(refused, foreign, (), walker.foreign, walker.used_refused)
-
-
-def split_taken(dependencies, sources, arguments):
-    """Tell the names that grading takes along from those that it cannot.
-
-    It takes along functions, classes and imports, and a value that a plain assignment gives and no loop or
-    camera changes: grading would make the same value again.
-
-    Parameters
-    ----------
-    dependencies : Dependencies, as `find_dependencies` gives it
-    sources : list of str, of the cells that ran
-    arguments : sequence of str, of the exercise's function; a variable with such a name is a mistake
-
-    Returns
-    -------
-    Dependencies, with `taken`
-    """
-    statements = [statement for source in sources for statement in statements_of(source)]
-    taken = {
-        name
-        for name, origin in dependencies.origins.items()
-        if name not in arguments and (origin != "value" or _is_made_again(name, statements))
-    }
-    foreign = dependencies.origins.keys() - taken
-    return replace(dependencies, foreign=tuple(sorted(foreign)), taken=tuple(sorted(taken)))
-
-
-def _is_made_again(name, statements, visiting=()):
-    """Whether a value comes from plain assignments alone."""
-    if any(
-        name in (statement.reads | statement.binds) for statement in statements if statement.kind == "other"
-    ):
-        return False
-    binding = [statement for statement in statements if name in statement.binds]
-    if not binding or name in visiting:
-        return hasattr(builtins, name)
-    latest = binding[-1]
-    if latest.kind == "import":
-        return not any(part in latest.source for part in course.LIVE_MODULES)
-    return all(_is_made_again(other, statements, (*visiting, name)) for other in latest.reads - {name})
-
-
-class _Walker:
-    def __init__(self, allowed, provided):
-        self._allowed = allowed
-        self._provided = provided
-        self._visited = set()
-        self.used_refused = {}
-        self.foreign = {}
-
-    def visit(self, function):
-        code = code_of(function)
-        if code is None or code in self._visited:
-            return
-        self._visited.add(code)
-        cell_names = names_of_cell(code.co_filename)
-        namespace = function.__globals__
-        for name in _imports(code):
-            self._is_refused(name, name)
-        for name in _global_names(code):
-            if name in self._provided or hasattr(builtins, name):
-                continue
-            if name not in namespace:  # it will raise NameError; would importing a module of that name help?
-                self._is_refused(name if importlib.util.find_spec(name) else None, name)
-                continue
-            value = namespace[name]
-            module = _module_of(value)
-            if module != namespace.get("__name__") and self._is_refused(module, name):
-                continue
-            if cell_names is not None and name not in cell_names:
-                self.foreign[name] = _origin(name, value)
-            if isinstance(value, types.FunctionType) and value.__globals__ is namespace:
-                self.visit(value)
-
-    def _is_refused(self, module, used_name):
-        """Whether a module is not allowed; such a one is recorded."""
-        name = refused_module(module, self._allowed)
-        if name is not None:
-            self.used_refused.setdefault(name, used_name)
-        return name is not None
+_GUARDS = (ast.Try, ast.TryStar, ast.With, ast.AsyncWith)
+_SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Lambda)
 
 
 def refused_module(module, allowed):
@@ -155,10 +58,10 @@ def refused_module(module, allowed):
 
     Parameters
     ----------
-    module : str, "cv2" or "scipy.ndimage"; anything else is no module
+    module : str, "cv2" or "scipy.ndimage"; None is no module
     allowed : sequence of str, modules that the exercise allows beside those that every answer may use
     """
-    if not isinstance(module, str):
+    if module is None:
         return None
     top, *submodules = module.split(".")
     allowed = (*_FOR_ALL, *allowed)
@@ -167,81 +70,116 @@ def refused_module(module, allowed):
     return f"{top}.{submodules[0]}" if top == course.NAME and submodules else top
 
 
-def _module_of(value):
-    """The module that a value is, or that a function or class comes from; None for data."""
-    if isinstance(value, types.ModuleType):
-        return value.__name__
-    if not callable(value):
-        return None
-    module, name = getattr(value, "__module__", None), getattr(value, "__name__", None)
-    if module is None and isinstance(value, types.BuiltinFunctionType):  # such as those of cv2
-        return next((key for key, module in list(sys.modules.items()) if _holds(module, name, value)), None)
-    return module
+def find_refused(source, function, allowed, given, namespace):
+    """The modules that an answer uses, and that its exercise does not allow.
 
-
-def _holds(module, name, value):
-    return isinstance(module, types.ModuleType) and vars(module).get(name) is value
-
-
-def _origin(name, value):
-    """The import line of a value of another cell, "function" for a function defined there, or "value"."""
-    if isinstance(value, types.ModuleType):
-        return f"import {name}" if value.__name__ == name else f"import {value.__name__} as {name}"
-    parts = (_module_of(value) or "").split(".") if callable(value) else []
-    for count in range(1, len(parts) + 1):
-        module = sys.modules.get(".".join(parts[:count]))
-        if parts != ["__main__"] and getattr(module, name, None) is value:
-            return f"from {module.__name__} import {name}"
-    return "function" if isinstance(value, types.FunctionType) else "value"
-
-
-def _codes(code):
-    yield code
-    for constant in code.co_consts:
-        if isinstance(constant, types.CodeType):
-            yield from _codes(constant)
-
-
-def _global_names(code):
-    names = (
-        step.argval for part in _codes(code) for step in dis.get_instructions(part) if step.opname in _GLOBAL
-    )
-    return dict.fromkeys(names)
-
-
-_IMPORT = dis.opmap["IMPORT_NAME"]
-_GLOBAL = ("LOAD_GLOBAL", "LOAD_NAME", "STORE_GLOBAL")
-
-
-def _imports(code):
-    """The modules that a function imports, but not inside try or with: there its own way counts."""
-    for part in _codes(code):
-        if _IMPORT not in part.co_code[::2]:  # a quick test: disassembling takes much longer
-            continue
-        steps = dis.Bytecode(part)
-        module = ""
-        for step in steps:
-            if any(entry.start <= step.offset < entry.end for entry in steps.exception_entries):
-                continue
-            if step.opname == "IMPORT_NAME":
-                module = step.argval
-                yield from () if module == course.NAME else (module,)
-            elif step.opname == "IMPORT_FROM":
-                yield f"{module}.{step.argval}"
-
-
-def names_of_cell(filename):
-    """The names that a cell's source binds at its top level.
+    The answer's cell is searched, and functions, classes and imports of other cells. A value of another cell
+    that needs such a module is no use of it: in grading it is missing.
 
     Parameters
     ----------
-    filename : str, as code objects of the cell carry it
+    source : str, as `CellDefinitions.compose` gives it
+    function : str, the name of the answer's function
+    allowed : sequence of str, modules that the exercise allows
+    given : set of str, names that every answer to the exercise has
+    namespace : {name: value}, what the function finds in the notebook
 
     Returns
     -------
-    set of str, or None if the source is not known
+    {module: the name by which the answer uses it}
     """
-    source = "".join(linecache.getlines(filename))
-    if not source:
+    statements, refused = searched_statements(source, function), {}
+    for statement in statements:
+        refused = _AsGraded(allowed).refused_in(ast.parse(statement.source)) | refused
+    for name in sorted(names_unbound(statements) - given):
+        # It raises NameError in grading. Is it a module, or would an import of one help?
+        is_value = not isinstance(namespace.get(name, sys), types.ModuleType)
+        module = None if is_value or not importlib.util.find_spec(name) else refused_module(name, allowed)
+        refused |= {module: name} if module else {}
+    return dict(sorted(refused.items()))
+
+
+def searched_statements(source, function):
+    """The statements that decide which names an answer reads; see `find_refused`."""
+    *other_cells, answer = cells_of(source) or [""]
+    statements = [
+        statement for cell in other_cells for statement in statements_of(cell) if not statement.is_value
+    ]
+    return needed_statements([*statements, *statements_of(answer)], function, with_changes=False)
+
+
+def names_unbound(statements):
+    """The names that statements read, and that neither they nor Python define; a set."""
+    names = set().union(*(statement.reads for statement in statements))
+    names = names.difference(*(statement.binds for statement in statements))
+    return {name for name in names if not hasattr(builtins, name)}
+
+
+def tree_as_graded(source, allowed):
+    """The syntax tree of a source in which other modules cannot be imported.
+
+    Parameters
+    ----------
+    source : str
+    allowed : sequence of str, modules that the exercise allows beside those that every answer may use
+
+    Returns
+    -------
+    ast.Module, or None if there is no such import
+    """
+    try:
+        tree = ast.parse(source)
+    except UNPARSABLE:
         return None
-    return bound_names(source)
+    visitor = _AsGraded(allowed)
+    tree = ast.fix_missing_locations(visitor.visit(tree))
+    return tree if visitor.has_changed else None
+
+
+class _AsGraded(ast.NodeTransformer):
+    """Lets guarded imports of other modules fail, and removes those at the top of a cell.
+
+    Inside a function they stay: an answer that comes so far is refused.
+    """
+
+    def __init__(self, allowed):
+        self._allowed, self._is_guarded, self._is_inside = allowed, False, False
+        self.refused, self.has_changed = {}, False
+
+    def refused_in(self, tree):
+        """The refused modules of imports that nothing guards, as `find_refused` gives them."""
+        self.visit(tree)
+        return self.refused
+
+    def visit(self, node):
+        if isinstance(node, (ast.Import, ast.ImportFrom)):
+            return self._import(node)
+        outside = self._is_guarded, self._is_inside
+        if isinstance(node, _GUARDS):
+            self._is_guarded = True
+        elif isinstance(node, _SCOPES):
+            self._is_guarded, self._is_inside = False, True
+        self.generic_visit(node)
+        self._is_guarded, self._is_inside = outside
+        return node
+
+    def _import(self, node):
+        module = getattr(node, "module", None)
+        names = node.names if module in (None, course.NAME) else node.names[:1]
+        for alias in names:
+            imported = alias.name if module is None else f"{module}.{alias.name}"
+            refused = refused_module(imported if module in (None, course.NAME) else module, self._allowed)
+            if refused is not None:
+                return self._without(node, refused, alias.asname or alias.name)
+        return node
+
+    def _without(self, node, refused, name):
+        if not self._is_guarded:
+            self.refused.setdefault(refused, name)
+        if self._is_inside and not self._is_guarded:
+            return node
+        self.has_changed = True
+        text = f"write this exercise without {refused}"
+        failure = f"raise ModuleNotFoundError({text!r}, name={refused!r})"
+        (statement,) = ast.parse(failure if self._is_guarded else "pass").body
+        return ast.copy_location(statement, node)

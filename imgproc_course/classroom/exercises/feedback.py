@@ -104,8 +104,7 @@ def _answer_parts(call):
 
 
 def _refusals(result):
-    for module in result.dependencies.refused:
-        name = result.dependencies.names.get(module, module)
+    for module, name in result.dependencies.refused.items():
         used = module if name.startswith(module) else f"{name} of {module}"
         reason = "the task does not allow it" if result.exercise.practice else "grading refuses it"
         yield f"{result.exercise.function}() uses {used}. Write this exercise without it: {reason}."
@@ -114,25 +113,23 @@ def _refusals(result):
 def _notes(result):
     exercise = result.exercise
     names = ", ".join(exercise.names)
-    for foreign in result.dependencies.foreign:
-        origin = result.dependencies.origins[foreign]
+    if result.dependencies.error:
+        yield f"The answer cell does not run by itself: {result.dependencies.error}"
+    for foreign, origin in result.dependencies.foreign.items():
         if foreign in exercise.names:
             advice = f"Take {foreign} as the argument: def {exercise.function}({names}):"
         elif origin == "function":
             advice = f"Copy the definition of {foreign} into the answer cell."
-        elif origin == "value":
-            advice = f"Use the arguments of your function ({names}), or define {foreign} in the answer cell."
         else:
-            advice = f"Write its import line in the answer cell, too: {origin}"
-        verb = "imports" if " import " in f" {origin}" else "defines"
+            advice = f"Use the arguments of your function ({names}), or define {foreign} in the answer cell."
         reason = "" if exercise.practice else " Grading runs only the answer cell."
-        yield f"{exercise.function}() uses {foreign}, which another cell {verb}.{reason} {advice}"
+        yield f"{exercise.function}() uses {foreign}, which another cell defines.{reason} {advice}"
 
 
 def _taken_along(result):
     """What grading takes along from other cells. In a wrong answer, a value may stand for an argument."""
     dependencies, exercise = result.dependencies, result.exercise
-    values = [name for name in dependencies.taken if dependencies.origins[name] == "value"]
+    values = [name for name, kind in dependencies.taken.items() if kind in ("value", "other")]
     if values and not all(case_result.passed for case_result in result.results):
         yield (
             f"{exercise.function}() uses {', '.join(values)} of another cell, which is the same in every"
@@ -186,13 +183,11 @@ def _footer(result):
         )
     if exercise.practice:
         return "Practice: no points."
-    is_accepted = not result.dependencies.refused and not result.dependencies.foreign
-    points = result.points if is_accepted else 0
-    text = f"Points here: {points} of {exercise.points}."
+    text = f"Points here: {result.points} of {exercise.points}."
     count = exercise.hidden_count
     if not count:
         return text
-    if points == exercise.points and not result.passed:
+    if result.points == exercise.points and not result.passed:
         text += " But a check fails, and grading takes points for that on other inputs."
     checks = "1 more check" if count == 1 else f"{count} more checks"
     return f"{text} Grading runs {checks} on other inputs, worth {exercise.hidden_points}."

@@ -8,11 +8,13 @@ import contextlib
 import copy
 import ctypes
 import dis
+import inspect
 import io
 import linecache
 import re
 import signal
 import sys
+import textwrap
 import threading
 import time
 import traceback
@@ -121,7 +123,7 @@ def by_itself():
 def _call_fields(function, arguments, time_limit):
     """The fields of CallResult that the call itself gives, as a dict."""
     try:
-        value = _call_within(lambda: function(*arguments), time_limit)
+        value = call_within(lambda: function(*arguments), time_limit)
         has_return = value is None and _returns_a_value(code_of(function))
         return {"value": canonical(value, limit=None), "has_return": has_return}
     except TimeUp as ended:
@@ -178,7 +180,8 @@ class _LimitedOutput(io.StringIO):
         return len(text)
 
 
-def _call_within(function, seconds):
+def call_within(function, seconds):
+    """What a function of no arguments returns; TimeUp is raised in it at its time limit."""
     if hasattr(signal, "setitimer") and threading.current_thread() is threading.main_thread():
         return _with_alarm(function, seconds)
     return _in_thread(function, seconds)
@@ -264,3 +267,11 @@ def code_of(function):
     """The code object behind a Python function, or None (a built-in, a class)."""
     function = getattr(function, "__func__", function)
     return function.__code__ if isinstance(function, types.FunctionType) else None
+
+
+def source_of(function):
+    """The source of a function, "" if it is not known."""
+    try:
+        return textwrap.dedent(inspect.getsource(function))
+    except (OSError, TypeError):
+        return ""

@@ -3,7 +3,7 @@
 import json
 
 from imgproc_course.classroom.autograder.answer_key import HANDED_OUT, SOLUTIONS, KeyFolderError, load_key
-from imgproc_course.classroom.gradebook.lesson_description import LessonDescription
+from imgproc_course.classroom.exercises.lesson_description import LessonDescription
 
 
 class AnswerKeys:

@@ -15,11 +15,10 @@ from imgproc_course.classroom.exercises.check_files import (
     checks_folders,
     read_check_file,
 )
-from imgproc_course.classroom.exercises.checking import CheckResult, run_check
+from imgproc_course.classroom.exercises.checking import CheckResult, check_built
 from imgproc_course.classroom.exercises.error_advice import advice_on
 from imgproc_course.classroom.exercises.feedback import explain_call
 from imgproc_course.classroom.gradebook.archives import LARGEST, too_large
-from imgproc_course.classroom.gradebook.lesson_description import LessonDescription
 from imgproc_course.classroom.gradebook.notebook_reader import NotebookReader
 from imgproc_course.classroom.gradebook.submission import (
     AnswerState,
@@ -114,7 +113,7 @@ class CheckFileCatalog:
 
     def describe(self, lesson, _version):
         """The LessonDescription of a lesson, in the version that its checks were built with."""
-        return LessonDescription.from_check_file(self.lessons[lesson])
+        return self.lessons[lesson].description()
 
 
 def check_lesson(path, folders=None):
@@ -213,14 +212,15 @@ async def _run_in_loop(entry):
 
 
 def _run_and_check(entry):
-    function, error = entry.exercise.run_answer(entry.source)
-    if function is None:
+    names, error = entry.exercise.run_answer(entry.source)
+    function = names.get(entry.exercise.function)
+    if not callable(function):
         entry.state = AnswerState.BROKEN
         reason = error or f"it defines no function {entry.exercise.function}()"
         entry.notes.append(f"its cell does not run by itself: {reason}")
         return
     entry.notes += [f"a statement in its cell fails: {error}"] if error else []
-    result = run_check(entry.exercise, function)
+    result = check_built(entry.exercise, function, entry.source)
     if not result.attempted:
         entry.state = AnswerState.NOT_ATTEMPTED
         return

@@ -13,8 +13,8 @@ from functools import lru_cache
 
 from imgproc_course.classroom.authoring.lesson_names import lesson_name, lessons_named
 from imgproc_course.classroom.autograder.sanitize import sanitize_line
+from imgproc_course.classroom.exercises.answer_cells import find_answer_cell, requests_to_compose
 from imgproc_course.classroom.exercises.error_advice import advice_on
-from imgproc_course.classroom.gradebook.answer_cells import find_answer_cell
 from imgproc_course.classroom.gradebook.submission_reader import MOST_CHARACTERS, syntax_digest
 
 _LONGEST_PREDICTION = 1_000  # characters
@@ -353,12 +353,7 @@ def _compose_answers(answers, all_cells, reader, content):
     }
     if not answered:
         return
-    preferred = {exercise.function: cell["number"] for exercise, cell in answered.items()}
-    requests = [
-        [cell["number"], exercise.function, sorted(exercise.given_names), preferred]
-        for exercise, cell in answered.items()
-    ]
-    composed = reader.compose(requests)
+    composed = reader.compose(requests_to_compose(answered))
     if composed is None:
         content.add(
             "what its answers read from other cells takes too much time or memory to find", kind="odd"

@@ -1,34 +1,16 @@
-"""What an answer uses from outside its own cell."""
+"""Modules that an exercise does not allow: which an answer uses, and how their imports fail."""
 
-import linecache
+import ast
 
-from imgproc_course.classroom.exercises.dependencies import Dependencies, bound_names, find_dependencies
+import pytest
 
-
-def function_in_cell(source, *, others="", name="f", file="<cell 1>"):
-    """A function as a notebook holds it: its own cell, and one shared namespace."""
-    namespace = {}
-    exec(compile(others, "<another cell>", "exec"), namespace)
-    linecache.cache[file] = (len(source), None, source.splitlines(keepends=True), file)
-    exec(compile(source, file, "exec"), namespace)
-    return namespace[name]
+from imgproc_course.classroom.exercises.cell_syntax import ANSWER_MARK, bound_names
+from imgproc_course.classroom.exercises.dependencies import find_refused, tree_as_graded
 
 
-def test_a_function_that_needs_nothing_has_no_dependencies():
-    function = function_in_cell("import numpy as np\nK = 3\ndef f(a):\n    return np.sum(a) + K + len(a)\n")
-    assert find_dependencies(function, (), set()) == Dependencies()
-
-
-def test_names_of_another_cell_are_foreign_and_given_ones_are_not():
-    function = function_in_cell(
-        "def f(a):\n    return helper(a) + K\n", others="K = 3\ndef helper(a): return a\n"
-    )
-    assert find_dependencies(function, (), {"K"}).foreign == ("helper",)
-
-
-def test_a_helper_in_the_same_cell_is_followed():
-    function = function_in_cell("def g(a):\n    return K\ndef f(a):\n    return g(a)\n", others="K = 3")
-    assert find_dependencies(function, (), set()).foreign == ("K",)
+def refused(source, allowed=(), others="", given=(), namespace=None):
+    source = f"{others}\n{ANSWER_MARK}\n{source}" if others else source
+    return find_refused(source, "f", allowed, set(given), namespace or {})
 
 
 def test_modules_that_are_not_allowed_are_seen_however_they_are_named():
@@ -41,68 +23,71 @@ def test_modules_that_are_not_allowed_are_seen_however_they_are_named():
         "def f(a):\n    def inner():\n        import cv2\n    return inner()\n": "cv2",
         "def f(a):\n    from imgproc_course import imaging\n": "imgproc_course.imaging",
         "def f(a):\n    return cv2.add(a, a)\n": "cv2",
+        "import cv2\nFLAG = cv2.IMREAD_COLOR\ndef f(a):\n    return FLAG\n": "cv2",
+        "import cv2\ng = cv2.add\nf = lambda a: g(a, a)\n": "cv2",
     }
     for source, module in sources.items():
-        assert find_dependencies(function_in_cell(source), (), set()).refused == (module,), source
-        assert find_dependencies(function_in_cell(source), (module,), set()).refused == (), source
-    other_cell = function_in_cell("def f(a):\n    return new(a)\n", others="from PIL.Image import new")
-    assert find_dependencies(other_cell, (), set()) == Dependencies(refused=("PIL",))
+        assert list(refused(source)) == [module], source
+        assert refused(source, (module,)) == {}, source
+    others = "from PIL.Image import new"
+    assert refused("def f(a):\n    return new(a)\n", others=others) == {"PIL": "new"}
+    others = "import cv2\ndef g(a):\n    return cv2.add(a, a)"
+    assert refused("def f(a):\n    return g(a)\n", others=others) == {"cv2": "cv2"}
 
 
 def test_numpy_the_standard_library_and_what_shows_something_need_no_permission():
-    function = function_in_cell(
+    source = (
         "import json, math, numpy as np\nfrom IPython.display import display\n"
         "import matplotlib.pyplot as plt\nfrom imgproc_course.display import show\n"
         "def f(a):\n    import xml.dom.minidom\n    return json, math, np, display, plt, show\n"
     )
-    assert find_dependencies(function, (), set()) == Dependencies()
+    assert refused(source) == {}
 
 
 def test_an_import_that_may_fail_and_a_name_that_is_not_used_count_for_nothing():
-    function = function_in_cell(
+    source = (
         "import cv2\ndef f(a):\n    try:\n        import skimage\n    except ImportError:\n        return a\n"
     )
-    assert find_dependencies(function, (), set()) == Dependencies()
+    assert refused(source) == {}
+
+
+def test_a_value_of_another_cell_is_no_use_of_a_module():
+    """In grading it is missing, and the answer fails for that."""
+    assert refused("def f(a):\n    return FLAG\n", others="import cv2\nFLAG = cv2.IMREAD_COLOR") == {}
 
 
 def test_a_name_that_only_begins_like_an_allowed_one_is_not_allowed():
-    function = function_in_cell("def f(a):\n    import jsonschema, skimage\n")
-    assert find_dependencies(function, ("json", "ski"), set()).refused == ("jsonschema", "skimage")
+    assert list(refused("def f(a):\n    import jsonschema, skimage\n", ("json", "ski"))) == ["jsonschema"]
 
 
-def test_what_is_given_needs_no_permission():
-    function = function_in_cell("def f(a):\n    return cv2.add(a, a)\n", others="import cv2")
-    assert find_dependencies(function, (), {"cv2"}) == Dependencies()
+def test_what_is_given_needs_no_permission_and_a_value_of_such_a_name_is_no_module():
+    assert refused("def f(a):\n    return cv2.add(a, a)\n", given={"cv2"}) == {}
+    assert refused("def f(a):\n    return cv2 + a\n", namespace={"cv2": 3}) == {}
+    assert refused("def f(a):\n    return cv2.add(a)\n", namespace={"cv2": ast}) == {"cv2": "cv2"}
 
 
-def test_where_a_name_of_another_cell_comes_from():
-    others = (
-        "import math\nimport xml.dom.minidom as dom\nfrom imgproc_course.imaging import psnr\n"
-        "K = 3\ndef helper(a): return a\n"
-    )
-    function = function_in_cell(
-        "def f(a):\n    return math.pi, dom.parse, psnr(a, a), K, helper(a)\n", others=others
-    )
-    assert find_dependencies(function, ("imgproc_course.imaging",), set()).origins == {
-        "math": "import math",
-        "dom": "import xml.dom.minidom as dom",
-        "psnr": "from imgproc_course.imaging import psnr",
-        "K": "value",
-        "helper": "function",
-    }
-
-
-def test_the_name_by_which_a_refused_module_is_used():
-    function = function_in_cell(
-        "def f(a):\n    return psnr(a, a)\n", others="from imgproc_course.imaging import psnr"
-    )
-    refused = find_dependencies(function, (), set())
-    assert refused.names == {"imgproc_course.imaging": "psnr"}
+@pytest.mark.parametrize(
+    ("source", "after"),
+    [
+        ("import numpy as np\nx = 1", None),
+        ("import cv2\nx = 1", "pass\nx = 1"),
+        ("def f():\n    import cv2", None),  # an answer that comes so far is refused
+        (
+            "try:\n    import cv2\nexcept ImportError:\n    pass",
+            "try:\n    raise ModuleNotFoundError('write this exercise without cv2', name='cv2')\n"
+            "except ImportError:\n    pass",
+        ),
+    ],
+)
+def test_modules_that_are_not_allowed_cannot_be_imported(source, after):
+    tree = tree_as_graded(source, ())
+    assert (ast.unparse(tree) if tree else None) == after
 
 
 def test_bound_names():
     source = (
         "import a.b, c as d\nx, (y, *z) = 1, (2, 3)\ndef g(h): i = 1\nclass J: k = 2\nfor m in []: n = 1\n"
+        "o = [p for p in x]\n"
     )
-    assert bound_names(source) == {"a", "d", "x", "y", "z", "g", "J", "m", "n"}
+    assert bound_names(source) == {"a", "d", "x", "y", "z", "g", "J", "m", "n", "o"}
     assert bound_names("def (") == set()

@@ -12,6 +12,7 @@ import jupytext
 import nbformat
 import pytest
 from jupyterlab_cells import change_type, copy_and_paste, insert, merge, new_cell, position_of, split
+from own_cells import ONCE_REFUSED
 
 from imgproc_course.classroom.authoring.build import lesson_notebook
 from imgproc_course.classroom.gradebook.check import check_lesson, run_answers
@@ -396,6 +397,19 @@ def everything_of_a_module_imported_above(made):
 @case(finding="numpy.* of another cell", double=USES_EVERYTHING)
 def everything_of_a_module_imported_below(made):
     insert(made, position_of(made, DOUBLE) + 1, new_cell("from numpy import *"))
+
+
+def with_own_cells(cells):
+    def change(made):
+        insert(made, position_of(made, DOUBLE), *map(new_cell, cells))
+
+    return change
+
+
+for name, (cells, answer) in ONCE_REFUSED.items():
+    change = with_own_cells(cells)
+    change.__name__ = name.replace(" ", "_")
+    case(finding="of another cell" if len(cells) == 1 else "of other cells", double=answer)(change)
 
 
 # ---------------------------------------------------------------- pasted text

@@ -1,13 +1,17 @@
-"""`check` and `grade` give one verdict about a notebook, whatever happened to it."""
+"""`check`, in a notebook and on its file, and `grade` give one verdict, whatever happened to a notebook."""
 
 import json
+import re
 
 import pytest
 from hypothesis import HealthCheck, given, settings
 from hypothesis import strategies as st
+from jupyterlab_cells import insert, new_cell, position_of
+from kernel_points import NotebookKernel
+from own_cells import FORMS, MORE, ONCE_REFUSED
 from submissions import answers_of, cell_of, notebook
 
-from imgproc_course.classroom.gradebook.check import LessonFileError, check_lesson
+from imgproc_course.classroom.gradebook.check import LessonFileError, check_lesson, run_answers
 from imgproc_course.classroom.gradebook.collect import collect
 from imgproc_course.classroom.gradebook.learners import read_all
 
@@ -195,6 +199,80 @@ def test_check_and_grade_give_one_verdict(
     path = tmp_path / f"{name}.ipynb"
     path.write_bytes(as_bytes(made, file_damage))
     assert verdict_of_check(path, checks) == verdict_of_grade(path, answer_keys)
+
+
+# ---------------------------------------------------------------- what an answer takes along
+
+FUNCTIONS = {"light-double": "double", "light-halves": "halves"}
+more_cells = st.lists(st.tuples(positions, st.sampled_from(MORE)), max_size=2)
+changed_cells = st.lists(st.tuples(positions, st.sampled_from(MORE)), max_size=1)
+
+
+def with_own_cells(light, own, answer, more=()):
+    """The lesson with a learner's cells above their answer, and more of them in any place."""
+    made = notebook(light, answers_of(light, "right") | {"light-double": answer})
+    insert(made, position_of(made, "answer-light-double"), *map(new_cell, own))
+    for position, source in more:
+        insert(made, position % len(made["cells"]), new_cell(source))
+    return made
+
+
+@pytest.fixture(scope="module")
+def kernel(checks):
+    kernel = NotebookKernel(checks)
+    yield kernel
+    kernel.close()
+
+
+def points_of_run(path, checks):
+    """{exercise id: points}, as `imgproc-course check --run` gives them."""
+    lesson_check = check_lesson(path, [checks])
+    run_answers(lesson_check)
+    return {entry.exercise.id: entry.result.points if entry.result else 0 for entry in lesson_check.exercises}
+
+
+def verdicts(made, path, kernel, checks, cells=None, reruns=()):
+    """(points of `check` in a kernel, points of `imgproc-course check --run`, the kernel's texts).
+
+    Without the exercises whose function no cell has defined: there the learner sees that cell's error.
+    """
+    here = kernel.points(cells or made["cells"], FUNCTIONS, reruns)
+    in_run = points_of_run(path, checks)
+    texts = "\n".join(text for _, text in here.values())
+    return {id: points for id, (points, _) in here.items()}, {id: in_run[id] for id in here}, texts
+
+
+@settings(
+    max_examples=75,
+    deadline=None,
+    derandomize=True,
+    suppress_health_check=[HealthCheck.function_scoped_fixture],
+)
+@given(form=st.sampled_from(FORMS), more=more_cells, changed=changed_cells)
+def test_check_in_a_kernel_gives_the_same_points(
+    light, answer_keys, checks, kernel, tmp_path, form, more, changed
+):
+    made = with_own_cells(light, *form, more)
+    cells = json.loads(json.dumps(made["cells"]))
+    own_places = [cell for cell in made["cells"] if re.fullmatch("[0-9a-f]{8}", cell["id"])]
+    reruns = [own_places[position % len(own_places)] for position, _ in changed if own_places]
+    for cell, (_, source) in zip(reruns, changed, strict=False):
+        cell["source"] = source
+    path = tmp_path / "20_light.ipynb"
+    path.write_text(json.dumps(made), encoding="utf-8")
+    content = verdict_of_check(path, checks)
+    assert content == verdict_of_grade(path, answer_keys)
+    in_kernel, in_run, texts = verdicts(made, path, kernel, checks, cells, reruns)
+    assert in_kernel == in_run, (texts, content["findings"], content["answers"]["light-double"])
+
+
+@pytest.mark.parametrize("name", ONCE_REFUSED)
+def test_a_right_answer_that_reads_a_value_of_an_own_cell_passes(light, checks, kernel, tmp_path, name):
+    made = with_own_cells(light, *ONCE_REFUSED[name])
+    path = tmp_path / "20_light.ipynb"
+    path.write_text(json.dumps(made), encoding="utf-8")
+    in_kernel, in_run, texts = verdicts(made, path, kernel, checks)
+    assert in_kernel == in_run == {"light-double": 1, "light-halves": 2}, texts
 
 
 def too_long(made):

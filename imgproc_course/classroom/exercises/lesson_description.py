@@ -42,16 +42,8 @@ class LessonDescription:
     @classmethod
     def from_key(cls, lesson, cells):
         """The description of a KeyLesson; `cells` as in `LessonDescription`."""
-        return cls(lesson.name, lesson.version, _exercises(lesson.exercises), cells)
-
-    @classmethod
-    def from_check_file(cls, file):
-        """The description of a lesson by its CheckFile."""
-        return cls(file.lesson, file.version, _exercises(map(file.exercise, file.ids)), file.cells)
-
-
-def _exercises(declared):
-    return tuple(
-        ExerciseDescription(exercise.id, exercise.function, exercise.stub, exercise.given)
-        for exercise in declared
-    )
+        exercises = tuple(
+            ExerciseDescription(exercise.id, exercise.function, exercise.stub, exercise.given)
+            for exercise in lesson.exercises
+        )
+        return cls(lesson.name, lesson.version, exercises, cells)

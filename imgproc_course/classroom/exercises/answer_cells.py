@@ -5,9 +5,14 @@ splits cells, and the id when a tool drops the metadata. If no such cell defines
 another cell may.
 """
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
-from imgproc_course.classroom.exercises.cell_syntax import BLANK, function_definitions
+from imgproc_course.classroom.exercises.cell_syntax import (
+    BLANK,
+    CellDefinitions,
+    function_definitions,
+    plain_python,
+)
 
 
 @dataclass(frozen=True)
@@ -67,6 +72,63 @@ def find_answer_cell(exercise, cells, lesson):
             )
     for cell in [*(cell for cell in own if exercise.function in cell["functions"]), *own[:1], *others]:
         return AnswerCell(cell, False, own, [])
+    return None
+
+
+def requests_to_compose(answered):
+    """What `CellDefinitions.compose` is asked for each answer of a lesson.
+
+    Parameters
+    ----------
+    answered : {ExerciseDescription: the cell that its answer is taken from}
+
+    Returns
+    -------
+    list of the arguments of `compose`
+    """
+    preferred = {exercise.function: cell["number"] for exercise, cell in answered.items()}
+    return [
+        [cell["number"], exercise.function, sorted(exercise.given_names), preferred]
+        for exercise, cell in answered.items()
+    ]
+
+
+@dataclass(frozen=True)
+class ComposedAnswer:
+    """The source by which an answer is graded.
+
+    function  the name of its function
+    taken     tuple of Taken, what it reads from other cells
+    """
+
+    function: str
+    source: str
+    taken: tuple = ()
+
+
+def compose_answer(lesson, exercise_id, function, cells):
+    """The source by which the answer in a notebook is graded.
+
+    Parameters
+    ----------
+    lesson : LessonDescription
+    exercise_id : str
+    function : str, the name of the function; another one than the exercise asks for is another try
+    cells : list of dict, of the notebook
+
+    Returns
+    -------
+    ComposedAnswer, or None if no cell defines the function
+    """
+    answers = {}
+    for exercise in lesson.exercises:
+        exercise = replace(exercise, function=function) if exercise.id == exercise_id else exercise
+        answers[exercise] = find_answer_cell(exercise, cells, lesson)
+    answered = {exercise: found.cell for exercise, found in answers.items() if found and found.is_answer}
+    for exercise, request in zip(answered, requests_to_compose(answered), strict=True):
+        if exercise.id == exercise_id:
+            definitions = CellDefinitions([plain_python(cell["source"]) for cell in cells])
+            return ComposedAnswer(function, *definitions.compose(*request))
     return None
 
 

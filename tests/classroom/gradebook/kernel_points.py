@@ -1,0 +1,91 @@
+"""The points that `check` gives in a real kernel, in which the cells of a notebook run as in JupyterLab."""
+
+import json
+import os
+import re
+import sys
+from ast import literal_eval
+from pathlib import Path
+
+from jupyter_client.manager import KernelManager
+
+CALL = "__import__('kernel_points').points_here({functions!r})"
+NEW = "__import__('kernel_points').begin_anew()"
+
+
+class NotebookKernel:
+    """One kernel for many notebooks.
+
+    Parameters
+    ----------
+    checks : Path of the folder of checks files
+    """
+
+    def __init__(self, checks):
+        paths = [str(Path(__file__).parent), *filter(None, [os.environ.get("PYTHONPATH")])]
+        variables = {"IMGPROC_COURSE_CHECKS": str(checks), "PYTHONPATH": os.pathsep.join(paths)}
+        self._manager = KernelManager(kernel_name="python3")
+        self._manager.start_kernel(env=os.environ | variables)
+        self._client = self._manager.client()
+        self._client.start_channels()
+        self._client.wait_for_ready(timeout=120)
+
+    def close(self):
+        """End the kernel."""
+        self._client.stop_channels()
+        self._manager.shutdown_kernel(now=True)
+
+    def points(self, cells, functions, reruns=()):
+        """The points of the public checks after all code cells ran.
+
+        Parameters
+        ----------
+        cells : list of the notebook's cells; what is no code is not run
+        functions : {exercise id: name of its function}
+        reruns : cells that are run once more, with another source
+        """
+        self._evaluate(NEW)
+        for cell in (*cells, *reruns):
+            source = cell.get("source") if isinstance(cell, dict) else None
+            if isinstance(source, str) and cell.get("cell_type") == "code":
+                self._execute(source, cell.get("id"))
+        return self._evaluate(CALL.format(functions=functions))
+
+    def _evaluate(self, expression):
+        content = self._execute("", None, {"value": expression})["user_expressions"]["value"]
+        assert content["status"] == "ok", content
+        return json.loads(literal_eval(content["data"]["text/plain"]))
+
+    def _execute(self, source, cell_id, expressions=None):
+        content = {"code": source.encode("utf-8", "replace").decode(), "silent": False}
+        content |= {"user_expressions": expressions or {}, "store_history": False, "stop_on_error": False}
+        metadata = {"cellId": cell_id} if isinstance(cell_id, str) else {}
+        message = self._client.session.msg("execute_request", content, metadata=metadata)
+        self._client.shell_channel.send(message)
+        while True:
+            reply = self._client.get_shell_msg(timeout=120)
+            if reply["parent_header"].get("msg_id") == message["header"]["msg_id"]:
+                return reply["content"]
+
+
+# ---------------------------------------------------------------- inside the kernel
+
+
+def begin_anew():
+    """A kernel as after its start: only the lesson's import of the exercises has run."""
+    from imgproc_course.classroom.exercises.cell_runs import RUNS
+
+    shell = sys.modules["IPython"].get_ipython()
+    shell.reset(new_session=False)
+    RUNS._runs = []
+    return "null"
+
+
+def points_here(functions):
+    """{exercise id: [points, text] of `check`}, as JSON; without functions that no cell has defined."""
+    from imgproc_course.exercises import check
+
+    names = sys.modules["IPython"].get_ipython().user_ns
+    texts = {id: repr(check(id, names[name])) for id, name in functions.items() if callable(names.get(name))}
+    found = {id: re.search(r"Points here: (\d+) of", text) for id, text in texts.items()}
+    return json.dumps({id: [int(match[1]) if match else 0, texts[id]] for id, match in found.items()})

@@ -1,0 +1,71 @@
+"""Answers to light-double that read what a learner's own cells define, and cells to put beside them."""
+
+DOUBLE = "def double(pixels):\n    return np.minimum({}, LIMIT).astype(np.uint8)"
+TIMES = DOUBLE.format("pixels.astype(np.uint16) * {}")
+FACTOR, TABLE = TIMES.format("FACTOR"), DOUBLE.format("np.array(TABLE)[pixels]")
+WIDE = DOUBLE.format("wide(pixels) * 2")
+FILL = "for level in range(256):\n    TABLE[level] = level * FACTOR"
+
+# {name: (the learner's cells, the answer)}: forms of a right answer about which check and grading disagreed.
+ONCE_REFUSED = {
+    "an array": (["FACTOR = np.array([2])"], FACTOR),
+    "a print below it": (["FACTOR = np.array([2])\nprint('factor', FACTOR)"], FACTOR),
+    "an assert below it": (["FACTOR = np.array([2])\nassert FACTOR.sum() == 2"], FACTOR),
+    "a print in another cell": (["FACTOR = np.array([2])", "print('factor', FACTOR)"], FACTOR),
+    "an assert in another cell": (["FACTOR = np.array([2])", "assert FACTOR == 2"], FACTOR),
+    "a print of something else": (["print(np.zeros(3))\nFACTOR = np.array([2])"], FACTOR),
+    "a table filled by a loop": ([f"FACTOR = 2\nTABLE = np.zeros(256, np.uint16)\n{FILL}"], TABLE),
+    "a list filled by a loop": (
+        ["TABLE = []\nfor level in range(256):\n    TABLE.append(level * 2)"],
+        TABLE,
+    ),
+    "a table filled in another cell": (["FACTOR = 2\nTABLE = [0] * 256", FILL], TABLE),
+    "increased in a second cell": (["FACTOR = 1", "FACTOR = FACTOR + 1"], FACTOR),
+}
+FORMS = [
+    *ONCE_REFUSED.values(),
+    (["FACTOR = 1", "FACTOR += 1", "print(FACTOR)"], FACTOR),
+    (["FACTOR = 3\nprint(FACTOR)", "FACTOR -= 1\nprint(FACTOR)"], FACTOR),
+    (["FACTOR = 5\nFACTOR += 1\nother = FACTOR\nFACTOR = 2"], FACTOR),
+    (["for FACTOR in (1, 2):\n    print(FACTOR)"], FACTOR),
+    (["FACTOR = 0\nfor _ in range(2):\n    FACTOR += 1\nprint(FACTOR)"], FACTOR),
+    (["if True:\n    FACTOR = 2", "assert FACTOR == 2"], FACTOR),
+    (["LIMIT, FACTOR = 255, 2"], FACTOR),
+    (["FACTOR = 1", f"FACTOR = FACTOR + 1\n{FACTOR}"], FACTOR),
+    (["FACTOR = 1"], f"FACTOR = FACTOR + 1\nprint(FACTOR)\n{FACTOR}"),
+    (["NAMES = ['b']", "NAMES.append('a')", "NAMES.sort()\nprint(NAMES)"], TIMES.format("len(NAMES)")),
+    (["NAMES = ['b', 'a', 'c']", "last = NAMES.pop()"], TIMES.format("len(NAMES)")),
+    (["TABLE = [level * 2 for level in range(256)]", "show(TABLE)\nprint(TABLE)"], TABLE),
+    (
+        ["def twice(level):\n    return level * FACTOR", "FACTOR = 2", "TABLE = [*map(twice, range(256))]"],
+        TABLE,
+    ),
+    (["TABLE = []"], f"for level in range(256):\n    TABLE.append(2 * level)\n{TABLE}"),
+    (["TABLE = [2 * level for level in range(256)]"], f"print(TABLE)\n{TABLE}\nprint(double(np.uint8([3])))"),
+    (["KIND = np.uint16\nprint(KIND)", "def wide(pixels):\n    return pixels.astype(KIND)"], WIDE),
+    (["def wide(pixels):\n    return pixels.astype(KIND)", "KIND = np.uint16", "print(wide)"], WIDE),
+    (["wide = lambda pixels: pixels.astype(np.uint16)", "assert wide(np.uint8([3])) == 3"], WIDE),
+    (
+        ["class Widener:\n    kind = int\n    def __call__(self, p):\n        return p.astype(self.kind)"],
+        DOUBLE.format("Widener()(pixels) * 2"),
+    ),
+    (
+        ["from numpy import *", "print(minimum)"],
+        "def double(pixels):\n    return minimum(pixels.astype(uint16) * 2, LIMIT).astype(uint8)",
+    ),
+    (["import cv2\nFACTOR = cv2.IMREAD_COLOR + 1"], FACTOR),
+    (["import cv2\ndef wide(pixels):\n    return cv2.add(pixels, pixels)"], DOUBLE.format("wide(pixels)")),
+    (["import cv2", "FACTOR = 2"], f"import cv2\n{FACTOR}"),
+    ([], f"try:\n    import cv2\nexcept ImportError:\n    cv2 = None\n{TIMES.format('3 if cv2 else 2')}"),
+    ([], DOUBLE.format("cv2.add(pixels, pixels)")),
+    (["frame = camera.latest()", "FACTOR = 2"], f"{FACTOR}\nname = input()"),
+    (["LIMIT = 3\nprint(LIMIT)"], TIMES.format("2")),
+    (["def double(pixels):\n    return pixels"], TIMES.format("2")),
+]
+# Beside them, in any cell: other values, uses, and cells that fail.
+MORE = [
+    *("FACTOR = 3", "FACTOR += 1", "print(FACTOR)", "assert FACTOR == 2", "FACTOR = np.array([3])[0]"),
+    *("TABLE = []", "print(TABLE)", "TABLE = TABLE[::-1]", "KIND = np.uint8", "LIMIT = 3", "np = None"),
+    *("sum = 3", "from math import *", "import cv2", "def wide(pixels):\n    return pixels", "FACTOR = ("),
+    *("def double(pixels):\n    return pixels", "pixels = camera.latest()", "%matplotlib inline\nFACTOR = 2"),
+]
