@@ -364,8 +364,8 @@ class _Intake:
 
     def _report_names(self, parts, names, sender):
         """Report a zip that may hold submissions of several people; all of them count as its sender's."""
-        tops = {name[0] for name in names if _suffix(name[-1]) == ".ipynb"}
-        people = sorted(top for top in tops if not is_lesson(PurePosixPath(top).stem, self._lessons))
+        named = {part for name in names if _suffix(name[-1]) == ".ipynb" for part in name}
+        people = sorted(part for part in named if not is_lesson(PurePosixPath(part).stem, self._lessons))
         if any(map(platform_sender, people)) or len(people) > _MOST_NAMES:
             text = f"this zip names {sanitize_line(', '.join(people[:_MOST_NAMES]), 200)}"
             text += f"; all of it counts as {sender.learner}'s. If it holds submissions of several people,"

@@ -48,7 +48,7 @@ def test_its_expected_values_are_the_solutions(key):
     (pixels,) = decode(content.inputs["case-attacked-double-1"][0])
     assert pixels.min() >= 100
     twice = np.minimum(pixels.astype(int) * 2, 255).astype(np.uint8)
-    from imgproc_course.exercises import array_of
+    from imgproc_course.classroom.exercises import array_of
 
     assert array_of(content.expected["case-attacked-double-1"][0]).tolist() == twice.tolist()
 

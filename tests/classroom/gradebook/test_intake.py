@@ -67,6 +67,15 @@ def test_a_learners_zip_is_the_learners_whatever_it_names(read, light, submissio
     assert sender == "eve" and "all of it counts as eve's" in text and "unpack it" in text
 
 
+def test_a_zip_of_several_people_in_one_folder_is_reported(submissions):
+    names = [f"class/{name}/20_light.ipynb" for name in ("ada", "bob", "cy")]
+    make_zip(submissions / "class.zip", names, b"{}")
+    with collect(submissions, LESSONS) as collection:
+        assert {file.learner for file in collection.files} == {"class"}
+    ((sender, text),) = findings(collection)
+    assert sender == "class" and "unpack it" in text
+
+
 def test_a_name_in_a_platforms_zip_does_not_replace_a_submission_of_its_own(read, light, submissions):
     data = json.dumps(notebook(light, answers_of(light, "right")))
     write(submissions / "Bob Ray" / "20_light.ipynb", json.dumps(notebook(light)))  # has no answers
