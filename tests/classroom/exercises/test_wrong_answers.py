@@ -14,6 +14,7 @@ import pytest
 from imgproc_course.classroom.authoring.masters import find_masters
 from imgproc_course.classroom.exercises import MasterError, read_exercises
 from imgproc_course.classroom.exercises.checking import run_cases
+from imgproc_course.classroom.exercises.dependencies import find_refused
 
 _spec = importlib.util.spec_from_file_location("wrong_answers", Path(__file__).with_name("wrong_answers.py"))
 wrong_answers = importlib.util.module_from_spec(_spec)
@@ -50,6 +51,9 @@ def passes(declared, answer):
     try:
         function = declared.function_of(answer.source, answer.name)
     except MasterError:  # the cell does not run
+        return False
+    given = set(declared.namespace())
+    if find_refused(answer.source, declared.function, declared.allowed, given, function.__globals__):
         return False
     return all(run_cases(declared, function, cases=[case]).passed for case in declared.cases)
 
