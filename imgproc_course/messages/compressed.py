@@ -15,7 +15,7 @@ from .depth import decode_depth
 from .encodings import encoding_info, generic_name
 from .errors import ConversionError, quoted
 from .image_files import check_value_count, decode_image_file, encode_image_file
-from .message_classes import new_compressed_image
+from .message_classes import Message, new_compressed_image
 from .pixels import converter
 
 _AS_OPENCV_DECODES = {
@@ -28,7 +28,7 @@ _AS_OPENCV_DECODES = {
 }
 
 
-def compressed_to_array(msg, desired_encoding="passthrough"):
+def compressed_to_array(msg: Message, desired_encoding: str = "passthrough") -> np.ndarray:
     """The image of a CompressedImage message as an array.
 
     Parameters
@@ -69,7 +69,13 @@ def _decoded(msg, desired_encoding):
     return convert(frame) if convert else frame
 
 
-def array_to_compressed(array, encoding="bgr8", format="jpeg", header=None, quality=90):
+def array_to_compressed(
+    array: np.ndarray,
+    encoding: str = "bgr8",
+    format: str = "jpeg",
+    header: Message | None = None,
+    quality: int = 90,
+) -> Message:
     """A CompressedImage message that holds the array as JPEG or PNG.
 
     Parameters

@@ -13,13 +13,13 @@ import numpy as np
 
 from .encodings import ENCODINGS, EncodingInfo, encoding_info, generic_name
 from .errors import ConversionError, quoted
-from .message_classes import new_image
+from .message_classes import Message, new_image
 from .pixels import converter
 
 UINT32_MAX = 2**32 - 1  # the largest height, width and step of a message, and the most bytes it can carry
 
 
-def image_to_array(msg, desired_encoding="passthrough"):
+def image_to_array(msg: Message, desired_encoding: str = "passthrough") -> np.ndarray:
     """The image of an Image message as an array.
 
     Parameters
@@ -73,7 +73,9 @@ def _read_any(msg, desired_encoding):
     return layout, frame if layout.dtype.isnative else frame.astype(layout.source.dtype)
 
 
-def array_to_image(array, encoding="passthrough", header=None):
+def array_to_image(
+    array: np.ndarray, encoding: str = "passthrough", header: Message | None = None
+) -> Message:
     """An Image message that holds a copy of the array.
 
     Parameters

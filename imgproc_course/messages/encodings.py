@@ -35,26 +35,26 @@ class EncodingInfo(NamedTuple):
     color: str | None
 
     @property
-    def pixel_bytes(self):
+    def pixel_bytes(self) -> int:
         """Bytes from one pixel to the next in a row."""
         return self.dtype.itemsize * self.channels
 
     @property
-    def is_planar(self):
+    def is_planar(self) -> bool:
         """True if the image is stored as planes: all of Y first, then U and V in pairs."""
         return self.color in _ROWS_PER_PIXEL_ROW
 
-    def rows(self, height):
+    def rows(self, height: int) -> int:
         """Rows of the array for `height` rows of pixels: more if planes are stacked, otherwise the same."""
         numerator, denominator = _ROWS_PER_PIXEL_ROW.get(self.color, (1, 1))
         return height * numerator // denominator
 
-    def height(self, rows):
+    def height(self, rows: int) -> int:
         """Rows of pixels in an array of `rows` rows: the inverse of the method `rows`."""
         numerator, denominator = _ROWS_PER_PIXEL_ROW.get(self.color, (1, 1))
         return rows * denominator // numerator
 
-    def shape(self, height, width):
+    def shape(self, height: int, width: int) -> tuple[int, ...]:
         """Shape of the array for an image of `height` × `width` pixels.
 
         (H, W) or (H, W, channels); the planar ones as OpenCV lays them out: nv12 and nv21 (H * 3 / 2, W),
@@ -64,7 +64,7 @@ class EncodingInfo(NamedTuple):
         return size if self.channels == 1 else (*size, self.channels)
 
 
-_ROWS_PER_PIXEL_ROW = {"nv12": (3, 2), "nv21": (3, 2), "nv24": (3, 1)}
+_ROWS_PER_PIXEL_ROW: dict[str | None, tuple[int, int]] = {"nv12": (3, 2), "nv21": (3, 2), "nv24": (3, 1)}
 _DEPTHS = {"8U": "u1", "8S": "i1", "16U": "u2", "16S": "i2", "32S": "i4", "32F": "f4", "64F": "f8"}
 _GENERIC = re.compile(r"(8U|8S|16U|16S|32S|32F|64F)(?:C(\d{1,9}))?", re.ASCII)
 
@@ -84,8 +84,8 @@ def _table():
             add(f"bayer_{pattern}{bits}", dtype, 1, f"bayer_{pattern}")
     for name, color in {"uyvy": "uyvy", "yuyv": "yuyv", "yuv422": "uyvy", "yuv422_yuy2": "yuyv"}.items():
         add(name, "u1", 2, color)
-    for name in _ROWS_PER_PIXEL_ROW:
-        add(name, "u1", 1, name)
+    for planar in _ROWS_PER_PIXEL_ROW:
+        add(planar, "u1", 1, planar)
     for depth, dtype in _DEPTHS.items():
         for channels in (1, 2, 3, 4):
             add(f"{depth}C{channels}", dtype, channels, None)
@@ -95,7 +95,7 @@ def _table():
 ENCODINGS = _table()  # name -> EncodingInfo; encoding_info knows other counts of channels ("8UC7"), too
 
 
-def encoding_info(name):
+def encoding_info(name: str) -> EncodingInfo:
     """What the encoding `name` says about its array.
 
     Parameters

@@ -4,10 +4,14 @@ Neither is imported before the first message is made.
 """
 
 import functools
+from typing import Any
 
 import numpy as np
 
 from .errors import ConversionError, quoted
+
+# In annotations: a message, or its header. No class is named, since any object with its fields is accepted.
+Message = Any
 
 
 @functools.cache

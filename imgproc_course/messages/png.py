@@ -31,13 +31,14 @@ def checked_png(data):
         claims more pixels than the bytes can hold
     """
     pixel_chunks, compressed_bytes, has_other_chunks = [data[:8]], 0, False
-    at, kind, header = 8, b"", None
+    at, kind = 8, b""
+    height = width = pixel_bits = 0
     while kind != b"IEND":
         length, kind, chunk = _chunk(data, at)
         if (kind == b"IHDR") != (at == 8):
             raise ConversionError(f"PNG whose header is not its first chunk; {DAMAGED}")
         if kind == b"IHDR":
-            header = _header(chunk[8:-4])
+            height, width, pixel_bits = _header(chunk[8:-4])
         if kind in _PIXEL_CHUNKS:
             pixel_chunks.append(chunk)
         elif kind[:1].isupper():
@@ -46,7 +47,6 @@ def checked_png(data):
             has_other_chunks = True
         compressed_bytes += length if kind == b"IDAT" else 0
         at += 12 + length
-    height, width, pixel_bits = header
     scanline_bytes = height * (1 + (width * pixel_bits + 7) // 8)
     check_claim("PNG", height, width, scanline_bytes <= PNG_EXPANSION * compressed_bytes, len(data))
     return b"".join(pixel_chunks) if has_other_chunks else data

@@ -45,7 +45,8 @@ def rvl_decode(stream, pixels):
 
 def _runs(numbers, pixels):
     """(index of its first difference, index of its first pixel, length) of each run of nonzero pixels."""
-    runs, at, position = [], 0, 0
+    runs: list[tuple[int, int, int]] = []
+    at, position = 0, 0
     while position < pixels:
         if at + 2 > numbers.size:
             raise ConversionError(

@@ -2,11 +2,15 @@
 
 import contextlib
 import json
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any, Self
 
 import numpy as np
+from numpy.typing import NDArray
 
 from ..messages import ConversionError, compressed_to_array, encoding_info, image_to_array
+from ..messages.message_classes import Message
 from . import topics as names
 from .bag import Bag
 from .errors import FrameIndexError, NotRecordedError, RecordingError
@@ -19,7 +23,7 @@ CAMERA_INFO = "sensor_msgs/msg/CameraInfo"
 STRING = "std_msgs/msg/String"
 
 
-def open_recording(source="drive", *, camera_topic=None):
+def open_recording(source: str | Path = "drive", *, camera_topic: str | None = None) -> "Recording":
     """Opens a recording and reads its table of contents.
 
     Parameters
@@ -58,7 +62,7 @@ class Recording:
     A number k counts from 0, a negative one from the end. Any thread may call any method.
     """
 
-    def __init__(self, source="drive", *, camera_topic=None):
+    def __init__(self, source: str | Path = "drive", *, camera_topic: str | None = None):
         is_drive = source == "drive"
         try:
             self._bag = Bag(DRIVE if is_drive else source)
@@ -76,20 +80,20 @@ class Recording:
             self.close()
             raise
 
-    def __enter__(self):
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *exception):
         self.close()
 
-    def close(self):
+    def close(self) -> None:
         """Closes the files. A second call does nothing."""
         self._bag.close()
 
-    def __len__(self):
+    def __len__(self) -> int:
         return self._bag.count(self._camera)
 
-    def __iter__(self):
+    def __iter__(self) -> Iterator[tuple[str, Message]]:
         for topic, raw, kind in self._bag.read():
             yield topic, to_installed(self._bag.deserialize(raw, kind))
 
@@ -97,16 +101,16 @@ class Recording:
         return f"<Recording {self.name!r}: {len(self)} frames on {self._camera}, {len(self.topics)} topics>"
 
     @property
-    def topics(self):
+    def topics(self) -> dict[str, str]:
         """Every topic of the recording and its message type: {"/topic": "package/msg/Type"}."""
         return {topic: kind for topic, (kind, _) in self._bag.topics.items()}
 
     @property
-    def camera_topic(self):
+    def camera_topic(self) -> str:
         """The topic of the images that are the frames."""
         return self._camera
 
-    def frame(self, k, encoding="bgr8"):
+    def frame(self, k: int, encoding: str = "bgr8") -> np.ndarray:
         """Frame k, decoded.
 
         Parameters
@@ -125,11 +129,11 @@ class Recording:
         """
         return self._decode(self._camera, self._number(k), encoding)
 
-    def message(self, k):
+    def message(self, k: int) -> Message:
         """The recorded message of frame k: a CompressedImage, or an Image in a recording of raw images."""
         return self._message(self._camera, self._number(k))
 
-    def raw(self, k, topic=None):
+    def raw(self, k: int, topic: str | None = None) -> bytes:
         """Message k of a topic, serialized (CDR): rclpy's `publisher.publish` accepts these bytes.
 
         Parameters
@@ -145,7 +149,7 @@ class Recording:
         return self._bag.raw(topic, self._number(k, topic))
 
     @property
-    def camera_info(self):
+    def camera_info(self) -> Message:
         """The camera's first CameraInfo: matrix k, distortion d (plumb_bob), r, p."""
         base = self._camera.removesuffix("/compressed").rsplit("/", 1)[0]
         usual_topics = (f"{base}/camera_info", f"{self._camera.removesuffix('/compressed')}/camera_info")
@@ -157,7 +161,7 @@ class Recording:
             f"{self.name} holds no camera info of {self._camera}; record {usual_topics[0]} with it"
         )
 
-    def depth(self, k):
+    def depth(self, k: int) -> NDArray[np.uint16]:
         """Depth image of frame k: the distance along the optical axis.
 
         Returns
@@ -173,27 +177,27 @@ class Recording:
         return self._decode(topic, self._number_at_frame(topic, k), "passthrough")
 
     @property
-    def depth_topic(self):
+    def depth_topic(self) -> str | None:
         """The topic of the depth images that belong to the frames; None without."""
         beside = f"{self._camera.removesuffix('/compressed').rpartition('/')[0]}/depth"
         return next((topic for topic in (names.DEPTH, beside) if topic in self.topics), None)
 
-    def labels(self, k):
+    def labels(self, k: int) -> NDArray[np.uint8]:
         """Label image of frame k: (720, 1280) uint8, the numbers of `label_names`."""
         return self._decode(self._checked_topic(names.LABELS, "labels"), self._number(k), "mono8")
 
     @property
-    def label_names(self):
+    def label_names(self) -> dict[int, str]:
         """The meaning of each number in `labels`: {0: "background", 1: "floor", ...}."""
         return {int(number): name for number, name in self.scene["label_names"].items()}
 
     @property
-    def scene(self):
+    def scene(self) -> dict[str, Any]:
         """Facts about the scene: label_names, marker (ArUco dictionary, id, side in metres), made_by."""
         topic = self._checked_topic(names.SCENE, "facts about the scene")
         return json.loads(self._bag.deserialize(self._bag.raw(topic, 0), STRING).data)
 
-    def pose(self, name, k):
+    def pose(self, name: str, k: int) -> NDArray[np.float64]:
         """Pose of an object at frame k, in the world (ROS axes: x forward, y left, z up).
 
         Parameters
@@ -219,7 +223,7 @@ class Recording:
         return np.array([p.x, p.y, p.z, q.x, q.y, q.z, q.w])
 
     @property
-    def stamps(self):
+    def stamps(self) -> NDArray[np.int64]:
         """Time of each frame: (n,) int64, ns since 1970, from the headers.
 
         If the stamp in a header is zero, the time of recording replaces it.
@@ -227,7 +231,7 @@ class Recording:
         return np.array(self._bag.index(self._camera).stamps, np.int64)
 
     @property
-    def rate(self):
+    def rate(self) -> float:
         """Frames per second, the mean over the recording; 0.0 for a single frame."""
         stamps = self.stamps
         duration = int(stamps[-1] - stamps[0])

@@ -3,8 +3,11 @@
 import functools
 import shutil
 from pathlib import Path
+from typing import Final, Self
 
 import numpy as np
+from numpy.typing import NDArray
+from rosbags.interfaces import Connection
 from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.rosbag2.errors import WriterError
 from rosbags.typesys import Stores, get_typestore
@@ -12,7 +15,7 @@ from rosbags.typesys import Stores, get_typestore
 from ..messages import array_to_compressed
 from .errors import RecordingError
 
-METADATA_VERSION = 8  # the newest that `ros2 bag` of both Humble and Jazzy reads
+METADATA_VERSION: Final = 8  # the newest that `ros2 bag` of both Humble and Jazzy reads
 
 
 @functools.cache
@@ -45,10 +48,10 @@ class RecordingWriter:
     ...     writer.write("/camera/image_raw", "sensor_msgs/msg/Image", serialized_message, stamp)
     """
 
-    def __init__(self, path):
+    def __init__(self, path: str | Path):
         self.path = Path(path).expanduser()
         self.messages = self.bytes = 0
-        self._connections = {}
+        self._connections: dict[str, Connection] = {}  # by topic
         if self.path.suffix in (".mcap", ".db3"):
             raise RecordingError(
                 f"{self.path} is the name of a file, but a recording is a folder; give {self.path.stem}"
@@ -64,7 +67,7 @@ class RecordingWriter:
             raise RecordingError(f"{self.path} cannot be written: {error.strerror}") from error
         self._is_open = True
 
-    def write(self, topic, kind, serialized, stamp):
+    def write(self, topic: str, kind: str, serialized: bytes, stamp: int) -> None:
         """Adds a message.
 
         Parameters
@@ -91,7 +94,7 @@ class RecordingWriter:
         self.messages += 1
         self.bytes += len(serialized)
 
-    def write_image(self, topic, image, stamp):
+    def write_image(self, topic: str, image: NDArray[np.uint8], stamp: int) -> None:
         """Adds an image as a CompressedImage in JPEG, without ROS.
 
         Parameters
@@ -113,7 +116,7 @@ class RecordingWriter:
         kind = "sensor_msgs/msg/CompressedImage"
         self.write(topic, kind, bytes(message_types().serialize_cdr(msg, kind)), stamp)
 
-    def close(self):
+    def close(self) -> None:
         """Writes the index and the metadata. A second call does nothing.
 
         Raises
@@ -132,7 +135,7 @@ class RecordingWriter:
         except OSError as error:
             raise RecordingError(f"{self.path} cannot be completed: {error.strerror}") from error
 
-    def __enter__(self):
+    def __enter__(self) -> Self:
         return self
 
     def __exit__(self, *exception):
