@@ -1,8 +1,11 @@
 """The camera model of ROS and OpenCV: pinhole and plumb_bob distortion."""
 
+from __future__ import annotations
+
 from dataclasses import dataclass, replace
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 UNDISTORTION_STEPS = 40
 
@@ -24,7 +27,7 @@ class CameraModel:
     fy: float
     cx: float
     cy: float
-    distortion: tuple = (0.0, 0.0, 0.0, 0.0, 0.0)
+    distortion: tuple[float, ...] = (0.0, 0.0, 0.0, 0.0, 0.0)
 
     def __post_init__(self):
         if min(self.width, self.height, self.fx, self.fy) <= 0:
@@ -38,11 +41,11 @@ class CameraModel:
             )
 
     @property
-    def matrix(self):
+    def matrix(self) -> NDArray[np.float64]:
         """K, (3, 3) float64."""
         return np.array([[self.fx, 0, self.cx], [0, self.fy, self.cy], [0, 0, 1]], float)
 
-    def project(self, points):
+    def project(self, points: ArrayLike) -> NDArray[np.float64]:
         """Pixels (..., 2) as (column, row) of points (..., 3) in the optical frame; NaN for what lies behind.
 
         Source: OpenCV's projectPoints, https://docs.opencv.org/4.x/d9/d0c/group__calib3d.html
@@ -52,7 +55,7 @@ class CameraModel:
         x, y = self._distort(points[..., 0] / depth, points[..., 1] / depth)
         return np.stack([x * self.fx + self.cx, y * self.fy + self.cy], -1)
 
-    def unproject(self, pixels):
+    def unproject(self, pixels: ArrayLike) -> NDArray[np.float64]:
         """Rays (..., 3) with depth 1 in the optical frame, of pixels (..., 2) as (column, row).
 
         `ray * depth` is the point that has this depth along the optical axis. The distortion is undone by
@@ -67,7 +70,7 @@ class CameraModel:
                 x, y = (x_distorted - x_tangential) / radial, (y_distorted - y_tangential) / radial
         return np.stack([x, y, np.ones_like(x)], -1)
 
-    def resized(self, width, height):
+    def resized(self, width: int, height: int) -> CameraModel:
         """The model of the image resized to width × height, as cv2.resize does: the corners stay corners."""
         horizontal, vertical = width / self.width, height / self.height
         return replace(
@@ -80,7 +83,7 @@ class CameraModel:
             cy=(self.cy + 0.5) * vertical - 0.5,
         )
 
-    def every(self, stride):
+    def every(self, stride: int) -> CameraModel:
         """The model of image[::stride, ::stride]."""
         return replace(
             self,
@@ -92,7 +95,7 @@ class CameraModel:
             cy=self.cy / stride,
         )
 
-    def rays(self):
+    def rays(self) -> NDArray[np.float64]:
         """The ray of each pixel, (height, width, 3) float64."""
         return self.unproject(np.stack(np.meshgrid(np.arange(self.width), np.arange(self.height)), -1))
 

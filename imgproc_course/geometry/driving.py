@@ -1,13 +1,16 @@
 """From what a robot sees to a direction and a speed: free ways, a safe speed, the frame of the odometry."""
 
+from __future__ import annotations
+
 import math
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from .pose_graph import compose_poses, relative_pose
 
 
-def map_to_odom(place, counted):
+def map_to_odom(place: ArrayLike, counted: ArrayLike) -> NDArray[np.float64]:
     """(x, y, yaw) float64 of the odometry's frame in the map, with the yaw between -π and π.
 
     place : (x, y, yaw) of the robot in the map; counted : of the odometry at the same moment, in metres and
@@ -18,7 +21,7 @@ def map_to_odom(place, counted):
     return compose_poses(place, relative_pose(counted, np.zeros(3)))
 
 
-def free_way(points, direction, width):
+def free_way(points: ArrayLike, direction: float, width: float) -> float:
     """Metres (float) from the robot to the nearest point in a corridor, inf if there is none.
 
     points : (N, 2), metres ahead and to the left of the robot's axle
@@ -37,7 +40,7 @@ def free_way(points, direction, width):
     return float(ahead[(ahead > 0) & (np.abs(left) <= width / 2)].min(initial=np.inf))
 
 
-def safe_speed(free, reaction, deceleration, limit):
+def safe_speed(free: float, reaction: float, deceleration: float, limit: float) -> float:
     """The highest speed in m/s (float) at which a robot still stops in its free way, from 0 to limit.
 
     free : metres; 0 or less gives 0.0
@@ -64,7 +67,7 @@ def safe_speed(free, reaction, deceleration, limit):
     return float(min(limit, math.sqrt(half * half + 2 * deceleration * free) - half))
 
 
-def choose_direction(directions, ways, goal, need):
+def choose_direction(directions: ArrayLike, ways: ArrayLike, goal: float, need: float) -> float | None:
     """The direction (float, radians) nearest to the goal's with enough free way, or None if there is none.
 
     directions : (N,) radians; ways : (N,) metres of free way in each; goal : radians; need : metres

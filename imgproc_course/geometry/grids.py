@@ -1,11 +1,14 @@
 """Occupancy grids: the cells of a ray, log-odds, one scan into a grid, and a grid's score against a truth."""
 
+from __future__ import annotations
+
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 OCCUPIED, FREE, LIMIT = 0.85, -0.4, 6.0  # log-odds: of one hit (probability 0.7), one pass (0.4), at most
 
 
-def grid_ray(start, end):
+def grid_ray(start: ArrayLike, end: ArrayLike) -> NDArray[np.int64]:
     """The cells of a straight ray, both ends included: (N, 2) int64, row and column.
 
     start, end : (2,) whole numbers, row and column; they may lie outside of a grid
@@ -35,7 +38,7 @@ def _rays(start, ends):
     return ray, start + np.sign(way[ray]) * ((2 * np.abs(way[ray]) * k[:, None] + length) // (2 * length))
 
 
-def log_odds(probability):
+def log_odds(probability: ArrayLike) -> NDArray[np.float64]:
     """log(p / (1 - p)) of probabilities between 0 and 1, both excluded; any shape, float64.
 
     Raises
@@ -48,12 +51,21 @@ def log_odds(probability):
     return np.log(probability / (1 - probability))
 
 
-def probability(log_odds):
+def probability(log_odds: ArrayLike) -> NDArray[np.float64]:
     """1 / (1 + exp(-l)) of log-odds: the inverse of `log_odds`; any shape, float64 from 0 to 1."""
     return 1 / (1 + np.exp(-np.clip(np.asarray(log_odds, float), -700, 700)))
 
 
-def update_grid(grid, robot_cell, end_cells, hits=None, *, occupied=OCCUPIED, free=FREE, limit=LIMIT):
+def update_grid(
+    grid: ArrayLike,
+    robot_cell: ArrayLike,
+    end_cells: ArrayLike,
+    hits: ArrayLike | None = None,
+    *,
+    occupied: float = OCCUPIED,
+    free: float = FREE,
+    limit: float = LIMIT,
+) -> NDArray[np.float64]:
     """A new grid, (rows, columns) float64, after one scan: free along the rays, occupied at their ends.
 
     Each cell changes once in a scan, and where one ray ends no other ray of the scan makes it free. Cells
@@ -91,7 +103,7 @@ def update_grid(grid, robot_cell, end_cells, hits=None, *, occupied=OCCUPIED, fr
     return np.clip(grid + change, -limit, limit)
 
 
-def grid_precision_recall(grid, truth, tolerance=1):
+def grid_precision_recall(grid: ArrayLike, truth: ArrayLike, tolerance: int = 1) -> tuple[float, float]:
     """(precision, recall) of the occupied cells of a grid, those with log-odds above 0.
 
     An occupied cell is right if the truth has one within `tolerance` cells, also diagonally. A cell of the

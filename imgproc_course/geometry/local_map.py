@@ -1,8 +1,12 @@
 """What a robot has seen around it, on a grid, and the cheapest route through it."""
 
+from __future__ import annotations
+
 import math
+from collections.abc import Iterable
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from .grids import update_grid
 
@@ -25,13 +29,13 @@ class LocalMap:
     low : (rows, columns) bool; True where there is something that no scan sees
     """
 
-    def __init__(self, corner, size, cell=0.05):
+    def __init__(self, corner: ArrayLike, size: tuple[int, int], cell: float = 0.05) -> None:
         self._corner, self._cell = np.asarray(corner, float), cell
         self.log_odds, self.low = np.zeros(size), np.zeros(size, bool)
         rows, cols = np.indices(size)
         self._centers = self._corner + cell * (np.stack([cols, rows], -1) + 0.5)
 
-    def add_scan(self, pose, offset, ranges):
+    def add_scan(self, pose: Iterable[float], offset: float, ranges: ArrayLike) -> None:
         """Adds a turn of a laser scanner.
 
         pose : (x, y, yaw) of the robot; offset : metres from its axle ahead to the scanner
@@ -46,7 +50,9 @@ class LocalMap:
             self.log_odds, self._cells(start), self._cells(start + rays), hits=ranges < RANGE
         )
 
-    def add_low_points(self, pose, points, *, near, far, slope):
+    def add_low_points(
+        self, pose: Iterable[float], points: ArrayLike, *, near: float, far: float, slope: float
+    ) -> None:
         """Adds what a camera sees and a scan does not; what was seen there before, and not now, is forgotten.
 
         pose : (x, y, yaw) of the robot; points : (N, 2), metres ahead and to the left of it
@@ -60,12 +66,12 @@ class LocalMap:
         cells = self._cells(np.column_stack([x + c * ahead - s * left, y + s * ahead + c * left]))
         self.low[tuple(cells[((cells >= 0) & (cells < self.low.shape)).all(-1)].T)] = True
 
-    def low_points(self, pose):
+    def low_points(self, pose: Iterable[float]) -> NDArray[np.float64]:
         """The centers of the cells of `low`, (N, 2), metres ahead and to the left of the robot."""
         ahead, left = self._seen_from(pose)
         return np.column_stack([ahead[self.low], left[self.low]])
 
-    def route(self, start, end):
+    def route(self, start: ArrayLike, end: ArrayLike) -> NDArray[np.float64]:
         """The cheapest route from (x, y) to (x, y), (N, 2) float64 in metres, both ends included.
 
         A cell costs more the nearer it is to something, and much more if the body does not fit there. There
@@ -82,8 +88,8 @@ class LocalMap:
         cost = 1 + COMFORT_COST * np.clip(1 - distance / COMFORT, 0, None) + CLOSE_COST * (distance < BODY)
         cost = np.broadcast_to(cost, occupied.shape)
         limits = np.array(occupied.shape) - 1
-        ends = (np.clip(self._cells(np.asarray(place, float)), 0, limits) for place in (start, end))
-        cells, _ = route_through_array(cost, *ends, fully_connected=True, geometric=True)
+        first, last = (np.clip(self._cells(np.asarray(place, float)), 0, limits) for place in (start, end))
+        cells, _ = route_through_array(cost, first, last, fully_connected=True, geometric=True)
         return self._corner + self._cell * (np.array(cells)[:, ::-1] + 0.5)
 
     def _cells(self, places):

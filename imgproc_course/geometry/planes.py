@@ -1,11 +1,14 @@
 """Planes n · x = d, and a plane that a camera sees: homography and pose."""
 
+from __future__ import annotations
+
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from .poses import Pose, corresponding_points
 
 
-def triangle_planes(triangles):
+def triangle_planes(triangles: ArrayLike) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Unit normals (N, 3) and offsets (N,) of the planes of triangles (N, 3, 3): normal · x = offset on each.
 
     The normal points to where the corners turn counterclockwise. A triangle without area has the normal 0.
@@ -26,7 +29,7 @@ def triangle_planes(triangles):
     return normals, normals[:, 0] * corner[:, 0] + normals[:, 1] * corner[:, 1] + normals[:, 2] * corner[:, 2]
 
 
-def homography(points, image_points):
+def homography(points: ArrayLike, image_points: ArrayLike) -> NDArray[np.float64]:
     """(3, 3) float64, [2, 2] = 1: takes points of a plane to the image, as (column, row, 1) up to scale.
 
     points, image_points : (N, 2), at least 4 pairs, no three of any four on one line; more than four pairs
@@ -61,7 +64,7 @@ def homography(points, image_points):
     return matrix / matrix[2, 2]
 
 
-def homography_pose(matrix, camera_matrix):
+def homography_pose(matrix: ArrayLike, camera_matrix: ArrayLike) -> Pose:
     """The Pose of a plane in the optical frame of the camera that sees it: x, y in the plane, z its normal.
 
     matrix : (3, 3), homography from points of the plane, in metres, to pixels without distortion
@@ -87,10 +90,10 @@ def homography_pose(matrix, camera_matrix):
             or values[2, 2] * np.linalg.det(values) == 0
         ):
             raise ValueError(f"a {name} is 3×3 finite numbers with an inverse, got {values.tolist()}")
-    matrix = np.linalg.inv(camera_matrix) @ matrix
-    matrix /= matrix[2, 2]
-    origin, perspective = matrix[:, 2], matrix[2, :2]
-    derivatives = matrix[:2, :2] - np.outer(origin[:2], perspective)
+    normalised = np.linalg.inv(camera_matrix) @ matrix
+    normalised /= normalised[2, 2]
+    origin, perspective = normalised[:, 2], normalised[2, :2]
+    derivatives = normalised[:2, :2] - np.outer(origin[:2], perspective)
     sight = origin / np.linalg.norm(origin)
     right = np.array([sight[2], 0, -sight[0]]) / np.hypot(sight[0], sight[2])
     across = np.column_stack([right, np.cross(sight, right)])

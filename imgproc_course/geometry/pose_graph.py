@@ -1,28 +1,35 @@
 """Poses in the plane, (x, y, yaw) in metres and radians, and the graph that holds them together."""
 
+from __future__ import annotations
+
+from collections.abc import Sequence
+
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 
-def wrap_angle(angle):
+def wrap_angle(angle: ArrayLike) -> NDArray[np.float64]:
     """The same angle between -π and π, of any shape."""
     return (np.asarray(angle, float) + np.pi) % (2 * np.pi) - np.pi
 
 
-def relative_pose(first, second):
+def relative_pose(first: ArrayLike, second: ArrayLike) -> NDArray[np.float64]:
     """(dx, dy, dyaw) of the second pose in the frame of the first: poses (..., 3), dyaw between -π and π."""
     (x, y, yaw), (u, v, turned) = (np.moveaxis(np.asarray(p, float), -1, 0) for p in (first, second))
     c, s, dx, dy = np.cos(yaw), np.sin(yaw), u - x, v - y
     return np.stack([c * dx + s * dy, c * dy - s * dx, wrap_angle(turned - yaw)], -1)
 
 
-def compose_poses(pose, motion):
+def compose_poses(pose: ArrayLike, motion: ArrayLike) -> NDArray[np.float64]:
     """The pose (..., 3) after a motion (..., 3) that is given in the pose's frame: undoes `relative_pose`."""
     (x, y, yaw), (dx, dy, turn) = (np.moveaxis(np.asarray(p, float), -1, 0) for p in (pose, motion))
     c, s = np.cos(yaw), np.sin(yaw)
     return np.stack([x + c * dx - s * dy, y + s * dx + c * dy, wrap_angle(yaw + turn)], -1)
 
 
-def optimize_pose_graph(poses, edges, iterations=20):
+def optimize_pose_graph(
+    poses: ArrayLike, edges: Sequence[tuple[int, int, ArrayLike, ArrayLike]], iterations: int = 20
+) -> NDArray[np.float64]:
     """Poses (N, 3) float64 with the smallest weighted sum of squared edge errors; the first stays as it is.
 
     Parameters
@@ -46,10 +53,10 @@ def optimize_pose_graph(poses, edges, iterations=20):
         errors = relative_pose(poses[i], poses[j]) - motions
         errors[:, 2] = wrap_angle(errors[:, 2])
         by_edge = _jacobians(poses[i], poses[j])
-        jacobian = np.zeros((len(i), 3, len(poses), 3))
+        blocks = np.zeros((len(i), 3, len(poses), 3))
         for pose, block in zip((i, j), by_edge, strict=True):
-            jacobian[np.arange(len(i)), :, pose] = block
-        jacobian = jacobian[:, :, 1:].reshape(3 * len(i), -1)  # without the first pose
+            blocks[np.arange(len(i)), :, pose] = block
+        jacobian = blocks[:, :, 1:].reshape(3 * len(i), -1)  # without the first pose
         weighted = jacobian * weights.reshape(-1, 1)
         step = -np.linalg.solve(jacobian.T @ weighted, weighted.T @ errors.ravel())
         poses[1:] += step.reshape(-1, 3)

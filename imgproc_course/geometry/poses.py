@@ -1,9 +1,12 @@
 """Poses: rigid transforms, a rotation and a position; the one between two point sets; the error of a path."""
 
+from __future__ import annotations
+
 import math
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 
 @dataclass(frozen=True, eq=False)
@@ -14,11 +17,11 @@ class Pose:
     position : (3,), metres
     """
 
-    rotation: np.ndarray
-    position: np.ndarray
+    rotation: NDArray[np.float64]
+    position: NDArray[np.float64]
 
     @classmethod
-    def from_vector(cls, vector):
+    def from_vector(cls, vector: ArrayLike) -> Pose:
         """Of [x, y, z, qx, qy, qz, qw], as geometry_msgs/Pose orders it.
 
         Raises
@@ -41,12 +44,12 @@ class Pose:
         return cls(np.array(rotation), vector[:3].copy())
 
     @classmethod
-    def planar(cls, x, y, yaw, z=0.0):
+    def planar(cls, x: float, y: float, yaw: float, z: float = 0.0) -> Pose:
         """Of a body on the floor that is turned left by yaw."""
         return cls(rotation_about("z", yaw), np.array([x, y, z], float))
 
     @property
-    def vector(self):
+    def vector(self) -> NDArray[np.float64]:
         """[x, y, z, qx, qy, qz, qw], rounded to 1e-9, qw not negative."""
         r = self.rotation
         squares = [
@@ -69,13 +72,13 @@ class Pose:
         sign = -1 if q[3] < 0 else 1
         return np.round([*self.position, *(sign * v for v in q)], 9) + 0.0
 
-    def __matmul__(self, other):
+    def __matmul__(self, other: Pose) -> Pose:
         return Pose(product(self.rotation, other.rotation), self.apply(other.position))
 
-    def inverse(self):
+    def inverse(self) -> Pose:
         return Pose(self.rotation.T, -rotate(self.rotation.T, self.position))
 
-    def apply(self, points):
+    def apply(self, points: ArrayLike) -> NDArray[np.float64]:
         """Points (..., 3) of the frame, in the other frame."""
         return rotate(self.rotation, points) + self.position
 
@@ -105,7 +108,7 @@ def rotation_about(axis, angle):
     return np.array([[c, -s, 0], [s, c, 0], [0, 0, 1]], float)
 
 
-def rigid_motion(before, after):
+def rigid_motion(before: ArrayLike, after: ArrayLike) -> Pose:
     """The Pose whose `apply` takes the points before to those after, with the smallest sum of squares.
 
     before, after : (N, 3), at least 3 pairs that do not lie on one line; metres. Flat sets are no exception:
@@ -128,7 +131,7 @@ def rigid_motion(before, after):
     return Pose(rotation, center_after - rotate(rotation, center))
 
 
-def ate(positions, true_positions):
+def ate(positions: ArrayLike, true_positions: ArrayLike) -> float:
     """Absolute trajectory error in metres: root mean square of the distances of paths (N, 2) or (N, 3).
 
     The paths are not aligned before, unlike in many tables: both must be given in one frame.
@@ -144,7 +147,9 @@ def ate(positions, true_positions):
     return float(np.sqrt(((positions - true_positions) ** 2).sum(1).mean()))
 
 
-def corresponding_points(first, second, columns, least):
+def corresponding_points(
+    first: ArrayLike, second: ArrayLike, columns: int, least: int
+) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Both as (N, columns) float64, N at least `least`; ValueError for what is not."""
     first, second = np.asarray(first, float), np.asarray(second, float)
     if first.shape != second.shape or first.shape[1:] != (columns,) or len(first) < least:
