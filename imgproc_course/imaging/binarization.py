@@ -1,9 +1,13 @@
 """Binarization: a global threshold, Otsu's threshold, and an adaptive threshold."""
 
+from __future__ import annotations
+
 import math
+from typing import Literal
 
 import numpy as np
 
+from imgproc_course.imaging.array_types import Gray
 from imgproc_course.imaging.borders import pad_border
 from imgproc_course.imaging.filters import box_mean, gaussian_kernel
 from imgproc_course.imaging.row_blocks import row_blocks
@@ -13,7 +17,7 @@ from imgproc_course.imaging.validation import check_gray, check_number, check_si
 SMALLEST_SHARE = 2.0**-23
 
 
-def threshold(gray, level):
+def threshold(gray: Gray, level: float) -> Gray:
     """Global threshold: white where the gray level is above `level`, black elsewhere.
 
     Parameters
@@ -37,7 +41,7 @@ def threshold(gray, level):
     return (check_gray(gray) > level).view(np.uint8) * np.uint8(255)
 
 
-def otsu_threshold(gray):
+def otsu_threshold(gray: Gray) -> int:
     """Otsu's threshold: the level that splits the pixels into the two classes that differ most.
 
     This is the level with the largest between-class variance, share_dark · share_bright ·
@@ -84,7 +88,9 @@ def otsu_threshold(gray):
     return best_level
 
 
-def adaptive_threshold(gray, size, offset, *, weights="mean"):
+def adaptive_threshold(
+    gray: Gray, size: int, offset: float, *, weights: Literal["mean", "gaussian"] = "mean"
+) -> Gray:
     """Adaptive threshold: white where the gray level is above the local mean minus `offset`.
 
     A global threshold fails if one half of the floor lies in the sun. Compared with its own neighbourhood, a

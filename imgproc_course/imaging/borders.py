@@ -1,9 +1,11 @@
 """Border handling: the values that a filter reads outside the image."""
 
+from typing import Literal
+
 import numpy as np
 
 # Our word for a border -> NumPy's. OpenCV calls them BORDER_REFLECT_101 (dcb|abcd|cba) and BORDER_REPLICATE.
-NUMPY_PAD_MODES = {"reflect_101": "reflect", "replicate": "edge"}
+NUMPY_PAD_MODES: dict[str, Literal["reflect", "edge"]] = {"reflect_101": "reflect", "replicate": "edge"}
 
 
 def pad_border(image, margin, border):

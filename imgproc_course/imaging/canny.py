@@ -4,11 +4,14 @@
 `canny`, in canny_fast, computes the same edges in a fraction of the time.
 """
 
+from __future__ import annotations
+
 from typing import NamedTuple
 
 import numpy as np
 from scipy import ndimage
 
+from imgproc_course.imaging.array_types import Direction, Gradient, Gray, Magnitude, Mask
 from imgproc_course.imaging.filters import gaussian_blur
 from imgproc_course.imaging.gradients import (
     DOWN,
@@ -55,18 +58,20 @@ class CannyStages(NamedTuple):
     edges : uint8, 255 on the strong pixels and on the weak pixels connected to them, 0 elsewhere
     """
 
-    smoothed: np.ndarray
-    grad_row: np.ndarray
-    grad_col: np.ndarray
-    magnitude: np.ndarray
-    direction: np.ndarray
-    thinned: np.ndarray
-    weak: np.ndarray
-    strong: np.ndarray
-    edges: np.ndarray
+    smoothed: Gray
+    grad_row: Gradient
+    grad_col: Gradient
+    magnitude: Magnitude
+    direction: Direction
+    thinned: Magnitude
+    weak: Mask
+    strong: Mask
+    edges: Gray
 
 
-def canny_stages(gray, low, high, *, sigma=0, aperture=3, l2_gradient=False):
+def canny_stages(
+    gray: Gray, low: float, high: float, *, sigma: float = 0, aperture: int = 3, l2_gradient: bool = False
+) -> CannyStages:
     """Canny's edges, with the result of every stage.
 
     Parameters
@@ -105,7 +110,7 @@ def canny_stages(gray, low, high, *, sigma=0, aperture=3, l2_gradient=False):
     return CannyStages(smoothed, grad_row, grad_col, magnitudes, directions, thinned, weak, strong, edges)
 
 
-def smooth(gray, sigma=0):
+def smooth(gray: Gray, sigma: float = 0) -> Gray:
     """First stage: blur away noise that would look like edges; sigma=0 gives a copy.
 
     Parameters
@@ -126,7 +131,7 @@ def smooth(gray, sigma=0):
     return gaussian_blur(gray, sigma)
 
 
-def canny_gradient(smoothed, aperture=3):
+def canny_gradient(smoothed: Gray, aperture: int = 3) -> tuple[Gradient, Gradient]:
     """Second stage: Sobel's gradient; at aperture 7 divided by 16, as cv2.Canny does.
 
     Parameters
@@ -149,7 +154,7 @@ def canny_gradient(smoothed, aperture=3):
     return grad_row, grad_col
 
 
-def suppress(magnitudes, directions):
+def suppress(magnitudes: Magnitude, directions: Direction) -> Magnitude:
     """Non-maximum suppression: keep a magnitude only where it is the largest along its gradient.
 
     Each pixel is compared with two neighbours: the one that its gradient points at (ahead) and the opposite
@@ -194,7 +199,7 @@ def suppress(magnitudes, directions):
     return np.where(is_maximum, magnitudes, 0)
 
 
-def double_threshold(thinned, low, high):
+def double_threshold(thinned: Magnitude, low: float, high: float) -> tuple[Mask, Mask]:
     """Double threshold: above `high` a pixel is a strong edge pixel, between `low` and `high` a weak one.
 
     Parameters
@@ -218,7 +223,7 @@ def double_threshold(thinned, low, high):
     return weak, strong
 
 
-def hysteresis(weak, strong):
+def hysteresis(weak: Mask, strong: Mask) -> Gray:
     """Edge tracking by hysteresis: keep the strong pixels and the weak pixels connected to them.
 
     Weak and strong pixels form connected components; with 8-connectivity, all eight neighbours of a pixel
@@ -263,7 +268,7 @@ def check_thresholds(low, high):
     return low, high
 
 
-def threshold_in_unit(value, aperture=3, l2_gradient=False):
+def threshold_in_unit(value: float, aperture: int = 3, l2_gradient: bool = False) -> float:
     """Convert a threshold to the unit in which cv2.Canny compares magnitudes.
 
     Parameters

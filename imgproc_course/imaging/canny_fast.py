@@ -11,10 +11,13 @@ make this version fast:
   and compare neighbours.
 """
 
+from __future__ import annotations
+
 import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
+from imgproc_course.imaging.array_types import Gray
 from imgproc_course.imaging.borders import pad_border
 from imgproc_course.imaging.canny import (
     APERTURE_7_SCALE,
@@ -27,7 +30,9 @@ from imgproc_course.imaging.row_blocks import row_blocks
 from imgproc_course.imaging.validation import check_gray, check_number
 
 
-def canny(gray, low, high, *, sigma=0, aperture=3, l2_gradient=False):
+def canny(
+    gray: Gray, low: float, high: float, *, sigma: float = 0, aperture: int = 3, l2_gradient: bool = False
+) -> Gray:
     """Canny's edges, equal to cv2.Canny on every pixel.
 
     Parameters

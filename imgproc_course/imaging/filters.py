@@ -1,10 +1,13 @@
 """Filters that remove noise, with OpenCV's border handling and rounding."""
 
+from __future__ import annotations
+
 import math
 from fractions import Fraction
 
 import numpy as np
 
+from imgproc_course.imaging.array_types import Gray, GrayOrBgr
 from imgproc_course.imaging.borders import pad_border
 from imgproc_course.imaging.correlation import correlate1d
 from imgproc_course.imaging.row_blocks import row_blocks
@@ -23,7 +26,7 @@ KERNEL_OF_SIZE = {
 }
 
 
-def box_blur(image, size=3):
+def box_blur(image: GrayOrBgr, size: int = 3) -> GrayOrBgr:
     """Box (mean) filter: the mean of the size × size pixels around each pixel.
 
     Parameters
@@ -62,7 +65,7 @@ def box_mean(image, size, border):
     return blurred
 
 
-def gaussian_kernel(sigma, size=None):
+def gaussian_kernel(sigma: float, size: int | None = None) -> list[float]:
     """Gaussian kernel along one axis, as floats of sum 1.
 
     Parameters
@@ -101,7 +104,7 @@ def gaussian_kernel(sigma, size=None):
     return [*outer, middle, *reversed(outer)]
 
 
-def fixed_point_gaussian_kernel(sigma, size=None):
+def fixed_point_gaussian_kernel(sigma: float, size: int | None = None) -> list[int]:
     """Gaussian kernel along one axis, as integers in units of 1/256, rounded as OpenCV rounds them.
 
     Each weight is rounded to an integer, and its rounding error is added to the next weight, from the ends
@@ -131,7 +134,7 @@ def fixed_point_gaussian_kernel(sigma, size=None):
     return [*outer, (1 << KERNEL_SHIFT) - 2 * sum(outer), *reversed(outer)]
 
 
-def gaussian_blur(image, sigma, size=None):
+def gaussian_blur(image: GrayOrBgr, sigma: float, size: int | None = None) -> GrayOrBgr:
     """Gaussian filter: a weighted mean around each pixel; the weights fall with the distance in a bell curve.
 
     Parameters
@@ -167,7 +170,7 @@ def gaussian_blur(image, sigma, size=None):
     return blurred
 
 
-def median_blur(image, size=3):
+def median_blur(image: GrayOrBgr, size: int = 3) -> GrayOrBgr:
     """Median filter: the middle value of the size × size gray levels around each pixel, once sorted.
 
     One outlier among nine pixels changes their mean, but hardly their median. So this is the filter against
@@ -238,7 +241,7 @@ def _median_of_window(padded, size):
     return median
 
 
-def bilateral_filter(gray, sigma_color, sigma_space, size=None):
+def bilateral_filter(gray: Gray, sigma_color: float, sigma_space: float, size: int | None = None) -> Gray:
     """Bilateral filter: a weighted mean of neighbours that are near *and* similar; it keeps steps sharp.
 
     Parameters

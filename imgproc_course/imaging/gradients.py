@@ -1,7 +1,13 @@
 """The gradient of the gray levels by Sobel's kernels, its magnitude and its direction."""
 
-import numpy as np
+from __future__ import annotations
 
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+
+from imgproc_course.imaging.array_types import Direction, Gradient, Gray, Magnitude
 from imgproc_course.imaging.borders import pad_border
 from imgproc_course.imaging.correlation import correlate1d
 from imgproc_course.imaging.validation import check_gray
@@ -28,7 +34,7 @@ def check_aperture(aperture):
     return int(aperture)
 
 
-def sobel(gray, aperture=3):
+def sobel(gray: Gray, aperture: int = 3) -> tuple[Gradient, Gradient]:
     """Gradient of an image by Sobel's kernels: a difference along one axis, smoothing along the other.
 
     Aperture 3: grad_col correlates the image with -1 0 1 / -2 0 2 / -1 0 1, grad_row with the transpose.
@@ -73,7 +79,9 @@ def gradient_of_padded(padded, aperture):
     return grad_row, grad_col
 
 
-def magnitude(grad_row, grad_col, norm="L1"):
+def magnitude(
+    grad_row: Gradient, grad_col: Gradient, norm: Literal["L1", "L2", "L2 squared"] = "L1"
+) -> Magnitude:
     """Gradient magnitude at every pixel.
 
     Parameters
@@ -105,7 +113,7 @@ def magnitude(grad_row, grad_col, norm="L1"):
     )
 
 
-def direction(grad_row, grad_col):
+def direction(grad_row: Gradient, grad_col: Gradient) -> Direction:
     """Gradient direction at every pixel, rounded to one of four sectors.
 
     Parameters
@@ -133,7 +141,7 @@ def direction(grad_row, grad_col):
     return np.where(down < down_at_22, RIGHT, np.where(down > down_at_67, DOWN, diagonal)).astype(np.uint8)
 
 
-def gradient_angle(grad_row, grad_col):
+def gradient_angle(grad_row: Gradient, grad_col: Gradient) -> NDArray[np.float64]:
     """Angle of the gradient, to draw it as a hue or an arrow.
 
     Parameters

@@ -1,7 +1,11 @@
 """Grayscale: from three colour channels to one. Luma as OpenCV computes it, and other formulas to compare."""
 
-import numpy as np
+from __future__ import annotations
 
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from imgproc_course.imaging.array_types import Bgr, Gray
 from imgproc_course.imaging.row_blocks import row_blocks
 from imgproc_course.imaging.validation import check_bgr
 
@@ -13,7 +17,7 @@ LUMA_SHIFT = 15
 LUMINANCE_WEIGHTS = (0.0722, 0.7152, 0.2126)
 
 
-def to_gray(bgr):
+def to_gray(bgr: Bgr) -> Gray:
     """Luma of a BGR frame, bit for bit as OpenCV computes it.
 
     gray = (3735 blue + 19235 green + 9798 red + 2**14) >> 15, in integer arithmetic.
@@ -44,7 +48,7 @@ def to_gray(bgr):
     return gray
 
 
-def average_gray(bgr):
+def average_gray(bgr: Bgr) -> Gray:
     """Mean of the three channels: simple, but it ignores how bright each colour looks to the eye.
 
     Parameters
@@ -63,7 +67,7 @@ def average_gray(bgr):
     return ((wide[..., 0] + wide[..., 1] + wide[..., 2] + 1) // 3).astype(np.uint8)
 
 
-def lightness_gray(bgr):
+def lightness_gray(bgr: Bgr) -> Gray:
     """Mean of the largest and the smallest channel: the L of HSL.
 
     Parameters
@@ -84,7 +88,7 @@ def lightness_gray(bgr):
     return ((largest + smallest + 1) >> 1).astype(np.uint8)
 
 
-def linear_light(levels):
+def linear_light(levels: NDArray[np.uint8]) -> NDArray[np.float64]:
     """Decode the gray levels of an sRGB image: the amount of light that each level stands for.
 
     A camera stores levels that look evenly spaced to the eye, not levels proportional to light: level 128 is
@@ -117,7 +121,7 @@ def linear_light(levels):
     return curve[levels]
 
 
-def srgb_levels(light):
+def srgb_levels(light: ArrayLike) -> NDArray[np.uint8]:
     """Encode amounts of light as gray levels of an sRGB image; the inverse of `linear_light`.
 
     Parameters
@@ -142,7 +146,7 @@ def srgb_levels(light):
     return np.rint(encoded * 255).astype(np.uint8)
 
 
-def linear_light_gray(bgr):
+def linear_light_gray(bgr: Bgr) -> Gray:
     """Gray of the same luminance as the colour: the weights apply to light, not to the stored levels.
 
     Compared with `to_gray` this shows the effect of gamma. On neutral colours both agree; for saturated

@@ -1,11 +1,14 @@
 """Artificial noise. It is drawn from a seed, so every reader gets the same noise."""
 
+from __future__ import annotations
+
 import numpy as np
 
+from imgproc_course.imaging.array_types import GrayOrBgr
 from imgproc_course.imaging.validation import check_image, check_number
 
 
-def add_gaussian_noise(image, sigma, *, seed=0):
+def add_gaussian_noise(image: GrayOrBgr, sigma: float, *, seed: int | np.random.Generator = 0) -> GrayOrBgr:
     """Add Gaussian noise, as a sensor does in the dark: to each value a normally distributed random number.
 
     Parameters
@@ -28,7 +31,9 @@ def add_gaussian_noise(image, sigma, *, seed=0):
     return np.rint(image + noise).clip(0, 255).astype(np.uint8)
 
 
-def add_salt_and_pepper(image, fraction, *, seed=0):
+def add_salt_and_pepper(
+    image: GrayOrBgr, fraction: float, *, seed: int | np.random.Generator = 0
+) -> GrayOrBgr:
     """Add impulse noise: make random pixels white or black, as dead pixels and lost bits do.
 
     Parameters

@@ -1,17 +1,20 @@
 """Image quality: how far an image is from its reference, as one number."""
 
+from __future__ import annotations
+
 import math
 
 import numpy as np
 from scipy import ndimage
 
+from imgproc_course.imaging.array_types import Gray, GrayOrBgr
 from imgproc_course.imaging.validation import check_number, check_pair, check_size
 
 # SSIM's constants, as fractions of the largest level. They keep its denominators away from zero.
 K1, K2 = 0.01, 0.03
 
 
-def psnr(reference, image):
+def psnr(reference: GrayOrBgr, image: GrayOrBgr) -> float:
     """Peak signal-to-noise ratio: the square of the largest level relative to the mean squared error.
 
     Parameters
@@ -32,7 +35,9 @@ def psnr(reference, image):
     return math.inf if error == 0 else float(10 * np.log10(255**2 / error))
 
 
-def ssim(reference, image, *, size=7, gaussian_weights=False, sigma=1.5):
+def ssim(
+    reference: Gray, image: Gray, *, size: int = 7, gaussian_weights: bool = False, sigma: float = 1.5
+) -> float:
     """Structural similarity: do both images have the same mean, contrast and pattern around each pixel?
 
     Parameters
