@@ -5,7 +5,7 @@ import inspect
 
 import pytest
 
-PACKAGES = ["messages", "recording", "simulation", "ros", "display"]
+PACKAGES = ["messages", "imaging", "geometry", "recording", "simulation", "ros", "display"]
 
 
 def functions_of(name, value):
