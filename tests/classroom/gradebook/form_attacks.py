@@ -863,14 +863,15 @@ class Attacked:
     harmed: tuple
 
 
-def grade_attacks(light, key_path, folder, **options):
-    """Grade all attacks at once, an honest submission after each, and one honest submission alone.
+def grade_attacks(light, key_path, folder, attacks=FORM_ATTACKS, **options):
+    """Grade attacks at once, an honest submission after each, and one honest submission alone.
 
     Parameters
     ----------
     light : Master
     key_path : Path of its key
     folder : Path, empty
+    attacks : list of FormAttack
     options : as `grade_submissions` takes them
 
     Returns
@@ -879,7 +880,7 @@ def grade_attacks(light, key_path, folder, **options):
     """
     honest = notebook(light, answers_of(light, "right"))
     write(folder / "alone" / "alone.ipynb", honest)
-    for attack in FORM_ATTACKS:
+    for attack in attacks:
         attack.put(folder / "submissions" / attack.folder_name, light)
         write(folder / "submissions" / attack.neighbour / f"{LESSON}.ipynb", honest)
     learners, intake = [], []
@@ -890,7 +891,7 @@ def grade_attacks(light, key_path, folder, **options):
         learners.append({learner["name"]: learner for learner in grades["learners"]})
         intake = grades["intake"]
     (alone,) = learners[0]["alone"]["lessons"]
-    return [_attacked(attack, learners[1], alone, folder, intake) for attack in FORM_ATTACKS]
+    return [_attacked(attack, learners[1], alone, folder, intake) for attack in attacks]
 
 
 def _attacked(attack, learners, alone, folder, intake):
