@@ -2,6 +2,7 @@
 
 import itertools
 import json
+import linecache
 import random
 import shutil
 import signal
@@ -189,6 +190,8 @@ def test_check_in_the_lesson_agrees(results, masters, name, monkeypatch, tmp_pat
     monkeypatch.setenv("IMGPROC_COURSE_CHECKS", str(tmp_path / "checks"))
     (declared, *_) = read_exercises(masters / "10_attacked.py")
     space = declared.namespace()
+    lines = SAMPLES[name].splitlines(keepends=True)  # as a notebook keeps the source of a cell
+    monkeypatch.setitem(linecache.cache, "answer", (len(SAMPLES[name]), None, lines, "answer"))
     with suppress(NameError, SyntaxError):
         exec(compile(SAMPLES[name], "answer", "exec"), space)
     checked = check_answer(declared, space["double"]) if "double" in space else None
