@@ -52,7 +52,7 @@ def solved_twin(master, shipped):
         elif master_cell.role == "answer" or read & of_answers:
             of_answers |= bound
             chosen.add(number)
-            cell.metadata.tags = [*cell.metadata.get("tags", ()), IGNORED]
+            cell.metadata.tags = list(dict.fromkeys([*cell.metadata.get("tags", ()), IGNORED]))
         else:
             of_answers -= bound
     chosen |= {number for number, (read, _) in enumerate(names) if read & STARTS_ROBOT}
