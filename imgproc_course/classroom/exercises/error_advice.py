@@ -6,6 +6,7 @@ the line that raised: `thinned > high and thinned < 9` needs another sentence th
 
 import ast
 import difflib
+import math
 import re
 
 import numpy as np
@@ -25,12 +26,6 @@ _IMPORTS = {
     **{name: f"from math import {name}" for name in ("sin", "cos", "tan", "atan2", "hypot", "radians")},
     "norm": "from numpy.linalg import norm",
 }
-_WHOLE_INDEX = (
-    "An index is a whole number, and / makes a float. Divide whole numbers with //; with floats, // gives a"
-    " float too: use int(), or .astype(int) for an array."
-)
-
-_NO_POWER = "In Python ^ is not a power. Write a ** 2 for a square."
 
 
 def advice_on(error, message, line="", parameters=None, function=""):
@@ -39,8 +34,8 @@ def advice_on(error, message, line="", parameters=None, function=""):
     call = f"{function}({', '.join(parameters)})" if parameters is not None else ""
     if call and message.startswith(f"{function}()") and "positional argument" in message:
         return f"check calls {call}: begin your function with def {call}: and use these arguments."
-    for kinds, pattern, advice in _COMPILED:
-        match = pattern.search(message) if error in kinds else None
+    for pattern, advice in _ADVICE.items():
+        match = re.match(pattern, f"{error}: {message}\n{source}")
         if match:
             return advice(match, source) if callable(advice) else match.expand(advice)
     return ""
@@ -59,68 +54,52 @@ def _nodes(source):
 
 
 def _ambiguous(_match, source):
-    return next(advice for holds, advice in _truth_rules(_nodes(source)) if holds)
-
-
-def _truth_rules(nodes):
-    """(whether it holds, advice) of each rule about an array where Python needs one True or False."""
-    chained = [node for node in nodes if isinstance(node, ast.Compare) and len(node.ops) > 1]
-    operators = {type(getattr(node, "op", None)) for chain in chained for node in ast.walk(chain)}
-    yield (
-        operators & {ast.BitAnd, ast.BitOr},
-        "& is computed before > and <=. Put each comparison in parentheses: (a > low) & (a <= high).",
-    )
-    yield (
-        chained,
-        "A chained comparison such as low < a < high does not work with an array. Write two comparisons"
-        " with & between them, each in parentheses: (low < a) & (a < high).",
-    )
+    nodes = _nodes(source)
+    chains = [node for node in nodes if isinstance(node, ast.Compare) and len(node.ops) > 1]
     parts = [part for node in nodes if isinstance(node, ast.BoolOp) for part in node.values]
-    yield (
-        parts and all(isinstance(part, ast.Name) for part in parts),
-        "An array is neither True nor False. To ask whether it has any values, write array.size > 0.",
-    )
-    yield (
-        parts,
-        "`and` and `or` need a single True or False, and an array has many. Between arrays write & or |,"
-        " with each comparison in parentheses.",
-    )
-    yield (
-        any(isinstance(getattr(node, "op", None), ast.Not) for node in nodes),
-        "`not` needs a single True or False, and an array has many. For an array write ~ before it.",
-    )
     calls = {ast.unparse(node.func) for node in nodes if isinstance(node, ast.Call)}
-    text = "max() and min() compare single numbers. For arrays write np.maximum or np.minimum."
-    yield calls & {"max", "min"}, text
-    yield (
-        True,
+    if any(isinstance(node, ast.BitAnd | ast.BitOr) for chain in chains for node in ast.walk(chain)):
+        return "& is computed before > and <=. Put each comparison in parentheses: (a > low) & (a <= high)."
+    if chains:
+        return (
+            "A chained comparison such as low < a < high does not work with an array. Write two comparisons"
+            " with & between them, each in parentheses: (low < a) & (a < high)."
+        )
+    if parts and all(isinstance(part, ast.Name) for part in parts):
+        return "An array is neither True nor False. To ask whether it has any values, write array.size > 0."
+    if parts:
+        return (
+            "`and` and `or` need a single True or False, and an array has many. Between arrays write & or |,"
+            " with each comparison in parentheses."
+        )
+    if any(isinstance(node, ast.Not) for node in nodes):
+        return "`not` needs a single True or False, and an array has many. For an array write ~ before it."
+    if calls & {"max", "min"}:
+        return "max() and min() compare single numbers. For arrays write np.maximum or np.minimum."
+    return (
         "`if` and `while` need one True or False, and a comparison of an array gives many, one for each"
         " value. In a loop over the pixels compare one value: array[row, col]. Outside a loop work with the"
-        " mask itself (np.where, array[mask] = ...), or ask mask.any() or mask.all().",
+        " mask itself (np.where, array[mask] = ...), or ask mask.any() or mask.all()."
     )
 
 
 def _unhashable(match, source):
-    nodes = _nodes(source)
+    nouns = {"numpy.ndarray": "an array", "list": "a list", "dict": "a dict"}
+    noun, nodes = nouns.get(match[1], match[1]), _nodes(source)
     if any(isinstance(node, ast.Set) for node in nodes):
         return (
-            f"Curly brackets without a key and a colon make a set, and a set cannot hold"
-            f" {_article(match[1])}."
+            f"Curly brackets without a key and a colon make a set, and a set cannot hold {noun}."
             ' A dictionary needs both: {"key": value}.'
         )
     if any(isinstance(node, ast.Dict) for node in nodes):
-        return f"The key of a dictionary cannot be {_article(match[1])}. Write the key as text, in quotes."
-    if any(isinstance(node, ast.Call) and ast.unparse(node.func) == "set" for node in nodes):
+        return f"The key of a dictionary cannot be {noun}. Write the key as text, in quotes."
+    if re.search(r"\bset\(", source):
         return "set() cannot hold the rows of an array. np.unique(array) gives its different values."
-    return f"A set or the key of a dictionary cannot hold {_article(match[1])}."
-
-
-def _article(type_name):
-    return {"numpy.ndarray": "an array", "list": "a list", "dict": "a dict"}.get(type_name, type_name)
+    return f"A set or the key of a dictionary cannot hold {noun}."
 
 
 def _broadcast(match, source):
-    shapes_as_text = re.findall(r"\([\d,]*\)", match.string)
+    shapes_as_text = re.findall(r"\([\d,]*\)", match[1])
     # a += b names the shape of a twice
     shapes = list(dict.fromkeys(tuple(map(int, re.findall(r"\d+", shape))) for shape in shapes_as_text))
     advice = next((advice for holds, advice in _broadcast_rules(shapes, source) if holds), "")
@@ -168,7 +147,7 @@ def _broadcast_rules(shapes, source):
 
 
 def _index_outside(match, source):
-    axis, size = match[2], int(match[3])
+    axis, size = match[1], int(match[2])
     advice = f"Python counts from 0, so {size - 1} is the last index of axis {axis}."
     if axis == "2":
         return f"{advice} Axis 2 of a colour image holds its channels."
@@ -185,45 +164,6 @@ def _index_outside(match, source):
     )
 
 
-def _unpack(match, source):
-    if ".shape" in source:
-        return (
-            f"The shape has another number of parts than the {match[1]} names on the left. A colour image has"
-            " three, rows, columns and channels; a gray image has two. .shape[:2] are the first two."
-        )
-    if re.match(r"for .+ in [^()\[\]]+,", source):
-        return "To go through two sequences together write zip: for a, b in zip(first, second):"
-    if source.startswith("for "):
-        return "A loop over a dictionary gives only its keys. For keys and values write dictionary.items()."
-    return (
-        f"There are {match[1]} names on the left; the value on the right has another number of parts. An"
-        f" array is unpacked row by row."
-    )
-
-
-def _short_tuple(_match, source):
-    number = re.search(r"\.shape\[(\d+)\]", source)
-    start = "The tuple has fewer parts."
-    if number and int(number[1]) > 2:
-        return (
-            f"{start} Python counts from 0: shape[0] is the number of rows, shape[1] of columns, and shape[2]"
-            " of channels, if the image has colours."
-        )
-    return (
-        f"{start} The shape of a gray image has two numbers, (rows, columns), and only a colour image has a"
-        " third: ask for len(image.shape) or image.ndim first."
-    )
-
-
-def _not_iterable(match, source):
-    if source.startswith("for "):
-        return (
-            "Each value of this loop is a single number, and several names stand for it. For all pixels write"
-            " two loops, one inside the other: for row in range(height): and for col in range(width):"
-        )
-    return f"Several names stand on the left, and the value on the right is a single {match[1]}."
-
-
 def _float_mask(_match, source):
     if any(isinstance(node, ast.Compare) for node in _nodes(source)):
         return "& and | combine masks. & is computed before > and <, so put each comparison in parentheses."
@@ -231,12 +171,6 @@ def _float_mask(_match, source):
         "& and | combine masks (True and False) and whole numbers, and one of these arrays holds floats."
         " np.zeros(shape) makes floats: for a mask write np.zeros(shape, dtype=bool)."
     )
-
-
-def _syntax(_match, source):
-    if re.search(r"[&|]\s*not\b", source):
-        return "After & and | write ~ for not: a & ~b."
-    return ""
 
 
 def _typographic(match, _source):
@@ -256,17 +190,14 @@ def _typographic(match, _source):
 
 def _reshape(match, source):
     size, shape = int(match[1]), [int(part) for part in re.findall(r"-?\d+", match[2])]
+    count, product = math.prod(shape), " × ".join(map(str, shape))
     if size == 1:
         return (
             "There is one value only. np.array() makes a single object of bytes; np.frombuffer(data,"
             " np.uint8) reads them as numbers."
         )
-    count = 1
-    for part in shape:
-        count *= part
     if count < 0 or "newaxis" in match[2]:
         return f"{size} values cannot be divided evenly in this way. Is there padding at the end of the rows?"
-    product = " × ".join(map(str, shape))
     if size == 3 * count:
         return f"{size} values are 3 times as many as {product}. Are the three channels missing in the shape?"
     if size == 2 * count:
@@ -295,19 +226,6 @@ def _why_too_few(size, count, shape, source):
     return "Was too much cropped, or is this the shape of another image?"
 
 
-def _matrix_product(match, source):
-    advice = (
-        f"@ needs as many columns on its left as rows on its right: here {match[2]} and {match[1]}. Which"
-        " shape has each part?"
-    )
-    if "diag" in source or ".T" in source:
-        return (
-            f"{advice} np.diag of n numbers is n × n. With points in rows, (N, 3), a.T @ b is 3 × 3, and"
-            " a @ b.T is N × N."
-        )
-    return f"{advice} (Value by value, arrays are multiplied with *.)"
-
-
 def _zero_division(_match, source):
     divisions = (ast.Div, ast.FloorDiv, ast.Mod)
     divisors = [
@@ -319,42 +237,14 @@ def _zero_division(_match, source):
     return f"{divisors[0] if is_named else 'The divisor'} is 0 for this input. Test for 0 before you divide."
 
 
-def _none(_match, _source):
-    return (
-        "A value here is None. Functions without return give None, and so do methods that work in place, such"
-        " as list.sort() and list.append(): call them on a line of their own, or use sorted(values)."
-    )
-
-
 def _unknown_name(match, _source):
-    line = _IMPORTS.get(match[1])
-    if line:
-        return f"The name {match[1]} is not known in this cell. Write its import line in it: {line}"
+    name = match[1]
+    if name in _IMPORTS:
+        return f"The name {name} is not known in this cell. Write its import line in it: {_IMPORTS[name]}"
     return (
-        f"Nothing has the name {match[1]} here. Is it spelled as above? If another cell defines or imports"
+        f"Nothing has the name {name} here. Is it spelled as above? If another cell defines or imports"
         f" it, write its definition or its import line in this cell; if it is a text, put it in quotes."
     )
-
-
-def _no_attribute(match, _source):
-    kind, name = match[1], match[2]
-    if kind == "NoneType":
-        return _none(match, "")
-    if kind == "numpy.ndarray" and name in ("height", "width"):
-        return f"An array has no .{name}: its rows are .shape[0], its columns .shape[1]."
-    if kind == "numpy.ndarray" and name in ("append", "extend", "add"):
-        return "An array cannot grow. Make it in its full size, or collect the values in a list."
-    if kind == "numpy.ndarray" and name == "reverse":
-        return "An array has no .reverse(). A slice with the step -1 goes backwards: ::-1."
-    if name == "join":
-        return 'join is a method of the text that stands between the parts: "/".join(parts).'
-    if kind in ("list", "tuple") and name in ("shape", "astype", "dtype", "mean", "sum", "max", "min"):
-        return f"A {kind} has no .{name}. Make an array of it first: np.array(values)."
-    if kind in ("int", "float", "bool") and name in ("astype", "shape"):
-        return f"This is a single number ({kind}), not an array. For numbers use int() or float()."
-    if kind.endswith(("SimpleNamespace", "Image", "CompressedImage")):
-        return f"A message has no field {name}; print(message) shows its fields."
-    return ""
 
 
 def _not_in_numpy(match, _source):
@@ -366,275 +256,230 @@ def _not_in_numpy(match, _source):
     return f"NumPy has no {name}." + (f" Did you mean np.{similar[0]}?" if similar else "")
 
 
-def _not_callable(match, _source):
-    if match[1] in ("tuple", "numpy.ndarray", "list", "dict"):
-        return (
-            f"A {match[1]} is not a function: round brackets call. Its parts are taken with square brackets,"
-            " as in shape[0]."
-        )
-    if match[1] == "str":
-        return (
-            "Round brackets call a function, and this is a text. Does it come from a loop over a dict? The"
-            " loop gives the keys; the value of a key is d[key], with the name of the dict for d."
-        )
-    return (
-        f"Round brackets call a function, and this is a value of type {match[1]}. Leave the brackets out;"
-        f" or is a * missing before them?"
-    )
+_NO_POWER = "In Python ^ is not a power. Write a ** 2 for a square."
+_WHOLE = (
+    " is a whole number, and / makes a float. Divide whole numbers with //; with floats, // gives a float"
+    " too: use int(), or .astype(int) for an array."
+)
 
-
-def _not_subscriptable(match, source):
-    if match[1] == "NoneType":
-        return _none(match, source)
-    if "function" in match[1] or "method" in match[1]:
-        return "This is a function. Call it with round brackets; square brackets take a part of a value."
-    if match[1] in ("int", "float", "numpy.float64", "numpy.uint8", "numpy.int64"):
-        return "This is a single number, and it has no parts to take with square brackets."
-    return (
+# {pattern of the error as Python prints it, and of the line that raised: advice}; the first match counts.
+# An advice is a template for the match, or a function of the match and the line.
+_ADVICE = {
+    "ValueError: .*truth value of an (?:empty )?array": _ambiguous,
+    # ---- indices and shapes
+    r"IndexError: tuple index out of range.*\n.*\.shape\[(?:[3-9]|\d\d)": (
+        "The tuple has fewer parts. Python counts from 0: shape[0] is the number of rows, shape[1] of"
+        " columns, and shape[2] of channels, if the image has colours."
+    ),
+    "IndexError: tuple index out of range": (
+        "The tuple has fewer parts. The shape of a gray image has two numbers, (rows, columns), and only a"
+        " colour image has a third: ask for len(image.shape) or image.ndim first."
+    ),
+    r"IndexError: .*index -?\d+ is out of bounds for axis (\d) with size (\d+)": _index_outside,
+    "IndexError: (?:list|string) index out of range": (
+        "Python counts from 0: the last index is len(...) - 1."
+    ),
+    "IndexError: .*(?:only integers, slices|arrays used as indices)": f"An index{_WHOLE}",
+    "TypeError: .*(?:integers or slices, not float|slice indices must be integers)": f"An index{_WHOLE}",
+    r"TypeError: .*'(?:numpy.)?float\d*' object cannot be interpreted as an integer": f"A count{_WHOLE}",
+    "TypeError: list indices must be integers or slices, not tuple": (
+        "A list takes one index at a time: values[row][col]. Or make an array of it: np.array(values)."
+    ),
+    "TypeError: string indices must be integers": (
+        "The name before the brackets holds a text, not a dictionary. Does the variable of a loop have the"
+        " same name as the dictionary, and overwrite it? Give it another name."
+    ),
+    r"IndexError: too many indices .*: array is (\d)-dimensional, but (\d) were indexed": (
+        r"The array has \1 axes, and you give \2 indices. A gray image has rows and columns only; channels"
+        " are the third axis of a colour image."
+    ),
+    "IndexError: boolean index did not match": (
+        "A mask chooses values of an array of its own shape. These two have different shapes."
+    ),
+    "ValueError: (.*could not (?:be )?broadcast.*)": _broadcast,
+    r"ValueError: cannot reshape array of size (\d+) into shape \(([-\d, newaxis]+)\)": _reshape,
+    r"TypeError: Cannot interpret '\d+' as a data type": (
+        "The shape is one argument, in parentheses of its own: np.zeros((rows, columns))."
+    ),
+    r"ValueError: .*\(size (\d+) is different from (\d+)\).*\n.*(?:diag|\.T)": (
+        r"@ needs as many columns on its left as rows on its right: here \2 and \1. Which shape has each"
+        " part? np.diag of n numbers is n × n. With points in rows, (N, 3), a.T @ b is 3 × 3, and a @ b.T is"
+        " N × N."
+    ),
+    r"ValueError: .*\(size (\d+) is different from (\d+)\)": (
+        r"@ needs as many columns on its left as rows on its right: here \2 and \1. Which shape has each"
+        " part? (Value by value, arrays are multiplied with *.)"
+    ),
+    "ValueError: .*does not have enough dimensions": (
+        "On one side of @ stands a single number. mean() and sum() without axis give one number for the whole"
+        " array; with axis=0 they give one for each column."
+    ),
+    "ValueError: (?:shapes .* not aligned|.*matmul)": (
+        "@ and np.dot need as many columns on the left as rows on the right. Which shape has each part?"
+        " (Value by value, arrays are multiplied with *.)"
+    ),
+    "LinAlgError: .*Singular matrix": (
+        "The equations have no single solution: a row or a column of the matrix is 0, or follows from others."
+        " Is each unknown in an equation, and is what must stay fixed left out?"
+    ),
+    # ---- names, fields, calls
+    r"NameError: name '(\w+)' is not defined": _unknown_name,
+    r"UnboundLocalError: .*local variable '(\w+)'": (
+        r"\1 gets its value inside an if or a loop, and that did not run for this input. Give \1 a start"
+        " value before it."
+    ),
+    r"TypeError: .*'(tuple|numpy\.ndarray|list|dict)' object is not callable": (
+        r"A \1 is not a function: round brackets call. Its parts are taken with square brackets, as in"
+        " shape[0]."
+    ),
+    "TypeError: .*'str' object is not callable": (
+        "Round brackets call a function, and this is a text. Does it come from a loop over a dict? The loop"
+        " gives the keys; the value of a key is d[key], with the name of the dict for d."
+    ),
+    r"TypeError: .*'([\w.]+)' object is not callable": (
+        r"Round brackets call a function, and this is a value of type \1. Leave the brackets out; or is a *"
+        " missing before them?"
+    ),
+    "TypeError: .*'NoneType'|AttributeError: 'NoneType' object": (
+        "A value here is None. Functions without return give None, and so do methods that work in place, such"
+        " as list.sort() and list.append(): call them on a line of their own, or use sorted(values)."
+    ),
+    r"AttributeError: 'numpy\.ndarray' object has no attribute '(height|width)'": (
+        r"An array has no .\1: its rows are .shape[0], its columns .shape[1]."
+    ),
+    r"AttributeError: 'numpy\.ndarray' object has no attribute '(?:append|extend|add)'": (
+        "An array cannot grow. Make it in its full size, or collect the values in a list."
+    ),
+    r"AttributeError: 'numpy\.ndarray' object has no attribute 'reverse'": (
+        "An array has no .reverse(). A slice with the step -1 goes backwards: ::-1."
+    ),
+    r"AttributeError: .* object has no attribute 'join'": (
+        'join is a method of the text that stands between the parts: "/".join(parts).'
+    ),
+    "AttributeError: '(list|tuple)' object has no attribute '(shape|astype|dtype|mean|sum|max|min)'": (
+        r"A \1 has no .\2. Make an array of it first: np.array(values)."
+    ),
+    "AttributeError: '(int|float|bool)' object has no attribute '(?:astype|shape)'": (
+        r"This is a single number (\1), not an array. For numbers use int() or float()."
+    ),
+    r"AttributeError: '[\w.]*(?:SimpleNamespace|Image)' object has no attribute '(\w+)'": (
+        r"A message has no field \1; print(message) shows its fields."
+    ),
+    r"AttributeError: module 'numpy' has no attribute '(\w+)'": _not_in_numpy,
+    r"TypeError: .*'[\w.]*(?:function|method)\w*' object is not subscriptable": (
+        "This is a function. Call it with round brackets; square brackets take a part of a value."
+    ),
+    r"TypeError: .*'(?:int|float|numpy\.(?:float64|uint8|int64))' object is not subscriptable": (
+        "This is a single number, and it has no parts to take with square brackets."
+    ),
+    r"""TypeError: .*' object is not subscriptable.*\n.*\[["']""": (
         'This object has fields, not keys: write message.height, with a dot, instead of message["height"].'
-        if '["' in source or "['" in source
-        else ""
-    )
-
-
-def _text_operator(match, _source):
-    operator, left, right = match.groups()
-    if operator == "/" and left == right == "str":
-        return (
-            'Texts cannot be joined with /, only a Path can: Path(a) / b. Or write an f-string, f"{a}/{b}".'
-        )
-    if "NoneType" in (left, right):
-        return _none(match, "")
-    if "str" in (left, right):
-        return "A text and another value cannot be combined in this way. An f-string writes both into a text."
-    if operator == "^":
-        return _NO_POWER
-    if "tuple" in (left, right):
-        return "A tuple does no arithmetic. Take its numbers one by one, as in first[0] - second[0]."
-    if "list" in (left, right):
-        return "A list does no arithmetic. Make an array of it first: np.array(values)."
-    return ""
-
-
-def _one_number(_match, source):
-    if "math.remainder(" in source:
-        return (
-            "math.remainder takes one number, and this is a whole array. Wrap the angles one by one in a"
-            " loop, or all at once: (angles + np.pi) % (2 * np.pi) - np.pi."
-        )
-    return (
+    ),
+    r"TypeError: .*'(?:int|float|numpy\.\w+)' object does not support item assignment": (
+        "The name before the brackets holds a single number. Was it overwritten before? a = a[mask] = 255"
+        " stores 255 in a, too: write a[mask] = 255 alone."
+    ),
+    r"KeyError: ([^\n]+)": (
+        r"The dictionary has no key \1. Use the keys that it has: a loop over a dictionary gives them."
+    ),
+    r"(?:ValueError|TypeError): .*got <function": (
+        "A function stands where its result is needed. Call it, with its argument in round brackets."
+    ),
+    "RecursionError": (
+        "Your function calls itself and never ends. Mark what it has visited already before it calls itself"
+        " again, or use a loop."
+    ),
+    r"ModuleNotFoundError: No module named '([\w.]+)'": (
+        r"No library with the name \1 is installed here. Write the computation yourself, with NumPy."
+    ),
+    # ---- several names on the left
+    r"ValueError: (?:too many|not enough) values to unpack \(expected (\d+).*\n.*\.shape": (
+        r"The shape has another number of parts than the \1 names on the left. A colour image has three,"
+        " rows, columns and channels; a gray image has two. .shape[:2] are the first two."
+    ),
+    r"ValueError: (?:too many|not enough) values to unpack .*\nfor .+ in [^()\[\]]+,": (
+        "To go through two sequences together write zip: for a, b in zip(first, second):"
+    ),
+    r"ValueError: (?:too many|not enough) values to unpack .*\nfor ": (
+        "A loop over a dictionary gives only its keys. For keys and values write dictionary.items()."
+    ),
+    r"ValueError: (?:too many|not enough) values to unpack \(expected (\d+)": (
+        r"There are \1 names on the left; the value on the right has another number of parts. An array is"
+        " unpacked row by row."
+    ),
+    r"TypeError: cannot unpack non-iterable .*\nfor ": (
+        "Each value of this loop is a single number, and several names stand for it. For all pixels write two"
+        " loops, one inside the other: for row in range(height): and for col in range(width):"
+    ),
+    r"TypeError: cannot unpack non-iterable ([\w.]+) object": (
+        r"Several names stand on the left, and the value on the right is a single \1."
+    ),
+    # ---- operators and numbers
+    r"TypeError: .*unsupported operand type\(s\) for /: 'str' and 'str'": (
+        'Texts cannot be joined with /, only a Path can: Path(a) / b. Or write an f-string, f"{a}/{b}".'
+    ),
+    r"TypeError: (?:unsupported operand type\(s\) for .*'str'|can only concatenate str)": (
+        "A text and another value cannot be combined in this way. An f-string writes both into a text."
+    ),
+    r"TypeError: .*unsupported operand type\(s\) for \^": _NO_POWER,
+    r"\w*TypeError: .*ufunc 'bitwise_xor' not supported": _NO_POWER,
+    r"TypeError: .*unsupported operand type\(s\) for .*'tuple'": (
+        "A tuple does no arithmetic. Take its numbers one by one, as in first[0] - second[0]."
+    ),
+    r"TypeError: .*unsupported operand type\(s\) for .*'list'": (
+        "A list does no arithmetic. Make an array of it first: np.array(values)."
+    ),
+    r"TypeError: .*join\(\) takes exactly one argument": (
+        'join takes one list of the parts, in square brackets: "/".join([first, second]).'
+    ),
+    r"\w*TypeError: .*ufunc 'bitwise_(?:and|or)' not supported": _float_mask,
+    "TypeError: .*boolean subtract": ("Masks cannot be subtracted. For True in a and not in b write a & ~b."),
+    r"\w*TypeError: .*(?:boolean negative|bad operand type for unary -: 'bool')": (
+        "For the opposite of a mask write ~mask."
+    ),
+    r"TypeError: .*only (?:0-dimensional|length-1) arrays can be converted.*\n.*math\.remainder\(": (
+        "math.remainder takes one number, and this is a whole array. Wrap the angles one by one in a loop, or"
+        " all at once: (angles + np.pi) % (2 * np.pi) - np.pi."
+    ),
+    "TypeError: .*only (?:0-dimensional|length-1) arrays can be converted": (
         "int(), float() and the functions of math take one number, and this is a whole array."
         " array.astype(...) changes the dtype of all values; NumPy has functions for arrays, such as"
         " np.log10."
-    )
-
-
-# (error types, pattern of the message, advice: a template for the match, or a function of match and source)
-_ADVICE = (
-    ("ValueError", "truth value of an (?:empty )?array", _ambiguous),
-    ("IndexError", "^tuple index out of range", _short_tuple),
-    ("TypeError", r"(?:unhashable type|use): '([\w.]+)'", _unhashable),
-    ("ValueError", "could not be broadcast|could not broadcast", _broadcast),
-    (
-        "IndexError",
-        r"index (-?\d+) is out of bounds for axis (\d) with size (\d+)",
-        _index_outside,
     ),
-    (
-        "IndexError",
-        "^(?:list|string) index out of range",
-        "Python counts from 0: the last index is len(...) - 1.",
-    ),
-    ("ValueError", r"cannot reshape array of size (\d+) into shape \(([-\d, newaxis]+)\)", _reshape),
-    ("IndexError", r"only integers, slices|arrays used as indices", _WHOLE_INDEX),
-    (
-        "TypeError",
-        "indices must be integers or slices, not float|slice indices must be integers",
-        _WHOLE_INDEX,
-    ),
-    (
-        "TypeError",
-        "'(?:numpy.)?float\\d*' object cannot be interpreted as an integer",
-        _WHOLE_INDEX.replace("An index", "A count"),
-    ),
-    (
-        "TypeError",
-        r"^Cannot interpret '\d+' as a data type",
-        "The shape is one argument, in parentheses of its own: np.zeros((rows, columns)).",
-    ),
-    (
-        "TypeError",
-        "list indices must be integers or slices, not tuple",
-        "A list takes one index at a time: values[row][col]. Or make an array of it: np.array(values).",
-    ),
-    (
-        "TypeError",
-        "string indices must be integers",
-        "The name before the brackets holds a text, not a dictionary. Does the variable of a loop have the"
-        " same name as the dictionary, and overwrite it? Give it another name.",
-    ),
-    (
-        "IndexError",
-        r"too many indices for array: array is (\d)-dimensional, but (\d) were indexed",
-        r"The array has \1 axes, and you give \2 indices. A gray image has rows and columns only; channels"
-        r" are the third axis of a colour image.",
-    ),
-    (
-        "IndexError",
-        "boolean index did not match",
-        "A mask chooses values of an array of its own shape. These two have different shapes.",
-    ),
-    (
-        "OverflowError",
-        r"Python integer (-?\d+) out of bounds for (\w+)",
-        r"\1 does not fit into \2, the dtype of the array, so the values would overflow: widen the array"
-        " first, as in astype(np.uint32).",
-    ),
-    (
-        "UFuncTypeError _UFuncOutputCastingError",
-        r"Cannot cast ufunc '\w+' output from dtype\('(\w+)'\) to dtype\('(\w+)'\)",
-        r"The result is \1, and the array on the left holds \2. Write a = a + b instead of a += b, or"
-        r" widen the array first with astype.",
-    ),
-    ("NameError", "name '(\\w+)' is not defined", _unknown_name),
-    (
-        "UnboundLocalError",
-        "local variable '(\\w+)'",
-        r"\1 gets its value inside an if or a loop, and that did not run for this input. Give \1 a start"
-        r" value before it.",
-    ),
-    ("AttributeError", "'([\\w.]+)' object has no attribute '(\\w+)'", _no_attribute),
-    ("AttributeError", "^module 'numpy' has no attribute '(\\w+)'", _not_in_numpy),
-    ("TypeError", "'([\\w.]+)' object is not callable", _not_callable),
-    ("TypeError", "'([\\w.]+)' object is not subscriptable", _not_subscriptable),
-    (
-        "TypeError",
-        "'(?:int|float|numpy\\.\\w+)' object does not support item assignment",
-        "The name before the brackets holds a single number. Was it overwritten before? a = a[mask] = 255"
-        " stores 255 in a, too: write a[mask] = 255 alone.",
-    ),
-    ("TypeError", "'NoneType'", _none),
-    (
-        "TypeError",
-        "only (?:0-dimensional|length-1) arrays can be converted",
-        _one_number,
-    ),
-    ("TypeError", r"unsupported operand type\(s\) for (\S+): '([\w.]+)' and '([\w.]+)'", _text_operator),
-    ("TypeError", r"cannot unpack non-iterable ([\w.]+) object", _not_iterable),
-    ("SyntaxError", "invalid syntax", _syntax),
-    ("SyntaxError", r"invalid (?:non-printable )?character (?:'(.)' \()?U\+([0-9A-F]+)", _typographic),
-    ("ValueError", r"(?:too many|not enough) values to unpack \(expected (\d+)", _unpack),
-    (
-        "TypeError UFuncTypeError",
-        "ufunc 'bitwise_xor' not supported",
-        _NO_POWER,
-    ),
-    (
-        "TypeError UFuncTypeError",
-        "ufunc 'bitwise_(?:and|or)' not supported",
-        _float_mask,
-    ),
-    (
-        "TypeError",
-        r"join\(\) takes exactly one argument",
-        'join takes one list of the parts, in square brackets: "/".join([first, second]).',
-    ),
-    ("TypeError", "boolean subtract", "Masks cannot be subtracted. For True in a and not in b write a & ~b."),
-    (
-        "TypeError UFuncTypeError",
-        "boolean negative|bad operand type for unary -: 'bool'",
-        "For the opposite of a mask write ~mask.",
-    ),
-    (
-        "KeyError",
-        "(.+)",
-        r"The dictionary has no key \1. Use the keys that it has: a loop over a dictionary gives them.",
-    ),
-    (
-        "RecursionError",
-        "",
-        "Your function calls itself and never ends. Mark what it has visited already before it calls"
-        " itself again, or use a loop.",
-    ),
-    ("ZeroDivisionError", "", _zero_division),
-    (
-        "ValueError",
-        "setting an array element with a sequence",
+    r"TypeError: int\(\) argument .* not 'list'": "One number is needed here, and this is a whole list.",
+    "ValueError: .*setting an array element with a sequence": (
         "One element of an array holds one number, and here a whole list or array is stored in it. Make one"
-        " number of it first, for example with .sum().",
+        " number of it first, for example with .sum()."
     ),
-    (
-        "TypeError",
-        "^int\\(\\) argument .* not 'list'",
-        "One number is needed here, and this is a whole list.",
+    r"OverflowError: .*Python integer (-?\d+) out of bounds for (\w+)": (
+        r"\1 does not fit into \2, the dtype of the array, so the values would overflow: widen the array"
+        " first, as in astype(np.uint32)."
     ),
-    (
-        "TypeError",
-        "can only concatenate str",
-        "A text and another value cannot be combined with +. An f-string writes both into a text.",
+    r"_?UFunc\w+: Cannot cast ufunc '\w+' output from dtype\('(\w+)'\) to dtype\('(\w+)'\)": (
+        r"The result is \1, and the array on the left holds \2. Write a = a + b instead of a += b, or widen"
+        " the array first with astype."
     ),
-    (
-        "ValueError",
-        r"^(min|max)\(\) (?:arg is an empty sequence|iterable argument is empty)",
+    "ZeroDivisionError": _zero_division,
+    "ValueError: .*cannot convert float NaN to integer": (
+        "NaN is the result of 0 divided by 0: a sum of nothing, or of zeros. Test for that before you divide."
+    ),
+    r"ValueError: (min|max)\(\) (?:arg is an empty sequence|iterable argument is empty)": (
         r"\1() of nothing is an error, and here there is nothing to compare. Test for this first, or give a"
-        r" value for it: \1(..., default=...).",
+        r" value for it: \1(..., default=...)."
     ),
-    (
-        "ValueError",
-        "zero-size array|of an empty sequence",
-        "The array has no values here: an empty array has no maximum and no minimum.",
+    "ValueError: .*(?:zero-size array|of an empty sequence)": (
+        "The array has no values here: an empty array has no maximum and no minimum."
     ),
-    (
-        "ValueError",
-        "buffer size must be a multiple of element size",
-        "Without dtype np.frombuffer reads float64, eight bytes for each value; uint16 takes two bytes,"
-        " uint8 one byte. Which dtype have the bytes?",
+    "ValueError: .*read-only": "This array cannot be written to. Work on a copy: array.copy().",
+    "ValueError: .*buffer size must be a multiple of element size": (
+        "Without dtype np.frombuffer reads float64, eight bytes for each value; uint16 takes two bytes, uint8"
+        " one byte. Which dtype have the bytes?"
     ),
-    ("ValueError", "read-only", "This array cannot be written to. Work on a copy: array.copy()."),
-    (
-        "ValueError TypeError",
-        "got <function",
-        "A function stands where its result is needed. Call it, with its argument in round brackets.",
+    "error: .*in function 'imread'": (
+        "cv2.imread reads a file by its name, and this is an array already: use cv2.cvtColor."
     ),
-    (
-        "ValueError",
-        r"\(size (\d+) is different from (\d+)\)",
-        _matrix_product,
-    ),
-    (
-        "ValueError",
-        "does not have enough dimensions",
-        "On one side of @ stands a single number. mean() and sum() without axis give one number for the whole"
-        " array; with axis=0 they give one for each column.",
-    ),
-    (
-        "LinAlgError",
-        "Singular matrix",
-        "The equations have no single solution: a row or a column of the matrix is 0, or follows from others."
-        " Is each unknown in an equation, and is what must stay fixed left out?",
-    ),
-    (
-        "ValueError",
-        "^shapes .* not aligned|matmul",
-        "@ and np.dot need as many columns on the left as rows on the right. Which shape has each part?"
-        " (Value by value, arrays are multiplied with *.)",
-    ),
-    (
-        "ValueError",
-        "cannot convert float NaN to integer",
-        "NaN is the result of 0 divided by 0: a sum of nothing, or of zeros. Test for that before you"
-        " divide.",
-    ),
-    (
-        "ModuleNotFoundError",
-        "No module named '([\\w.]+)'",
-        r"No library with the name \1 is installed here. Write the computation"
-        " yourself, with NumPy.",
-    ),
-    (
-        "error",
-        "in function 'imread'",
-        "cv2.imread reads a file by its name, and this is an array already: use cv2.cvtColor.",
-    ),
-)
-_COMPILED = [(kinds.split(), re.compile(pattern), advice) for kinds, pattern, advice in _ADVICE]
+    # ---- what Python cannot read, and keys of dictionaries
+    r"SyntaxError: .*invalid syntax.*\n.*[&|]\s*not\b": "After & and | write ~ for not: a & ~b.",
+    r"SyntaxError: invalid (?:non-printable )?character (?:'(.)' \()?U\+([0-9A-F]+)": _typographic,
+    r"TypeError: .*(?:unhashable type|use): '([\w.]+)'": _unhashable,
+}
