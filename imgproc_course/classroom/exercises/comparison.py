@@ -226,7 +226,8 @@ def _readable(value):
     return value if isinstance(value, str) else f"{value:.10g}" if isinstance(value, float) else str(value)
 
 
-def _float(value):
+def as_float(value):
+    """The value of an int or float form as a float, infinite if it is too large for one."""
     try:
         return float(value)  # "nan", "inf" and "-inf" too
     except OverflowError:  # an integer of more than 1024 bits
@@ -237,7 +238,7 @@ def _close(expected, actual, tolerance):
     if kind_of(expected) == "int" and tolerance == 0:
         return expected["value"] == actual["value"]
     rounding = _rounding(*(form["type"].removeprefix("numpy.") for form in (expected, actual)))
-    values = [np.float64(_float(form["value"])) for form in (expected, actual)]
+    values = [np.float64(as_float(form["value"])) for form in (expected, actual)]
     return bool(_near(*values, tolerance, rounding))
 
 

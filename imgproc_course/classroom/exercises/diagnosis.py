@@ -5,12 +5,11 @@ more than none.
 """
 
 from dataclasses import dataclass
-from functools import partial
 
 import numpy as np
 
 from imgproc_course.classroom.exercises.canonical import array_of, canonical
-from imgproc_course.classroom.exercises.comparison import as_type_of, compare, differing, kind_of
+from imgproc_course.classroom.exercises.comparison import as_float, as_type_of, compare, differing, kind_of
 from imgproc_course.classroom.exercises.values import named_items
 
 _FACTORS = {
@@ -41,6 +40,12 @@ _FUNCTIONS = (
     "numpy.ufunc",
     "numpy._ArrayFunctionDispatcher",
 )
+_NUMBERS, _SEQUENCES = ("int", "float"), ("tuple", "list")
+_NOUNS = {
+    **{"ndarray": "an array", "int": "a number", "float": "a number", "str": "a text", "dict": "a dict"},
+    **{"bool": "True or False", "bytes": "bytes", "set": "a set"},
+    **dict.fromkeys(_FUNCTIONS, "a function itself"),
+}
 _CUT_OFF = (
     "Some values are one too small, and none is wrong by more. Is the fraction cut off, instead of rounded?"
 )
@@ -66,26 +71,23 @@ def diagnose(calls, shown, names=(), *, exact_type=True):
     expected, actual = shown.expected.value, shown.result.value
     if kind_of(actual) == "None":
         return Diagnosis()
-    differ = partial(compare, tolerance=shown.case.tolerance, exact_type=exact_type)
+    tolerance = shown.case.tolerance
     parts = side_by_side(expected, actual)
     if not exact_type:
         parts = [(form, as_type_of(form, actual_form)) for form, actual_form in parts]
-    pairs = [pair for pair in parts if differ(*pair)]
-    kinds = {differ(*pair).kind for pair in pairs}
+    differences = [(compare(*pair, tolerance, exact_type=exact_type), pair) for pair in parts]
+    wrong = {difference.kind: pair for difference, pair in reversed(differences) if difference}
     returned = [call for call in calls if call.result.finished]
     fixed = _constant(returned)
     if fixed:
         return Diagnosis(fixed)
-    if kinds == {"value"}:
-        advice = Diagnosis() if exact_type else _advice_on_other_dtypes(pairs, shown.case.tolerance)
-        return advice if advice.text else _diagnose_values(returned, names)
-    if kinds == {"dtype"}:
-        return _advice_on_dtypes(pairs, shown.case.tolerance)
-    if "shape" in kinds:
-        wrong = next(pair for pair in pairs if differ(*pair).kind == "shape")
-        return Diagnosis(_advice_on_shape(*wrong, shown.arguments, names), is_whole=True)
-    wrong = next(pair for pair in pairs if differ(*pair).kind != "value")
-    return Diagnosis(_advice_on_type(*wrong, shown.case.tolerance), is_whole=True)
+    if wrong.keys() in ({"dtype"}, {"value"}):
+        advice = _advice_on_dtypes([pair for difference, pair in differences if difference], tolerance)
+        return advice if advice.text or "dtype" in wrong else _diagnose_values(returned, names)
+    if "shape" in wrong:
+        return Diagnosis(_advice_on_shape(*wrong["shape"], shown.arguments, names), is_whole=True)
+    wrong = next(pair for difference, pair in differences if difference and difference.kind != "value")
+    return Diagnosis(_advice_on_type(*wrong, tolerance), is_whole=True)
 
 
 def side_by_side(expected, actual):
@@ -103,52 +105,56 @@ def side_by_side(expected, actual):
 
 def _advice_on_type(expected, actual, tolerance):
     kind, actual_kind = kind_of(expected), kind_of(actual)
+    if actual.get("too_large"):
+        return ""
     if actual["type"] == "coroutine":
         return "A function that begins with async def does not compute when it is called. Write def."
-    if actual_kind in ("int", "float") and kind in ("int", "float"):
+    if kind in _NUMBERS and actual_kind in _NUMBERS:
         return _advice_on_number(expected, actual)
     if kind == actual_kind == "dict":
         return _advice_on_keys(expected, actual)
-    if kind in ("tuple", "list") and actual_kind in ("tuple", "list", "ndarray"):
+    if kind in _SEQUENCES and actual_kind in _SEQUENCES:
         return _advice_on_items(expected, actual, tolerance)
-    if kind in ("tuple", "list"):
-        return f"You return {_noun(actual)}, and the task asks for {_noun(expected)}."
-    if kind == "ndarray":
-        return _advice_on_missing_array(expected, actual)
+    if kind in _SEQUENCES and actual_kind == "ndarray":
+        return _advice_on_single_array(expected, actual)
+    if kind == "ndarray" and actual_kind in _SEQUENCES:
+        dtype = _dtype_name(expected["dtype"])
+        return f"A {actual['type']} is not an array. Make it one: np.array(..., dtype=np.{dtype})."
+    if kind == "ndarray" and actual_kind in (*_NUMBERS, "bool"):
+        return _advice_on_single_number(expected)
+    if kind == "ndarray" and actual["type"] == "reversed":
+        return "reversed() gives no array. A slice with the step -1 goes backwards: ::-1."
+    if kind == "str" and actual["type"].endswith(("PosixPath", "WindowsPath")):
+        return "You return a Path, and the task asks for a text: return str(path)."
+    wanted = _wanted(expected, actual)
+    return f"You return {_noun(actual)}, and the task asks for {wanted}." if wanted else ""
+
+
+def _wanted(expected, actual):
+    """What the task asks for, the end of a sentence; "" for what no task asks for."""
+    kind, actual_kind = kind_of(expected), kind_of(actual)
     if kind == "str":
-        if actual["type"].rpartition(".")[2] in ("PosixPath", "WindowsPath", "PurePosixPath"):
-            return "You return a Path, and the task asks for a text: return str(path)."
-        if actual["type"] in _FUNCTIONS:
-            return "You return a function itself, and the task asks for a text, such as its name."
-        return f"You return {_noun(actual)}, and the task asks for a single text."
-    if kind in ("int", "float", "bool"):
-        if actual_kind == "str":
-            return (
-                "You return a text, and the task asks for a number: return it without quotes, not an"
-                " f-string."
-            )
-        if actual_kind in ("tuple", "list"):
-            return f"You return {_noun(actual)}, and the task asks for one number alone."
-        return f"You return {_noun(actual)}, and the task asks for {_noun(expected)}."
+        return "a text, such as its name" if actual["type"] in _FUNCTIONS else "a single text"
     if kind == "dict":
         keys = ", ".join(f'"{key["value"]}": ...' for key, _ in expected["items"] if "value" in key)
-        return f"You return {_noun(actual)}, and the task asks for a dict: {{{keys}}}."
-    return ""
+        return f"a dict: {{{keys}}}"
+    if kind in (*_NUMBERS, "bool") and actual_kind == "str":
+        return "a number: return it without quotes, not an f-string"
+    if kind in (*_NUMBERS, "bool") and actual_kind in _SEQUENCES:
+        return "one number alone"
+    return _noun(expected) if kind in (*_NUMBERS, *_SEQUENCES, "bool", "ndarray") else ""
 
 
 def _noun(form):
-    nouns = {"ndarray": "an array", "int": "a number", "float": "a number", "str": "a text", "dict": "a dict"}
-    nouns |= {"bool": "True or False", "bytes": "bytes", "set": "a set"}
-    nouns |= dict.fromkeys(_FUNCTIONS, "a function itself")
     kind = form["type"] if form.get("opaque") else kind_of(form)
-    if kind in ("tuple", "list"):
+    if kind in _SEQUENCES:
         count = len(form.get("items", ()))
         return f"{count} value{'s' * (count != 1)} (a {kind})"
-    return nouns.get(kind, f"a value of type {kind}")
+    return _NOUNS.get(kind, f"a value of type {kind}")
 
 
 def _advice_on_number(expected, actual):
-    if kind_of(expected) == "int" and float(actual["value"]) == expected["value"]:
+    if kind_of(expected) == "int" and as_float(actual["value"]) == expected["value"]:
         return "The value is right; only its type is not: / makes a float. Divide with //, or use int()."
     return "The task asks for a whole number (int)." if kind_of(expected) == "int" else ""
 
@@ -164,19 +170,6 @@ def _advice_on_keys(expected, actual):
 
 def _advice_on_items(expected, actual, tolerance):
     kind, count = expected["type"], len(expected["items"])
-    if kind_of(actual) == "ndarray":
-        shapes = [form.get("shape") for form in expected["items"]]
-        if actual["shape"] in shapes:
-            return (
-                f"You return one array, and the task asks for {count}: return both, with a comma between"
-                f" them."
-            )
-        if len(actual["shape"]) and actual["shape"][1:] in shapes:
-            return (
-                f"You return one array of {len(actual['shape'])} axes, and the task asks for two arrays:"
-                f" return them with a comma between them."
-            )
-        return f"You return one array, and the task asks for {count} values."
     if len(actual["items"]) != count:
         return f"You return {_noun(actual)}, and the task asks for {count}."
     if compare(expected, actual | {"type": kind}, tolerance) is None:
@@ -185,22 +178,26 @@ def _advice_on_items(expected, actual, tolerance):
     return ""
 
 
-def _advice_on_missing_array(expected, actual):
-    dtype = expected["dtype"]
-    if kind_of(actual) in ("tuple", "list"):
+def _advice_on_single_array(expected, actual):
+    shape, count = actual["shape"], len(expected["items"])
+    shapes = [form.get("shape") for form in expected["items"]]
+    if shape in shapes:
+        return f"You return one array, and the task asks for {count}: return both, with a comma between them."
+    if len(shape) and shape[1:] in shapes:
         return (
-            f"A {actual['type']} is not an array. Make it one: np.array(..., dtype=np.{_dtype_name(dtype)})."
+            f"You return one array of {len(shape)} axes, and the task asks for two arrays: return them with a"
+            " comma between them."
         )
-    if kind_of(actual) in ("int", "float", "bool"):
-        if len(expected["shape"]) < 2:
-            return "You return a single number, and the task asks for an array."
-        return (
-            "You return a single number for the whole image. The task asks for an array, in which each"
-            " pixel has a value of its own."
-        )
-    if actual["type"] == "reversed":
-        return "reversed() gives no array. A slice with the step -1 goes backwards: ::-1."
-    return f"You return {_noun(actual)}, and the task asks for an array."
+    return f"You return one array, and the task asks for {count} values."
+
+
+def _advice_on_single_number(expected):
+    if len(expected["shape"]) < 2:
+        return "You return a single number, and the task asks for an array."
+    return (
+        "You return a single number for the whole image. The task asks for an array, in which each pixel has"
+        " a value of its own."
+    )
 
 
 def _dtype_name(dtype):
@@ -211,18 +208,15 @@ def _dtype_name(dtype):
 
 
 def _advice_on_dtypes(pairs, tolerance):
+    """What to do if all that differs is the dtype, or the dtype with the values that it cannot hold."""
+    differences = [compare(*pair, tolerance) for pair in pairs]
+    if any(difference is None or difference.kind != "dtype" for difference in differences):
+        return Diagnosis()
     texts = dict.fromkeys(_advice_on_dtype(*pair, tolerance) for pair in pairs)
     if "" in texts:
         return Diagnosis()
     wrong = [text for text in texts if not text.startswith(_RIGHT)]
     return Diagnosis(" ".join(wrong or texts), is_whole=True)
-
-
-def _advice_on_other_dtypes(pairs, tolerance):
-    """The same where another dtype would be as good, and wrong values come with it."""
-    differences = [compare(*pair, tolerance) for pair in pairs]
-    is_other = all(difference and difference.kind == "dtype" for difference in differences)
-    return _advice_on_dtypes(pairs, tolerance) if is_other else Diagnosis()
 
 
 def _advice_on_dtype(expected, actual, tolerance):
@@ -354,11 +348,21 @@ def _diagnose_values(calls, names):
     """The first sentence that is true of every call, and where the wrong values lie."""
     if names and all(_is_input(call) for call in calls):
         return Diagnosis(f"Your result is equal to the input {names[0]}: no value has changed.")
-    for relation in (_exchanged, _number, _text, _array):
-        text = relation(calls)
-        if text:
-            return Diagnosis(text, is_whole=relation is not _number and "?" not in text)
-    return _place(calls)
+    forms = _forms(calls)
+    kinds = {kind_of(form) for pair in forms for form in pair}
+    if kinds == {"tuple"} and _are_exchanged(forms, calls[0].case.tolerance):
+        text = "Both results are right, but in the wrong order: exchange the first and the second."
+        return Diagnosis(text, is_whole=True)
+    if any(form.get("too_large") for pair in forms for form in pair):
+        return Diagnosis()
+    if kinds <= {*_NUMBERS}:
+        return Diagnosis(_relation_of_numbers(forms))
+    text = _relation_of_texts(forms) if kinds == {"str"} else _relation_of_arrays(calls)
+    return Diagnosis(text, is_whole="?" not in text) if text else _place(calls)
+
+
+def _is_input(call):
+    return bool(call.arguments) and canonical(call.arguments[0], limit=None) == call.result.value
 
 
 def _forms(calls):
@@ -379,26 +383,20 @@ def _constant(calls):
     )
 
 
-def _exchanged(calls):
-    """Two results in the wrong order."""
-    forms = _forms(calls)
-    if any(kind_of(form) != "tuple" or len(form["items"]) != 2 for pair in forms for form in pair):
-        return ""
-    tolerance = calls[0].case.tolerance
-    for expected, actual in forms:
-        if compare(expected | {"items": expected["items"][::-1]}, actual, tolerance):
-            return ""
-    return "Both results are right, but in the wrong order: exchange the first and the second."
+def _are_exchanged(forms, tolerance):
+    """Whether two results stand in the wrong order, in every call."""
+    return all(
+        len(expected["items"]) == 2
+        and compare(expected | {"items": expected["items"][::-1]}, actual, tolerance) is None
+        for expected, actual in forms
+    )
 
 
-def _number(calls):
-    forms = _forms(calls)
-    if any(kind_of(form) not in ("int", "float") for pair in forms for form in pair):
-        return ""
-    numbers = np.array([[float(form["value"]) for form in pair] for pair in forms])
+def _relation_of_numbers(forms):
+    numbers = np.array([[as_float(form["value"]) for form in pair] for pair in forms])
+    expected, actual = numbers.T
     if not np.isfinite(numbers).all():
         return ""
-    expected, actual = numbers.T
     if kind_of(forms[0][0]) == "int" and abs(np.unique(actual - expected)).tolist() == [1.0]:
         return f"Your number is one too {'large' if actual[0] > expected[0] else 'small'}, in every check."
     for factor, text in _FACTORS.items():
@@ -407,10 +405,8 @@ def _number(calls):
     return ""
 
 
-def _text(calls):
-    texts = [tuple(form.get("value") for form in pair) for pair in _forms(calls)]
-    if any(type(text) is not str for pair in texts for text in pair):
-        return ""
+def _relation_of_texts(forms):
+    texts = [(expected.get("value"), actual.get("value")) for expected, actual in forms]
     if all(a.lower() == b.lower() for a, b in texts):
         return "Only capital and small letters differ."
     if all("".join(a.split()) == "".join(b.split()) for a, b in texts):
@@ -427,7 +423,7 @@ def _arrays(calls):
     ]
 
 
-def _array(calls):
+def _relation_of_arrays(calls):
     """A relation between all arrays of all calls and the expected ones."""
     arrays = [(expected, actual) for expected, actual, _ in _arrays(calls)]
     if any(a is None or b is None or (a.shape, a.dtype) != (b.shape, b.dtype) for a, b in arrays):
@@ -449,10 +445,6 @@ def _is_cut_off(arrays):
 
 def _wide(values):
     return values.astype(np.float64)
-
-
-def _is_input(call):
-    return bool(call.arguments) and canonical(call.arguments[0], limit=None) == call.result.value
 
 
 def _mirrored(axis):
@@ -488,43 +480,28 @@ def _place(calls):
         return Diagnosis()
     masks = [(differing(*array), array[1]) for array in arrays]
     wrong = [(mask, values) for mask, values in masks if mask.any()]
-    for rule in (_after_first_row, _in_one_line, _on_border, _in_one_channel) if wrong else ():
-        text = rule(wrong)
-        if text:
-            return Diagnosis(text, on_border=rule is _on_border)
-    return Diagnosis()
+    pixels = [mask.any(axis=2) if mask.ndim == 3 else mask for mask, _ in wrong]
+    if not wrong:
+        return Diagnosis()
+    if all(len(values) > 2 and not mask[0].any() and not values[1:].any() for mask, values in wrong):
+        return Diagnosis("Only the first row is right; all others are 0. Does return stand inside the loop?")
+    line = next((name for name, place in _LINES.items() if _lie_in(pixels, place)), "")
+    if line:
+        return Diagnosis(f"All wrong values lie in {line}.")
+    if _lie_in(pixels, np.s_[1:-1, 1:-1], is_inside=False):
+        zeros = all(not values[mask].any() for mask, values in wrong)
+        left = ", and there your result is 0: is the border never computed?" if zeros else "."
+        return Diagnosis(f"Only values on the border of the image are wrong{left}", on_border=True)
+    return Diagnosis(_in_one_channel([mask for mask, _ in wrong]))
 
 
-def _after_first_row(wrong):
-    if all(values.shape[0] > 2 and not mask[0].any() and not values[1:].any() for mask, values in wrong):
-        return "Only the first row is right; all others are 0. Does return stand inside the loop?"
-    return ""
-
-
-def _in_one_line(wrong):
-    line = next((name for name, place in _LINES.items() if _lie_in(_pixels(wrong), place)), "")
-    return f"All wrong values lie in {line}." if line else ""
-
-
-def _on_border(wrong):
-    if not _lie_in(_pixels(wrong), np.s_[1:-1, 1:-1], is_inside=False):
+def _in_one_channel(masks):
+    if any(mask.ndim < 3 or mask.shape[2] == 1 for mask in masks):
         return ""
-    zeros = all(not values[mask].any() for mask, values in wrong)
-    left = ", and there your result is 0: is the border never computed?" if zeros else "."
-    return f"Only values on the border of the image are wrong{left}"
-
-
-def _in_one_channel(wrong):
-    if any(mask.ndim < 3 or mask.shape[2] == 1 for mask, _ in wrong):
-        return ""
-    channels = {int(channel) for mask, _ in wrong for channel in np.argwhere(mask)[:, 2]}
-    if len(channels) > 1:
+    channels = {int(channel) for mask in masks for channel in np.argwhere(mask)[:, 2]}
+    if len(channels) != 1:
         return ""
     return f"All wrong values lie in channel {channels.pop()}; the other channels are right."
-
-
-def _pixels(wrong):
-    return [mask.any(axis=2) if mask.ndim == 3 else mask for mask, _ in wrong]
 
 
 def _lie_in(masks, place, is_inside=True):

@@ -202,6 +202,15 @@ def test_numpy_scalars_count_as_numbers():
     assert say(80, np.float64(80)).text.startswith("The value is right; only its type is not")
 
 
+TOO_LARGE = [(3, 10**400), (0.5, -(10**400)), (3, 2**5000), ("abc", "a" * 20_000), ((1, 2), [1] * 30_000)]
+
+
+@pytest.mark.parametrize(("expected", "actual"), TOO_LARGE, ids=range(len(TOO_LARGE)))
+def test_of_a_value_that_is_too_large_nothing_is_said(expected, actual):
+    calls = [call_of(expected, expected), call_of(expected, actual)]
+    assert diagnose(calls, calls[1]).text == ""
+
+
 def test_a_value_that_cannot_be_compared_is_not_called_fixed():
     calls = [call_of("a/b", Path("a/b")), call_of("c/d", Path("c/d"))]
     assert (
