@@ -74,33 +74,41 @@ def _explain_change(name, argument):
 # ---------------------------------------------------------------- the parts of the feedback
 
 
-class _LabelledValue:
-    """A value with its label, `given pixels`; `has_marks` if one of its elements differs."""
-
-    def __init__(self, label, form, wrong=None):
-        self.label = label.strip()
-        self.description = describe_value(form)
-        self.rows = table_rows(form, wrong)
-        self.has_marks = any(mark for row in self.rows for _, mark in row)
+def _values(result, call, marks):
+    """(caption, rows of its table) of each value of a call; `marks` says how those that differ are shown."""
+    for label, form, wrong in _labelled_forms(result, call):
+        rows = table_rows(form, wrong)
+        has_marks = any(is_wrong for row in rows for _, is_wrong in row)
+        yield f"{label.strip()}: {describe_value(form)}{marks if has_marks else ''}", rows
 
 
-def _values(result, call):
+def _labelled_forms(result, call):
+    """(label, form, which of its elements differ) of what was given, and returned and expected."""
     names = [*result.exercise.names, *("" for _ in call.arguments)]
     for name, argument in zip(names, call.arguments, strict=False):
         argument_form = canonical(argument, limit=None)
         for part_name, form, _ in answer_parts(argument_form, argument_form):
-            yield _LabelledValue(f"given {name}{part_name}", form)
+            yield f"given {name}{part_name}", form, None
     if call.result.finished and call.difference is not None:
         for part_name, expected, actual in _answer_parts(call):
             if part_name and expected == actual:
                 continue  # a right part of the answer only hides the wrong one
             wrong = differing_elements(expected, actual, call.case.tolerance)
-            yield _LabelledValue(f"returned {part_name}", actual, wrong)
-            yield _LabelledValue(f"expected {part_name}", expected, wrong)
+            yield f"returned {part_name}", actual, wrong
+            yield f"expected {part_name}", expected, wrong
 
 
 def _answer_parts(call):
     return answer_parts(call.expected.value, call.result.value)
+
+
+def _remarks(result):
+    """Sentences on the whole answer."""
+    yield result.why_older
+    yield from _refusals(result)
+    yield from _notes(result)
+    yield from _taken_along(result)
+    yield from result.remarks
 
 
 def _refusals(result):
@@ -140,36 +148,39 @@ def _taken_along(result):
         yield f"{exercise.function}() uses {names} of another cell. Grading takes that along."
 
 
-def _explain_case(result, case_result):
-    call = case_result.failed_call
-    if call is None:
-        return "not run, because the call above did not finish"
-    return explain_call(call.result, call.difference, result.exercise.function)
+def _cases(result):
+    """(CaseResult, what went wrong, the call whose values are shown or None) of each case."""
+    for case_result in result.results:
+        call, explanation = case_result.failed_call, ""
+        if call is not None:
+            explanation = explain_call(call.result, call.difference, result.exercise.function)
+        elif not case_result.passed:
+            explanation = "not run, because the call above did not finish"
+        yield case_result, explanation, call if call is result.shown else None
+
+
+def _state(result):
+    return "passed" if result.passed else "failed" if result.attempted else "open"
 
 
 def _headline(result):
-    exercise = result.exercise
     if result.why_older:
-        return "failed", f"{exercise.id}: this is an older function"
+        return "this is an older function"
     if not result.attempted:
-        return "open", f"{exercise.id}: not attempted yet"
+        return "not attempted yet"
     passed, count = sum(case_result.passed for case_result in result.results), len(result.results)
-    # A refused module comes first: it may be the cause of an error below.
+    is_practice = result.exercise.practice
     refused = (
-        "this answer uses what is not allowed here"
-        if exercise.practice
-        else "grading would refuse this answer"
+        "this answer uses what is not allowed here" if is_practice else "grading would refuse this answer"
     )
-    if passed < count and result.dependencies.refused:
-        return "failed", f"{exercise.id}: {refused}"
-    if passed < count:
-        return "failed", f"{exercise.id}: {passed} of {count} checks pass"
+    # A refused module comes first: it may be the cause of an error below.
     if result.dependencies.refused:
-        return "failed", f"{exercise.id}: the values are right, but {refused}"
+        return refused if passed < count else f"the values are right, but {refused}"
+    if passed < count:
+        return f"{passed} of {count} checks pass"
     if not result.passed:
-        return "failed", f"{exercise.id}: the values are right, but the answer cell does not work alone"
-    all_pass = {1: "the check passes", 2: "both checks pass"}.get(count, f"all {count} checks pass")
-    return "passed", f"{exercise.id}: {all_pass}"
+        return "the values are right, but the answer cell does not work alone"
+    return {1: "the check passes", 2: "both checks pass"}.get(count, f"all {count} checks pass")
 
 
 def _footer(result):
@@ -184,24 +195,20 @@ def _footer(result):
     if exercise.practice:
         return "Practice: no points."
     text = f"Points here: {result.points} of {exercise.points}."
-    count = exercise.hidden_count
-    if not count:
+    if not exercise.hidden_count:
         return text
     if result.points == exercise.points and not result.passed:
         text += " But a check fails, and grading takes points for that on other inputs."
-    checks = "1 more check" if count == 1 else f"{count} more checks"
+    checks = f"{exercise.hidden_count} more check{'s' * (exercise.hidden_count > 1)}"
     return f"{text} Grading runs {checks} on other inputs, worth {exercise.hidden_points}."
 
 
-def _another_way(result):
-    return result.exercise.another_way if result.passed else ""
-
-
-def _stuck(result):
-    """Where a learner finds help after a try."""
-    is_wrong = result.attempted and not result.passed and not result.why_older
-    exercise = result.exercise
-    return f'Stuck? hint("{exercise.id}") helps you on, in steps.' if is_wrong and exercise.hints else ""
+def _ends(result):
+    """Where a learner finds help after a try, or what else is right."""
+    if result.passed:
+        yield result.exercise.another_way
+    elif result.attempted and not result.why_older and result.exercise.hints:
+        yield f'Stuck? hint("{result.exercise.id}") helps you on, in steps.'
 
 
 def _advice(result, call):
@@ -213,14 +220,12 @@ def _advice(result, call):
         yield "A loop never ends: does each step change what the loop tests?"
         if "overflow" in call.result.warning:
             yield (
-                "A number overflowed: after 255 a uint8 goes on with 0. Count with Python's int, as"
-                " range() does."
+                "A number overflowed: after 255 a uint8 goes on with 0. Count with Python's int, as range()"
+                " does."
             )
     elif call.result.error:
-        exercise = result.exercise
-        yield advice_on(
-            call.result.error, call.result.message, call.result.line, exercise.names, exercise.function
-        )
+        error, exercise = call.result, result.exercise
+        yield advice_on(error.error, error.message, error.line, exercise.names, exercise.function)
     if call.difference is None or call.result.changed:
         return
     diagnosis = result.diagnosis
@@ -245,26 +250,20 @@ def _warning_and_output(call):
 
 def as_text(result):
     """A CheckResult as plain text."""
-    _, headline = _headline(result)
-    remarks = (*_refusals(result), *_notes(result), *_taken_along(result), *result.remarks)
-    lines = [f"{headline}.", result.why_older, *remarks]
-    shown_value = result.shown
-    for case_result in result.results:
+    lines = [f"{result.exercise.id}: {_headline(result)}.", *_remarks(result)]
+    for case_result, explanation, call in _cases(result):
         lines.append(f"{'✓' if case_result.passed else '✗'} {case_result.case.title}")
-        if case_result.passed:
-            continue
-        lines.append(_indent(_explain_case(result, case_result)))
-        if case_result.failed_call is shown_value and shown_value is not None:
-            lines += [_indent(text) for text in _details_as_text(result, shown_value)]
-    lines += [_footer(result), _stuck(result), _another_way(result)]
-    return "\n".join(line for line in lines if line)
+        lines += map(_indent, (explanation, *_details_as_text(result, call)))
+    return "\n".join(filter(None, (*lines, _footer(result), *_ends(result))))
 
 
 def _details_as_text(result, call):
-    for value in _values(result, call):
-        yield f"{value.label}: {value.description}" + (", * differs" if value.has_marks else "")
-        width = max((len(text) for row in value.rows for text, _ in row), default=0) + 1
-        for row in value.rows:
+    if call is None:
+        return
+    for caption, rows in _values(result, call, ", * differs"):
+        yield caption
+        width = max((len(text) for row in rows for text, _ in row), default=0) + 1
+        for row in rows:
             yield "".join(f"{text:>{width}}{'*' if mark else ' '}" for text, mark in row).rstrip()
     yield from _advice(result, call)
     yield from _warning_and_output(call)
@@ -279,24 +278,20 @@ def _indent(text):
 
 def as_html(result):
     """A CheckResult as HTML that reads well in a light and in a dark JupyterLab."""
-    state, headline = _headline(result)
-    body = [f'<div style="font-weight: 600; color: {_COLOURS[state]}">{html.escape(headline)}</div>']
-    remarks = (*_refusals(result), *_notes(result), *_taken_along(result), *result.remarks)
-    body += [_paragraph(text) for text in (result.why_older, *remarks)]
-    shown_value = result.shown
-    for case_result in result.results:
-        mark, colour = ("✓", _COLOURS["passed"]) if case_result.passed else ("✗", _COLOURS["failed"])
+    colour = _COLOURS[_state(result)]
+    headline = html.escape(f"{result.exercise.id}: {_headline(result)}")
+    body = [f'<div style="font-weight: 600; color: {colour}">{headline}</div>']
+    body += map(_paragraph, _remarks(result))
+    for case_result, explanation, call in _cases(result):
+        mark, mark_colour = ("✓", _COLOURS["passed"]) if case_result.passed else ("✗", _COLOURS["failed"])
         title = html.escape(case_result.case.title)
-        body.append(f'<div><span style="color: {colour}">{mark}</span> {title}</div>')
-        if case_result.passed:
-            continue
-        explanation = _paragraph(_explain_case(result, case_result))
-        is_shown = case_result.failed_call is shown_value and shown_value is not None
-        details = "".join(_details_as_html(result, shown_value)) if is_shown else ""
-        body.append(f'<div style="margin: 0 0 6px 18px">{explanation}{details}</div>')
+        body.append(f'<div><span style="color: {mark_colour}">{mark}</span> {title}</div>')
+        if not case_result.passed:
+            details = "".join((_paragraph(explanation), *_details_as_html(result, call)))
+            body.append(f'<div style="margin: 0 0 6px 18px">{details}</div>')
     body.append(f'<div style="margin-top: 4px">{html.escape(_footer(result))}</div>')
-    body += [_paragraph(_stuck(result)), _paragraph(_another_way(result))]
-    return f'<div style="border-left: 4px solid {_COLOURS[state]}; padding: 4px 10px">{"".join(body)}</div>'
+    body += map(_paragraph, _ends(result))
+    return f'<div style="border-left: 4px solid {colour}; padding: 4px 10px">{"".join(body)}</div>'
 
 
 def _paragraph(text):
@@ -304,14 +299,15 @@ def _paragraph(text):
 
 
 def _details_as_html(result, call):
-    yield from (_paragraph(text) for text in _advice(result, call))
-    for value in _values(result, call):
-        marks = " (values that differ are framed)" if value.has_marks else ""
-        yield f"<div>{html.escape(f'{value.label}: {value.description}{marks}')}</div>"
-        if value.rows:
-            yield _table(value.rows)
+    if call is None:
+        return
+    yield from map(_paragraph, _advice(result, call))
+    for caption, rows in _values(result, call, " (values that differ are framed)"):
+        yield f"<div>{html.escape(caption)}</div>"
+        if rows:
+            yield _table(rows)
     yield _figures(result, call)
-    yield from (_paragraph(text) for text in _warning_and_output(call))
+    yield from map(_paragraph, _warning_and_output(call))
 
 
 def _table(rows):
