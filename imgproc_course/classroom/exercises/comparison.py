@@ -6,7 +6,7 @@ never an object of the learner's.
 
 import base64
 import hashlib
-from dataclasses import dataclass, replace
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -15,6 +15,8 @@ from imgproc_course.classroom.exercises.canonical import array_of, canonical
 _LONGEST_TEXT = 500  # a longer text is cut
 _LONGEST_INTEGER = 30  # digits; of a longer one the first digits are told
 _GLANCE, _CONTEXT = 30, 20  # characters: how two longer texts are compared
+# The kind of difference if two values have not the same parts.
+_PARTS_DIFFER = {"tuple": "length", "list": "length", "dict": "keys", "message": "type"}
 # Rounding errors, relative to the expected number: a sum computed in another order is not a mistake.
 _ROUNDING = {"float16": 1e-2, "float32": 1e-5, "float64": 1e-9, "float": 1e-9}
 
@@ -26,19 +28,11 @@ class Difference:
     kind      "type", "shape", "dtype", "length", "keys" or "value"
     path      path inside the answer, "" for the answer itself: "[1]", "['edges']"
     message   the difference as a sentence without its full stop
-    index     index of the first differing element of an array (row, col, ...), or None
-    expected, actual   the two numbers at that index, or None
-    count, total       how many elements of the array differ, and how many it has
     """
 
     kind: str
     path: str
     message: str
-    index: tuple | None = None
-    expected: object = None
-    actual: object = None
-    count: int = 0
-    total: int = 0
 
 
 def compare(expected, actual, tolerance=0.0, path="", *, exact_type=True):
@@ -75,12 +69,8 @@ def compare(expected, actual, tolerance=0.0, path="", *, exact_type=True):
         return Difference("type", path, f"got {describe(actual)}, which cannot be compared")
     if kind == "ndarray":
         return _compare_arrays(expected, actual, tolerance, path, exact_type)
-    if kind in ("tuple", "list"):
-        return _compare_items(expected, actual, tolerance, path, exact_type)
-    if kind == "dict":
-        return _compare_dicts(expected, actual, tolerance, path, exact_type)
-    if kind == "message":
-        return _compare_fields(expected, actual, tolerance, path, exact_type)
+    if kind in _PARTS_DIFFER:
+        return _compare_parts(expected, actual, tolerance, path, exact_type)
     if kind == "bytes":
         same = _digest(expected) == _digest(actual)
     elif kind in ("int", "float"):
@@ -89,10 +79,28 @@ def compare(expected, actual, tolerance=0.0, path="", *, exact_type=True):
         same = expected.get("value") == actual.get("value")
     if same:
         return None
-    difference = _difference("value", path, expected, actual)
-    if kind == "str":
-        difference = replace(difference, message=difference.message + _first_difference(expected, actual))
-    return replace(difference, expected=expected.get("value"), actual=actual.get("value"))
+    where = _first_difference(expected, actual) if kind == "str" else ""
+    return _difference("value", path, expected, actual, where)
+
+
+def _compare_parts(expected, actual, tolerance, path, exact_type):
+    parts, actual_parts = dict(named_items(expected)), dict(named_items(actual))
+    if parts.keys() != actual_parts.keys():
+        return _difference(_PARTS_DIFFER[kind_of(expected)], path, expected, actual)
+    differences = (
+        compare(part, actual_parts[name], tolerance, path + name, exact_type=exact_type)
+        for name, part in parts.items()
+    )
+    return next((difference for difference in differences if difference), None)
+
+
+def named_items(form):
+    """The parts of a tuple, list, dict or message as (name, form): ("[0]", form); else []."""
+    if form["type"] in ("tuple", "list"):
+        return [(f"[{number}]", item) for number, item in enumerate(form.get("items", ()))]
+    if form["type"] == "dict":
+        return [(f"[{_key(key)}]", value) for key, value in form.get("items", ())]
+    return [(f".{name}", value) for name, value in form.get("fields", {}).items()]
 
 
 def _first_difference(expected, actual):
@@ -110,8 +118,8 @@ def _first_difference(expected, actual):
     return f"; they differ from {place}: expected {tail}, got {actual_tail}"
 
 
-def _difference(kind, path, expected, actual):
-    return Difference(kind, path, f"expected {describe(expected)}, got {describe(actual)}")
+def _difference(kind, path, expected, actual, where=""):
+    return Difference(kind, path, f"expected {describe(expected)}, got {describe(actual)}{where}")
 
 
 def describe(form):
@@ -167,28 +175,24 @@ def as_type_of(expected, actual):
 
 def _array_form(form, depth):
     """A list of numbers, or of lists of numbers, as an array of `depth` axes; as it is if it is none."""
-    numbers = _numbers(form, depth)
     try:
-        array = np.array(numbers) if numbers else None
-    except (ValueError, OverflowError):  # rows of different lengths
+        array = np.array(_numbers(form))
+    except (ValueError, OverflowError):  # rows of different lengths, or what is no number
         return form
-    is_array = array is not None and array.ndim == depth and array.dtype.kind in "biuf"
+    is_array = form.get("items") and array.ndim == depth and array.dtype.kind in "biuf"
     return canonical(array, limit=None) if is_array else form
 
 
-def _numbers(form, depth):
-    """The numbers of a list, whose items may be arrays, as nested lists; None if it holds anything else."""
+def _numbers(form):
+    """The numbers of a list, whose items may be lists or arrays; ValueError if it holds anything else."""
     form = form.get("array", form)  # of a matrix
-    if form["type"] == "ndarray" and len(form["shape"]) == depth:
-        return array_of(form)
-    if depth == 0 or "items" not in form or form["type"] == "dict":
-        is_number = depth == 0 and kind_of(form) in ("int", "float", "bool") and "value" in form
-        is_number = is_number and not isinstance(form["value"], str)
-        # A list of float32 must not become an array of float64, which may round less.
-        number_type = np.float32 if form["type"] == "numpy.float32" else lambda value: value
-        return number_type(form["value"]) if is_number else None
-    numbers = [_numbers(item, depth - 1) for item in form["items"]]
-    return None if any(number is None for number in numbers) else numbers
+    if form["type"] in ("tuple", "list") and "items" in form:
+        return [_numbers(item) for item in form["items"]]
+    number = array_of(form) if form["type"] == "ndarray" else form.get("value")
+    if number is None or isinstance(number, str):
+        raise ValueError(form["type"])
+    # A list of float32 must not become an array of float64, which may round less.
+    return np.float32(number) if form["type"] == "numpy.float32" else number
 
 
 def _numbers_form(expected, actual):
@@ -273,20 +277,15 @@ def _compare_arrays(expected, actual, tolerance, path, exact_type):
         return Difference("dtype", path, message)
     expected_values, actual_values = array_of(expected), array_of(actual)
     if expected_values is None or actual_values is None:
-        if expected["dtype"] == actual["dtype"] and _digest(expected) == _digest(actual):
-            return None
-        return Difference("value", path, "the values differ", total=int(np.prod(expected["shape"])))
+        same = expected["dtype"] == actual["dtype"] and _digest(expected) == _digest(actual)
+        return None if same else Difference("value", path, "the values differ")
     wrong = differing(expected_values, actual_values, tolerance)
-    count = int(wrong.sum())
-    if not count:
+    if not wrong.any():
         return None
     index = tuple(int(i) for i in np.argwhere(wrong)[0])
-    first_expected, first_actual = expected_values[index].item(), actual_values[index].item()
-    message = (
-        f"{count} of {wrong.size} values differ; the first at {describe_index(index)}:"
-        f" expected {_readable(first_expected)}, got {_readable(first_actual)}"
-    )
-    return Difference("value", path, message, index, first_expected, first_actual, count, wrong.size)
+    first, actual_first = (_readable(values[index].item()) for values in (expected_values, actual_values))
+    message = f"{wrong.sum()} of {wrong.size} values differ; the first at {describe_index(index)}"
+    return Difference("value", path, f"{message}: expected {first}, got {actual_first}")
 
 
 def describe_index(index):
@@ -299,35 +298,3 @@ def describe_index(index):
 
 def _digest(form):
     return form.get("digest") or hashlib.sha256(base64.b64decode(form["data"])).hexdigest()
-
-
-def _compare_items(expected, actual, tolerance, path, exact_type):
-    if len(expected["items"]) != len(actual["items"]):
-        return _difference("length", path, expected, actual)
-    pairs = enumerate(zip(expected["items"], actual["items"], strict=True))
-    return _first(compare(*items, tolerance, f"{path}[{k}]", exact_type=exact_type) for k, items in pairs)
-
-
-def _compare_dicts(expected, actual, tolerance, path, exact_type):
-    expected_items, actual_items = (
-        {_key(key): value for key, value in form["items"]} for form in (expected, actual)
-    )
-    if expected_items.keys() != actual_items.keys():
-        return _difference("keys", path, expected, actual)
-    return _first(
-        compare(value, actual_items[key], tolerance, f"{path}[{key}]", exact_type=exact_type)
-        for key, value in expected_items.items()
-    )
-
-
-def _compare_fields(expected, actual, tolerance, path, exact_type):
-    if expected["fields"].keys() != actual["fields"].keys():
-        return _difference("type", path, expected, actual)
-    return _first(
-        compare(value, actual["fields"][name], tolerance, f"{path}.{name}", exact_type=exact_type)
-        for name, value in expected["fields"].items()
-    )
-
-
-def _first(differences):
-    return next((difference for difference in differences if difference), None)

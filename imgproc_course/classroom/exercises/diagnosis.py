@@ -9,8 +9,14 @@ from dataclasses import dataclass
 import numpy as np
 
 from imgproc_course.classroom.exercises.canonical import array_of, canonical
-from imgproc_course.classroom.exercises.comparison import as_float, as_type_of, compare, differing, kind_of
-from imgproc_course.classroom.exercises.values import named_items
+from imgproc_course.classroom.exercises.comparison import (
+    as_float,
+    as_type_of,
+    compare,
+    differing,
+    kind_of,
+    named_items,
+)
 
 _FACTORS = {
     0.5: "half the expected number",

@@ -9,7 +9,7 @@ import base64
 import numpy as np
 
 from imgproc_course.classroom.exercises.canonical import array_of
-from imgproc_course.classroom.exercises.comparison import describe, differing
+from imgproc_course.classroom.exercises.comparison import describe, differing, named_items
 
 MOST_NUMBERS = 144  # a larger array is described or drawn, not printed
 _FIRST_BYTES = 8  # of a long sequence
@@ -31,15 +31,6 @@ def answer_parts(expected, actual):
     if actual is not None and actual_items.keys() != {name for name, _ in items}:
         return [("", expected, actual)]
     return [(name, form, actual_items.get(name)) for name, form in items]
-
-
-def named_items(form):
-    """The parts of a tuple, list, dict or message as (name, form): ("[0]", form); else []."""
-    if form["type"] in ("tuple", "list"):
-        return [(f"[{number}]", item) for number, item in enumerate(form.get("items", ()))]
-    if form["type"] == "dict":
-        return [(f"[{describe_value(key, 1)}]", value) for key, value in form.get("items", ())]
-    return [(f".{name}", value) for name, value in form.get("fields", {}).items()]
 
 
 def differing_elements(expected, actual, tolerance):
