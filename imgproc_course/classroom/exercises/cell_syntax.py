@@ -10,7 +10,7 @@ import hashlib
 import re
 import symtable
 from dataclasses import dataclass
-from functools import lru_cache
+from functools import cache, cached_property, lru_cache
 
 MOST_CACHED = 5_000  # characters: most cells are the lesson's own, in every notebook; a long one costs memory
 UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
@@ -68,11 +68,15 @@ def bound_names(source):
     -------
     set of str; empty for a source that does not parse
     """
+    return {name for statement in _top_level(source) for name in names_bound_by(statement)}
+
+
+def _top_level(source):
+    """The statements of a source; none if it does not parse."""
     try:
-        statements = ast.parse(source).body
+        return ast.parse(source).body
     except UNPARSABLE:
-        return set()
-    return {name for statement in statements for name in names_bound_by(statement)}
+        return []
 
 
 def names_bound_by(statement):
@@ -108,12 +112,8 @@ def function_definitions(source):
     {name: BLANK for a stub, else a digest of its body without docstring, or "" if it is long}; of two of one
     name the last that is no stub. Empty for a source that does not parse
     """
-    try:
-        statements = ast.parse(source).body
-    except UNPARSABLE:
-        return {}
     definitions = {}
-    for statement in statements:
+    for statement in _top_level(source):
         name, digest = _callable_name(statement), _body_digest(statement)
         if name and (name not in definitions or digest != BLANK):
             definitions[name] = digest
@@ -204,10 +204,7 @@ def cells_of(source):
 
 
 def _statements_as_text(source):
-    try:
-        statements = ast.parse(source).body
-    except UNPARSABLE:
-        return [source]
+    statements = _top_level(source)
     starts = [_first_line(statement) for statement in statements]
     ends = [statement.end_lineno for statement in statements]
     share_lines = any(start <= end for start, end in zip(starts[1:], ends, strict=False))
@@ -261,20 +258,17 @@ class Statement:
         return self.kind in ("value", "expression", "other")
 
 
+def cached_if_short(function):
+    """The function of a source, with its results for short sources cached."""
+    cached = lru_cache(maxsize=2_000)(function)
+    return lambda source: (cached if len(source) <= MOST_CACHED else function)(source)
+
+
+@cached_if_short
 def statements_of(source):
     """The top-level statements of a source as a tuple of Statement; an import of two names gives two."""
-    return _cached_statements(source) if len(source) <= MOST_CACHED else _parsed_statements(source)
-
-
-@lru_cache(maxsize=2_000)
-def _cached_statements(source):
-    return _parsed_statements(source)
-
-
-def _parsed_statements(source):
     try:
-        nodes = ast.parse(source).body
-        return tuple(_statement(node) for whole in nodes for node in _imports_apart(whole))
+        return tuple(_statement(node) for whole in _top_level(source) for node in _imports_apart(whole))
     except UNPARSABLE:
         return ()
 
@@ -438,21 +432,10 @@ class Taken:
 
 
 class CellDefinitions:
-    """What the cells of a notebook define.
-
-    Parameters
-    ----------
-    cells : list of str, the sources of the code cells, None for another cell
-    """
+    """What the cells of a notebook define: sources of code, and None for another cell."""
 
     def __init__(self, cells):
         self._cells = cells
-        text = "\n".join(source for source in cells if source)
-        self._words = set(re.findall(r"\w+", text))
-        lines = re.findall(r"^(?:(?:async[ \t]+)?(?:def|class)[ \t]+\w+|(?:import|from)[ \t].*)", text, re.M)
-        self._defined_words = {word for line in lines for word in re.findall(r"\w+", line)}
-        self._imports_everything = re.search(r"^from[ \t]+[\w.]+[ \t]+import[ \t]*\*", text, re.M) is not None
-        self._index = None
 
     def compose(self, position, function, given=(), preferred=None):
         """The source by which an answer is graded: what it reads from other cells, then its own cell.
@@ -475,30 +458,23 @@ class CellDefinitions:
         """
         answer = _without_stub(self._cells[position], function)
         statements = statements_of(answer)
-        names = names_needed(statements, function) - set(given)
-        if not any(self._may_define(name) for name in names) and not self._imports_everything:
-            return answer, ()
         own_names = {name for statement in statements for name in statement.binds}
-        places = _Slice(self._places_by_name(), position, set(given), own_names, preferred or {})
-        definitions, names = places.of(names)
+        places = _Slice(self._places_by_name, position, set(given), own_names, preferred or {})
+        definitions, names = places.of(names_needed(statements, function) - set(given))
         if not definitions:
             return answer, ()
         text = "\n\n".join(statement.source for _, _, statement in definitions)
         return f"{_TAKEN_MARK}\n{text}\n\n{ANSWER_MARK}\n{answer}", _taken(definitions, names)
 
-    def _may_define(self, name):
-        """Whether a cell may define a name; that no cell does is mostly certain without reading them."""
-        return name in (self._defined_words if hasattr(builtins, name) else self._words)
-
+    @cached_property
     def _places_by_name(self):
         """{name: [(cell, number of the statement, Statement)] of all that bind or change it}, in order."""
-        if self._index is None:
-            self._index = {}
-            for cell, source in enumerate(self._cells):
-                for number, statement in enumerate(statements_of(source or "")):
-                    for name in statement.binds | statement.changes:
-                        self._index.setdefault(name, []).append((cell, number, statement))
-        return self._index
+        index = {}
+        for cell, source in enumerate(self._cells):
+            for number, statement in enumerate(statements_of(source or "")):
+                for name in statement.binds | statement.changes:
+                    index.setdefault(name, []).append((cell, number, statement))
+        return index
 
 
 def _taken(definitions, names):
@@ -517,18 +493,14 @@ def _taken(definitions, names):
 class _Slice:
     """The statements of other cells that decide what names are when an answer is called.
 
-    Parameters
-    ----------
-    index : {name: places}, as `CellDefinitions` has it
-    position : int, of the answer's cell
-    given, own_names : sets of str, what the answer has already, and what its cell binds
-    preferred : as in `CellDefinitions.compose`
+    `given` and `own_names` are what the answer has already, and what its cell binds; the others are as in
+    `CellDefinitions`.
     """
 
     def __init__(self, index, position, given, own_names, preferred):
         self._index, self._position, self._preferred = index, position, preferred
         self._given, self._own_names = given, own_names
-        self._known_places = {}
+        self._places = cache(self._find_places)
 
     def of(self, names):
         """(the places that count, in the notebook's order; all names that they and the answer read)."""
@@ -558,11 +530,6 @@ class _Slice:
     def _reads(self, statement):
         """What a statement reads that is not given; functions run when the answer's cell has run."""
         return statement.reads - self._given - (set() if statement.is_value else self._own_names)
-
-    def _places(self, name):
-        if name not in self._known_places:
-            self._known_places[name] = self._find_places(name)
-        return self._known_places[name]
 
     def _find_places(self, name):
         """{(cell, number): Statement} of what binds or changes a name; empty if no cell binds it."""
@@ -603,11 +570,7 @@ class _Slice:
 
 def _without_stub(source, function):
     """The source without a stub of the function, if it also defines the function itself."""
-    try:
-        statements = ast.parse(source).body
-    except UNPARSABLE:
-        return source
-    own = [statement for statement in statements if _callable_name(statement) == function]
+    own = [statement for statement in _top_level(source) if _callable_name(statement) == function]
     stubs = [statement for statement in own if _is_blank(statement)]
     if len(stubs) in (0, len(own)):
         return source

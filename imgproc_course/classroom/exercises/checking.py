@@ -206,15 +206,12 @@ def run_check(exercise, function, answer=None):
     answer = answer or _answer_alone(function)
     graded, dependencies = _as_graded(exercise, function, answer)
     judged = graded or function
-    if _is_stub(exercise, judged):
-        return CheckResult(exercise, attempted=False, remarks=_remarks(exercise, judged))
-    calls = _run_calls(exercise, judged)
-    remarks = ()
+    calls, remarks = _run_calls(exercise, judged), ()
     if dependencies.foreign and not any(call.passed for call in calls):
         calls, judged = _run_calls(exercise, function), function  # they tell more than a NameError
     else:
         dependencies = replace(dependencies, foreign={})
-        if judged is not function and not _is_same(judged, function):
+        if _are_same(code_of(judged), code_of(function)) is False:
             remarks = (_ANOTHER.format(name=exercise.function),)
         elif judged is not function and not all(call.passed for call in calls):
             is_right = all(call.passed for call in _run_calls(exercise, function))
@@ -235,38 +232,41 @@ def _answer_alone(function):
 def _as_graded(exercise, function, answer):
     """(the function as grading has it, or None; Dependencies). A refused answer is not run as in grading."""
     namespace = getattr(function, "__globals__", {})
+    is_cell = answer is not None
+    answer = answer or ComposedAnswer(getattr(function, "__name__", ""), source_of(function))
     given = set(exercise.provided)
-    if answer is None:
-        source, name = source_of(function), getattr(function, "__name__", "")
-        return None, Dependencies(find_refused(source, name, exercise.allowed, given, namespace))
     refused = find_refused(answer.source, answer.function, exercise.allowed, given, namespace)
-    if refused:
+    if refused or not is_cell:
         return None, Dependencies(refused)
     try:
         names, error = call_within(lambda: exercise.run_answer(answer.source, answer.function), _SECONDS)
     except TimeUp:
         names, error = {}, "it did not finish"
-    graded = names.get(answer.function)
     statements = searched_statements(answer.source, answer.function)
-    names_read = {*names_unbound(statements), *(name for statement in statements for name in statement.binds)}
+    unbound = names_unbound(statements)
+    names_read = unbound.union(*(statement.binds for statement in statements)) & names.keys()
     taken = {
         taken.name: taken.kind
         for taken in answer.taken
-        if taken.name.endswith(".*") or (taken.name in names_read and taken.name in names)
+        if taken.name.endswith(".*") or taken.name in names_read
     }
     foreign = {
         name: "function" if isinstance(namespace[name], types.FunctionType) else "value"
-        for name in sorted(names_unbound(statements) & namespace.keys() - names.keys())
+        for name in sorted(unbound & namespace.keys() - names.keys())
     }
+    graded = names.get(answer.function)
     if callable(graded):
         return graded, Dependencies(foreign=foreign, taken=taken)
     error = error or f"it does not define {answer.function}()"
     return None, Dependencies(foreign=foreign, error=error)
 
 
-def _is_same(function, other):
-    codes = [code_of(function), code_of(other)]
-    return None in codes or (codes[0].co_code, codes[0].co_consts) == (codes[1].co_code, codes[1].co_consts)
+def _are_same(code, other):
+    """Whether two code objects do the same; None if one is not known."""
+    if code is None or other is None:
+        return None
+    codes = [(one.co_code, one.co_consts, one.co_names) for one in (code, other)]
+    return codes[0] == codes[1]
 
 
 def _run_calls(exercise, function):
@@ -300,8 +300,6 @@ def check_built(exercise, function, source):
     -------
     CheckResult
     """
-    if _is_stub(exercise, function):
-        return CheckResult(exercise, attempted=False, remarks=_remarks(exercise, function))
     namespace = getattr(function, "__globals__", {})
     refused = find_refused(source, exercise.function, exercise.allowed, set(exercise.provided), namespace)
     return _judge_calls(exercise, function, _run_calls(exercise, function), Dependencies(refused))
@@ -310,7 +308,8 @@ def check_built(exercise, function, source):
 def _judge_calls(exercise, function, calls, dependencies):
     """The CheckResult of the calls of a function."""
     errors = {case_call.result.error for case_call in calls}
-    if "NotImplementedError" in errors:
+    stub = _code_in(exercise.stub, exercise.function)
+    if "NotImplementedError" in errors or _are_same(code_of(function), stub):
         return CheckResult(exercise, attempted=False, remarks=_remarks(exercise, function))
     results = tuple(_case_result(case, calls) for case in exercise.cases)
     has_passed = all(result.passed for result in results)
@@ -330,15 +329,6 @@ def _diagnosis(result, calls):
         return Diagnosis()
     exercise = result.exercise
     return diagnose(calls, shown_value, exercise.names, exact_type=exercise.exact_type)
-
-
-def _is_stub(exercise, function):
-    code, stub = code_of(function), _code_in(exercise.stub, exercise.function)
-    return None not in (code, stub) and (code.co_code, code.co_consts, code.co_names) == (
-        stub.co_code,
-        stub.co_consts,
-        stub.co_names,
-    )
 
 
 def _code_in(source, name):
