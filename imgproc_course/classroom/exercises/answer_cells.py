@@ -40,52 +40,29 @@ def find_answer_cell(exercise, cells, lesson):
     """The cell that an answer is taken from.
 
     A cell that defines the function counts more than the stub; then a marked cell more than another one, code
-    more than text, the first marked cell, and the last of the others, as after Run All.
-
-    Parameters
-    ----------
-    exercise : ExerciseDescription
-    cells : list of dict, of the notebook
-    lesson : LessonDescription
-
-    Returns
-    -------
-    AnswerCell, or None if no cell is marked, and none defines the function
+    more than text, the first marked cell, and the last of the others, as after Run All. It is None if no cell
+    is marked, and none defines the function.
     """
     own = [cell for cell in cells if is_marked(cell, exercise)]
-    own.sort(key=lambda cell: (cell["id"] != exercise.answer_id, cell["type"] != "code"))
-    own.sort(key=lambda cell: cell["type"] != "code")
-    handed_out = _Handed(lesson, exercise.function)
+    own.sort(key=lambda cell: (cell["type"] != "code", cell["id"] != exercise.answer_id))
+    was_handed_out = _handed_out(lesson, exercise.function)
     others = [
         cell
         for cell in cells
-        if exercise.function in cell["functions"] and cell not in own and cell not in handed_out
+        if exercise.function in cell["functions"] and cell not in own and not was_handed_out(cell)
     ]
     others.sort(key=lambda cell: (cell["type"] == "code", cell["number"]), reverse=True)
     stub = function_definitions(exercise.stub).get(exercise.function)
-    for candidates in (own, others):
-        answers = [cell for cell in candidates if _is_answer(cell, exercise, stub, candidates is own)]
-        if answers:
-            further = [cell for cell in others if cell is not answers[0] and _is_answer(cell, exercise, stub)]
-            return AnswerCell(
-                answers[0], True, own, [*answers[1:], *further] if candidates is own else further
-            )
-    for cell in [*(cell for cell in own if exercise.function in cell["functions"]), *own[:1], *others]:
-        return AnswerCell(cell, False, own, [])
-    return None
+    answers = [cell for cell in own if _is_answer(cell, exercise, stub, is_own=True)]
+    answers += [cell for cell in others if _is_answer(cell, exercise, stub)]
+    if answers:
+        return AnswerCell(answers[0], True, own, answers[1:])
+    stubs = [cell for cell in own if exercise.function in cell["functions"]]
+    return next((AnswerCell(cell, False, own, []) for cell in (*stubs, *own, *others)), None)
 
 
 def requests_to_compose(answered):
-    """What `CellDefinitions.compose` is asked for each answer of a lesson.
-
-    Parameters
-    ----------
-    answered : {ExerciseDescription: the cell that its answer is taken from}
-
-    Returns
-    -------
-    list of the arguments of `compose`
-    """
+    """The arguments of `CellDefinitions.compose` for {ExerciseDescription: the cell of its answer}; lists."""
     preferred = {exercise.function: cell["number"] for exercise, cell in answered.items()}
     return [
         [cell["number"], exercise.function, sorted(exercise.given_names), preferred]
@@ -107,18 +84,9 @@ class ComposedAnswer:
 
 
 def compose_answer(lesson, exercise_id, function, cells):
-    """The source by which the answer in a notebook is graded.
+    """The ComposedAnswer by which an exercise of a lesson is graded; None if no cell defines the function.
 
-    Parameters
-    ----------
-    lesson : LessonDescription
-    exercise_id : str
-    function : str, the name of the function; another one than the exercise asks for is another try
-    cells : list of dict, of the notebook
-
-    Returns
-    -------
-    ComposedAnswer, or None if no cell defines the function
+    Another function than the one that the exercise asks for is another try.
     """
     answers = {}
     for exercise in lesson.exercises:
@@ -151,16 +119,11 @@ def _is_answer(cell, exercise, stub, is_own=False):
     return not cell["answer"]["error"] and (names is None or exercise.function in names)
 
 
-class _Handed:
-    """The cells of a lesson that defined a function when it was handed out: no answers."""
-
-    def __init__(self, lesson, function):
-        self._ids = {
-            id
-            for id, source in lesson.cells.items()
-            if source and function in source and function in function_definitions(source)
-        }
-        self._sources = {lesson.cells[id].strip() for id in self._ids}
-
-    def __contains__(self, cell):
-        return cell["id"] in self._ids or (cell["source"] or "").strip() in self._sources
+def _handed_out(lesson, function):
+    """Tells of a cell whether it defined a function when the lesson was handed out: then it is no answer."""
+    sources = {
+        id: source.strip()
+        for id, source in lesson.cells.items()
+        if source and function in source and function in function_definitions(source)
+    }
+    return lambda cell: cell["id"] in sources or (cell["source"] or "").strip() in sources.values()

@@ -68,14 +68,11 @@ def is_image(values):
 
 def _limits(*arrays):
     """The values drawn black and white; images that are compared share them."""
-    if all(values.dtype == np.uint8 for values in arrays):
-        highest = max(int(values.max()) for values in arrays)
-        return (0.0, 255.0) if highest > 1 else (0.0, 1.0)
-    finite = [values[np.isfinite(values)] for values in arrays]
-    finite = [values for values in finite if values.size]
-    if not finite:
-        return 0.0, 1.0
-    low, high = min(float(v.min()) for v in finite), max(float(v.max()) for v in finite)
+    values = np.concatenate([array.ravel() for array in arrays])
+    if all(array.dtype == np.uint8 for array in arrays):
+        return (0.0, 255.0) if values.max() > 1 else (0.0, 1.0)
+    values = values[np.isfinite(values)]
+    low, high = (float(values.min()), float(values.max())) if values.size else (0.0, 1.0)
     return (low, high) if high > low else (low, low + 1.0)
 
 

@@ -74,11 +74,7 @@ class CellRuns:
     def why_older(self, exercise_id, name, function):
         """Why the function is older than the learner's cell, and what to do; "" if it is not.
 
-        Parameters
-        ----------
-        exercise_id : str
-        name : str, the name of the function that the exercise asks for
-        function : the function that is checked
+        `name` is the name that the exercise asks for, `function` the function that is checked.
         """
         run = next((run for run in reversed(self._runs) if _is_about(run, exercise_id, name, function)), None)
         if run is None:

@@ -62,12 +62,7 @@ def _without_magic(match):
 
 
 def bound_names(source):
-    """The names that a source binds at its top level, `*` for an import of everything.
-
-    Returns
-    -------
-    set of str; empty for a source that does not parse
-    """
+    """The names that a source binds at its top level, `*` for an import of everything; a set."""
     return {name for statement in _top_level(source) for name in names_bound_by(statement)}
 
 
@@ -103,14 +98,8 @@ def _name_of(alias):
 def function_definitions(source):
     """What a source defines at its top level that can be called: functions, classes, `name = lambda ...`.
 
-    Parameters
-    ----------
-    source : str
-
-    Returns
-    -------
     {name: BLANK for a stub, else a digest of its body without docstring, or "" if it is long}; of two of one
-    name the last that is no stub. Empty for a source that does not parse
+    name the last that is no stub.
     """
     definitions = {}
     for statement in _top_level(source):
@@ -184,15 +173,9 @@ def _is_not_implemented(statement):
 def parts_of(source):
     """The parts in which an answer is run, one after another: an error in one must not cost the others.
 
-    Parameters
-    ----------
-    source : str, an answer, perhaps with what `compose` took along
-
-    Returns
-    -------
-    list of str, one for each statement; the lines of the answer keep their numbers. What says how the rest is
-    to be read (`from __future__ import ...`) stands in each of them. The whole source if it does not parse,
-    or if it has far more lines and statements than any answer: the parts grow with their product
+    There is one for each statement, a str; the lines of the answer keep their numbers. What says how the rest
+    is to be read (`from __future__ import ...`) stands in each of them. The whole source is one part if it
+    does not parse, or has far more lines and statements than any answer: the parts grow with their product.
     """
     return [part for cell in cells_of(source) for part in _statements_as_text(cell)]
 
@@ -369,11 +352,7 @@ def _names_read(source):
 def needed_statements(statements, function, *, with_changes=True):
     """The statements of a cell that a function needs, itself included, in their order.
 
-    Parameters
-    ----------
-    statements : sequence of Statement
-    function : str
-    with_changes : bool, also those that only change a value, such as a loop that fills a table
+    `with_changes`: also those that only change a value, such as a loop that fills a table.
     """
     names, numbers, size = {function}, set(), -1
     helpers = {name for statement in statements if statement.kind == "function" for name in statement.binds}
@@ -403,17 +382,7 @@ def _may_change(statement, values, helpers):
 
 
 def names_needed(statements, function):
-    """The names that a function reads from outside its own cell, helper functions of the cell included.
-
-    Parameters
-    ----------
-    statements : sequence of Statement, of the cell
-    function : str
-
-    Returns
-    -------
-    set of str
-    """
+    """The names that a function and its helpers read from outside their own cell; a set."""
     names, bound_above = set(), {function}
     bound = bound_above.union(*(statement.binds for statement in statements))
     for statement in needed_statements(statements, function):
@@ -445,16 +414,8 @@ class CellDefinitions:
         does. What is given is never bound again, and a built-in name only by a function, a class or an import
         above. `from module import *` may define every name that nothing else defines.
 
-        Parameters
-        ----------
-        position : int, of the answer's cell
-        function : str, the name of the answer's function
-        given : iterable of str, names that the answer has already
-        preferred : {name: position of the cell that defines it}, for other answers
-
-        Returns
-        -------
-        (source, tuple of Taken)
+        `position` is that of the answer's cell; `preferred` is {name: position of the cell that defines it}
+        for other answers. Returns the source and a tuple of Taken.
         """
         answer = _without_stub(self._cells[position], function)
         statements = statements_of(answer)

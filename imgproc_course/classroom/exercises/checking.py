@@ -191,17 +191,10 @@ def run_cases(exercise, function, *, cases=None, seed=PUBLIC_SEED):
 
 
 def run_check(exercise, function, answer=None):
-    """Run an answer on the cases of an exercise, as grading does.
+    """The CheckResult of an answer on the cases of a CheckData, run as in grading.
 
-    Parameters
-    ----------
-    exercise : CheckData
-    function : callable, as the notebook has it
-    answer : ComposedAnswer; if omitted, the function's cell alone, or the function itself without a cell
-
-    Returns
-    -------
-    CheckResult
+    `function` is as the notebook has it. Without a ComposedAnswer its cell alone is run, or without a cell
+    the function itself.
     """
     answer = answer or _answer_alone(function)
     graded, dependencies = _as_graded(exercise, function, answer)
@@ -288,18 +281,7 @@ def _run_calls(exercise, function):
 
 
 def check_built(exercise, function, source):
-    """Run an answer that was built as in grading on the cases of its exercise.
-
-    Parameters
-    ----------
-    exercise : CheckData
-    function : callable
-    source : str, from which it was built
-
-    Returns
-    -------
-    CheckResult
-    """
+    """The CheckResult of a function that was built from a source, as in grading."""
     namespace = getattr(function, "__globals__", {})
     refused = find_refused(source, exercise.function, exercise.allowed, set(exercise.provided), namespace)
     return _judge_calls(exercise, function, _run_calls(exercise, function), Dependencies(refused))

@@ -54,13 +54,7 @@ _SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Lambda)
 
 
 def refused_module(module, allowed):
-    """The name of a module that an exercise does not allow, as messages say it; None for one that it allows.
-
-    Parameters
-    ----------
-    module : str, "cv2" or "scipy.ndimage"; None is no module
-    allowed : sequence of str, modules that the exercise allows beside those that every answer may use
-    """
+    """The name of a module that an exercise does not allow, as messages say it; None if it allows it."""
     if module is None:
         return None
     top, *submodules = module.split(".")
@@ -74,23 +68,14 @@ def find_refused(source, function, allowed, given, namespace):
     """The modules that an answer uses, and that its exercise does not allow.
 
     The answer's cell is searched, and functions, classes and imports of other cells. A value of another cell
-    that needs such a module is no use of it: in grading it is missing.
-
-    Parameters
-    ----------
-    source : str, as `CellDefinitions.compose` gives it
-    function : str, the name of the answer's function
-    allowed : sequence of str, modules that the exercise allows
-    given : set of str, names that every answer to the exercise has
-    namespace : {name: value}, what the function finds in the notebook
-
-    Returns
-    -------
-    {module: the name by which the answer uses it}
+    that needs such a module is no use of it: in grading it is missing. `source` is as `compose` gives it,
+    `given` are names that every answer has, and `namespace` is what the function finds in the notebook.
+    Returns {module: the name by which the answer uses it}.
     """
-    statements, refused = searched_statements(source, function), {}
+    statements, visitor = searched_statements(source, function), _AsGraded(allowed)
     for statement in statements:
-        refused = _AsGraded(allowed).refused_in(ast.parse(statement.source)) | refused
+        visitor.visit(ast.parse(statement.source))
+    refused = visitor.refused
     for name in sorted(names_unbound(statements) - given):
         # It raises NameError in grading. Is it a module, or would an import of one help?
         is_value = not isinstance(namespace.get(name, sys), types.ModuleType)
@@ -116,17 +101,7 @@ def names_unbound(statements):
 
 
 def tree_as_graded(source, allowed):
-    """The syntax tree of a source in which other modules cannot be imported.
-
-    Parameters
-    ----------
-    source : str
-    allowed : sequence of str, modules that the exercise allows beside those that every answer may use
-
-    Returns
-    -------
-    ast.Module, or None if there is no such import
-    """
+    """The syntax tree of a source in which other modules cannot be imported; None without such an import."""
     try:
         tree = ast.parse(source)
     except UNPARSABLE:
@@ -139,17 +114,13 @@ def tree_as_graded(source, allowed):
 class _AsGraded(ast.NodeTransformer):
     """Lets guarded imports of other modules fail, and removes those at the top of a cell.
 
-    Inside a function they stay: an answer that comes so far is refused.
+    Inside a function they stay: an answer that comes so far is refused. `refused` has the modules of imports
+    that nothing guards, as `find_refused` gives them.
     """
 
     def __init__(self, allowed):
         self._allowed, self._is_guarded, self._is_inside = allowed, False, False
         self.refused, self.has_changed = {}, False
-
-    def refused_in(self, tree):
-        """The refused modules of imports that nothing guards, as `find_refused` gives them."""
-        self.visit(tree)
-        return self.refused
 
     def visit(self, node):
         if isinstance(node, (ast.Import, ast.ImportFrom)):

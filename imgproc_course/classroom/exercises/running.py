@@ -26,7 +26,7 @@ from itertools import pairwise
 import numpy as np
 
 from imgproc_course.classroom.exercises.canonical import canonical
-from imgproc_course.classroom.exercises.comparison import compare
+from imgproc_course.classroom.exercises.comparison import compare, named_items
 
 _MOST_OUTPUT = 2_000  # characters; the function's further prints are dropped
 _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
@@ -79,18 +79,9 @@ class CallResult:
 
 
 def call(function, arguments, names, time_limit):
-    """Call a function on copies of its arguments, and record what it did.
+    """Call a function on copies of its arguments; the CallResult says what it did.
 
-    Parameters
-    ----------
-    function : callable of the learner's
-    arguments : tuple; never changed
-    names : sequence of str, the arguments' names
-    time_limit : float, seconds; on a busy machine up to three times as long
-
-    Returns
-    -------
-    CallResult
+    `names` are the arguments'. The time limit is in seconds; on a busy machine up to three times as long.
     """
     copies = copy.deepcopy(arguments)
     before = [canonical(value, limit=None) for value in copies]
@@ -151,10 +142,6 @@ def overwrite_freed_memory(form):
 
     Freed memory may still hold an expected result. An answer that fills only a part of np.empty_like() would
     find it there, and pass by chance.
-
-    Parameters
-    ----------
-    form : canonical form of the expected value
     """
     sizes = {np.prod(part["shape"], dtype=int) * np.dtype(part["dtype"]).itemsize for part in _arrays(form)}
     blocks = [np.full(size, 0xA5, np.uint8) for size in sizes for _ in range(_BLOCKS)]
@@ -164,10 +151,8 @@ def overwrite_freed_memory(form):
 def _arrays(form):
     if form["type"] == "ndarray":
         yield form
-    parts = [*form.get("items", ()), *form.get("fields", {}).values()]
-    for part in parts:
-        for item in part if isinstance(part, list) else [part]:
-            yield from _arrays(item)
+    for _, part in named_items(form):
+        yield from _arrays(part)
 
 
 class _LimitedOutput(io.StringIO):
