@@ -43,8 +43,12 @@ from rich.console import Console
 from rich.table import Table
 
 from imgproc_course.classroom.authoring.masters import find_masters
-from imgproc_course.classroom.exercises import CheckResult, read_exercises, run_cases
+from imgproc_course.classroom.exercises import CheckResult, read_exercises
+from imgproc_course.classroom.exercises.answer_cells import ComposedAnswer
 from imgproc_course.classroom.exercises.cell_runs import CellRuns
+from imgproc_course.classroom.exercises.cell_syntax import plain_python
+from imgproc_course.classroom.exercises.check_data import check_data_of
+from imgproc_course.classroom.exercises.checking import run_check
 from imgproc_course.classroom.exercises.percent_script import read_script
 
 ROOT = Path(__file__).parents[2]
@@ -124,6 +128,7 @@ def feedback_on(exercise, answer):
     """(CheckResult, the sentences of its text) for one wrong answer."""
     namespace = exercise.namespace()
     run_cell(exercise.stub, f"stub of {exercise.id}", namespace)
+    stub = namespace[exercise.function]
     runs = CellRuns()
     run = runs.start(answer.source, f"answer-{exercise.id}")
     try:
@@ -131,8 +136,10 @@ def feedback_on(exercise, answer):
         run_cell(answer.source, f"{exercise.id}: {answer.name}", namespace)
     except Exception as error:  # noqa: BLE001 - a cell that does not run: the stub is still there
         run.fail(error)
-    result = run_cases(exercise, namespace[exercise.function])
-    why_older = runs.why_older(exercise.id, exercise.function, namespace[exercise.function])
+    function = namespace[exercise.function]
+    composed = None if function is stub else ComposedAnswer(exercise.function, plain_python(answer.source))
+    result = run_check(check_data_of(exercise), function, composed)
+    why_older = runs.why_older(exercise.id, exercise.function, function)
     if why_older:
         result = CheckResult(result.exercise, attempted=True, why_older=why_older)
     return result, sentences(repr(result), exercise.id)

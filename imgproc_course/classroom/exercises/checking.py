@@ -1,14 +1,11 @@
 """`check`: run an answer's public cases in the learner's notebook."""
 
-import linecache
 import types
 from dataclasses import dataclass, field, replace
-from pathlib import Path
 
 from imgproc_course.classroom.exercises import feedback
 from imgproc_course.classroom.exercises.answer_cells import ComposedAnswer, compose_answer
 from imgproc_course.classroom.exercises.cell_runs import RUNS
-from imgproc_course.classroom.exercises.cell_syntax import plain_python
 from imgproc_course.classroom.exercises.check_data import CheckCase, CheckData, CheckMistake, check_data_of
 from imgproc_course.classroom.exercises.check_files import find_check_file
 from imgproc_course.classroom.exercises.comparison import Difference, compare
@@ -193,10 +190,8 @@ def run_cases(exercise, function, *, cases=None, seed=PUBLIC_SEED):
 def run_check(exercise, function, answer=None):
     """The CheckResult of an answer on the cases of a CheckData, run as in grading.
 
-    `function` is as the notebook has it. Without a ComposedAnswer its cell alone is run, or without a cell
-    the function itself.
+    `function` is as the notebook has it; without a ComposedAnswer it is run itself.
     """
-    answer = answer or _answer_alone(function)
     graded, dependencies = _as_graded(exercise, function, answer)
     judged = graded or function
     calls, remarks = _run_calls(exercise, judged), ()
@@ -211,15 +206,6 @@ def run_check(exercise, function, answer=None):
             remarks = (_ONLY_HERE.format(name=exercise.function),) if is_right else ()
     result = _judge_calls(exercise, judged, calls, dependencies)
     return replace(result, remarks=(*remarks, *result.remarks))
-
-
-def _answer_alone(function):
-    """The ComposedAnswer of a function by its own cell; None for a function of no cell."""
-    code = code_of(function)
-    source = "" if code is None else "".join(linecache.getlines(code.co_filename))
-    if not source or Path(code.co_filename).exists():
-        return None
-    return ComposedAnswer(function.__name__, plain_python(source))
 
 
 def _as_graded(exercise, function, answer):

@@ -481,11 +481,7 @@ _RELATIONS = (
 
 def _place(calls):
     """Where the wrong values of all calls lie, if that tells something."""
-    arrays = _arrays(calls)
-    if any(a is None or b is None or a.shape != b.shape or a.ndim not in (2, 3) for a, b, _ in arrays):
-        return Diagnosis()
-    masks = [(differing(*array), array[1]) for array in arrays]
-    wrong = [(mask, values) for mask, values in masks if mask.any()]
+    wrong = _wrong_elements(_arrays(calls))
     pixels = [mask.any(axis=2) if mask.ndim == 3 else mask for mask, _ in wrong]
     if not wrong:
         return Diagnosis()
@@ -499,6 +495,14 @@ def _place(calls):
         left = ", and there your result is 0: is the border never computed?" if zeros else "."
         return Diagnosis(f"Only values on the border of the image are wrong{left}", on_border=True)
     return Diagnosis(_in_one_channel([mask for mask, _ in wrong]))
+
+
+def _wrong_elements(arrays):
+    """[(which values are wrong, the values)] of images; [] if one of the arrays is none."""
+    if any(a is None or b is None or a.shape != b.shape or a.ndim not in (2, 3) for a, b, _ in arrays):
+        return []
+    masks = [(differing(*array), array[1]) for array in arrays]
+    return [(mask, values) for mask, values in masks if mask.any()]
 
 
 def _in_one_channel(masks):

@@ -57,7 +57,6 @@ def _ambiguous(_match, source):
     nodes = _nodes(source)
     chains = [node for node in nodes if isinstance(node, ast.Compare) and len(node.ops) > 1]
     parts = [part for node in nodes if isinstance(node, ast.BoolOp) for part in node.values]
-    calls = {ast.unparse(node.func) for node in nodes if isinstance(node, ast.Call)}
     if any(isinstance(node, ast.BitAnd | ast.BitOr) for chain in chains for node in ast.walk(chain)):
         return "& is computed before > and <=. Put each comparison in parentheses: (a > low) & (a <= high)."
     if chains:
@@ -74,7 +73,7 @@ def _ambiguous(_match, source):
         )
     if any(isinstance(node, ast.Not) for node in nodes):
         return "`not` needs a single True or False, and an array has many. For an array write ~ before it."
-    if calls & {"max", "min"}:
+    if re.search(r"(?<![\w.])(?:max|min)\(", source):
         return "max() and min() compare single numbers. For arrays write np.maximum or np.minimum."
     return (
         "`if` and `while` need one True or False, and a comparison of an array gives many, one for each"

@@ -2,7 +2,6 @@
 
 import itertools
 import json
-import linecache
 import random
 import shutil
 import signal
@@ -26,7 +25,9 @@ from imgproc_course.classroom.autograder.results import from_json, to_json
 from imgproc_course.classroom.autograder.sandbox import bubblewrap
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.classroom.exercises import read_exercises
-from imgproc_course.classroom.exercises.checking import run_cases as check_answer
+from imgproc_course.classroom.exercises.answer_cells import ComposedAnswer
+from imgproc_course.classroom.exercises.check_data import check_data_of
+from imgproc_course.classroom.exercises.checking import run_check
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("pool")]
 LESSON = "attacked"
@@ -190,11 +191,10 @@ def test_check_in_the_lesson_agrees(results, masters, name, monkeypatch, tmp_pat
     monkeypatch.setenv("IMGPROC_COURSE_CHECKS", str(tmp_path / "checks"))
     (declared, *_) = read_exercises(masters / "10_attacked.py")
     space = declared.namespace()
-    lines = SAMPLES[name].splitlines(keepends=True)  # as a notebook keeps the source of a cell
-    monkeypatch.setitem(linecache.cache, "answer", (len(SAMPLES[name]), None, lines, "answer"))
     with suppress(NameError, SyntaxError):
         exec(compile(SAMPLES[name], "answer", "exec"), space)
-    checked = check_answer(declared, space["double"]) if "double" in space else None
+    answer = ComposedAnswer("double", SAMPLES[name])
+    checked = run_check(check_data_of(declared), space["double"], answer) if "double" in space else None
     passed = doubles(results[name]).cases[0].passed
     assert (checked is not None and checked.passed) == passed
     if checked is not None and not passed:

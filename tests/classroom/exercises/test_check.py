@@ -37,6 +37,14 @@ def _master(write_master):
     write_master()
 
 
+@pytest.fixture
+def runs(monkeypatch):
+    """The runs of cells that `check` knows, as in a kernel; the test starts them."""
+    runs = CellRuns()
+    monkeypatch.setattr(checking, "RUNS", runs)
+    return runs
+
+
 def run_cell(source, namespace, file="<answer>"):
     """Run a cell as IPython does: its source stays readable by the name of its file."""
     linecache.cache[file] = (len(source), None, source.splitlines(keepends=True), file)
@@ -309,8 +317,9 @@ def test_a_message_is_shown_by_its_fields_and_a_table_of_its_bytes(write_master)
     ) in text
 
 
-def test_a_name_of_another_cell_does_not_pass():
+def test_a_name_of_another_cell_does_not_pass(runs):
     source = "def double(pixels):\n    return np.minimum(pixels.astype(int) * 2, most).astype(np.uint8)\n"
+    runs.start(source)
     namespace = run_cell(source, {"np": np, "most": 255})
     result = check("test-double", namespace["double"])
     assert not result.passed and result.points == 0 and all(case.passed for case in result.results)
@@ -330,13 +339,11 @@ def test_a_name_of_another_cell_does_not_pass():
         ([], (), ("most",)),
     ],
 )
-def test_a_value_of_another_cell_passes_where_grading_makes_it_again(monkeypatch, cells, taken, foreign):
-    runs = CellRuns()
+def test_a_value_of_another_cell_passes_where_grading_makes_it_again(runs, cells, taken, foreign):
     wide = "def wide(values):\n    return values.astype(int)"
     source = "def double(pixels):\n    return np.minimum(wide(pixels) * 2, most).astype(np.uint8)\n"
     for cell in (*cells, wide, source):
         runs.start(cell)
-    monkeypatch.setattr(checking, "RUNS", runs)
     namespace = run_cell(source, run_cell(wide, {"np": np, "most": 255, "__name__": "__main__"}))
     result = check("test-double", namespace["double"])
     assert {"wide", *taken} <= set(result.dependencies.taken)
@@ -378,8 +385,9 @@ RIGHT_WAY = "np.minimum(pixels.astype(int) * 2, 255).astype(np.uint8)"
 
 @pytest.mark.parametrize("own_way", [RIGHT_WAY, "pixels * 2"], ids=["right", "wrong"])
 @pytest.mark.parametrize("name", GUARDED)
-def test_a_guarded_import_fails_as_in_grading_and_the_answers_own_way_is_judged(name, own_way):
+def test_a_guarded_import_fails_as_in_grading_and_the_answers_own_way_is_judged(runs, name, own_way):
     source = f"def own_way(pixels):\n    return {own_way}\n{dedent(GUARDED[name])}"
+    runs.start(source)
     namespace = run_cell(source, {"np": np, "__name__": "__main__"})
     result = check("test-double", namespace["double"])
     assert not result.dependencies.refused and result.passed == (own_way == RIGHT_WAY)
@@ -508,13 +516,11 @@ def test_an_array_that_is_filled_in_part_does_not_pass_by_chance():
     assert not any(check("test-double", fills_a_part).results[0].passed for _ in range(20))
 
 
-def test_names_of_other_cells_say_where_they_come_from(monkeypatch):
-    runs = CellRuns()
+def test_names_of_other_cells_say_where_they_come_from(runs):
     source = "def double(image):\n    return gamma(image), median, pixels, test_double\n"
     others = "from statistics import median\ndef gamma(values):\n    return values\n"
     for cell in ("camera = open_camera()\npixels = camera.frame", others, source):
         runs.start(cell)
-    monkeypatch.setattr(checking, "RUNS", runs)
     namespace = {"np": np, "pixels": np.uint8([1]), "test_double": 3, "__name__": __name__}
     namespace = run_cell(source, run_cell(others, namespace))
     text = repr(check("test-double", namespace["double"]))
@@ -525,12 +531,10 @@ def test_names_of_other_cells_say_where_they_come_from(monkeypatch):
     assert "Points here: 0 of 3." in text
 
 
-def test_a_value_of_another_cell_in_a_wrong_answer_is_no_argument(monkeypatch):
-    runs = CellRuns()
+def test_a_value_of_another_cell_in_a_wrong_answer_is_no_argument(runs):
     source = "def double(pixels):\n    return pixels * factor\n"
     runs.start("factor = 3", "a-cell")
     runs.start(source, "answer-test-double")
-    monkeypatch.setattr(checking, "RUNS", runs)
     namespace = run_cell(source, {"factor": 3, "__name__": __name__})
     text = repr(check("test-double", namespace["double"]))
     assert "double() uses factor of another cell, which is the same in every call." in text
