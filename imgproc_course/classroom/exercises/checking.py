@@ -10,12 +10,7 @@ from imgproc_course.classroom.exercises.check_data import CheckCase, CheckData, 
 from imgproc_course.classroom.exercises.check_files import find_check_file
 from imgproc_course.classroom.exercises.comparison import Difference, compare
 from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED
-from imgproc_course.classroom.exercises.dependencies import (
-    Dependencies,
-    find_refused,
-    names_unbound,
-    searched_statements,
-)
+from imgproc_course.classroom.exercises.dependencies import Dependencies, dependencies_of, find_refused
 from imgproc_course.classroom.exercises.diagnosis import Diagnosis, diagnose
 from imgproc_course.classroom.exercises.progress import ExerciseProgress, digest_of, note_progress
 from imgproc_course.classroom.exercises.running import (
@@ -221,23 +216,12 @@ def _as_graded(exercise, function, answer):
         names, error = call_within(lambda: exercise.run_answer(answer.source, answer.function), _SECONDS)
     except TimeUp:
         names, error = {}, "it did not finish"
-    statements = searched_statements(answer.source, answer.function)
-    unbound = names_unbound(statements)
-    names_read = unbound.union(*(statement.binds for statement in statements)) & names.keys()
-    taken = {
-        taken.name: taken.kind
-        for taken in answer.taken
-        if taken.name.endswith(".*") or taken.name in names_read
-    }
-    foreign = {
-        name: "function" if isinstance(namespace[name], types.FunctionType) else "value"
-        for name in sorted(unbound & namespace.keys() - names.keys())
-    }
+    dependencies = dependencies_of(answer, names.keys(), namespace)
     graded = names.get(answer.function)
     if callable(graded):
-        return graded, Dependencies(foreign=foreign, taken=taken)
+        return graded, dependencies
     error = error or f"it does not define {answer.function}()"
-    return None, Dependencies(foreign=foreign, error=error)
+    return None, replace(dependencies, taken={}, error=error)
 
 
 def _are_same(code, other):

@@ -210,8 +210,7 @@ def _numbers_form(expected, actual):
         return actual
     items = expected.get("items", ())
     if values.ndim == 1:
-        numbers = list(values) if len(values) == len(items) else values.tolist()
-        return canonical(numbers) | {"type": kind}
+        return canonical(list(values)) | {"type": kind}
     are_pairs = all(item["type"] in ("tuple", "list") for item in items)
     if are_pairs and values.ndim and len(values) == len(items):
         return {"type": kind, "items": [canonical(part, limit=None) for part in values]}

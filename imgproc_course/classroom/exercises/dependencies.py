@@ -72,11 +72,11 @@ def find_refused(source, function, allowed, given, namespace):
     `given` are names that every answer has, and `namespace` is what the function finds in the notebook.
     Returns {module: the name by which the answer uses it}.
     """
-    statements, visitor = searched_statements(source, function), _AsGraded(allowed)
+    statements, visitor = _searched_statements(source, function), _AsGraded(allowed)
     for statement in statements:
         visitor.visit(ast.parse(statement.source))
     refused = visitor.refused
-    for name in sorted(names_unbound(statements) - given):
+    for name in sorted(_names_unbound(statements) - given):
         # It raises NameError in grading. Is it a module, or would an import of one help?
         is_value = not isinstance(namespace.get(name, sys), types.ModuleType)
         module = None if is_value or not importlib.util.find_spec(name) else refused_module(name, allowed)
@@ -84,7 +84,27 @@ def find_refused(source, function, allowed, given, namespace):
     return dict(sorted(refused.items()))
 
 
-def searched_statements(source, function):
+def dependencies_of(answer, names, namespace):
+    """The Dependencies of a ComposedAnswer that runs by itself and then has these names.
+
+    `namespace` is what the function finds in the notebook.
+    """
+    statements = _searched_statements(answer.source, answer.function)
+    unbound = _names_unbound(statements)
+    names_read = unbound.union(*(statement.binds for statement in statements)) & names
+    taken = {
+        taken.name: taken.kind
+        for taken in answer.taken
+        if taken.name.endswith(".*") or taken.name in names_read
+    }
+    foreign = {
+        name: "function" if isinstance(namespace[name], types.FunctionType) else "value"
+        for name in sorted(unbound & namespace.keys() - names)
+    }
+    return Dependencies(foreign=foreign, taken=taken)
+
+
+def _searched_statements(source, function):
     """The statements that decide which names an answer reads; see `find_refused`."""
     *other_cells, answer = cells_of(source) or [""]
     statements = [
@@ -93,7 +113,7 @@ def searched_statements(source, function):
     return needed_statements([*statements, *statements_of(answer)], function, with_changes=False)
 
 
-def names_unbound(statements):
+def _names_unbound(statements):
     """The names that statements read, and that neither they nor Python define; a set."""
     names = set().union(*(statement.reads for statement in statements))
     names = names.difference(*(statement.binds for statement in statements))

@@ -71,7 +71,7 @@ def _ambiguous(_match, source):
             "`and` and `or` need a single True or False, and an array has many. Between arrays write & or |,"
             " with each comparison in parentheses."
         )
-    if any(isinstance(node, ast.Not) for node in nodes):
+    if ast.Not in map(type, nodes):
         return "`not` needs a single True or False, and an array has many. For an array write ~ before it."
     if re.search(r"(?<![\w.])(?:max|min)\(", source):
         return "max() and min() compare single numbers. For arrays write np.maximum or np.minimum."
@@ -84,15 +84,15 @@ def _ambiguous(_match, source):
 
 def _unhashable(match, source):
     nouns = {"numpy.ndarray": "an array", "list": "a list", "dict": "a dict"}
-    noun, nodes = nouns.get(match[1], match[1]), _nodes(source)
-    if any(isinstance(node, ast.Set) for node in nodes):
+    noun, kinds = nouns.get(match[1], match[1]), set(map(type, _nodes(source)))
+    if ast.Set in kinds:
         return (
             f"Curly brackets without a key and a colon make a set, and a set cannot hold {noun}."
             ' A dictionary needs both: {"key": value}.'
         )
-    if any(isinstance(node, ast.Dict) for node in nodes):
+    if ast.Dict in kinds:
         return f"The key of a dictionary cannot be {noun}. Write the key as text, in quotes."
-    if re.search(r"\bset\(", source):
+    if re.search(r"(?<![\w.])set\(", source):
         return "set() cannot hold the rows of an array. np.unique(array) gives its different values."
     return f"A set or the key of a dictionary cannot hold {noun}."
 
@@ -164,7 +164,7 @@ def _index_outside(match, source):
 
 
 def _float_mask(_match, source):
-    if any(isinstance(node, ast.Compare) for node in _nodes(source)):
+    if ast.Compare in map(type, _nodes(source)):
         return "& and | combine masks. & is computed before > and <, so put each comparison in parentheses."
     return (
         "& and | combine masks (True and False) and whole numbers, and one of these arrays holds floats."
