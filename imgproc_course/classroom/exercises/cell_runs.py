@@ -63,6 +63,16 @@ class CellRuns:
         self._runs = [*self._runs[1 - _MOST_RUNS :], CellRun(source, cell_id or "")]
         return self._runs[-1]
 
+    def begin(self, info):
+        """Record that IPython begins to run a cell."""
+        self.start(info.raw_cell, getattr(info, "cell_id", None))
+
+    def end(self, result):
+        """Record how the last cell of IPython ended."""
+        error = result.error_before_exec or result.error_in_exec
+        if error is not None and self._runs:
+            self._runs[-1].fail(error)
+
     def cells(self):
         """The cells that ran, in the order of their first runs, each as it ran last.
 
@@ -138,17 +148,5 @@ def watch_cells():
     shell.imgproc_course_runs = RUNS
     for source in shell.history_manager.input_hist_raw[1:]:  # before the import of this package
         RUNS.start(source)
-
-    run = None
-
-    def begin(info):
-        nonlocal run
-        run = RUNS.start(info.raw_cell, getattr(info, "cell_id", None))
-
-    def end(result):
-        error = result.error_before_exec or result.error_in_exec
-        if error is not None and run:
-            run.fail(error)
-
-    shell.events.register("pre_run_cell", begin)
-    shell.events.register("post_run_cell", end)
+    shell.events.register("pre_run_cell", RUNS.begin)
+    shell.events.register("post_run_cell", RUNS.end)
