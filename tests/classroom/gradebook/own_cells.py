@@ -1,4 +1,7 @@
-"""Answers to light-double that read what a learner's own cells define, and cells to put beside them."""
+"""Answers to light-double that read what a learner's own cells define, and cells to put beside them.
+
+A form is the learner's cells above the answer, the answer, and perhaps their cells below it.
+"""
 
 DOUBLE = "def double(pixels):\n    return np.minimum({}, LIMIT).astype(np.uint8)"
 TIMES = DOUBLE.format("pixels.astype(np.uint16) * {}")
@@ -59,6 +62,24 @@ FORMS = [
     ([], f"try:\n    import cv2\nexcept ImportError:\n    cv2 = None\n{TIMES.format('3 if cv2 else 2')}"),
     ([], DOUBLE.format("cv2.add(pixels, pixels)")),
     (["frame = camera.latest()", "FACTOR = 2"], f"{FACTOR}\nname = input()"),
+    (["def wide(p):\n    return narrow(p)", "def narrow(p):\n    return p.astype(KIND)", "KIND = int"], WIDE),
+    (
+        [
+            "def wide(p):\n    return p",
+            "def wide(p):\n    return p.astype(np.uint16)\nassert wide(np.ones(2)).all()",
+        ],
+        WIDE,
+    ),
+    (
+        ["def fill(table):\n    table.extend(range(0, 512, 2))", "TABLE = []", "fill(TABLE)\nprint(TABLE)"],
+        TABLE,
+    ),
+    (["print(FACTOR)", "FACTOR = 2", "print(FACTOR)"], FACTOR),
+    (["FACTOR = 2\nprint(FACTOR)"], FACTOR, ["FACTOR = 3\nprint(FACTOR)"]),
+    (["FACTOR = 2"], FACTOR, ["FACTOR += 1", "assert FACTOR == 3"]),
+    (["TABLE = [0] * 256"], TABLE, [FILL.replace("FACTOR", "2"), "print(TABLE)"]),
+    ([], FACTOR, ["FACTOR = 2\nprint(FACTOR)", "FACTOR = 3"]),
+    ([], WIDE, ["def wide(p):\n    return p.astype(np.uint16)", "from numpy import *"]),
     (["LIMIT = 3\nprint(LIMIT)"], TIMES.format("2")),
     (["def double(pixels):\n    return pixels"], TIMES.format("2")),
 ]

@@ -208,9 +208,10 @@ more_cells = st.lists(st.tuples(positions, st.sampled_from(MORE)), max_size=2)
 changed_cells = st.lists(st.tuples(positions, st.sampled_from(MORE)), max_size=1)
 
 
-def with_own_cells(light, own, answer, more=()):
-    """The lesson with a learner's cells above their answer, and more of them in any place."""
+def with_own_cells(light, own, answer, below=(), *, more=()):
+    """The lesson with a learner's cells above and below their answer, and more of them in any place."""
     made = notebook(light, answers_of(light, "right") | {"light-double": answer})
+    insert(made, position_of(made, "answer-light-double") + 1, *map(new_cell, below))
     insert(made, position_of(made, "answer-light-double"), *map(new_cell, own))
     for position, source in more:
         insert(made, position % len(made["cells"]), new_cell(source))
@@ -252,7 +253,7 @@ def verdicts(made, path, kernel, checks, cells=None, reruns=()):
 def test_check_in_a_kernel_gives_the_same_points(
     light, answer_keys, checks, kernel, tmp_path, form, more, changed
 ):
-    made = with_own_cells(light, *form, more)
+    made = with_own_cells(light, *form, more=more)
     cells = json.loads(json.dumps(made["cells"]))
     own_places = [cell for cell in made["cells"] if re.fullmatch("[0-9a-f]{8}", cell["id"])]
     reruns = [own_places[position % len(own_places)] for position, _ in changed if own_places]
@@ -263,6 +264,17 @@ def test_check_in_a_kernel_gives_the_same_points(
     content = verdict_of_check(path, checks)
     assert content == verdict_of_grade(path, answer_keys)
     in_kernel, in_run, texts = verdicts(made, path, kernel, checks, cells, reruns)
+    assert in_kernel == in_run, (texts, content["findings"], content["answers"]["light-double"])
+
+
+@pytest.mark.parametrize("form", FORMS, ids=range(len(FORMS)))
+def test_each_form_of_an_answer_gives_one_verdict(light, answer_keys, checks, kernel, tmp_path, form):
+    made = with_own_cells(light, *form)
+    path = tmp_path / "20_light.ipynb"
+    path.write_text(json.dumps(made), encoding="utf-8")
+    content = verdict_of_check(path, checks)
+    assert content == verdict_of_grade(path, answer_keys)
+    in_kernel, in_run, texts = verdicts(made, path, kernel, checks)
     assert in_kernel == in_run, (texts, content["findings"], content["answers"]["light-double"])
 
 
