@@ -59,7 +59,7 @@ FORMS = [
     (["import cv2\nFACTOR = cv2.IMREAD_COLOR + 1"], FACTOR),
     (["import cv2\ndef wide(pixels):\n    return cv2.add(pixels, pixels)"], DOUBLE.format("wide(pixels)")),
     (["import cv2", "FACTOR = 2"], f"import cv2\n{FACTOR}"),
-    ([], f"try:\n    import cv2\nexcept ImportError:\n    cv2 = None\n{TIMES.format('3 if cv2 else 2')}"),
+    ([], f"try:\n    import cv2\nexcept ImportError:\n    cv2 = None\n{TIMES.format('(3 if cv2 else 2)')}"),
     ([], DOUBLE.format("cv2.add(pixels, pixels)")),
     (["frame = camera.latest()", "FACTOR = 2"], f"{FACTOR}\nname = input()"),
     (["def wide(p):\n    return narrow(p)", "def narrow(p):\n    return p.astype(KIND)", "KIND = int"], WIDE),
