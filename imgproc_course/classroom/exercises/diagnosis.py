@@ -55,7 +55,6 @@ _NOUNS = {
 _CUT_OFF = (
     "Some values are one too small, and none is wrong by more. Is the fraction cut off, instead of rounded?"
 )
-_ZEROS = "Every value of your result is 0. Is the result never stored in the array?"
 
 
 @dataclass(frozen=True)
@@ -244,10 +243,8 @@ def _advice_on_dtype(expected, actual, tolerance):
             return f"{text}: write np.where(mask, {max(levels)}, 0).astype(np.{dtype})."
         return f"{text}: return the numbers themselves, not where they are above 0."
     if same:
-        return (
-            f"{_RIGHT}; only the dtype is not: you return {actual_dtype}. End with"
-            f" .astype(np.{_dtype_name(dtype)})."
-        )
+        end = f"End with .astype(np.{_dtype_name(dtype)})."
+        return f"{_RIGHT}; only the dtype is not: you return {actual_dtype}. {end}"
     if values.dtype.kind in "iu" and actual_values.dtype.kind == "f":
         close = _same(values, actual_values, 0.5)
         return f"Round the values ({actual_dtype}), and end with .astype(np.{dtype})." if close else ""
@@ -279,9 +276,8 @@ def _shape_rules(expected, actual, given, name):
     """(whether it holds, advice) of each rule, the surest first; `given` are the shapes of the arguments."""
     shape, actual_shape = tuple(expected["shape"]), tuple(actual["shape"])
     values, actual_values = array_of(expected), array_of(actual)
-    can_be_transposed = actual_shape == shape[::-1] and values is not None
     yield (
-        can_be_transposed and _same(values.T, actual_values),
+        actual_shape == shape[::-1] and values is not None and _same(values.T, actual_values),
         "Rows and columns are exchanged: your result is the expected one, transposed.",
     )
     first = given[0] if given and name else ()
@@ -322,10 +318,8 @@ def _advice_on_size(shape, actual_shape, is_image):
             f" the image (np.pad) before you take the neighbours."
         )
     if rows == cols and rows in (2, 4):
-        return (
-            f"Your result has {rows} rows and {cols} columns too many. If you padded the image, cut the"
-            f" padding off."
-        )
+        advice = "If you padded the image, cut the padding off."
+        return f"Your result has {rows} rows and {cols} columns too many. {advice}"
     if rows == 0 and cols > 0:
         return (
             f"Your result is too wide: {actual_shape[1]} columns instead of {shape[1]}. Is padding left, or"
@@ -459,7 +453,7 @@ def _mirrored(axis):
 
 # (what the learner reads, the wrong values computed from the expected ones)
 _RELATIONS = (
-    (_ZEROS, lambda values: values * 0),
+    ("Every value of your result is 0. Is the result never stored in the array?", lambda values: values * 0),
     ("All signs are exchanged: minus should be plus, and plus minus.", lambda values: -values),
     ("The values are right but for the sign: negative values must stay negative, without abs().", np.abs),
     (

@@ -275,9 +275,7 @@ _ADVICE = {
         " colour image has a third: ask for len(image.shape) or image.ndim first."
     ),
     r"IndexError: .*index -?\d+ is out of bounds for axis (\d) with size (\d+)": _index_outside,
-    "IndexError: (?:list|string) index out of range": (
-        "Python counts from 0: the last index is len(...) - 1."
-    ),
+    "IndexError: (list|string) index out of range": "Python counts from 0: the last index is len(...) - 1.",
     "IndexError: .*(?:only integers, slices|arrays used as indices)": f"An index{_WHOLE}",
     "TypeError: .*(?:integers or slices, not float|slice indices must be integers)": f"An index{_WHOLE}",
     r"TypeError: .*'(?:numpy.)?float\d*' object cannot be interpreted as an integer": f"A count{_WHOLE}",
@@ -433,9 +431,7 @@ _ADVICE = {
     ),
     r"\w*TypeError: .*ufunc 'bitwise_(?:and|or)' not supported": _float_mask,
     "TypeError: .*boolean subtract": ("Masks cannot be subtracted. For True in a and not in b write a & ~b."),
-    r"\w*TypeError: .*(?:boolean negative|bad operand type for unary -: 'bool')": (
-        "For the opposite of a mask write ~mask."
-    ),
+    r"\w*TypeError: .*(boolean negative|unary -: 'bool')": "For the opposite of a mask write ~mask.",
     r"TypeError: .*only (?:0-dimensional|length-1) arrays can be converted.*\n.*math\.remainder\(": (
         "math.remainder takes one number, and this is a whole array. Wrap the angles one by one in a loop, or"
         " all at once: (angles + np.pi) % (2 * np.pi) - np.pi."
