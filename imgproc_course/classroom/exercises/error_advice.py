@@ -163,15 +163,6 @@ def _index_outside(match, source):
     )
 
 
-def _float_mask(_match, source):
-    if ast.Compare in map(type, _nodes(source)):
-        return "& and | combine masks. & is computed before > and <, so put each comparison in parentheses."
-    return (
-        "& and | combine masks (True and False) and whole numbers, and one of these arrays holds floats."
-        " np.zeros(shape) makes floats: for a mask write np.zeros(shape, dtype=bool)."
-    )
-
-
 def _typographic(match, _source):
     from imgproc_course.classroom.exercises.syntax_slips import plain_character  # few need it
 
@@ -255,226 +246,189 @@ def _not_in_numpy(match, _source):
     return f"NumPy has no {name}." + (f" Did you mean np.{similar[0]}?" if similar else "")
 
 
-_NO_POWER = "In Python ^ is not a power. Write a ** 2 for a square."
-_WHOLE = (
-    " is a whole number, and / makes a float. Divide whole numbers with //; with floats, // gives a float"
-    " too: use int(), or .astype(int) for an array."
-)
-
-# {pattern of the error as Python prints it, and of the line that raised: advice}; the first match counts.
-# An advice is a template for the match, or a function of the match and the line.
-_ADVICE = {
+# {pattern of an error as Python prints it: a function of the match and of the line that raised}
+_RULES = {
     "ValueError: .*truth value of an (?:empty )?array": _ambiguous,
-    # ---- indices and shapes
-    r"IndexError: tuple index out of range.*\n.*\.shape\[(?:[3-9]|\d\d)": (
-        "The tuple has fewer parts. Python counts from 0: shape[0] is the number of rows, shape[1] of"
-        " columns, and shape[2] of channels, if the image has colours."
-    ),
-    "IndexError: tuple index out of range": (
-        "The tuple has fewer parts. The shape of a gray image has two numbers, (rows, columns), and only a"
-        " colour image has a third: ask for len(image.shape) or image.ndim first."
-    ),
     r"IndexError: .*index -?\d+ is out of bounds for axis (\d) with size (\d+)": _index_outside,
-    "IndexError: (list|string) index out of range": "Python counts from 0: the last index is len(...) - 1.",
-    "IndexError: .*(?:only integers, slices|arrays used as indices)": f"An index{_WHOLE}",
-    "TypeError: .*(?:integers or slices, not float|slice indices must be integers)": f"An index{_WHOLE}",
-    r"TypeError: .*'(?:numpy.)?float\d*' object cannot be interpreted as an integer": f"A count{_WHOLE}",
-    "TypeError: list indices must be integers or slices, not tuple": (
-        "A list takes one index at a time: values[row][col]. Or make an array of it: np.array(values)."
-    ),
-    "TypeError: string indices must be integers": (
-        "The name before the brackets holds a text, not a dictionary. Does the variable of a loop have the"
-        " same name as the dictionary, and overwrite it? Give it another name."
-    ),
-    r"IndexError: too many indices .*: array is (\d)-dimensional, but (\d) were indexed": (
-        r"The array has \1 axes, and you give \2 indices. A gray image has rows and columns only; channels"
-        " are the third axis of a colour image."
-    ),
-    "IndexError: boolean index did not match": (
-        "A mask chooses values of an array of its own shape. These two have different shapes."
-    ),
     "ValueError: (.*could not (?:be )?broadcast.*)": _broadcast,
     r"ValueError: cannot reshape array of size (\d+) into shape \(([-\d, newaxis]+)\)": _reshape,
-    r"TypeError: Cannot interpret '\d+' as a data type": (
-        "The shape is one argument, in parentheses of its own: np.zeros((rows, columns))."
-    ),
-    r"ValueError: .*\(size (\d+) is different from (\d+)\).*\n.*(?:diag|\.T)": (
-        r"@ needs as many columns on its left as rows on its right: here \2 and \1. Which shape has each"
-        " part? np.diag of n numbers is n × n. With points in rows, (N, 3), a.T @ b is 3 × 3, and a @ b.T is"
-        " N × N."
-    ),
-    r"ValueError: .*\(size (\d+) is different from (\d+)\)": (
-        r"@ needs as many columns on its left as rows on its right: here \2 and \1. Which shape has each"
-        " part? (Value by value, arrays are multiplied with *.)"
-    ),
-    "ValueError: .*does not have enough dimensions": (
-        "On one side of @ stands a single number. mean() and sum() without axis give one number for the whole"
-        " array; with axis=0 they give one for each column."
-    ),
-    "ValueError: (?:shapes .* not aligned|.*matmul)": (
-        "@ and np.dot need as many columns on the left as rows on the right. Which shape has each part?"
-        " (Value by value, arrays are multiplied with *.)"
-    ),
-    "LinAlgError: .*Singular matrix": (
-        "The equations have no single solution: a row or a column of the matrix is 0, or follows from others."
-        " Is each unknown in an equation, and is what must stay fixed left out?"
-    ),
-    # ---- names, fields, calls
     r"NameError: name '(\w+)' is not defined": _unknown_name,
-    r"UnboundLocalError: .*local variable '(\w+)'": (
-        r"\1 gets its value inside an if or a loop, and that did not run for this input. Give \1 a start"
-        " value before it."
-    ),
-    r"TypeError: .*'(tuple|numpy\.ndarray|list|dict)' object is not callable": (
-        r"A \1 is not a function: round brackets call. Its parts are taken with square brackets, as in"
-        " shape[0]."
-    ),
-    "TypeError: .*'str' object is not callable": (
-        "Round brackets call a function, and this is a text. Does it come from a loop over a dict? The loop"
-        " gives the keys; the value of a key is d[key], with the name of the dict for d."
-    ),
-    r"TypeError: .*'([\w.]+)' object is not callable": (
-        r"Round brackets call a function, and this is a value of type \1. Leave the brackets out; or is a *"
-        " missing before them?"
-    ),
-    "TypeError: .*'NoneType'|AttributeError: 'NoneType' object": (
-        "A value here is None. Functions without return give None, and so do methods that work in place, such"
-        " as list.sort() and list.append(): call them on a line of their own, or use sorted(values)."
-    ),
-    r"AttributeError: 'numpy\.ndarray' object has no attribute '(height|width)'": (
-        r"An array has no .\1: its rows are .shape[0], its columns .shape[1]."
-    ),
-    r"AttributeError: 'numpy\.ndarray' object has no attribute '(?:append|extend|add)'": (
-        "An array cannot grow. Make it in its full size, or collect the values in a list."
-    ),
-    r"AttributeError: 'numpy\.ndarray' object has no attribute 'reverse'": (
-        "An array has no .reverse(). A slice with the step -1 goes backwards: ::-1."
-    ),
-    r"AttributeError: .* object has no attribute 'join'": (
-        'join is a method of the text that stands between the parts: "/".join(parts).'
-    ),
-    "AttributeError: '(list|tuple)' object has no attribute '(shape|astype|dtype|mean|sum|max|min)'": (
-        r"A \1 has no .\2. Make an array of it first: np.array(values)."
-    ),
-    "AttributeError: '(int|float|bool)' object has no attribute '(?:astype|shape)'": (
-        r"This is a single number (\1), not an array. For numbers use int() or float()."
-    ),
-    r"AttributeError: '[\w.]*(?:SimpleNamespace|Image)' object has no attribute '(\w+)'": (
-        r"A message has no field \1; print(message) shows its fields."
-    ),
     r"AttributeError: module 'numpy' has no attribute '(\w+)'": _not_in_numpy,
-    r"TypeError: .*'[\w.]*(?:function|method)\w*' object is not subscriptable": (
-        "This is a function. Call it with round brackets; square brackets take a part of a value."
-    ),
-    r"TypeError: .*'(?:int|float|numpy\.(?:float64|uint8|int64))' object is not subscriptable": (
-        "This is a single number, and it has no parts to take with square brackets."
-    ),
-    r"""TypeError: .*' object is not subscriptable.*\n.*\[["']""": (
-        'This object has fields, not keys: write message.height, with a dot, instead of message["height"].'
-    ),
-    r"TypeError: .*'(?:int|float|numpy\.\w+)' object does not support item assignment": (
-        "The name before the brackets holds a single number. Was it overwritten before? a = a[mask] = 255"
-        " stores 255 in a, too: write a[mask] = 255 alone."
-    ),
-    r"KeyError: ([^\n]+)": (
-        r"The dictionary has no key \1. Use the keys that it has: a loop over a dictionary gives them."
-    ),
-    r"(?:ValueError|TypeError): .*got <function": (
-        "A function stands where its result is needed. Call it, with its argument in round brackets."
-    ),
-    "RecursionError": (
-        "Your function calls itself and never ends. Mark what it has visited already before it calls itself"
-        " again, or use a loop."
-    ),
-    r"ModuleNotFoundError: No module named '([\w.]+)'": (
-        r"No library with the name \1 is installed here. Write the computation yourself, with NumPy."
-    ),
-    # ---- several names on the left
-    r"ValueError: (?:too many|not enough) values to unpack \(expected (\d+).*\n.*\.shape": (
-        r"The shape has another number of parts than the \1 names on the left. A colour image has three,"
-        " rows, columns and channels; a gray image has two. .shape[:2] are the first two."
-    ),
-    r"ValueError: (?:too many|not enough) values to unpack .*\nfor .+ in [^()\[\]]+,": (
-        "To go through two sequences together write zip: for a, b in zip(first, second):"
-    ),
-    r"ValueError: (?:too many|not enough) values to unpack .*\nfor ": (
-        "A loop over a dictionary gives only its keys. For keys and values write dictionary.items()."
-    ),
-    r"ValueError: (?:too many|not enough) values to unpack \(expected (\d+)": (
-        r"There are \1 names on the left; the value on the right has another number of parts. An array is"
-        " unpacked row by row."
-    ),
-    r"TypeError: cannot unpack non-iterable .*\nfor ": (
-        "Each value of this loop is a single number, and several names stand for it. For all pixels write two"
-        " loops, one inside the other: for row in range(height): and for col in range(width):"
-    ),
-    r"TypeError: cannot unpack non-iterable ([\w.]+) object": (
-        r"Several names stand on the left, and the value on the right is a single \1."
-    ),
-    # ---- operators and numbers
-    r"TypeError: .*unsupported operand type\(s\) for /: 'str' and 'str'": (
-        'Texts cannot be joined with /, only a Path can: Path(a) / b. Or write an f-string, f"{a}/{b}".'
-    ),
-    r"TypeError: (?:unsupported operand type\(s\) for .*'str'|can only concatenate str)": (
-        "A text and another value cannot be combined in this way. An f-string writes both into a text."
-    ),
-    r"TypeError: .*unsupported operand type\(s\) for \^": _NO_POWER,
-    r"\w*TypeError: .*ufunc 'bitwise_xor' not supported": _NO_POWER,
-    r"TypeError: .*unsupported operand type\(s\) for .*'tuple'": (
-        "A tuple does no arithmetic. Take its numbers one by one, as in first[0] - second[0]."
-    ),
-    r"TypeError: .*unsupported operand type\(s\) for .*'list'": (
-        "A list does no arithmetic. Make an array of it first: np.array(values)."
-    ),
-    r"TypeError: .*join\(\) takes exactly one argument": (
-        'join takes one list of the parts, in square brackets: "/".join([first, second]).'
-    ),
-    r"\w*TypeError: .*ufunc 'bitwise_(?:and|or)' not supported": _float_mask,
-    "TypeError: .*boolean subtract": ("Masks cannot be subtracted. For True in a and not in b write a & ~b."),
-    r"\w*TypeError: .*(boolean negative|unary -: 'bool')": "For the opposite of a mask write ~mask.",
-    r"TypeError: .*only (?:0-dimensional|length-1) arrays can be converted.*\n.*math\.remainder\(": (
-        "math.remainder takes one number, and this is a whole array. Wrap the angles one by one in a loop, or"
-        " all at once: (angles + np.pi) % (2 * np.pi) - np.pi."
-    ),
-    "TypeError: .*only (?:0-dimensional|length-1) arrays can be converted": (
-        "int(), float() and the functions of math take one number, and this is a whole array."
-        " array.astype(...) changes the dtype of all values; NumPy has functions for arrays, such as"
-        " np.log10."
-    ),
-    r"TypeError: int\(\) argument .* not 'list'": "One number is needed here, and this is a whole list.",
-    "ValueError: .*setting an array element with a sequence": (
-        "One element of an array holds one number, and here a whole list or array is stored in it. Make one"
-        " number of it first, for example with .sum()."
-    ),
-    r"OverflowError: .*Python integer (-?\d+) out of bounds for (\w+)": (
-        r"\1 does not fit into \2, the dtype of the array, so the values would overflow: widen the array"
-        " first, as in astype(np.uint32)."
-    ),
-    r"_?UFunc\w+: Cannot cast ufunc '\w+' output from dtype\('(\w+)'\) to dtype\('(\w+)'\)": (
-        r"The result is \1, and the array on the left holds \2. Write a = a + b instead of a += b, or widen"
-        " the array first with astype."
-    ),
     "ZeroDivisionError": _zero_division,
-    "ValueError: .*cannot convert float NaN to integer": (
-        "NaN is the result of 0 divided by 0: a sum of nothing, or of zeros. Test for that before you divide."
-    ),
-    r"ValueError: (min|max)\(\) (?:arg is an empty sequence|iterable argument is empty)": (
-        r"\1() of nothing is an error, and here there is nothing to compare. Test for this first, or give a"
-        r" value for it: \1(..., default=...)."
-    ),
-    "ValueError: .*(?:zero-size array|of an empty sequence)": (
-        "The array has no values here: an empty array has no maximum and no minimum."
-    ),
-    "ValueError: .*read-only": "This array cannot be written to. Work on a copy: array.copy().",
-    "ValueError: .*buffer size must be a multiple of element size": (
-        "Without dtype np.frombuffer reads float64, eight bytes for each value; uint16 takes two bytes, uint8"
-        " one byte. Which dtype have the bytes?"
-    ),
-    "error: .*in function 'imread'": (
-        "cv2.imread reads a file by its name, and this is an array already: use cv2.cvtColor."
-    ),
-    # ---- what Python cannot read, and keys of dictionaries
-    r"SyntaxError: .*invalid syntax.*\n.*[&|]\s*not\b": "After & and | write ~ for not: a & ~b.",
     r"SyntaxError: invalid (?:non-printable )?character (?:'(.)' \()?U\+([0-9A-F]+)": _typographic,
     r"TypeError: .*(?:unhashable type|use): '([\w.]+)'": _unhashable,
 }
+
+# A pattern of an error as Python prints it, and of the line that raised where that counts; below it what the
+# error means, a template for the match. The first pattern that matches counts.
+_PHRASES = r"""
+IndexError: tuple index out of range.*\n.*\.shape\[(?:[3-9]|\d\d)
+    The tuple has fewer parts. Python counts from 0: shape[0] is the number of rows, shape[1] of columns, and
+    shape[2] of channels, if the image has colours.
+IndexError: tuple index out of range
+    The tuple has fewer parts. The shape of a gray image has two numbers, (rows, columns), and only a colour
+    image has a third: ask for len(image.shape) or image.ndim first.
+IndexError: (list|string) index out of range
+    Python counts from 0: the last index is len(...) - 1.
+(Index|Type)Error: .*(only integers, slices|used as indices|slices, not float|slice indices must be integers)
+    An index is a whole number, and / makes a float. Divide whole numbers with //; with floats, // gives a
+    float too: use int(), or .astype(int) for an array.
+TypeError: .*'(?:numpy.)?float\d*' object cannot be interpreted as an integer
+    A count is a whole number, and / makes a float. Divide whole numbers with //; with floats, // gives a
+    float too: use int(), or .astype(int) for an array.
+TypeError: list indices must be integers or slices, not tuple
+    A list takes one index at a time: values[row][col]. Or make an array of it: np.array(values).
+TypeError: string indices must be integers
+    The name before the brackets holds a text, not a dictionary. Does the variable of a loop have the same
+    name as the dictionary, and overwrite it? Give it another name.
+IndexError: too many indices .*: array is (\d)-dimensional, but (\d) were indexed
+    The array has \1 axes, and you give \2 indices. A gray image has rows and columns only; channels are the
+    third axis of a colour image.
+IndexError: boolean index did not match
+    A mask chooses values of an array of its own shape. These two have different shapes.
+TypeError: Cannot interpret '\d+' as a data type
+    The shape is one argument, in parentheses of its own: np.zeros((rows, columns)).
+ValueError: .*\(size (\d+) is different from (\d+)\).*\n.*(?:diag|\.T)
+    @ needs as many columns on its left as rows on its right: here \2 and \1. Which shape has each part?
+    np.diag of n numbers is n × n. With points in rows, (N, 3), a.T @ b is 3 × 3, and a @ b.T is N × N.
+ValueError: .*\(size (\d+) is different from (\d+)\)
+    @ needs as many columns on its left as rows on its right: here \2 and \1. Which shape has each part?
+    (Value by value, arrays are multiplied with *.)
+ValueError: .*does not have enough dimensions
+    On one side of @ stands a single number. mean() and sum() without axis give one number for the whole
+    array; with axis=0 they give one for each column.
+ValueError: (?:shapes .* not aligned|.*matmul)
+    @ and np.dot need as many columns on the left as rows on the right. Which shape has each part? (Value by
+    value, arrays are multiplied with *.)
+LinAlgError: .*Singular matrix
+    The equations have no single solution: a row or a column of the matrix is 0, or follows from others. Is
+    each unknown in an equation, and is what must stay fixed left out?
+
+UnboundLocalError: .*local variable '(\w+)'
+    \1 gets its value inside an if or a loop, and that did not run for this input. Give \1 a start value
+    before it.
+TypeError: .*'(tuple|numpy\.ndarray|list|dict)' object is not callable
+    A \1 is not a function: round brackets call. Its parts are taken with square brackets, as in shape[0].
+TypeError: .*'str' object is not callable
+    Round brackets call a function, and this is a text. Does it come from a loop over a dict? The loop gives
+    the keys; the value of a key is d[key], with the name of the dict for d.
+TypeError: .*'([\w.]+)' object is not callable
+    Round brackets call a function, and this is a value of type \1. Leave the brackets out; or is a * missing
+    before them?
+TypeError: .*'NoneType'|AttributeError: 'NoneType' object
+    A value here is None. Functions without return give None, and so do methods that work in place, such as
+    list.sort() and list.append(): call them on a line of their own, or use sorted(values).
+AttributeError: 'numpy\.ndarray' object has no attribute '(height|width)'
+    An array has no .\1: its rows are .shape[0], its columns .shape[1].
+AttributeError: 'numpy\.ndarray' object has no attribute '(?:append|extend|add)'
+    An array cannot grow. Make it in its full size, or collect the values in a list.
+AttributeError: 'numpy\.ndarray' object has no attribute 'reverse'
+    An array has no .reverse(). A slice with the step -1 goes backwards: ::-1.
+AttributeError: .* object has no attribute 'join'
+    join is a method of the text that stands between the parts: "/".join(parts).
+AttributeError: '(list|tuple)' object has no attribute '(shape|astype|dtype|mean|sum|max|min)'
+    A \1 has no .\2. Make an array of it first: np.array(values).
+AttributeError: '(int|float|bool)' object has no attribute '(?:astype|shape)'
+    This is a single number (\1), not an array. For numbers use int() or float().
+AttributeError: '[\w.]*(?:SimpleNamespace|Image)' object has no attribute '(\w+)'
+    A message has no field \1; print(message) shows its fields.
+TypeError: .*'[\w.]*(?:function|method)\w*' object is not subscriptable
+    This is a function. Call it with round brackets; square brackets take a part of a value.
+TypeError: .*'(?:int|float|numpy\.(?:float64|uint8|int64))' object is not subscriptable
+    This is a single number, and it has no parts to take with square brackets.
+TypeError: .*' object is not subscriptable.*\n.*\[["']
+    This object has fields, not keys: write message.height, with a dot, instead of message["height"].
+TypeError: .*'(?:int|float|numpy\.\w+)' object does not support item assignment
+    The name before the brackets holds a single number. Was it overwritten before? a = a[mask] = 255 stores
+    255 in a, too: write a[mask] = 255 alone.
+KeyError: ([^\n]+)
+    The dictionary has no key \1. Use the keys that it has: a loop over a dictionary gives them.
+(?:ValueError|TypeError): .*got <function
+    A function stands where its result is needed. Call it, with its argument in round brackets.
+RecursionError
+    Your function calls itself and never ends. Mark what it has visited already before it calls itself again,
+    or use a loop.
+ModuleNotFoundError: No module named '([\w.]+)'
+    No library with the name \1 is installed here. Write the computation yourself, with NumPy.
+
+ValueError: (?:too many|not enough) values to unpack \(expected (\d+).*\n.*\.shape
+    The shape has another number of parts than the \1 names on the left. A colour image has three, rows,
+    columns and channels; a gray image has two. .shape[:2] are the first two.
+ValueError: (?:too many|not enough) values to unpack .*\nfor .+ in [^()\[\]]+,
+    To go through two sequences together write zip: for a, b in zip(first, second):
+ValueError: (?:too many|not enough) values to unpack .*\nfor\b
+    A loop over a dictionary gives only its keys. For keys and values write dictionary.items().
+ValueError: (?:too many|not enough) values to unpack \(expected (\d+)
+    There are \1 names on the left; the value on the right has another number of parts. An array is unpacked
+    row by row.
+TypeError: cannot unpack non-iterable .*\nfor\b
+    Each value of this loop is a single number, and several names stand for it. For all pixels write two
+    loops, one inside the other: for row in range(height): and for col in range(width):
+TypeError: cannot unpack non-iterable ([\w.]+) object
+    Several names stand on the left, and the value on the right is a single \1.
+
+TypeError: .*unsupported operand type\(s\) for /: 'str' and 'str'
+    Texts cannot be joined with /, only a Path can: Path(a) / b. Or write an f-string, f"{a}/{b}".
+TypeError: (?:unsupported operand type\(s\) for .*'str'|can only concatenate str)
+    A text and another value cannot be combined in this way. An f-string writes both into a text.
+\w*TypeError: .*(unsupported operand type\(s\) for \^|ufunc 'bitwise_xor' not supported)
+    In Python ^ is not a power. Write a ** 2 for a square.
+\w*TypeError: .*ufunc 'bitwise_(?:and|or)' not supported.*\n.*(?:[<>]|[=!]=)
+    & and | combine masks. & is computed before > and <, so put each comparison in parentheses.
+\w*TypeError: .*ufunc 'bitwise_(?:and|or)' not supported
+    & and | combine masks (True and False) and whole numbers, and one of these arrays holds floats.
+    np.zeros(shape) makes floats: for a mask write np.zeros(shape, dtype=bool).
+TypeError: .*unsupported operand type\(s\) for .*'tuple'
+    A tuple does no arithmetic. Take its numbers one by one, as in first[0] - second[0].
+TypeError: .*unsupported operand type\(s\) for .*'list'
+    A list does no arithmetic. Make an array of it first: np.array(values).
+TypeError: .*join\(\) takes exactly one argument
+    join takes one list of the parts, in square brackets: "/".join([first, second]).
+TypeError: .*boolean subtract
+    Masks cannot be subtracted. For True in a and not in b write a & ~b.
+\w*TypeError: .*(boolean negative|unary -: 'bool')
+    For the opposite of a mask write ~mask.
+TypeError: .*only (?:0-dimensional|length-1) arrays can be converted.*\n.*math\.remainder\(
+    math.remainder takes one number, and this is a whole array. Wrap the angles one by one in a loop, or all
+    at once: (angles + np.pi) % (2 * np.pi) - np.pi.
+TypeError: .*only (?:0-dimensional|length-1) arrays can be converted
+    int(), float() and the functions of math take one number, and this is a whole array. array.astype(...)
+    changes the dtype of all values; NumPy has functions for arrays, such as np.log10.
+TypeError: int\(\) argument .* not 'list'
+    One number is needed here, and this is a whole list.
+ValueError: .*setting an array element with a sequence
+    One element of an array holds one number, and here a whole list or array is stored in it. Make one number
+    of it first, for example with .sum().
+OverflowError: .*Python integer (-?\d+) out of bounds for (\w+)
+    \1 does not fit into \2, the dtype of the array, so the values would overflow: widen the array first, as
+    in astype(np.uint32).
+_?UFunc\w+: Cannot cast ufunc '\w+' output from dtype\('(\w+)'\) to dtype\('(\w+)'\)
+    The result is \1, and the array on the left holds \2. Write a = a + b instead of a += b, or widen the
+    array first with astype.
+ValueError: .*cannot convert float NaN to integer
+    NaN is the result of 0 divided by 0: a sum of nothing, or of zeros. Test for that before you divide.
+ValueError: (min|max)\(\) (?:arg is an empty sequence|iterable argument is empty)
+    \1() of nothing is an error, and here there is nothing to compare. Test for this first, or give a value
+    for it: \1(..., default=...).
+ValueError: .*(?:zero-size array|of an empty sequence)
+    The array has no values here: an empty array has no maximum and no minimum.
+ValueError: .*read-only
+    This array cannot be written to. Work on a copy: array.copy().
+ValueError: .*buffer size must be a multiple of element size
+    Without dtype np.frombuffer reads float64, eight bytes for each value; uint16 takes two bytes, uint8 one
+    byte. Which dtype have the bytes?
+error: .*in function 'imread'
+    cv2.imread reads a file by its name, and this is an array already: use cv2.cvtColor.
+
+SyntaxError: .*invalid syntax.*\n.*[&|]\s*not\b
+    After & and | write ~ for not: a & ~b.
+"""
+
+
+def _read_phrases(text):
+    """{pattern: advice} of a text in which each advice stands, indented, below its pattern."""
+    entries = (entry.split("\n", 1) for entry in re.split(r"\n+(?=\S)", text.strip()))
+    return {pattern: " ".join(advice.split()) for pattern, advice in entries}
+
+
+_ADVICE = _RULES | _read_phrases(_PHRASES)
