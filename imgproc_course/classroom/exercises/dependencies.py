@@ -121,14 +121,12 @@ def _names_unbound(statements):
 
 
 def tree_as_graded(source, allowed):
-    """The syntax tree of a source in which other modules cannot be imported; None without such an import."""
+    """The syntax tree of a source in which other modules cannot be imported; None if it does not parse."""
     try:
         tree = ast.parse(source)
     except UNPARSABLE:
         return None
-    visitor = _AsGraded(allowed)
-    tree = ast.fix_missing_locations(visitor.visit(tree))
-    return tree if visitor.has_changed else None
+    return ast.fix_missing_locations(_AsGraded(allowed).visit(tree))
 
 
 class _AsGraded(ast.NodeTransformer):
@@ -140,7 +138,7 @@ class _AsGraded(ast.NodeTransformer):
 
     def __init__(self, allowed):
         self._allowed, self._is_guarded, self._is_inside = allowed, False, False
-        self.refused, self.has_changed = {}, False
+        self.refused = {}
 
     def visit(self, node):
         if isinstance(node, (ast.Import, ast.ImportFrom)):
@@ -169,7 +167,6 @@ class _AsGraded(ast.NodeTransformer):
             self.refused.setdefault(refused, name)
         if self._is_inside and not self._is_guarded:
             return node
-        self.has_changed = True
         text = f"write this exercise without {refused}"
         failure = f"raise ModuleNotFoundError({text!r}, name={refused!r})"
         (statement,) = ast.parse(failure if self._is_guarded else "pass").body

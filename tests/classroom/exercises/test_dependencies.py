@@ -69,9 +69,9 @@ def test_what_is_given_needs_no_permission_and_a_value_of_such_a_name_is_no_modu
 @pytest.mark.parametrize(
     ("source", "after"),
     [
-        ("import numpy as np\nx = 1", None),
+        ("import numpy as np\nx = 1", "import numpy as np\nx = 1"),
         ("import cv2\nx = 1", "pass\nx = 1"),
-        ("def f():\n    import cv2", None),  # an answer that comes so far is refused
+        ("def f():\n    import cv2", "def f():\n    import cv2"),  # an answer that comes so far is refused
         (
             "try:\n    import cv2\nexcept ImportError:\n    pass",
             "try:\n    raise ModuleNotFoundError('write this exercise without cv2', name='cv2')\n"
@@ -80,8 +80,11 @@ def test_what_is_given_needs_no_permission_and_a_value_of_such_a_name_is_no_modu
     ],
 )
 def test_modules_that_are_not_allowed_cannot_be_imported(source, after):
-    tree = tree_as_graded(source, ())
-    assert (ast.unparse(tree) if tree else None) == after
+    assert ast.unparse(tree_as_graded(source, ())) == after
+
+
+def test_what_python_cannot_read_has_no_tree():
+    assert tree_as_graded("def (", ()) is None
 
 
 def test_bound_names():
