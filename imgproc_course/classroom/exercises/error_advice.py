@@ -11,22 +11,6 @@ import re
 
 import numpy as np
 
-# Where a name comes from that learners use without its import.
-_IMPORTS = {
-    "np": "import numpy as np",
-    "plt": "import matplotlib.pyplot as plt",
-    "Path": "from pathlib import Path",
-    "SimpleNamespace": "from types import SimpleNamespace",
-    "ndimage": "from scipy import ndimage",
-    **{
-        name: f"import {name}"
-        for name in ("math", "cv2", "os", "sys", "random", "itertools", "struct", "time")
-    },
-    **{name: f"from math import {name}" for name in ("sqrt", "log10", "log", "floor", "ceil", "pi", "inf")},
-    **{name: f"from math import {name}" for name in ("sin", "cos", "tan", "atan2", "hypot", "radians")},
-    "norm": "from numpy.linalg import norm",
-}
-
 
 def advice_on(error, message, line="", parameters=None, function=""):
     """What an error (its type's name, message and line) means and what to do; "" if nothing is certain."""
@@ -227,16 +211,6 @@ def _zero_division(_match, source):
     return f"{divisors[0] if is_named else 'The divisor'} is 0 for this input. Test for 0 before you divide."
 
 
-def _unknown_name(match, _source):
-    name = match[1]
-    if name in _IMPORTS:
-        return f"The name {name} is not known in this cell. Write its import line in it: {_IMPORTS[name]}"
-    return (
-        f"Nothing has the name {name} here. Is it spelled as above? If another cell defines or imports"
-        f" it, write its definition or its import line in this cell; if it is a text, put it in quotes."
-    )
-
-
 def _not_in_numpy(match, _source):
     name = match[1]
     for home in ("linalg", "random"):
@@ -252,7 +226,6 @@ _RULES = {
     r"IndexError: .*index -?\d+ is out of bounds for axis (\d) with size (\d+)": _index_outside,
     "ValueError: (.*could not (?:be )?broadcast.*)": _broadcast,
     r"ValueError: cannot reshape array of size (\d+) into shape \(([-\d, newaxis]+)\)": _reshape,
-    r"NameError: name '(\w+)' is not defined": _unknown_name,
     r"AttributeError: module 'numpy' has no attribute '(\w+)'": _not_in_numpy,
     "ZeroDivisionError": _zero_division,
     r"SyntaxError: invalid (?:non-printable )?character (?:'(.)' \()?U\+([0-9A-F]+)": _typographic,
@@ -304,6 +277,25 @@ LinAlgError: .*Singular matrix
     The equations have no single solution: a row or a column of the matrix is 0, or follows from others. Is
     each unknown in an equation, and is what must stay fixed left out?
 
+NameError: name '(math|cv2|os|sys|random|itertools|struct|time)' is not defined
+    The name \1 is not known in this cell. Write its import line in it: import \1
+NameError: name '(sqrt|log10|log|floor|ceil|pi|inf|sin|cos|tan|atan2|hypot|radians)' is not defined
+    The name \1 is not known in this cell. Write its import line in it: from math import \1
+NameError: name '(np)' is not defined
+    The name \1 is not known in this cell. Write its import line in it: import numpy as \1
+NameError: name '(plt)' is not defined
+    The name \1 is not known in this cell. Write its import line in it: import matplotlib.pyplot as \1
+NameError: name '(Path)' is not defined
+    The name \1 is not known in this cell. Write its import line in it: from pathlib import \1
+NameError: name '(SimpleNamespace)' is not defined
+    The name \1 is not known in this cell. Write its import line in it: from types import \1
+NameError: name '(ndimage)' is not defined
+    The name \1 is not known in this cell. Write its import line in it: from scipy import \1
+NameError: name '(norm)' is not defined
+    The name \1 is not known in this cell. Write its import line in it: from numpy.linalg import \1
+NameError: name '(\w+)' is not defined
+    Nothing has the name \1 here. Is it spelled as above? If another cell defines or imports it, write its
+    definition or its import line in this cell; if it is a text, put it in quotes.
 UnboundLocalError: .*local variable '(\w+)'
     \1 gets its value inside an if or a loop, and that did not run for this input. Give \1 a start value
     before it.
