@@ -11,6 +11,7 @@ import re
 import symtable
 from dataclasses import dataclass
 from functools import cache, cached_property, lru_cache
+from typing import NamedTuple
 
 MOST_CACHED = 5_000  # characters: most cells are the lesson's own, in every notebook; a long one costs memory
 UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
@@ -19,6 +20,7 @@ ANSWER_MARK = "# The answer cell:"  # the line between what is taken along and t
 _TAKEN_MARK = "# From other cells of the notebook, because the answer reads it:"
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef)
 _DEFINITIONS = (*_FUNCTIONS, ast.ClassDef)
+_KINDS = dict.fromkeys(_FUNCTIONS, "function") | {ast.ClassDef: "class", ast.Expr: "expression"}
 _EXPRESSIONS_WITH_NAMES = (ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 _MAGIC = re.compile(
     r"^(?P<indent>[ \t]*)(?![ \t])"
@@ -315,20 +317,15 @@ def _names_changed(statement):
 
 
 def _kind_of(node):
-    if isinstance(node, _FUNCTIONS):
-        return "function"
-    if isinstance(node, ast.ClassDef):
-        return "class"
     if isinstance(node, (ast.Import, ast.ImportFrom)):
         is_plain = node.names[0].name != "*" and getattr(node, "module", "") != "__future__"
         return "import" if is_plain else "other"
-    if isinstance(node, ast.Expr):
-        return "expression"
     targets = node.targets if isinstance(node, ast.Assign) else []
     if isinstance(node, ast.AnnAssign) and node.value is not None:
         targets = [node.target]
     names = [name for target in targets for name in getattr(target, "elts", [target])]
-    return "value" if names and all(isinstance(name, ast.Name) for name in names) else "other"
+    is_value = names and all(isinstance(name, ast.Name) for name in names)
+    return _KINDS.get(type(node), "value" if is_value else "other")
 
 
 def _names_read(source):
@@ -400,6 +397,14 @@ class Taken:
     cell: int
 
 
+class _Place(NamedTuple):
+    """A Statement with its number in its cell, and the number of that cell."""
+
+    cell: int
+    number: int
+    statement: Statement
+
+
 class CellDefinitions:
     """What the cells of a notebook define: sources of code, and None for another cell."""
 
@@ -424,17 +429,17 @@ class CellDefinitions:
         definitions, names = places.of(names_needed(statements, function) - set(given))
         if not definitions:
             return answer, ()
-        text = "\n\n".join(statement.source for _, _, statement in definitions)
+        text = "\n\n".join(place.statement.source for place in definitions)
         return f"{_TAKEN_MARK}\n{text}\n\n{ANSWER_MARK}\n{answer}", _taken(definitions, names)
 
     @cached_property
     def _places_by_name(self):
-        """{name: [(cell, number of the statement, Statement)] of all that bind or change it}, in order."""
+        """{name: the places of all that bind or change it, in order}."""
         index = {}
         for cell, source in enumerate(self._cells):
             for number, statement in enumerate(statements_of(source or "")):
                 for name in statement.binds | statement.changes:
-                    index.setdefault(name, []).append((cell, number, statement))
+                    index.setdefault(name, []).append(_Place(cell, number, statement))
         return index
 
 
@@ -466,15 +471,16 @@ class _Slice:
     def of(self, names):
         """(the places that count, in the notebook's order; all names that they and the answer read)."""
         names = self._closure(names)
-        places = {place: statement for name in names for place, statement in self._places(name).items()}
+        places = {place for name in names for place in self._places(name)}
         wanted, taken = set(names), []
-        for place, statement in sorted(places.items(), key=lambda item: item[0], reverse=True):
+        for place in sorted(places, reverse=True):
+            statement = place.statement
             if any(place in self._places(name) for name in (statement.binds | statement.changes) & wanted):
-                taken.append((*place, statement))
+                taken.append(place)
                 wanted -= statement.binds if statement.kind != "other" else set()
                 wanted |= self._closure(self._reads(statement))
         stars = self._imports_of_everything({name for name in names if not self._places(name)})
-        return sorted([*taken, *stars], key=lambda place: place[:2]), names
+        return sorted([*taken, *stars]), names
 
     def _closure(self, names):
         """The names, and all that their definitions read."""
@@ -483,9 +489,8 @@ class _Slice:
             name = waiting.pop()
             if name not in known_names:
                 known_names.add(name)
-                waiting += [
-                    read for statement in self._places(name).values() for read in self._reads(statement)
-                ]
+                for place in self._places(name):
+                    waiting += self._reads(place.statement)
         return known_names
 
     def _reads(self, statement):
@@ -493,23 +498,20 @@ class _Slice:
         return statement.reads - self._given - (set() if statement.is_value else self._own_names)
 
     def _find_places(self, name):
-        """{(cell, number): Statement} of what binds or changes a name; empty if no cell binds it."""
+        """What binds or changes a name; [] if no cell binds it."""
         is_builtin = hasattr(builtins, name)
         places = [
             place
             for place in self._index.get(name, ())
-            if place[0] != self._position
-            and not place[2].binds & self._given
-            and not (is_builtin and (place[2].is_value or place[0] > self._position))
+            if place.cell != self._position
+            and not place.statement.binds & self._given
+            and not (is_builtin and (place.statement.is_value or place.cell > self._position))
         ]
-        binding = [place for place in places if name in place[2].binds]
-        binding = [place for place in binding if not place[2].is_stub] or binding[-1:]
-        cells = self._cells_that_count(name, sorted({place[0] for place in binding}))
-        return {
-            place[:2]: place[2]
-            for place in places
-            if place[0] in cells and (place in binding or not place[2].is_stub)
-        }
+        binding = [place for place in places if name in place.statement.binds]
+        binding = [place for place in binding if not place.statement.is_stub] or binding[-1:]
+        cells = self._cells_that_count(name, sorted({place.cell for place in binding}))
+        places = [place for place in places if place in binding or not place.statement.is_stub]
+        return [place for place in places if place.cell in cells]
 
     def _cells_that_count(self, name, cells):
         """Those of the cells that bind or change a name: all above the answer, or the first one below."""
@@ -525,7 +527,7 @@ class _Slice:
         return [
             place
             for place in self._index.get("*", ())
-            if unknown_names and place[0] != self._position and (place[0] < self._position or needs_more)
+            if unknown_names and place.cell != self._position and (place.cell < self._position or needs_more)
         ]
 
 
