@@ -129,8 +129,8 @@ def describe(form):
         return f"a very large {form['type']}"
     if kind == "ndarray":
         return f"an array of shape {tuple(form['shape'])}, {form['dtype']}"
-    if kind == "None":
-        return "None"
+    if kind in ("None", "bool"):
+        return str(form.get("value"))
     if kind in ("tuple", "list"):
         return f"a {kind} of {len(form['items'])}"
     if kind == "dict":
@@ -140,8 +140,6 @@ def describe(form):
     if kind == "str":
         text = form.get("value", "")
         return f"the text {text if len(text) <= _LONGEST_TEXT else text[: _LONGEST_TEXT - 1] + '…'!r}"
-    if kind == "bool":
-        return str(form["value"])
     if kind in ("int", "float"):
         return f"the {'integer' if kind == 'int' else 'float'} {_readable(form['value'])}"
     return f"an object of type {form['type']}"

@@ -55,8 +55,6 @@ _SCOPES = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef, ast.Lambda)
 
 def refused_module(module, allowed):
     """The name of a module that an exercise does not allow, as messages say it; None if it allows it."""
-    if module is None:
-        return None
     top, *submodules = module.split(".")
     allowed = (*_FOR_ALL, *allowed)
     if top in sys.stdlib_module_names or any(f"{module}.".startswith(f"{name}.") for name in allowed):
