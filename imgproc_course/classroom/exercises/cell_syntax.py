@@ -23,9 +23,13 @@ _DEFINITIONS = (*_FUNCTIONS, ast.ClassDef)
 _KINDS = dict.fromkeys(_FUNCTIONS, "function") | {ast.ClassDef: "class", ast.Expr: "expression"}
 _EXPRESSIONS_WITH_NAMES = (ast.Lambda, ast.ListComp, ast.SetComp, ast.DictComp, ast.GeneratorExp)
 _MAGIC = re.compile(
-    r"^(?P<indent>[ \t]*)(?![ \t])"
-    r"(?:%time[ \t]+(?=[A-Za-z_(])|(?P<target>[\w, \t]+=)[ \t]*[%!].*|[%!?].*|[\w.]+\?\??$)",
-    re.M,
+    r"""^(?P<indent>[ \t]*)(?![ \t])
+    (?: %time[ \t]+(?=[A-Za-z_(])            # %time y = f(): only the magic goes
+      | (?P<target>[\w, \t]+=)[ \t]*[%!].*   # files = !ls: becomes files = None
+      | [%!?].*                              # another magic or shell command: becomes pass
+      | [\w.]+\?\??$                         # np.mean?: becomes pass
+    )""",
+    re.M | re.X,
 )
 # The prompts of Python and IPython, pasted from a terminal or a page: Jupyter drops them too.
 _FIRST_PROMPT = re.compile(r"\s*(>>>( |$)|In \[\d+\]: )")
@@ -52,7 +56,7 @@ def plain_python(source):
         if cell_magic and cell_magic[1] not in _PYTHON_MAGICS:
             return "#" + "\n#".join(source.splitlines())  # another language
         if cell_magic:
-            source = "#" * (cell_magic[0].count("\n") > 0) + "\n" + source[cell_magic.end() :]
+            source = "#\n" * cell_magic[0].count("\n") + source[cell_magic.end() :]
         return _MAGIC.sub(_without_magic, source)
     return source
 
@@ -98,7 +102,7 @@ def _name_of(alias):
 
 
 def function_definitions(source):
-    """What a source defines at its top level that can be called: functions, classes, `name = lambda ...`.
+    """What a source defines at its top level that may be called: functions, classes, `f = np.vectorize(g)`.
 
     {name: BLANK for a stub, else a digest of its body without docstring, or "" if it is long}; of two of one
     name the last that is no stub.
@@ -123,7 +127,7 @@ def _callable_name(statement):
     return ""
 
 
-_LONGEST_STUB = 6  # statements
+_LONGEST_DIGESTED = 6  # statements; a digest tells whether a body is still the stub as handed out
 BLANK = "blank"
 
 
@@ -132,7 +136,7 @@ def _body_digest(statement):
     if _is_blank(statement):
         return BLANK
     body = _body(statement)
-    if not 0 < len(body) <= _LONGEST_STUB:
+    if not 0 < len(body) <= _LONGEST_DIGESTED:
         return ""
     try:
         text = ast.dump(ast.Module(body, []))
@@ -239,7 +243,8 @@ class Statement:
     is_stub: bool
 
     @property
-    def is_value(self):
+    def runs_at_once(self):
+        """Whether it reads names where it stands; functions and classes count when they are called."""
         return self.kind in ("value", "expression", "other")
 
 
@@ -295,6 +300,7 @@ def _uses_in_order(node):
     else:
         if isinstance(node, ast.AugAssign) and isinstance(node.target, ast.Name):
             yield node.target.id, False
+        # Python computes the right side before it binds the left one: `for x in ITER`, `x = VALUE`.
         first = getattr(node, "iter", None) or getattr(node, "value", None)
         first = [first] if isinstance(first, ast.AST) else []
         for child in (*first, *(child for child in ast.iter_child_nodes(node) if child not in first)):
@@ -324,11 +330,15 @@ def _kind_of(node):
     if isinstance(node, ast.AnnAssign) and node.value is not None:
         targets = [node.target]
     names = [name for target in targets for name in getattr(target, "elts", [target])]
-    is_value = names and all(isinstance(name, ast.Name) for name in names)
-    return _KINDS.get(type(node), "value" if is_value else "other")
+    binds_plain_names = names and all(isinstance(name, ast.Name) for name in names)
+    return _KINDS.get(type(node), "value" if binds_plain_names else "other")
 
 
 def _names_read(source):
+    """The global names that a source reads, also inside its functions and classes; a set.
+
+    symtable knows the scopes as Python's compiler does: a local variable of a function is no global name.
+    """
     try:
         tables = [symtable.symtable(source, "cell", "exec")]
     except UNPARSABLE:
@@ -355,7 +365,9 @@ def needed_statements(statements, function, *, with_changes=True):
     helpers = {name for statement in statements if statement.kind == "function" for name in statement.binds}
     while len(numbers) > size:
         size = len(numbers)
-        values = set().union(*(statements[number].binds for number in numbers if statements[number].is_value))
+        values = set().union(
+            *(statements[number].binds for number in numbers if statements[number].runs_at_once)
+        )
         for number, statement in enumerate(statements):
             changes = statement.changes & names or _may_change(statement, values, helpers)
             if statement.binds & names or (with_changes and changes):
@@ -368,12 +380,12 @@ def needed_parts(parts, function):
     """Those of the parts of a cell that a function needs, a set; see `parts_of` and `needed_statements`."""
     statements = [(part, statement) for part in parts for statement in statements_of(part)]
     needed = needed_statements([statement for _, statement in statements], function)
-    counts = {id(statement) for statement in needed}
-    return {part for part, statement in statements if id(statement) in counts or "*" in statement.binds}
+    needed_ids = {id(statement) for statement in needed}
+    return {part for part, statement in statements if id(statement) in needed_ids or "*" in statement.binds}
 
 
 def _may_change(statement, values, helpers):
-    """Whether a statement may change one of the values by a function: what only shows one does not."""
+    """Whether a statement may change one of the values: `fill(table)` may, `print(table)` does not."""
     may_call = statement.kind == "other" or (statement.kind == "expression" and statement.reads & helpers)
     return may_call and statement.reads & values
 
@@ -383,7 +395,7 @@ def names_needed(statements, function):
     names, bound_above = set(), {function}
     bound = bound_above.union(*(statement.binds for statement in statements))
     for statement in needed_statements(statements, function):
-        names |= statement.reads - (bound_above if statement.is_value else bound)
+        names |= statement.reads - (bound_above if statement.runs_at_once else bound)
         bound_above |= statement.binds
     return names
 
@@ -425,8 +437,8 @@ class CellDefinitions:
         answer = _without_stub(self._cells[position], function)
         statements = statements_of(answer)
         own_names = {name for statement in statements for name in statement.binds}
-        places = _Slice(self._places_by_name, position, set(given), own_names, preferred or {})
-        definitions, names = places.of(names_needed(statements, function) - set(given))
+        slice_ = _Slice(self._places_by_name, position, set(given), own_names, preferred or {})
+        definitions, names = slice_.of(names_needed(statements, function) - set(given))
         if not definitions:
             return answer, ()
         text = "\n\n".join(place.statement.source for place in definitions)
@@ -457,7 +469,7 @@ def _taken(definitions, names):
 
 
 class _Slice:
-    """The statements of other cells that decide what names are when an answer is called.
+    """The statements of other cells that decide what names are when an answer is called: a program slice.
 
     `given` and `own_names` are what the answer has already, and what its cell binds; the others are as in
     `CellDefinitions`.
@@ -473,11 +485,13 @@ class _Slice:
         names = self._closure(names)
         places = {place for name in names for place in self._places(name)}
         wanted, taken = set(names), []
-        for place in sorted(places, reverse=True):
+        for place in sorted(places, reverse=True):  # from the last statement to the first
             statement = place.statement
             if any(place in self._places(name) for name in (statement.binds | statement.changes) & wanted):
                 taken.append(place)
-                wanted -= statement.binds if statement.kind != "other" else set()
+                # Earlier values of what it binds no longer count; a loop or an `if` may leave them.
+                if statement.kind != "other":
+                    wanted -= statement.binds
                 wanted |= self._closure(self._reads(statement))
         stars = self._imports_of_everything({name for name in names if not self._places(name)})
         return sorted([*taken, *stars]), names
@@ -495,7 +509,7 @@ class _Slice:
 
     def _reads(self, statement):
         """What a statement reads that is not given; functions run when the answer's cell has run."""
-        return statement.reads - self._given - (set() if statement.is_value else self._own_names)
+        return statement.reads - self._given - (set() if statement.runs_at_once else self._own_names)
 
     def _find_places(self, name):
         """What binds or changes a name; [] if no cell binds it."""
@@ -505,7 +519,7 @@ class _Slice:
             for place in self._index.get(name, ())
             if place.cell != self._position
             and not place.statement.binds & self._given
-            and not (is_builtin and (place.statement.is_value or place.cell > self._position))
+            and not (is_builtin and (place.statement.runs_at_once or place.cell > self._position))
         ]
         binding = [place for place in places if name in place.statement.binds]
         binding = [place for place in binding if not place.statement.is_stub] or binding[-1:]

@@ -106,7 +106,7 @@ def _searched_statements(source, function):
     """The statements that decide which names an answer reads; see `find_refused`."""
     *other_cells, answer = cells_of(source) or [""]
     statements = [
-        statement for cell in other_cells for statement in statements_of(cell) if not statement.is_value
+        statement for cell in other_cells for statement in statements_of(cell) if not statement.runs_at_once
     ]
     return needed_statements([*statements, *statements_of(answer)], function, with_changes=False)
 

@@ -61,13 +61,13 @@ _CUT_OFF = (
 class Diagnosis:
     """What is certain about an answer.
 
-    text       sentences for the learner, "" if nothing is certain
-    is_whole   True if they say what to repair: a hint about wrong values is then left out
-    on_border  True if all wrong values lie on the borders of images
+    text           sentences for the learner, "" if nothing is certain
+    replaces_hint  True if they say what to repair: a hint about wrong values is then left out
+    on_border      True if all wrong values lie on the borders of images
     """
 
     text: str = ""
-    is_whole: bool = False
+    replaces_hint: bool = False
     on_border: bool = False
 
 
@@ -81,18 +81,20 @@ def diagnose(calls, shown, names=(), *, exact_type=True):
     if not exact_type:
         parts = [(form, as_type_of(form, actual_form)) for form, actual_form in parts]
     differences = [(compare(*pair, tolerance, exact_type=exact_type), pair) for pair in parts]
+    # The first pair of each kind of difference
     wrong = {difference.kind: pair for difference, pair in reversed(differences) if difference}
     returned = [call for call in calls if call.result.finished]
-    fixed = _constant(returned)
-    if fixed:
-        return Diagnosis(fixed)
-    if wrong.keys() in ({"dtype"}, {"value"}):
+    advice = _advice_on_constant(returned)
+    if advice:
+        return Diagnosis(advice)
+    # If the type need not be exact, a dtype that cannot hold the values shows as wrong values.
+    if wrong.keys() <= {"dtype", "value"}:
         advice = _advice_on_dtypes([pair for difference, pair in differences if difference], tolerance)
         return advice if advice.text or "dtype" in wrong else _diagnose_values(returned, names)
     if "shape" in wrong:
-        return Diagnosis(_advice_on_shape(*wrong["shape"], shown.arguments, names), is_whole=True)
-    wrong = next(pair for difference, pair in differences if difference and difference.kind != "value")
-    return Diagnosis(_advice_on_type(*wrong, tolerance), is_whole=True)
+        return Diagnosis(_advice_on_shape(*wrong["shape"], shown.arguments, names), replaces_hint=True)
+    other_pair = next(pair for difference, pair in differences if difference and difference.kind != "value")
+    return Diagnosis(_advice_on_type(*other_pair, tolerance), replaces_hint=True)
 
 
 def side_by_side(expected, actual):
@@ -221,7 +223,7 @@ def _advice_on_dtypes(pairs, tolerance):
     if "" in texts:
         return Diagnosis()
     wrong = [text for text in texts if not text.startswith(_RIGHT)]
-    return Diagnosis(" ".join(wrong or texts), is_whole=True)
+    return Diagnosis(" ".join(wrong or texts), replaces_hint=True)
 
 
 def _advice_on_dtype(expected, actual, tolerance):
@@ -352,13 +354,14 @@ def _diagnose_values(calls, names):
     kinds = {kind_of(form) for pair in forms for form in pair}
     if kinds == {"tuple"} and _are_exchanged(forms, calls[0].case.tolerance):
         text = "Both results are right, but in the wrong order: exchange the first and the second."
-        return Diagnosis(text, is_whole=True)
+        return Diagnosis(text, replaces_hint=True)
     if any(form.get("too_large") for pair in forms for form in pair):
         return Diagnosis()
     if kinds <= {*_NUMBERS}:
         return Diagnosis(_relation_of_numbers(forms))
     text = _relation_of_texts(forms) if kinds == {"str"} else _relation_of_arrays(calls)
-    return Diagnosis(text, is_whole="?" not in text) if text else _place(calls)
+    # A sentence that only asks ("Is it ...?") leaves the hint in.
+    return Diagnosis(text, replaces_hint="?" not in text) if text else _place(calls)
 
 
 def _is_input(call):
@@ -369,9 +372,9 @@ def _forms(calls):
     return [(call.expected.value, call.result.value) for call in calls]
 
 
-def _constant(calls):
+def _advice_on_constant(calls):
     forms = _forms(calls)
-    if len(forms) < 2 or all(actual == forms[0][0] for actual, _ in forms):
+    if len(forms) < 2 or all(expected == forms[0][0] for expected, _ in forms):
         return ""
     if any(actual != forms[0][1] or actual.get("opaque") for _, actual in forms):
         return ""

@@ -13,7 +13,10 @@ import numpy as np
 
 
 def advice_on(error, message, line="", parameters=None, function=""):
-    """What an error (its type's name, message and line) means and what to do; "" if nothing is certain."""
+    """What an error (its type's name and message) means and what to do; "" if nothing is certain.
+
+    `line` is the line that raised it, with its number: "line 3: return gray[row, col]".
+    """
     source = line.partition(": ")[2]
     call = f"{function}({', '.join(parameters)})" if parameters is not None else ""
     if call and message.startswith(f"{function}()") and "positional argument" in message:

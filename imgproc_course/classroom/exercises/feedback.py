@@ -232,7 +232,7 @@ def _advice(result, call):
     yield diagnosis.text
     if diagnosis.on_border:
         yield result.exercise.border_hint or _BORDER
-    elif not diagnosis.is_whole and call.difference.kind in ("value", "dtype") and call.case.hint:
+    elif not diagnosis.replaces_hint and call.difference.kind in ("value", "dtype") and call.case.hint:
         yield f"Hint: {call.case.hint}"
 
 

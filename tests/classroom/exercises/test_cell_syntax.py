@@ -2,7 +2,7 @@
 
 import pytest
 
-from imgproc_course.classroom.exercises.cell_syntax import parts_of
+from imgproc_course.classroom.exercises.cell_syntax import parts_of, plain_python
 
 FUTURE = "from __future__ import annotations"
 
@@ -23,3 +23,17 @@ def test_an_answer_of_very_many_lines_is_one_part(start):
     source = start + "1\n" * (2_000 if start else 20_000) + "def f():\n    return 3"
     assert parts_of(source) == [source]
     assert len(parts_of("1\n" * 2_000 + "def f():\n    return 3")) == 2_001
+
+
+@pytest.mark.parametrize(
+    ("source", "plain"),
+    [
+        ("%%time\nx = !ls\n", "#\nx = None\n"),
+        ("\n\n%%time\nx = 1", "#\n#\n#\nx = 1"),
+        ("%%time", ""),
+        ("%%bash\nls", "#%%bash\n#ls"),
+        ("%time y = f()\nnp.mean?", "y = f()\npass"),
+    ],
+)
+def test_lines_keep_their_numbers_without_magics(source, plain):
+    assert plain_python(source) == plain

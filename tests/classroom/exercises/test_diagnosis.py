@@ -145,7 +145,7 @@ PLACES = [
 @pytest.mark.parametrize(("expected", "actual", "text"), TYPES + DTYPES + SHAPES)
 def test_a_wrong_form_is_named_without_a_hint_about_values(expected, actual, text):
     diagnosis = say(expected, actual)
-    assert text in diagnosis.text and diagnosis.is_whole and not diagnosis.on_border
+    assert text in diagnosis.text and diagnosis.replaces_hint and not diagnosis.on_border
 
 
 def test_a_list_of_another_shape_has_advice_where_lists_are_free():
@@ -153,12 +153,18 @@ def test_a_list_of_another_shape_has_advice_where_lists_are_free():
     diagnosis = diagnose([call], call, ("image",), exact_type=False)
     assert diagnosis.text.startswith("Your result has 1 row too few.")
     call = call_of(GRAY[0], list(GRAY[0, :2]))
-    assert diagnose([call], call, ("image",), exact_type=False).is_whole
+    assert diagnose([call], call, ("image",), exact_type=False).replaces_hint
 
 
 def test_of_two_wrong_parts_the_shape_is_explained():
     call = call_of((GRAY, GRAY), ("gray", GRAY[1:-1, 1:-1]))
     assert "smaller than the image by 2 rows and 2 columns" in diagnose([call], call).text
+
+
+def test_of_a_wrong_dtype_beside_wrong_values_nothing_is_certain():
+    call = call_of((MASK, MASK), (MASK.astype(np.uint8), ~MASK))
+    diagnosis = diagnose([call], call, exact_type=False)
+    assert diagnosis.text == "" and not diagnosis.replaces_hint  # so the case's hint is shown
 
 
 @pytest.mark.parametrize(("expected", "actual", "text"), VALUES + PLACES)
@@ -170,7 +176,7 @@ def test_what_is_certain_about_values(expected, actual, text):
 
 def test_a_wrong_dtype_with_wrong_values_is_not_called_right():
     assert say(SIGNED, SIGNED.astype(np.int64) * 3 + 1).text == ""
-    assert not say(SIGNED, SIGNED.astype(np.int64) * 3 + 1).is_whole
+    assert not say(SIGNED, SIGNED.astype(np.int64) * 3 + 1).replaces_hint
 
 
 def test_the_first_row_of_a_colour_image_is_not_a_channel():
