@@ -2,22 +2,22 @@
 
 import hashlib
 import json
+from dataclasses import fields
 from importlib.metadata import version
 
 from imgproc_course.classroom.exercises.canonical import array_of, canonical
-from imgproc_course.classroom.exercises.check_data import check_data_of
+from imgproc_course.classroom.exercises.check_data import CheckData
 from imgproc_course.classroom.exercises.check_files import (
-    CASE_FIELDS,
     CHECKS,
-    DAMAGED,
     FORMAT,
-    PLAIN_FIELDS,
-    RESULT_FIELDS,
     SOLUTIONS,
     CheckFileError,
+    change_values,
     read_lesson_file,
+    reading,
 )
 from imgproc_course.classroom.exercises.comparison import compare
+from imgproc_course.classroom.exercises.expected_results import check_data_of
 from imgproc_course.classroom.exercises.input_encoding import decode, encode
 
 _SMALL_BYTES = 96  # a larger wrong array is stored by its digest
@@ -66,46 +66,42 @@ def _lines(mapping):
 
 def _exercise_entry(exercise, values):
     data = check_data_of(exercise)
-    entry = {name: getattr(data, name) for name in PLAIN_FIELDS}
-    sources = {case.id: case.source for case in exercise.public}
-    entry["cases"] = [_case_entry(case, sources[case.id], values) for case in data.cases]
-    if any("inputs" in case_entry for case_entry in entry["cases"]):
+    names = [field.name for field in fields(CheckData) if field.name not in ("id", "cases", "mistakes")]
+    entry = {name: getattr(data, name) for name in names}
+    entry["cases"] = [_case_entry(case) for case in data.cases]
+    if any("inputs" in case for case in entry["cases"]):
         entry["preparation"] = exercise.preparation
-    entry["mistakes"] = [_mistake_entry(mistake, data.cases, values) for mistake in data.mistakes]
-    return entry
+    entry["mistakes"] = [_mistake_entry(mistake, data.cases) for mistake in data.mistakes]
+    return change_values(entry, lambda value, _tolerance: _keep(values, value))
 
 
-def _case_entry(case, source, values):
-    entry = {name: getattr(case, name) for name in CASE_FIELDS}
-    entry["expected"] = [_keep(values, call.result.value) for call in case.calls]
+def _case_entry(case):
+    entry = {name: getattr(case, name) for name in ("id", "title", "points", "hint", "tolerance")}
+    entry["expected"] = [call.result.value for call in case.calls]
     try:
-        entry["arguments"] = [
-            [_keep(values, encode(value)) for value in call.arguments] for call in case.calls
-        ]
+        return entry | {"arguments": [list(map(encode, call.arguments)) for call in case.calls]}
     except TypeError:
-        entry["inputs"] = source
-    return entry
+        return entry | {"inputs": case.source}
 
 
-def _mistake_entry(mistake, cases, values):
+def _mistake_entry(mistake, cases):
     results = {
-        case.id: [_result_entry(*pair, case.tolerance, values) for pair in _pairs(mistake, case)]
+        case.id: [
+            _result_entry(result, call.result.value, case.tolerance)
+            for result, call in zip(mistake.results[case.id], case.calls, strict=True)
+        ]
         for case in cases
     }
     return {"name": mistake.name, "says": mistake.says, "results": results}
 
 
-def _pairs(mistake, case):
-    return zip(mistake.results[case.id], case.calls, strict=True)
-
-
-def _result_entry(result, call, tolerance, values):
-    entry = {name: value for name in RESULT_FIELDS if (value := getattr(result, name))}
-    if result.value is not None:
-        is_right = result.value == call.result.value
-        form = result.value if is_right or tolerance else _by_digest(result.value)
-        entry["value"] = _keep(values, form)
-    return entry
+def _result_entry(result, expected, tolerance):
+    names = ("error", "message", "timed_out", "changed")
+    entry = {name: value for name in names if (value := getattr(result, name))}
+    if result.value is None:
+        return entry
+    is_right = result.value == expected
+    return entry | {"value": result.value if is_right or tolerance else _by_digest(result.value)}
 
 
 def _keep(values, value):
@@ -155,45 +151,39 @@ def _check_file_differences(built, stored_path):
     if stored_path.read_text(encoding="utf-8", errors="replace") == built:
         return []
     try:
-        new, stored = json.loads(built), read_lesson_file(stored_path)
-        names = [name for name in ("lesson", "version", "cells") if new[name] != stored[name]]
-        ids = sorted(new["exercises"].keys() | stored["exercises"].keys())
-        names += [id for id in ids if not _is_same_exercise(id, new, stored)]
-    except (CheckFileError, *DAMAGED):
+        with reading(stored_path):
+            names = _differing_names(json.loads(built), read_lesson_file(stored_path))
+    except CheckFileError:
         return [f"{place}: damaged; run imgproc-course build"]
     return [f"{place}: {name} differs from the master; run imgproc-course build" for name in names]
 
 
-def _is_same_exercise(id, new, stored):
-    entries = [data["exercises"].get(id) for data in (new, stored)]
-    if None in entries:
-        return False
-    (skeleton, values), (stored_skeleton, stored_values) = (
-        _split(entry, data["values"]) for entry, data in zip(entries, (new, stored), strict=True)
-    )
-    return skeleton == stored_skeleton and all(
-        _is_same_value(*pair) for pair in zip(values, stored_values, strict=True)
-    )
+def _differing_names(new, stored):
+    """What differs in a stored checks file: names of its parts, and ids of its exercises."""
+    ids = sorted(new["exercises"].keys() | stored["exercises"].keys())
+    (skeletons, values), (stored_skeletons, stored_values) = _split(new), _split(stored)
+    return [
+        *(name for name in ("lesson", "version", "cells") if new[name] != stored[name]),
+        *(
+            id
+            for id in ids
+            if skeletons.get(id) != stored_skeletons.get(id)
+            or not all(map(_is_same_value, values[id], stored_values[id]))
+        ),
+    ]
 
 
-def _split(entry, values):
-    """An exercise's entry without values, and [(value, whether it is an argument, tolerance)] in order."""
-    entry, kept_values = json.loads(json.dumps(entry)), []
-    tolerances = {case["id"]: case["tolerance"] for case in entry["cases"]}
+def _split(data):
+    """The exercises without their values, and {id: [(value, its tolerance)]}, in order."""
+    skeletons, values = {}, {}
+    for id, entry in data["exercises"].items():
+        kept_values = values[id] = []
 
-    def take(key, tolerance=None):
-        kept_values.append((values[key], tolerance))
-        return None
+        def take(key, tolerance, kept_values=kept_values):
+            kept_values.append((data["values"][key], tolerance))
 
-    for case in entry["cases"]:
-        case["expected"] = [take(key, case["tolerance"]) for key in case["expected"]]
-        case["arguments"] = [[take(key) for key in keys] for keys in case.get("arguments", ())]
-    for mistake in entry["mistakes"]:
-        for case_id, results in mistake["results"].items():
-            for result in results:
-                if "value" in result:
-                    result["value"] = take(result["value"], tolerances[case_id])
-    return entry, kept_values
+        skeletons[id] = change_values(entry, take)
+    return skeletons, values
 
 
 def _is_same_value(new, stored):

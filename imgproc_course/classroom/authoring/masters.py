@@ -159,7 +159,7 @@ from imgproc_course.classroom.exercises.declaration import MasterError, read_exe
 from imgproc_course.classroom.exercises.percent_script import DROPPED_ROLES, MISTAKES_SUFFIX, read_script
 
 _SOURCES = ("stub", "solution", "preparation", "helpers")  # fields of an Exercise that are Python
-_TEXTS = ("title", "hint", "border_hint", "explanation", "another_way")
+_TEXTS = ("title", "border_hint", "explanation", "another_way")
 
 
 @dataclass(frozen=True)

@@ -1,11 +1,11 @@
 """Validate an exercise before any learner is graded by it."""
 
 from imgproc_course.classroom.exercises.canonical import VALUE_BYTES, array_of, canonical
-from imgproc_course.classroom.exercises.check_data import check_data_of
 from imgproc_course.classroom.exercises.checking import run_cases
 from imgproc_course.classroom.exercises.comparison import compare, describe
 from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED
 from imgproc_course.classroom.exercises.dependencies import find_refused
+from imgproc_course.classroom.exercises.expected_results import check_data_of
 from imgproc_course.classroom.exercises.running import call
 
 _ANOTHER_SEED = 1  # an instructor's key draws other inputs than the lesson

@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from imgproc_course.classroom.exercises.cell_syntax import (
     BLANK,
     CellDefinitions,
+    bound_names,
     function_definitions,
     plain_python,
 )
@@ -44,7 +45,7 @@ def find_answer_cell(exercise, cells, lesson):
 
     Parameters
     ----------
-    exercise : ExerciseDescription
+    exercise : one of the lesson's exercises
     cells : list of dict, of the notebook
     lesson : LessonDescription
 
@@ -53,7 +54,7 @@ def find_answer_cell(exercise, cells, lesson):
     AnswerCell, or None if no cell is marked, and none defines the function
     """
     own = [cell for cell in cells if is_marked(cell, exercise)]
-    own.sort(key=lambda cell: (cell["id"] != exercise.answer_id, cell["type"] != "code"))
+    own.sort(key=lambda cell: (cell["id"] != f"answer-{exercise.id}", cell["type"] != "code"))
     own.sort(key=lambda cell: cell["type"] != "code")
     handed_out = _Handed(lesson, exercise.function)
     others = [
@@ -80,7 +81,7 @@ def requests_to_compose(answered):
 
     Parameters
     ----------
-    answered : {ExerciseDescription: the cell that its answer is taken from}
+    answered : {exercise of the lesson: the cell that its answer is taken from}
 
     Returns
     -------
@@ -88,7 +89,12 @@ def requests_to_compose(answered):
     """
     preferred = {exercise.function: cell["number"] for exercise, cell in answered.items()}
     return [
-        [cell["number"], exercise.function, sorted(exercise.given_names), preferred]
+        [
+            cell["number"],
+            exercise.function,
+            sorted({"np"}.union(*map(bound_names, exercise.given))),
+            preferred,
+        ]
         for exercise, cell in answered.items()
     ]
 
@@ -134,7 +140,7 @@ def compose_answer(lesson, exercise_id, function, cells):
 
 def is_marked(cell, exercise):
     """Whether a cell is marked as the answer cell of an exercise, by its id or in its metadata."""
-    return cell["id"] == exercise.answer_id or cell["exercise"] == exercise.id
+    return cell["id"] == f"answer-{exercise.id}" or cell["exercise"] == exercise.id
 
 
 def _is_answer(cell, exercise, stub, is_own=False):

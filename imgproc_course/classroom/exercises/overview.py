@@ -164,7 +164,7 @@ def _exercises_of(lesson, folder):
         path = checks / f"{lesson}.json"
         if path.is_file():
             try:
-                return tuple(read_check_file(path).ids)
+                return tuple(read_check_file(path).exercises)
             except CheckFileError:
                 return ()
     return ()

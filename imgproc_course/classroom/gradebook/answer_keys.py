@@ -46,7 +46,8 @@ class AnswerKeys:
     def describe(self, lesson, version):
         """The LessonDescription of a lesson, from the key for this version."""
         key = self.key_for(lesson, version)
-        return LessonDescription.from_key(key.lessons[lesson], self._cells[key.digest].get(lesson, {}))
+        key_lesson, cells = key.lessons[lesson], self._cells[key.digest].get(lesson, {})
+        return LessonDescription(lesson, key_lesson.version, key_lesson.exercises, cells)
 
     def known_code(self, lesson):
         """What everybody knows of a lesson, as [{place: code handed out}, {exercise id: solution}]."""
