@@ -41,29 +41,14 @@ _PLACEHOLDER = "# the learner's answer"
 
 
 def make_key(masters_dir, seed, out, names=(), *, variants=1, unsafe=False, replace=False):
-    """Make a key: run each solution on inputs drawn from the seed, in the sandbox that grades.
+    """Make a Key: run each solution on inputs drawn from the seed, in the sandbox that grades.
 
-    The folder is written whole at the end: an error or Ctrl-C leaves the old one unchanged.
+    The folder is written whole at the end: an error or Ctrl-C leaves the old one unchanged. The key does not
+    contain the seed. `names` are lessons, as `find_masters` takes them, all if empty; each learner gets one
+    of so many `variants` of inputs; `unsafe` runs without a sandbox; `replace` replaces an existing key.
 
-    Parameters
-    ----------
-    masters_dir : Path of the folder of masters
-    seed : int or str, the teacher's secret; the key does not contain it
-    out : Path of the key's folder
-    names : lessons, as `find_masters` takes them; all if empty
-    variants : int, how many sets of inputs are drawn; each learner gets one of them
-    unsafe : bool, run without a sandbox
-    replace : bool, replace an existing key
-
-    Returns
-    -------
-    Key
-
-    Raises
-    ------
-    MasterError : a solution fails, or inputs cannot be sent to a kernel as data; names lesson and case
-    KeyFolderError : there is a key already, or the folder cannot be written
-    SandboxError : there is no sandbox here
+    MasterError: a solution fails, or inputs cannot be sent to a kernel as data; names lesson and case.
+    KeyFolderError: there is a key already, or the folder cannot be written. SandboxError: no sandbox here.
     """
     out = Path(out)
     if out.exists() and not replace and (not out.is_dir() or any(out.iterdir())):
@@ -146,27 +131,25 @@ class _ExerciseKeyMaker:
     def __init__(self, master, exercise, seed, kernel_factory):
         self._master, self._exercise = master, exercise
         self._seed, self._kernel_factory = seed, kernel_factory
-        self._inputs = {}
-        if not exercise.practice:
-            self._inputs = {case.id: self._encoded_inputs(case) for case in exercise.cases}
+        self._cases = () if exercise.practice else exercise.cases
+        self._inputs = {case.id: self._encoded_inputs(case) for case in self._cases}
 
     def entry(self):
         """The exercise's entry in key.json; a practice exercise has no cases there."""
         exercise = self._exercise
-        cases = () if exercise.practice else tuple(self._key_case(case) for case in exercise.cases)
         mistakes = () if exercise.practice else exercise.mistakes
         solution = exercise.function_of(exercise.solution, "solution")
         key_exercise = KeyExercise(
             id=exercise.id,
             title=exercise.title,
             function=exercise.function,
-            points=sum(case.points for case in cases),
+            points=sum(case.points for case in self._cases),
             allowed=exercise.allowed,
             time_limit=exercise.time_limit,
             practice=exercise.practice,
             stub=exercise.stub,
             arguments=tuple(argument_names(solution)),
-            cases=cases,
+            cases=tuple(map(self._key_case, self._cases)),
             mistakes=tuple(KeyMistake(mistake.name, mistake.says) for mistake in mistakes),
             given=exercise.given,
             exact_type=exercise.exact_type,
@@ -189,15 +172,8 @@ class _ExerciseKeyMaker:
         }
 
     def _key_case(self, case):
-        return KeyCase(
-            case.id,
-            case.title,
-            case.hint,
-            case.points,
-            case.hidden,
-            case.tolerance,
-            len(self._inputs[case.id]),
-        )
+        calls = len(self._inputs[case.id])
+        return KeyCase(case.id, case.title, case.hint, case.points, case.hidden, case.tolerance, calls)
 
     def _encoded_inputs(self, case):
         exercise = self._exercise

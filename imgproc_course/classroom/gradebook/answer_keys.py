@@ -1,8 +1,9 @@
 """The answer keys that submissions are graded with: one key per version of a lesson."""
 
+import contextlib
 import json
 
-from imgproc_course.classroom.autograder.answer_key import HANDED_OUT, SOLUTIONS, KeyFolderError, load_key
+from imgproc_course.classroom.autograder.answer_key import HANDED_OUT, SOLUTIONS, load_key, reading
 from imgproc_course.classroom.exercises.lesson_description import LessonDescription
 
 
@@ -75,9 +76,6 @@ def load_keys(folders):
 
 def _read(folder, name):
     """The content of a file of a key, a dict; empty if the key does not have it."""
-    try:
+    with reading(folder / name), contextlib.suppress(FileNotFoundError):
         return dict(json.loads((folder / name).read_text(encoding="utf-8")))
-    except FileNotFoundError:
-        return {}
-    except (OSError, ValueError, TypeError) as error:
-        raise KeyFolderError(f"{folder}/{name}: cannot be read ({error}); make the key again") from error
+    return {}
