@@ -15,7 +15,7 @@ from tqdm import tqdm
 
 from imgproc_course.classroom.authoring.atomic_write import write_folder
 from imgproc_course.classroom.authoring.masters import find_masters, read_master
-from imgproc_course.classroom.autograder.answer_forms import read_answer, read_form
+from imgproc_course.classroom.autograder.answer_forms import read_answer
 from imgproc_course.classroom.autograder.answer_key import (
     FORMAT,
     HANDED_OUT,
@@ -33,6 +33,7 @@ from imgproc_course.classroom.autograder.sandbox.inside.check_cell import argume
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.classroom.autograder.verdict import verdict_on
 from imgproc_course.classroom.exercises import running
+from imgproc_course.classroom.exercises.canonical import forms_in
 from imgproc_course.classroom.exercises.declaration import MasterError
 from imgproc_course.classroom.exercises.input_encoding import decode, encode
 
@@ -60,7 +61,7 @@ def make_key(masters_dir, seed, out, names=(), *, variants=1, unsafe=False, repl
     masters = [read_master(path) for path in find_masters(masters_dir, names)]
     solutions = {exercise.id: exercise.solution for master in masters for exercise in master.exercises}
     files = {
-        HANDED_OUT: _handed_out_cells(masters),
+        HANDED_OUT: _dumps({master.name: master.handed_out for master in masters}),
         SOLUTIONS: json.dumps(solutions, indent=1, sort_keys=True),
     }
     with KernelFactory(unsafe=unsafe) as kernel_factory:
@@ -85,18 +86,18 @@ def _about_variant(seed, number, count):
 def _variant_files(masters, numpy_seed, about, kernel_factory):
     """{relative name: text} of one variant of a key."""
     exercises = [(master, exercise) for master in masters for exercise in master.exercises]
+    label = f"key, variant {about['variant']} of {about['variants']}" if about else "key"
     entries, files = {}, {}
-    for master, exercise in tqdm(exercises, desc=_label(about), unit=" exercises", delay=2, leave=False):
+    for master, exercise in tqdm(exercises, desc=label, unit=" exercises", delay=2, leave=False):
         maker = _ExerciseKeyMaker(master, exercise, numpy_seed, kernel_factory)
         entries[exercise.id] = maker.entry()
         files |= {} if exercise.practice else maker.files()
-    content = {"format": FORMAT, "lessons": [_lesson_entry(master, entries) for master in masters]} | about
-    return files | {"key.json": json.dumps(content, indent=1, sort_keys=True) + "\n"}
+    lessons = [_lesson_entry(master, entries) for master in masters]
+    return files | {"key.json": _dumps({"format": FORMAT, "lessons": lessons} | about)}
 
 
-def _label(about):
-    """What the progress bar of a variant says."""
-    return f"key, variant {about['variant']} of {about['variants']}" if about else "key"
+def _dumps(content):
+    return json.dumps(content, indent=1, sort_keys=True) + "\n"
 
 
 def _numpy_seed(seed, variant=1):
@@ -114,15 +115,6 @@ def _lesson_entry(master, entries):
         "digest": hashlib.sha256(master.path.read_bytes()).hexdigest(),
         "exercises": [entries[exercise.id] for exercise in master.exercises],
     }
-
-
-def _handed_out_cells(masters):
-    """The ids of the lessons' cells, and the source of check and given cells, as JSON.
-
-    They show which check cells a learner changed, and which cells are the learner's own.
-    """
-    lessons = {master.name: master.handed_out for master in masters}
-    return json.dumps(lessons, indent=1, sort_keys=True) + "\n"
 
 
 class _ExerciseKeyMaker:
@@ -259,13 +251,6 @@ def _comparison_problem(call):
         return f"{call.error}: {call.message}" if call.message else call.error
     if call.changed:
         return f"it changes its input {', '.join(call.changed)}"
-    return "" if _is_comparable(call.value) else f"a value of type {call.value['type']}"
-
-
-def _is_comparable(form):
-    """Whether the form holds the whole value, not only its type."""
-    if read_form(form) is None or form.get("opaque") or form.get("too_large"):
-        return False
-    entries = [*form.get("items", ()), *form.get("fields", {}).values()]
-    parts = [part for entry in entries for part in (entry if isinstance(entry, list) else [entry])]
-    return all(_is_comparable(part) for part in parts)
+    # A form that is opaque or too large holds the type of a value only.
+    is_whole = not any(form.get("opaque") or form.get("too_large") for form in forms_in(call.value))
+    return "" if is_whole else f"a value of type {call.value['type']}"
