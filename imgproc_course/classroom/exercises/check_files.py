@@ -12,6 +12,7 @@ An argument that is no data (a function, an open recording) is made again by the
 """
 
 import contextlib
+import copy
 import difflib
 import json
 import os
@@ -33,6 +34,7 @@ NO_CHECKS = (
     " environment/lab, or take the folder again from what your teacher handed out"
 )
 
+_NO_CASES = {"cases": (), "mistakes": ()}
 DAMAGED = (ValueError, KeyError, TypeError, AttributeError, IndexError, RecursionError, SyntaxError)
 
 
@@ -66,11 +68,8 @@ class CheckFile:
     def description(self):
         """The LessonDescription; its exercises have no cases and no mistakes."""
         with reading(self.path):
-            exercises = [
-                _read_record(id, entry | {"cases": [], "mistakes": []})
-                for id, entry in self.exercises.items()
-            ]
-        return LessonDescription(self.lesson, self.version, tuple(exercises), self.cells)
+            exercises = tuple(_read_record(id, entry | _NO_CASES) for id, entry in self.exercises.items())
+        return LessonDescription(self.lesson, self.version, exercises, self.cells)
 
     def exercise(self, id):
         """The CheckData of one of its exercises; CheckFileError: the file is damaged."""
@@ -101,28 +100,18 @@ def _read_record(id, entry):
 
 def change_values(entry, change):
     """A stored exercise with `change(value, tolerance)` for each of its values; an argument has none."""
+    entry = copy.deepcopy(entry)
     tolerances = {case["id"]: case["tolerance"] for case in entry["cases"]}
-
-    def change_case(case):
-        tolerance = case["tolerance"]
-        arguments = {
-            name: [[change(value, None) for value in call] for call in case[name]]
-            for name in case.keys() & {"arguments"}
-        }
-        return case | {"expected": [change(value, tolerance) for value in case["expected"]]} | arguments
-
-    def change_result(result, tolerance):
-        return result | {name: change(result[name], tolerance) for name in result.keys() & {"value"}}
-
-    def change_mistake(mistake):
-        results = {
-            id: [change_result(result, tolerances[id]) for result in results]
-            for id, results in mistake["results"].items()
-        }
-        return mistake | {"results": results}
-
-    cases, mistakes = map(change_case, entry["cases"]), map(change_mistake, entry["mistakes"])
-    return entry | {"cases": list(cases), "mistakes": list(mistakes)}
+    for case in entry["cases"]:
+        case["expected"] = [change(value, case["tolerance"]) for value in case["expected"]]
+        if "arguments" in case:
+            case["arguments"] = [[change(value, None) for value in call] for call in case["arguments"]]
+    for mistake in entry["mistakes"]:
+        for case_id, results in mistake["results"].items():
+            for result in results:
+                if "value" in result:
+                    result["value"] = change(result["value"], tolerances[case_id])
+    return entry
 
 
 @contextlib.contextmanager
