@@ -1,6 +1,6 @@
 """Validate an exercise before any learner is graded by it."""
 
-from imgproc_course.classroom.exercises.canonical import VALUE_BYTES, array_of, canonical
+from imgproc_course.classroom.exercises.canonical import array_of, canonical
 from imgproc_course.classroom.exercises.checking import run_cases
 from imgproc_course.classroom.exercises.comparison import compare, describe
 from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED
@@ -8,6 +8,7 @@ from imgproc_course.classroom.exercises.dependencies import find_refused
 from imgproc_course.classroom.exercises.running import call
 
 _ANOTHER_SEED = 1  # an instructor's key draws other inputs than the lesson
+_MOST_BYTES = 65_536  # of an answer that is compared with a tolerance
 _SEEDS = (PUBLIC_SEED, _ANOTHER_SEED, 2, 3)
 
 
@@ -98,11 +99,11 @@ def _size_problems(exercise, case):
         answer = array_of(canonical(solution(*arguments), limit=None))
         if (
             answer is not None
-            and answer.nbytes > VALUE_BYTES
+            and answer.nbytes > _MOST_BYTES
             and (answer.dtype.kind == "f" or case.tolerance)
         ):
             yield (
                 f"{case.id}: grading cannot compare an answer of {answer.nbytes} bytes with a tolerance;"
-                f" draw a smaller input, up to {VALUE_BYTES} bytes of answer"
+                f" draw a smaller input, up to {_MOST_BYTES} bytes of answer"
             )
             return
