@@ -33,7 +33,6 @@ from imgproc_course.classroom.autograder.sandbox.inside.check_cell import argume
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.classroom.autograder.verdict import verdict_on
 from imgproc_course.classroom.exercises import running
-from imgproc_course.classroom.exercises.canonical import forms_in
 from imgproc_course.classroom.exercises.declaration import MasterError
 from imgproc_course.classroom.exercises.input_encoding import decode, encode
 
@@ -251,6 +250,11 @@ def _comparison_problem(call):
         return f"{call.error}: {call.message}" if call.message else call.error
     if call.changed:
         return f"it changes its input {', '.join(call.changed)}"
-    # A form that is opaque or too large holds the type of a value only.
-    is_whole = not any(form.get("opaque") or form.get("too_large") for form in forms_in(call.value))
-    return "" if is_whole else f"a value of type {call.value['type']}"
+    return "" if _is_whole(call.value) else f"a value of type {call.value['type']}"
+
+
+def _is_whole(form):
+    """Whether a form holds the whole value, not only its type."""
+    entries = [*form.get("items", ()), *form.get("fields", {}).values()]
+    parts = [part for entry in entries for part in (entry if isinstance(entry, list) else [entry])]
+    return not form.get("opaque") and not form.get("too_large") and all(map(_is_whole, parts))

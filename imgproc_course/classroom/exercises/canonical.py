@@ -183,14 +183,6 @@ def _too_large(kind):
     return {"type": kind, "too_large": True}
 
 
-def forms_in(form):
-    """A canonical form, and all forms inside it."""
-    yield form
-    for part in [*form.get("items", ()), *form.get("fields", {}).values()]:
-        for inner_form in part if isinstance(part, list) else [part]:
-            yield from forms_in(inner_form)
-
-
 def array_of(form):
     """The array of a form with "data".
 

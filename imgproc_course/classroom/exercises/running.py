@@ -25,7 +25,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from imgproc_course.classroom.exercises.canonical import canonical, forms_in
+from imgproc_course.classroom.exercises.canonical import canonical
 from imgproc_course.classroom.exercises.comparison import compare
 
 _MOST_OUTPUT = 2_000  # characters; the function's further prints are dropped
@@ -156,10 +156,18 @@ def overwrite_freed_memory(form):
     ----------
     form : canonical form of the expected value
     """
-    arrays = [part for part in forms_in(form) if part["type"] == "ndarray"]
-    sizes = {np.prod(array["shape"], dtype=int) * np.dtype(array["dtype"]).itemsize for array in arrays}
+    sizes = {np.prod(part["shape"], dtype=int) * np.dtype(part["dtype"]).itemsize for part in _arrays(form)}
     blocks = [np.full(size, 0xA5, np.uint8) for size in sizes for _ in range(_BLOCKS)]
     del blocks
+
+
+def _arrays(form):
+    if form["type"] == "ndarray":
+        yield form
+    parts = [*form.get("items", ()), *form.get("fields", {}).values()]
+    for part in parts:
+        for item in part if isinstance(part, list) else [part]:
+            yield from _arrays(item)
 
 
 class _LimitedOutput(io.StringIO):
