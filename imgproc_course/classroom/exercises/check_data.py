@@ -104,19 +104,11 @@ class CheckData:
         exec(compile(source, f"<{label}>", "exec", dont_inherit=True), names)
 
     def run_answer(self, source, function=None):
-        """Run the source of an answer in a namespace of its own.
+        """Run the source of an answer in a namespace of its own; (its names, the first error as text or "").
 
         As in grading, it runs statement by statement, one that fails or calls exit() costs only itself, and
-        nobody sees what it prints. Modules that the exercise does not allow are not there.
-
-        Parameters
-        ----------
-        source : str, as `CellDefinitions.compose` gives it
-        function : str, the name of a function; then only what it needs is run
-
-        Returns
-        -------
-        (the names that it defines, as a dict; the first error as text or "")
+        nobody sees what it prints. Modules that the exercise does not allow are not there. If the name of a
+        `function` is given, only what that function needs is run.
         """
         names, reason = self.namespace(), ""
         for file, part in self._parts(source, function):
