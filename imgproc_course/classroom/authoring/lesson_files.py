@@ -2,11 +2,10 @@
 
 import hashlib
 import json
-from dataclasses import fields
 from importlib.metadata import version
 
 from imgproc_course.classroom.exercises.canonical import array_of, canonical
-from imgproc_course.classroom.exercises.check_data import CheckData
+from imgproc_course.classroom.exercises.check_data import CheckData, shared_fields
 from imgproc_course.classroom.exercises.check_files import (
     CHECKS,
     FORMAT,
@@ -66,8 +65,8 @@ def _lines(mapping):
 
 def _exercise_entry(exercise, values):
     data = check_data_of(exercise)
-    names = [field.name for field in fields(CheckData) if field.name not in ("id", "cases", "mistakes")]
-    entry = {name: getattr(data, name) for name in names}
+    entry = shared_fields(data, CheckData)
+    del entry["id"], entry["mistakes"]  # the mistakes come last
     entry["cases"] = [_case_entry(case) for case in data.cases]
     if any("inputs" in case for case in entry["cases"]):
         entry["preparation"] = exercise.preparation

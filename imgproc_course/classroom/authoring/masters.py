@@ -149,6 +149,7 @@ Tags (`tags=["..."]`, any code cell)
 A practice exercise (`practice=True`) is checked but not graded: its points count as 0.
 """
 
+from collections import Counter
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -307,7 +308,7 @@ def _resolved(record, references):
 
 
 def _lesson_cells(path, script, exercises, references):
-    counts, latest = {}, ""
+    counts, latest = Counter(), ""
     declared = iter(exercises)
     solutions = {exercise.id: exercise.solution for exercise in exercises}
     position = 0
@@ -327,7 +328,7 @@ def _lesson_cells(path, script, exercises, references):
         if role == "answer":
             id = f"answer-{owner}"
         elif role:
-            counts[role, owner] = counts.get((role, owner), 0) + 1
+            counts[role, owner] += 1
             id = f"{role}-{owner}-{counts[role, owner]}"
         resolve = references.in_prose if cell.kind == "markdown" else references.in_code
         source = resolve(cell.source)

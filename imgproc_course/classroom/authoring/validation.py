@@ -15,11 +15,10 @@ _SEEDS = (PUBLIC_SEED, _ANOTHER_SEED, 2, 3)
 def validate_exercise(exercise):
     """Problems: a solution that fails, a stub or mistake that is not recognized, a mistake without costs."""
     solution = exercise.function_of(exercise.solution, "solution")
-    result = run_cases(exercise, solution, cases=exercise.cases)
-    other_result = run_cases(exercise, solution, cases=exercise.cases, seed=_ANOTHER_SEED)
     problems = [
         f"{case_result.case.id}: the solution does not pass it a second time; is the solution random?"
-        for case_result in (*result.results, *other_result.results)
+        for seed in (PUBLIC_SEED, _ANOTHER_SEED)
+        for case_result in run_cases(exercise, solution, cases=exercise.cases, seed=seed).results
         if not case_result.passed
     ]
     problems += [

@@ -24,6 +24,7 @@ from imgproc_course.classroom.autograder.answer_key import (
     KeyCase,
     KeyExercise,
     KeyFolderError,
+    KeyLesson,
     KeyMistake,
     load_key,
 )
@@ -33,6 +34,7 @@ from imgproc_course.classroom.autograder.sandbox.inside.check_cell import argume
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.classroom.autograder.verdict import verdict_on
 from imgproc_course.classroom.exercises import running
+from imgproc_course.classroom.exercises.check_data import shared_fields
 from imgproc_course.classroom.exercises.declaration import MasterError
 from imgproc_course.classroom.exercises.input_encoding import decode, encode
 
@@ -106,10 +108,7 @@ def _numpy_seed(seed, variant=1):
 
 
 def _lesson_entry(master, entries):
-    return {
-        "name": master.name,
-        "number": master.number,
-        "title": master.title,
+    return shared_fields(master, KeyLesson) | {
         "version": version("imgproc-course"),
         "digest": hashlib.sha256(master.path.read_bytes()).hexdigest(),
         "exercises": [entries[exercise.id] for exercise in master.exercises],
@@ -130,22 +129,13 @@ class _ExerciseKeyMaker:
         exercise = self._exercise
         mistakes = () if exercise.practice else exercise.mistakes
         solution = exercise.function_of(exercise.solution, "solution")
-        key_exercise = KeyExercise(
-            id=exercise.id,
-            title=exercise.title,
-            function=exercise.function,
-            points=sum(case.points for case in self._cases),
-            allowed=exercise.allowed,
-            time_limit=exercise.time_limit,
-            practice=exercise.practice,
-            stub=exercise.stub,
-            arguments=tuple(argument_names(solution)),
-            cases=tuple(map(self._key_case, self._cases)),
-            mistakes=tuple(KeyMistake(mistake.name, mistake.says) for mistake in mistakes),
-            given=exercise.given,
-            exact_type=exercise.exact_type,
-        )
-        return asdict(key_exercise)
+        own_fields = {
+            "points": sum(case.points for case in self._cases),
+            "arguments": tuple(argument_names(solution)),
+            "cases": tuple(map(self._key_case, self._cases)),
+            "mistakes": tuple(KeyMistake(mistake.name, mistake.says) for mistake in mistakes),
+        }
+        return asdict(KeyExercise(**shared_fields(exercise, KeyExercise) | own_fields))
 
     def files(self):
         """{relative name: text} of a graded exercise's files."""
@@ -163,8 +153,7 @@ class _ExerciseKeyMaker:
         }
 
     def _key_case(self, case):
-        calls = len(self._inputs[case.id])
-        return KeyCase(case.id, case.title, case.hint, case.points, case.hidden, case.tolerance, calls)
+        return KeyCase(**shared_fields(case, KeyCase) | {"calls": len(self._inputs[case.id])})
 
     def _encoded_inputs(self, case):
         exercise = self._exercise

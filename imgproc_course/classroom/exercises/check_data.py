@@ -6,7 +6,7 @@ holds it (`check_files`: the learner's `check`).
 
 import linecache
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, fields
 
 import numpy as np
 
@@ -134,3 +134,8 @@ class CheckData:
         """The CallResult of one call of an answer."""
         more_names = (f"argument {k + 1}" for k in range(len(self.names), len(arguments)))
         return call(function, arguments, [*self.names[: len(arguments)], *more_names], self.time_limit)
+
+
+def shared_fields(record, kind):
+    """What a record has for the fields of another kind of record, as a dict."""
+    return {field.name: getattr(record, field.name) for field in fields(kind) if hasattr(record, field.name)}
