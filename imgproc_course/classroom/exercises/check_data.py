@@ -5,7 +5,6 @@ holds it (`check_files`: the learner's `check`).
 """
 
 import linecache
-from collections.abc import Mapping
 from dataclasses import dataclass, field, fields
 
 import numpy as np
@@ -53,7 +52,7 @@ class Mistake:
     name: str
     says: str
     source: str = ""
-    results: Mapping[str, tuple[CallResult, ...]] = field(default_factory=dict, compare=False)
+    results: dict[str, tuple[CallResult, ...]] = field(default_factory=dict, compare=False)
 
 
 @dataclass(frozen=True, kw_only=True)

@@ -1,6 +1,5 @@
 """The expected results of a declared exercise: its solution and its known mistakes are run on its cases."""
 
-from collections.abc import Mapping
 from dataclasses import replace
 from functools import lru_cache
 from inspect import signature
@@ -10,21 +9,15 @@ from imgproc_course.classroom.exercises.check_data import ExpectedCall
 from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED, MasterError
 
 
-class _MistakeResults(Mapping):
+class _MistakeResults(dict):
     """The results of a declared mistake: computed when asked for, because most checks ask for none."""
 
     def __init__(self, exercise, mistake, cases, seed):
         self._exercise, self._mistake, self._seed = exercise, mistake, seed
         self._cases = {case.id: case for case in cases}
 
-    def __getitem__(self, case_id):
+    def __missing__(self, case_id):
         return _results_of_mistake(self._exercise, self._mistake, self._cases[case_id], self._seed)
-
-    def __iter__(self):
-        return iter(self._cases)
-
-    def __len__(self):
-        return len(self._cases)
 
 
 # Cached from one check to the next: a slow solution runs once. A changed master gives another Exercise.
