@@ -139,6 +139,10 @@ class Key:
         pairs = ((lesson, exercise) for lesson in self.lessons.values() for exercise in lesson.exercises)
         return next((pair for pair in pairs if pair[1].id == exercise_id), (None, None))
 
+    def exercise(self, id):
+        """The KeyExercise of that id, or None."""
+        return self.find(id)[1]
+
     def content(self, exercise_id):
         """The notebook, the inputs and the mistakes of a graded exercise, as `ExerciseContent`."""
         lesson, _ = self.find(exercise_id)

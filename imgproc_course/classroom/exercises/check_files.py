@@ -55,26 +55,26 @@ class CheckFile:
 
     lesson   the lesson's name
     version  of the course that the lesson was built with
-    The dicts are those of the file, see above.
+    entries  the exercises of the file; see above, also for cells and values
     """
 
     path: Path
     lesson: str
     version: str
     cells: dict
-    exercises: dict
+    entries: dict
     values: dict
 
     def description(self):
         """The LessonDescription; its exercises have no cases and no mistakes."""
         with reading(self.path):
-            exercises = tuple(_read_record(id, entry | _NO_CASES) for id, entry in self.exercises.items())
+            exercises = tuple(_read_record(id, entry | _NO_CASES) for id, entry in self.entries.items())
         return LessonDescription(self.lesson, self.version, exercises, self.cells)
 
     def exercise(self, id):
         """The CheckData of one of its exercises; CheckFileError: the file is damaged."""
         with reading(self.path):
-            entry = change_values(self.exercises[id], lambda key, _tolerance: self.values[key])
+            entry = change_values(self.entries[id], lambda key, _tolerance: self.values[key])
             exercise = _read_record(id, entry)
             pairs = zip(exercise.cases, entry["cases"], strict=True)
             cases = [replace(case, calls=self._calls(exercise, case, stored)) for case, stored in pairs]
@@ -83,7 +83,7 @@ class CheckFile:
     def _calls(self, exercise, case, stored_case):
         """The calls of a case, as a tuple of ExpectedCall."""
         if "inputs" in stored_case:
-            preparation = self.exercises[exercise.id]["preparation"]
+            preparation = self.entries[exercise.id]["preparation"]
             declared = Exercise(**vars(exercise), master=self.path, preparation=preparation)
             calls_arguments = declared.arguments(replace(case, source=stored_case["inputs"]))
         else:
@@ -156,8 +156,8 @@ def read_check_file(path):
 @lru_cache(maxsize=64)
 def _read_check_file(path, _version):
     data = read_lesson_file(path)
-    cells, exercises, values = (dict(data[name]) for name in ("cells", "exercises", "values"))
-    return CheckFile(path, str(data["lesson"]), str(data["version"]), cells, exercises, values)
+    cells, entries, values = (dict(data[name]) for name in ("cells", "exercises", "values"))
+    return CheckFile(path, str(data["lesson"]), str(data["version"]), cells, entries, values)
 
 
 # ---------------------------------------------------------------- finding
@@ -190,7 +190,7 @@ def find_check_file(id):
         # A file without this id is not parsed: it may be damaged.
         if name in text:
             file = read_check_file(path)
-            if id in file.exercises:
+            if id in file.entries:
                 return file
     raise CheckFileError(f"there is no exercise {id!r}; {_advice(id, paths)}")
 
@@ -199,7 +199,7 @@ def _advice(id, paths):
     ids = []
     for path in paths:
         try:
-            ids += read_check_file(path).exercises
+            ids += read_check_file(path).entries
         except CheckFileError as error:
             return str(error)  # the exercise may be in this file
     nearest = difflib.get_close_matches(str(id), ids, n=1)

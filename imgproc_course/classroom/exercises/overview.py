@@ -160,5 +160,5 @@ def _exercises_of(lesson, folder):
     paths = [checks / f"{lesson}.json" for checks in checks_folders(folder)]
     path = next(filter(Path.is_file, paths), None)
     with contextlib.suppress(CheckFileError):
-        return tuple(read_check_file(path).exercises) if path else ()
+        return tuple(read_check_file(path).entries) if path else ()
     return ()

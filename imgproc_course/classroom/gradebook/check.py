@@ -105,11 +105,11 @@ class CheckFileCatalog:
 
     def answer_ids(self, lesson):
         """The ids of a lesson's answer cells, as a set."""
-        return {f"answer-{id}" for id in self.lessons[lesson].exercises}
+        return {f"answer-{id}" for id in self.lessons[lesson].entries}
 
     def functions(self, lesson):
         """The names of the functions that a lesson asks for, as a set."""
-        return {entry.get("function", "") for entry in self.lessons[lesson].exercises.values()}
+        return {entry.get("function", "") for entry in self.lessons[lesson].entries.values()}
 
     def describe(self, lesson, _version):
         """The LessonDescription of a lesson, in the version that its checks were built with."""
@@ -145,7 +145,7 @@ def check_lesson(path, folders=None):
     if content.reason:
         raise LessonFileError(f"{path}: {content.reason}")
     file = catalog.lessons[content.lesson]
-    return LessonCheck(path, content, [_exercise_check(file.exercise(id), content) for id in file.exercises])
+    return LessonCheck(path, content, [_exercise_check(file.exercise(id), content) for id in file.entries])
 
 
 def _exercise_check(exercise, content):

@@ -106,7 +106,7 @@ def _lesson_view(lesson, result, answer_keys):
     for exercise in result.exercises if result else ():
         notes = [finding["text"] for finding in findings if finding["exercise"] == exercise.id]
         entry = next(entry for entry in lesson["exercises"] if entry["id"] == exercise.id)
-        views.append(_exercise_view(exercise, entry, notes, key.find(exercise.id)[1]))
+        views.append(_exercise_view(exercise, entry, notes, key.exercise(exercise.id)))
         ids.add(exercise.id)
     return lesson | {
         "exercises": views,
