@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+from dataclasses import dataclass
 from importlib.metadata import version
 
 from imgproc_course.classroom.exercises.canonical import array_of, canonical
@@ -151,44 +152,32 @@ def _check_file_differences(built, stored_path):
         return []
     try:
         with reading(stored_path):
-            names = _differing_names(json.loads(built), read_lesson_file(stored_path))
+            new, stored = json.loads(built), read_lesson_file(stored_path)
+            names = [name for name in ("lesson", "version", "cells") if new[name] != stored[name]]
+            ids = sorted(new["exercises"].keys() | stored["exercises"].keys())
+            names += [id for id in ids if _entry_of(id, new) != _entry_of(id, stored)]
     except CheckFileError:
         return [f"{place}: damaged; run imgproc-course build"]
     return [f"{place}: {name} differs from the master; run imgproc-course build" for name in names]
 
 
-def _differing_names(new, stored):
-    """What differs in a stored checks file: names of its parts, and ids of its exercises."""
-    ids = sorted(new["exercises"].keys() | stored["exercises"].keys())
-    (skeletons, values), (stored_skeletons, stored_values) = _split(new), _split(stored)
-    return [
-        *(name for name in ("lesson", "version", "cells") if new[name] != stored[name]),
-        *(
-            id
-            for id in ids
-            if skeletons.get(id) != stored_skeletons.get(id)
-            or not all(map(_is_same_value, values[id], stored_values[id]))
-        ),
-    ]
+def _entry_of(id, data):
+    """An exercise of a checks file with a _Value for each of its values; None if it has none of that id."""
+    entry = data["exercises"].get(id)
+    return entry and change_values(entry, lambda key, tolerance: _Value(data["values"][key], tolerance))
 
 
-def _split(data):
-    """The exercises without their values, and {id: [(value, its tolerance)]}, in order."""
-    skeletons, values = {}, {}
-    for id, entry in data["exercises"].items():
-        kept_values = values[id] = []
+@dataclass(eq=False)
+class _Value:
+    """A stored value, and the tolerance with which it equals another one; None for an argument."""
 
-        def take(key, tolerance, kept_values=kept_values):
-            kept_values.append((data["values"][key], tolerance))
+    form: object
+    tolerance: float | None
 
-        skeletons[id] = change_values(entry, take)
-    return skeletons, values
-
-
-def _is_same_value(new, stored):
-    (value, tolerance), (stored_value, _) = new, stored
-    if value == stored_value:
-        return True
-    if tolerance is None:  # an argument
-        value, stored_value = (canonical(decode(form), limit=None) for form in (value, stored_value))
-    return compare(value, stored_value, tolerance or 0.0, exact_type=True) is None
+    def __eq__(self, other):
+        forms = self.form, other.form
+        if forms[0] == forms[1]:
+            return True
+        if self.tolerance is None:
+            forms = [canonical(decode(form)) for form in forms]
+        return compare(*forms, self.tolerance or 0.0, exact_type=True) is None

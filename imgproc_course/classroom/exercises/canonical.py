@@ -103,8 +103,11 @@ class _Writer:
             return {"type": f"numpy.{kind.__name__}", "value": _number(value.item())}
         if kind in (tuple, list, dict):
             return self._container(value, depth)
-        if kind in _STAND_INS or _is_named_tuple(kind):
-            return self.write(_plain(value), depth)
+        if kind in _STAND_INS:
+            return self.write(_STAND_INS[kind](value), depth)
+        if issubclass(kind, tuple) and "_fields" in kind.__dict__:
+            # The class of a named tuple is a learner's, and so may be its __iter__.
+            return self.write(tuple(tuple.__iter__(value)), depth)
         names = tuple(value.__dict__) if kind is types.SimpleNamespace else _message_fields(kind)
         name = type_name(value)
         form = {"type": f"__main__.{name}" if name in PLAIN_TYPES else name}  # a class of that name
@@ -151,17 +154,6 @@ class _Writer:
 SCALARS = frozenset(
     {np.bool_, np.float16, np.float32, np.float64, *(np.dtype(code).type for code in "bBhHiIlLqQ")}
 )
-
-
-def _is_named_tuple(kind):
-    return issubclass(kind, tuple) and "_fields" in kind.__dict__
-
-
-def _plain(value):
-    """A value of one of the _STAND_INS, or a named tuple, as the plain type."""
-    kind = type(value)
-    # The class of a named tuple is a learner's, and so may be its __iter__.
-    return _STAND_INS[kind](value) if kind in _STAND_INS else tuple(tuple.__iter__(value))
 
 
 def _message_fields(kind):
