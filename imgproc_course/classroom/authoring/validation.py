@@ -1,5 +1,7 @@
 """Validate an exercise before any learner is graded by it."""
 
+from functools import partial
+
 from imgproc_course.classroom.exercises.canonical import array_of, canonical
 from imgproc_course.classroom.exercises.checking import run_cases
 from imgproc_course.classroom.exercises.comparison import compare, describe
@@ -68,19 +70,15 @@ def _seed_problems(exercise, case, solution):
     if all(drawn == arguments[0] for drawn in arguments):
         return [f"{case.id}: inputs(rng) ignores rng, so its answer can be copied; draw the inputs from it"]
     answers = [[canonical(solution(*call), limit=None) for call in drawn] for drawn in calls]
+    difference = partial(compare, tolerance=case.tolerance, exact_type=exercise.exact_type)
     for constant in [answer for drawn in answers for answer in drawn]:
-        passed = [all(_agree(exercise, case, answer, constant) for answer in drawn) for drawn in answers]
+        passed = [all(difference(answer, constant) is None for answer in drawn) for drawn in answers]
         if sum(passed) > 1:
             return [
                 f"{case.id}: a constant passes it with several seeds, {describe(constant)}; add a call whose"
                 " answer differs"
             ]
     return []
-
-
-def _agree(exercise, case, answer, constant):
-    """Whether grading takes the one for the other."""
-    return compare(answer, constant, case.tolerance, exact_type=exercise.exact_type) is None
 
 
 def _is_empty_stub(exercise):

@@ -28,7 +28,12 @@ def check_data_of(exercise, cases=None, seed=PUBLIC_SEED):
     MasterError: the solution or a case fails.
     """
     cases = exercise.public if cases is None else cases
-    exercise = _with_names(exercise)
+    solution = exercise.function_of(exercise.solution, "solution")
+    exercise = replace(
+        exercise,
+        names=tuple(signature(solution).parameters),
+        provided=tuple(sorted(exercise.namespace())),
+    )
     return replace(
         exercise,
         cases=tuple(replace(case, calls=_solve(exercise, case, seed)) for case in cases),
@@ -37,13 +42,6 @@ def check_data_of(exercise, cases=None, seed=PUBLIC_SEED):
             for mistake in exercise.mistakes
         ),
     )
-
-
-@lru_cache(maxsize=256)
-def _with_names(exercise):
-    solution = exercise.function_of(exercise.solution, "solution")
-    names, provided = signature(solution).parameters, sorted(exercise.namespace())
-    return replace(exercise, names=tuple(names), provided=tuple(provided))
 
 
 @lru_cache(maxsize=256)
