@@ -47,8 +47,8 @@ from imgproc_course.classroom.exercises import CheckResult, read_exercises
 from imgproc_course.classroom.exercises.answer_cells import ComposedAnswer
 from imgproc_course.classroom.exercises.cell_runs import CellRuns
 from imgproc_course.classroom.exercises.cell_syntax import plain_python
-from imgproc_course.classroom.exercises.check_data import check_data_of
 from imgproc_course.classroom.exercises.checking import run_check
+from imgproc_course.classroom.exercises.expected_results import check_data_of
 from imgproc_course.classroom.exercises.percent_script import read_script
 
 ROOT = Path(__file__).parents[2]

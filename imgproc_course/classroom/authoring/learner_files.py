@@ -27,15 +27,15 @@ def without_outputs(data):
     The bytes of another file stay as they are.
     """
     with contextlib.suppress(ValueError, KeyError, TypeError, AttributeError):
-        notebook, has_changed = json.loads(data), False
-        for cell in notebook["cells"]:
-            is_kept = KEEP_OUTPUT_TAG in cell.get("metadata", {}).get("tags", ())
-            if cell["cell_type"] != "code" or is_kept:
-                continue
-            if cell["outputs"] or cell["execution_count"] is not None:
+        notebook = json.loads(data)
+        cells = [cell for cell in notebook["cells"] if cell["cell_type"] == "code" and not _is_kept(cell)]
+        if any(cell["outputs"] or cell["execution_count"] is not None for cell in cells):
+            for cell in cells:
                 cell["outputs"], cell["execution_count"] = [], None
-                has_changed = True
-        if has_changed:
             text = json.dumps(notebook, ensure_ascii=False, indent=1, sort_keys=True)
             return (text + "\n").encode()
     return data
+
+
+def _is_kept(cell):
+    return KEEP_OUTPUT_TAG in cell.get("metadata", {}).get("tags", ())

@@ -2,22 +2,22 @@
 
 import hashlib
 import json
+from dataclasses import dataclass
 from importlib.metadata import version
 
 from imgproc_course.classroom.exercises.canonical import array_of, canonical
-from imgproc_course.classroom.exercises.check_data import check_data_of
+from imgproc_course.classroom.exercises.check_data import CheckData, shared_fields
 from imgproc_course.classroom.exercises.check_files import (
-    CASE_FIELDS,
     CHECKS,
-    DAMAGED,
     FORMAT,
-    PLAIN_FIELDS,
-    RESULT_FIELDS,
     SOLUTIONS,
     CheckFileError,
+    change_values,
     read_lesson_file,
+    reading,
 )
 from imgproc_course.classroom.exercises.comparison import compare
+from imgproc_course.classroom.exercises.expected_results import check_data_of
 from imgproc_course.classroom.exercises.input_encoding import decode, encode
 
 _SMALL_BYTES = 96  # a larger wrong array is stored by its digest
@@ -66,46 +66,42 @@ def _lines(mapping):
 
 def _exercise_entry(exercise, values):
     data = check_data_of(exercise)
-    entry = {name: getattr(data, name) for name in PLAIN_FIELDS}
-    sources = {case.id: case.source for case in exercise.public}
-    entry["cases"] = [_case_entry(case, sources[case.id], values) for case in data.cases]
-    if any("inputs" in case_entry for case_entry in entry["cases"]):
+    entry = shared_fields(data, CheckData)
+    del entry["id"], entry["mistakes"]  # the mistakes come last
+    entry["cases"] = [_case_entry(case) for case in data.cases]
+    if any("inputs" in case for case in entry["cases"]):
         entry["preparation"] = exercise.preparation
-    entry["mistakes"] = [_mistake_entry(mistake, data.cases, values) for mistake in data.mistakes]
-    return entry
+    entry["mistakes"] = [_mistake_entry(mistake, data.cases) for mistake in data.mistakes]
+    return change_values(entry, lambda value, _tolerance: _keep(values, value))
 
 
-def _case_entry(case, source, values):
-    entry = {name: getattr(case, name) for name in CASE_FIELDS}
-    entry["expected"] = [_keep(values, call.result.value) for call in case.calls]
+def _case_entry(case):
+    entry = {name: getattr(case, name) for name in ("id", "title", "points", "hint", "tolerance")}
+    entry["expected"] = [call.result.value for call in case.calls]
     try:
-        entry["arguments"] = [
-            [_keep(values, encode(value)) for value in call.arguments] for call in case.calls
-        ]
+        return entry | {"arguments": [list(map(encode, call.arguments)) for call in case.calls]}
     except TypeError:
-        entry["inputs"] = source
-    return entry
+        return entry | {"inputs": case.source}
 
 
-def _mistake_entry(mistake, cases, values):
+def _mistake_entry(mistake, cases):
     results = {
-        case.id: [_result_entry(*pair, case.tolerance, values) for pair in _pairs(mistake, case)]
+        case.id: [
+            _result_entry(result, call.result.value, case.tolerance)
+            for result, call in zip(mistake.results[case.id], case.calls, strict=True)
+        ]
         for case in cases
     }
     return {"name": mistake.name, "says": mistake.says, "results": results}
 
 
-def _pairs(mistake, case):
-    return zip(mistake.results[case.id], case.calls, strict=True)
-
-
-def _result_entry(result, call, tolerance, values):
-    entry = {name: value for name in RESULT_FIELDS if (value := getattr(result, name))}
-    if result.value is not None:
-        is_right = result.value == call.result.value
-        form = result.value if is_right or tolerance else _by_digest(result.value)
-        entry["value"] = _keep(values, form)
-    return entry
+def _result_entry(result, expected, tolerance):
+    names = ("error", "message", "timed_out", "changed")
+    entry = {name: value for name in names if (value := getattr(result, name))}
+    if result.value is None:
+        return entry
+    is_right = result.value == expected
+    return entry | {"value": result.value if is_right or tolerance else _by_digest(result.value)}
 
 
 def _keep(values, value):
@@ -155,51 +151,33 @@ def _check_file_differences(built, stored_path):
     if stored_path.read_text(encoding="utf-8", errors="replace") == built:
         return []
     try:
-        new, stored = json.loads(built), read_lesson_file(stored_path)
-        names = [name for name in ("lesson", "version", "cells") if new[name] != stored[name]]
-        ids = sorted(new["exercises"].keys() | stored["exercises"].keys())
-        names += [id for id in ids if not _is_same_exercise(id, new, stored)]
-    except (CheckFileError, *DAMAGED):
+        with reading(stored_path):
+            new, stored = json.loads(built), read_lesson_file(stored_path)
+            names = [name for name in ("lesson", "version", "cells") if new[name] != stored[name]]
+            ids = sorted(new["exercises"].keys() | stored["exercises"].keys())
+            names += [id for id in ids if _entry_of(id, new) != _entry_of(id, stored)]
+    except CheckFileError:
         return [f"{place}: damaged; run imgproc-course build"]
     return [f"{place}: {name} differs from the master; run imgproc-course build" for name in names]
 
 
-def _is_same_exercise(id, new, stored):
-    entries = [data["exercises"].get(id) for data in (new, stored)]
-    if None in entries:
-        return False
-    (skeleton, values), (stored_skeleton, stored_values) = (
-        _split(entry, data["values"]) for entry, data in zip(entries, (new, stored), strict=True)
-    )
-    return skeleton == stored_skeleton and all(
-        _is_same_value(*pair) for pair in zip(values, stored_values, strict=True)
-    )
+def _entry_of(id, data):
+    """An exercise of a checks file with a _Value for each of its values; None if it has none of that id."""
+    entry = data["exercises"].get(id)
+    return entry and change_values(entry, lambda key, tolerance: _Value(data["values"][key], tolerance))
 
 
-def _split(entry, values):
-    """An exercise's entry without values, and [(value, whether it is an argument, tolerance)] in order."""
-    entry, kept_values = json.loads(json.dumps(entry)), []
-    tolerances = {case["id"]: case["tolerance"] for case in entry["cases"]}
+@dataclass(eq=False)
+class _Value:
+    """A stored value, and the tolerance with which it equals another one; None for an argument."""
 
-    def take(key, tolerance=None):
-        kept_values.append((values[key], tolerance))
-        return None
+    form: object
+    tolerance: float | None
 
-    for case in entry["cases"]:
-        case["expected"] = [take(key, case["tolerance"]) for key in case["expected"]]
-        case["arguments"] = [[take(key) for key in keys] for keys in case.get("arguments", ())]
-    for mistake in entry["mistakes"]:
-        for case_id, results in mistake["results"].items():
-            for result in results:
-                if "value" in result:
-                    result["value"] = take(result["value"], tolerances[case_id])
-    return entry, kept_values
-
-
-def _is_same_value(new, stored):
-    (value, tolerance), (stored_value, _) = new, stored
-    if value == stored_value:
-        return True
-    if tolerance is None:  # an argument
-        value, stored_value = (canonical(decode(form), limit=None) for form in (value, stored_value))
-    return compare(value, stored_value, tolerance or 0.0, exact_type=True) is None
+    def __eq__(self, other):
+        forms = self.form, other.form
+        if forms[0] == forms[1]:
+            return True
+        if self.tolerance is None:
+            forms = [canonical(decode(form)) for form in forms]
+        return compare(*forms, self.tolerance or 0.0, exact_type=True) is None

@@ -149,6 +149,7 @@ Tags (`tags=["..."]`, any code cell)
 A practice exercise (`practice=True`) is checked but not graded: its points count as 0.
 """
 
+from collections import Counter
 from dataclasses import dataclass, replace
 from pathlib import Path
 
@@ -158,8 +159,9 @@ from imgproc_course.classroom.authoring.rules import FOLDED_LINES, VARYING_TAG, 
 from imgproc_course.classroom.exercises.declaration import MasterError, read_exercises
 from imgproc_course.classroom.exercises.percent_script import DROPPED_ROLES, MISTAKES_SUFFIX, read_script
 
-_SOURCES = ("stub", "solution", "preparation", "helpers")  # fields of an Exercise that are Python
-_TEXTS = ("title", "hint", "border_hint", "explanation", "another_way")
+# Fields of an Exercise and its parts that are Python, and those that are texts.
+_SOURCES = ("stub", "solution", "preparation", "helpers", "given")
+_TEXTS = ("title", "hint", "border_hint", "hints", "explanation", "another_way", "says")
 
 
 @dataclass(frozen=True)
@@ -293,27 +295,20 @@ def _numbered(cell, number):
     return replace(cell, source=source, solved_source=source)
 
 
-def _resolved(exercise, references):
-    """The exercise with the references in its texts and sources resolved."""
-    changes = {name: references.in_text(getattr(exercise, name)) for name in _TEXTS}
-    changes |= {name: references.in_code(getattr(exercise, name)) for name in _SOURCES}
-    return replace(
-        exercise,
-        **changes,
-        given=tuple(map(references.in_code, exercise.given)),
-        hints=tuple(map(references.in_text, exercise.hints)),
-        cases=tuple(
-            replace(case, title=references.in_text(case.title), hint=references.in_text(case.hint))
-            for case in exercise.cases
-        ),
-        mistakes=tuple(
-            replace(mistake, says=references.in_text(mistake.says)) for mistake in exercise.mistakes
-        ),
-    )
+def _resolved(record, references):
+    """An Exercise, Case or Mistake with the references in its texts and sources resolved."""
+    changes = {}
+    for name, value in vars(record).items():
+        resolve = references.in_text if name in _TEXTS else references.in_code
+        if name in ("cases", "mistakes"):
+            changes[name] = tuple(_resolved(part, references) for part in value)
+        elif name in _TEXTS or name in _SOURCES:
+            changes[name] = resolve(value) if isinstance(value, str) else tuple(map(resolve, value))
+    return replace(record, **changes)
 
 
 def _lesson_cells(path, script, exercises, references):
-    counts, latest = {}, ""
+    counts, latest = Counter(), ""
     declared = iter(exercises)
     solutions = {exercise.id: exercise.solution for exercise in exercises}
     position = 0
@@ -333,7 +328,7 @@ def _lesson_cells(path, script, exercises, references):
         if role == "answer":
             id = f"answer-{owner}"
         elif role:
-            counts[role, owner] = counts.get((role, owner), 0) + 1
+            counts[role, owner] += 1
             id = f"{role}-{owner}-{counts[role, owner]}"
         resolve = references.in_prose if cell.kind == "markdown" else references.in_code
         source = resolve(cell.source)

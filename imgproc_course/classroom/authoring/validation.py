@@ -1,7 +1,8 @@
 """Validate an exercise before any learner is graded by it."""
 
-from imgproc_course.classroom.exercises.canonical import VALUE_BYTES, array_of, canonical
-from imgproc_course.classroom.exercises.check_data import check_data_of
+from functools import partial
+
+from imgproc_course.classroom.exercises.canonical import array_of, canonical
 from imgproc_course.classroom.exercises.checking import run_cases
 from imgproc_course.classroom.exercises.comparison import compare, describe
 from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED
@@ -9,17 +10,17 @@ from imgproc_course.classroom.exercises.dependencies import find_refused
 from imgproc_course.classroom.exercises.running import call
 
 _ANOTHER_SEED = 1  # an instructor's key draws other inputs than the lesson
+_MOST_BYTES = 65_536  # of an answer that is compared with a tolerance
 _SEEDS = (PUBLIC_SEED, _ANOTHER_SEED, 2, 3)
 
 
 def validate_exercise(exercise):
     """Problems: a solution that fails, a stub or mistake that is not recognized, a mistake without costs."""
     solution = exercise.function_of(exercise.solution, "solution")
-    result = run_cases(exercise, solution, cases=exercise.cases)
-    other_result = run_cases(exercise, solution, cases=exercise.cases, seed=_ANOTHER_SEED)
     problems = [
         f"{case_result.case.id}: the solution does not pass it a second time; is the solution random?"
-        for case_result in (*result.results, *other_result.results)
+        for seed in (PUBLIC_SEED, _ANOTHER_SEED)
+        for case_result in run_cases(exercise, solution, cases=exercise.cases, seed=seed).results
         if not case_result.passed
     ]
     problems += [
@@ -34,11 +35,6 @@ def validate_exercise(exercise):
         )
     for mistake in exercise.mistakes:
         problems += _mistake_problems(exercise, mistake)
-    problems += [
-        f"{exercise.id}: the mistake {name!r} earns all points; add a call that catches it, for every seed,"
-        " to a case with points"
-        for name in _mistakes_with_all_points(exercise)
-    ]
     for case in exercise.cases:
         problems += _size_problems(exercise, case)
         problems += _seed_problems(exercise, case, solution) if case.points else []
@@ -56,24 +52,15 @@ def _mistake_problems(exercise, mistake):
             f"{exercise.id}: the mistake {mistake.name!r} {confusion};"
             " add a public case that tells the two apart"
         )
-
-
-def _mistakes_with_all_points(exercise):
-    """The names of the mistakes that pass every case with points."""
-    cases = tuple(case for case in exercise.cases if case.points)
-    if exercise.practice:
-        return []
-    checks = [check_data_of(exercise, cases, seed) for seed in (PUBLIC_SEED, _ANOTHER_SEED)]
-    passing = {mistake.name for data in checks for mistake in data.mistakes if _passes(mistake, data)}
-    return [mistake.name for mistake in exercise.mistakes if mistake.name in passing]
-
-
-def _passes(mistake, data):
-    return all(
-        result.matches(expected.result, case.tolerance, exact_type=data.exact_type)
-        for case in data.cases
-        for expected, result in zip(case.calls, mistake.results[case.id], strict=True)
-    )
+    graded = tuple(case for case in exercise.cases if case.points)
+    results = [
+        run_cases(exercise, wrong_function, cases=graded, seed=seed) for seed in (PUBLIC_SEED, _ANOTHER_SEED)
+    ]
+    if not exercise.practice and any(result.passed for result in results):
+        yield (
+            f"{exercise.id}: the mistake {mistake.name!r} earns all points; add a call that catches it, for"
+            " every seed, to a case with points"
+        )
 
 
 def _seed_problems(exercise, case, solution):
@@ -83,19 +70,15 @@ def _seed_problems(exercise, case, solution):
     if all(drawn == arguments[0] for drawn in arguments):
         return [f"{case.id}: inputs(rng) ignores rng, so its answer can be copied; draw the inputs from it"]
     answers = [[canonical(solution(*call), limit=None) for call in drawn] for drawn in calls]
+    difference = partial(compare, tolerance=case.tolerance, exact_type=exercise.exact_type)
     for constant in [answer for drawn in answers for answer in drawn]:
-        passed = [all(_agree(exercise, case, answer, constant) for answer in drawn) for drawn in answers]
+        passed = [all(difference(answer, constant) is None for answer in drawn) for drawn in answers]
         if sum(passed) > 1:
             return [
                 f"{case.id}: a constant passes it with several seeds, {describe(constant)}; add a call whose"
                 " answer differs"
             ]
     return []
-
-
-def _agree(exercise, case, answer, constant):
-    """Whether grading takes the one for the other."""
-    return compare(answer, constant, case.tolerance, exact_type=exercise.exact_type) is None
 
 
 def _is_empty_stub(exercise):
@@ -113,11 +96,11 @@ def _size_problems(exercise, case):
         answer = array_of(canonical(solution(*arguments), limit=None))
         if (
             answer is not None
-            and answer.nbytes > VALUE_BYTES
+            and answer.nbytes > _MOST_BYTES
             and (answer.dtype.kind == "f" or case.tolerance)
         ):
             yield (
                 f"{case.id}: grading cannot compare an answer of {answer.nbytes} bytes with a tolerance;"
-                f" draw a smaller input, up to {VALUE_BYTES} bytes of answer"
+                f" draw a smaller input, up to {_MOST_BYTES} bytes of answer"
             )
             return

@@ -9,7 +9,9 @@ import base64
 import binascii
 import re
 import sys
+from typing import Any
 
+import msgspec
 import numpy as np
 
 from imgproc_course.classroom.exercises.canonical import (
@@ -173,23 +175,32 @@ def read_calls(entries):
     return [_read_call(entry) for entry in entries]
 
 
+class _Call(msgspec.Struct):
+    """A call that ended in time, as `check_cell.call_to_json` writes it: with a value or an error."""
+
+    changed: list[str]
+    printed: str
+    value: Any = None
+    error: str = ""
+    message: str = ""
+    line: str = ""
+
+
 def _read_call(entry):
-    if not isinstance(entry, dict):
-        return None
-    if entry.get("timed_out") is True:
+    if isinstance(entry, dict) and entry.get("timed_out") is True:
         return CallResult(timed_out=True)
-    changed, printed = entry.get("changed"), entry.get("printed")
-    if not isinstance(changed, list) or not all(isinstance(name, str) for name in changed):
+    try:
+        call = msgspec.convert(entry, _Call)
+    except msgspec.ValidationError:
         return None
-    if not isinstance(printed, str):
+    value = None if call.error else read_form(call.value)
+    if value is None and not call.error:
         return None
-    changed = tuple(name[:_MOST_NAME] for name in changed[:_MOST_CHANGED])
-    fields = {"changed": changed, "printed": printed[:_MOST_PRINTED]}
-    if "error" in entry:
-        texts = [entry.get(name) for name in ("error", "message", "line")]
-        if not entry["error"] or not all(isinstance(text, str) for text in texts):
-            return None
-        error, message, line = (text[:_MOST_MESSAGE] for text in texts)
-        return CallResult(error=error, message=message, line=line, **fields)
-    value = read_form(entry.get("value"))
-    return None if value is None else CallResult(value=value, **fields)
+    return CallResult(
+        value=value,
+        error=call.error[:_MOST_MESSAGE],
+        message=call.message[:_MOST_MESSAGE],
+        line=call.line[:_MOST_MESSAGE],
+        changed=tuple(name[:_MOST_NAME] for name in call.changed[:_MOST_CHANGED]),
+        printed=call.printed[:_MOST_PRINTED],
+    )

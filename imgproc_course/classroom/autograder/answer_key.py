@@ -7,8 +7,7 @@ A key is a folder that learners must not get:
                                         answer, one check cell per case with the solution's outputs
     <lesson>/<exercise>.inputs.json     the arguments of each case's calls (see `input_encoding`)
     <lesson>/<exercise>.mistakes.json   what each known mistake does with them
-    handed_out.json                     the ids of each lesson's cells, and the source of check and given
-    cells
+    handed_out.json                     the ids of each lesson's cells, the source of check and given cells
     solutions.json                      {exercise id: source}: an answer that equals it is reported
     variants/2, variants/3, ...         more keys, of the same lessons with other inputs, if it has variants
 
@@ -17,12 +16,15 @@ The seed is in none of these files. Public cases get inputs from this seed too, 
 course's repository gives an answer away. A key contains no pickle; an altered key can at most grade wrongly.
 """
 
+import contextlib
 import hashlib
 import hmac
 import json
 from dataclasses import dataclass, replace
 from functools import lru_cache
 from pathlib import Path
+
+import msgspec
 
 from imgproc_course.classroom.autograder.answer_forms import read_calls
 from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
@@ -74,14 +76,14 @@ class KeyExercise:
     title: str
     function: str
     points: int
-    allowed: tuple
+    allowed: tuple[str, ...]
     time_limit: float
     practice: bool
     stub: str
-    arguments: tuple
-    cases: tuple
-    mistakes: tuple
-    given: tuple = ()
+    arguments: tuple[str, ...]
+    cases: tuple[KeyCase, ...]
+    mistakes: tuple[KeyMistake, ...]
+    given: tuple[str, ...] = ()
     exact_type: bool = False
 
 
@@ -97,7 +99,7 @@ class KeyLesson:
     title: str
     version: str
     digest: str
-    exercises: tuple
+    exercises: tuple[KeyExercise, ...]
 
     @property
     def points(self):
@@ -132,25 +134,19 @@ class Key:
         digest = hmac.digest(self.secret.encode(), learner.encode("utf-8", "surrogatepass"), "sha256")
         return self.variants[int.from_bytes(digest) % len(self.variants)]
 
+    def find(self, exercise_id):
+        """The KeyLesson and the KeyExercise of an exercise, or None and None."""
+        pairs = ((lesson, exercise) for lesson in self.lessons.values() for exercise in lesson.exercises)
+        return next((pair for pair in pairs if pair[1].id == exercise_id), (None, None))
+
     def exercise(self, id):
         """The KeyExercise of that id, or None."""
-        exercises = (exercise for lesson in self.lessons.values() for exercise in lesson.exercises)
-        return next((exercise for exercise in exercises if exercise.id == id), None)
-
-    def lesson_of(self, exercise_id):
-        """The name of the lesson that an exercise belongs to, or None."""
-        return next(
-            (
-                name
-                for name, lesson in self.lessons.items()
-                if any(exercise.id == exercise_id for exercise in lesson.exercises)
-            ),
-            None,
-        )
+        return self.find(id)[1]
 
     def content(self, exercise_id):
         """The notebook, the inputs and the mistakes of a graded exercise, as `ExerciseContent`."""
-        return _content(self.path / self.lesson_of(exercise_id), exercise_id, self.digest)
+        lesson, _ = self.find(exercise_id)
+        return _content(self.path / lesson.name, exercise_id, self.digest)
 
 
 @dataclass(frozen=True)
@@ -175,43 +171,42 @@ class ExerciseContent:
 
 @lru_cache(maxsize=64)
 def _content(folder, id, _digest):
-    try:
-        notebook = json.loads((folder / f"{id}.ipynb").read_text(encoding="utf-8"))
-        inputs = json.loads((folder / f"{id}.inputs.json").read_text(encoding="utf-8"))
-        mistakes = {
-            name: {case_id: read_calls(calls) for case_id, calls in cases.items()}
-            for name, cases in json.loads(
-                (folder / f"{id}.mistakes.json").read_text(encoding="utf-8")
-            ).items()
-        }
+    with reading(folder / id):
+        notebook, inputs, mistakes = (
+            json.loads((folder / f"{id}{ending}").read_text(encoding="utf-8"))
+            for ending in (".ipynb", ".inputs.json", ".mistakes.json")
+        )
         expected = {
             cell["id"]: [call["value"] for call in cell["outputs"][0]["data"][MIME]["calls"]]
             for cell in notebook["cells"]
             if cell["id"] in inputs
         }
-    except (OSError, ValueError, KeyError, IndexError, TypeError) as error:
-        raise KeyFolderError(f"{folder}/{id}: cannot be read ({error}); make the key again") from error
+        mistakes = {
+            name: {case_id: read_calls(calls) for case_id, calls in cases.items()}
+            for name, cases in mistakes.items()
+        }
     return ExerciseContent(notebook, inputs, mistakes, expected)
 
 
 # ---------------------------------------------------------------- reading
 
 
+@contextlib.contextmanager
+def reading(path):
+    """What fails inside means that this file of a key cannot be read: KeyFolderError says so."""
+    try:
+        yield
+    except KeyFolderError:
+        raise
+    except (OSError, ValueError, LookupError, TypeError) as error:
+        raise KeyFolderError(f"{path}: cannot be read ({error}); make the key again") from error
+
+
 def load_key(path):
-    """Read a key.
+    """Read the Key in a folder, the first one with its variants.
 
-    Parameters
-    ----------
-    path : Path of its folder
-
-    Returns
-    -------
-    Key, the first one with its variants
-
-    Raises
-    ------
-    KeyFolderError : there is no key, one of its variants is missing, it has another format, or its check
-        cells were never run
+    KeyFolderError: there is no key, one of its variants is missing, it has another format, or its check cells
+    were never run.
     """
     key, count = _load_one(Path(path).resolve())
     numbers = range(2, count + 1) if key.variant == 1 else ()
@@ -226,49 +221,38 @@ def _load_variant(key, number):
     return variant
 
 
+@dataclass(frozen=True)
+class _KeyFile:
+    """What key.json holds; the number of variants, and what assigns them, only if there are several."""
+
+    lessons: tuple[KeyLesson, ...]
+    variant: int = 1
+    variants: int = 1
+    secret: str = ""
+
+
 def _load_one(path):
     """A Key without its other variants, and how many variants there are."""
-    try:
-        text = (path / "key.json").read_text(encoding="utf-8")
-        content = json.loads(text)
+    with reading(path / "key.json"):
+        try:
+            data = (path / "key.json").read_bytes()
+        except FileNotFoundError as error:
+            raise KeyFolderError(
+                f"{path}: there is no key; make one: imgproc-course key --out {path.name}"
+            ) from error
+        content = msgspec.json.decode(data)
         if content["format"] != FORMAT:
             raise KeyFolderError(
                 f"{path}: a key of format {content['format']}, expected {FORMAT}; make it again"
             )
-        lessons = {entry["name"]: _read_lesson(entry) for entry in content["lessons"]}
-        variant, count, secret = 1, 1, ""
-        if "variants" in content:
-            variant, count, secret = content["variant"], int(content["variants"]), str(content["secret"])
-    except FileNotFoundError as error:
-        raise KeyFolderError(
-            f"{path}: there is no key; make one: imgproc-course key --out {path.name}"
-        ) from error
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        if isinstance(error, KeyFolderError):
-            raise
-        raise KeyFolderError(f"{path}/key.json: cannot be read ({error}); make the key again") from error
-    digest = hashlib.sha256(text.encode())
-    for lesson in lessons.values():
+        file = msgspec.convert(content, _KeyFile)
+    digest = hashlib.sha256(data)
+    for lesson in file.lessons:
         for exercise in lesson.exercises:
             if not exercise.practice:
                 digest.update(_read_checked(path / lesson.name / f"{exercise.id}.ipynb"))
-    return Key(path, digest.hexdigest(), lessons, variant, secret=secret), count
-
-
-def _read_lesson(entry):
-    exercises = tuple(_read_exercise(exercise) for exercise in entry["exercises"])
-    return KeyLesson(**entry | {"exercises": exercises})
-
-
-def _read_exercise(entry):
-    fields = {
-        "allowed": tuple(entry["allowed"]),
-        "arguments": tuple(entry["arguments"]),
-        "given": tuple(entry.get("given", ())),
-        "cases": tuple(KeyCase(**case) for case in entry["cases"]),
-        "mistakes": tuple(KeyMistake(**mistake) for mistake in entry["mistakes"]),
-    }
-    return KeyExercise(**entry | fields)
+    lessons = {lesson.name: lesson for lesson in file.lessons}
+    return Key(path, digest.hexdigest(), lessons, file.variant, secret=file.secret), file.variants
 
 
 def _read_checked(path):
@@ -276,20 +260,17 @@ def _read_checked(path):
 
     nbval never compares a cell without an execution count: such a key would let every answer pass.
     """
-    try:
+    with reading(path):
         data = path.read_bytes()
-        cells = json.loads(data)["cells"]
-    except (OSError, ValueError, KeyError, TypeError) as error:
-        raise KeyFolderError(f"{path}: cannot be read ({error}); make the key again") from error
-    for cell in cells:
-        is_check = cell["id"].startswith(("case-", "check-", "hidden-"))
-        if cell["cell_type"] == "code" and (
-            not isinstance(cell.get("execution_count"), int) or (is_check and not cell["outputs"])
-        ):
-            raise KeyFolderError(
-                f"{path}: cell {cell['id']} has no execution count, so nbval would let every answer pass;"
-                " make the key again"
-            )
+        for cell in json.loads(data)["cells"]:
+            is_check = cell["id"].startswith(("case-", "check-", "hidden-"))
+            if cell["cell_type"] == "code" and (
+                not isinstance(cell.get("execution_count"), int) or (is_check and not cell["outputs"])
+            ):
+                raise KeyFolderError(
+                    f"{path}: cell {cell['id']} has no execution count, so nbval would let every answer pass;"
+                    " make the key again"
+                )
     return data
 
 
@@ -303,23 +284,20 @@ def known_mistake(exercise, content, calls):
     rule, so a lesson and a report name the same mistake.
     """
     public = [case for case in exercise.cases if not case.hidden]
-    candidates = [
-        mistake for mistake in exercise.mistakes if _agrees(content.mistakes[mistake.name], calls, public)
-    ]
-    best = [
-        mistake for mistake in candidates if _agrees(content.mistakes[mistake.name], calls, exercise.cases)
-    ]
-    return next(iter([*best, *candidates]), None)
+    for cases in (exercise.cases, public):
+        for mistake in exercise.mistakes:
+            if _agrees(content.mistakes[mistake.name], calls, cases):
+                return mistake
+    return None
 
 
 def _agrees(mistake_calls, calls, cases):
-    for case in cases:
-        answer, mistake = calls.get(case.id), mistake_calls[case.id]
-        if answer is None or len(answer) != len(mistake):
-            return False
-        if not all(
-            call.matches(mistake_call, case.tolerance)
-            for call, mistake_call in zip(answer, mistake, strict=True)
-        ):
-            return False
-    return True
+    return all(_are_same(calls.get(case.id), mistake_calls[case.id], case.tolerance) for case in cases)
+
+
+def _are_same(answer, mistake, tolerance):
+    return (
+        answer is not None
+        and len(answer) == len(mistake)
+        and all(map(lambda call, other: call.matches(other, tolerance), answer, mistake))
+    )

@@ -15,7 +15,7 @@ from tqdm import tqdm
 
 from imgproc_course.classroom.authoring.atomic_write import write_folder
 from imgproc_course.classroom.authoring.masters import find_masters, read_master
-from imgproc_course.classroom.autograder.answer_forms import read_answer, read_form
+from imgproc_course.classroom.autograder.answer_forms import read_answer
 from imgproc_course.classroom.autograder.answer_key import (
     FORMAT,
     HANDED_OUT,
@@ -24,6 +24,7 @@ from imgproc_course.classroom.autograder.answer_key import (
     KeyCase,
     KeyExercise,
     KeyFolderError,
+    KeyLesson,
     KeyMistake,
     load_key,
 )
@@ -33,6 +34,7 @@ from imgproc_course.classroom.autograder.sandbox.inside.check_cell import argume
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.classroom.autograder.verdict import verdict_on
 from imgproc_course.classroom.exercises import running
+from imgproc_course.classroom.exercises.check_data import shared_fields
 from imgproc_course.classroom.exercises.declaration import MasterError
 from imgproc_course.classroom.exercises.input_encoding import decode, encode
 
@@ -41,29 +43,14 @@ _PLACEHOLDER = "# the learner's answer"
 
 
 def make_key(masters_dir, seed, out, names=(), *, variants=1, unsafe=False, replace=False):
-    """Make a key: run each solution on inputs drawn from the seed, in the sandbox that grades.
+    """Make a Key: run each solution on inputs drawn from the seed, in the sandbox that grades.
 
-    The folder is written whole at the end: an error or Ctrl-C leaves the old one unchanged.
+    The folder is written whole at the end: an error or Ctrl-C leaves the old one unchanged. The key does not
+    contain the seed. `names` are lessons, as `find_masters` takes them, all if empty; each learner gets one
+    of so many `variants` of inputs; `unsafe` runs without a sandbox; `replace` replaces an existing key.
 
-    Parameters
-    ----------
-    masters_dir : Path of the folder of masters
-    seed : int or str, the teacher's secret; the key does not contain it
-    out : Path of the key's folder
-    names : lessons, as `find_masters` takes them; all if empty
-    variants : int, how many sets of inputs are drawn; each learner gets one of them
-    unsafe : bool, run without a sandbox
-    replace : bool, replace an existing key
-
-    Returns
-    -------
-    Key
-
-    Raises
-    ------
-    MasterError : a solution fails, or inputs cannot be sent to a kernel as data; names lesson and case
-    KeyFolderError : there is a key already, or the folder cannot be written
-    SandboxError : there is no sandbox here
+    MasterError: a solution fails, or inputs cannot be sent to a kernel as data; names lesson and case.
+    KeyFolderError: there is a key already, or the folder cannot be written. SandboxError: no sandbox here.
     """
     out = Path(out)
     if out.exists() and not replace and (not out.is_dir() or any(out.iterdir())):
@@ -75,7 +62,7 @@ def make_key(masters_dir, seed, out, names=(), *, variants=1, unsafe=False, repl
     masters = [read_master(path) for path in find_masters(masters_dir, names)]
     solutions = {exercise.id: exercise.solution for master in masters for exercise in master.exercises}
     files = {
-        HANDED_OUT: _handed_out_cells(masters),
+        HANDED_OUT: _dumps({master.name: master.handed_out for master in masters}),
         SOLUTIONS: json.dumps(solutions, indent=1, sort_keys=True),
     }
     with KernelFactory(unsafe=unsafe) as kernel_factory:
@@ -100,18 +87,18 @@ def _about_variant(seed, number, count):
 def _variant_files(masters, numpy_seed, about, kernel_factory):
     """{relative name: text} of one variant of a key."""
     exercises = [(master, exercise) for master in masters for exercise in master.exercises]
+    label = f"key, variant {about['variant']} of {about['variants']}" if about else "key"
     entries, files = {}, {}
-    for master, exercise in tqdm(exercises, desc=_label(about), unit=" exercises", delay=2, leave=False):
+    for master, exercise in tqdm(exercises, desc=label, unit=" exercises", delay=2, leave=False):
         maker = _ExerciseKeyMaker(master, exercise, numpy_seed, kernel_factory)
         entries[exercise.id] = maker.entry()
         files |= {} if exercise.practice else maker.files()
-    content = {"format": FORMAT, "lessons": [_lesson_entry(master, entries) for master in masters]} | about
-    return files | {"key.json": json.dumps(content, indent=1, sort_keys=True) + "\n"}
+    lessons = [_lesson_entry(master, entries) for master in masters]
+    return files | {"key.json": _dumps({"format": FORMAT, "lessons": lessons} | about)}
 
 
-def _label(about):
-    """What the progress bar of a variant says."""
-    return f"key, variant {about['variant']} of {about['variants']}" if about else "key"
+def _dumps(content):
+    return json.dumps(content, indent=1, sort_keys=True) + "\n"
 
 
 def _numpy_seed(seed, variant=1):
@@ -121,23 +108,11 @@ def _numpy_seed(seed, variant=1):
 
 
 def _lesson_entry(master, entries):
-    return {
-        "name": master.name,
-        "number": master.number,
-        "title": master.title,
+    return shared_fields(master, KeyLesson) | {
         "version": version("imgproc-course"),
         "digest": hashlib.sha256(master.path.read_bytes()).hexdigest(),
         "exercises": [entries[exercise.id] for exercise in master.exercises],
     }
-
-
-def _handed_out_cells(masters):
-    """The ids of the lessons' cells, and the source of check and given cells, as JSON.
-
-    They show which check cells a learner changed, and which cells are the learner's own.
-    """
-    lessons = {master.name: master.handed_out for master in masters}
-    return json.dumps(lessons, indent=1, sort_keys=True) + "\n"
 
 
 class _ExerciseKeyMaker:
@@ -146,32 +121,21 @@ class _ExerciseKeyMaker:
     def __init__(self, master, exercise, seed, kernel_factory):
         self._master, self._exercise = master, exercise
         self._seed, self._kernel_factory = seed, kernel_factory
-        self._inputs = {}
-        if not exercise.practice:
-            self._inputs = {case.id: self._encoded_inputs(case) for case in exercise.cases}
+        self._cases = () if exercise.practice else exercise.cases
+        self._inputs = {case.id: self._encoded_inputs(case) for case in self._cases}
 
     def entry(self):
         """The exercise's entry in key.json; a practice exercise has no cases there."""
         exercise = self._exercise
-        cases = () if exercise.practice else tuple(self._key_case(case) for case in exercise.cases)
         mistakes = () if exercise.practice else exercise.mistakes
         solution = exercise.function_of(exercise.solution, "solution")
-        key_exercise = KeyExercise(
-            id=exercise.id,
-            title=exercise.title,
-            function=exercise.function,
-            points=sum(case.points for case in cases),
-            allowed=exercise.allowed,
-            time_limit=exercise.time_limit,
-            practice=exercise.practice,
-            stub=exercise.stub,
-            arguments=tuple(argument_names(solution)),
-            cases=cases,
-            mistakes=tuple(KeyMistake(mistake.name, mistake.says) for mistake in mistakes),
-            given=exercise.given,
-            exact_type=exercise.exact_type,
-        )
-        return asdict(key_exercise)
+        own_fields = {
+            "points": sum(case.points for case in self._cases),
+            "arguments": tuple(argument_names(solution)),
+            "cases": tuple(map(self._key_case, self._cases)),
+            "mistakes": tuple(KeyMistake(mistake.name, mistake.says) for mistake in mistakes),
+        }
+        return asdict(KeyExercise(**shared_fields(exercise, KeyExercise) | own_fields))
 
     def files(self):
         """{relative name: text} of a graded exercise's files."""
@@ -189,15 +153,7 @@ class _ExerciseKeyMaker:
         }
 
     def _key_case(self, case):
-        return KeyCase(
-            case.id,
-            case.title,
-            case.hint,
-            case.points,
-            case.hidden,
-            case.tolerance,
-            len(self._inputs[case.id]),
-        )
+        return KeyCase(**shared_fields(case, KeyCase) | {"calls": len(self._inputs[case.id])})
 
     def _encoded_inputs(self, case):
         exercise = self._exercise
@@ -283,13 +239,11 @@ def _comparison_problem(call):
         return f"{call.error}: {call.message}" if call.message else call.error
     if call.changed:
         return f"it changes its input {', '.join(call.changed)}"
-    return "" if _is_comparable(call.value) else f"a value of type {call.value['type']}"
+    return "" if _is_whole(call.value) else f"a value of type {call.value['type']}"
 
 
-def _is_comparable(form):
-    """Whether the form holds the whole value, not only its type."""
-    if read_form(form) is None or form.get("opaque") or form.get("too_large"):
-        return False
+def _is_whole(form):
+    """Whether a form holds the whole value, not only its type."""
     entries = [*form.get("items", ()), *form.get("fields", {}).values()]
     parts = [part for entry in entries for part in (entry if isinstance(entry, list) else [entry])]
-    return all(_is_comparable(part) for part in parts)
+    return not form.get("opaque") and not form.get("too_large") and all(map(_is_whole, parts))

@@ -2,17 +2,11 @@
 
 from imgproc_course.classroom.exercises.canonical import array_of, canonical
 from imgproc_course.classroom.exercises.cell_runs import watch_cells
+from imgproc_course.classroom.exercises.check_data import Case, Mistake
 from imgproc_course.classroom.exercises.check_files import CheckFileError
 from imgproc_course.classroom.exercises.checking import CheckResult, check, run_cases
 from imgproc_course.classroom.exercises.comparison import Difference, compare
-from imgproc_course.classroom.exercises.declaration import (
-    Case,
-    Exercise,
-    MasterError,
-    Mistake,
-    exercise,
-    read_exercises,
-)
+from imgproc_course.classroom.exercises.declaration import Exercise, MasterError, exercise, read_exercises
 from imgproc_course.classroom.exercises.guesses import GuessComparison, compare_guess
 from imgproc_course.classroom.exercises.help_steps import hint, solution
 from imgproc_course.classroom.exercises.overview import Overview, overview

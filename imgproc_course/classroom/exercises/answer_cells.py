@@ -10,6 +10,7 @@ from dataclasses import dataclass, replace
 from imgproc_course.classroom.exercises.cell_syntax import (
     BLANK,
     CellDefinitions,
+    bound_names,
     function_definitions,
     plain_python,
 )
@@ -44,7 +45,7 @@ def find_answer_cell(exercise, cells, lesson):
     is marked, and none defines the function.
     """
     own = [cell for cell in cells if is_marked(cell, exercise)]
-    own.sort(key=lambda cell: (cell["type"] != "code", cell["id"] != exercise.answer_id))
+    own.sort(key=lambda cell: (cell["type"] != "code", cell["id"] != f"answer-{exercise.id}"))
     was_handed_out = _handed_out(lesson, exercise.function)
     others = [
         cell
@@ -62,10 +63,15 @@ def find_answer_cell(exercise, cells, lesson):
 
 
 def requests_to_compose(answered):
-    """The arguments of `CellDefinitions.compose` for {ExerciseDescription: the cell of its answer}; lists."""
+    """The arguments of `CellDefinitions.compose` for {exercise: the cell of its answer}; lists."""
     preferred = {exercise.function: cell["number"] for exercise, cell in answered.items()}
     return [
-        [cell["number"], exercise.function, sorted(exercise.given_names), preferred]
+        [
+            cell["number"],
+            exercise.function,
+            sorted({"np"}.union(*map(bound_names, exercise.given))),
+            preferred,
+        ]
         for exercise, cell in answered.items()
     ]
 
@@ -102,7 +108,7 @@ def compose_answer(lesson, exercise_id, function, cells):
 
 def is_marked(cell, exercise):
     """Whether a cell is marked as the answer cell of an exercise, by its id or in its metadata."""
-    return cell["id"] == exercise.answer_id or cell["exercise"] == exercise.id
+    return cell["id"] == f"answer-{exercise.id}" or cell["exercise"] == exercise.id
 
 
 def _is_answer(cell, exercise, stub, is_own=False):

@@ -13,7 +13,6 @@ import types
 
 import numpy as np
 
-VALUE_BYTES = 65_536  # a larger array is given by its digest
 _MOST_ITEMS = 20_000  # of all containers together
 _MOST_DEPTH = 8
 MOST_CHARACTERS = 10_000  # of a text
@@ -40,13 +39,13 @@ _QUALNAME = type.__dict__["__qualname__"]
 _MODULE = type.__dict__["__module__"]
 
 
-def canonical(value, limit=VALUE_BYTES):
+def canonical(value, limit=None):
     """The canonical form of a value.
 
     Parameters
     ----------
     value : anything
-    limit : int, bytes; a larger array is given by SHA-256 digest and summary. None: no limit
+    limit : int, bytes; a larger array is given by its SHA-256 digest. None: no limit
 
     Returns
     -------
@@ -57,7 +56,7 @@ def canonical(value, limit=VALUE_BYTES):
         dict                             "items": [[key, value], ...] sorted by key
         bytes                            "length" and "data" (base64) or "digest"
         ndarray                          "dtype", "shape", and "data" (base64, little-endian, C order) or
-                                         "digest", "summary"
+                                         "digest"
         ROS message, SimpleNamespace     "fields": {name: form}
         numpy.matrix                     "opaque": True, and "array": the form of its values, with two axes
         anything else, and subclasses    "opaque": True, and only the name of the type
@@ -88,14 +87,10 @@ class _Writer:
         kind = type(value)
         if value is None:
             return {"type": "None"}
-        if kind is bool:
-            return {"type": "bool", "value": value}
-        if kind is int:
-            return (
-                _too_large("int") if value.bit_length() > MOST_INT_BITS else {"type": "int", "value": value}
-            )
-        if kind is float:
-            return {"type": "float", "value": _number(value)}
+        if kind is int and value.bit_length() > MOST_INT_BITS:
+            return _too_large("int")
+        if kind in (bool, int, float):
+            return {"type": kind.__name__, "value": _number(value)}
         if kind is str:
             return self._text(value)
         if kind is bytes:
@@ -108,8 +103,11 @@ class _Writer:
             return {"type": f"numpy.{kind.__name__}", "value": _number(value.item())}
         if kind in (tuple, list, dict):
             return self._container(value, depth)
-        if kind in _STAND_INS or _is_named_tuple(kind):
-            return self.write(_plain(value), depth)
+        if kind in _STAND_INS:
+            return self.write(_STAND_INS[kind](value), depth)
+        if issubclass(kind, tuple) and "_fields" in kind.__dict__:
+            # The class of a named tuple is a learner's, and so may be its __iter__.
+            return self.write(tuple(tuple.__iter__(value)), depth)
         names = tuple(value.__dict__) if kind is types.SimpleNamespace else _message_fields(kind)
         name = type_name(value)
         form = {"type": f"__main__.{name}" if name in PLAIN_TYPES else name}  # a class of that name
@@ -119,14 +117,14 @@ class _Writer:
 
     def _text(self, value):
         if len(value) > MOST_CHARACTERS:
-            return _too_large("str", length=len(value))
+            return _too_large("str")
         return {"type": "str", "value": value.encode("utf-8", "backslashreplace").decode("utf-8")}
 
     def _container(self, value, depth):
         kind = type(value).__name__
         self._items_left -= len(value)
         if depth >= _MOST_DEPTH or self._items_left < 0:
-            return _too_large(kind, length=len(value))
+            return _too_large(kind)
         if kind == "dict":
             pairs = [[self.write(k, depth + 1), self.write(v, depth + 1)] for k, v in value.items()]
             return {"type": "dict", "items": sorted(pairs, key=lambda pair: repr(pair[0]))}
@@ -140,8 +138,7 @@ class _Writer:
         if plain.dtype.kind == "f":
             plain = plain + plain.dtype.type(0)  # -0.0 becomes 0.0
             plain[np.isnan(plain)] = np.nan
-        data = self._data(plain.tobytes())
-        return form | data | ({"summary": _summary(plain)} if "digest" in data else {})
+        return form | self._data(plain.tobytes())
 
     def _data(self, raw):
         if self._limit is not None and len(raw) > self._limit:
@@ -159,17 +156,6 @@ SCALARS = frozenset(
 )
 
 
-def _is_named_tuple(kind):
-    return issubclass(kind, tuple) and "_fields" in kind.__dict__
-
-
-def _plain(value):
-    """A value of one of the _STAND_INS, or a named tuple, as the plain type."""
-    kind = type(value)
-    # The class of a named tuple is a learner's, and so may be its __iter__.
-    return _STAND_INS[kind](value) if kind in _STAND_INS else tuple(tuple.__iter__(value))
-
-
 def _message_fields(kind):
     """Field names of a ROS message class of rclpy or rosbags; () for any other class."""
     if isinstance(kind.__dict__.get("_fields_and_field_types"), dict):
@@ -185,20 +171,8 @@ def _number(value):
     return value + 0.0 if isinstance(value, float) else value
 
 
-def _summary(values):
-    """Minimum, maximum and mean of an array given by its digest: for readers, never for the verdict."""
-    if not values.size:
-        return {}
-    wide = values.astype(np.float64)
-    return {
-        "min": _number(float(wide.min())),
-        "max": _number(float(wide.max())),
-        "mean": _number(float(wide.mean())),
-    }
-
-
-def _too_large(kind, **more):
-    return {"type": kind, "too_large": True, **more}
+def _too_large(kind):
+    return {"type": kind, "too_large": True}
 
 
 def array_of(form):

@@ -1,20 +1,15 @@
-"""What a check needs to know of an exercise: inputs, expected results and known mistakes, never the solution.
+"""What a check knows of an exercise: inputs, expected results and known mistakes, never the solution.
 
-It is made from a declared exercise (`check_data_of`: validation, tests, the answer key) or read from the file
-that a lesson carries (`check_files`: the learner's `check`).
+A master declares it (`declaration`; `expected_results` runs the solution), or the file that a lesson carries
+holds it (`check_files`: the learner's `check`).
 """
 
 import linecache
-from collections.abc import Mapping
-from dataclasses import dataclass
-from functools import lru_cache
-from inspect import signature
+from dataclasses import dataclass, field, fields
 
 import numpy as np
 
-from imgproc_course.classroom.exercises import feedback
 from imgproc_course.classroom.exercises.cell_syntax import cells_of, needed_parts, parts_of
-from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED, MasterError
 from imgproc_course.classroom.exercises.dependencies import tree_as_graded
 from imgproc_course.classroom.exercises.running import CallResult, by_itself, call
 
@@ -27,61 +22,69 @@ class ExpectedCall:
     result: CallResult
 
 
-@dataclass(frozen=True, eq=False)
-class CheckCase:
-    """One case with its calls, a tuple of ExpectedCall."""
+@dataclass(frozen=True)
+class Case:
+    """One check of an exercise, public or hidden.
+
+    source  defines `inputs(rng)`, in this line of the master
+    calls   tuple of ExpectedCall, once the solution has run
+    """
 
     id: str
     title: str
     points: int
     hint: str
     tolerance: float
-    calls: tuple
+    hidden: bool = False
+    source: str = ""
+    line: int = 0
+    calls: tuple = field(default=(), compare=False)
 
 
-@dataclass(frozen=True, eq=False)
-class CheckMistake:
-    """A known mistake; `results` maps the id of a case to a tuple of CallResult, one for each call."""
+@dataclass(frozen=True)
+class Mistake:
+    """A usual wrong answer, and the sentence that explains it.
+
+    source   defines the function, in the master
+    results  {id of a case: a CallResult for each call}
+    """
 
     name: str
     says: str
-    results: Mapping
+    source: str = ""
+    results: dict[str, tuple[CallResult, ...]] = field(default_factory=dict, compare=False)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, kw_only=True)
 class CheckData:
-    """An exercise as a check needs it.
+    """An exercise as a check needs it; `declaration.exercise` documents the other fields.
 
     names          argument names of the function
     stub           source of the answer cell as it was handed out
     given          sources of the given cells
     provided       names that an answer may use from outside its cell
-    cases          tuple of CheckCase
-    mistakes       tuple of CheckMistake
     hidden_count   number of the cases that only grading runs
     hidden_points  their points
-    exact_type     whether a right value in another type is wrong
-    The other fields are those of the declaration.
     """
 
     id: str
     title: str
     function: str
-    names: tuple
+    names: tuple[str, ...] = ()
     stub: str
-    given: tuple
-    provided: tuple
-    allowed: tuple
+    given: tuple[str, ...]
+    provided: tuple[str, ...] = ()
+    allowed: tuple[str, ...]
     time_limit: float
     practice: bool
-    cases: tuple
-    mistakes: tuple
     hidden_count: int
     hidden_points: int
     border_hint: str
-    hints: tuple
+    hints: tuple[str, ...]
     another_way: str
-    exact_type: bool = False
+    exact_type: bool
+    cases: tuple[Case, ...]
+    mistakes: tuple[Mistake, ...]
 
     @property
     def points(self):
@@ -91,24 +94,20 @@ class CheckData:
     def namespace(self):
         """A new namespace as an answer gets it in grading: np, and what the given cells define."""
         names = {"np": np, "__name__": self.id}
-        for source in self.given:
-            exec(compile(source, f"<given cell of {self.id}>", "exec", dont_inherit=True), names)
+        for number, source in enumerate(self.given, 1):
+            self.run_part(source, names, f"given cell {number} of {self.id}")
         return names
 
+    def run_part(self, source, names, label):
+        """Run a source of the lesson's author in a namespace."""
+        exec(compile(source, f"<{label}>", "exec", dont_inherit=True), names)
+
     def run_answer(self, source, function=None):
-        """Run the source of an answer in a namespace of its own.
+        """Run the source of an answer in a namespace of its own; (its names, the first error as text or "").
 
         As in grading, it runs statement by statement, one that fails or calls exit() costs only itself, and
-        nobody sees what it prints. Modules that the exercise does not allow are not there.
-
-        Parameters
-        ----------
-        source : str, as `CellDefinitions.compose` gives it
-        function : str, the name of a function; then only what it needs is run
-
-        Returns
-        -------
-        (the names that it defines, as a dict; the first error as text or "")
+        nobody sees what it prints. Modules that the exercise does not allow are not there. If the name of a
+        `function` is given, only what that function needs is run.
         """
         names, reason = self.namespace(), ""
         for file, part in self._parts(source, function):
@@ -132,105 +131,10 @@ class CheckData:
 
     def call(self, function, arguments):
         """The CallResult of one call of an answer."""
-        return _call(function, arguments, self.names, self.time_limit)
+        more_names = (f"argument {k + 1}" for k in range(len(self.names), len(arguments)))
+        return call(function, arguments, [*self.names[: len(arguments)], *more_names], self.time_limit)
 
 
-class _MistakeResults(Mapping):
-    """The results of a declared mistake: computed when asked for, because most checks ask for none."""
-
-    def __init__(self, exercise, mistake, cases, seed):
-        self._exercise, self._mistake, self._seed = exercise, mistake, seed
-        self._cases = {case.id: case for case in cases}
-
-    def __getitem__(self, case_id):
-        return _results_of_mistake(self._exercise, self._mistake, self._cases[case_id], self._seed)
-
-    def __iter__(self):
-        return iter(self._cases)
-
-    def __len__(self):
-        return len(self._cases)
-
-
-# Cached from one check to the next: a slow solution runs once. A changed master gives another Exercise.
-@lru_cache(maxsize=256)
-def check_data_of(exercise, cases=None, seed=PUBLIC_SEED):
-    """The CheckData of a declared exercise: the solution is run on the inputs of the cases.
-
-    Parameters
-    ----------
-    exercise : Exercise
-    cases : tuple of Case; the public ones if omitted
-    seed : int, the seed of the inputs
-
-    Returns
-    -------
-    CheckData
-
-    Raises
-    ------
-    MasterError : the solution or a case fails
-    """
-    cases = exercise.public if cases is None else cases
-    names = _argument_names(exercise)
-    check_cases = [
-        CheckCase(case.id, case.title, case.points, case.hint, case.tolerance, _solve(exercise, case, seed))
-        for case in cases
-    ]
-    mistakes = [
-        CheckMistake(mistake.name, mistake.says, _MistakeResults(exercise, mistake, cases, seed))
-        for mistake in exercise.mistakes
-    ]
-    return CheckData(
-        id=exercise.id,
-        title=exercise.title,
-        function=exercise.function,
-        names=names,
-        stub=exercise.stub,
-        given=exercise.given,
-        provided=tuple(sorted(exercise.namespace())),
-        allowed=exercise.allowed,
-        time_limit=exercise.time_limit,
-        practice=exercise.practice,
-        cases=tuple(check_cases),
-        mistakes=tuple(mistakes),
-        hidden_count=len(exercise.hidden),
-        hidden_points=sum(case.points for case in exercise.hidden),
-        border_hint=exercise.border_hint,
-        hints=exercise.hints,
-        another_way=exercise.another_way,
-        exact_type=exercise.exact_type,
-    )
-
-
-@lru_cache(maxsize=256)
-def _argument_names(exercise):
-    return tuple(signature(exercise.function_of(exercise.solution, "solution")).parameters)
-
-
-def _call(function, arguments, names, time_limit):
-    more_names = (f"argument {k + 1}" for k in range(len(names), len(arguments)))
-    return call(function, arguments, [*names[: len(arguments)], *more_names], time_limit)
-
-
-@lru_cache(maxsize=256)
-def _solve(exercise, case, seed):
-    solution = exercise.function_of(exercise.solution, "solution")
-    calls = []
-    for arguments in exercise.arguments(case, seed):
-        result = _call(solution, arguments, _argument_names(exercise), exercise.time_limit)
-        if not result.finished or result.changed:
-            explanation = feedback.explain_call(result, None, exercise.function)
-            raise MasterError(f"{exercise.master.name}, {case.id}: the solution fails. {explanation}")
-        calls.append(ExpectedCall(arguments, result))
-    return tuple(calls)
-
-
-@lru_cache(maxsize=1024)
-def _results_of_mistake(exercise, mistake, case, seed):
-    wrong_function = exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
-    names = _argument_names(exercise)
-    return tuple(
-        _call(wrong_function, expected.arguments, names, exercise.time_limit)
-        for expected in _solve(exercise, case, seed)
-    )
+def shared_fields(record, kind):
+    """What a record has for the fields of another kind of record, as a dict."""
+    return {field.name: getattr(record, field.name) for field in fields(kind) if hasattr(record, field.name)}

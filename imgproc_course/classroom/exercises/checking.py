@@ -6,12 +6,13 @@ from dataclasses import dataclass, field, replace
 from imgproc_course.classroom.exercises import feedback
 from imgproc_course.classroom.exercises.answer_cells import ComposedAnswer, compose_answer
 from imgproc_course.classroom.exercises.cell_runs import RUNS
-from imgproc_course.classroom.exercises.check_data import CheckCase, CheckData, CheckMistake, check_data_of
+from imgproc_course.classroom.exercises.check_data import Case, CheckData, Mistake
 from imgproc_course.classroom.exercises.check_files import find_check_file
 from imgproc_course.classroom.exercises.comparison import Difference, compare
 from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED
 from imgproc_course.classroom.exercises.dependencies import Dependencies, dependencies_of, find_refused
 from imgproc_course.classroom.exercises.diagnosis import Diagnosis, diagnose
+from imgproc_course.classroom.exercises.expected_results import check_data_of
 from imgproc_course.classroom.exercises.progress import ExerciseProgress, digest_of, note_progress
 from imgproc_course.classroom.exercises.running import (
     CallResult,
@@ -40,7 +41,7 @@ _ONLY_HERE = (
 class CaseCall:
     """One call of a case: its arguments, the expected result, the answer's result, and their difference."""
 
-    case: CheckCase
+    case: Case
     arguments: tuple
     expected: CallResult
     result: CallResult
@@ -59,7 +60,7 @@ class CaseResult:
     finish.
     """
 
-    case: CheckCase
+    case: Case
     passed: bool
     failed_call: CaseCall | None
 
@@ -81,7 +82,7 @@ class CheckResult:
     exercise: CheckData
     attempted: bool
     results: tuple = ()
-    mistake: CheckMistake | None = None
+    mistake: Mistake | None = None
     dependencies: Dependencies = field(default_factory=Dependencies)
     diagnosis: Diagnosis = field(default_factory=Diagnosis)
     remarks: tuple = ()

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
+from imgproc_course.classroom.exercises.check_data import Case, CheckData, Mistake
 from imgproc_course.classroom.exercises.percent_script import MISTAKES_SUFFIX, ROLES, MasterError, read_script
 
 PUBLIC_SEED = 20_240_501  # what `check` draws its inputs from; a teacher's key has a seed of its own
@@ -105,56 +106,17 @@ def exercise(
     }
 
 
-@dataclass(frozen=True)
-class Case:
-    """One check of an exercise, public or hidden; `source` defines `inputs(rng)`."""
-
-    id: str
-    title: str
-    points: int
-    hint: str
-    tolerance: float
-    hidden: bool
-    source: str
-    line: int
-
-
-@dataclass(frozen=True)
-class Mistake:
-    """A usual wrong answer, and the sentence that explains it; `source` defines the function."""
-
-    name: str
-    says: str
-    source: str
-
-
-@dataclass(frozen=True)
-class Exercise:
-    """An exercise as its master declares it; `exercise` documents the fields of the heading.
+@dataclass(frozen=True, kw_only=True)
+class Exercise(CheckData):
+    """An exercise as its master declares it.
 
     `preparation` runs before each case and mistake, and then `helpers` before each mistake.
     """
 
-    id: str
-    function: str
-    title: str
-    time_limit: float
-    allowed: tuple
-    tolerance: float
-    practice: bool
-    hint: str
-    border_hint: str
-    hints: tuple
-    explanation: str
-    another_way: str
     master: Path
-    exact_type: bool = False
-    given: tuple = ()
-    preparation: str = ""
-    stub: str = ""
+    preparation: str
     solution: str = ""
-    cases: tuple = ()
-    mistakes: tuple = ()
+    explanation: str = ""
     helpers: str = ""
 
     @property
@@ -165,22 +127,18 @@ class Exercise:
     def hidden(self):
         return tuple(case for case in self.cases if case.hidden)
 
-    @property
-    def points(self):
-        return sum(case.points for case in self.cases)
+    def run_part(self, source, names, label):
+        """Run a part of the master in a namespace; MasterError if it fails."""
+        place = f"{self.master.name}, {label}"
+        try:
+            super().run_part(source, names, place)
+        except Exception as error:
+            raise MasterError(f"{place}: {type(error).__name__}: {error}") from error
 
-    def namespace(self):
-        """A new namespace as an answer gets it in grading: np, and what the given cells define."""
-        names = {"np": np, "__name__": self.id}
-        for number, source in enumerate(self.given):
-            _run(source, names, f"{self.master.name}, given cell {number + 1} of {self.id}")
-        return names
-
-    def _prepared(self, helpers=""):
+    def _prepared(self):
         """A new namespace for the master's own cases and mistakes."""
         names = self.namespace() | {"exercise": exercise}
-        _run(self.preparation, names, f"{self.master.name}, declaration of {self.id}")
-        _run(helpers, names, f"{self.master.name}, helpers of the mistakes of {self.id}")
+        self.run_part(self.preparation, names, f"declaration of {self.id}")
         return names
 
     def function_of(self, source, label, *, prepared=False):
@@ -188,10 +146,11 @@ class Exercise:
 
         Prepared, as for a mistake, it has the helpers, and the right answer as `solution`.
         """
-        names = self.namespace()
+        names = self._prepared() if prepared else self.namespace()
         if prepared:
-            names = self._prepared(self.helpers) | {"solution": self.function_of(self.solution, "solution")}
-        _run(source, names, f"{self.master.name}, {label} of {self.id}")
+            self.run_part(self.helpers, names, f"helpers of the mistakes of {self.id}")
+            names["solution"] = self.function_of(self.solution, "solution")
+        self.run_part(source, names, f"{label} of {self.id}")
         if not callable(names.get(self.function)):
             raise MasterError(
                 f"{self.master.name}: the {label} of {self.id} does not define {self.function}()"
@@ -200,9 +159,9 @@ class Exercise:
 
     def arguments(self, case, seed=PUBLIC_SEED):
         """A tuple of arguments for each call that a case makes; it depends only on the seed and the case."""
-        place = f"{self.master.name}, line {case.line}: {case.id}"
-        names = self._prepared()
-        _run(case.source, names, place)
+        label = f"line {case.line}: {case.id}"
+        place, names = f"{self.master.name}, {label}", self._prepared()
+        self.run_part(case.source, names, label)
         if "inputs" not in names:
             raise MasterError(f"{place} does not define inputs(rng)")
         rng = np.random.default_rng([seed, zlib.crc32(case.id.encode())])
@@ -218,27 +177,10 @@ class Exercise:
         return calls
 
 
-def _run(source, names, place):
-    try:
-        exec(compile(source, f"<{place}>", "exec", dont_inherit=True), names)
-    except Exception as error:
-        raise MasterError(f"{place}: {type(error).__name__}: {error}") from error
-
-
 def read_exercises(path):
     """The exercises that a master declares, in order, with the known mistakes in the file beside it.
 
-    Parameters
-    ----------
-    path : Path of a master
-
-    Returns
-    -------
-    tuple of Exercise
-
-    Raises
-    ------
-    MasterError : what is wrong with the declaration, and in which line
+    Returns a tuple of Exercise; MasterError says what is wrong with the declaration, and in which line.
     """
     path = Path(path)
     files = (path, path.with_suffix(MISTAKES_SUFFIX))
@@ -247,76 +189,72 @@ def read_exercises(path):
 
 @lru_cache(maxsize=64)
 def _read_exercises(path, _modified):
-    headings, preparations, owned_cells = {}, {}, []
-    latest = None
+    headings, owned_cells, latest = {}, [], None
     for cell in read_script(path).role_cells:
-        place = f"{path.name}, line {cell.line}"
-        if cell.role == "predict":
-            continue
         if cell.role == "exercise":
-            heading = _heading(cell, place)
+            heading = _heading(cell)
             latest = heading["id"]
             if latest in headings:
-                raise MasterError(f"{place}: exercise {latest} is declared twice")
-            headings[latest], preparations[latest] = heading, cell
-            continue
-        owners = cell.options.get("exercise", latest)
-        if owners is None:
-            raise MasterError(
-                f'{place}: a {cell.role} cell before any exercise; write exercise="..." in its header'
-            )
-        owned_cells.append((cell, [owners] if isinstance(owners, str) else owners, place))
-    for _, owners, place in owned_cells:
+                raise MasterError(f"{cell.place}: exercise {latest} is declared twice")
+            headings[latest] = heading
+        elif cell.role != "predict":
+            owned_cells.append((cell, _owners(cell, latest)))
+    for cell, owners in owned_cells:
         for owner in owners:
             if owner not in headings:
-                raise MasterError(f"{place}: exercise={owner!r} is not declared in this master")
+                raise MasterError(f"{cell.place}: exercise={owner!r} is not declared in this master")
     owned_cells += _cells_beside(path, headings)
     return tuple(
-        _assemble(
-            path,
-            heading,
-            preparations[id],
-            [(cell, place) for cell, owners, place in owned_cells if id in owners],
-        )
+        _assemble(path, heading, [cell for cell, owners in owned_cells if id in owners])
         for id, heading in headings.items()
     )
 
 
+def _owners(cell, latest):
+    owners = cell.options.get("exercise", latest)
+    if owners is None:
+        raise MasterError(
+            f'{cell.place}: a {cell.role} cell before any exercise; write exercise="..." in its header'
+        )
+    return [owners] if isinstance(owners, str) else owners
+
+
 def _cells_beside(path, headings):
-    """(cell, its owner as a list, its place) of each mistake and helper in the file beside a master."""
+    """(cell, its owner as a list) of each mistake and helper in the file beside a master."""
     file, owner = path.with_suffix(MISTAKES_SUFFIX), None
     for cell in read_script(file).cells if file.exists() else ():
-        place = f"{file.name}, line {cell.line}" if cell.line else file.name
         if cell.kind == "markdown":
             if not cell.source.startswith("# "):
                 continue
             owner = cell.source.removeprefix("# ").strip()
             if owner not in headings:
                 raise MasterError(
-                    f"{place}: no exercise {owner!r} in {path.name}; a heading names one of"
+                    f"{cell.place}: no exercise {owner!r} in {path.name}; a heading names one of"
                     f" {', '.join(headings) or 'none'}"
                 )
         elif cell.role not in ("", "mistake") or cell.options.get("exercise", owner) != owner:
-            raise MasterError(f'{place}: only role="mistake" cells of the exercise in the heading stand here')
+            raise MasterError(
+                f'{cell.place}: only role="mistake" cells of the exercise in the heading stand here'
+            )
         elif owner is None:
-            raise MasterError(f"{place}: code before any heading; write its exercise above: # # an-id")
+            raise MasterError(f"{cell.place}: code before any heading; write its exercise above: # # an-id")
         else:
-            yield cell, [owner], place
+            yield cell, [owner]
 
 
-def _heading(cell, place):
+def _heading(cell):
     try:
         calls = [node for node in ast.walk(ast.parse(cell.source)) if _is_declaration(node)]
         if len(calls) != 1:
-            raise MasterError(f"{place}: expected one call of exercise(...), found {len(calls)}")
+            raise MasterError(f"expected one call of exercise(...), found {len(calls)}")
         arguments = [ast.literal_eval(value) for value in calls[0].args]
         keywords = {keyword.arg: ast.literal_eval(keyword.value) for keyword in calls[0].keywords}
-        return exercise(*arguments, **keywords)
+        return exercise(*arguments, **keywords) | {"preparation": cell.source}
     except MasterError as error:
-        raise MasterError(f"{place}: {error}") from error
+        raise MasterError(f"{cell.place}: {error}") from error
     except (SyntaxError, ValueError, TypeError) as error:
         raise MasterError(
-            f"{place}: cannot read the declaration ({error}); exercise(...) takes literals only"
+            f"{cell.place}: cannot read the declaration ({error}); exercise(...) takes literals only"
         ) from error
 
 
@@ -324,38 +262,40 @@ def _is_declaration(node):
     return isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id == "exercise"
 
 
-def _assemble(path, heading, preparation, cells):
-    cells_by_role = {role: [(cell, place) for cell, place in cells if cell.role == role] for role in ROLES}
+def _assemble(path, heading, cells):
+    cells_by_role = {role: [cell for cell in cells if cell.role == role] for role in ("", *ROLES)}
     for role in ("answer", "solution"):
         if len(cells_by_role[role]) != 1:
             place = f"{path.name}: exercise {heading['id']}"
             raise MasterError(f'{place} needs one role="{role}" cell, found {len(cells_by_role[role])}')
-    cases = [_case(heading, cell, place, k) for k, (cell, place) in enumerate(cells_by_role["case"], 1)]
-    cases += [_case(heading, cell, place, k) for k, (cell, place) in enumerate(cells_by_role["hidden"], 1)]
-    mistakes = [
-        Mistake(_text(cell, "name", place), _text(cell, "says", place), cell.source)
-        for cell, place in cells_by_role["mistake"]
-    ]
+    cases, hidden = (
+        [_case(heading, cell, number) for number, cell in enumerate(cells_by_role[role], 1)]
+        for role in ("case", "hidden")
+    )
     return Exercise(
-        **heading,
+        **{name: value for name, value in heading.items() if name not in ("hint", "tolerance")},
         master=path,
-        given=tuple(cell.source for cell, _ in cells_by_role["given"]),
-        preparation=preparation.source,
-        stub=cells_by_role["answer"][0][0].source,
-        solution=cells_by_role["solution"][0][0].source,
-        cases=tuple(cases),
-        mistakes=tuple(mistakes),
-        helpers="\n\n".join(cell.source for cell, _ in cells if not cell.role),
+        given=tuple(cell.source for cell in cells_by_role["given"]),
+        stub=cells_by_role["answer"][0].source,
+        solution=cells_by_role["solution"][0].source,
+        cases=(*cases, *hidden),
+        hidden_count=len(hidden),
+        hidden_points=sum(case.points for case in hidden),
+        mistakes=tuple(
+            Mistake(_text(cell, "name"), _text(cell, "says"), cell.source)
+            for cell in cells_by_role["mistake"]
+        ),
+        helpers="\n\n".join(cell.source for cell in cells_by_role[""]),
     )
 
 
-def _case(heading, cell, place, number):
+def _case(heading, cell, number):
     points = 0 if heading["practice"] else cell.options.get("points", 1)
     if not isinstance(points, int) or points < 0:
-        raise MasterError(f"{place}: points={points!r}, expected a whole number >= 0")
+        raise MasterError(f"{cell.place}: points={points!r}, expected a whole number >= 0")
     return Case(
         id=f"{cell.role}-{heading['id']}-{number}",
-        title=_text(cell, "title", place),
+        title=_text(cell, "title"),
         points=points,
         hint=cell.options.get("hint", heading["hint"]),
         tolerance=float(cell.options.get("tolerance", heading["tolerance"])),
@@ -365,8 +305,8 @@ def _case(heading, cell, place, number):
     )
 
 
-def _text(cell, key, place):
+def _text(cell, key):
     value = cell.options.get(key)
     if not isinstance(value, str) or not value.strip():
-        raise MasterError(f'{place}: a {cell.role} cell needs {key}="..." in its header')
+        raise MasterError(f'{cell.place}: a {cell.role} cell needs {key}="..." in its header')
     return value

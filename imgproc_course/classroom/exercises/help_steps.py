@@ -7,12 +7,11 @@ import re
 from dataclasses import dataclass
 
 from imgproc_course.classroom.exercises.check_files import (
-    DAMAGED,
     SOLUTIONS,
-    damaged,
     find_check_data,
     find_check_file,
     read_lesson_file,
+    reading,
 )
 from imgproc_course.classroom.exercises.progress import ExerciseProgress, note_progress, progress_of
 
@@ -115,11 +114,9 @@ def solution(exercise_id, give_up=False):
     progress = progress_of(exercise_id)
     if not (give_up or progress.passed or len(progress.tries) >= TRIES):
         return _not_yet(exercise_id, exercise.function, len(progress.tries))
-    try:
+    with reading(path):
         entry = read_lesson_file(path)["solutions"][exercise_id]
         code, explanation = str(entry["code"]).strip(), str(entry["explanation"]).strip()
-    except DAMAGED as error:
-        raise damaged(path, error) from error
     another_way = f"What else could be right:\n{exercise.another_way}" if exercise.another_way else ""
     more = "\n".join(part for part in (explanation, another_way) if part)
     return Help(f"{exercise_id}: one solution", code=code, more=more)

@@ -1,5 +1,6 @@
 """The course at a glance: its lessons, what each needs, and what the learner has passed."""
 
+import contextlib
 import html
 import json
 import re
@@ -45,6 +46,14 @@ class LessonProgress:
     def is_done(self):
         return len(self.passed) == len(self.exercises)
 
+    @property
+    def tick(self):
+        return "✓ " if self.exercises and self.is_done else ""
+
+    @property
+    def count(self):
+        return f"{len(self.passed)} of {len(self.exercises)}"
+
 
 @dataclass(frozen=True)
 class Overview:
@@ -79,40 +88,32 @@ class Overview:
 
     def _line(self, lesson):
         needs = f", needs {', '.join(lesson.needs)}" if lesson.needs else ""
-        mark = "✓ " if lesson.exercises and lesson.is_done else "→ " if lesson == self.next_lesson else "  "
-        return (
-            f"{mark}{lesson.number} {lesson.title}: {lesson.minutes} minutes{needs};"
-            f" {len(lesson.passed)} of {len(lesson.exercises)} exercises"
-        )
+        mark = lesson.tick or ("→ " if lesson == self.next_lesson else "  ")
+        about = f"{lesson.number} {lesson.title}: {lesson.minutes} minutes{needs}"
+        return f"{mark}{about}; {lesson.count} exercises"
 
     def _repr_html_(self):
-        rows = "".join(map(self._row, self.lessons))
-        head = "".join(
-            f'<th scope="col" style="text-align: left">{name}</th>'
-            for name in ("Lesson", "Minutes", "Needs", "Exercises passed")
-        )
+        head = _row('th scope="col"', ("Lesson", "Minutes", "Needs", "Exercises passed"))
+        rows = "".join(_row("td", self._cells(lesson)) for lesson in self.lessons)
         bar = (
             f'<progress value="{self.passed}" max="{max(self.exercises, 1)}" aria-label="exercises passed"'
             ' style="width: 100%; max-width: 480px"></progress>'
         )
-        return (
-            f"<div>{bar}</div><div>{self._summary()}</div>"
-            f"<table><thead><tr>{head}</tr></thead><tbody>{rows}</tbody></table>"
-        )
+        table = f"<table><thead>{head}</thead><tbody>{rows}</tbody></table>"
+        return f"<div>{bar}</div><div>{self._summary()}</div>{table}"
 
-    def _row(self, lesson):
+    def _cells(self, lesson):
         label = html.escape(f"{lesson.number} · {lesson.title}")
         link = f'<a href="{html.escape(lesson.file)}">{label}</a>'
-        is_next = lesson == self.next_lesson
-        name = f"{link} <b>{'begin' if self.passed == 0 else 'continue'} here</b>" if is_next else link
-        tick = "✓ " if lesson.exercises and lesson.is_done else ""
-        cells = (
-            name,
-            str(lesson.minutes),
-            ", ".join(lesson.needs) or "–",
-            f"{tick}{len(lesson.passed)} of {len(lesson.exercises)}",
-        )
-        return "<tr>" + "".join(f'<td style="text-align: left">{cell}</td>' for cell in cells) + "</tr>"
+        if lesson == self.next_lesson:
+            link += f" <b>{'begin' if self.passed == 0 else 'continue'} here</b>"
+        return link, lesson.minutes, ", ".join(lesson.needs) or "–", f"{lesson.tick}{lesson.count}"
+
+
+def _row(tag, cells):
+    """A row of the table, of cells with this tag."""
+    cells = "".join(f'<{tag} style="text-align: left">{cell}</{tag[:2]}>' for cell in cells)
+    return f"<tr>{cells}</tr>"
 
 
 def overview(folder=None):
@@ -124,11 +125,7 @@ def overview(folder=None):
 
     Returns
     -------
-    Overview, which a notebook shows
-
-    Raises
-    ------
-    ValueError : the folder has no lessons
+    Overview, which a notebook shows; ValueError: the folder has no lessons
     """
     folders = [Path(folder)] if folder else [Path.cwd(), Path(__file__).resolve().parents[3] / "notebooks"]
     for place in folders:
@@ -160,11 +157,8 @@ def _lesson(path, progress):
 
 
 def _exercises_of(lesson, folder):
-    for checks in checks_folders(folder):
-        path = checks / f"{lesson}.json"
-        if path.is_file():
-            try:
-                return tuple(read_check_file(path).ids)
-            except CheckFileError:
-                return ()
+    paths = [checks / f"{lesson}.json" for checks in checks_folders(folder)]
+    path = next(filter(Path.is_file, paths), None)
+    with contextlib.suppress(CheckFileError):
+        return tuple(read_check_file(path).entries) if path else ()
     return ()

@@ -30,13 +30,20 @@ class ScriptCell:
     options  the other values of its header: {"title": "Bright pixels", "points": 1}
     source   str
     line     the line of its header, from 1; 0 for a cell without a role
+    file     name of the script
     """
 
     kind: str
     role: str
     options: dict
     source: str
-    line: int = 0
+    line: int
+    file: str
+
+    @property
+    def place(self):
+        """The script and the line, for messages."""
+        return f"{self.file}, line {self.line}" if self.line else self.file
 
 
 @dataclass(frozen=True)
@@ -71,16 +78,15 @@ def _read_script(path, _modified):
     lines = text.splitlines()
     cells, position = [], 0
     for notebook_cell in notebook.cells:
-        options = dict(notebook_cell.metadata)
+        options, line = dict(notebook_cell.metadata), 0
         if _UNREADABLE in options:
             _refuse_header(path, lines, options[_UNREADABLE])
         role = options.pop("role", "")
         if role:
-            position = _next_role_header(lines, position)
-            _check_header(f"{path.name}, line {position}", notebook_cell.cell_type, role, options)
-        line = position if role else 0
-        cell = ScriptCell(notebook_cell.cell_type, role, options, notebook_cell.source, line)
-        position += len(cell.source.splitlines()) if role else 0
+            line = _next_role_header(lines, position)
+            position = line + len(notebook_cell.source.splitlines())
+        cell = ScriptCell(notebook_cell.cell_type, role, options, notebook_cell.source, line, path.name)
+        _check_header(cell)
         cells.append(cell)
     return Script(notebook.metadata.get("imgproc_course", {}), tuple(cells))
 
@@ -100,11 +106,11 @@ def _next_role_header(lines, position):
     )
 
 
-def _check_header(place, kind, role, options):
-    if role not in ROLES:
-        raise MasterError(f"{place}: role={role!r}, expected one of {', '.join(ROLES)}")
-    if kind != "code":
-        raise MasterError(f"{place}: a {role} cell is a {kind} cell; a role needs a code cell")
-    for key, value in options.items():
-        if value is None:
-            raise MasterError(f'{place}: {key} has no value; write {key}="text" or {key}=3')
+def _check_header(cell):
+    if cell.role and cell.role not in ROLES:
+        raise MasterError(f"{cell.place}: role={cell.role!r}, expected one of {', '.join(ROLES)}")
+    if cell.role and cell.kind != "code":
+        raise MasterError(f"{cell.place}: a {cell.role} cell is a {cell.kind} cell; a role needs a code cell")
+    for key, value in cell.options.items():
+        if value is None and cell.role:
+            raise MasterError(f'{cell.place}: {key} has no value; write {key}="text" or {key}=3')

@@ -8,6 +8,7 @@ read-only, progress lasts as long as the process.
 import ast
 import contextlib
 import hashlib
+import itertools
 import json
 import linecache
 import os
@@ -15,12 +16,13 @@ import secrets
 import types
 from dataclasses import asdict, dataclass
 from pathlib import Path
+from typing import Literal
 
 from imgproc_course.classroom.exercises.running import code_of
 
 PROGRESS, LOCK = ".progress.json", ".progress.lock"
 LEARNERS_FOLDER = ".course.json"  # a folder with this file is a learner's
-FORMAT = 1
+_DAMAGED = (ValueError, RecursionError)
 _MOST_TRIES = 50
 _LAB_VARIABLE = "JPY_SESSION_NAME"  # Jupyter's server sets it for the kernel of a notebook
 _TEST_VARIABLE = "PYTEST_CURRENT_TEST"  # pytest sets it, so nbval and our builds have it
@@ -36,12 +38,18 @@ class ExerciseProgress:
     """
 
     passed: bool = False
-    tries: tuple = ()
+    tries: tuple[str, ...] = ()
     hints: int = 0
 
     def __or__(self, other):
         tries = tuple(dict.fromkeys((*self.tries, *other.tries)))[:_MOST_TRIES]
         return ExerciseProgress(self.passed or other.passed, tries, max(self.hints, other.hints))
+
+
+@dataclass(frozen=True)
+class _ProgressFile:
+    format: Literal[1]
+    exercises: dict[str, ExerciseProgress]
 
 
 _of_this_process = {}  # {exercise id: ExerciseProgress}
@@ -57,8 +65,8 @@ def learners_folder():
 def read_progress(folder):
     """{exercise id: ExerciseProgress} as kept in a folder; empty if there is none, or the file is damaged."""
     try:
-        return _parse((Path(folder) / PROGRESS).read_text(encoding="utf-8"))
-    except (OSError, ValueError):
+        return _parse((Path(folder) / PROGRESS).read_bytes())
+    except (OSError, *_DAMAGED):
         return {}
 
 
@@ -87,10 +95,10 @@ def _write(folder, exercise_id, progress):
     with one_at_a_time(folder / LOCK):
         entries = _read_or_move_aside(path)
         entries[exercise_id] = entries.get(exercise_id, ExerciseProgress()) | progress
-        exercises = {id: asdict(entries[id]) for id in sorted(entries)}
+        file = _ProgressFile(1, dict(sorted(entries.items())))
         temporary = path.with_name(f".progress-{secrets.token_hex(4)}.tmp")
         try:
-            temporary.write_text(json.dumps({"format": FORMAT, "exercises": exercises}, indent=1) + "\n")
+            temporary.write_text(json.dumps(asdict(file), indent=1) + "\n")
             temporary.replace(path)
         finally:
             temporary.unlink(missing_ok=True)
@@ -98,32 +106,22 @@ def _write(folder, exercise_id, progress):
 
 def _read_or_move_aside(path):
     try:
-        return _parse(path.read_text(encoding="utf-8"))
+        return _parse(path.read_bytes())
     except FileNotFoundError:
         return {}
-    except ValueError:
-        numbers = (number for number in range(1, 1000))
-        asides = (path.with_name(f".progress.damaged-{number}.json") for number in numbers)
+    except _DAMAGED:
+        asides = (path.with_name(f".progress.damaged-{number}.json") for number in itertools.count(1))
         aside = next(aside for aside in asides if not aside.exists())
         path.rename(aside)
         print(f"Your progress in {PROGRESS} could not be read: it begins anew. The old file is {aside.name}.")
         return {}
 
 
-def _parse(text):
-    """The entries of a progress file; ValueError if it is damaged."""
-    try:
-        data = json.loads(text)
-        if data["format"] != FORMAT:
-            raise ValueError(f"format {data['format']!r}")
-        return {
-            str(id): ExerciseProgress(
-                bool(entry["passed"]), tuple(map(str, entry["tries"])), int(entry["hints"])
-            )
-            for id, entry in data["exercises"].items()
-        }
-    except (KeyError, TypeError, AttributeError, RecursionError) as error:
-        raise ValueError(f"{type(error).__name__}: {error}") from error
+def _parse(data):
+    """The entries of a progress file; one of _DAMAGED is raised if it is damaged."""
+    import msgspec  # here, because the kernels that grade import this module too
+
+    return msgspec.json.decode(data, type=_ProgressFile).exercises
 
 
 @contextlib.contextmanager

@@ -1,8 +1,9 @@
 """The answer keys that submissions are graded with: one key per version of a lesson."""
 
+import contextlib
 import json
 
-from imgproc_course.classroom.autograder.answer_key import HANDED_OUT, SOLUTIONS, KeyFolderError, load_key
+from imgproc_course.classroom.autograder.answer_key import HANDED_OUT, SOLUTIONS, load_key, reading
 from imgproc_course.classroom.exercises.lesson_description import LessonDescription
 
 
@@ -46,7 +47,8 @@ class AnswerKeys:
     def describe(self, lesson, version):
         """The LessonDescription of a lesson, from the key for this version."""
         key = self.key_for(lesson, version)
-        return LessonDescription.from_key(key.lessons[lesson], self._cells[key.digest].get(lesson, {}))
+        key_lesson, cells = key.lessons[lesson], self._cells[key.digest].get(lesson, {})
+        return LessonDescription(lesson, key_lesson.version, key_lesson.exercises, cells)
 
     def known_code(self, lesson):
         """What everybody knows of a lesson, as [{place: code handed out}, {exercise id: solution}]."""
@@ -74,9 +76,6 @@ def load_keys(folders):
 
 def _read(folder, name):
     """The content of a file of a key, a dict; empty if the key does not have it."""
-    try:
+    with reading(folder / name), contextlib.suppress(FileNotFoundError):
         return dict(json.loads((folder / name).read_text(encoding="utf-8")))
-    except FileNotFoundError:
-        return {}
-    except (OSError, ValueError, TypeError) as error:
-        raise KeyFolderError(f"{folder}/{name}: cannot be read ({error}); make the key again") from error
+    return {}

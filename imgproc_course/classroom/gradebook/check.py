@@ -105,7 +105,7 @@ class CheckFileCatalog:
 
     def answer_ids(self, lesson):
         """The ids of a lesson's answer cells, as a set."""
-        return {f"answer-{id}" for id in self.lessons[lesson].ids}
+        return {f"answer-{id}" for id in self.lessons[lesson].entries}
 
     def functions(self, lesson):
         """The names of the functions that a lesson asks for, as a set."""
@@ -145,7 +145,7 @@ def check_lesson(path, folders=None):
     if content.reason:
         raise LessonFileError(f"{path}: {content.reason}")
     file = catalog.lessons[content.lesson]
-    return LessonCheck(path, content, [_exercise_check(file.exercise(id), content) for id in file.ids])
+    return LessonCheck(path, content, [_exercise_check(file.exercise(id), content) for id in file.entries])
 
 
 def _exercise_check(exercise, content):

@@ -4,10 +4,11 @@ There is no time of day, no order of files and no chance in it: the same submiss
 """
 
 import json
-from dataclasses import asdict, replace
+from dataclasses import asdict
 from importlib.metadata import version
 
 from imgproc_course.classroom.autograder.outcomes import Outcome
+from imgproc_course.classroom.autograder.results import to_json
 from imgproc_course.classroom.gradebook.anonymity import anonymous_id
 from imgproc_course.classroom.gradebook.collect import SubmittedFile
 from imgproc_course.classroom.gradebook.final_points import settle_lesson
@@ -144,9 +145,7 @@ def _lesson_entry(learner, submission, answer_keys, store, deadlines):
         "key": submission.key.digest if submission.key else None,
         "variant": submission.key.variant if submission.key else None,
         **_file_entry(learner, submission, deadlines),
-        "findings": [
-            {"kind": finding.kind, "exercise": finding.exercise, "text": finding.text} for finding in findings
-        ],
+        "findings": [asdict(finding) for finding in findings],
         "exercises": _exercise_entries(result) if result else [],
         "earlier": [
             _file_entry(learner, replaced, deadlines) | {"reason": replaced.content.reason}
@@ -170,12 +169,9 @@ def _file_entry(learner, submission, deadlines):
 
 def _exercise_entries(result):
     """The exercises without the values: those are on the learner's page and in the store."""
-    exercises = []
-    for exercise in result.exercises:
-        cases = tuple(replace(case, failed_call=None) for case in exercise.cases)
-        exercises.append(asdict(replace(exercise, cases=cases)) | {"points": exercise.points})
-        for case in exercises[-1]["cases"]:
-            del case["failed_call"]
+    exercises = to_json(result)["exercises"]
+    for case in (case for exercise in exercises for case in exercise["cases"]):
+        del case["failed_call"]
     return exercises
 
 

@@ -215,7 +215,7 @@ def _inspect_notebook(notebook, cells, lesson, content):
 def _inspect_answer(exercise, answer, content):
     """Take an exercise's answer, add what is unusual about it, and return its AnswerState."""
     if answer is None:
-        content.add(f"its answer cell ({exercise.answer_id}) is missing", exercise.id)
+        content.add(f"its answer cell (answer-{exercise.id}) is missing", exercise.id)
         return AnswerState.MISSING
     cell = answer.cell
     if not answer.is_answer and not answer.own:  # the stub, without its mark
@@ -326,7 +326,7 @@ def _report_place(exercise, answer, content):
 
 def _state_of_marked(exercise, own):
     """What is wrong with the cell that is marked as the answer cell."""
-    text = f"its answer cell ({exercise.answer_id})"
+    text = f"its answer cell (answer-{exercise.id})"
     if not own:
         return f"{text} is missing"
     if own[0]["type"] != "code":

@@ -147,8 +147,8 @@ def _exercise(text, lesson, answer_keys, place):
     if not text:
         return None
     for key in answer_keys.keys:
-        exercise = key.exercise(text)
-        if exercise and key.lesson_of(text) == lesson.name and not exercise.practice:
+        key_lesson, exercise = key.find(text)
+        if exercise and key_lesson.name == lesson.name and not exercise.practice:
             return exercise
     names = ", ".join(exercise.id for exercise in lesson.exercises if not exercise.practice)
     raise TableError(

@@ -72,8 +72,6 @@ def passes(payload, expected, tolerance):
 )
 def test_every_canonical_form_is_accepted(value):
     form = canonical(value)
-    form.pop("summary", None)  # for readers of `check` only
-    form.pop("length", None) if form.get("too_large") else None
     assert read_form(json.loads(json.dumps(form))) == form
 
 
@@ -285,13 +283,12 @@ LARGE = np.arange(1_200_000, dtype=np.uint32).astype(np.uint8)
     [
         ([LARGE[:10]], canonical([LARGE[:10]])),
         ([LARGE[:900_000]] * 3, {"type": "list", "too_large": True}),
-        (np.append(LARGE, LARGE), canonical(np.append(LARGE, LARGE))),
+        (np.append(LARGE, LARGE), canonical(np.append(LARGE, LARGE), limit=1_000)),
     ],
 )
 def test_a_page_shows_no_value_much_larger_than_the_expected_one(value, shown):
     """All values of a learner are in memory while their page is written."""
     form = form_to_show(canonical(value, limit=None), canonical(RIGHT))
-    form.pop("summary", None), shown.pop("summary", None)
     assert form == shown
     same = canonical(value, limit=None)
     assert form_to_show(same, same) is same

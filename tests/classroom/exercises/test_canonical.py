@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 import pytest
 
-from imgproc_course.classroom.exercises.canonical import VALUE_BYTES, array_of, canonical
+from imgproc_course.classroom.exercises.canonical import array_of, canonical
 
 
 @pytest.mark.parametrize(
@@ -63,16 +63,15 @@ def test_zeros_and_nans_have_one_form():
 
 
 def test_a_large_array_is_given_by_its_digest():
-    values = np.zeros(VALUE_BYTES + 1, np.uint8)
+    values = np.zeros(101, np.uint8)
     values[7] = 3
-    form = canonical(values)
+    form = canonical(values, limit=100)
     assert "data" not in form
-    assert form["summary"] == {"min": 0.0, "max": 3.0, "mean": 3 / (VALUE_BYTES + 1)}
     other = values.copy()
     other[8] = 1
-    assert canonical(other)["digest"] != form["digest"]
-    assert "digest" not in canonical(values[1:])
-    assert "data" in canonical(values, limit=None)
+    assert canonical(other, limit=100)["digest"] != form["digest"]
+    assert "digest" not in canonical(values[1:], limit=100)
+    assert "data" in canonical(values)
 
 
 class Liar:
@@ -151,8 +150,8 @@ def test_values_that_are_too_large_or_too_deep():
     loop = []
     loop.append(loop)
     assert json.dumps(canonical(loop)).count("too_large") == 1
-    assert canonical([0] * 30_000) == {"type": "list", "too_large": True, "length": 30_000}
-    assert canonical("a" * 20_000) == {"type": "str", "too_large": True, "length": 20_000}
+    assert canonical([0] * 30_000) == {"type": "list", "too_large": True}
+    assert canonical("a" * 20_000) == {"type": "str", "too_large": True}
     assert canonical(1 << 5_000) == {"type": "int", "too_large": True}
     assert canonical("\ud800")["value"] == "\\ud800"
 

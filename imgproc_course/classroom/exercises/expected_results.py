@@ -1,0 +1,65 @@
+"""The expected results of a declared exercise: its solution and its known mistakes are run on its cases."""
+
+from dataclasses import replace
+from functools import lru_cache
+from inspect import signature
+
+from imgproc_course.classroom.exercises import feedback
+from imgproc_course.classroom.exercises.check_data import ExpectedCall
+from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED, MasterError
+
+
+class _MistakeResults(dict):
+    """The results of a declared mistake: computed when asked for, because most checks ask for none."""
+
+    def __init__(self, exercise, mistake, cases, seed):
+        self._exercise, self._mistake, self._seed = exercise, mistake, seed
+        self._cases = {case.id: case for case in cases}
+
+    def __missing__(self, case_id):
+        return _results_of_mistake(self._exercise, self._mistake, self._cases[case_id], self._seed)
+
+
+# Cached from one check to the next: a slow solution runs once. A changed master gives another Exercise.
+@lru_cache(maxsize=256)
+def check_data_of(exercise, cases=None, seed=PUBLIC_SEED):
+    """The CheckData of an Exercise, for these cases (the public ones if omitted) with inputs from this seed.
+
+    MasterError: the solution or a case fails.
+    """
+    cases = exercise.public if cases is None else cases
+    solution = exercise.function_of(exercise.solution, "solution")
+    exercise = replace(
+        exercise,
+        names=tuple(signature(solution).parameters),
+        provided=tuple(sorted(exercise.namespace())),
+    )
+    return replace(
+        exercise,
+        cases=tuple(replace(case, calls=_solve(exercise, case, seed)) for case in cases),
+        mistakes=tuple(
+            replace(mistake, results=_MistakeResults(exercise, mistake, cases, seed))
+            for mistake in exercise.mistakes
+        ),
+    )
+
+
+@lru_cache(maxsize=256)
+def _solve(exercise, case, seed):
+    solution = exercise.function_of(exercise.solution, "solution")
+    calls = []
+    for arguments in exercise.arguments(case, seed):
+        result = exercise.call(solution, arguments)
+        if not result.finished or result.changed:
+            explanation = feedback.explain_call(result, None, exercise.function)
+            raise MasterError(f"{exercise.master.name}, {case.id}: the solution fails. {explanation}")
+        calls.append(ExpectedCall(arguments, result))
+    return tuple(calls)
+
+
+@lru_cache(maxsize=1024)
+def _results_of_mistake(exercise, mistake, case, seed):
+    wrong_function = exercise.function_of(mistake.source, f"mistake {mistake.name!r}", prepared=True)
+    return tuple(
+        exercise.call(wrong_function, expected.arguments) for expected in _solve(exercise, case, seed)
+    )
