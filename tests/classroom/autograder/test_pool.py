@@ -26,8 +26,8 @@ from imgproc_course.classroom.autograder.sandbox import bubblewrap
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.classroom.exercises import read_exercises
 from imgproc_course.classroom.exercises.answer_cells import ComposedAnswer
-from imgproc_course.classroom.exercises.check_data import check_data_of
 from imgproc_course.classroom.exercises.checking import run_check
+from imgproc_course.classroom.exercises.expected_results import check_data_of
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("pool")]
 LESSON = "attacked"
