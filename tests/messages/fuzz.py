@@ -38,8 +38,8 @@ from imgproc_course.messages import (
 )
 from imgproc_course.messages.encodings import ENCODINGS
 from imgproc_course.messages.image_files import FILE_EXTENSIONS
+from imgproc_course.messages.image_headers import PNG_EXPANSION
 from imgproc_course.messages.image_limits import BLANK_PIXELS, PIXELS_PER_BYTE
-from imgproc_course.messages.png import PNG_EXPANSION
 from imgproc_course.messages.tiff import TIFF_EXPANSION
 
 SMALL_CHANGE = 64 * 1024  # bytes: error texts, views, caches of Python's own
