@@ -57,11 +57,10 @@ def software_pipe():
     """The software renderer's pipe; the one that draws into an X window would complain without a display."""
     configure_panda3d()
     selection = p3d.GraphicsPipeSelection.get_global_ptr()
-    for number in range(selection.get_num_pipe_types()):
-        kind = selection.get_pipe_type(number)
-        if "Offscreen" in kind.get_name():
-            return selection.make_pipe(kind)
-    raise RuntimeError("this panda3d has no software renderer (p3tinydisplay)")
+    pipe = selection.make_pipe("TinyOffscreenGraphicsPipe", "p3tinydisplay")
+    if pipe is None:
+        raise RuntimeError("this panda3d has no software renderer (p3tinydisplay)")
+    return pipe
 
 
 def index_buffer(indices):
@@ -149,12 +148,6 @@ def numbered(formats, triangles, numbers):
     colors = np.repeat((colors / 255).astype(np.float32), 3, 0)
     rows = vertex_rows(formats.numbered, points, colors)
     return geom_node(formats.numbered, rows, np.arange(len(rows)))
-
-
-def color_bytes(red, green, blue, alpha):
-    """(N, 4) uint8 as panda3d packs a vertex color."""
-    red = np.asarray(red)
-    return np.stack([np.broadcast_to(c, red.shape) for c in (red, green, blue, alpha)], -1).astype(np.uint8)
 
 
 def load_texture(name, lighting):
@@ -261,10 +254,9 @@ def chunks_of(room):
         cell = np.floor(room.triangles[mine].mean(1) / CHUNK).astype(int)
         cell[room.joint[mine] != NO_JOINT] = 0
         keys = np.column_stack([room.joint[mine], room.label[mine] == leaf, cell])
-        keys -= keys.min(0)
-        codes = np.ravel_multi_index(keys.T, keys.max(0) + 1)
-        for code in np.unique(codes):
-            rows = mine[codes == code]
+        different, part = np.unique(keys, axis=0, return_inverse=True)
+        for k in range(len(different)):
+            rows = mine[part == k]
             joint = room.joint[rows[0]]
             name = None if joint == NO_JOINT else room.joint_names[joint]
             number += 1
@@ -368,18 +360,16 @@ class ColorRenderer(Renderer):
         super().__init__(room)
         self._shadows = {}
         for number, (name, size) in enumerate(SHADOWS.items()):
-            self._shadows[name] = self._add_shadow(size)
-            self._shadows[name].set_bin("fixed", SHADOW_ORDER + number)
+            self._shadows[name] = self._add_shadow(size, SHADOW_ORDER + number)
         self._sheen = sheen.Sheen(lighting)
         self._sheen_geom = self._add_sheen()
 
     def _add_chunk(self, room, chunk, parent):
         triangles, corners = room.triangles[chunk.rows], room.texture[chunk.rows]
+        normals = unit(triangles) if chunk.joint == "ball" else None
+        node = parent.attach_new_node(textured(self._formats, triangles, corners, normals))
         if chunk.joint == "ball":
-            node = parent.attach_new_node(textured(self._formats, triangles, corners, unit(triangles)))
-            self._light_ball(node, self._lighting)
-        else:
-            node = parent.attach_new_node(textured(self._formats, triangles, corners))
+            self._light_ball(node)
         if chunk.atlas == "outside":
             node.set_color(*SKY[self._lighting], 1)
             return node
@@ -389,8 +379,8 @@ class ColorRenderer(Renderer):
             self._chunks.append(Chunk(node, texture, triangles, corners))
         return node
 
-    def _light_ball(self, node, lighting):
-        ambient, *lamps = BALL_LIGHT[lighting]
+    def _light_ball(self, node):
+        ambient, *lamps = BALL_LIGHT[self._lighting]
         light = p3d.AmbientLight("ambient")
         light.set_color((*ambient, 1))
         node.set_light(self._root.attach_new_node(light))
@@ -405,7 +395,7 @@ class ColorRenderer(Renderer):
         material.set_ambient((1, 1, 1, 1))
         node.set_material(material)
 
-    def _add_shadow(self, size):
+    def _add_shadow(self, size, order):
         """A soft dark spot on the floor."""
         across = (np.arange(64) - 31.5) / 32
         distance = np.sqrt(across[:, None] ** 2 + across[None, :] ** 2)
@@ -416,9 +406,7 @@ class ColorRenderer(Renderer):
         texture = (corners[[[0, 1, 2], [0, 2, 3]]] + 1) / 2
         node = self._root.attach_new_node(textured(self._formats, flat, texture))
         node.set_texture(as_texture(spot, p3d.Texture.F_rgba), 1)
-        node.set_transparency(p3d.TransparencyAttrib.M_alpha)
-        node.set_depth_write(False)
-        node.set_depth_test(False)
+        lay_on_floor(node, order)
         return node
 
     def _add_sheen(self):
@@ -431,10 +419,7 @@ class ColorRenderer(Renderer):
         node.set_bounds(p3d.OmniBoundingVolume())
         path = self._root.attach_new_node(node)
         path.set_attrib(p3d.ColorAttrib.make_vertex())
-        path.set_transparency(p3d.TransparencyAttrib.M_alpha)
-        path.set_depth_write(False)
-        path.set_depth_test(False)
-        path.set_bin("fixed", SHEEN_ORDER)
+        lay_on_floor(path, SHEEN_ORDER)
         return node
 
     def place(self, joint_poses):
@@ -456,7 +441,7 @@ class ColorRenderer(Renderer):
         return super().render(view, pose)
 
     def _update_sheen(self, position):
-        self._sheen_rows[:, 16:20] = color_bytes(*self._sheen.colors(position))
+        self._sheen_rows[:, 16:20] = self._sheen.colors(position)
         geom = self._sheen_geom.modify_geom(0)
         vertices = geom.modify_vertex_data().modify_array(0)
         vertices.modify_handle().copy_data_from(self._sheen_rows.tobytes())
@@ -465,9 +450,17 @@ class ColorRenderer(Renderer):
         geom.set_primitive(0, index_buffer(indices[shining]))
 
 
+def lay_on_floor(path, order):
+    """Draws a node over the floor, as dense as its alpha says, without asking for depth."""
+    path.set_transparency(p3d.TransparencyAttrib.M_alpha)
+    path.set_depth_write(False)
+    path.set_depth_test(False)
+    path.set_bin("fixed", order)
+
+
 def unit(vectors):
     """Vectors (..., 3) at length 1."""
-    return vectors / np.sqrt(vectors[..., :1] ** 2 + vectors[..., 1:2] ** 2 + vectors[..., 2:] ** 2)
+    return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
 
 
 def as_matrix(pose):
@@ -493,14 +486,7 @@ def software_lens(pinhole):
 
 def around_the_image(formats, camera):
     """A frame close before the camera, from two pixels outside of its image on; it hides what is behind."""
-    columns, rows = np.linspace(-2, camera.width + 1, 41), np.linspace(-2, camera.height + 1, 41)
-    border = (
-        [(c, -2) for c in columns]
-        + [(camera.width + 1, r) for r in rows]
-        + [(c, camera.height + 1) for c in columns[::-1]]
-        + [(-2, r) for r in rows[::-1]]
-    )
-    inner = camera.unproject(border) * NEAR * 1.01
+    inner = camera.unproject(border(camera, 2, 41)) * NEAR * 1.01
     outer = inner * (2, 2, 1)
     next_inner, next_outer = np.roll(inner, -1, 0), np.roll(outer, -1, 0)
     triangles = np.concatenate(
@@ -510,14 +496,22 @@ def around_the_image(formats, camera):
     return textured(formats, np.stack([right, forward, -down], -1), np.zeros((len(triangles), 3, 2)))
 
 
+def border(camera, margin, count):
+    """Pixels (4 count, 2) as (column, row) around the image of a camera, so many pixels outside of it."""
+    columns = np.linspace(-margin, camera.width - 1 + margin, count)
+    rows = np.linspace(-margin, camera.height - 1 + margin, count)
+    return [
+        *((column, rows[0]) for column in columns),
+        *((columns[-1], row) for row in rows),
+        *((column, rows[-1]) for column in columns[::-1]),
+        *((columns[0], row) for row in rows[::-1]),
+    ]
+
+
 def pinhole_covering(model, scale=1.0):
     """The pinhole camera that sees every ray of a camera with a lens, `scale` times as finely."""
     fx, fy = model.fx * scale, model.fy * scale
-    columns, rows = np.linspace(-0.5, model.width - 0.5, 65), np.linspace(-0.5, model.height - 0.5, 65)
-    border = [(c, r) for c in columns for r in rows[[0, -1]]] + [
-        (c, r) for c in columns[[0, -1]] for r in rows
-    ]
-    rays = model.unproject(border)
+    rays = model.unproject(border(model, 0.5, 65))
     low, high = rays.min(0), rays.max(0)
     width, height = math.ceil((high[0] - low[0]) * fx) + 2, math.ceil((high[1] - low[1]) * fy) + 2
     return type(model)(width, height, fx, fy, 0.5 - low[0] * fx, 0.5 - low[1] * fy)

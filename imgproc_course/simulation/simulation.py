@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..geometry import CameraModel, Pose
+from ..geometry.poses import product, rotation_about
 from .depth import TriangleDepth
 from .drive import Drive, Odometry, WheelOdometry, clearance, nearest_on_body
 from .laser import Laser, LaserScan
@@ -280,10 +281,8 @@ class Simulation:
 
     def _camera_pose(self, camera):
         if camera == "tof":
-            c, s = round(math.cos(TOF_TILT), 12), round(math.sin(TOF_TILT), 12)
-            up = np.array([[1, 0, 0], [0, c, -s], [0, s, c]])  # about the optical frame's x, to the right
-            tilted = Pose(OPTICAL, np.zeros(3)) @ Pose(up, np.zeros(3))
-            return self._robot_pose() @ Pose(tilted.rotation, np.array([TOF_MOUNT[0], 0, TOF_MOUNT[1]]))
+            tilted = product(OPTICAL, rotation_about("x", TOF_TILT))
+            return self._robot_pose() @ Pose(tilted, np.array([TOF_MOUNT[0], 0, TOF_MOUNT[1]]))
         if self._look is not None:
             return self._look
         return self._robot_pose() @ Pose(OPTICAL, np.array([CAMERA_MOUNT[0], 0, CAMERA_MOUNT[1]]))

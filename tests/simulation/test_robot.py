@@ -1,6 +1,7 @@
 """The robot's limits, bumps and odometry, the movers that it meets, and the scan against the depth."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -142,13 +143,10 @@ def test_the_car_waits_for_the_robot():
 
 
 def test_the_ball_rolls_by_the_recorded_formula_however_the_steps_are_cut():
-    class Open:
-        def __call__(self, x, y):
-            return 9.0
-
+    free_space, robot = SimpleNamespace(distance=lambda x, y: 9.0), (-9.0, 0.0, 0.0)
     ball = Ball.at(0.0)
     for _ in range(450):
-        ball.roll(0.02, Open())
+        ball.roll(0.02, free_space, robot)
     assert (ball.x, ball.y) == pytest.approx((Ball.at(9.0).x, Ball.at(9.0).y), abs=1e-6)
 
 
