@@ -58,21 +58,6 @@ def sobel(gray: Gray, aperture: int = 3) -> tuple[Gradient, Gradient]:
     """
     aperture = check_aperture(aperture)
     padded = pad_border(check_gray(gray).astype(np.int32), aperture // 2, "replicate")
-    return gradient_of_padded(padded, aperture)
-
-
-def gradient_of_padded(padded, aperture):
-    """Sobel's two gradients of an image that already has a border of aperture // 2 pixels on each side.
-
-    Parameters
-    ----------
-    padded : (H + aperture - 1, W + aperture - 1) int16 or int32 (int32 for aperture 7: its sums exceed 32767)
-    aperture : 3, 5 or 7
-
-    Returns
-    -------
-    grad_row, grad_col : (H, W) of the same dtype
-    """
     smoothing, difference = SMOOTHING[aperture], DIFFERENCE[aperture]
     grad_row = correlate1d(correlate1d(padded, difference, axis=0), smoothing, axis=1)
     grad_col = correlate1d(correlate1d(padded, smoothing, axis=0), difference, axis=1)

@@ -1,5 +1,9 @@
 """Cutting an image into blocks of rows that fit a core's cache."""
 
+import numpy as np
+
+from imgproc_course.imaging.borders import pad_border
+
 # About ten arrays of int16 are alive at a time; with this many pixels each they stay in a core's cache.
 BLOCK_PIXELS = 80_000
 
@@ -14,3 +18,25 @@ def row_blocks(image, minimum_rows=8):
     block_rows = max(minimum_rows, BLOCK_PIXELS // row_size)
     for top in range(0, rows, block_rows):
         yield top, min(top + block_rows, rows)
+
+
+def filter_blocks(image, margin, border, filter_block):
+    """Filter a uint8 image block by block.
+
+    Parameters
+    ----------
+    image : (H, W) or (H, W, 3) uint8
+    margin : pixels around a pixel, on each side, that its result depends on
+    border : as for `pad_border`
+    filter_block : function of a block of rows with the margin on its four sides; it returns the block's
+        result, without the margin, in values that uint8 holds
+
+    Returns
+    -------
+    uint8 array of the same shape
+    """
+    padded = pad_border(image, margin, border)
+    filtered = np.empty(image.shape, np.uint8)
+    for top, bottom in row_blocks(image, minimum_rows=8 * margin):
+        filtered[top:bottom] = filter_block(padded[top : bottom + 2 * margin])
+    return filtered
