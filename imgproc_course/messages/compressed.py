@@ -15,7 +15,7 @@ from .depth import decode_depth
 from .encodings import encoding_info, generic_name
 from .errors import ConversionError, quoted
 from .image_files import check_value_count, decode_image_file, encode_image_file
-from .message_classes import Message, new_compressed_image
+from .message_classes import Message, new_message
 from .pixels import converter
 
 _AS_OPENCV_DECODES = {
@@ -115,7 +115,8 @@ def _encoded(array, encoding, format, header, quality):
     pixels = np.ascontiguousarray(array, info.dtype)
     options = [cv2.IMWRITE_JPEG_QUALITY, quality] if codec == "jpeg" else []
     data = encode_image_file(convert(pixels) if convert else pixels, codec, options)
-    return new_compressed_image(header, f"{info.name}; {codec} compressed {stored.name}", data)
+    format = f"{info.name}; {codec} compressed {stored.name}"
+    return new_message("CompressedImage", header, data, format=format)
 
 
 def _decoded_name(dtype, channels):

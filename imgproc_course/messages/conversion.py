@@ -13,7 +13,7 @@ import numpy as np
 
 from .encodings import ENCODINGS, EncodingInfo, encoding_info, generic_name
 from .errors import ConversionError, quoted
-from .message_classes import Message, new_image
+from .message_classes import Message, new_message
 from .pixels import converter
 
 UINT32_MAX = 2**32 - 1  # the largest height, width and step of a message, and the most bytes it can carry
@@ -111,7 +111,8 @@ def _message_of(array, encoding, header):
         )
     is_bigendian = array.dtype.itemsize > 1 and array.dtype.isnative == (sys.byteorder == "big")
     pixels = np.ascontiguousarray(array).view(np.uint8)
-    return new_image(header, height, width, info.name, int(is_bigendian), step, pixels)
+    fields = {"height": height, "width": width, "encoding": info.name, "step": step}
+    return new_message("Image", header, pixels.data, is_bigendian=int(is_bigendian), **fields)
 
 
 class _Layout(NamedTuple):

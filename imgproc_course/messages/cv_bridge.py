@@ -16,7 +16,7 @@ from .conversion import array_to_image, described, image_to_array
 from .encodings import encoding_info, generic_name
 from .errors import ConversionError, quoted
 from .image_files import encode_image_file
-from .message_classes import new_compressed_image
+from .message_classes import new_message
 from .pixels import converter
 
 __all__ = ["CvBridge", "CvBridgeError", "cvtColorForDisplay", "getCvType"]
@@ -104,7 +104,7 @@ class CvBridge:
             )
         described(cvim, "passthrough")
         data = encode_image_file(cvim, dst_format.removeprefix(".").lower())
-        return new_compressed_image(header, dst_format, data)
+        return new_message("CompressedImage", header, data, format=dst_format)
 
     @_raises_cv_bridge_error
     def encoding_to_cvtype2(self, encoding):
