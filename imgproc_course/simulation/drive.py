@@ -103,14 +103,12 @@ class WheelOdometry:
     def step(self, linear, angular, dt, on_rug):
         """Counts dt seconds of the true motion."""
         slip = self.SLIP_ON_RUG if on_rug else self.SLIP
+        across = angular * WHEEL_DISTANCE / 2
+        ways = (linear - across) * dt, (linear + across) * dt
+        errors = self._random.standard_normal(2).tolist()
         left, right = (
             way * scale + slip * math.sqrt(abs(way)) * error
-            for way, scale, error in zip(
-                ((linear - angular * WHEEL_DISTANCE / 2) * dt, (linear + angular * WHEEL_DISTANCE / 2) * dt),
-                self._scale,
-                self._random.standard_normal(2).tolist(),
-                strict=True,
-            )
+            for way, scale, error in zip(ways, self._scale, errors, strict=True)
         )
         way, turn = (left + right) / 2, (right - left) / WHEEL_DISTANCE
         heading = self.state.yaw + turn / 2

@@ -53,22 +53,14 @@ def load_room():
         if name == "movers":
             joint = arrays["movers_joint"].astype(int)
         parts.append((triangles, texture, label, joint, np.full(len(label), number)))
-    triangles, texture, label, joint, atlas = (
-        np.concatenate(columns) for columns in zip(*parts, strict=True)
-    )
-    normals, offsets = triangle_planes(triangles)
+    triangles, texture, label, joint, atlas = map(np.concatenate, zip(*parts, strict=True))
+    planes = triangle_planes(triangles)
+    joint_tree = {name: tree[name] for name in sorted(tree, key=lambda name: generation(tree, name))}
+    markers = {name: np.array(pose) for name, pose in description["markers"].items()}
+    label_names = {int(number): name for number, name in description["labels"].items()}
+    names = description["joints"]
     return RoomModel(
-        triangles,
-        texture,
-        label,
-        joint,
-        atlas,
-        normals,
-        offsets,
-        description["joints"],
-        {name: tree[name] for name in sorted(tree, key=lambda name: generation(tree, name))},
-        {name: np.array(pose) for name, pose in description["markers"].items()},
-        {int(number): name for number, name in description["labels"].items()},
+        triangles, texture, label, joint, atlas, *planes, names, joint_tree, markers, label_names
     )
 
 
