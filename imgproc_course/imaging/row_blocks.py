@@ -21,19 +21,9 @@ def row_blocks(image, minimum_rows=8):
 
 
 def filter_blocks(image, margin, border, filter_block):
-    """Filter a uint8 image block by block.
+    """A uint8 image of the same shape, whose blocks of rows a function makes from those of `image`.
 
-    Parameters
-    ----------
-    image : (H, W) or (H, W, 3) uint8
-    margin : pixels around a pixel, on each side, that its result depends on
-    border : as for `pad_border`
-    filter_block : function of a block of rows with the margin on its four sides; it returns the block's
-        result, without the margin, in values that uint8 holds
-
-    Returns
-    -------
-    uint8 array of the same shape
+    The function receives a block with `margin` more pixels on each of its four sides.
     """
     padded = pad_border(image, margin, border)
     filtered = np.empty(image.shape, np.uint8)

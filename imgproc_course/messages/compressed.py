@@ -18,15 +18,6 @@ from .image_files import check_value_count, decode_image_file, encode_image_file
 from .message_classes import Message, new_message
 from .pixels import converter
 
-_AS_OPENCV_DECODES = {
-    ("uint8", 1): "mono8",
-    ("uint8", 3): "bgr8",
-    ("uint8", 4): "bgra8",
-    ("uint16", 1): "mono16",
-    ("uint16", 3): "bgr16",
-    ("uint16", 4): "bgra16",
-}
-
 
 def compressed_to_array(msg: Message, desired_encoding: str = "passthrough") -> np.ndarray:
     """The image of a CompressedImage message as an array.
@@ -121,7 +112,9 @@ def _encoded(array, encoding, format, header, quality):
 
 def _decoded_name(dtype, channels):
     """Encoding of an image as OpenCV decodes it: "bgr8" of (uint8, 3), "32FC1" of (float32, 1)."""
-    return _AS_OPENCV_DECODES.get((dtype.name, channels)) or generic_name(dtype, channels)
+    color = {1: "mono", 3: "bgr", 4: "bgra"}.get(channels)
+    bits = {"uint8": 8, "uint16": 16}.get(dtype.name)
+    return f"{color}{bits}" if color and bits else generic_name(dtype, channels)
 
 
 _conversion = functools.lru_cache(maxsize=256)(converter)

@@ -13,7 +13,7 @@ import numpy as np
 
 from .compressed import compressed_to_array
 from .conversion import array_to_image, described, image_to_array
-from .encodings import encoding_info, generic_name
+from .encodings import DEPTHS, encoding_info, generic_name
 from .errors import ConversionError, quoted
 from .image_files import encode_image_file
 from .message_classes import new_message
@@ -21,15 +21,7 @@ from .pixels import converter
 
 __all__ = ["CvBridge", "CvBridgeError", "cvtColorForDisplay", "getCvType"]
 
-_DEPTHS = {
-    "8U": ("uint8", cv2.CV_8U),
-    "8S": ("int8", cv2.CV_8S),
-    "16U": ("uint16", cv2.CV_16U),
-    "16S": ("int16", cv2.CV_16S),
-    "32S": ("int32", cv2.CV_32S),
-    "32F": ("float32", cv2.CV_32F),
-    "64F": ("float64", cv2.CV_64F),
-}
+_DEPTHS = {depth: (np.dtype(code).name, getattr(cv2, f"CV_{depth}")) for depth, code in DEPTHS.items()}
 _CHANNEL_SHIFT = (cv2.CV_8UC2 - cv2.CV_8UC1).bit_length() - 1  # 3 in OpenCV 4, 5 in OpenCV 5
 
 

@@ -20,13 +20,7 @@ _SIZE = struct.Struct("<II")
 
 
 def decode_depth(format, data):
-    """(array, EncodingInfo) of a compressedDepth image.
-
-    Parameters
-    ----------
-    format : the message's field, such as "16UC1; compressedDepth png"
-    data : contiguous memoryview of the message's bytes
-    """
+    """(array, EncodingInfo) of a contiguous memoryview; `format` is such as "16UC1; compressedDepth png"."""
     info = encoding_info(format.partition(";")[0].strip())
     _check_depth_encoding(info)
     if len(data) <= _HEADER.size:

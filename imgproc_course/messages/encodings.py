@@ -65,7 +65,7 @@ class EncodingInfo(NamedTuple):
 
 
 _ROWS_PER_PIXEL_ROW: dict[str | None, tuple[int, int]] = {"nv12": (3, 2), "nv21": (3, 2), "nv24": (3, 1)}
-_DEPTHS = {"8U": "u1", "8S": "i1", "16U": "u2", "16S": "i2", "32S": "i4", "32F": "f4", "64F": "f8"}
+DEPTHS = {"8U": "u1", "8S": "i1", "16U": "u2", "16S": "i2", "32S": "i4", "32F": "f4", "64F": "f8"}
 _GENERIC = re.compile(r"(8U|8S|16U|16S|32S|32F|64F)(?:C(\d{1,9}))?", re.ASCII)
 
 
@@ -86,7 +86,7 @@ def _table():
         add(name, "u1", 2, color)
     for planar in _ROWS_PER_PIXEL_ROW:
         add(planar, "u1", 1, planar)
-    for depth, dtype in _DEPTHS.items():
+    for depth, dtype in DEPTHS.items():
         for channels in (1, 2, 3, 4):
             add(f"{depth}C{channels}", dtype, channels, None)
     return table
@@ -124,7 +124,7 @@ def encoding_info(name: str) -> EncodingInfo:
         raise ConversionError(
             f"encoding {name!r} has {channels} channels; expected 1 to {MAX_CHANNELS}, as in '{depth}C3'"
         )
-    return EncodingInfo(name, np.dtype(_DEPTHS[depth]), channels, None)
+    return EncodingInfo(name, np.dtype(DEPTHS[depth]), channels, None)
 
 
 def generic_name(dtype, channels):
@@ -136,7 +136,7 @@ def generic_name(dtype, channels):
     return f"{depth}C{channels}"
 
 
-_DEPTH_OF = {np.dtype(code).str: depth for depth, code in _DEPTHS.items()}
+_DEPTH_OF = {np.dtype(code).str: depth for depth, code in DEPTHS.items()}
 _CASTS = {
     "bool": "array.astype('uint8') * 255 makes a mask of 0 and 255",
     "int64": "array.astype('int32') if the values fit; np.clip(array, 0, 255).astype('uint8') for gray",

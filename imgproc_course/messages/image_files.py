@@ -28,20 +28,9 @@ FILE_EXTENSIONS = {
 
 
 def decode_image_file(data, described_as):
-    """The image in a file, as OpenCV decodes it.
+    """The image in a file (a contiguous memoryview), as OpenCV decodes it: a fresh array, blue, green, red.
 
-    Parameters
-    ----------
-    data : contiguous memoryview of the file's bytes
-    described_as : what the message says of them, for errors
-
-    Returns
-    -------
-    (H, W) or (H, W, channels) ndarray, fresh; colors in the order blue, green, red
-
-    Raises
-    ------
-    ConversionError : another kind of file, a damaged one, or a header that claims too many pixels
+    `described_as` is what the message says of the bytes, for errors.
     """
     file_kind = file_format(data)
     if file_kind is None:
@@ -64,18 +53,7 @@ def decode_image_file(data, described_as):
 
 
 def encode_image_file(array, extension, options=()):
-    """The bytes of an image file that holds the array.
-
-    Parameters
-    ----------
-    array : (H, W) or (H, W, channels) ndarray; colors in the order blue, green, red
-    extension : a key of FILE_EXTENSIONS
-    options : parameters of cv2.imencode
-
-    Raises
-    ------
-    ConversionError : the format does not hold such values, or OpenCV does not write this array
-    """
+    """The bytes of an image file of the array (blue, green, red); options are those of cv2.imencode."""
     if extension not in FILE_EXTENSIONS:
         raise ConversionError(
             f"expected one of the formats {', '.join(FILE_EXTENSIONS)}, got {quoted(extension)}; "

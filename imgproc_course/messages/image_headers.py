@@ -21,18 +21,11 @@ _TEXT_HEADER_BYTES = 4096
 
 
 class FileFormat(NamedTuple):
-    """A file format that is accepted.
+    """A file format that is accepted."""
 
-    Attributes
-    ----------
-    name : such as "JPEG"
-    signature : regular expression of the first bytes
-    check : function of the bytes of a file (a contiguous memoryview); raises ConversionError if it refuses it
-    """
-
-    name: str
-    signature: bytes
-    check: Callable
+    name: str  # such as "JPEG"
+    signature: bytes  # regular expression of the first bytes
+    check: Callable  # of a contiguous memoryview; raises ConversionError if it refuses the file
 
 
 def file_format(data):

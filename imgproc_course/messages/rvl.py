@@ -16,21 +16,7 @@ _MAX_NIBBLES = 11  # of a number of 32 bits
 
 
 def rvl_decode(stream, pixels):
-    """The pixels of an RVL stream.
-
-    Parameters
-    ----------
-    stream : bytes-like
-    pixels : number of pixels
-
-    Returns
-    -------
-    (pixels,) uint16
-
-    Raises
-    ------
-    ConversionError : the stream does not hold exactly this number of pixels
-    """
+    """(pixels,) uint16 of an RVL stream, which must hold exactly this number of pixels."""
     numbers = _from_words(stream)
     runs = _runs(numbers, pixels)
     signed_low = np.concatenate([numbers[:0], *(numbers[first : first + count] for first, _, count in runs)])

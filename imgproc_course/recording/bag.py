@@ -55,12 +55,7 @@ def _check_types(kinds, types):
 
 
 def find_bag(path):
-    """The folder or file of the recording at a path.
-
-    Raises
-    ------
-    RecordingError : the path does not exist, or is not a rosbag2 recording
-    """
+    """The folder or file of the recording at a path."""
     path = Path(path).expanduser()
     if path.name == "metadata.yaml":
         path = path.parent

@@ -19,16 +19,7 @@ def installed_class(name):
 
 
 def to_installed(msg):
-    """The message as an object of ROS's class, which publishers accept; unchanged if ROS is not installed.
-
-    Parameters
-    ----------
-    msg : a message that rosbags deserialized
-
-    Returns
-    -------
-    a message with the same fields; its data are a copy
-    """
+    """A copy of a message of rosbags in ROS's class, which publishers accept; itself where ROS is missing."""
     cls = installed_class(msg.__msgtype__)
     if cls is None:
         return msg
