@@ -72,50 +72,31 @@ def index_buffer(indices):
     return primitive
 
 
-class VertexFormats:
-    """The formats of one renderer's vertices.
+def vertices(owner, points, **columns):
+    """The format of vertices, and (N, bytes of a vertex) uint8: points (N, 3), then columns (N, count).
 
-    panda3d converts some columns in a buffer that belongs to their format, and formats of the same columns
-    are one and the same: two threads that drew with it would now and then take each other's vertices. So a
-    format has a column whose name no other renderer uses, unless nothing in it is converted: points x y z 1
-    and colors of four floats, which are also read fastest.
+    Columns are texcoord, normal (both float32) and color (float32 or uint8). panda3d converts some of them in
+    a buffer that belongs to their format, and formats of the same columns are one and the same: two threads
+    that drew with it would now and then take each other's vertices. So a format has a column named after its
+    owner, a renderer, unless nothing in it is converted: points x y z 1 and colors of four floats, which are
+    also read fastest.
     """
-
-    _numbers = itertools.count()
-
-    def __init__(self):
-        enums = p3d.GeomEnums
-        texture = ("texcoord", 2, enums.NT_float32, enums.C_texcoord)
-        normal = ("normal", 3, enums.NT_float32, enums.C_normal)
-        own = (f"renderer {next(self._numbers)}", 1, enums.NT_uint8, enums.C_other)
-        self.textured = vertex_format(texture, own)
-        self.lit = vertex_format(texture, normal, own)
-        self.shining = vertex_format(("color", 4, enums.NT_uint8, enums.C_color), own)
-        self.numbered = vertex_format(("color", 4, enums.NT_float32, enums.C_color))
-
-
-def vertex_format(*columns):
-    """Points of four floats, then these columns: name, count, type, meaning."""
-    array = p3d.GeomVertexArrayFormat()
-    array.add_column(p3d.InternalName.get_vertex(), 4, p3d.GeomEnums.NT_float32, p3d.GeomEnums.C_point)
-    for name, *rest in columns:
-        array.add_column(p3d.InternalName.make(name), *rest)
-    return p3d.GeomVertexFormat.register_format(p3d.GeomVertexFormat(array))
-
-
-def vertex_rows(columns_format, points, *columns):
-    """(N, bytes of a vertex) uint8: points (N, 3), then each column, (N, count) of the format's type."""
-    rows = np.zeros((len(points), columns_format.get_array(0).get_stride()), np.uint8)
-    start = 0
-    for column in (np.column_stack([points, np.ones(len(points))]).astype(np.float32), *columns):
-        values = np.ascontiguousarray(column).view(np.uint8)
-        rows[:, start : start + values.shape[1]] = values
-        start += values.shape[1]
-    return rows
+    enums = p3d.GeomEnums
+    contents = {"vertex": enums.C_point, "texcoord": enums.C_texcoord, "normal": enums.C_normal}
+    contents |= {"color": enums.C_color, owner: enums.C_other}
+    columns = {"vertex": np.column_stack([points, np.ones(len(points))]).astype(np.float32), **columns}
+    if owner is not None:
+        columns[owner] = np.zeros((len(points), 4), np.uint8)
+    array_format = p3d.GeomVertexArrayFormat()
+    for name, values in columns.items():
+        kind = enums.NT_uint8 if values.dtype == np.uint8 else enums.NT_float32
+        array_format.add_column(p3d.InternalName.make(name), values.shape[1], kind, contents[name])
+    rows = np.concatenate([np.ascontiguousarray(v).view(np.uint8) for v in columns.values()], 1)
+    return p3d.GeomVertexFormat.register_format(p3d.GeomVertexFormat(array_format)), rows
 
 
 def geom_node(columns_format, rows, indices):
-    """A node of triangles; rows as `vertex_rows` gives them."""
+    """A node of triangles; format and rows as `vertices` gives them."""
     data = p3d.GeomVertexData("triangles", columns_format, p3d.Geom.UH_static)
     data.unclean_set_num_rows(len(rows))
     data.modify_array_handle(0).copy_data_from(rows.tobytes())
@@ -126,7 +107,7 @@ def geom_node(columns_format, rows, indices):
     return node
 
 
-def textured(formats, triangles, texture, normals=None):
+def textured(owner, triangles, texture, normals=None):
     """Vertices that are equal in place and texture are shared: there are fewer to transform."""
     columns = [triangles.reshape(-1, 3), texture.reshape(-1, 2)]
     if normals is not None:
@@ -137,17 +118,19 @@ def textured(formats, triangles, texture, normals=None):
     new = np.concatenate([[True], (rows[1:] != rows[:-1]).any(1)])
     indices = np.empty(len(rows), int)
     indices[order] = np.cumsum(new) - 1
-    columns_format = formats.textured if normals is None else formats.lit
-    return geom_node(columns_format, vertex_rows(columns_format, rows[new, :3], rows[new, 3:]), indices)
+    points, texture, normals = np.split(rows[new], [3, 5], axis=1)
+    lit = {"normal": normals} if normals.size else {}
+    columns_format, rows = vertices(owner, points, texcoord=texture, **lit)
+    return geom_node(columns_format, rows, indices)
 
 
-def numbered(formats, triangles, numbers):
+def numbered(triangles, numbers):
     """Each triangle in one flat color: its number, low byte in blue."""
     points = triangles.reshape(-1, 3)
     colors = np.column_stack([numbers >> 16, numbers >> 8 & 255, numbers & 255, np.full_like(numbers, 255)])
     colors = np.repeat((colors / 255).astype(np.float32), 3, 0)
-    rows = vertex_rows(formats.numbered, points, colors)
-    return geom_node(formats.numbered, rows, np.arange(len(rows)))
+    columns_format, rows = vertices(None, points, color=colors)
+    return geom_node(columns_format, rows, np.arange(len(rows)))
 
 
 def load_texture(name, lighting):
@@ -270,10 +253,12 @@ class Renderer:
     Two renderers share nothing: two threads can draw at the same time, each with its own.
     """
 
+    _numbers = itertools.count()
+
     def __init__(self, room):
         self._pipe = software_pipe()
         self._engine = p3d.GraphicsEngine(self._pipe)
-        self._formats = VertexFormats()
+        self._name = f"renderer {next(self._numbers)}"  # of a column of its vertices
         self._root = p3d.NodePath("room")
         self._joints = {name: self._root.attach_new_node(name) for name in room.joint_tree}
         for chunk in chunks_of(room):
@@ -314,7 +299,7 @@ class Renderer:
         path = self._root.attach_new_node(p3d.Camera("camera", software_lens(pinhole)))
         output.make_display_region().set_camera(path)
         output.set_active(False)
-        blinders = path.attach_new_node(around_the_image(self._formats, camera))
+        blinders = path.attach_new_node(around_the_image(self._name, camera))
         blinders.set_color(0, 0, 0, 1)
         blinders.set_two_sided(True)
         blinders.set_bin("fixed", BLINDERS_ORDER)
@@ -345,7 +330,7 @@ class NumberRenderer(Renderer):
     """Draws of each pixel its triangle's number, counted from 1, into blue, green and red; 0: nothing."""
 
     def _add_chunk(self, room, chunk, parent):
-        node = parent.attach_new_node(numbered(self._formats, room.triangles[chunk.rows], chunk.rows + 1))
+        node = parent.attach_new_node(numbered(room.triangles[chunk.rows], chunk.rows + 1))
         node.set_attrib(p3d.ColorAttrib.make_vertex())
         return node
 
@@ -367,7 +352,7 @@ class ColorRenderer(Renderer):
     def _add_chunk(self, room, chunk, parent):
         triangles, corners = room.triangles[chunk.rows], room.texture[chunk.rows]
         normals = unit(triangles) if chunk.joint == "ball" else None
-        node = parent.attach_new_node(textured(self._formats, triangles, corners, normals))
+        node = parent.attach_new_node(textured(self._name, triangles, corners, normals))
         if chunk.joint == "ball":
             self._light_ball(node)
         if chunk.atlas == "outside":
@@ -404,16 +389,15 @@ class ColorRenderer(Renderer):
         corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], np.float32)
         flat = np.column_stack([corners * size, np.zeros(4)])[[[0, 1, 2], [0, 2, 3]]]
         texture = (corners[[[0, 1, 2], [0, 2, 3]]] + 1) / 2
-        node = self._root.attach_new_node(textured(self._formats, flat, texture))
+        node = self._root.attach_new_node(textured(self._name, flat, texture))
         node.set_texture(as_texture(spot, p3d.Texture.F_rgba), 1)
         lay_on_floor(node, order)
         return node
 
     def _add_sheen(self):
-        vertices, indices = self._sheen.vertices, self._sheen.indices
-        colors = np.zeros((len(vertices), 4), np.uint8)
-        self._sheen_rows = vertex_rows(self._formats.shining, vertices, colors)
-        node = geom_node(self._formats.shining, self._sheen_rows, indices)
+        colors = np.zeros((len(self._sheen.vertices), 4), np.uint8)
+        columns_format, self._sheen_rows = vertices(self._name, self._sheen.vertices, color=colors)
+        node = geom_node(columns_format, self._sheen_rows, self._sheen.indices)
         # It changes with each image: without these its bounds would be computed as often.
         node.modify_geom(0).set_bounds(p3d.OmniBoundingVolume())
         node.set_bounds(p3d.OmniBoundingVolume())
@@ -484,7 +468,7 @@ def software_lens(pinhole):
     return lens
 
 
-def around_the_image(formats, camera):
+def around_the_image(owner, camera):
     """A frame close before the camera, from two pixels outside of its image on; it hides what is behind."""
     inner = camera.unproject(border(camera, 2, 41)) * NEAR * 1.01
     outer = inner * (2, 2, 1)
@@ -493,7 +477,7 @@ def around_the_image(formats, camera):
         [np.stack([inner, next_inner, outer], 1), np.stack([outer, next_inner, next_outer], 1)]
     )
     right, down, forward = np.moveaxis(triangles, -1, 0)
-    return textured(formats, np.stack([right, forward, -down], -1), np.zeros((len(triangles), 3, 2)))
+    return textured(owner, np.stack([right, forward, -down], -1), np.zeros((len(triangles), 3, 2)))
 
 
 def border(camera, margin, count):
