@@ -12,20 +12,35 @@ from typing import NamedTuple
 
 from .errors import ConversionError
 from .image_limits import BLANK_PIXELS, DAMAGED, PIXELS_PER_BYTE, check_claim
-from .tiff import check_tiff
+from .tiff import tiff_size
 
 PNG_EXPANSION = 1032  # bytes that one byte of a deflate stream can become: 258 from 2 bits
 _UNCOMPRESSED = "it is cut short, damaged or compressed; use PNG, which compresses without loss"
 _ONE_TILE = "it is cut short, damaged or not of one tile with default options; encode it so, or use PNG"
+_STRIPS = "it is cut short, damaged or of another kind; write it as cv2.imwrite does, or use PNG"
 _TEXT_HEADER_BYTES = 4096
 
 
 class FileFormat(NamedTuple):
-    """A file format that is accepted."""
+    """A file format that is accepted, and how many pixels its files hold at most."""
 
     name: str  # such as "JPEG"
     signature: bytes  # regular expression of the first bytes
-    check: Callable  # of a contiguous memoryview; raises ConversionError if it refuses the file
+    read_size: Callable  # of a contiguous memoryview; gives (width, height), or None
+    pixels_per_byte: int
+    blank_pixels: int = 0  # beyond that
+    remedy: str = DAMAGED  # for a header that cannot be read
+
+    def check(self, data):
+        """Refuses a file whose header cannot be read, or claims more than so many bytes can hold."""
+        size = self.read_size(data)
+        if size is None:
+            raise ConversionError(
+                f"{self.name} of {len(data)} bytes without a readable header; {self.remedy}"
+            )
+        width, height = size
+        limit = self.blank_pixels + self.pixels_per_byte * len(data)
+        check_claim(self.name, abs(height), width, len(data), limit)
 
 
 def file_format(data):
@@ -36,19 +51,6 @@ def file_format(data):
 def refused_format(data):
     """Name of a file format that is known but not accepted; None if it is unknown."""
     return next((name for start, name in _REFUSED.items() if re.match(start, data, re.DOTALL)), None)
-
-
-def _format(name, signature, read_size, pixels_per_byte, blank_pixels=0, remedy=DAMAGED):
-    """A FileFormat whose files hold at most so many pixels; `read_size` gives (width, height), or None."""
-
-    def check(data):
-        size = read_size(data)
-        if size is None:
-            raise ConversionError(f"{name} of {len(data)} bytes without a readable header; {remedy}")
-        width, height = size
-        check_claim(name, abs(height), width, len(data), blank_pixels + pixels_per_byte * len(data))
-
-    return FileFormat(name, signature, check)
 
 
 def _binary(pattern, layout, data):
@@ -118,20 +120,20 @@ _PAM = (
 )
 _HDR = rb"#\?(?:RADIANCE|RGBE)\n(?:[^\n]+\n)*\n-Y (?P<height>\d{1,9}) \+X (?P<width>\d{1,9})\n"
 _FORMATS = (
-    _format("JPEG", rb"\xff\xd8", _jpeg_size, PIXELS_PER_BYTE),
-    _format("PNG", rb"\x89PNG\r\n\x1a\n", partial(_binary, _PNG, ">II"), 8 * PNG_EXPANSION),
-    _format("BMP", rb"BM", partial(_binary, _BMP, "<ii"), 8, remedy=_UNCOMPRESSED),
-    _format(
+    FileFormat("JPEG", rb"\xff\xd8", _jpeg_size, PIXELS_PER_BYTE),
+    FileFormat("PNG", rb"\x89PNG\r\n\x1a\n", partial(_binary, _PNG, ">II"), 8 * PNG_EXPANSION),
+    FileFormat("BMP", rb"BM", partial(_binary, _BMP, "<ii"), 8, remedy=_UNCOMPRESSED),
+    FileFormat(
         "Sun raster", rb"\x59\xa6\x6a\x95", partial(_binary, _SUN_RASTER, ">II"), 8, remedy=_UNCOMPRESSED
     ),
-    FileFormat("TIFF", rb"II\*\0|MM\0\*", check_tiff),
-    _format("PNM", rb"P[1-6]", partial(_text, _PNM), 8),
-    _format("PFM", rb"P[Ff]", partial(_text, _PFM), 1),
-    _format("PAM", rb"P7\n", partial(_text, _PAM), 1),
-    _format("Radiance HDR", rb"#\?(?:RADIANCE|RGBE)\n", partial(_text, _HDR), 16),  # runs of 127 values
-    _format("GIF", rb"GIF8[79]a", partial(_binary, rb"GIF8[79]a(.{4})", "<HH"), 4096),  # a code of LZW
-    _format("WebP", rb"RIFF.{4}WEBP", _webp_size, PIXELS_PER_BYTE, BLANK_PIXELS),
-    _format(
+    FileFormat("TIFF", rb"II\*\0|MM\0\*", tiff_size, 4096, remedy=_STRIPS),  # a code of LZW
+    FileFormat("PNM", rb"P[1-6]", partial(_text, _PNM), 8),
+    FileFormat("PFM", rb"P[Ff]", partial(_text, _PFM), 1),
+    FileFormat("PAM", rb"P7\n", partial(_text, _PAM), 1),
+    FileFormat("Radiance HDR", rb"#\?(?:RADIANCE|RGBE)\n", partial(_text, _HDR), 16),  # runs of 127 values
+    FileFormat("GIF", rb"GIF8[79]a", partial(_binary, rb"GIF8[79]a(.{4})", "<HH"), 4096),  # a code of LZW
+    FileFormat("WebP", rb"RIFF.{4}WEBP", _webp_size, PIXELS_PER_BYTE, BLANK_PIXELS),
+    FileFormat(
         "JPEG 2000",
         rb"\0\0\0\x0cjP  \r\n\x87\n",
         partial(_binary, _JPEG_2000, ">II"),

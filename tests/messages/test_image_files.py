@@ -137,14 +137,14 @@ def patched(extension, array, at, layout, *numbers):
     return bytes(data)
 
 
-def tiff_with(tag, value):
-    """A TIFF in which one field of the directory says something else."""
+def tiff_with(tag, value, new_tag=None):
+    """A TIFF in which one field of the directory says something else, or is another one."""
     data = bytearray(file_of("tif", BGR))
     (at,) = struct.unpack_from("<I", data, 4)
     (entries,) = struct.unpack_from("<H", data, at)
     for place in range(at + 2, at + 2 + 12 * entries, 12):
         if struct.unpack_from("<H", data, place)[0] == tag:
-            struct.pack_into("<HII", data, place + 2, 4, 1, value)
+            struct.pack_into("<HHII", data, place, new_tag or tag, 4, 1, value)
     return bytes(data)
 
 
@@ -164,10 +164,14 @@ LIES = {
     "sun raster": (patched("sr", BGR, 4, ">II", HUGE, HUGE), "accepted from so few bytes"),
     "sun raster, run lengths": (patched("sr", BGR, 20, ">I", 2), "damaged or compressed"),
     "tiff": (tiff_with(256, HUGE), "accepted from so few bytes"),
-    "tiff of 9 channels": (tiff_with(277, 9), "expected 1 to 4 interleaved channels"),
-    "tiff, JPEG inside": (tiff_with(259, 7), "compression 7"),
-    "tiff without width": (file_of("tif", BGR).replace(b"\0\1\3\0\1", b"\1\1\3\0\1"), "without field 256"),
-    "tiff cut": (file_of("tif", BGR)[:60], "ends within its header"),
+    "tiff of CMYK": (tiff_with(262, 5), "of another kind"),
+    "tiff of planes": (tiff_with(284, 2), "of another kind"),
+    "tiff of tiles": (tiff_with(278, 16, 322), "of another kind"),
+    "tiff without width": (
+        file_of("tif", BGR).replace(b"\0\1\3\0\1", b"\1\1\3\0\1"),
+        "without a readable header",
+    ),
+    "tiff cut": (file_of("tif", BGR)[:60], "without a readable header"),
     "big tiff": (b"II+\0" + bytes(60), "holds BigTIFF"),
     "ppm": (b"P6\n999999999 999999999\n255\n" + bytes(60), "accepted from so few bytes"),
     "ppm, comments": (b"P6 # x\n# y\n9999 # z\n9999\n255\n" + bytes(60), "accepted from so few bytes"),
@@ -216,9 +220,11 @@ def test_a_header_that_lies_is_refused_before_decoding(case, monkeypatch):
         file_of("hdr", METERS[..., None].repeat(3, axis=2))[:-1],
         b"P4\n80 80\n" + bytes(799),
         tiff_with(278, HUGE),  # one strip for all rows, which is shorter than they are
+        tiff_with(277, 9),  # channels
+        tiff_with(259, 7),  # JPEG inside
     ],
 )
-def test_a_file_that_lacks_a_few_pixels_is_refused(data):
+def test_a_file_whose_pixels_do_not_fit_its_header_is_refused(data):
     with pytest.raises(ConversionError, match="do not decode"):
         decoded(data)
 
