@@ -212,6 +212,10 @@ class Bag:
             f"message {k} of {topic} is no longer in {self.path}; if the file was changed, open it again"
         )
 
+    def message(self, topic, k):
+        """Message k of a topic, of the classes of rosbags."""
+        return self.deserialize(self.raw(topic, k), self.topics[topic][0])
+
     def index(self, topic, k=None):
         """The topic's index, read to message k, or to the end."""
         self.check_open()
