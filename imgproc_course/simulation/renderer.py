@@ -284,10 +284,8 @@ class Renderer:
         """
         pinhole = pinhole_covering(camera, scale)
         properties = p3d.FrameBufferProperties()
-        properties.set_rgb_color(True)
-        properties.set_color_bits(24)
+        properties.set_rgba_bits(8, 8, 8, 8)
         properties.set_depth_bits(24)
-        properties.set_alpha_bits(8)
         size = p3d.WindowProperties(size=(pinhole.width, pinhole.height))
         output = self._engine.make_output(
             self._pipe, "view", 0, properties, size, p3d.GraphicsPipe.BF_refuse_window

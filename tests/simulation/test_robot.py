@@ -107,7 +107,7 @@ def test_a_wall_stops_the_robot_which_can_still_turn_and_leave():
 
 def test_inside_of_something_the_robot_may_leave_but_not_go_deeper():
     with Simulation(start=(0.0, -1.4, -math.pi / 2)) as room:
-        room._drive.y = -1.93  # its front is now 6 cm in the wall
+        room._drive.place = (0.0, -1.93, -math.pi / 2)  # its front is now 6 cm in the wall
         for _ in range(30):
             room.step(0.3, 0)
         assert room.bumped
