@@ -22,7 +22,11 @@ _SIZE = struct.Struct("<II")
 def decode_depth(format, data):
     """(array, EncodingInfo) of a contiguous memoryview; `format` is such as "16UC1; compressedDepth png"."""
     info = encoding_info(format.partition(";")[0].strip())
-    _check_depth_encoding(info)
+    if info.name not in ("16UC1", "mono16", "32FC1"):
+        raise ConversionError(
+            f"compressedDepth knows '16UC1', 'mono16' and '32FC1', got {quoted(info.name)}; "
+            "use array_to_compressed for other images"
+        )
     if len(data) <= _HEADER.size:
         raise ConversionError(
             f"compressedDepth needs a header of {_HEADER.size} bytes and an image, got {len(data)} bytes; "
@@ -37,14 +41,6 @@ def decode_depth(format, data):
         metres = np.float32(a) / (values - np.float32(b))
     metres[values == 0] = np.nan
     return metres, info
-
-
-def _check_depth_encoding(info):
-    if info.name not in ("16UC1", "mono16", "32FC1"):
-        raise ConversionError(
-            f"compressedDepth knows '16UC1', 'mono16' and '32FC1', got {quoted(info.name)}; "
-            "use array_to_compressed for other images"
-        )
 
 
 def _decode_png(body):

@@ -53,8 +53,7 @@ def _runs(numbers, pixels):
 def _from_words(stream):
     groups = np.frombuffer(stream, "<u4", len(stream) // 4)
     highest_first = groups.astype(">u4").view(np.uint8)
-    nibbles = np.empty(2 * highest_first.size, np.uint8)
-    nibbles[0::2], nibbles[1::2] = highest_first >> 4, highest_first & 15
+    nibbles = np.column_stack([highest_first >> 4, highest_first & 15]).ravel()
     ends = np.flatnonzero(nibbles < 8)
     starts = np.concatenate([[0], ends[:-1] + 1])[: ends.size]
     lengths = ends - starts + 1
