@@ -6,8 +6,6 @@ Where cv_bridge is right, the result is the same, and writable as there. Where c
 or raises another error, this returns the right image or raises CvBridgeError.
 """
 
-import functools
-
 import cv2
 import numpy as np
 
@@ -25,19 +23,7 @@ _DEPTHS = {depth: (np.dtype(code).name, getattr(cv2, f"CV_{depth}")) for depth, 
 _CHANNEL_SHIFT = (cv2.CV_8UC2 - cv2.CV_8UC1).bit_length() - 1  # 3 in OpenCV 4, 5 in OpenCV 5
 
 
-class CvBridgeError(ConversionError, TypeError):
-    """A TypeError, as in cv_bridge; and a ConversionError, as everywhere in this package."""
-
-
-def _raises_cv_bridge_error(function):
-    @functools.wraps(function)
-    def wrapped(*args, **kwargs):
-        try:
-            return function(*args, **kwargs)
-        except ConversionError as error:
-            raise CvBridgeError(str(error)) from error
-
-    return wrapped
+CvBridgeError = ConversionError  # a TypeError too, as in cv_bridge
 
 
 class CvBridge:
@@ -58,7 +44,6 @@ class CvBridge:
         self.numpy_type_to_cvtype = {dtype: depth for depth, (dtype, _) in _DEPTHS.items()}
         self.numpy_type_to_cvtype.update({depth: dtype for depth, (dtype, _) in _DEPTHS.items()})
 
-    @_raises_cv_bridge_error
     def imgmsg_to_cv2(self, img_msg, desired_encoding="passthrough"):
         """The image of an Image message, always writable; see `image_to_array`.
 
@@ -72,17 +57,14 @@ class CvBridge:
             return np.frombuffer(img_msg.data, frame.dtype, frame.size).reshape(frame.shape)
         return frame.copy()
 
-    @_raises_cv_bridge_error
     def cv2_to_imgmsg(self, cvim, encoding="passthrough", header=None):
         """An Image message with a copy of the array; see `array_to_image`."""
         return array_to_image(cvim, encoding, header)
 
-    @_raises_cv_bridge_error
     def compressed_imgmsg_to_cv2(self, cmprs_img_msg, desired_encoding="passthrough"):
         """The image of a CompressedImage message; see `compressed_to_array`."""
         return compressed_to_array(cmprs_img_msg, desired_encoding)
 
-    @_raises_cv_bridge_error
     def cv2_to_compressed_imgmsg(self, cvim, dst_format="jpg", header=None):
         """A CompressedImage message of an array: gray, bgr or bgra, of a dtype that the file format holds.
 
@@ -98,23 +80,19 @@ class CvBridge:
         data = encode_image_file(cvim, dst_format.removeprefix(".").lower())
         return new_message("CompressedImage", header, data, format=dst_format)
 
-    @_raises_cv_bridge_error
     def encoding_to_cvtype2(self, encoding):
         """OpenCV's type of the array of an encoding: cv2.CV_8UC3 for "bgr8"."""
         return getCvType(encoding)
 
-    @_raises_cv_bridge_error
     def encoding_to_dtype_with_channels(self, encoding):
         """("uint8", 3) for "bgr8"."""
         info = encoding_info(encoding)
         return info.dtype.name, info.channels
 
-    @_raises_cv_bridge_error
     def dtype_with_channels_to_cvtype2(self, dtype, n_channels):
         """ "8UC3" for (np.dtype("uint8"), 3)."""
         return generic_name(dtype, n_channels)
 
-    @_raises_cv_bridge_error
     def cvtype2_to_dtype_with_channels(self, cvtype):
         """("uint8", 3) for cv2.CV_8UC3."""
         depth = cvtype & ((1 << _CHANNEL_SHIFT) - 1)
@@ -123,7 +101,6 @@ class CvBridge:
         return self.cvdepth_to_numpy_depth[depth], (cvtype >> _CHANNEL_SHIFT) + 1
 
 
-@_raises_cv_bridge_error
 def getCvType(encoding):
     """OpenCV's type of the array of an encoding: cv2.CV_8UC3 for "bgr8"."""
     info = encoding_info(encoding)
@@ -131,7 +108,6 @@ def getCvType(encoding):
     return _DEPTHS[depth][1] + ((info.channels - 1) << _CHANNEL_SHIFT)
 
 
-@_raises_cv_bridge_error
 def cvtColorForDisplay(
     source,
     encoding_in,
