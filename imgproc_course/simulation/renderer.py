@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 
 from . import sheen
-from .room_model import ATLASES, FACES_OUTWARD, FILES, NO_JOINT
+from .room_model import FACES_OUTWARD, FILES, NO_JOINT
 
 try:
     from panda3d import core as p3d
@@ -232,7 +232,7 @@ def chunks_of(room):
     """
     leaf = next(k for k, v in room.label_names.items() if v == FACES_OUTWARD)
     number = 0
-    for index, atlas in enumerate(ATLASES):
+    for index, atlas in enumerate(room.atlas_names):
         mine = np.nonzero(room.atlas == index)[0]
         cell = np.floor(room.triangles[mine].mean(1) / CHUNK).astype(int)
         cell[room.joint[mine] != NO_JOINT] = 0
@@ -339,7 +339,8 @@ class ColorRenderer(Renderer):
     def __init__(self, room, lighting):
         self._lighting, self._chunks = lighting, []
         configure_panda3d()
-        self._textures = {atlas: load_texture(atlas, lighting) for atlas in ATLASES if atlas != "outside"}
+        names = [name for name in room.atlas_names if name != "outside"]
+        self._textures = {name: load_texture(name, lighting) for name in names}
         super().__init__(room)
         self._shadows = {}
         for number, (name, size) in enumerate(SHADOWS.items()):
