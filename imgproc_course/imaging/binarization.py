@@ -7,10 +7,10 @@ from typing import Literal
 
 import numpy as np
 
-from imgproc_course.imaging.array_types import Gray
-from imgproc_course.imaging.filters import box_mean, gaussian_kernel
-from imgproc_course.imaging.row_blocks import filter_blocks
-from imgproc_course.imaging.validation import check_gray, check_number, check_size
+from .array_types import Gray
+from .filters import box_mean, gaussian_kernel
+from .row_blocks import filter_blocks
+from .validation import check_gray, check_number, check_size
 
 # Otsu: a class with a smaller share of the pixels counts as empty (FLT_EPSILON in OpenCV).
 SMALLEST_SHARE = 2.0**-23

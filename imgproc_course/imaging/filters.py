@@ -8,10 +8,10 @@ from fractions import Fraction
 
 import numpy as np
 
-from imgproc_course.imaging.array_types import Gray, GrayOrBgr
-from imgproc_course.imaging.correlation import correlate1d
-from imgproc_course.imaging.row_blocks import filter_blocks
-from imgproc_course.imaging.validation import check_gray, check_image, check_number, check_size
+from .array_types import Gray, GrayOrBgr
+from .correlation import correlate1d
+from .row_blocks import filter_blocks
+from .validation import check_gray, check_image, check_number, check_size
 
 # A fixed-point Gaussian kernel consists of integers that add up to 2**8, as in OpenCV's arithmetic for uint8.
 KERNEL_SHIFT = 8

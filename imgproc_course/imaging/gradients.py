@@ -7,10 +7,10 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from imgproc_course.imaging.array_types import Direction, Gradient, Gray, Magnitude
-from imgproc_course.imaging.borders import pad_border
-from imgproc_course.imaging.correlation import correlate1d
-from imgproc_course.imaging.validation import check_gray
+from .array_types import Direction, Gradient, Gray, Magnitude
+from .borders import pad_border
+from .correlation import correlate1d
+from .validation import check_gray
 
 # aperture -> the two one-dimensional kernels of the separable Sobel filter
 SMOOTHING = {3: (1, 2, 1), 5: (1, 4, 6, 4, 1), 7: (1, 6, 15, 20, 15, 6, 1)}

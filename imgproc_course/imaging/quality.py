@@ -6,8 +6,8 @@ import math
 
 import numpy as np
 
-from imgproc_course.imaging.array_types import Gray, GrayOrBgr
-from imgproc_course.imaging.validation import check_number, check_pair, check_size
+from .array_types import Gray, GrayOrBgr
+from .validation import check_number, check_pair, check_size
 
 
 def psnr(reference: GrayOrBgr, image: GrayOrBgr) -> float:

@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from imgproc_course.imaging.borders import pad_border
+from .borders import pad_border
 
 # About ten arrays of int16 are alive at a time; with this many pixels each they stay in a core's cache.
 BLOCK_PIXELS = 80_000
