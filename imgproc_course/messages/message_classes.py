@@ -4,6 +4,7 @@ Neither is imported before the first message is made.
 """
 
 import functools
+import importlib
 from typing import Any
 
 import numpy as np
@@ -15,18 +16,18 @@ Message = Any
 
 
 @functools.cache
-def _ros_messages():
-    """The module sensor_msgs.msg, or None if it is not installed."""
+def installed_class(name):
+    """The class of a message type such as "sensor_msgs/msg/Image"; None if its package is not installed."""
+    package, _, kind = name.split("/")
     try:
-        import sensor_msgs.msg
+        return getattr(importlib.import_module(f"{package}.msg"), kind, None)
     except ImportError:
         return None
-    return sensor_msgs.msg
 
 
 @functools.cache
-def _rosbags_types():
-    """{type: class} of rosbags, as in ROS 2 Jazzy."""
+def message_types():
+    """The message definitions of ROS 2 Jazzy, which rosbags brings."""
     try:
         from rosbags.typesys import Stores, get_typestore
     except ImportError:
@@ -34,20 +35,20 @@ def _rosbags_types():
             "a new message needs the message classes of ROS 2, and sensor_msgs is not installed here; "
             "source ROS (source /opt/ros/jazzy/setup.bash), or pip install rosbags"
         ) from None
-    return get_typestore(Stores.ROS2_JAZZY).types
+    return get_typestore(Stores.ROS2_JAZZY)
 
 
 def new_message(kind, header, data, **fields):
     """An Image or a CompressedImage with a copy of `data`, a C-contiguous buffer of bytes."""
-    if not _ros_messages():
-        types = _rosbags_types()
+    name = f"sensor_msgs/msg/{kind}"
+    ros_class = installed_class(name)
+    if ros_class is None:
+        types = message_types().types
         if header is None:
             time = types["builtin_interfaces/msg/Time"](sec=0, nanosec=0)
             header = types["std_msgs/msg/Header"](stamp=time, frame_id="")
-        return types[f"sensor_msgs/msg/{kind}"](
-            header=header, data=np.frombuffer(data, np.uint8).copy(), **fields
-        )
-    msg = getattr(_ros_messages(), kind)(**fields)
+        return types[name](header=header, data=np.frombuffer(data, np.uint8).copy(), **fields)
+    msg = ros_class(**fields)
     if header is not None:
         try:
             msg.header = header

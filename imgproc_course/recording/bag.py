@@ -17,6 +17,7 @@ from rosbags.rosbag2 import Reader, ReaderError
 from rosbags.serde import SerdeError
 from rosbags.typesys import Stores, TypesysError, get_typestore
 
+from ..messages.message_classes import message_types
 from .errors import FrameIndexError, NotRecordedError, RecordingError
 
 STORAGE_SUFFIXES = (".mcap", ".db3")
@@ -48,9 +49,8 @@ def _table_of_contents(reader):
 
 def _check_types(kinds, types):
     """Checks the message definitions in the bag: those that this package reads must be the ones of ROS."""
-    ros_types = get_typestore(Stores.ROS2_JAZZY)
     for kind in sorted(READ_TYPES & kinds):
-        if types.hash_rihs01(kind) != ros_types.hash_rihs01(kind):
+        if types.hash_rihs01(kind) != message_types().hash_rihs01(kind):
             raise ReaderError(f"its definition of {kind} differs from that of ROS")
 
 

@@ -2,20 +2,10 @@
 
 import array
 import dataclasses
-import functools
-import importlib
 
 import numpy as np
 
-
-@functools.cache
-def installed_class(name):
-    """The class of a message type such as "sensor_msgs/msg/Image"; None if its package is not installed."""
-    package, _, kind = name.split("/")
-    try:
-        return getattr(importlib.import_module(f"{package}.msg"), kind, None)
-    except ImportError:
-        return None
+from ..messages.message_classes import installed_class
 
 
 def to_installed(msg):
