@@ -12,7 +12,7 @@ import numpy as np
 from .encodings import encoding_info
 from .errors import ConversionError, quoted
 from .image_files import decode_image_file
-from .image_limits import BLANK_PIXELS, PIXELS_PER_BYTE, check_claim
+from .image_headers import BLANK_PIXELS, PIXELS_PER_BYTE, check_claim
 from .rvl import rvl_decode
 
 _HEADER = struct.Struct("<iff")

@@ -11,14 +11,29 @@ from functools import partial
 from typing import NamedTuple
 
 from .errors import ConversionError
-from .image_limits import BLANK_PIXELS, DAMAGED, PIXELS_PER_BYTE, check_claim
 from .tiff import tiff_size
 
+MAX_PIXELS = 2**27  # 134 million: more than any camera on a robot has
+BLANK_PIXELS = 2**22  # RVL, WebP and JPEG 2000 write a blank image of any size in a few bytes
+PIXELS_PER_BYTE = 1024  # beyond that, for these three; for JPEG too: 8 × 8 pixels need at least 1 bit
+DAMAGED = "the message is cut short or damaged; publish it again"
 PNG_EXPANSION = 1032  # bytes that one byte of a deflate stream can become: 258 from 2 bits
 _UNCOMPRESSED = "it is cut short, damaged or compressed; use PNG, which compresses without loss"
 _ONE_TILE = "it is cut short, damaged or not of one tile with default options; encode it so, or use PNG"
 _STRIPS = "it is cut short, damaged or of another kind; write it as cv2.imwrite does, or use PNG"
 _TEXT_HEADER_BYTES = 4096
+
+
+def check_claim(name, height, width, file_bytes, limit):
+    """Refuses no pixel, and more than `limit` or MAX_PIXELS pixels, in the header of an image file."""
+    limit = min(limit, MAX_PIXELS)
+    if height == 0 or width == 0:
+        raise ConversionError(f"{name} of {height} rows × {width} columns has no pixel; {DAMAGED}")
+    if height * width > limit:
+        raise ConversionError(
+            f"{name} of {file_bytes} bytes claims {height} rows × {width} columns, more than the {limit} "
+            "pixels accepted from so many bytes; the message is damaged or made to exhaust the memory"
+        )
 
 
 class FileFormat(NamedTuple):

@@ -3,7 +3,7 @@
 import zlib
 
 from .errors import ConversionError, quoted
-from .image_limits import DAMAGED
+from .image_headers import DAMAGED
 
 
 def pixel_chunks(data):

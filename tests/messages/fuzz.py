@@ -38,8 +38,7 @@ from imgproc_course.messages import (
 )
 from imgproc_course.messages.encodings import ENCODINGS
 from imgproc_course.messages.image_files import FILE_EXTENSIONS
-from imgproc_course.messages.image_headers import PNG_EXPANSION
-from imgproc_course.messages.image_limits import BLANK_PIXELS
+from imgproc_course.messages.image_headers import BLANK_PIXELS, PNG_EXPANSION
 
 SMALL_CHANGE = 64 * 1024  # bytes: error texts, views, caches of Python's own
 IMAGE_MULTIPLE = 24  # of the message's bytes: 1-byte pixels to 16-bit rgba, with one step between, and lists

@@ -218,11 +218,11 @@ BROKEN = {
     "png without header": (WHOLE[:8] + WHOLE[33:], "without a readable header"),
     "png of 7 bits": (plain_png(2, 2, 7, 0, bytes(6)), "without a readable header"),
     "png of no pixel": (plain_png(0, 2, 8, 0, bytes(6)), "no pixel"),
-    "png that claims 4 billion rows": (png_that_claims(1, 2**32 - 1), "so few bytes"),
-    "png that claims 64 TB": (png_that_claims(2**23, 2**23), "so few bytes"),
+    "png that claims 4 billion rows": (png_that_claims(1, 2**32 - 1), "so many bytes"),
+    "png that claims 64 TB": (png_that_claims(2**23, 2**23), "so many bytes"),
     "jpeg cut": (jpeg(BGR)[:-40], "do not decode"),
     "jpeg of two bytes": (b"\xff\xd8", "without a readable header"),
-    "jpeg that claims 65535²": (jpeg_that_claims(65535, 65535), "so few bytes"),
+    "jpeg that claims 65535²": (jpeg_that_claims(65535, 65535), "so many bytes"),
     "jpeg without rows": (jpeg_that_claims(2, 0), "no pixel"),
 }
 
