@@ -6,7 +6,7 @@ Reads what bake.py wrote; OUT is imgproc_course/simulation/room.
 """
 
 import argparse
-import shutil
+import json
 from pathlib import Path
 
 import bpy
@@ -25,6 +25,10 @@ BALL_LABEL = 9
 CELL = 0.01  # metres
 BODY_HEIGHTS = (0.02, 0.22)  # metres: the robot with its camera
 FLOOR_LABELS = (1, 14)  # floor and rug
+ATLASES = ("floor", "rug", "room", "furniture", "signs", "outside", "movers")  # in the order of drawing
+NO_JOINT = -1  # of what stands still
+# The renderer's texture coordinates and depths are true over short distances only.
+LONGEST_EDGE = {"floor": 0.3, "rug": 0.35, "room": 0.4}  # metres
 
 
 def owned_texels(uv, size, oversampling=4):
@@ -156,6 +160,55 @@ def free_space(geometry):
     return np.round(distance * CELL * 1000).astype(np.uint16), origin
 
 
+def as_drawn(geometry):
+    """Arrays of all triangles, as RoomModel has them: no edge of an atlas is longer than LONGEST_EDGE."""
+    parts = []
+    for number, atlas in enumerate(ATLASES):
+        triangles, texture, label = (geometry[f"{atlas}_{kind}"] for kind in ("vertices", "uv", "label"))
+        if atlas in LONGEST_EDGE:
+            triangles, texture, label = bisect(triangles, texture, label, LONGEST_EDGE[atlas])
+        joint = np.full(len(label), NO_JOINT)
+        if atlas == "movers":
+            joint = geometry["movers_joint"].astype(int)
+        parts.append((triangles, texture, label, joint, np.full(len(label), number)))
+    names = ("triangles", "texture", "label", "joint", "atlas")
+    return dict(zip(names, map(np.concatenate, zip(*parts, strict=True)), strict=True))
+
+
+def bisect(triangles, texture, label, longest):
+    """Cuts each triangle at the middle of its longest edge until no edge is longer than `longest` metres."""
+    while True:
+        edges = np.roll(triangles, -1, 1) - triangles
+        squared = edges[..., 0] ** 2 + edges[..., 1] ** 2 + edges[..., 2] ** 2
+        rows = np.nonzero(squared.max(1) > longest**2)[0]
+        if not len(rows):
+            return triangles, texture, label
+        corner = squared[rows].argmax(1)
+        keep = np.ones(len(triangles), bool)
+        keep[rows] = False
+        triangles = np.concatenate([triangles[keep], *halves(triangles[rows], corner)])
+        texture = np.concatenate([texture[keep], *halves(texture[rows], corner)])
+        label = np.concatenate([label[keep], label[rows], label[rows]])
+
+
+def halves(corners, first):
+    """The two halves of triangles (N, 3, K), cut between corner `first` and the one after it."""
+    rows = np.arange(len(corners))
+    a, b, c = (corners[rows, (first + k) % 3] for k in range(3))
+    middle = (a + b) / 2
+    return np.stack([a, middle, c], 1), np.stack([middle, b, c], 1)
+
+
+def parents_first(tree):
+    """The tree of joints in the order in which their poses are computed."""
+
+    def generation(name):
+        parent = tree[name]["parent"]
+        return 0 if parent is None else 1 + generation(parent)
+
+    return {name: tree[name] for name in sorted(tree, key=generation)}
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawTextHelpFormatter)
     parser.add_argument("baked", type=Path)
@@ -169,8 +222,11 @@ def main():
     geometry = dict(np.load(baked / "geometry.npz"))
     distance, origin = free_space(geometry)
     np.savez_compressed(out / "free_space.npz", distance=distance, origin=origin, cell=CELL)
-    for name in ("geometry.npz", "scene.json"):
-        shutil.copyfile(baked / name, out / name)
+    np.savez_compressed(out / "geometry.npz", **as_drawn(geometry))
+    description = json.loads((baked / "scene.json").read_text())
+    description["joint_tree"] = parents_first(description["joint_tree"])
+    description["atlases"] = ATLASES
+    (out / "scene.json").write_text(json.dumps(description, indent=0))
     bpy.ops.wm.read_factory_settings(use_empty=True)
     drive.settings(4, 2)
     for lighting in arguments.lighting:

@@ -52,7 +52,9 @@ class CameraModel:
         """
         points = np.asarray(points, float)
         depth = np.where(points[..., 2] > 0, points[..., 2], np.nan)
-        x, y = self._distort(points[..., 0] / depth, points[..., 1] / depth)
+        x, y = points[..., 0] / depth, points[..., 1] / depth
+        radial, x_tangential, y_tangential = self._distortion_at(x, y)
+        x, y = x * radial + x_tangential, y * radial + y_tangential
         return np.stack([x * self.fx + self.cx, y * self.fy + self.cy], -1)
 
     def unproject(self, pixels: ArrayLike) -> NDArray[np.float64]:
@@ -98,10 +100,6 @@ class CameraModel:
     def rays(self) -> NDArray[np.float64]:
         """The ray of each pixel, (height, width, 3) float64."""
         return self.unproject(np.stack(np.meshgrid(np.arange(self.width), np.arange(self.height)), -1))
-
-    def _distort(self, x, y):
-        radial, x_tangential, y_tangential = self._distortion_at(x, y)
-        return x * radial + x_tangential, y * radial + y_tangential
 
     def _distortion_at(self, x, y):
         k1, k2, p1, p2, k3 = self.distortion

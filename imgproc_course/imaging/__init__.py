@@ -1,7 +1,7 @@
 """Image processing by hand, in NumPy: grayscale, noise, filters, binarization, gradients and Canny."""
 
-from imgproc_course.imaging.binarization import adaptive_threshold, otsu_threshold, threshold
-from imgproc_course.imaging.canny import (
+from .binarization import adaptive_threshold, otsu_threshold, threshold
+from .canny import (
     CannyStages,
     canny_gradient,
     canny_stages,
@@ -11,8 +11,8 @@ from imgproc_course.imaging.canny import (
     suppress,
     threshold_in_unit,
 )
-from imgproc_course.imaging.canny_fast import canny
-from imgproc_course.imaging.filters import (
+from .canny_fast import canny
+from .filters import (
     bilateral_filter,
     box_blur,
     fixed_point_gaussian_kernel,
@@ -20,17 +20,10 @@ from imgproc_course.imaging.filters import (
     gaussian_kernel,
     median_blur,
 )
-from imgproc_course.imaging.gradients import direction, gradient_angle, magnitude, sobel
-from imgproc_course.imaging.grayscale import (
-    average_gray,
-    lightness_gray,
-    linear_light,
-    linear_light_gray,
-    srgb_levels,
-    to_gray,
-)
-from imgproc_course.imaging.noise import add_gaussian_noise, add_salt_and_pepper
-from imgproc_course.imaging.quality import psnr, ssim
+from .gradients import direction, gradient_angle, magnitude, sobel
+from .grayscale import average_gray, lightness_gray, linear_light, linear_light_gray, srgb_levels, to_gray
+from .noise import add_gaussian_noise, add_salt_and_pepper
+from .quality import psnr, ssim
 
 __all__ = [
     "CannyStages",

@@ -7,11 +7,10 @@ from typing import Literal
 
 import numpy as np
 
-from imgproc_course.imaging.array_types import Gray
-from imgproc_course.imaging.borders import pad_border
-from imgproc_course.imaging.filters import box_mean, gaussian_kernel
-from imgproc_course.imaging.row_blocks import row_blocks
-from imgproc_course.imaging.validation import check_gray, check_number, check_size
+from .array_types import Gray
+from .filters import box_mean, gaussian_kernel
+from .row_blocks import filter_blocks
+from .validation import check_gray, check_number, check_size
 
 # Otsu: a class with a smaller share of the pixels counts as empty (FLT_EPSILON in OpenCV).
 SMALLEST_SHARE = 2.0**-23
@@ -136,16 +135,16 @@ def _gaussian_mean(gray, size):
     """
     half = size // 2
     kernel = gaussian_kernel(0, size)
-    padded = pad_border(gray, half, "replicate")
-    mean = np.empty(gray.shape, np.uint8)
-    cols = gray.shape[1]
-    for top, bottom in row_blocks(gray, minimum_rows=4 * size):
-        block = padded[top : bottom + 2 * half].astype(np.float32)
+
+    def mean_of_block(block):
+        rows, cols = len(block) - 2 * half, gray.shape[1]
+        block = block.astype(np.float32)
         row_sums = _fused_sum([block[:, k : k + cols] for k in range(size)], kernel)
-        shifted = [row_sums[k : k + bottom - top] for k in range(size)]
+        shifted = [row_sums[k : k + rows] for k in range(size)]
         pairs = [shifted[half - k] + shifted[half + k] for k in range(1, half + 1)]
-        mean[top:bottom] = np.rint(_fused_sum([shifted[half], *pairs], kernel[half:]))
-    return mean
+        return np.rint(_fused_sum([shifted[half], *pairs], kernel[half:]))
+
+    return filter_blocks(gray, half, "replicate", mean_of_block)
 
 
 def _fused_sum(images, weights):

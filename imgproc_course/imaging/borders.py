@@ -4,23 +4,12 @@ from typing import Literal
 
 import numpy as np
 
-# Our word for a border -> NumPy's. OpenCV calls them BORDER_REFLECT_101 (dcb|abcd|cba) and BORDER_REPLICATE.
+# Our word for a border -> NumPy's. BORDER_REFLECT_101 in OpenCV mirrors the image about its outermost pixels
+# (dcb|abcd|cba), BORDER_REPLICATE repeats them (aaa|abcd|ddd).
 NUMPY_PAD_MODES: dict[str, Literal["reflect", "edge"]] = {"reflect_101": "reflect", "replicate": "edge"}
 
 
 def pad_border(image, margin, border):
-    """Return the image with `margin` more pixels on each of its four sides.
-
-    Parameters
-    ----------
-    image : (H, W, ...) array
-    margin : pixels to add on each side
-    border : "reflect_101" mirrors the image about its outermost pixels, as OpenCV's filters do: dcb|abcd|cba;
-        "replicate" repeats the outermost pixels: aaa|abcd|ddd
-
-    Returns
-    -------
-    (H + 2 margin, W + 2 margin, ...) array of the same dtype
-    """
+    """The image with `margin` more pixels on each of its four sides."""
     widths = [(margin, margin)] * 2 + [(0, 0)] * (image.ndim - 2)
     return np.pad(image, widths, mode=NUMPY_PAD_MODES[border])

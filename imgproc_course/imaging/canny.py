@@ -11,19 +11,10 @@ from typing import NamedTuple
 import numpy as np
 from scipy import ndimage
 
-from imgproc_course.imaging.array_types import Direction, Gradient, Gray, Magnitude, Mask
-from imgproc_course.imaging.filters import gaussian_blur
-from imgproc_course.imaging.gradients import (
-    DOWN,
-    DOWN_LEFT,
-    DOWN_RIGHT,
-    RIGHT,
-    check_aperture,
-    direction,
-    magnitude,
-    sobel,
-)
-from imgproc_course.imaging.validation import check_gray, check_number
+from .array_types import Direction, Gradient, Gray, Magnitude, Mask
+from .filters import gaussian_blur
+from .gradients import DOWN, DOWN_LEFT, DOWN_RIGHT, RIGHT, check_aperture, direction, magnitude, sobel
+from .validation import check_gray, check_number
 
 # OpenCV divides the gradient of aperture 7, and the thresholds with it, by this, so that int16 can hold it.
 APERTURE_7_SCALE = 16

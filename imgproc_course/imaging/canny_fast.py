@@ -17,17 +17,12 @@ import numpy as np
 from scipy.sparse import coo_array
 from scipy.sparse.csgraph import connected_components
 
-from imgproc_course.imaging.array_types import Gray
-from imgproc_course.imaging.borders import pad_border
-from imgproc_course.imaging.canny import (
-    APERTURE_7_SCALE,
-    check_thresholds,
-    smooth,
-    threshold_in_unit,
-)
-from imgproc_course.imaging.gradients import TAN_22, TAN_SHIFT, check_aperture
-from imgproc_course.imaging.row_blocks import row_blocks
-from imgproc_course.imaging.validation import check_gray, check_number
+from .array_types import Gray
+from .borders import pad_border
+from .canny import APERTURE_7_SCALE, check_thresholds, smooth, threshold_in_unit
+from .gradients import TAN_22, TAN_SHIFT, check_aperture
+from .row_blocks import row_blocks
+from .validation import check_gray, check_number
 
 
 def canny(

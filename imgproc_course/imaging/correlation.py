@@ -4,23 +4,11 @@ import numpy as np
 
 
 def correlate1d(values, kernel, axis):
-    """Correlate an array with a kernel along one axis, wherever the kernel lies fully inside the array.
+    """response[i] = kernel[0] values[i] + kernel[1] values[i + 1] + …, as scipy's, but without a border.
 
-    A correlation does not flip the kernel; a convolution does. For a symmetric kernel both give the same
-    result, for an antisymmetric kernel the sign changes.
-
-    Parameters
-    ----------
-    values : 2-D or 3-D array of a dtype that is wide enough for the sums: widen it first
-    kernel : odd number of whole numbers, symmetric (1, 2, 1) or antisymmetric (-1, 0, 1)
-    axis : 0 for the sums down a column, 1 for those along a row
-
-    Returns
-    -------
-    array of the same dtype, len(kernel) - 1 shorter along `axis`:
-    response[i] = kernel[0] values[i] + kernel[1] values[i + 1] + …
-
-    As scipy.ndimage.correlate1d, but without a border.
+    A correlation does not flip the kernel; a convolution does. For a symmetric kernel (1, 2, 1) both give the
+    same result, for an antisymmetric one (-1, 0, 1) the sign changes. Another kernel is not accepted. The
+    dtype of the values must be wide enough for the sums: widen it first.
     """
     half = len(kernel) // 2
     length = values.shape[axis] - 2 * half

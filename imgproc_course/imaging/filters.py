@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
+import functools
 import math
 from fractions import Fraction
 
 import numpy as np
 
-from imgproc_course.imaging.array_types import Gray, GrayOrBgr
-from imgproc_course.imaging.borders import pad_border
-from imgproc_course.imaging.correlation import correlate1d
-from imgproc_course.imaging.row_blocks import row_blocks
-from imgproc_course.imaging.validation import check_gray, check_image, check_number, check_size
+from .array_types import Gray, GrayOrBgr
+from .correlation import correlate1d
+from .row_blocks import filter_blocks
+from .validation import check_gray, check_image, check_number, check_size
 
 # A fixed-point Gaussian kernel consists of integers that add up to 2**8, as in OpenCV's arithmetic for uint8.
 KERNEL_SHIFT = 8
@@ -50,19 +50,19 @@ def box_blur(image: GrayOrBgr, size: int = 3) -> GrayOrBgr:
 
 def box_mean(image, size, border):
     """`box_blur` with any border; `adaptive_threshold` needs "replicate"."""
-    margin, count = size // 2, size * size
-    padded = pad_border(image, margin, border)
-    blurred = np.empty(image.shape, np.uint8)
+    count = size * size
     # A product is several times as fast as an integer division, and as exact here: the mean of an odd number
     # of levels is at least 1 / (2 count) away from a half, and the error of a float is far smaller.
     weight = np.float32(1 / count) if size < 100 else np.float64(1 / count)
-    for top, bottom in row_blocks(image, minimum_rows=4 * size):
-        total = _window_sum(padded[top : bottom + 2 * margin].astype(np.uint32), size, axis=0)
+
+    def mean_of_block(block):
+        total = _window_sum(block.astype(np.uint32), size, axis=0)
         mean = _window_sum(total, size, axis=1).astype(weight.dtype)
         mean *= weight
         mean += weight.dtype.type(0.5)
-        blurred[top:bottom] = mean  # the cast to uint8 drops the fraction
-    return blurred
+        return mean  # the cast to uint8 drops the fraction
+
+    return filter_blocks(image, size // 2, border, mean_of_block)
 
 
 def gaussian_kernel(sigma: float, size: int | None = None) -> list[float]:
@@ -157,17 +157,16 @@ def gaussian_blur(image: GrayOrBgr, sigma: float, size: int | None = None) -> Gr
     """
     image = check_image(image)
     kernel = fixed_point_gaussian_kernel(sigma, size)
-    margin = len(kernel) // 2
-    padded = pad_border(image, margin, "reflect_101")
-    blurred = np.empty_like(image, order="C")
-    for top, bottom in row_blocks(image, minimum_rows=4 * margin):
+
+    def blur_block(block):
         # 255 · 256 fits 16 bits: along the rows uint16 is enough, with half the memory of uint32.
-        row_sums = correlate1d(padded[top : bottom + 2 * margin].astype(np.uint16), kernel, axis=1)
+        row_sums = correlate1d(block.astype(np.uint16), kernel, axis=1)
         total = correlate1d(row_sums.astype(np.uint32), kernel, axis=0)
         total += 1 << (2 * KERNEL_SHIFT - 1)
         total >>= 2 * KERNEL_SHIFT
-        blurred[top:bottom] = total
-    return blurred
+        return total
+
+    return filter_blocks(image, len(kernel) // 2, "reflect_101", blur_block)
 
 
 def median_blur(image: GrayOrBgr, size: int = 3) -> GrayOrBgr:
@@ -192,13 +191,8 @@ def median_blur(image: GrayOrBgr, size: int = 3) -> GrayOrBgr:
     Source: cv2.medianBlur, with its border BORDER_REPLICATE.
     """
     image, size = check_image(image), check_size(size)
-    margin = size // 2
-    padded = pad_border(image, margin, "replicate")
-    filtered = np.empty(image.shape, np.uint8)
-    for top, bottom in row_blocks(image, minimum_rows=4 * size):
-        block = padded[top : bottom + 2 * margin]
-        filtered[top:bottom] = _median_of_nine(block) if size == 3 else _median_of_window(block, size)
-    return filtered
+    median = _median_of_nine if size == 3 else functools.partial(_median_of_window, size=size)
+    return filter_blocks(image, size // 2, "replicate", median)
 
 
 def _median_of_nine(padded):
@@ -267,22 +261,16 @@ def bilateral_filter(gray: Gray, sigma_color: float, sigma_space: float, size: i
     the pixels are one level darker.
     """
     gray = check_gray(gray)
-    sigma_color, sigma_space = (
-        _check_sigma(value, name)
-        for value, name in ((sigma_color, "sigma_color"), (sigma_space, "sigma_space"))
-    )
+    sigma_color = _check_sigma(sigma_color, "sigma_color")
+    sigma_space = _check_sigma(sigma_space, "sigma_space")
     radius = max(1, round(sigma_space * 1.5) if size is None else check_size(size) // 2)
     similarity = np.exp(np.arange(256) ** 2 * (-0.5 / sigma_color**2)).astype(np.float32)
-    padded = pad_border(gray, radius, "reflect_101").astype(np.int16)
-    filtered = np.empty(gray.shape, np.uint8)
-    for top, bottom in row_blocks(gray, minimum_rows=4 * radius):
-        filtered[top:bottom] = _bilateral_block(
-            padded[top : bottom + 2 * radius], radius, similarity, sigma_space
-        )
-    return filtered
+    block = functools.partial(_bilateral_block, radius, similarity, sigma_space)
+    return filter_blocks(gray, radius, "reflect_101", block)
 
 
-def _bilateral_block(padded, radius, similarity, sigma_space):
+def _bilateral_block(radius, similarity, sigma_space, padded):
+    padded = padded.astype(np.int16)
     rows, cols = padded.shape[0] - 2 * radius, padded.shape[1] - 2 * radius
     middle = padded[radius : radius + rows, radius : radius + cols]
     total, total_weight = np.zeros((2, rows, cols), np.float32)

@@ -7,10 +7,10 @@ from typing import Literal
 import numpy as np
 from numpy.typing import NDArray
 
-from imgproc_course.imaging.array_types import Direction, Gradient, Gray, Magnitude
-from imgproc_course.imaging.borders import pad_border
-from imgproc_course.imaging.correlation import correlate1d
-from imgproc_course.imaging.validation import check_gray
+from .array_types import Direction, Gradient, Gray, Magnitude
+from .borders import pad_border
+from .correlation import correlate1d
+from .validation import check_gray
 
 # aperture -> the two one-dimensional kernels of the separable Sobel filter
 SMOOTHING = {3: (1, 2, 1), 5: (1, 4, 6, 4, 1), 7: (1, 6, 15, 20, 15, 6, 1)}
@@ -58,21 +58,6 @@ def sobel(gray: Gray, aperture: int = 3) -> tuple[Gradient, Gradient]:
     """
     aperture = check_aperture(aperture)
     padded = pad_border(check_gray(gray).astype(np.int32), aperture // 2, "replicate")
-    return gradient_of_padded(padded, aperture)
-
-
-def gradient_of_padded(padded, aperture):
-    """Sobel's two gradients of an image that already has a border of aperture // 2 pixels on each side.
-
-    Parameters
-    ----------
-    padded : (H + aperture - 1, W + aperture - 1) int16 or int32 (int32 for aperture 7: its sums exceed 32767)
-    aperture : 3, 5 or 7
-
-    Returns
-    -------
-    grad_row, grad_col : (H, W) of the same dtype
-    """
     smoothing, difference = SMOOTHING[aperture], DIFFERENCE[aperture]
     grad_row = correlate1d(correlate1d(padded, difference, axis=0), smoothing, axis=1)
     grad_col = correlate1d(correlate1d(padded, smoothing, axis=0), difference, axis=1)

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from imgproc_course.imaging.array_types import Bgr, Gray
-from imgproc_course.imaging.row_blocks import row_blocks
-from imgproc_course.imaging.validation import check_bgr
+from .array_types import Bgr, Gray
+from .row_blocks import row_blocks
+from .validation import check_bgr
 
 # ITU-R BT.601 weights of blue, green, red: 0.114, 0.587, 0.299 times 2**15, rounded; their sum is 2**15.
 LUMA_WEIGHTS = (3735, 19235, 9798)

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from imgproc_course.imaging.array_types import GrayOrBgr
-from imgproc_course.imaging.validation import check_image, check_number
+from .array_types import GrayOrBgr
+from .validation import check_image, check_number
 
 
 def add_gaussian_noise(image: GrayOrBgr, sigma: float, *, seed: int | np.random.Generator = 0) -> GrayOrBgr:

@@ -1,5 +1,9 @@
 """Cutting an image into blocks of rows that fit a core's cache."""
 
+import numpy as np
+
+from .borders import pad_border
+
 # About ten arrays of int16 are alive at a time; with this many pixels each they stay in a core's cache.
 BLOCK_PIXELS = 80_000
 
@@ -14,3 +18,15 @@ def row_blocks(image, minimum_rows=8):
     block_rows = max(minimum_rows, BLOCK_PIXELS // row_size)
     for top in range(0, rows, block_rows):
         yield top, min(top + block_rows, rows)
+
+
+def filter_blocks(image, margin, border, filter_block):
+    """A uint8 image of the same shape, whose blocks of rows a function makes from those of `image`.
+
+    The function receives a block with `margin` more pixels on each of its four sides.
+    """
+    padded = pad_border(image, margin, border)
+    filtered = np.empty(image.shape, np.uint8)
+    for top, bottom in row_blocks(image, minimum_rows=8 * margin):
+        filtered[top:bottom] = filter_block(padded[top : bottom + 2 * margin])
+    return filtered

@@ -77,10 +77,10 @@ def _check_uint8(image, expected, name):
     if not isinstance(image, np.ndarray):
         raise ValueError(f"{name} must be {expected}, {_describe_non_array(image, expected, name)}")
     array = np.asarray(image)
-    if array.dtype != np.uint8:
-        raise ValueError(_mismatch(name, expected, array, _dtype_remedy(array, name)))
     if array.size == 0:
         raise ValueError(_mismatch(name, expected, array, "it has no pixels; check the code that made it"))
+    if array.dtype != np.uint8:
+        raise ValueError(_mismatch(name, expected, array, _dtype_remedy(array, name)))
     return array
 
 
@@ -109,8 +109,6 @@ def _dtype_remedy(array, name):
         return f"make True white: {name}.astype(np.uint8) * 255"
     if dtype.kind not in "fiu":
         return "scale real numbers to 0..255 and convert them to uint8 first"
-    if array.size == 0:
-        return "it has no pixels; check the code that made it"
     low, high = array.min(), array.max()
     if not (np.isfinite(low) and np.isfinite(high)):
         return f"replace NaN and infinite values first: np.nan_to_num({name})"

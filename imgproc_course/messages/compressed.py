@@ -15,17 +15,8 @@ from .depth import decode_depth
 from .encodings import encoding_info, generic_name
 from .errors import ConversionError, quoted
 from .image_files import check_value_count, decode_image_file, encode_image_file
-from .message_classes import Message, new_compressed_image
+from .message_classes import Message, new_message
 from .pixels import converter
-
-_AS_OPENCV_DECODES = {
-    ("uint8", 1): "mono8",
-    ("uint8", 3): "bgr8",
-    ("uint8", 4): "bgra8",
-    ("uint16", 1): "mono16",
-    ("uint16", 3): "bgr16",
-    ("uint16", 4): "bgra16",
-}
 
 
 def compressed_to_array(msg: Message, desired_encoding: str = "passthrough") -> np.ndarray:
@@ -115,12 +106,15 @@ def _encoded(array, encoding, format, header, quality):
     pixels = np.ascontiguousarray(array, info.dtype)
     options = [cv2.IMWRITE_JPEG_QUALITY, quality] if codec == "jpeg" else []
     data = encode_image_file(convert(pixels) if convert else pixels, codec, options)
-    return new_compressed_image(header, f"{info.name}; {codec} compressed {stored.name}", data)
+    format = f"{info.name}; {codec} compressed {stored.name}"
+    return new_message("CompressedImage", header, data, format=format)
 
 
 def _decoded_name(dtype, channels):
     """Encoding of an image as OpenCV decodes it: "bgr8" of (uint8, 3), "32FC1" of (float32, 1)."""
-    return _AS_OPENCV_DECODES.get((dtype.name, channels)) or generic_name(dtype, channels)
+    color = {1: "mono", 3: "bgr", 4: "bgra"}.get(channels)
+    bits = {"uint8": 8, "uint16": 16}.get(dtype.name)
+    return f"{color}{bits}" if color and bits else generic_name(dtype, channels)
 
 
 _conversion = functools.lru_cache(maxsize=256)(converter)

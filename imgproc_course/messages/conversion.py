@@ -13,7 +13,7 @@ import numpy as np
 
 from .encodings import ENCODINGS, EncodingInfo, encoding_info, generic_name
 from .errors import ConversionError, quoted
-from .message_classes import Message, new_image
+from .message_classes import Message, new_message
 from .pixels import converter
 
 UINT32_MAX = 2**32 - 1  # the largest height, width and step of a message, and the most bytes it can carry
@@ -111,7 +111,8 @@ def _message_of(array, encoding, header):
         )
     is_bigendian = array.dtype.itemsize > 1 and array.dtype.isnative == (sys.byteorder == "big")
     pixels = np.ascontiguousarray(array).view(np.uint8)
-    return new_image(header, height, width, info.name, int(is_bigendian), step, pixels)
+    fields = {"height": height, "width": width, "encoding": info.name, "step": step}
+    return new_message("Image", header, pixels.data, is_bigendian=int(is_bigendian), **fields)
 
 
 class _Layout(NamedTuple):
@@ -136,9 +137,7 @@ def _layout(encoding, desired, height, width, step, is_bigendian):
     is_passthrough = desired in ("passthrough", "")
     convert = None if is_passthrough else converter(source, _known(desired, "desired_encoding"))
     height, width, step, is_bigendian = map(index, (height, width, step, is_bigendian))
-    misfit = _misfit(source, height, width, step, is_bigendian)
-    if misfit:
-        raise ConversionError(misfit)
+    _check_numbers(source, height, width, step, is_bigendian)
     dtype = source.dtype.newbyteorder(">" if is_bigendian else "<")
     is_padded = step > width * source.pixel_bytes
     return _Layout(
@@ -277,28 +276,27 @@ def bytes_of(data):
     )
 
 
-def _misfit(source, height, width, step, is_bigendian):
-    """The first contradiction between the numbers of a message, and its remedy; None if they agree."""
+def _check_numbers(source, height, width, step, is_bigendian):
+    """Refuses numbers of a message that contradict each other."""
     if is_bigendian not in (0, 1):
-        return (
+        raise ConversionError(
             f"field 'is_bigendian' is {quoted(is_bigendian)}; expected 0 or 1: set it to 0, unless "
             "a big-endian machine wrote the values"
         )
     for field, value in {"height": height, "width": width, "step": step}.items():
         if not 0 <= value <= UINT32_MAX:
-            return f"field {field!r} is {quoted(value)}; expected a uint32, 0 to {UINT32_MAX}"
+            raise ConversionError(f"field {field!r} is {quoted(value)}; expected a uint32, 0 to {UINT32_MAX}")
     if source.is_planar and _planes_misfit(source, height, width):
-        return (
+        raise ConversionError(
             f"encoding {source.name!r} with {height} rows × {width} columns: 2 × 2 pixels share one color, "
             "so both must be even; height and width are those of the image, not of the stacked planes"
         )
     row = width * source.pixel_bytes
     if step < row:
-        return (
+        raise ConversionError(
             f"encoding {source.name!r} with width {width} needs step >= {row} bytes, got {step}; "
             "the message is cut short or its encoding is mislabelled"
         )
-    return None
 
 
 def _cut_short(layout, size):

@@ -6,46 +6,24 @@ Where cv_bridge is right, the result is the same, and writable as there. Where c
 or raises another error, this returns the right image or raises CvBridgeError.
 """
 
-import functools
-
 import cv2
 import numpy as np
 
 from .compressed import compressed_to_array
 from .conversion import array_to_image, described, image_to_array
-from .encodings import encoding_info, generic_name
+from .encodings import DEPTHS, encoding_info, generic_name
 from .errors import ConversionError, quoted
 from .image_files import encode_image_file
-from .message_classes import new_compressed_image
+from .message_classes import new_message
 from .pixels import converter
 
 __all__ = ["CvBridge", "CvBridgeError", "cvtColorForDisplay", "getCvType"]
 
-_DEPTHS = {
-    "8U": ("uint8", cv2.CV_8U),
-    "8S": ("int8", cv2.CV_8S),
-    "16U": ("uint16", cv2.CV_16U),
-    "16S": ("int16", cv2.CV_16S),
-    "32S": ("int32", cv2.CV_32S),
-    "32F": ("float32", cv2.CV_32F),
-    "64F": ("float64", cv2.CV_64F),
-}
+_DEPTHS = {depth: (np.dtype(code).name, getattr(cv2, f"CV_{depth}")) for depth, code in DEPTHS.items()}
 _CHANNEL_SHIFT = (cv2.CV_8UC2 - cv2.CV_8UC1).bit_length() - 1  # 3 in OpenCV 4, 5 in OpenCV 5
 
 
-class CvBridgeError(ConversionError, TypeError):
-    """A TypeError, as in cv_bridge; and a ConversionError, as everywhere in this package."""
-
-
-def _raises_cv_bridge_error(function):
-    @functools.wraps(function)
-    def wrapped(*args, **kwargs):
-        try:
-            return function(*args, **kwargs)
-        except ConversionError as error:
-            raise CvBridgeError(str(error)) from error
-
-    return wrapped
+CvBridgeError = ConversionError  # a TypeError too, as in cv_bridge
 
 
 class CvBridge:
@@ -66,7 +44,6 @@ class CvBridge:
         self.numpy_type_to_cvtype = {dtype: depth for depth, (dtype, _) in _DEPTHS.items()}
         self.numpy_type_to_cvtype.update({depth: dtype for depth, (dtype, _) in _DEPTHS.items()})
 
-    @_raises_cv_bridge_error
     def imgmsg_to_cv2(self, img_msg, desired_encoding="passthrough"):
         """The image of an Image message, always writable; see `image_to_array`.
 
@@ -80,17 +57,14 @@ class CvBridge:
             return np.frombuffer(img_msg.data, frame.dtype, frame.size).reshape(frame.shape)
         return frame.copy()
 
-    @_raises_cv_bridge_error
     def cv2_to_imgmsg(self, cvim, encoding="passthrough", header=None):
         """An Image message with a copy of the array; see `array_to_image`."""
         return array_to_image(cvim, encoding, header)
 
-    @_raises_cv_bridge_error
     def compressed_imgmsg_to_cv2(self, cmprs_img_msg, desired_encoding="passthrough"):
         """The image of a CompressedImage message; see `compressed_to_array`."""
         return compressed_to_array(cmprs_img_msg, desired_encoding)
 
-    @_raises_cv_bridge_error
     def cv2_to_compressed_imgmsg(self, cvim, dst_format="jpg", header=None):
         """A CompressedImage message of an array: gray, bgr or bgra, of a dtype that the file format holds.
 
@@ -104,25 +78,21 @@ class CvBridge:
             )
         described(cvim, "passthrough")
         data = encode_image_file(cvim, dst_format.removeprefix(".").lower())
-        return new_compressed_image(header, dst_format, data)
+        return new_message("CompressedImage", header, data, format=dst_format)
 
-    @_raises_cv_bridge_error
     def encoding_to_cvtype2(self, encoding):
         """OpenCV's type of the array of an encoding: cv2.CV_8UC3 for "bgr8"."""
         return getCvType(encoding)
 
-    @_raises_cv_bridge_error
     def encoding_to_dtype_with_channels(self, encoding):
         """("uint8", 3) for "bgr8"."""
         info = encoding_info(encoding)
         return info.dtype.name, info.channels
 
-    @_raises_cv_bridge_error
     def dtype_with_channels_to_cvtype2(self, dtype, n_channels):
         """ "8UC3" for (np.dtype("uint8"), 3)."""
         return generic_name(dtype, n_channels)
 
-    @_raises_cv_bridge_error
     def cvtype2_to_dtype_with_channels(self, cvtype):
         """("uint8", 3) for cv2.CV_8UC3."""
         depth = cvtype & ((1 << _CHANNEL_SHIFT) - 1)
@@ -131,7 +101,6 @@ class CvBridge:
         return self.cvdepth_to_numpy_depth[depth], (cvtype >> _CHANNEL_SHIFT) + 1
 
 
-@_raises_cv_bridge_error
 def getCvType(encoding):
     """OpenCV's type of the array of an encoding: cv2.CV_8UC3 for "bgr8"."""
     info = encoding_info(encoding)
@@ -139,7 +108,6 @@ def getCvType(encoding):
     return _DEPTHS[depth][1] + ((info.channels - 1) << _CHANNEL_SHIFT)
 
 
-@_raises_cv_bridge_error
 def cvtColorForDisplay(
     source,
     encoding_in,

@@ -12,8 +12,7 @@ import numpy as np
 from .encodings import encoding_info
 from .errors import ConversionError, quoted
 from .image_files import decode_image_file
-from .image_limits import BLANK_PIXELS, MAX_PIXELS, PIXELS_PER_BYTE
-from .png import PNG_SIGNATURE
+from .image_headers import BLANK_PIXELS, PIXELS_PER_BYTE, check_claim
 from .rvl import rvl_decode
 
 _HEADER = struct.Struct("<iff")
@@ -21,15 +20,13 @@ _SIZE = struct.Struct("<II")
 
 
 def decode_depth(format, data):
-    """(array, EncodingInfo) of a compressedDepth image.
-
-    Parameters
-    ----------
-    format : the message's field, such as "16UC1; compressedDepth png"
-    data : contiguous memoryview of the message's bytes
-    """
+    """(array, EncodingInfo) of a contiguous memoryview; `format` is such as "16UC1; compressedDepth png"."""
     info = encoding_info(format.partition(";")[0].strip())
-    _check_depth_encoding(info)
+    if info.name not in ("16UC1", "mono16", "32FC1"):
+        raise ConversionError(
+            f"compressedDepth knows '16UC1', 'mono16' and '32FC1', got {quoted(info.name)}; "
+            "use array_to_compressed for other images"
+        )
     if len(data) <= _HEADER.size:
         raise ConversionError(
             f"compressedDepth needs a header of {_HEADER.size} bytes and an image, got {len(data)} bytes; "
@@ -46,16 +43,8 @@ def decode_depth(format, data):
     return metres, info
 
 
-def _check_depth_encoding(info):
-    if info.name not in ("16UC1", "mono16", "32FC1"):
-        raise ConversionError(
-            f"compressedDepth knows '16UC1', 'mono16' and '32FC1', got {quoted(info.name)}; "
-            "use array_to_compressed for other images"
-        )
-
-
 def _decode_png(body):
-    if bytes(body[:8]) != PNG_SIGNATURE:
+    if bytes(body[1:4]) != b"PNG":
         raise ConversionError(
             f"expected a PNG after the header of compressedDepth, got {quoted(bytes(body[:8]))}; "
             "the format is mislabelled, or the message damaged"
@@ -76,10 +65,5 @@ def _decode_rvl(body):
         )
     columns, rows = _SIZE.unpack_from(body)
     stream = body[_SIZE.size :]
-    pixels = rows * columns
-    if not 0 < pixels <= min(MAX_PIXELS, BLANK_PIXELS + PIXELS_PER_BYTE * len(stream)):
-        raise ConversionError(
-            f"RVL of {len(stream)} bytes claims {rows} rows × {columns} columns; expected at least 1 pixel, "
-            "and not more than so few bytes can hold; the message is damaged or made to exhaust the memory"
-        )
-    return rvl_decode(stream, pixels).reshape(rows, columns)
+    check_claim("RVL", rows, columns, len(stream), BLANK_PIXELS + PIXELS_PER_BYTE * len(stream))
+    return rvl_decode(stream, rows * columns).reshape(rows, columns)

@@ -46,12 +46,12 @@ class EncodingInfo(NamedTuple):
 
     def rows(self, height: int) -> int:
         """Rows of the array for `height` rows of pixels: more if planes are stacked, otherwise the same."""
-        numerator, denominator = _ROWS_PER_PIXEL_ROW.get(self.color, (1, 1))
+        numerator, denominator = _ROWS_PER_PIXEL_ROW.get(self.color or "", (1, 1))
         return height * numerator // denominator
 
     def height(self, rows: int) -> int:
         """Rows of pixels in an array of `rows` rows: the inverse of the method `rows`."""
-        numerator, denominator = _ROWS_PER_PIXEL_ROW.get(self.color, (1, 1))
+        numerator, denominator = _ROWS_PER_PIXEL_ROW.get(self.color or "", (1, 1))
         return rows * denominator // numerator
 
     def shape(self, height: int, width: int) -> tuple[int, ...]:
@@ -64,32 +64,24 @@ class EncodingInfo(NamedTuple):
         return size if self.channels == 1 else (*size, self.channels)
 
 
-_ROWS_PER_PIXEL_ROW: dict[str | None, tuple[int, int]] = {"nv12": (3, 2), "nv21": (3, 2), "nv24": (3, 1)}
-_DEPTHS = {"8U": "u1", "8S": "i1", "16U": "u2", "16S": "i2", "32S": "i4", "32F": "f4", "64F": "f8"}
+_ROWS_PER_PIXEL_ROW = {"nv12": (3, 2), "nv21": (3, 2), "nv24": (3, 1)}
+DEPTHS = {"8U": "u1", "8S": "i1", "16U": "u2", "16S": "i2", "32S": "i4", "32F": "f4", "64F": "f8"}
 _GENERIC = re.compile(r"(8U|8S|16U|16S|32S|32F|64F)(?:C(\d{1,9}))?", re.ASCII)
+_CHANNELS = {"rgb": 3, "rgba": 4, "bgr": 3, "bgra": 4, "mono": 1}
+_CHANNELS |= dict.fromkeys(("bayer_rggb", "bayer_bggr", "bayer_gbrg", "bayer_grbg"), 1)
+_YUV = {"uyvy": "uyvy", "yuyv": "yuyv", "yuv422": "uyvy", "yuv422_yuy2": "yuyv"}
 
 
 def _table():
-    table = {}
-
-    def add(name, dtype, channels, color):
-        table[name] = EncodingInfo(name, np.dtype(dtype), channels, color)
-
-    for bits, dtype in ((8, "u1"), (16, "u2")):
-        for color in ("rgb", "bgr"):
-            add(f"{color}{bits}", dtype, 3, color)
-            add(f"{color}a{bits}", dtype, 4, f"{color}a")
-        add(f"mono{bits}", dtype, 1, "gray")
-        for pattern in ("rggb", "bggr", "gbrg", "grbg"):
-            add(f"bayer_{pattern}{bits}", dtype, 1, f"bayer_{pattern}")
-    for name, color in {"uyvy": "uyvy", "yuyv": "yuyv", "yuv422": "uyvy", "yuv422_yuy2": "yuyv"}.items():
-        add(name, "u1", 2, color)
-    for planar in _ROWS_PER_PIXEL_ROW:
-        add(planar, "u1", 1, planar)
-    for depth, dtype in _DEPTHS.items():
-        for channels in (1, 2, 3, 4):
-            add(f"{depth}C{channels}", dtype, channels, None)
-    return table
+    rows: list[tuple[str, str, int, str | None]] = [
+        (f"{color}{8 * size}", f"u{size}", channels, "gray" if color == "mono" else color)
+        for size in (1, 2)
+        for color, channels in _CHANNELS.items()
+    ]
+    rows += [(name, "u1", 2, color) for name, color in _YUV.items()]
+    rows += [(planar, "u1", 1, planar) for planar in _ROWS_PER_PIXEL_ROW]
+    rows += [(f"{depth}C{n}", code, n, None) for depth, code in DEPTHS.items() for n in (1, 2, 3, 4)]
+    return {name: EncodingInfo(name, np.dtype(code), n, color) for name, code, n, color in rows}
 
 
 ENCODINGS = _table()  # name -> EncodingInfo; encoding_info knows other counts of channels ("8UC7"), too
@@ -124,7 +116,7 @@ def encoding_info(name: str) -> EncodingInfo:
         raise ConversionError(
             f"encoding {name!r} has {channels} channels; expected 1 to {MAX_CHANNELS}, as in '{depth}C3'"
         )
-    return EncodingInfo(name, np.dtype(_DEPTHS[depth]), channels, None)
+    return EncodingInfo(name, np.dtype(DEPTHS[depth]), channels, None)
 
 
 def generic_name(dtype, channels):
@@ -132,11 +124,15 @@ def generic_name(dtype, channels):
     dtype = np.dtype(dtype)
     depth = _DEPTH_OF.get(dtype.newbyteorder("=").str)
     if depth is None:
-        raise ConversionError(f"a message cannot hold dtype {dtype}; {cast_hint(dtype)}")
+        hint = _CASTS.get(dtype.name, "convert it with array.astype(...)")
+        raise ConversionError(
+            f"a message cannot hold dtype {dtype}; expected uint8, int8, uint16, int16, int32, float32 or "
+            f"float64: {hint}"
+        )
     return f"{depth}C{channels}"
 
 
-_DEPTH_OF = {np.dtype(code).str: depth for depth, code in _DEPTHS.items()}
+_DEPTH_OF = {np.dtype(code).str: depth for depth, code in DEPTHS.items()}
 _CASTS = {
     "bool": "array.astype('uint8') * 255 makes a mask of 0 and 255",
     "int64": "array.astype('int32') if the values fit; np.clip(array, 0, 255).astype('uint8') for gray",
@@ -144,12 +140,6 @@ _CASTS = {
     "uint64": "array.astype('int32') if the values fit",
     "float16": "array.astype('float32') keeps every value",
 }
-
-
-def cast_hint(dtype):
-    """What to do with an array whose dtype no message can hold."""
-    dtypes = "uint8, int8, uint16, int16, int32, float32 or float64"
-    return f"expected {dtypes}: {_CASTS.get(dtype.name, 'convert it with array.astype(...)')}"
 
 
 _OTHER_WORDS = re.compile("gr[ae]y(scale)?|luma|^[yl](?=8|16)")

@@ -1,8 +1,8 @@
 """The one exception of this package, and how its texts quote a value."""
 
 
-class ConversionError(ValueError):
-    """A message or an array that cannot be converted.
+class ConversionError(ValueError, TypeError):
+    """A message or an array that cannot be converted; a TypeError too, as cv_bridge's own error.
 
     The text names the field, its value, what was expected, and what to do. A public function raises it
     without the inner calls in its traceback, since a notebook would show the source of each.

@@ -4,7 +4,8 @@ import cv2
 import numpy as np
 
 from .errors import ConversionError, quoted
-from .image_headers import file_format, is_gray_sun_raster, refused_format
+from .image_headers import file_format, refused_format
+from .png import pixel_chunks
 
 MAX_VALUES = 2**30  # what OpenCV's encoders take
 _INTEGERS = ("uint8", "uint16")
@@ -27,32 +28,19 @@ FILE_EXTENSIONS = {
 
 
 def decode_image_file(data, described_as):
-    """The image in a file, as OpenCV decodes it.
+    """The image in a file (a contiguous memoryview), as OpenCV decodes it: a fresh array, blue, green, red.
 
-    Parameters
-    ----------
-    data : contiguous memoryview of the file's bytes
-    described_as : what the message says of them, for errors
-
-    Returns
-    -------
-    (H, W) or (H, W, channels) ndarray, fresh; colors in the order blue, green, red
-
-    Raises
-    ------
-    ConversionError : another kind of file, a damaged one, or a header that claims too many pixels
+    `described_as` is what the message says of the bytes, for errors.
     """
     file_kind = file_format(data)
     if file_kind is None:
         raise ConversionError(_not_an_image(data, described_as))
-    checked = file_kind.check(data)
-    pixels = np.frombuffer(data if checked is None else checked, np.uint8)
+    file_kind.check(data)
+    pixels = np.frombuffer(pixel_chunks(data) if file_kind.name == "PNG" else data, np.uint8)
+    # A gray Sun raster without a color map is decoded right in this one mode.
+    is_gray_raster = file_kind.name == "Sun raster" and (data[15], data[27]) == (8, 0)
     try:
-        if file_kind.name == "Sun raster" and is_gray_sun_raster(data):
-            frame = cv2.imdecode(pixels, cv2.IMREAD_COLOR)  # the one mode in which OpenCV decodes it right
-            frame = None if frame is None else frame[..., 0].copy()
-        else:
-            frame = cv2.imdecode(pixels, cv2.IMREAD_UNCHANGED)
+        frame = cv2.imdecode(pixels, cv2.IMREAD_COLOR if is_gray_raster else cv2.IMREAD_UNCHANGED)
     except cv2.error as error:
         raise ConversionError(
             f"OpenCV cannot decode {len(data)} bytes of {quoted(described_as)}: {error.err}"
@@ -61,22 +49,11 @@ def decode_image_file(data, described_as):
         raise ConversionError(
             f"{len(data)} bytes of {quoted(described_as)} do not decode; the message is cut short or damaged"
         )
-    return frame
+    return frame[..., 0].copy() if is_gray_raster else frame
 
 
 def encode_image_file(array, extension, options=()):
-    """The bytes of an image file that holds the array.
-
-    Parameters
-    ----------
-    array : (H, W) or (H, W, channels) ndarray; colors in the order blue, green, red
-    extension : a key of FILE_EXTENSIONS
-    options : parameters of cv2.imencode
-
-    Raises
-    ------
-    ConversionError : the format does not hold such values, or OpenCV does not write this array
-    """
+    """The bytes of an image file of the array (blue, green, red); options are those of cv2.imencode."""
     if extension not in FILE_EXTENSIONS:
         raise ConversionError(
             f"expected one of the formats {', '.join(FILE_EXTENSIONS)}, got {quoted(extension)}; "

@@ -19,24 +19,8 @@ _PLANAR_420 = {"nv12": "NV12", "nv21": "NV21"}  # 2 × 2 pixels share one
 
 
 def converter(source, desired):
-    """The function that converts a frame from one encoding to another.
+    """The function that makes a fresh frame of one EncodingInfo from one of another; None if no byte changes.
 
-    Parameters
-    ----------
-    source, desired : EncodingInfo
-
-    Returns
-    -------
-    function of a frame (shape of `source.shape`, native byte order, any strides) that returns a fresh frame
-    of `desired`; None if no byte would change
-
-    Raises
-    ------
-    ConversionError : there is no conversion between the two; the text names one that exists, or how to
-        relabel the message. The returned function raises it if the size of the frame does not fit `source`
-
-    Notes
-    -----
     The colors change at the depth of `source`. Then the depth changes: from 8 to 16 bits × 257, from 16 to 8
     bits / 257 and rounded; every other pair saturates without scaling. Float to integer rounds half to even,
     and NaN becomes the lowest value.

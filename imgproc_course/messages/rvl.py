@@ -16,21 +16,7 @@ _MAX_NIBBLES = 11  # of a number of 32 bits
 
 
 def rvl_decode(stream, pixels):
-    """The pixels of an RVL stream.
-
-    Parameters
-    ----------
-    stream : bytes-like
-    pixels : number of pixels
-
-    Returns
-    -------
-    (pixels,) uint16
-
-    Raises
-    ------
-    ConversionError : the stream does not hold exactly this number of pixels
-    """
+    """(pixels,) uint16 of an RVL stream, which must hold exactly this number of pixels."""
     numbers = _from_words(stream)
     runs = _runs(numbers, pixels)
     signed_low = np.concatenate([numbers[:0], *(numbers[first : first + count] for first, _, count in runs)])
@@ -67,8 +53,7 @@ def _runs(numbers, pixels):
 def _from_words(stream):
     groups = np.frombuffer(stream, "<u4", len(stream) // 4)
     highest_first = groups.astype(">u4").view(np.uint8)
-    nibbles = np.empty(2 * highest_first.size, np.uint8)
-    nibbles[0::2], nibbles[1::2] = highest_first >> 4, highest_first & 15
+    nibbles = np.column_stack([highest_first >> 4, highest_first & 15]).ravel()
     ends = np.flatnonzero(nibbles < 8)
     starts = np.concatenate([[0], ends[:-1] + 1])[: ends.size]
     lengths = ends - starts + 1

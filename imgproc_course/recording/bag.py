@@ -1,5 +1,6 @@
 """A rosbag2 recording, MCAP or sqlite3, read lazily: message k of a topic without the messages after it."""
 
+import itertools
 import os
 import struct
 import sys
@@ -16,30 +17,16 @@ from rosbags.rosbag2 import Reader, ReaderError
 from rosbags.serde import SerdeError
 from rosbags.typesys import Stores, TypesysError, get_typestore
 
+from ..messages.message_classes import message_types
 from .errors import FrameIndexError, NotRecordedError, RecordingError
 
 STORAGE_SUFFIXES = (".mcap", ".db3")
 # The exceptions of rosbags on damaged bytes. tests/recording flips and cuts bytes to check this list.
 READ_ERRORS = (
-    AnyReaderError,
-    ReaderError,
-    SerdeError,
-    TypesysError,
-    ZstdError,
-    apsw.Error,
-    struct.error,
-    ArithmeticError,
-    AssertionError,
-    EOFError,
-    LookupError,
-    MemoryError,
-    OSError,
-    RuntimeError,
-    TypeError,
-    ValueError,
+    *(AnyReaderError, ReaderError, SerdeError, TypesysError, ZstdError, apsw.Error, struct.error),
+    *(ArithmeticError, AssertionError, EOFError, LookupError, MemoryError, OSError, RuntimeError),
+    *(TypeError, ValueError),
 )
-
-
 # The types whose fields this package reads by name.
 READ_TYPES = {
     "sensor_msgs/msg/Image",
@@ -62,19 +49,13 @@ def _table_of_contents(reader):
 
 def _check_types(kinds, types):
     """Checks the message definitions in the bag: those that this package reads must be the ones of ROS."""
-    ros_types = get_typestore(Stores.ROS2_JAZZY)
     for kind in sorted(READ_TYPES & kinds):
-        if types.hash_rihs01(kind) != ros_types.hash_rihs01(kind):
+        if types.hash_rihs01(kind) != message_types().hash_rihs01(kind):
             raise ReaderError(f"its definition of {kind} differs from that of ROS")
 
 
 def find_bag(path):
-    """The folder or file of the recording at a path.
-
-    Raises
-    ------
-    RecordingError : the path does not exist, or is not a rosbag2 recording
-    """
+    """The folder or file of the recording at a path."""
     path = Path(path).expanduser()
     if path.name == "metadata.yaml":
         path = path.parent
@@ -86,18 +67,13 @@ def find_bag(path):
         raise RecordingError(f"you may not read {path}; change its permissions: chmod -R u+rwX {path}")
     if path.is_dir():
         return _find_in_folder(path)
-    if path.suffix == ".bag":
-        raise RecordingError(
-            f"{path} is a ROS 1 bag; convert it: rosbags-convert --src {path} --dst {path.stem}"
-        )
-    if path.suffix == ".zstd":
-        raise RecordingError(
-            f"{path} is compressed as a file; open its folder, or unpack it first: zstd -d {path}"
-        )
     if path.suffix not in STORAGE_SUFFIXES:
-        raise RecordingError(
-            f"{path} is not a rosbag2 recording; give a folder with metadata.yaml, a .mcap or a .db3"
-        )
+        reasons = {
+            ".bag": f"a ROS 1 bag; convert it: rosbags-convert --src {path} --dst {path.stem}",
+            ".zstd": f"compressed as a file; open its folder, or unpack it first: zstd -d {path}",
+        }
+        other = "not a rosbag2 recording; give a folder with metadata.yaml, a .mcap or a .db3"
+        raise RecordingError(f"{path} is {reasons.get(path.suffix, other)}")
     if path.stat().st_size == 0:
         raise RecordingError(f"{path} is empty; the recording stopped before its first message: record again")
     return path
@@ -156,13 +132,12 @@ class TopicIndex:
     def __init__(self, messages):
         self._messages = messages  # iterator of (log time in ns, serialized message)
         self._error = None  # raised again later: after it the iterator would look as if the bag ended
-        self._counts = {}  # log time -> number of messages with this time
-        self.positions = []  # (log time, number of the message among those with the same time)
+        self.times = []  # log time in ns
         self.stamps = []  # header stamp in ns, or the log time if the header's stamp is zero
 
     def read_to(self, k=None):
         """Reads until message k is known, or to the end."""
-        while k is None or len(self.positions) <= k:
+        while k is None or len(self.times) <= k:
             if self._error is not None:
                 raise self._error
             try:
@@ -173,9 +148,7 @@ class TopicIndex:
             if entry is None:
                 return
             time, raw = entry
-            ordinal = self._counts.get(time, 0)
-            self._counts[time] = ordinal + 1
-            self.positions.append((time, ordinal))
+            self.times.append(time)
             self.stamps.append(header_stamp(raw) or time)
 
 
@@ -228,16 +201,20 @@ class Bag:
     def raw(self, topic, k):
         """Message k of a topic, serialized (CDR)."""
         index = self.index(topic, k)
-        if not 0 <= k < len(index.positions):
-            self._raise_no_message(topic, k, len(index.positions))
-        time, ordinal = index.positions[k]
+        if not 0 <= k < len(index.times):
+            self._raise_no_message(topic, k, len(index.times))
+        time = index.times[k]
+        earlier = index.times[:k].count(time)
         with self._lock, reading(self.path):
-            for i, (_, raw) in enumerate(_messages(self._reader, topic, time, time + 1)):
-                if i == ordinal:
-                    return bytes(raw)
+            for _, raw in itertools.islice(_messages(self._reader, topic, time, time + 1), earlier, None):
+                return bytes(raw)
         raise RecordingError(
             f"message {k} of {topic} is no longer in {self.path}; if the file was changed, open it again"
         )
+
+    def message(self, topic, k):
+        """Message k of a topic, of the classes of rosbags."""
+        return self.deserialize(self.raw(topic, k), self.topics[topic][0])
 
     def index(self, topic, k=None):
         """The topic's index, read to message k, or to the end."""
@@ -251,9 +228,8 @@ class Bag:
                 # A separate reader: its position in the file must not move when another message is read.
                 reader = self._stack.enter_context(Reader(self.path))
                 messages = _messages(reader, topic)
-                self._stack.callback(
-                    messages.close
-                )  # runs first: sqlite does not close a file that is being read
+                # Runs first: sqlite does not close a file that is being read.
+                self._stack.callback(messages.close)
                 self._indexes[topic] = TopicIndex(messages)
             index = self._indexes[topic]
             index.read_to(k)

@@ -2,33 +2,14 @@
 
 import array
 import dataclasses
-import functools
-import importlib
 
 import numpy as np
 
-
-@functools.cache
-def installed_class(name):
-    """The class of a message type such as "sensor_msgs/msg/Image"; None if its package is not installed."""
-    package, _, kind = name.split("/")
-    try:
-        return getattr(importlib.import_module(f"{package}.msg"), kind, None)
-    except ImportError:
-        return None
+from ..messages.message_classes import installed_class
 
 
 def to_installed(msg):
-    """The message as an object of ROS's class, which publishers accept; unchanged if ROS is not installed.
-
-    Parameters
-    ----------
-    msg : a message that rosbags deserialized
-
-    Returns
-    -------
-    a message with the same fields; its data are a copy
-    """
+    """A copy of a message of rosbags in ROS's class, which publishers accept; itself where ROS is missing."""
     cls = installed_class(msg.__msgtype__)
     if cls is None:
         return msg

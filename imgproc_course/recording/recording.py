@@ -20,7 +20,6 @@ DRIVE = Path(__file__).parent / "drive"
 IMAGE = "sensor_msgs/msg/Image"
 COMPRESSED = "sensor_msgs/msg/CompressedImage"
 CAMERA_INFO = "sensor_msgs/msg/CameraInfo"
-STRING = "std_msgs/msg/String"
 
 
 def open_recording(source: str | Path = "drive", *, camera_topic: str | None = None) -> "Recording":
@@ -131,7 +130,7 @@ class Recording:
 
     def message(self, k: int) -> Message:
         """The recorded message of frame k: a CompressedImage, or an Image in a recording of raw images."""
-        return self._message(self._camera, self._number(k))
+        return to_installed(self._bag.message(self._camera, self._number(k)))
 
     def raw(self, k: int, topic: str | None = None) -> bytes:
         """Message k of a topic, serialized (CDR): rclpy's `publisher.publish` accepts these bytes.
@@ -156,7 +155,7 @@ class Recording:
         recorded_topics = [topic for topic, kind in self.topics.items() if kind == CAMERA_INFO]
         for topic in [*usual_topics, *(recorded_topics if len(recorded_topics) == 1 else [])]:
             if topic in recorded_topics and self._bag.count(topic):
-                return self._message(topic, 0)
+                return to_installed(self._bag.message(topic, 0))
         raise NotRecordedError(
             f"{self.name} holds no camera info of {self._camera}; record {usual_topics[0]} with it"
         )
@@ -195,7 +194,7 @@ class Recording:
     def scene(self) -> dict[str, Any]:
         """Facts about the scene: label_names, marker (ArUco dictionary, id, side in metres), made_by."""
         topic = self._checked_topic(names.SCENE, "facts about the scene")
-        return json.loads(self._bag.deserialize(self._bag.raw(topic, 0), STRING).data)
+        return json.loads(self._bag.message(topic, 0).data)
 
     def pose(self, name: str, k: int) -> NDArray[np.float64]:
         """Pose of an object at frame k, in the world (ROS axes: x forward, y left, z up).
@@ -217,8 +216,7 @@ class Recording:
                 f"{self.name} holds no pose of {name!r}; it holds {', '.join(objects) or 'none'}"
             )
         topic = names.POSE_PREFIX + name
-        raw = self._bag.raw(topic, self._number_at_frame(topic, k))
-        pose = self._bag.deserialize(raw, self.topics[topic]).pose
+        pose = self._bag.message(topic, self._number_at_frame(topic, k)).pose
         p, q = pose.position, pose.orientation
         return np.array([p.x, p.y, p.z, q.x, q.y, q.z, q.w])
 
@@ -265,8 +263,7 @@ class Recording:
         if self.topics[topic] == COMPRESSED:
             return True
         try:
-            msg = self._bag.deserialize(self._bag.raw(topic, 0), IMAGE)
-            return encoding_info(msg.encoding).color is not None
+            return encoding_info(self._bag.message(topic, 0).encoding).color is not None
         except (RecordingError, ConversionError):
             return False
 
@@ -302,10 +299,6 @@ class Recording:
             return self._bag.index(topic).stamps.index(stamp)
         raise NotRecordedError(f"{self.name} holds no message on {topic} at frame {number}")
 
-    def _message(self, topic, k):
-        return to_installed(self._bag.deserialize(self._bag.raw(topic, k), self.topics[topic]))
-
     def _decode(self, topic, k, encoding):
-        kind = self.topics[topic]
-        msg = self._bag.deserialize(self._bag.raw(topic, k), kind)
-        return (compressed_to_array if kind == COMPRESSED else image_to_array)(msg, encoding)
+        decode = compressed_to_array if self.topics[topic] == COMPRESSED else image_to_array
+        return decode(self._bag.message(topic, k), encoding)

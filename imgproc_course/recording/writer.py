@@ -1,6 +1,5 @@
 """Writes a rosbag2 recording in MCAP, which `open_recording`, Foxglove and ROS read."""
 
-import functools
 import shutil
 from pathlib import Path
 from typing import Final, Self
@@ -10,18 +9,12 @@ from numpy.typing import NDArray
 from rosbags.interfaces import Connection
 from rosbags.rosbag2 import StoragePlugin, Writer
 from rosbags.rosbag2.errors import WriterError
-from rosbags.typesys import Stores, get_typestore
 
 from ..messages import array_to_compressed
+from ..messages.message_classes import message_types
 from .errors import RecordingError
 
 METADATA_VERSION: Final = 8  # the newest that `ros2 bag` of both Humble and Jazzy reads
-
-
-@functools.cache
-def message_types():
-    """The message definitions of ROS, which a recording holds with its messages."""
-    return get_typestore(Stores.ROS2_JAZZY)
 
 
 class RecordingWriter:

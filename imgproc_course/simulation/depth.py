@@ -2,8 +2,6 @@
 
 import numpy as np
 
-from ..geometry.poses import rotate
-
 GRAZING = np.float32(1e-6)  # 1 / depth of a point 1000 km away
 
 
@@ -79,15 +77,11 @@ class TriangleDepth:
 
     def _to_camera(self, joint, camera, joint_poses):
         """Rotations (3, 3, N) and positions (3, N) into the optical frame, of triangles of joints (N,)."""
-        camera = camera.inverse()
-        poses = [joint_poses[name] for name in self._names]
-        rotations = np.stack([pose.rotation.T for pose in poses])
-        rotations = rotate(camera.rotation, rotations).swapaxes(1, 2)
-        positions = camera.apply(np.stack([pose.position for pose in poses]))
-        # NO_JOINT is -1: the last one
-        rotations = np.concatenate([rotations, camera.rotation[None]]).reshape(-1, 9)
-        positions = np.concatenate([positions, camera.position[None]])
-        return np.take(rotations.T, joint, 1).reshape(3, 3, -1), np.take(positions.T, joint, 1)
+        to_camera = camera.inverse()
+        poses = [to_camera @ joint_poses[name] for name in self._names] + [to_camera]  # NO_JOINT is -1
+        rotations = np.stack([pose.rotation.ravel() for pose in poses], 1)
+        positions = np.stack([pose.position for pose in poses], 1)
+        return np.take(rotations, joint, 1).reshape(3, 3, -1), np.take(positions, joint, 1)
 
 
 def dot(first, second):

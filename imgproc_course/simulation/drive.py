@@ -37,9 +37,7 @@ class Odometry(NamedTuple):
 class Drive:
     """The true motion of the robot's axle in the map."""
 
-    x: float
-    y: float
-    yaw: float
+    place: tuple[float, float, float]  # x, y, yaw
     linear: float = 0.0
     angular: float = 0.0
 
@@ -52,11 +50,12 @@ class Drive:
 
     def moved(self, linear, angular, dt):
         """(x, y, yaw) after dt seconds at these speeds, rounded to 1e-9."""
-        heading = self.yaw + angular * dt / 2
+        x, y, yaw = self.place
+        heading = yaw + angular * dt / 2
         return (
-            round(self.x + linear * math.cos(heading) * dt, 9),
-            round(self.y + linear * math.sin(heading) * dt, 9),
-            round(math.remainder(self.yaw + angular * dt, 2 * math.pi), 9),
+            round(x + linear * math.cos(heading) * dt, 9),
+            round(y + linear * math.sin(heading) * dt, 9),
+            round(math.remainder(yaw + angular * dt, 2 * math.pi), 9),
         )
 
 
@@ -103,14 +102,12 @@ class WheelOdometry:
     def step(self, linear, angular, dt, on_rug):
         """Counts dt seconds of the true motion."""
         slip = self.SLIP_ON_RUG if on_rug else self.SLIP
+        across = angular * WHEEL_DISTANCE / 2
+        ways = (linear - across) * dt, (linear + across) * dt
+        errors = self._random.standard_normal(2).tolist()
         left, right = (
             way * scale + slip * math.sqrt(abs(way)) * error
-            for way, scale, error in zip(
-                ((linear - angular * WHEEL_DISTANCE / 2) * dt, (linear + angular * WHEEL_DISTANCE / 2) * dt),
-                self._scale,
-                self._random.standard_normal(2).tolist(),
-                strict=True,
-            )
+            for way, scale, error in zip(ways, self._scale, errors, strict=True)
         )
         way, turn = (left + right) / 2, (right - left) / WHEEL_DISTANCE
         heading = self.state.yaw + turn / 2

@@ -56,8 +56,8 @@ def draw_face(
     -------
     (size, size, 3) uint8, bgr
     """
-    colors, mask = _rendered(identity, size, side_light, yaw)
-    return np.round(255 * mask * colors + BACKGROUND * (1 - mask)).astype(np.uint8)
+    background = np.full((size, size, 3), BACKGROUND, np.uint8)
+    return put_face(background, identity, 0, 0, size, side_light, yaw)[0]
 
 
 def put_face(

@@ -84,20 +84,25 @@ class Ball:
             self.rotation = np.round(orthonormal(product(turn, self.rotation)), 9)
         self.x, self.y = round(x, 9), round(y, 9)
 
-    def roll(self, dt, free):
+    def roll(self, dt, free_space, robot):
+        """Rolls for dt seconds, and bounces off what stands still and the robot at (x, y, yaw)."""
         decay = round(math.exp(-dt / ROLL_TIME), 12)
         way = ROLL_TIME * (1 - decay)
         x, y = self.x + self.vx * way, self.y + self.vy * way
         self.vx, self.vy = round(self.vx * decay, 9), round(self.vy * decay, 9)
         if math.hypot(self.vx, self.vy) < 0.002:
             self.vx = self.vy = 0.0
-        elif free(x, y) < BALL_RADIUS:
-            nx, ny = free.away(x, y)
-            self.bounce(nx, ny, 0.0, 0.0)
-        else:
+            return
+        still = free_space.distance(x, y)
+        nearest, distance = nearest_on_body(robot, x, y)
+        if min(still, distance) >= BALL_RADIUS:
             self.place(x, y)
+        elif 0 < distance < still:
+            self.bounce((x - nearest[0]) / distance, (y - nearest[1]) / distance)
+        else:
+            self.bounce(*free_space.away(x, y))
 
-    def bounce(self, nx, ny, vx, vy):
+    def bounce(self, nx, ny, vx=0.0, vy=0.0):
         """Off something that moves with (vx, vy) and whose surface looks towards (nx, ny)."""
         towards = (self.vx - vx) * nx + (self.vy - vy) * ny
         if towards < 0:
@@ -107,12 +112,11 @@ class Ball:
 
 def orthonormal(rotation):
     """The rotation again after rounding: its columns made perpendicular and of length 1."""
-    x, y = rotation[:, 0], rotation[:, 1]
-    x = x / math.sqrt(x[0] ** 2 + x[1] ** 2 + x[2] ** 2)
-    y = y - (x[0] * y[0] + x[1] * y[1] + x[2] * y[2]) * x
-    y = y / math.sqrt(y[0] ** 2 + y[1] ** 2 + y[2] ** 2)
-    z = [x[1] * y[2] - x[2] * y[1], x[2] * y[0] - x[0] * y[2], x[0] * y[1] - x[1] * y[0]]
-    return np.stack([x, y, z], 1)
+    x, y, _ = rotation.T
+    x = x / np.sqrt((x * x).sum())
+    y = y - (x * y).sum() * x
+    y = y / np.sqrt((y * y).sum())
+    return np.stack([x, y, np.cross(x, y)], 1)
 
 
 class Movers:
@@ -138,7 +142,7 @@ class Movers:
             if distance >= radius or distance > nearest_on_body(robot, *before)[1]:
                 setattr(self, name, later)
                 self._strike(after, radius, [(b - a) / dt for a, b in zip(before, after, strict=True)])
-        self.ball.roll(dt, _Floor(self._free_space, robot))
+        self.ball.roll(dt, self._free_space, robot)
 
     def _strike(self, center, radius, velocity):
         dx, dy = self.ball.x - center[0], self.ball.y - center[1]
@@ -186,22 +190,6 @@ class Movers:
                 joint_pose = Pose(rotation_about("y", angles.get(name, 0.0)), np.round(offset, 9))
                 poses[name] = poses[tree[name]["parent"]] @ joint_pose
         return poses
-
-
-class _Floor:
-    """Free distance for the ball: from what stands still, and from the robot."""
-
-    def __init__(self, free_space, robot):
-        self._free_space, self._robot = free_space, robot
-
-    def __call__(self, x, y):
-        return min(self._free_space.distance(x, y), nearest_on_body(self._robot, x, y)[1])
-
-    def away(self, x, y):
-        nearest, distance = nearest_on_body(self._robot, x, y)
-        if 0 < distance < self._free_space.distance(x, y):
-            return (x - nearest[0]) / distance, (y - nearest[1]) / distance
-        return self._free_space.away(x, y)
 
 
 def rounded(pose):

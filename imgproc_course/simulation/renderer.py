@@ -9,7 +9,7 @@ import cv2
 import numpy as np
 
 from . import sheen
-from .room_model import ATLASES, FACES_OUTWARD, FILES, NO_JOINT
+from .room_model import FACES_OUTWARD, FILES, NO_JOINT
 
 try:
     from panda3d import core as p3d
@@ -57,11 +57,10 @@ def software_pipe():
     """The software renderer's pipe; the one that draws into an X window would complain without a display."""
     configure_panda3d()
     selection = p3d.GraphicsPipeSelection.get_global_ptr()
-    for number in range(selection.get_num_pipe_types()):
-        kind = selection.get_pipe_type(number)
-        if "Offscreen" in kind.get_name():
-            return selection.make_pipe(kind)
-    raise RuntimeError("this panda3d has no software renderer (p3tinydisplay)")
+    pipe = selection.make_pipe("TinyOffscreenGraphicsPipe", "p3tinydisplay")
+    if pipe is None:
+        raise RuntimeError("this panda3d has no software renderer (p3tinydisplay)")
+    return pipe
 
 
 def index_buffer(indices):
@@ -73,50 +72,31 @@ def index_buffer(indices):
     return primitive
 
 
-class VertexFormats:
-    """The formats of one renderer's vertices.
+def vertices(owner, points, **columns):
+    """The format of vertices, and (N, bytes of a vertex) uint8: points (N, 3), then columns (N, count).
 
-    panda3d converts some columns in a buffer that belongs to their format, and formats of the same columns
-    are one and the same: two threads that drew with it would now and then take each other's vertices. So a
-    format has a column whose name no other renderer uses, unless nothing in it is converted: points x y z 1
-    and colors of four floats, which are also read fastest.
+    Columns are texcoord, normal (both float32) and color (float32 or uint8). panda3d converts some of them in
+    a buffer that belongs to their format, and formats of the same columns are one and the same: two threads
+    that drew with it would now and then take each other's vertices. So a format has a column named after its
+    owner, a renderer, unless nothing in it is converted: points x y z 1 and colors of four floats, which are
+    also read fastest.
     """
-
-    _numbers = itertools.count()
-
-    def __init__(self):
-        enums = p3d.GeomEnums
-        texture = ("texcoord", 2, enums.NT_float32, enums.C_texcoord)
-        normal = ("normal", 3, enums.NT_float32, enums.C_normal)
-        own = (f"renderer {next(self._numbers)}", 1, enums.NT_uint8, enums.C_other)
-        self.textured = vertex_format(texture, own)
-        self.lit = vertex_format(texture, normal, own)
-        self.shining = vertex_format(("color", 4, enums.NT_uint8, enums.C_color), own)
-        self.numbered = vertex_format(("color", 4, enums.NT_float32, enums.C_color))
-
-
-def vertex_format(*columns):
-    """Points of four floats, then these columns: name, count, type, meaning."""
-    array = p3d.GeomVertexArrayFormat()
-    array.add_column(p3d.InternalName.get_vertex(), 4, p3d.GeomEnums.NT_float32, p3d.GeomEnums.C_point)
-    for name, *rest in columns:
-        array.add_column(p3d.InternalName.make(name), *rest)
-    return p3d.GeomVertexFormat.register_format(p3d.GeomVertexFormat(array))
-
-
-def vertex_rows(columns_format, points, *columns):
-    """(N, bytes of a vertex) uint8: points (N, 3), then each column, (N, count) of the format's type."""
-    rows = np.zeros((len(points), columns_format.get_array(0).get_stride()), np.uint8)
-    start = 0
-    for column in (np.column_stack([points, np.ones(len(points))]).astype(np.float32), *columns):
-        values = np.ascontiguousarray(column).view(np.uint8)
-        rows[:, start : start + values.shape[1]] = values
-        start += values.shape[1]
-    return rows
+    enums = p3d.GeomEnums
+    contents = {"vertex": enums.C_point, "texcoord": enums.C_texcoord, "normal": enums.C_normal}
+    contents |= {"color": enums.C_color, owner: enums.C_other}
+    columns = {"vertex": np.column_stack([points, np.ones(len(points))]).astype(np.float32), **columns}
+    if owner is not None:
+        columns[owner] = np.zeros((len(points), 4), np.uint8)
+    array_format = p3d.GeomVertexArrayFormat()
+    for name, values in columns.items():
+        kind = enums.NT_uint8 if values.dtype == np.uint8 else enums.NT_float32
+        array_format.add_column(p3d.InternalName.make(name), values.shape[1], kind, contents[name])
+    rows = np.concatenate([np.ascontiguousarray(v).view(np.uint8) for v in columns.values()], 1)
+    return p3d.GeomVertexFormat.register_format(p3d.GeomVertexFormat(array_format)), rows
 
 
 def geom_node(columns_format, rows, indices):
-    """A node of triangles; rows as `vertex_rows` gives them."""
+    """A node of triangles; format and rows as `vertices` gives them."""
     data = p3d.GeomVertexData("triangles", columns_format, p3d.Geom.UH_static)
     data.unclean_set_num_rows(len(rows))
     data.modify_array_handle(0).copy_data_from(rows.tobytes())
@@ -127,7 +107,7 @@ def geom_node(columns_format, rows, indices):
     return node
 
 
-def textured(formats, triangles, texture, normals=None):
+def textured(owner, triangles, texture, normals=None):
     """Vertices that are equal in place and texture are shared: there are fewer to transform."""
     columns = [triangles.reshape(-1, 3), texture.reshape(-1, 2)]
     if normals is not None:
@@ -138,23 +118,19 @@ def textured(formats, triangles, texture, normals=None):
     new = np.concatenate([[True], (rows[1:] != rows[:-1]).any(1)])
     indices = np.empty(len(rows), int)
     indices[order] = np.cumsum(new) - 1
-    columns_format = formats.textured if normals is None else formats.lit
-    return geom_node(columns_format, vertex_rows(columns_format, rows[new, :3], rows[new, 3:]), indices)
+    points, texture, normals = np.split(rows[new], [3, 5], axis=1)
+    lit = {"normal": normals} if normals.size else {}
+    columns_format, rows = vertices(owner, points, texcoord=texture, **lit)
+    return geom_node(columns_format, rows, indices)
 
 
-def numbered(formats, triangles, numbers):
+def numbered(triangles, numbers):
     """Each triangle in one flat color: its number, low byte in blue."""
     points = triangles.reshape(-1, 3)
     colors = np.column_stack([numbers >> 16, numbers >> 8 & 255, numbers & 255, np.full_like(numbers, 255)])
     colors = np.repeat((colors / 255).astype(np.float32), 3, 0)
-    rows = vertex_rows(formats.numbered, points, colors)
-    return geom_node(formats.numbered, rows, np.arange(len(rows)))
-
-
-def color_bytes(red, green, blue, alpha):
-    """(N, 4) uint8 as panda3d packs a vertex color."""
-    red = np.asarray(red)
-    return np.stack([np.broadcast_to(c, red.shape) for c in (red, green, blue, alpha)], -1).astype(np.uint8)
+    columns_format, rows = vertices(None, points, color=colors)
+    return geom_node(columns_format, rows, np.arange(len(rows)))
 
 
 def load_texture(name, lighting):
@@ -256,15 +232,14 @@ def chunks_of(room):
     """
     leaf = next(k for k, v in room.label_names.items() if v == FACES_OUTWARD)
     number = 0
-    for index, atlas in enumerate(ATLASES):
+    for index, atlas in enumerate(room.atlas_names):
         mine = np.nonzero(room.atlas == index)[0]
         cell = np.floor(room.triangles[mine].mean(1) / CHUNK).astype(int)
         cell[room.joint[mine] != NO_JOINT] = 0
         keys = np.column_stack([room.joint[mine], room.label[mine] == leaf, cell])
-        keys -= keys.min(0)
-        codes = np.ravel_multi_index(keys.T, keys.max(0) + 1)
-        for code in np.unique(codes):
-            rows = mine[codes == code]
+        different, part = np.unique(keys, axis=0, return_inverse=True)
+        for k in range(len(different)):
+            rows = mine[part == k]
             joint = room.joint[rows[0]]
             name = None if joint == NO_JOINT else room.joint_names[joint]
             number += 1
@@ -278,10 +253,12 @@ class Renderer:
     Two renderers share nothing: two threads can draw at the same time, each with its own.
     """
 
+    _numbers = itertools.count()
+
     def __init__(self, room):
         self._pipe = software_pipe()
         self._engine = p3d.GraphicsEngine(self._pipe)
-        self._formats = VertexFormats()
+        self._name = f"renderer {next(self._numbers)}"  # of a column of its vertices
         self._root = p3d.NodePath("room")
         self._joints = {name: self._root.attach_new_node(name) for name in room.joint_tree}
         for chunk in chunks_of(room):
@@ -307,10 +284,8 @@ class Renderer:
         """
         pinhole = pinhole_covering(camera, scale)
         properties = p3d.FrameBufferProperties()
-        properties.set_rgb_color(True)
-        properties.set_color_bits(24)
+        properties.set_rgba_bits(8, 8, 8, 8)
         properties.set_depth_bits(24)
-        properties.set_alpha_bits(8)
         size = p3d.WindowProperties(size=(pinhole.width, pinhole.height))
         output = self._engine.make_output(
             self._pipe, "view", 0, properties, size, p3d.GraphicsPipe.BF_refuse_window
@@ -322,7 +297,7 @@ class Renderer:
         path = self._root.attach_new_node(p3d.Camera("camera", software_lens(pinhole)))
         output.make_display_region().set_camera(path)
         output.set_active(False)
-        blinders = path.attach_new_node(around_the_image(self._formats, camera))
+        blinders = path.attach_new_node(around_the_image(self._name, camera))
         blinders.set_color(0, 0, 0, 1)
         blinders.set_two_sided(True)
         blinders.set_bin("fixed", BLINDERS_ORDER)
@@ -353,7 +328,7 @@ class NumberRenderer(Renderer):
     """Draws of each pixel its triangle's number, counted from 1, into blue, green and red; 0: nothing."""
 
     def _add_chunk(self, room, chunk, parent):
-        node = parent.attach_new_node(numbered(self._formats, room.triangles[chunk.rows], chunk.rows + 1))
+        node = parent.attach_new_node(numbered(room.triangles[chunk.rows], chunk.rows + 1))
         node.set_attrib(p3d.ColorAttrib.make_vertex())
         return node
 
@@ -364,22 +339,21 @@ class ColorRenderer(Renderer):
     def __init__(self, room, lighting):
         self._lighting, self._chunks = lighting, []
         configure_panda3d()
-        self._textures = {atlas: load_texture(atlas, lighting) for atlas in ATLASES if atlas != "outside"}
+        names = [name for name in room.atlas_names if name != "outside"]
+        self._textures = {name: load_texture(name, lighting) for name in names}
         super().__init__(room)
         self._shadows = {}
         for number, (name, size) in enumerate(SHADOWS.items()):
-            self._shadows[name] = self._add_shadow(size)
-            self._shadows[name].set_bin("fixed", SHADOW_ORDER + number)
+            self._shadows[name] = self._add_shadow(size, SHADOW_ORDER + number)
         self._sheen = sheen.Sheen(lighting)
         self._sheen_geom = self._add_sheen()
 
     def _add_chunk(self, room, chunk, parent):
         triangles, corners = room.triangles[chunk.rows], room.texture[chunk.rows]
+        normals = unit(triangles) if chunk.joint == "ball" else None
+        node = parent.attach_new_node(textured(self._name, triangles, corners, normals))
         if chunk.joint == "ball":
-            node = parent.attach_new_node(textured(self._formats, triangles, corners, unit(triangles)))
-            self._light_ball(node, self._lighting)
-        else:
-            node = parent.attach_new_node(textured(self._formats, triangles, corners))
+            self._light_ball(node)
         if chunk.atlas == "outside":
             node.set_color(*SKY[self._lighting], 1)
             return node
@@ -389,8 +363,8 @@ class ColorRenderer(Renderer):
             self._chunks.append(Chunk(node, texture, triangles, corners))
         return node
 
-    def _light_ball(self, node, lighting):
-        ambient, *lamps = BALL_LIGHT[lighting]
+    def _light_ball(self, node):
+        ambient, *lamps = BALL_LIGHT[self._lighting]
         light = p3d.AmbientLight("ambient")
         light.set_color((*ambient, 1))
         node.set_light(self._root.attach_new_node(light))
@@ -405,7 +379,7 @@ class ColorRenderer(Renderer):
         material.set_ambient((1, 1, 1, 1))
         node.set_material(material)
 
-    def _add_shadow(self, size):
+    def _add_shadow(self, size, order):
         """A soft dark spot on the floor."""
         across = (np.arange(64) - 31.5) / 32
         distance = np.sqrt(across[:, None] ** 2 + across[None, :] ** 2)
@@ -414,27 +388,21 @@ class ColorRenderer(Renderer):
         corners = np.array([(-1, -1), (1, -1), (1, 1), (-1, 1)], np.float32)
         flat = np.column_stack([corners * size, np.zeros(4)])[[[0, 1, 2], [0, 2, 3]]]
         texture = (corners[[[0, 1, 2], [0, 2, 3]]] + 1) / 2
-        node = self._root.attach_new_node(textured(self._formats, flat, texture))
+        node = self._root.attach_new_node(textured(self._name, flat, texture))
         node.set_texture(as_texture(spot, p3d.Texture.F_rgba), 1)
-        node.set_transparency(p3d.TransparencyAttrib.M_alpha)
-        node.set_depth_write(False)
-        node.set_depth_test(False)
+        lay_on_floor(node, order)
         return node
 
     def _add_sheen(self):
-        vertices, indices = self._sheen.vertices, self._sheen.indices
-        colors = np.zeros((len(vertices), 4), np.uint8)
-        self._sheen_rows = vertex_rows(self._formats.shining, vertices, colors)
-        node = geom_node(self._formats.shining, self._sheen_rows, indices)
+        colors = np.zeros((len(self._sheen.vertices), 4), np.uint8)
+        columns_format, self._sheen_rows = vertices(self._name, self._sheen.vertices, color=colors)
+        node = geom_node(columns_format, self._sheen_rows, self._sheen.indices)
         # It changes with each image: without these its bounds would be computed as often.
         node.modify_geom(0).set_bounds(p3d.OmniBoundingVolume())
         node.set_bounds(p3d.OmniBoundingVolume())
         path = self._root.attach_new_node(node)
         path.set_attrib(p3d.ColorAttrib.make_vertex())
-        path.set_transparency(p3d.TransparencyAttrib.M_alpha)
-        path.set_depth_write(False)
-        path.set_depth_test(False)
-        path.set_bin("fixed", SHEEN_ORDER)
+        lay_on_floor(path, SHEEN_ORDER)
         return node
 
     def place(self, joint_poses):
@@ -456,7 +424,7 @@ class ColorRenderer(Renderer):
         return super().render(view, pose)
 
     def _update_sheen(self, position):
-        self._sheen_rows[:, 16:20] = color_bytes(*self._sheen.colors(position))
+        self._sheen_rows[:, 16:20] = self._sheen.colors(position)
         geom = self._sheen_geom.modify_geom(0)
         vertices = geom.modify_vertex_data().modify_array(0)
         vertices.modify_handle().copy_data_from(self._sheen_rows.tobytes())
@@ -465,9 +433,17 @@ class ColorRenderer(Renderer):
         geom.set_primitive(0, index_buffer(indices[shining]))
 
 
+def lay_on_floor(path, order):
+    """Draws a node over the floor, as dense as its alpha says, without asking for depth."""
+    path.set_transparency(p3d.TransparencyAttrib.M_alpha)
+    path.set_depth_write(False)
+    path.set_depth_test(False)
+    path.set_bin("fixed", order)
+
+
 def unit(vectors):
     """Vectors (..., 3) at length 1."""
-    return vectors / np.sqrt(vectors[..., :1] ** 2 + vectors[..., 1:2] ** 2 + vectors[..., 2:] ** 2)
+    return vectors / np.linalg.norm(vectors, axis=-1, keepdims=True)
 
 
 def as_matrix(pose):
@@ -491,33 +467,34 @@ def software_lens(pinhole):
     return lens
 
 
-def around_the_image(formats, camera):
+def around_the_image(owner, camera):
     """A frame close before the camera, from two pixels outside of its image on; it hides what is behind."""
-    columns, rows = np.linspace(-2, camera.width + 1, 41), np.linspace(-2, camera.height + 1, 41)
-    border = (
-        [(c, -2) for c in columns]
-        + [(camera.width + 1, r) for r in rows]
-        + [(c, camera.height + 1) for c in columns[::-1]]
-        + [(-2, r) for r in rows[::-1]]
-    )
-    inner = camera.unproject(border) * NEAR * 1.01
+    inner = camera.unproject(border(camera, 2, 41)) * NEAR * 1.01
     outer = inner * (2, 2, 1)
     next_inner, next_outer = np.roll(inner, -1, 0), np.roll(outer, -1, 0)
     triangles = np.concatenate(
         [np.stack([inner, next_inner, outer], 1), np.stack([outer, next_inner, next_outer], 1)]
     )
     right, down, forward = np.moveaxis(triangles, -1, 0)
-    return textured(formats, np.stack([right, forward, -down], -1), np.zeros((len(triangles), 3, 2)))
+    return textured(owner, np.stack([right, forward, -down], -1), np.zeros((len(triangles), 3, 2)))
+
+
+def border(camera, margin, count):
+    """Pixels (4 count, 2) as (column, row) around the image of a camera, so many pixels outside of it."""
+    columns = np.linspace(-margin, camera.width - 1 + margin, count)
+    rows = np.linspace(-margin, camera.height - 1 + margin, count)
+    return [
+        *((column, rows[0]) for column in columns),
+        *((columns[-1], row) for row in rows),
+        *((column, rows[-1]) for column in columns[::-1]),
+        *((columns[0], row) for row in rows[::-1]),
+    ]
 
 
 def pinhole_covering(model, scale=1.0):
     """The pinhole camera that sees every ray of a camera with a lens, `scale` times as finely."""
     fx, fy = model.fx * scale, model.fy * scale
-    columns, rows = np.linspace(-0.5, model.width - 0.5, 65), np.linspace(-0.5, model.height - 0.5, 65)
-    border = [(c, r) for c in columns for r in rows[[0, -1]]] + [
-        (c, r) for c in columns[[0, -1]] for r in rows
-    ]
-    rays = model.unproject(border)
+    rays = model.unproject(border(model, 0.5, 65))
     low, high = rays.min(0), rays.max(0)
     width, height = math.ceil((high[0] - low[0]) * fx) + 2, math.ceil((high[1] - low[1]) * fy) + 2
     return type(model)(width, height, fx, fy, 0.5 - low[0] * fx, 0.5 - low[1] * fy)

@@ -10,9 +10,6 @@ import numpy as np
 from ..geometry import triangle_planes
 
 FILES = Path(__file__).parent / "room"
-# The renderer's texture coordinates and depths are true over short distances only.
-LONGEST_EDGE = {"floor": 0.3, "rug": 0.35, "room": 0.4}
-ATLASES = ("floor", "rug", "room", "furniture", "signs", "outside", "movers")
 NO_JOINT = -1
 FACES_OUTWARD = "plant"  # the one kind that is seen from both sides
 
@@ -22,7 +19,7 @@ class RoomModel:
     """Triangles of the room; those of movers in the frames of their joints.
 
     triangles (N, 3, 3) float32, metres · texture (N, 3, 2) float32 · label (N,) uint8 · joint (N,) int,
-    NO_JOINT for what stands still · atlas (N,) int, index into ATLASES · normals (N, 3) and offsets (N,)
+    NO_JOINT for what stands still · atlas (N,) int, index into atlas_names · normals (N, 3) and offsets (N,)
     float64 of the planes · joint_tree {name: parent and offset}, parents first
     """
 
@@ -33,6 +30,7 @@ class RoomModel:
     atlas: np.ndarray
     normals: np.ndarray
     offsets: np.ndarray
+    atlas_names: list[str]
     joint_names: list[str]
     joint_tree: dict[str, dict[str, Any]]
     markers: dict[str, np.ndarray]
@@ -43,63 +41,17 @@ def load_room():
     with np.load(FILES / "geometry.npz") as file:
         arrays = dict(file)
     description = json.loads((FILES / "scene.json").read_text(encoding="utf-8"))
-    tree = description["joint_tree"]
-    parts = []
-    for number, name in enumerate(ATLASES):
-        triangles, texture, label = (arrays[f"{name}_{kind}"] for kind in ("vertices", "uv", "label"))
-        if name in LONGEST_EDGE:
-            triangles, texture, label = bisect(triangles, texture, label, LONGEST_EDGE[name])
-        joint = np.full(len(label), NO_JOINT)
-        if name == "movers":
-            joint = arrays["movers_joint"].astype(int)
-        parts.append((triangles, texture, label, joint, np.full(len(label), number)))
-    triangles, texture, label, joint, atlas = (
-        np.concatenate(columns) for columns in zip(*parts, strict=True)
-    )
-    normals, offsets = triangle_planes(triangles)
+    normals, offsets = triangle_planes(arrays["triangles"])
     return RoomModel(
-        triangles,
-        texture,
-        label,
-        joint,
-        atlas,
-        normals,
-        offsets,
-        description["joints"],
-        {name: tree[name] for name in sorted(tree, key=lambda name: generation(tree, name))},
-        {name: np.array(pose) for name, pose in description["markers"].items()},
-        {int(number): name for number, name in description["labels"].items()},
+        **arrays,
+        normals=normals,
+        offsets=offsets,
+        atlas_names=description["atlases"],
+        joint_names=description["joints"],
+        joint_tree=description["joint_tree"],
+        markers={name: np.array(pose) for name, pose in description["markers"].items()},
+        label_names={int(number): name for number, name in description["labels"].items()},
     )
-
-
-def generation(tree, name):
-    """How many joints there are above this one."""
-    parent = tree[name]["parent"]
-    return 0 if parent is None else 1 + generation(tree, parent)
-
-
-def bisect(triangles, texture, label, longest):
-    """Cuts each triangle at the middle of its longest edge until no edge is longer than `longest` metres."""
-    while True:
-        edges = np.roll(triangles, -1, 1) - triangles
-        squared = edges[..., 0] ** 2 + edges[..., 1] ** 2 + edges[..., 2] ** 2
-        rows = np.nonzero(squared.max(1) > longest**2)[0]
-        if not len(rows):
-            return triangles, texture, label
-        corner = squared[rows].argmax(1)
-        keep = np.ones(len(triangles), bool)
-        keep[rows] = False
-        triangles = np.concatenate([triangles[keep], *halves(triangles[rows], corner)])
-        texture = np.concatenate([texture[keep], *halves(texture[rows], corner)])
-        label = np.concatenate([label[keep], label[rows], label[rows]])
-
-
-def halves(corners, first):
-    """The two halves of triangles (N, 3, K), cut between corner `first` and the one after it."""
-    rows = np.arange(len(corners))
-    a, b, c = (corners[rows, (first + k) % 3] for k in range(3))
-    middle = (a + b) / 2
-    return np.stack([a, middle, c], 1), np.stack([middle, b, c], 1)
 
 
 class FreeSpace:

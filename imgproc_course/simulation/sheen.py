@@ -40,10 +40,9 @@ class Sheen:
         self._source, self._color = SOURCES[lighting], COLOR[lighting]
 
     def colors(self, eye):
-        """(red, green, blue, alpha) of the vertices for an eye at (3,): Schlick's Fresnel times light."""
+        """(N, 4) uint8, red, green, blue, alpha, for an eye at (3,): Schlick's Fresnel × light."""
         rays = self.vertices - np.asarray(eye)
-        length = np.sqrt(rays[:, 0] ** 2 + rays[:, 1] ** 2 + rays[:, 2] ** 2)
-        rays = rays / length[:, None]
+        rays = rays / np.linalg.norm(rays, axis=1, keepdims=True)
         grazing = 1 + rays[:, 2]  # 1 - cosine of the angle of incidence
         squared = grazing * grazing
         fresnel = 0.04 + 0.96 * squared * squared * grazing
@@ -57,8 +56,8 @@ class Sheen:
             hit = self.vertices[:, other] + way * rays[:, other]
             light *= step((hit - low) / soft) * step((high - hit) / soft)
         cover = fresnel * (source.walls + source.strength * light)
-        red, green, blue = (np.full(len(cover), c) for c in self._color)
-        return red, green, blue, np.clip(cover * 255, 0, 200)
+        alpha = np.clip(cover * 255, 0, 200)
+        return np.column_stack([np.tile(self._color, (len(alpha), 1)), alpha]).astype(np.uint8)
 
 
 def step(x):

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from ..geometry import CameraModel, Pose
+from ..geometry.poses import product, rotation_about
 from .depth import TriangleDepth
 from .drive import Drive, Odometry, WheelOdometry, clearance, nearest_on_body
 from .laser import Laser, LaserScan
@@ -73,12 +74,12 @@ class Simulation:
         self._room, self._free_space = load_room(), FreeSpace()
         self._movers = Movers(round(float(time), 9), self._free_space)
         self._time, self._steps, self._bumped = round(float(time), 9), 0, False
-        self._drive = Drive(*(round(float(v), 9) for v in checked_start(START if start is None else start)))
-        hindrance = self._hindrance(self._drive.x, self._drive.y, self._drive.yaw)
-        if hindrance:
-            raise ValueError(
-                f"the robot cannot start at {start}: {hindrance} is in its way; choose another start"
-            )
+        self._drive = Drive(checked_start(START if start is None else start))
+        for name, distance in self._distances(self._drive.place).items():
+            if distance < 0:
+                raise ValueError(
+                    f"the robot cannot start at {start}: {name} is in its way; choose another start"
+                )
         self._odometry = WheelOdometry(np.random.default_rng([seed, 1]))
         self._laser = Laser(self._room, seed if sensor else None)
         self._sensor = Sensor(self._model, seed, lighting) if sensor else None
@@ -119,32 +120,23 @@ class Simulation:
                 if gave_way or speeds == (0.0, 0.0):
                     break
             touched = True
-        body.x, body.y, body.yaw = place
+        body.place = place
         body.linear, body.angular = speeds
-        self._odometry.step(*speeds, dt, is_on_rug(body.x, body.y))
+        self._odometry.step(*speeds, dt, is_on_rug(*place[:2]))
         self._movers.step(dt, place)
         return touched
 
     def _blocked(self, place):
         """Whether the body at (x, y, yaw) would be in something, and not merely leave it."""
-        if self._hindrance(*place) is None:
-            return False
-        now = (self._drive.x, self._drive.y, self._drive.yaw)
-        return self._room_around(*place) <= self._room_around(*now)
+        nearest = min(self._distances(place).values())
+        return nearest < 0 and nearest <= min(self._distances(self._drive.place).values())
 
-    def _room_around(self, x, y, yaw):
-        """Metres between the body and the nearest thing; negative inside."""
-        still = clearance(self._free_space.distance, x, y, yaw)
-        return min(still, *(nearest_on_body((x, y, yaw), u, v)[1] - r for u, v, r in self._movers.circles()))
-
-    def _hindrance(self, x, y, yaw):
-        """The name of what the body at this place would be in, or None."""
-        if clearance(self._free_space.distance, x, y, yaw) < 0:
-            return "a wall or furniture"
-        for name, (u, v, radius) in zip(("the person", "the toy car"), self._movers.circles(), strict=True):
-            if nearest_on_body((x, y, yaw), u, v)[1] < radius:
-                return name
-        return None
+    def _distances(self, place):
+        """{name: metres} between the body at (x, y, yaw) and everything; negative inside."""
+        distances = {"a wall or furniture": clearance(self._free_space.distance, *place)}
+        for name, (x, y, radius) in zip(("the person", "the toy car"), self._movers.circles(), strict=True):
+            distances[name] = nearest_on_body(place, x, y)[1] - radius
+        return distances
 
     # what it sees
 
@@ -229,8 +221,7 @@ class Simulation:
 
     def scan(self) -> LaserScan:
         """One turn of the laser scanner."""
-        robot = (self._drive.x, self._drive.y, self._drive.yaw)
-        return self._laser.scan(robot, self._joint_poses(), self._steps)
+        return self._laser.scan(self._drive.place, self._joint_poses(), self._steps)
 
     def odometry(self) -> Odometry:
         """Where the wheels say that the robot is, since the start: with slip."""
@@ -276,14 +267,12 @@ class Simulation:
         return self._joints[1]
 
     def _robot_pose(self):
-        return Pose.planar(self._drive.x, self._drive.y, self._drive.yaw)
+        return Pose.planar(*self._drive.place)
 
     def _camera_pose(self, camera):
         if camera == "tof":
-            c, s = round(math.cos(TOF_TILT), 12), round(math.sin(TOF_TILT), 12)
-            up = np.array([[1, 0, 0], [0, c, -s], [0, s, c]])  # about the optical frame's x, to the right
-            tilted = Pose(OPTICAL, np.zeros(3)) @ Pose(up, np.zeros(3))
-            return self._robot_pose() @ Pose(tilted.rotation, np.array([TOF_MOUNT[0], 0, TOF_MOUNT[1]]))
+            tilted = product(OPTICAL, rotation_about("x", TOF_TILT))
+            return self._robot_pose() @ Pose(tilted, np.array([TOF_MOUNT[0], 0, TOF_MOUNT[1]]))
         if self._look is not None:
             return self._look
         return self._robot_pose() @ Pose(OPTICAL, np.array([CAMERA_MOUNT[0], 0, CAMERA_MOUNT[1]]))
@@ -319,4 +308,4 @@ def checked_start(start):
     values = tuple(start)
     if len(values) != 3 or not all(math.isfinite(v) for v in values):
         raise ValueError(f"start is three finite numbers, x and y in metres and yaw in radians, got {start}")
-    return values
+    return tuple(round(float(v), 9) for v in values)

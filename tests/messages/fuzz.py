@@ -38,9 +38,7 @@ from imgproc_course.messages import (
 )
 from imgproc_course.messages.encodings import ENCODINGS
 from imgproc_course.messages.image_files import FILE_EXTENSIONS
-from imgproc_course.messages.image_limits import BLANK_PIXELS, PIXELS_PER_BYTE
-from imgproc_course.messages.png import PNG_EXPANSION
-from imgproc_course.messages.tiff import TIFF_EXPANSION
+from imgproc_course.messages.image_headers import BLANK_PIXELS, PNG_EXPANSION
 
 SMALL_CHANGE = 64 * 1024  # bytes: error texts, views, caches of Python's own
 IMAGE_MULTIPLE = 24  # of the message's bytes: 1-byte pixels to 16-bit rgba, with one step between, and lists
@@ -211,8 +209,8 @@ class Fuzzer:
             format = pick.choice(FORMATS)
         msg = SimpleNamespace(format=format, data=pick.choice((bytes, bytearray, list, memoryview))(data))
         desired = pick.choice(NAMES) if pick.random() < 0.4 else "passthrough"
-        # The most pixels that so many bytes can be: deflate of 1-bit pixels, LZW, a JPEG, or a blank image.
-        pixels = max(8 * PNG_EXPANSION, max(TIFF_EXPANSION.values()), PIXELS_PER_BYTE) * len(data)
+        # The most pixels that so many bytes can be: deflate of 1-bit pixels, or a blank image.
+        pixels = 8 * PNG_EXPANSION * len(data)
         can_be_blank = (isinstance(format, str) and "rvl" in format) or data[:4] in (b"RIFF", b"\0\0\0\x0c")
         limit = SMALL_CHANGE + PIXEL_BYTES * (pixels + BLANK_PIXELS * can_be_blank)
         return "compressed", compressed_to_array, (msg, desired), len(data), limit

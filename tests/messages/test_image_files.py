@@ -137,14 +137,14 @@ def patched(extension, array, at, layout, *numbers):
     return bytes(data)
 
 
-def tiff_with(tag, value):
-    """A TIFF in which one field of the directory says something else."""
+def tiff_with(tag, value, new_tag=None):
+    """A TIFF in which one field of the directory says something else, or is another one."""
     data = bytearray(file_of("tif", BGR))
     (at,) = struct.unpack_from("<I", data, 4)
     (entries,) = struct.unpack_from("<H", data, at)
     for place in range(at + 2, at + 2 + 12 * entries, 12):
         if struct.unpack_from("<H", data, place)[0] == tag:
-            struct.pack_into("<HII", data, place + 2, 4, 1, value)
+            struct.pack_into("<HHII", data, place, new_tag or tag, 4, 1, value)
     return bytes(data)
 
 
@@ -156,47 +156,52 @@ def jp2_with(marker, offset, layout, *numbers):
 
 HUGE = 2**31 - 1
 LIES = {
-    "bmp of 4 exabytes": (patched("bmp", BGR, 18, "<ii", HUGE, HUGE), "so few bytes can hold"),
-    "bmp upside down of many rows": (patched("bmp", BGR, 22, "<i", -HUGE), "so few bytes can hold"),
+    "bmp of 4 exabytes": (patched("bmp", BGR, 18, "<ii", HUGE, HUGE), "accepted from so many bytes"),
+    "bmp upside down of many rows": (patched("bmp", BGR, 22, "<i", -HUGE), "accepted from so many bytes"),
     "bmp without rows": (patched("bmp", BGR, 22, "<i", 0), "has no pixel"),
-    "bmp, run lengths": (patched("bmp", BGR, 30, "<I", 1), "not compressed"),
-    "bmp cut": (file_of("bmp", BGR)[:30], "ends within its header"),
-    "sun raster": (patched("sr", BGR, 4, ">II", HUGE, HUGE), "so few bytes can hold"),
-    "sun raster, run lengths": (patched("sr", BGR, 20, ">I", 2), "not compressed"),
-    "sun raster cut": (file_of("sr", GRAY)[:-1], "so few bytes can hold"),
-    "tiff": (tiff_with(256, HUGE), "so few bytes can hold"),
-    "tiff with one strip for all": (tiff_with(278, HUGE), "strips do not lie within"),
-    "tiff of 9 channels": (tiff_with(277, 9), "expected 1 to 4 interleaved channels"),
-    "tiff, JPEG inside": (tiff_with(259, 7), "compression 7"),
-    "tiff without width": (file_of("tif", BGR).replace(b"\0\1\3\0\1", b"\1\1\3\0\1"), "not in order"),
-    "tiff cut": (file_of("tif", BGR)[:60], "ends within its header"),
+    "bmp, run lengths": (patched("bmp", BGR, 30, "<I", 1), "damaged or compressed"),
+    "bmp cut": (file_of("bmp", BGR)[:30], "without a readable header"),
+    "sun raster": (patched("sr", BGR, 4, ">II", HUGE, HUGE), "accepted from so many bytes"),
+    "sun raster, run lengths": (patched("sr", BGR, 20, ">I", 2), "damaged or compressed"),
+    "tiff": (tiff_with(256, HUGE), "accepted from so many bytes"),
+    "tiff of CMYK": (tiff_with(262, 5), "of another kind"),
+    "tiff of planes": (tiff_with(284, 2), "of another kind"),
+    "tiff of tiles": (tiff_with(278, 16, 322), "of another kind"),
+    "tiff without width": (
+        file_of("tif", BGR).replace(b"\0\1\3\0\1", b"\1\1\3\0\1"),
+        "without a readable header",
+    ),
+    "tiff cut": (file_of("tif", BGR)[:60], "without a readable header"),
     "big tiff": (b"II+\0" + bytes(60), "holds BigTIFF"),
-    "ppm": (b"P6\n999999999 999999999\n255\n" + bytes(60), "so few bytes can hold"),
-    "ppm, comments": (b"P6 # x\n# y\n9999 # z\n9999\n255\n" + bytes(60), "so few bytes can hold"),
-    "pbm": (b"P4\n80 80\n" + bytes(799), "so few bytes can hold"),
+    "ppm": (b"P6\n999999999 999999999\n255\n" + bytes(60), "accepted from so many bytes"),
+    "ppm, comments": (b"P6 # x\n# y\n9999 # z\n9999\n255\n" + bytes(60), "accepted from so many bytes"),
+    "pbm": (b"P4\n800 800\n" + bytes(799), "accepted from so many bytes"),
     "pgm without numbers": (b"P5 many rows", "without a readable header"),
-    "pfm": (b"PF\n99999 99999\n-1.0\n" + bytes(60), "so few bytes can hold"),
+    "pfm": (b"PF\n99999 99999\n-1.0\n" + bytes(60), "accepted from so many bytes"),
     "pfm without numbers": (b"Pf\n\n\n", "without a readable header"),
-    "webp": (patched("webp", BGR, 21, "<I", 0x0FFFFFFF), "accepted from so few bytes"),
+    "webp": (patched("webp", BGR, 21, "<I", 0x0FFFFFFF), "accepted from so many bytes"),
     "webp of another kind": (b"RIFF\0\0\0\0WEBPVP9 " + bytes(60), "without a readable header"),
     "pam": (
         b"P7\nWIDTH 9999\nHEIGHT 9999\nDEPTH 3\nMAXVAL 255\nENDHDR\n" + bytes(60),
-        "so few bytes can hold",
+        "accepted from so many bytes",
     ),
     "pam without numbers": (b"P7\nWIDTH 2\n", "without a readable header"),
-    "hdr": (b"#?RGBE\nFORMAT=32-bit_rle_rgbe\n\n-Y 9999 +X 9999\n" + bytes(60), "so few bytes can hold"),
+    "hdr": (
+        b"#?RGBE\nFORMAT=32-bit_rle_rgbe\n\n-Y 9999 +X 9999\n" + bytes(60),
+        "accepted from so many bytes",
+    ),
     "hdr without numbers": (b"#?RADIANCE\n\n\n", "without a readable header"),
-    "gif": (b"GIF89a" + bytes([255]) * 60, "so few bytes can hold"),
-    "gif cut": (b"GIF89a", "ends within its header"),
+    "gif": (b"GIF89a" + bytes([255]) * 60, "accepted from so many bytes"),
+    "gif cut": (b"GIF89a", "without a readable header"),
     "webp, animated": (b"RIFF\0\0\0\0WEBPVP8X\x0a\0\0\0\x02" + bytes(60), "animated"),
     "jp2 of many pixels": (
         jp2_with(b"\xff\x51", 6, ">8I", HUGE, HUGE, 0, 0, HUGE, HUGE, 0, 0),
-        "accepted from so few bytes",
+        "accepted from so many bytes",
     ),
     "jp2 of many tiles": (jp2_with(b"\xff\x51", 22, ">II", 1, 1), "one tile"),
     "jp2 with precincts": (jp2_with(b"\xff\x52", 4, ">B", 1), "one tile"),
     "jp2 of many layers": (jp2_with(b"\xff\x52", 6, ">H", 65535), "one tile"),
-    "jp2 cut": (file_of("jp2", BGR)[:90], "ends within its header"),
+    "jp2 cut": (file_of("jp2", BGR)[:90], "without a readable header"),
     "avif": (b"\0\0\0\x20ftypavif" + bytes(60), "holds AVIF"),
 }
 
@@ -208,6 +213,23 @@ def test_a_header_that_lies_is_refused_before_decoding(case, monkeypatch):
     with pytest.raises(ConversionError) as caught:
         decoded(data)
     assert words in str(caught.value)
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        *(file_of(extension, BGR)[:-1] for extension in ("bmp", "sr", "ppm", "pam", "gif")),
+        file_of("pfm", METERS)[:-1],
+        file_of("hdr", METERS[..., None].repeat(3, axis=2))[:-1],
+        b"P4\n80 80\n" + bytes(799),
+        tiff_with(278, HUGE),  # one strip for all rows, which is shorter than they are
+        tiff_with(277, 9),  # channels
+        tiff_with(259, 7),  # JPEG inside
+    ],
+)
+def test_a_file_whose_pixels_do_not_fit_its_header_is_refused(data):
+    with pytest.raises(ConversionError, match="do not decode"):
+        decoded(data)
 
 
 @pytest.mark.parametrize("extension", sorted(set(FILE_EXTENSIONS) - {"jpg", "jpeg", "jpe"}))

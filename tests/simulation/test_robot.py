@@ -1,6 +1,7 @@
 """The robot's limits, bumps and odometry, the movers that it meets, and the scan against the depth."""
 
 import math
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
@@ -106,7 +107,7 @@ def test_a_wall_stops_the_robot_which_can_still_turn_and_leave():
 
 def test_inside_of_something_the_robot_may_leave_but_not_go_deeper():
     with Simulation(start=(0.0, -1.4, -math.pi / 2)) as room:
-        room._drive.y = -1.93  # its front is now 6 cm in the wall
+        room._drive.place = (0.0, -1.93, -math.pi / 2)  # its front is now 6 cm in the wall
         for _ in range(30):
             room.step(0.3, 0)
         assert room.bumped
@@ -142,13 +143,10 @@ def test_the_car_waits_for_the_robot():
 
 
 def test_the_ball_rolls_by_the_recorded_formula_however_the_steps_are_cut():
-    class Open:
-        def __call__(self, x, y):
-            return 9.0
-
+    free_space, robot = SimpleNamespace(distance=lambda x, y: 9.0), (-9.0, 0.0, 0.0)
     ball = Ball.at(0.0)
     for _ in range(450):
-        ball.roll(0.02, Open())
+        ball.roll(0.02, free_space, robot)
     assert (ball.x, ball.y) == pytest.approx((Ball.at(9.0).x, Ball.at(9.0).y), abs=1e-6)
 
 
