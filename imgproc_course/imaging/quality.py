@@ -5,9 +5,13 @@ from __future__ import annotations
 import math
 
 import numpy as np
+from scipy import ndimage
 
 from .array_types import Gray, GrayOrBgr
 from .validation import check_number, check_pair, check_size
+
+# SSIM's constants, as fractions of the largest level. They keep its denominators away from zero.
+K1, K2 = 0.01, 0.03
 
 
 def psnr(reference: GrayOrBgr, image: GrayOrBgr) -> float:
@@ -52,7 +56,8 @@ def ssim(
     ------
     ValueError : another shape or dtype, different shapes, a window larger than the image
 
-    Source: Z. Wang et al., 2004, doi:10.1109/TIP.2003.819861, as scikit-image computes it.
+    Source: Z. Wang et al., 2004, doi:10.1109/TIP.2003.819861; as skimage.metrics.structural_similarity with
+    win_size=size, gaussian_weights, sigma, data_range=255.
     """
     reference, image = check_pair(reference, image)
     if gaussian_weights:
@@ -63,11 +68,22 @@ def ssim(
             f"ssim needs gray images of at least {size}×{size} pixels, got {reference.shape}; "
             f"make them gray with to_gray, or use a smaller window"
         )
-    # Here, because its import takes most of a second and nothing else of this package needs it.
-    from skimage.metrics import structural_similarity
 
-    return float(
-        structural_similarity(
-            reference, image, win_size=size, gaussian_weights=gaussian_weights, sigma=sigma, data_range=255
-        )
-    )
+    def local_mean(values):
+        if gaussian_weights:
+            return ndimage.gaussian_filter(values, sigma, truncate=3.5)
+        return ndimage.uniform_filter(values, size)
+
+    a, b = reference.astype(np.float64), image.astype(np.float64)
+    mean_a, mean_b = local_mean(a), local_mean(b)
+    # Bessel's correction: the mean of each window is estimated from the same window.
+    unbiased = size * size / (size * size - 1)
+    variance_a = unbiased * (local_mean(a * a) - mean_a**2)
+    variance_b = unbiased * (local_mean(b * b) - mean_b**2)
+    covariance = unbiased * (local_mean(a * b) - mean_a * mean_b)
+
+    c1, c2 = (K1 * 255) ** 2, (K2 * 255) ** 2
+    luminance = (2 * mean_a * mean_b + c1) / (mean_a**2 + mean_b**2 + c1)
+    structure = (2 * covariance + c2) / (variance_a + variance_b + c2)
+    inside = slice(size // 2, -(size // 2))
+    return float((luminance * structure)[inside, inside].mean())
