@@ -12,6 +12,7 @@ from datetime import datetime
 from imgproc_course.classroom.authoring.lesson_names import lesson_name
 from imgproc_course.classroom.autograder.sanitize import sanitize_line, without_apostrophes
 from imgproc_course.classroom.gradebook.csv_table import TableError, is_comment, read_csv
+from imgproc_course.classroom.gradebook.deadlines import local_time_of
 
 DECISION_COLUMNS = ("learner", "lesson", "exercise", "points", "comment")
 _EXTENSION_COLUMNS = ("learner", "lesson", "deadline")
@@ -71,11 +72,10 @@ def read_extensions(path, answer_keys):
     for row, place in _rows(path, _EXTENSION_COLUMNS, required=("learner", "deadline")):
         lesson = _lesson(row["lesson"], answer_keys, place).name if row["lesson"] else ""
         try:
-            deadline = datetime.fromisoformat(row["deadline"])
+            deadline = local_time_of(row["deadline"])
         except ValueError as error:
             text = f"the deadline is {sanitize_line(row['deadline'], 40)!r}"
             raise TableError(f"{place}: {text}; write it like 2026-12-01T23:59") from error
-        deadline = deadline.astimezone().replace(tzinfo=None) if deadline.tzinfo else deadline
         extensions.append(Extension(row["learner"], lesson, deadline, place))
     return extensions
 
