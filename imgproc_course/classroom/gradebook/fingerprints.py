@@ -1,10 +1,7 @@
 """Fingerprints of answers: what an answer is by its syntax, whatever its names, comments and spacing.
 
-`similarity` starts this file as a program with limits on time and memory, because the text that it parses is
-the learners'. It reads a line of JSON per submission, {exercise id: source}, and writes a line for each:
-{"shapes": {exercise id: [digest, number of tokens]},
- "prints": {fingerprint: [exercise id, first line, last line]}}.
-Nothing is run. Only the standard library is imported.
+The text that is parsed is the learners', so the process of `submission_reader` does it, with limits on time
+and memory. Nothing is run. Only the standard library is imported.
 
 The fingerprints are those of winnowing: of the hashes of all sequences of K tokens, the least one in each
 window of W. Every sequence of W + K - 1 tokens that two answers share gives them a common fingerprint.
@@ -14,16 +11,9 @@ the method of MOSS.
 
 import ast
 import hashlib
-import json
-import os
-import resource
-import signal
-import sys
 
 K, W = 16, 8  # tokens; a line of code has about ten
 LONGEST = 20_000  # characters of an answer; a longer one is not compared
-SECONDS = 5  # of processor time, for one submission; then the program ends
-_MEMORY = 1 << 30  # bytes
 _UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
 _FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
 _IGNORED = (ast.expr_context, ast.Import, ast.ImportFrom, ast.Pass)
@@ -112,7 +102,11 @@ def _digest(tokens):
 
 
 def fingerprints(answers):
-    """The shapes and the fingerprints of {exercise id: source}, as the module describes them."""
+    """Of {exercise id: source}: what grading compares, as JSON can hold it.
+
+    shapes  {exercise id: [digest, number of tokens]}
+    prints  {fingerprint: [exercise id, first line, last line]}
+    """
     shapes, prints = {}, {}
     for id, source in sorted(answers.items()):
         tokens = syntax_tokens(source)
@@ -121,11 +115,3 @@ def fingerprints(answers):
             for fingerprint, lines in winnowed(tokens).items():
                 prints.setdefault(fingerprint, [id, *lines])
     return {"shapes": shapes, "prints": prints}
-
-
-if __name__ == "__main__":
-    os.nice(5)  # grading is waited for, and this is not
-    resource.setrlimit(resource.RLIMIT_AS, (_MEMORY, _MEMORY))
-    for request in sys.stdin:
-        signal.setitimer(signal.ITIMER_VIRTUAL, SECONDS)  # nobody handles its signal, which ends the program
-        print(json.dumps(fingerprints(json.loads(request))), flush=True)

@@ -7,16 +7,13 @@ shows their common answers once. Similarity is a reason to look, never a verdict
 """
 
 import json
-import signal
-import subprocess
-import sys
 from collections import Counter
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations
-from pathlib import Path
 
 from imgproc_course.classroom.autograder.sanitize import sanitize_text
+from imgproc_course.classroom.gradebook.notebook_reader import NotebookReader
 from imgproc_course.classroom.gradebook.report import render_page
 
 SHORTEST_SOLUTION = 60  # tokens; independent learners often write the same short solution
@@ -25,10 +22,8 @@ FEWEST_PRINTS = 6  # of a submission that is compared
 LEAST_SHARE = 0.5  # of the fingerprints of the smaller submission
 MOST_GROUPS = 40  # of one lesson
 MOST_VERSIONS = 6  # of an answer, that the page shows of a group
-_TRIES = 4
+_SECONDS = 5  # of processor time, for the fingerprints of one submission
 _LONGEST_LINE = 20_000  # characters that a page shows
-_PROGRAM = Path(__file__).with_name("fingerprints.py")
-_NOTHING = {"shapes": {}, "prints": {}}
 
 
 @dataclass(frozen=True)
@@ -69,22 +64,9 @@ class _Document:
 
 
 def read_fingerprints(submissions):
-    """The fingerprints of submissions, {exercise id: source}, computed in a process of its own.
-
-    They are empty for a submission that ends the process.
-    """
-    results, tries = [], _TRIES
-    while len(results) < len(submissions):
-        text = "".join(json.dumps(answers) + "\n" for answers in submissions[len(results) :])
-        program = [sys.executable, "-I", "-S", "-B", str(_PROGRAM)]
-        process = subprocess.run(program, input=text.encode("ascii"), capture_output=True, check=False)
-        lines = process.stdout.splitlines(keepends=True)
-        results += [json.loads(line) for line in lines if line.endswith(b"\n")]
-        tries = tries - 1 if process.returncode == -signal.SIGKILL else 0
-        if len(results) < len(submissions) and not tries:  # else somebody ended the process
-            results.append(_NOTHING)
-            tries = _TRIES
-    return results
+    """The fingerprints of submissions, {exercise id: source}; none of one that takes too much to read."""
+    with NotebookReader(_SECONDS) as reader:
+        return [reader.fingerprints(answers) for answers in submissions]
 
 
 def compare(learners, answer_keys, store):

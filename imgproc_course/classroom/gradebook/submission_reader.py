@@ -1,10 +1,11 @@
 """Reads notebooks of learners, in a process of its own that may fail without harm.
 
-`notebook_reader.NotebookReader` starts this file as a program with a limit on memory, sends it the bytes of a
-notebook and receives plain data: the id and type of each cell, and the sources of code. It also composes the
-source by which an answer is graded. Nothing in a notebook is run or followed. The program imports the
-standard library only, and `cell_syntax` (and `syntax_slips`, once an answer has an error), which do the same:
-it starts quickly, and no module of a learner can take the place of ours.
+`notebook_reader.NotebookReader` starts this file as a program with limits on memory and processor time, sends
+it the bytes of a notebook and receives plain data: the id and type of each cell, and the sources of code. It
+also composes the source by which an answer is graded, and takes the fingerprints of answers. Nothing in a
+notebook is run or followed. The program imports the standard library only, and `cell_syntax` and
+`fingerprints` (and `syntax_slips`, once an answer has an error), which do the same: it starts quickly, and no
+module of a learner can take the place of ours.
 """
 
 import ast
@@ -13,6 +14,7 @@ import ctypes
 import hashlib
 import importlib
 import json
+import os
 import re
 import resource
 import signal
@@ -21,10 +23,12 @@ from functools import lru_cache
 from pathlib import Path
 
 if __name__ == "__main__":
-    sys.path.append(str(Path(__file__).parents[1] / "exercises"))
+    sys.path += [str(Path(__file__).parents[1] / "exercises"), str(Path(__file__).parent)]
     import cell_syntax
+    import fingerprints
 else:
     from imgproc_course.classroom.exercises import cell_syntax
+    from imgproc_course.classroom.gradebook import fingerprints
 
 MOST_CHARACTERS = 200_000  # of one source; grading refuses a longer answer
 MOST_CELLS = 5_000
@@ -327,17 +331,16 @@ def _cached_plain_python(source):
     return cell_syntax.plain_python(source)
 
 
-def serve(requests, replies, most_memory):
+def serve(requests, replies, most_memory, seconds):
     """Answer each request with a line of JSON, until there is no more, or the memory is in use.
 
     `read <length>`, and the bytes of a notebook: {"notebook": } or {"reason": }
     `compose <length>`, and the requests of `compose_answers` as JSON, about the last notebook: {"answers": }
+    `compare <length>`, and {exercise id: source} as JSON: what `fingerprints.fingerprints` returns
 
-    Parameters
-    ----------
-    requests, replies : binary files
-    most_memory : int, bytes; with more in use, it ends instead of reading another notebook. So what it
-        remembers of earlier notebooks leaves enough memory for each one
+    With more than `most_memory` bytes in use, it ends instead of reading another notebook: so what it
+    remembers of earlier notebooks leaves enough memory for each one. A request that takes more `seconds` of
+    processor time ends it.
     """
     notebook = None
     while header := requests.readline():
@@ -345,12 +348,16 @@ def serve(requests, replies, most_memory):
         if kind == b"read" and _memory_in_use() > most_memory:
             return
         body = requests.read(int(length))
+        signal.setitimer(signal.ITIMER_PROF, seconds)  # nobody handles its signal, which ends the process
         try:
             if kind == b"read":
                 notebook = read_notebook(body)
                 reply = {"notebook": notebook}
-            else:
+            elif kind == b"compose":
                 reply = {"answers": compose_answers(notebook["cells"], json.loads(body))}
+            else:
+                os.setpriority(os.PRIO_PROCESS, 0, 5)  # grading is waited for, and this is not
+                reply = fingerprints.fingerprints(json.loads(body))
         except UnreadableError as error:
             reply = {"reason": str(error)}
         except (MemoryError, RecursionError):
@@ -373,4 +380,4 @@ if __name__ == "__main__":
     resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
     if sys.platform.startswith("linux"):
         ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)  # end with the process that started this
-    serve(sys.stdin.buffer, sys.stdout.buffer, memory // 4)
+    serve(sys.stdin.buffer, sys.stdout.buffer, memory // 4, float(sys.argv[2]))
