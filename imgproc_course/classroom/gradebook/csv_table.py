@@ -2,6 +2,7 @@
 
 import csv
 import io
+import unicodedata
 from dataclasses import dataclass
 from pathlib import Path
 
@@ -27,6 +28,11 @@ class CsvTable:
     rows: list
     delimiter: str
     byte_order_mark: str
+
+    def record(self, row):
+        """{column, in small letters: cell, without spaces around it} of a row."""
+        cells = (unicodedata.normalize("NFC", cell.strip()) for cell in row)
+        return dict(zip(map(str.casefold, self.columns), cells, strict=False))
 
 
 def read_csv(path):

@@ -73,15 +73,15 @@ def _decision_texts(lesson):
             yield f"{name or 'the lesson'}: {', '.join(filter(None, cells))}"
 
 
-def platform_points(lesson):
+def platform_points(lesson, platform=""):
     """A lesson's points as a platform takes them, whose maximum does not change if an exercise is excused.
 
-    None if the whole lesson is excused.
+    Of a lesson that is excused as a whole "EX", which Canvas writes, or "".
     """
     decided = [exercise for exercise in lesson["exercises"] if exercise["decision"]]
     excused = [exercise for exercise in decided if exercise["decision"]["excused"]]
     if (lesson["decision"] and lesson["decision"]["excused"]) or (excused and not lesson["max_points"]):
-        return None
+        return "EX" if platform == "canvas" else ""
     excused_cases = [case for exercise in excused for case in exercise["cases"]]
     maximum = lesson["max_points"] + sum(case["max_points"] for case in excused_cases)
     return plain_number(lesson["points"] * maximum / lesson["max_points"]) if excused else lesson["points"]
@@ -121,14 +121,8 @@ def _moodle_rows(grades, name):
     for learner in grades["learners"]:
         for lesson in learner["lessons"]:
             if lesson["lesson"] == name and lesson["platform"] == "moodle":
-                points = platform_points(lesson)
-                yield (
-                    f"Participant {lesson['platform_id']}",
-                    learner["name"],
-                    "" if points is None else points,
-                    "",
-                    _comment(lesson),
-                )
+                number = f"Participant {lesson['platform_id']}"
+                yield number, learner["name"], platform_points(lesson), "", _comment(lesson)
 
 
 def _comment(lesson):
@@ -148,17 +142,10 @@ def _canvas(learners, lessons):
     maxima = (lesson["max_points"] for lesson in lessons.values())
     rows = [("    Points Possible", "", "", "", "", *maxima)]
     for learner in learners:
-        points = {lesson["lesson"]: platform_points(lesson) for lesson in learner["lessons"]}
+        points = {lesson["lesson"]: platform_points(lesson, "canvas") for lesson in learner["lessons"]}
         number = int(_lesson_from(learner, "canvas")["platform_id"])
-        rows.append((learner["name"], number, "", "", "", *(_canvas_cell(points, name) for name in lessons)))
+        rows.append((learner["name"], number, "", "", "", *(points.get(name, "") for name in lessons)))
     return _text(columns, rows)
-
-
-def _canvas_cell(points, name):
-    """Canvas writes EX for an excused assignment."""
-    if name not in points:
-        return ""
-    return "EX" if points[name] is None else points[name]
 
 
 def _nbgrader(grades, lessons):

@@ -15,8 +15,8 @@ from pathlib import Path
 from imgproc_course.classroom.authoring.lesson_names import lesson_name, lessons_named
 from imgproc_course.classroom.gradebook.csv_table import CsvTable, TableError, csv_text, read_csv
 from imgproc_course.classroom.gradebook.lms_export import lessons_of, platform_points
+from imgproc_course.classroom.gradebook.roster import identities_of, number_of
 
-_IDENTITIES = {"SIS Login ID", "SIS User ID", "Integration ID", "Email address", "ID number", "Username"}
 _WITH_NUMBER = re.compile(r"(.+?) \(\d+\)", re.S)
 
 
@@ -25,11 +25,6 @@ class PlatformTable(CsvTable):
     """A table that a platform exported: "canvas" or "moodle"."""
 
     platform: str
-
-    @property
-    def number_column(self):
-        """The index of the column that holds the platform's number of a learner."""
-        return self.columns.index("ID" if self.platform == "canvas" else "Identifier")
 
 
 def read_tables(paths):
@@ -70,16 +65,14 @@ def fill_table(table, grades):
     columns = _lesson_columns(table, grades)
     rows, filled, matched = [list(row) for _, row in table.rows], 0, set()
     for row in rows:
-        learner = _learner(table, row, grades["learners"])
+        learner = _learner(table.record(row), grades["learners"])
         if learner is None:
             continue
         matched.add(learner["name"])
         for column, lesson in columns.items():
             graded = _graded_lesson(learner, lesson)
-            points = platform_points(graded) if graded else None
-            if points is None and graded and table.platform == "canvas":
-                points = "EX"  # how Canvas writes that an assignment is excused
-            if points is not None and column < len(row):
+            points = platform_points(graded, table.platform) if graded else ""
+            if points != "" and column < len(row):
                 row[column] = str(points)
                 filled += 1
     lines = [f"{table.path.name}: {filled} points filled in."]
@@ -125,20 +118,12 @@ def _lesson_of_worksheet(table, grades, lessons):
     )
 
 
-def _learner(table, row, learners):
-    """The learner whose row it is, or None."""
-    cell = row[table.number_column] if table.number_column < len(row) else ""
-    number = re.search(r"(?<!\d)\d+$", cell.strip())
-    if number:
-        for learner in learners:
-            for lesson in learner["lessons"]:
-                if (lesson["platform"], lesson["platform_id"]) == (table.platform, number[0]):
-                    return learner
-    identities = {
-        value.strip().casefold()
-        for column, value in zip(table.columns, row, strict=False)
-        if column in _IDENTITIES and value.strip()
-    }
+def _learner(row, learners):
+    """The learner whose row it is, {column: cell}, or None."""
+    number, identities = number_of(row), set(map(str.casefold, identities_of(row)))
+    for learner in learners:
+        if number in {(lesson["platform"], lesson["platform_id"]) for lesson in learner["lessons"]}:
+            return learner
     candidates = [learner for learner in learners if learner["name"].casefold() in identities]
     return candidates[0] if len(candidates) == 1 else None
 
@@ -171,14 +156,13 @@ def _different_points(table, columns, grades):
 
 
 def _maximum_points(table, column):
+    cells = []
     if table.platform == "canvas":
         cells = [row[column] for _, row in table.rows if column < len(row) and "Points Possible" in row[0]]
     elif "Maximum grade" in table.columns:
         position = table.columns.index("Maximum grade")
         cells = [row[position] for _, row in table.rows if position < len(row)]
-    else:
-        cells = []
     try:
-        return float(cells[0].replace(",", ".")) if cells else None
-    except ValueError:
+        return float(cells[0].replace(",", "."))
+    except (ValueError, IndexError):
         return None

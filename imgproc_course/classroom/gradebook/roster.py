@@ -17,17 +17,10 @@ from imgproc_course.classroom.gradebook.csv_table import TableError, read_csv
 _FULL_NAME = ("student", "full name", "name", "learner", "student name")
 _FIRST_NAME = ("first name", "firstname")
 _LAST_NAME = ("last name", "lastname", "surname")
-_IDENTITIES = (
-    "email address",
-    "email",
-    "e-mail",
-    "username",
-    "id number",
-    "sis login id",
-    "sis user id",
-    "login",
-)
+_IDENTITIES = ("email address", "email", "e-mail", "username", "id number")
+_IDENTITIES += ("sis login id", "sis user id", "integration id", "login")
 _NUMBERS = {"id": "canvas", "identifier": "moodle"}
+_NUMBER = re.compile(r"(?<!\d)\d+$")
 _CLASS_LIST_NUMBER = re.compile(r"\d+[ _.-]+(?=\S)")  # 01_ada
 _NO_PEOPLE = ("", "student, test", "points possible")
 
@@ -60,29 +53,37 @@ class RosterEntry:
 def read_roster(path):
     """Read a roster, as a list of RosterEntry; TableError: it cannot be read, or no column names people."""
     table = read_csv(path)
-    columns = [column.casefold() for column in table.columns]
-    known_columns = (*_FULL_NAME, *_FIRST_NAME, *_LAST_NAME, *_IDENTITIES)
-    if not set(columns) & set(known_columns):
+    columns = table.record(table.columns)
+    if not columns.keys() & {*_FULL_NAME, *_FIRST_NAME, *_LAST_NAME, *_IDENTITIES}:
         shown_columns = sanitize_line(", ".join(columns), 200) or "nothing"
         raise TableError(
             f"{path}: its columns are {shown_columns}; expected one that"
             " names people: Student (Canvas), Full name, or First name and Last name (Moodle), name, email"
         )
-    entries = [_entry(dict(zip(columns, map(str.strip, row), strict=False))) for _, row in table.rows]
+    entries = (_entry(table.record(row)) for _, row in table.rows)
     return [entry for entry in entries if entry is not None]
 
 
 def _entry(row):
     """The RosterEntry of {column: cell}; None if the row is no person's."""
     full, *other_forms = _forms_of_name(row)
-    identities = [row[column] for column in _IDENTITIES if row.get(column)]
+    identities = identities_of(row)
     if full.casefold() in _NO_PEOPLE and not (full == "" and identities):
         return None
     identities += [text.partition("@")[0] for text in identities if "@" in text]
     names = tuple(dict.fromkeys(filter(None, (full, *other_forms, *identities))))
-    numbers = ((_NUMBERS[column], re.search(r"(?<!\d)\d+$", row.get(column, ""))) for column in _NUMBERS)
-    number = next(((platform, match[0]) for platform, match in numbers if match), None)
-    return RosterEntry(sanitize_line(full or identities[0], 120), names, number)
+    return RosterEntry(sanitize_line(full or identities[0], 120), names, number_of(row))
+
+
+def identities_of(row):
+    """The logins, addresses and numbers of {column: cell} that are one person's."""
+    return [row[column] for column in _IDENTITIES if row.get(column)]
+
+
+def number_of(row):
+    """(platform, the platform's number of a person) in {column: cell}, or None."""
+    numbers = ((platform, _NUMBER.search(row.get(column, ""))) for column, platform in _NUMBERS.items())
+    return next(((platform, match[0]) for platform, match in numbers if match), None)
 
 
 def _forms_of_name(row):
@@ -131,10 +132,9 @@ def _learners_in(roster, learners):
 
 def _certainty(entry, learner):
     """How certainly a learner is the person of an entry; sorts from the least to the most certain."""
-    files = [submission.file for submission in learner.all_submissions()]
+    files = (submission.file for submission in learner.all_submissions())
     has_number = entry.number in {(file.platform, file.platform_id) for file in files}
-    name = unicodedata.normalize("NFC", learner.name).casefold()
-    return has_number, name in {unicodedata.normalize("NFC", own).casefold() for own in entry.names}
+    return has_number, learner.name.casefold() in map(str.casefold, entry.names)
 
 
 def names_in_roster(roster, learners):

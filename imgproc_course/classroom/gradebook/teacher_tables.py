@@ -5,7 +5,6 @@ with # is a comment.
 """
 
 import difflib
-import unicodedata
 from dataclasses import dataclass
 from datetime import datetime
 
@@ -109,30 +108,27 @@ def _unknown(learner, names):
 def _rows(path, columns, required):
     """({column: cell}, "file, row 3") of each row that is not empty and no comment."""
     table = read_csv(path)
-    header = _header(table, columns, required) if table.columns else ()
+    if table.columns:
+        _require_columns(table, columns, required)
     for number, cells in table.rows:
         if is_comment(cells):
             continue
-        cells = [unicodedata.normalize("NFC", cell.strip()) for cell in cells]
-        place = f"{path}, row {number}"
-        if any(cells[len(header) :]):
-            text = f"{len(cells)} cells, expected {len(header)}; put a text with commas in quotes"
+        place, expected = f"{path}, row {number}", len(table.columns)
+        if any(map(str.strip, cells[expected:])):
+            text = f"{len(cells)} cells, expected {expected}; put a text with commas in quotes"
             raise TableError(f"{place}: {text}")
-        row = dict.fromkeys(columns, "") | dict(zip(header, cells, strict=False))
+        row = dict.fromkeys(columns, "") | table.record(cells)
         missing = [name for name in required if name != "points" and not row[name]]
         if missing:
             raise TableError(f"{place}: the cell {missing[0]} is empty")
         yield row, place
 
 
-def _header(table, columns, required):
-    header = [column.casefold() for column in table.columns]
-    unknown = [name for name in header if name and name not in columns]
-    missing = [name for name in required if name not in header]
-    if unknown or missing:
+def _require_columns(table, columns, required):
+    header = table.record(table.columns).keys() - {""}
+    if not set(required) <= header <= set(columns):
         listed = sanitize_line(", ".join(table.columns), 100)
         raise TableError(f"{table.path}: its columns are {listed}; expected {', '.join(columns)}")
-    return header
 
 
 def _lesson(text, answer_keys, place):
