@@ -192,26 +192,11 @@ def run_answers(lesson_check):
     lesson_check.was_run = True
     for entry in lesson_check.exercises:
         if entry.state is AnswerState.ANSWERED:
-            _run_answer(entry)
+            # As in JupyterLab and in grading, an event loop is running: asyncio.run() raises there.
+            asyncio.run(_run_answer(entry))
 
 
-def _run_answer(entry):
-    if "async" not in entry.source:
-        _run_and_check(entry)
-        return
-    # As in JupyterLab and in grading, an event loop is running: asyncio.run() raises there.
-    loop = asyncio.new_event_loop()
-    try:
-        loop.run_until_complete(_run_in_loop(entry))
-    finally:
-        loop.close()
-
-
-async def _run_in_loop(entry):
-    _run_and_check(entry)
-
-
-def _run_and_check(entry):
+async def _run_answer(entry):
     names, error = entry.exercise.run_answer(entry.source)
     function = names.get(entry.exercise.function)
     if not callable(function):

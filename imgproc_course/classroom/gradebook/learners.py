@@ -71,6 +71,12 @@ class Learner:
         return [*self.submissions.values(), *earlier, *self.unidentified]
 
     @property
+    def digests(self):
+        """{lesson: answers_digest} of the submissions that count and can be graded."""
+        submissions = self.submissions.items()
+        return {name: one.answers_digest for name, one in submissions if one.answers_digest}
+
+    @property
     def page(self):
         """The file name of the learner's page: safe on every system, and unique through a digest."""
         slug = re.sub(r"[^a-z0-9]+", "-", self.name.lower()).strip("-")[:40] or "learner"

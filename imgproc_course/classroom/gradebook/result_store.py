@@ -136,12 +136,12 @@ def _graded_exercises(answer_keys):
 def _digests(learners, name=None, lesson=None):
     """The digests of all answers; of one learner, or else of one lesson."""
     digests = {
-        submission.answers_digest
+        digest
         for learner in learners
-        for submission in learner.submissions.values()
-        if (learner.name == name if name else lesson in (None, submission.lesson))
+        for graded_lesson, digest in learner.digests.items()
+        if (learner.name == name if name else lesson in (None, graded_lesson))
     }
-    return sorted(digests - {""})
+    return sorted(digests)
 
 
 def grade_missing(

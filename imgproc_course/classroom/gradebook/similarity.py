@@ -77,9 +77,8 @@ def compare(learners, answer_keys, store):
     """
     by_digest = {}
     for learner in learners:
-        for lesson, submission in learner.submissions.items():
-            if submission.answers_digest:
-                by_digest.setdefault((lesson, submission.answers_digest), []).append(learner.name)
+        for place in learner.digests.items():
+            by_digest.setdefault(place, []).append(learner.name)
     places = sorted(by_digest)
     answers = [store.answers(digest)[2] for _, digest in places]
     lessons = sorted({lesson for lesson, _ in places})
@@ -183,12 +182,10 @@ def report_copies(entries, learners, copies):
     text = "it equals the course's solution, whatever the names; the solutions are public: a reason to ask"
     for entry, learner in zip(entries, learners, strict=True):
         for lesson in entry["lessons"]:
-            submission = learner.submissions.get(lesson["lesson"])
-            copied = copies.get(submission.answers_digest, ()) if submission else ()
+            copied = copies.get(learner.digests.get(lesson["lesson"]), ())
             graded = {exercise["id"] for exercise in lesson["exercises"]}
-            for id in copied:
-                if id in graded:
-                    lesson["findings"].append({"kind": "odd", "exercise": id, "text": text})
+            found = [{"kind": "odd", "exercise": id, "text": text} for id in copied if id in graded]
+            lesson["findings"] += found
     return entries
 
 
@@ -205,27 +202,8 @@ def similarity_page(groups, names):
 
     `names` are {learner's name: the name to show}.
     """
-    views = []
-    for group in groups:
-        exercises = [
-            {
-                "id": id,
-                "versions": [
-                    {
-                        "learners": [names[name] for name in version.learners],
-                        "source": _marked(version.source, version.lines),
-                    }
-                    for version in versions[:MOST_VERSIONS]
-                ],
-                "others": [names[n] for version in versions[MOST_VERSIONS:] for n in version.learners],
-            }
-            for id, versions in group.versions.items()
-        ]
-        learners = [names[name] for name in group.learners]
-        is_same = all(len(versions) == 1 for versions in group.versions.values())
-        view = {"lesson": group.lesson, "percent": round(100 * group.share), "is_same": is_same}
-        views.append(view | {"learners": learners, "exercises": exercises})
-    return render_page("similar.html", groups=views) if views else ""
+    content = {"groups": groups, "names": names, "marked": _marked, "most": MOST_VERSIONS}
+    return render_page("similar.html", **content) if groups else ""
 
 
 def _marked(source, similar):

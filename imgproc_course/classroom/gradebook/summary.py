@@ -4,6 +4,8 @@ import statistics
 from collections import Counter
 from pathlib import PurePosixPath
 
+import numpy as np
+
 from imgproc_course.classroom.autograder.outcomes import CELL_FAILS, TEXTS, Outcome
 from imgproc_course.classroom.autograder.sanitize import spreadsheet_text
 from imgproc_course.classroom.gradebook.csv_table import csv_text
@@ -196,14 +198,15 @@ def _mean_and_median(entries):
 
 def _histogram(percentages):
     """[{low, high, count, height}] of ten bins; the last one includes 100."""
-    counts = [0] * _BIN_COUNT
-    for percentage in percentages:
-        counts[min(int(percentage * _BIN_COUNT / 100), _BIN_COUNT - 1)] += 1
-    highest = max(counts) or 1
-    width = 100 // _BIN_COUNT
+    counts, edges = np.histogram(percentages, _BIN_COUNT, (0, 100))
     return [
-        {"low": k * width, "high": (k + 1) * width, "count": count, "height": round(100 * count / highest)}
-        for k, count in enumerate(counts)
+        {
+            "low": int(low),
+            "high": int(high),
+            "count": int(count),
+            "height": round(100 * count / max(1, *counts)),
+        }
+        for low, high, count in zip(edges, edges[1:], counts, strict=False)
     ]
 
 
