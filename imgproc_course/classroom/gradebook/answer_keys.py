@@ -31,17 +31,10 @@ class AnswerKeys:
         candidates = [key for key in self.keys if lesson in key.lessons]
         return next((key for key in candidates if key.lessons[lesson].version == version), candidates[0])
 
-    def answer_ids(self, lesson):
-        """The ids of a lesson's answer cells, in any version, as a set."""
-        return {f"answer-{exercise.id}" for exercise in self._exercises(lesson)}
-
     def functions(self, lesson):
-        """The names of the functions that a lesson asks for, in any version, as a set."""
-        return {exercise.function for exercise in self._exercises(lesson)}
-
-    def _exercises(self, lesson):
+        """{(id of an exercise, the function that it asks for)} of a lesson, in any version."""
         versions = [key.lessons[lesson] for key in self.keys if lesson in key.lessons]
-        return [exercise for version in versions for exercise in version.exercises]
+        return {(exercise.id, exercise.function) for version in versions for exercise in version.exercises}
 
     def describe(self, lesson, version):
         """The LessonDescription of a lesson, from the key for this version."""

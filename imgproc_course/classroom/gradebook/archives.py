@@ -50,7 +50,7 @@ def too_large(size, largest):
     )
 
 
-def open_collected(path, device, inode, largest):
+def _open_collected(path, device, inode, largest):
     """Open a collected file for reading bytes; CollectError if another file has taken its place."""
     try:
         descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
@@ -67,7 +67,16 @@ def open_collected(path, device, inode, largest):
     return file
 
 
-def read_bounded(file):
+def read_collected(path, device, inode):
+    """The bytes of a collected notebook; CollectError if it cannot be read."""
+    with _open_collected(path, device, inode, LARGEST) as file:
+        try:
+            return _read_bounded(file)
+        except OSError as error:
+            raise CollectError(f"it cannot be read ({error.strerror})") from error
+
+
+def _read_bounded(file):
     """The bytes of a file; CollectError if they are more than the largest notebook may have."""
     data = file.read(LARGEST + 1)
     if len(data) > LARGEST:
@@ -96,7 +105,7 @@ class Archives:
         """The members of the zip at a path, device and inode, without its folders."""
         if self._location != location:
             self.close()
-            self._file = _ContentsReader(open_collected(*location, LARGEST_ZIP).detach())
+            self._file = _ContentsReader(_open_collected(*location, LARGEST_ZIP).detach())
             try:
                 self._archive = zipfile.ZipFile(self._file)
             except (*_ERRORS, NotImplementedError) as error:
@@ -113,7 +122,7 @@ class Archives:
         try:
             member = self.members(*location)[number]
             with self._archive.open(member) as file:
-                return read_bounded(file)
+                return _read_bounded(file)
         except _ERRORS as error:
             if isinstance(error, CollectError):
                 raise
@@ -136,10 +145,14 @@ def _require_bounded(members):
         raise CollectError(f"the zip holds {size // 1_000_000} MB; at most {megabytes} are read")
 
 
+def member_parts(member):
+    """The parts of the name of a member, whatever system wrote it."""
+    return PurePosixPath(member.filename.replace("\\", "/")).parts
+
+
 def member_problem(member):
     """Why a member of a zip is not read, or ""."""
-    name = member.filename
-    parts = PurePosixPath(name.replace("\\", "/")).parts
+    name, parts = member.filename, member_parts(member)
     if parts and PurePosixPath(parts[-1].lower()).suffix == ".zip":
         return "it is a zip in a zip; submit the notebook itself"
     if name.startswith(("/", "\\")) or ".." in parts or re.match(r"[A-Za-z]:", name):

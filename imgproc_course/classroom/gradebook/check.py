@@ -103,13 +103,9 @@ class CheckFileCatalog:
             else:
                 self.lessons.setdefault(file.lesson, file)
 
-    def answer_ids(self, lesson):
-        """The ids of a lesson's answer cells, as a set."""
-        return {f"answer-{id}" for id in self.lessons[lesson].ids}
-
     def functions(self, lesson):
-        """The names of the functions that a lesson asks for, as a set."""
-        return {entry.get("function", "") for entry in self.lessons[lesson].entries.values()}
+        """{(id of an exercise, the function that it asks for)} of a lesson."""
+        return {(id, entry.get("function", "")) for id, entry in self.lessons[lesson].entries.items()}
 
     def describe(self, lesson, _version):
         """The LessonDescription of a lesson, in the version that its checks were built with."""

@@ -155,10 +155,12 @@ def _recognize(notebook, cells, catalog, name, content):
     marks = {cell["id"] for cell in cells} | {f"answer-{cell['exercise']}" for cell in cells}
     metadata_lesson = lesson_name(notebook["lesson"] or "")
     claim = metadata_lesson if metadata_lesson in catalog.lessons else None
-    if claim and marks & catalog.answer_ids(claim):
+    asked = {lesson: catalog.functions(lesson) for lesson in catalog.lessons}
+    marked = {lesson: [id for id, _ in asked[lesson] if f"answer-{id}" in marks] for lesson in asked}
+    if claim and marked[claim]:
         return claim
     named_lesson = None if metadata_lesson else lesson_by_name(name, catalog.lessons)
-    by_marks = _most({lesson: marks & catalog.answer_ids(lesson) for lesson in catalog.lessons})
+    by_marks = _most(marked)
     if by_marks:
         if (claim or named_lesson) not in (None, by_marks):
             says = "it says" if claim else "its name says"
@@ -167,14 +169,16 @@ def _recognize(notebook, cells, catalog, name, content):
         return by_marks
     if claim or metadata_lesson:
         return claim
-    return _recognize_unmarked(
-        named_lesson, {name for cell in cells for name in cell["functions"]}, catalog, content
-    )
+    functions = {name for cell in cells for name in cell["functions"]}
+    common = {lesson: functions & {function for _, function in asked[lesson]} for lesson in asked}
+    return _recognize_unmarked(named_lesson, common, content)
 
 
-def _recognize_unmarked(named, functions, catalog, content):
-    """The lesson of a notebook without any mark: by the file's name first, then by its functions."""
-    common = {lesson: functions & catalog.functions(lesson) for lesson in catalog.lessons}
+def _recognize_unmarked(named, common, content):
+    """The lesson of a notebook without any mark: by the file's name first, then by its functions.
+
+    `common` are {lesson: the functions that it asks for and the notebook has}.
+    """
     by_functions = _most(common)
     if named is None and by_functions:
         content.add(f"it was recognized as {by_functions} by its functions: {_listed(common[by_functions])}")

@@ -194,16 +194,17 @@ def _may_define(content, source):
     return source is not None and len(source) <= MOST_CHARACTERS and bool(_CODE_BEGINS.search(source))
 
 
+def _cached_if_short(function):
+    """A function of a source that remembers the short ones: most cells are in every notebook."""
+    cached = lru_cache(maxsize=2_000)(function)
+    return lambda source: (cached if len(source) <= cell_syntax.MOST_CACHED else function)(source)
+
+
+_plain_python = _cached_if_short(cell_syntax.plain_python)
+
+
+@_cached_if_short
 def _functions(source):
-    return _cached_functions(source) if len(source) <= cell_syntax.MOST_CACHED else _find_functions(source)
-
-
-@lru_cache(maxsize=2_000)
-def _cached_functions(source):
-    return _find_functions(source)
-
-
-def _find_functions(source):
     functions = cell_syntax.function_definitions(cell_syntax.plain_python(source))
     return {name[:_MOST_NAME]: digest for name, digest in list(functions.items())[:_MOST_FUNCTIONS]}
 
@@ -321,14 +322,7 @@ def _source_to_search(cell):
     if cell is None or not (cell["type"] == "code" or cell["functions"]):
         return None
     source = cell["source"] or ""
-    if 0 < len(source) <= cell_syntax.MOST_CACHED:
-        return _cached_plain_python(source)
-    return cell_syntax.plain_python(source) if 0 < len(source) <= MOST_CHARACTERS else None
-
-
-@lru_cache(maxsize=2_000)
-def _cached_plain_python(source):
-    return cell_syntax.plain_python(source)
+    return _plain_python(source) if 0 < len(source) <= MOST_CHARACTERS else None
 
 
 def serve(requests, replies, most_memory, seconds):
