@@ -10,6 +10,7 @@ import re
 import stat
 import zipfile
 import zlib
+from contextlib import ExitStack
 from datetime import datetime
 from pathlib import PurePosixPath
 
@@ -99,22 +100,23 @@ class Archives:
     """Keeps the last zip open: its members are read one after another."""
 
     def __init__(self):
-        self._location, self._archive, self._file, self._members = None, None, None, []
+        self._opened, self._location, self._archive, self._members = ExitStack(), None, None, []
 
     def members(self, *location):
         """The members of the zip at a path, device and inode, without its folders."""
         if self._location != location:
             self.close()
-            self._file = _ContentsReader(_open_collected(*location, LARGEST_ZIP).detach())
+            opened = _open_collected(*location, LARGEST_ZIP)
+            file = self._opened.enter_context(_ContentsReader(opened.detach()))
             try:
-                self._archive = zipfile.ZipFile(self._file)
+                self._archive = self._opened.enter_context(zipfile.ZipFile(file))
             except (*_ERRORS, NotImplementedError) as error:
                 self.close()
                 raise CollectError(f"the zip cannot be read ({sanitize_line(str(error), 100)})") from error
             # Not is_dir(): in Python 3.11 it fails for a member without a name.
             members = [member for member in self._archive.infolist() if not member.filename.endswith("/")]
             _require_bounded(members)
-            self._file.limited, self._location, self._members = False, location, members
+            file.limited, self._location, self._members = False, location, members
         return self._members
 
     def read(self, location, number):
@@ -130,10 +132,8 @@ class Archives:
 
     def close(self):
         """Close the zip that is open, if any."""
-        for opened in (self._archive, self._file):
-            if opened is not None:
-                opened.close()
-        self._location, self._archive, self._file = None, None, None
+        self._opened.close()
+        self._location = None
 
 
 def _require_bounded(members):

@@ -20,11 +20,7 @@ from imgproc_course.classroom.exercises.error_advice import advice_on
 from imgproc_course.classroom.exercises.feedback import explain_call
 from imgproc_course.classroom.gradebook.archives import LARGEST, too_large
 from imgproc_course.classroom.gradebook.notebook_reader import NotebookReader
-from imgproc_course.classroom.gradebook.submission import (
-    AnswerState,
-    SubmissionContent,
-    read_submission,
-)
+from imgproc_course.classroom.gradebook.submission import AnswerState, SubmissionContent, read_submission
 
 _ADVICE = {
     AnswerState.MISSING: "Open the lesson afresh and copy your function into this cell.",
@@ -69,11 +65,6 @@ class LessonCheck:
     was_run: bool = False
 
     @property
-    def notes(self):
-        """What is unusual about the whole notebook, as a list of str."""
-        return self.content.texts_about("")
-
-    @property
     def ready(self):
         """True if grading finds an answer to every graded exercise."""
         graded = (entry for entry in self.exercises if not entry.exercise.practice)
@@ -81,16 +72,10 @@ class LessonCheck:
 
 
 class CheckFileCatalog:
-    """The lessons that the checks files of some folders describe.
+    """The lessons that the checks files of some folders describe; the first folder that has one describes it.
 
-    Parameters
-    ----------
-    folders : list of Path; the first folder that has a lesson describes it
-
-    Attributes
-    ----------
-    lessons : {name: CheckFile}
-    damage  : list of CheckFileError, of the files that cannot be read
+    lessons  {name: CheckFile}
+    damage   list of CheckFileError, of the files that cannot be read
     """
 
     def __init__(self, folders):
@@ -113,21 +98,10 @@ class CheckFileCatalog:
 
 
 def check_lesson(path, folders=None):
-    """Inspect a learner's notebook, without running anything in it.
+    """Inspect a learner's notebook, without running anything in it; a LessonCheck.
 
-    Parameters
-    ----------
-    path : Path of the notebook
-    folders : list of Path of checks; those beside the notebook and the course's if omitted
-
-    Returns
-    -------
-    LessonCheck
-
-    Raises
-    ------
-    LessonFileError : no such file, not a notebook, or not a lesson of this course
-    CheckFileError : the checks of the lesson are missing or damaged
+    `folders` are those of checks, if not the one beside the notebook and the course's. LessonFileError: no
+    such file, no notebook, or no lesson of this course; CheckFileError: its checks are missing or damaged.
     """
     path = Path(path)
     data = _read(path)
@@ -179,12 +153,7 @@ def _read(path):
 
 
 def run_answers(lesson_check):
-    """Run each answer against its public checks, in a namespace of its own as in grading.
-
-    Parameters
-    ----------
-    lesson_check : LessonCheck; each exercise with an answer gets its `result`
-    """
+    """Run each answer against its public checks, in a namespace of its own as in grading; sets `result`."""
     lesson_check.was_run = True
     for entry in lesson_check.exercises:
         if entry.state is AnswerState.ANSWERED:
@@ -225,18 +194,9 @@ async def _run_answer(entry):
 
 
 def report_lines(lesson_check):
-    """The report of a checked lesson, as lines for a terminal.
-
-    Parameters
-    ----------
-    lesson_check : LessonCheck
-
-    Yields
-    ------
-    str
-    """
+    """The report of a LessonCheck, line by line for a terminal."""
     yield f"{lesson_check.path.name}: {lesson_check.content.lesson}"
-    yield from (f"  note: {note}" for note in lesson_check.notes)
+    yield from (f"  note: {note}" for note in lesson_check.content.texts_about(""))
     for entry in lesson_check.exercises:
         practice = " (practice)" if entry.exercise.practice else ""
         yield f"  {entry.exercise.id}{practice}: {_summary(entry)}"

@@ -28,8 +28,7 @@ from imgproc_course.classroom.gradebook.result_store import (
 )
 from imgproc_course.classroom.gradebook.roster import read_roster, roster_report
 from imgproc_course.classroom.gradebook.similarity import compare, report_copies, similar_entries
-from imgproc_course.classroom.gradebook.teacher_rules import TeacherRules
-from imgproc_course.classroom.gradebook.teacher_tables import DECISIONS_TEMPLATE
+from imgproc_course.classroom.gradebook.teacher_tables import DECISIONS_TEMPLATE, TeacherRules
 
 _MAX_LINES = 12  # of a run's summary, before the last lines
 
@@ -61,33 +60,16 @@ def grade_submissions(
     quiet=None,
     **options,
 ):
-    """Grade submissions, and write the folder of grades.
+    """Grade submissions, and write the folder of grades; returns a GradingSummary.
 
-    Parameters
-    ----------
-    submissions : Path of a folder, a zip or a notebook
-    keys : sequence of Path
-    out : Path of the folder of grades
-    deadline : datetime, local, or None
-    late : str, what lateness costs, as `read_late_policy` reads it, or None
-    extensions : Path of a table with other deadlines of learners, or None
-    decisions : Path of the table of the teacher's decisions; None: out/decisions.csv, made if it is missing
-    regrade : sequence of str, learners, lessons and exercises that are graded again
-    anonymous : bool, pages show an id instead of the learner's name
-    fresh : bool, grade again what was graded before
-    scheduler : str, address of a Dask scheduler, or None
-    platform_tables : sequence of Path, tables that platforms exported, to be filled with points
-    roster : Path of a table of all learners, or None
-    quiet : True for no progress bars; None: no progress bars if stderr is no terminal
-    options : unsafe, workers, limits, as `autograde` takes them
+    The options are those of the command `grade`; in addition:
 
-    Returns
-    -------
-    GradingSummary
+    deadline  a local datetime
+    quiet     True for no progress bars; None: none if stderr is no terminal
+    options   unsafe, workers, limits, executor, as `autograde` takes them
 
-    Raises
-    ------
-    CollectError, KeyFolderError, SandboxError, GradesFolderError, ValueError : one line with the remedy
+    CollectError, KeyFolderError, SandboxError, GradesFolderError and other ValueErrors are one line with the
+    remedy.
     """
     out, submissions = Path(out), Path(submissions)
     answer_keys = load_keys(keys)

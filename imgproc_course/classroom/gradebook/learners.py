@@ -1,7 +1,6 @@
 """Learners and their submissions: who submitted which lesson, and which of several submissions counts."""
 
 import hashlib
-import json
 import re
 import time
 from collections import Counter
@@ -148,13 +147,30 @@ class _SubmissionReader:
 
 def _learners(submissions):
     names = _display_names(submissions)
-    learners = {}
+    learners, by_lesson = {}, {}
     for submission in sorted(submissions, key=lambda submission: submission.file.order):
-        name = names[id(submission)]
-        _add(learners.setdefault(name, Learner(name)), submission)
-    for learner in learners.values():
-        _report_repeated(learner)
+        name, lesson = names[id(submission)], submission.lesson
+        learner = learners.setdefault(name, Learner(name))
+        if lesson is not None:
+            by_lesson.setdefault((name, lesson), []).append(submission)
+        elif not submission.content.is_page:
+            learner.unidentified.append(submission)
+    for (name, lesson), several in by_lesson.items():
+        _choose(learners[name], lesson, several)
     return [learners[name] for name in sorted(learners, key=lambda name: (name.casefold(), name))]
+
+
+def _choose(learner, lesson, submissions):
+    """The latest of a lesson's submissions counts, unless an earlier one has a better claim (see `_rank`)."""
+    counting = max(reversed(submissions), key=_rank)
+    learner.submissions[lesson] = counting
+    earlier = [submission for submission in submissions if submission is not counting]
+    if earlier:
+        learner.earlier[lesson] = earlier
+    # What is less certainly theirs, they need not have submitted.
+    count = 1 + sum(other.file.certainty >= counting.file.certainty for other in earlier)
+    if count > 1:
+        counting.content.add(f"submitted {count} times; this one counts: {counting.file.source}")
 
 
 def _display_names(submissions):
@@ -200,36 +216,9 @@ def _is_contested(submission, certain):
     return is_chosen and certain[file.learner, lesson].certainty is Certainty.OWN
 
 
-def _add(learner, submission):
-    """A later submission replaces an earlier one, unless the earlier one has a better claim (see `_rank`)."""
-    lesson = submission.lesson
-    if submission.content.is_page:
-        return
-    if lesson is None:
-        learner.unidentified.append(submission)
-        return
-    before = learner.submissions.get(lesson)
-    if before is None:
-        learner.submissions[lesson] = submission
-        return
-    before_counts = _rank(before) > _rank(submission)
-    learner.submissions[lesson] = before if before_counts else submission
-    learner.earlier.setdefault(lesson, []).append(submission if before_counts else before)
-
-
 def _rank(submission):
     """First the most certain sender, then what can be read, then what has answers."""
     return submission.file.certainty, not submission.content.reason, submission.has_answers
-
-
-def _report_repeated(learner):
-    for lesson, earlier in learner.earlier.items():
-        submission = learner.submissions[lesson]
-        earlier.sort(key=lambda submission: submission.file.order)
-        # What is less certainly theirs, they need not have submitted.
-        count = 1 + sum(other.file.certainty >= submission.file.certainty for other in earlier)
-        if count > 1:
-            submission.content.add(f"submitted {count} times; this one counts: {submission.file.source}")
 
 
 def _replaced_by_name(submissions):
@@ -253,9 +242,3 @@ def unproven_dates(files, deadline):
     for group, count in counts.items():
         text = f"{count} of its files are in time only by the dates in this zip, which its maker can choose"
         yield IntakeFinding("date", "", group, text)
-
-
-def digest_of_answers(key, lesson, answers, conditions):
-    """Everything that a result depends on, as one SHA-256; `conditions` is what JSON can hold."""
-    text = json.dumps([key.digest, lesson, answers, conditions], sort_keys=True, ensure_ascii=True)
-    return hashlib.sha256(text.encode("ascii")).hexdigest()

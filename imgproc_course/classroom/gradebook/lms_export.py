@@ -156,13 +156,12 @@ def _nbgrader(grades, lessons):
     for name, lesson in lessons.items():
         maximum = float(lesson["max_points"])
         for learner in grades["learners"]:
-            submission = next((entry for entry in learner["lessons"] if entry["lesson"] == name), None)
-            score = float(platform_points(submission) or 0) if submission else 0.0
-            penalty = float(submission["late_deduction"]) if submission else 0.0
-            timestamp = ((submission["submitted_at"] or "") if submission else "").replace("T", " ")
-            rows.append(
-                (name, due, timestamp, learner["name"], "", "", "", score + penalty, penalty, score, maximum)
-            )
+            score, penalty, timestamp = 0.0, 0.0, ""
+            for entry in (entry for entry in learner["lessons"] if entry["lesson"] == name):
+                score, penalty = float(platform_points(entry) or 0), float(entry["late_deduction"])
+                timestamp = (entry["submitted_at"] or "").replace("T", " ")
+            about = (name, due, timestamp, learner["name"], "", "", "")
+            rows.append((*about, score + penalty, penalty, score, maximum))
     return _text(columns, rows)
 
 

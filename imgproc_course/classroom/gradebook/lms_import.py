@@ -63,26 +63,35 @@ def fill_table(table, grades):
     TableError: no column belongs to a lesson.
     """
     columns = _lesson_columns(table, grades)
-    rows, filled, matched = [list(row) for _, row in table.rows], 0, set()
+    rows, filled, without_row = [list(row) for _, row in table.rows], 0, _graded_lessons(grades)
+    graded = dict(without_row)
     for row in rows:
         learner = _learner(table.record(row), grades["learners"])
         if learner is None:
             continue
-        matched.add(learner["name"])
-        for column, lesson in columns.items():
-            graded = _graded_lesson(learner, lesson)
-            points = platform_points(graded, table.platform) if graded else ""
+        without_row.pop(learner["name"], None)
+        for column, name in columns.items():
+            lesson = graded[learner["name"]].get(name)
+            points = platform_points(lesson, table.platform) if lesson else ""
             if points != "" and column < len(row):
                 row[column] = str(points)
                 filled += 1
     lines = [f"{table.path.name}: {filled} points filled in."]
-    missing = _learners_without_row(grades, matched, set(columns.values()))
+    missing = [name for name, lessons in without_row.items() if lessons.keys() & set(columns.values())]
     if missing:
         names = ", ".join(missing[:5]) + (f" and {len(missing) - 5} more" if len(missing) > 5 else "")
         lines.append(f"  graded, but in no row of the table: {names}")
     lines += _different_points(table, columns, grades)
     text = csv_text([table.columns, *rows], delimiter=table.delimiter)
     return table.byte_order_mark + text, lines
+
+
+def _graded_lessons(grades):
+    """{learner's name: {lesson: entry}}."""
+    return {
+        learner["name"]: {one["lesson"]: one for one in learner["lessons"] if one["status"] == "graded"}
+        for learner in grades["learners"]
+    }
 
 
 def _lesson_columns(table, grades):
@@ -126,21 +135,6 @@ def _learner(row, learners):
             return learner
     candidates = [learner for learner in learners if learner["name"].casefold() in identities]
     return candidates[0] if len(candidates) == 1 else None
-
-
-def _graded_lesson(learner, name):
-    for lesson in learner["lessons"]:
-        if lesson["lesson"] == name and lesson["status"] == "graded":
-            return lesson
-    return None
-
-
-def _learners_without_row(grades, matched, lessons):
-    return [
-        learner["name"]
-        for learner in grades["learners"]
-        if learner["name"] not in matched and any(_graded_lesson(learner, name) for name in lessons)
-    ]
 
 
 def _different_points(table, columns, grades):

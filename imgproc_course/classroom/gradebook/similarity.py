@@ -63,39 +63,27 @@ class _Document:
     prints: dict
 
 
-def read_fingerprints(submissions):
-    """The fingerprints of submissions, {exercise id: source}; none of one that takes too much to read."""
-    with NotebookReader(_SECONDS) as reader:
-        return [reader.fingerprints(answers) for answers in submissions]
-
-
 def compare(learners, answer_keys, store):
     """Compare all submissions that count.
 
     Returns the SimilarGroups of each lesson, the most similar first, and the answers that equal the solution:
     {answers digest: list of exercise ids}.
     """
-    by_digest = {}
+    by_lesson, groups, copies = {}, [], {}
     for learner in learners:
-        for place in learner.digests.items():
-            by_digest.setdefault(place, []).append(learner.name)
-    places = sorted(by_digest)
-    answers = [store.answers(digest)[2] for _, digest in places]
-    lessons = sorted({lesson for lesson, _ in places})
-    known = [known for lesson in lessons for known in answer_keys.known_code(lesson)]
-    results = read_fingerprints([*answers, *known])
-    compared, known = results[: len(places)], results[len(places) :]
-    groups, copies = [], {}
-    for number, lesson in enumerate(lessons):
-        handed_out, solution = known[2 * number : 2 * number + 2]
-        documents = {}
-        for (name, digest), sources, result in zip(places, answers, compared, strict=True):
-            if name == lesson:
+        for lesson, digest in learner.digests.items():
+            by_lesson.setdefault(lesson, {}).setdefault(digest, []).append(learner.name)
+    with NotebookReader(_SECONDS) as reader:
+        for lesson, by_digest in sorted(by_lesson.items()):
+            handed_out, solution = map(reader.fingerprints, answer_keys.known_code(lesson))
+            documents = {}
+            for digest, names in sorted(by_digest.items()):
+                answers = store.answers(digest)[2]
+                result = reader.fingerprints(answers)
                 copies[digest] = _copied(result["shapes"], solution["shapes"])
-                _add_document(documents, by_digest[name, digest], sources, result)
-        groups += _groups(
-            lesson, list(documents.values()), handed_out["prints"].keys() | solution["prints"].keys()
-        )
+                _add_document(documents, names, answers, result)
+            known = handed_out["prints"].keys() | solution["prints"].keys()
+            groups += _groups(lesson, list(documents.values()), known)
     return groups, copies
 
 
@@ -145,33 +133,37 @@ def _groups(lesson, documents, known):
 
 def _group(lesson, documents, share):
     counts = Counter(fingerprint for document in documents for fingerprint in document.prints)
-    learners, versions = [], {}
+    documents = sorted(documents, key=lambda document: document.learners)
+    versions = {}
     for document in documents:
-        learners += document.learners
         lines = {}
         for fingerprint, (id, first, last) in document.prints.items():
             if counts[fingerprint] > 1 or len(documents) == 1:
                 lines.setdefault(id, set()).update(range(first, last + 1))
         for id, similar in lines.items():
-            shape = tuple(document.shapes[id])
-            version = (document.learners, document.answers[id], similar)
-            versions.setdefault(id, {}).setdefault(shape, []).append(version)
+            by_shape = versions.setdefault(id, {})
+            by_shape.setdefault(tuple(document.shapes[id]), []).append((document, similar))
     return SimilarGroup(
         lesson,
         share,
-        tuple(sorted(learners, key=str.casefold)),
-        {id: tuple(_versions(by_shape.values())) for id, by_shape in sorted(versions.items())},
+        _names(documents),
+        {id: _versions(id, by_shape.values()) for id, by_shape in sorted(versions.items())},
     )
 
 
-def _versions(equal_answers):
-    """The versions of an answer; answers that differ in their names only are one."""
+def _names(documents):
+    """The names of the learners of some documents, as a sorted tuple."""
+    return tuple(sorted((name for document in documents for name in document.learners), key=str.casefold))
+
+
+def _versions(id, equal_answers):
+    """The versions of an answer; answers that differ in names only are one, shown as the first has it."""
     versions = []
     for answers in equal_answers:
-        learners = sorted((name for names, _, _ in answers for name in names), key=str.casefold)
-        _, source, lines = min(answers, key=lambda answer: answer[0])
-        versions.append(Version(tuple(learners), source, frozenset(lines)))
-    return sorted(versions, key=lambda version: (-len(version.learners), version.learners))
+        first, similar = answers[0]
+        names = _names(document for document, _ in answers)
+        versions.append(Version(names, first.answers[id], frozenset(similar)))
+    return tuple(sorted(versions, key=lambda version: (-len(version.learners), version.learners)))
 
 
 def report_copies(entries, learners, copies):

@@ -9,13 +9,12 @@ change that matters becomes a finding.
 import difflib
 from dataclasses import dataclass, field
 from enum import StrEnum
-from functools import lru_cache
 
 from imgproc_course.classroom.authoring.lesson_names import lesson_name, lessons_named
 from imgproc_course.classroom.autograder.sanitize import sanitize_line
 from imgproc_course.classroom.exercises.answer_cells import find_answer_cell, requests_to_compose
 from imgproc_course.classroom.exercises.error_advice import advice_on
-from imgproc_course.classroom.gradebook.submission_reader import MOST_CHARACTERS, syntax_digest
+from imgproc_course.classroom.gradebook.submission_reader import MOST_CHARACTERS
 
 _LONGEST_PREDICTION = 1_000  # characters
 _MOST_PREDICTIONS = 100
@@ -88,18 +87,10 @@ class SubmissionContent:
 
 
 def read_submission(data, catalog, reader, name=""):
-    """Read a submission and inspect it.
+    """Read the bytes of a notebook with a NotebookReader and inspect them; the SubmissionContent.
 
-    Parameters
-    ----------
-    data : bytes of the notebook
-    catalog : AnswerKeys (for `grade`) or CheckFileCatalog (for `check`), the lessons that it can be
-    reader : NotebookReader
-    name : str, the file's name, which may name the lesson
-
-    Returns
-    -------
-    SubmissionContent
+    `catalog` has the lessons that it can be: AnswerKeys for `grade`, a CheckFileCatalog for `check`. The
+    file's `name` may name the lesson.
     """
     notebook, reason = reader.read(data)
     if notebook is None:
@@ -139,13 +130,7 @@ def _predictions(cells, lesson):
 
 
 def lesson_by_name(name, lessons):
-    """The one lesson that a file's name contains, or None if there is none or more than one.
-
-    Parameters
-    ----------
-    name : str
-    lessons : iterable of str
-    """
+    """The one lesson that a file's name contains, or None if there is none or more than one."""
     candidates = lessons_named(name, lessons)
     return candidates[0] if len(candidates) == 1 else None
 
@@ -250,7 +235,7 @@ def _inspect_source(exercise, answer, content):
         return AnswerState.BROKEN
     if answer.is_elsewhere:
         return AnswerState.ANSWERED
-    if _is_stub(answer.cell, exercise):
+    if source.strip() == exercise.stub.strip():
         return AnswerState.NOT_ATTEMPTED
     problem, is_slip = _problem(exercise, answer.cell)
     if problem:
@@ -259,18 +244,6 @@ def _inspect_source(exercise, answer, content):
     if exercise.function in answer.cell["answer"]["stub_lines"]:
         content.add(f"{exercise.function}() still begins with {STUB_LINE}", exercise.id)
     return AnswerState.ANSWERED if answer.is_answer else AnswerState.NOT_ATTEMPTED
-
-
-def _is_stub(cell, exercise):
-    if cell["source"].strip() == exercise.stub.strip():
-        return True
-    digest = cell["answer"]["digest"]
-    return digest is not None and digest == _digest_of_stub(exercise.stub)
-
-
-@lru_cache(maxsize=500)
-def _digest_of_stub(stub):
-    return syntax_digest(stub)
 
 
 def _problem(exercise, cell):

@@ -17,11 +17,11 @@ from imgproc_course.classroom.gradebook.fingerprints import (
     winnowed,
 )
 from imgproc_course.classroom.gradebook.learners import read_all
+from imgproc_course.classroom.gradebook.notebook_reader import NotebookReader
 from imgproc_course.classroom.gradebook.result_store import ResultStore
 from imgproc_course.classroom.gradebook.similarity import (
     MOST_VERSIONS,
     compare,
-    read_fingerprints,
     report_copies,
     similarity_page,
 )
@@ -75,6 +75,11 @@ HOSTILE = {
     "one long line": "x = " + "a.b" * 6_000,
     "many strings": "x = " + "'a' " * 4_900,
 }
+
+
+def read_fingerprints(submissions):
+    with NotebookReader(seconds=5) as reader:
+        return [reader.fingerprints(answers) for answers in submissions]
 
 
 def shape(source):
