@@ -15,7 +15,9 @@ import hashlib
 K, W = 16, 8  # tokens; a line of code has about ten
 LONGEST = 20_000  # characters of an answer; a longer one is not compared
 _UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
-_FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+# Where a kind of syntax has the name that it binds.
+_NAMES = {ast.arg: "arg", ast.ExceptHandler: "name"}
+_NAMES |= dict.fromkeys((ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef), "name")
 _IGNORED = (ast.expr_context, ast.Import, ast.ImportFrom, ast.Pass)
 _UNTOLD = {"annotation", "returns", "type_comment", "kind"}  # fields that change nothing
 
@@ -52,18 +54,15 @@ def _constant(value):
 
 
 def _own_names(tree):
+    """The names that a source binds; np is everybody's."""
     names = set()
     for node in ast.walk(tree):
-        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+        if type(node) in _NAMES:
+            names.add(getattr(node, _NAMES[type(node)]))
+        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
             names.add(node.id)
-        elif isinstance(node, ast.arg):
-            names.add(node.arg)
-        elif isinstance(node, _FUNCTIONS):
-            names.add(node.name)
         elif isinstance(node, ast.alias) and node.asname != "np":
             names.add(node.asname or node.name)
-        elif isinstance(node, ast.ExceptHandler) and node.name:
-            names.add(node.name)
     return names
 
 

@@ -102,12 +102,11 @@ def learner_page(entry, results, answer_keys, deadlines=None, *, incomplete=Fals
 def _lesson_view(lesson, result, answer_keys):
     findings = [finding for finding in lesson["findings"] if finding["kind"] == "message"]
     key = answer_keys.key_of(lesson["key"]) if lesson["key"] else None
-    views, ids = [], set()
-    for exercise in result.exercises if result else ():
+    views = []
+    for entry, exercise in zip(lesson["exercises"], result.exercises if result else (), strict=False):
         notes = [finding["text"] for finding in findings if finding["exercise"] == exercise.id]
-        entry = next(entry for entry in lesson["exercises"] if entry["id"] == exercise.id)
-        views.append(_exercise_view(exercise, entry, notes, key.exercise(exercise.id)))
-        ids.add(exercise.id)
+        views.append(entry | _exercise_view(exercise, notes, key.exercise(exercise.id)))
+    ids = {view["id"] for view in views}
     return lesson | {
         "exercises": views,
         "notes": [finding_text(finding) for finding in findings if finding["exercise"] not in ids],
@@ -122,7 +121,8 @@ def finding_text(finding):
     return f"{finding['exercise']}: {finding['text']}" if finding["exercise"] else finding["text"]
 
 
-def _exercise_view(exercise, entry, notes, key_exercise):
+def _exercise_view(exercise, notes, key_exercise):
+    """What the page shows of an exercise beside its entry in grades.json."""
     advice, replaces_hints = _advice_on(exercise)
     show_values = not advice.endswith(_CELL_ADVICE)
     is_no_python = any(note.startswith("line ") and NOT_PYTHON in note for note in notes)
@@ -135,16 +135,8 @@ def _exercise_view(exercise, entry, notes, key_exercise):
     messages = [exercise.message] if exercise.message and not explained_by_notes else []
     if replaces_hints and not exercise.message:
         messages += list(dict.fromkeys(filter(None, map(_message_of, exercise.cases))))[:1]
-    return vars(exercise) | {
-        "function": key_exercise.function,
-        "points": entry["points"],
-        "max_points": entry["max_points"],
-        "autograded_points": exercise.points,
-        "decision": entry["decision"],
-        "notes": [*notes, *messages],
-        "advice": advice,
-        "cases": cases,
-    }
+    notes = [*notes, *messages]
+    return {"function": key_exercise.function, "notes": notes, "advice": advice, "cases": cases}
 
 
 def _case_view(case, key_exercise, replaced_by_advice, show_values):

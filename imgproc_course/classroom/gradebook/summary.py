@@ -24,9 +24,9 @@ def summary_page(grades, failed_pages=(), other_pages=()):
 
     `failed_pages` are {learner's name: why their page lacks its details}, `other_pages` {file name: title}.
     """
-    submissions = [(learner, lesson) for learner in grades["learners"] for lesson in learner["lessons"]]
-    submitted = {lesson["lesson"] for _, lesson in submissions}
-    graded = [lesson for _, lesson in submissions if lesson["status"] == "graded"]
+    submissions = [lesson for learner in grades["learners"] for lesson in learner["lessons"]]
+    submitted = {lesson["lesson"] for lesson in submissions}
+    graded = [lesson for lesson in submissions if lesson["status"] == "graded"]
     senders = [finding for finding in grades["intake"] if finding["kind"] != "file"]
     own_modules = {PurePosixPath(path).stem for path in grades["ignored"] if path.endswith(".py")}
     return render_page(
@@ -35,15 +35,13 @@ def summary_page(grades, failed_pages=(), other_pages=()):
         failed_pages=dict(failed_pages),
         other_pages=dict(other_pages),
         names=[name for name in lesson_names(grades) if name in submitted],
-        submission_count=len(submissions),
-        graded_count=len(graded),
-        late_count=sum(lesson["late"] for _, lesson in submissions),
+        submissions=submissions,
+        graded=graded,
         bins=_histogram(_percentages(grades["learners"])),
         checks=_check_rows(graded),
         mistakes=_mistake_counts(graded),
         senders=senders,
         doubtful=list(dict.fromkeys(finding["learner"] or finding["file"] for finding in senders)),
-        other_files=[finding for finding in grades["intake"] if finding["kind"] == "file"],
         **_mean_and_median(grades["learners"]),
         **_lists_of_concerns(grades["learners"], own_modules),
         lessons=list(_lesson_rows(graded, lesson_names(grades))),
@@ -190,10 +188,8 @@ def _percentages(entries):
 def _mean_and_median(entries):
     """In percent; 0 if there are no points."""
     percentages = _percentages(entries) or [0]
-    return {
-        "mean": round(statistics.fmean(percentages)),
-        "median": round(statistics.median(percentages)),
-    }
+    mean, median = statistics.fmean(percentages), statistics.median(percentages)
+    return {"mean": round(mean), "median": round(median)}
 
 
 def _histogram(percentages):
