@@ -19,7 +19,6 @@ from imgproc_course.classroom.gradebook.senders import LONGEST_NAME
 
 LARGEST = 50_000_000  # bytes of one notebook; a lesson full of images has a tenth of it
 LARGEST_ZIP = 4_000_000_000  # bytes of the zip file itself
-LARGEST_WITHIN = 8_000_000_000  # bytes of all files in a zip, unpacked
 MOST_MEMBERS = 20_000
 MOST_RATIO = 200  # unpacked size to packed size
 _LARGEST_CONTENTS = 8_000_000  # bytes of a zip's table of contents; 20,000 files need 3 MB
@@ -115,7 +114,9 @@ class Archives:
                 raise CollectError(f"the zip cannot be read ({sanitize_line(str(error), 100)})") from error
             # Not is_dir(): in Python 3.11 it fails for a member without a name.
             members = [member for member in self._archive.infolist() if not member.filename.endswith("/")]
-            _require_bounded(members)
+            if len(members) > MOST_MEMBERS:
+                text = f"the zip holds {len(members)} files; at most {MOST_MEMBERS} are read"
+                raise CollectError(text)
             file.limited, self._location, self._members = False, location, members
         return self._members
 
@@ -134,15 +135,6 @@ class Archives:
         """Close the zip that is open, if any."""
         self._opened.close()
         self._location = None
-
-
-def _require_bounded(members):
-    if len(members) > MOST_MEMBERS:
-        raise CollectError(f"the zip holds {len(members)} files; at most {MOST_MEMBERS} are read")
-    size = sum(member.file_size for member in members)
-    if size > LARGEST_WITHIN:
-        megabytes = LARGEST_WITHIN // 1_000_000
-        raise CollectError(f"the zip holds {size // 1_000_000} MB; at most {megabytes} are read")
 
 
 def member_parts(member):

@@ -5,6 +5,7 @@ import re
 import time
 from collections import Counter
 from dataclasses import dataclass, field
+from itertools import chain
 
 from tqdm import tqdm
 
@@ -64,10 +65,11 @@ class Learner:
     earlier: dict = field(default_factory=dict)
     unidentified: list = field(default_factory=list)
 
-    def all_submissions(self):
-        """Every Submission, also those that do not count."""
-        earlier = [submission for submissions in self.earlier.values() for submission in submissions]
-        return [*self.submissions.values(), *earlier, *self.unidentified]
+    @property
+    def files(self):
+        """The SubmittedFiles of all submissions, also of those that do not count."""
+        earlier = chain.from_iterable(self.earlier.values())
+        return [one.file for one in (*self.submissions.values(), *earlier, *self.unidentified)]
 
     @property
     def digests(self):
