@@ -22,10 +22,6 @@ class AnswerKeys:
         self._cells = {key.digest: _read(key.path, HANDED_OUT) for key in self.keys}
         self._solutions = {key.digest: _read(key.path, SOLUTIONS) for key in self.keys}
 
-    def variant_for(self, lesson, version, learner):
-        """The key that grades a learner's lesson: of the key for this version, the learner's variant."""
-        return self.key_for(lesson, version).variant_for(learner)
-
     def key_for(self, lesson, version):
         """The key made from this version of a lesson, or the lesson's default key."""
         candidates = [key for key in self.keys if lesson in key.lessons]

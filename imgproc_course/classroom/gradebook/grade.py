@@ -95,9 +95,8 @@ def grade_submissions(
         pages = LearnerPages(out, learners, answer_keys, store, rules, anonymous=anonymous)
         comparison = stack.enter_context(ThreadPoolExecutor(1)).submit(compare, learners, answer_keys, store)
         threading.Thread(target=prepare_templates, daemon=True).start()
-        graded_now = grade_missing(
-            learners, answer_keys, store, again=again, quiet=quiet, on_result=pages.result_stored, **options
-        )
+        options |= {"quiet": quiet, "on_result": pages.result_stored}
+        graded_now = grade_missing(learners, answer_keys, store, again, **options)
         if deadline:
             collection.findings += unproven_dates(collection.files, deadline)
         groups, copies = comparison.result()

@@ -74,12 +74,13 @@ class LearnerPages:
             page = self._page(learner, page_entry)
         except Exception as error:  # noqa: BLE001 - a page shows values that other people's code returned
             self.failed[page_entry["name"]] = sanitize_line(f"{type(error).__name__}: {error}", 200)
-            page = learner_page(page_entry, {}, self._answer_keys, self._rules.deadlines, incomplete=True)
+            policy = self._rules.deadlines.policy
+            page = learner_page(page_entry, {}, self._answer_keys, policy, incomplete=True)
         write_grades_file(self._out / entry["page"], page)
 
     def _page(self, learner, entry):
         results = {lesson: self._store.result(digest) for lesson, digest in learner.digests.items()}
-        return learner_page(entry, results, self._answer_keys, self._rules.deadlines)
+        return learner_page(entry, results, self._answer_keys, self._rules.deadlines.policy)
 
 
 def write_grades(out, grades, learners, lessons, failed_pages, groups):

@@ -119,7 +119,8 @@ class _SubmissionReader:
         content = submission.content
         if content.reason:
             return submission
-        submission.key = self._answer_keys.variant_for(content.lesson, content.version, file.learner)
+        key = self._answer_keys.key_for(content.lesson, content.version)
+        submission.key = key.variant_for(file.learner)
         submission.answers_digest = self._store.keep_answers(submission.key, content.lesson, content.answers)
         untouched = (AnswerState.NOT_ATTEMPTED, AnswerState.MISSING)
         submission.has_answers = any(content.states[id] not in untouched for id in content.answers)

@@ -38,6 +38,7 @@ COLUMNS = (
     *("status", "findings", "file", "platform_id", "autograded_points", "days_late", "late_deduction"),
     *("decisions", "page"),
 )
+EXCUSED = "EX"  # what Canvas writes
 
 
 def grades_csv(grades):
@@ -73,18 +74,18 @@ def _decision_texts(lesson):
             yield f"{name or 'the lesson'}: {', '.join(filter(None, cells))}"
 
 
-def platform_points(lesson, platform=""):
+def platform_points(lesson, excused=""):
     """A lesson's points as a platform takes them, whose maximum does not change if an exercise is excused.
 
-    Of a lesson that is excused as a whole "EX", which Canvas writes, or "".
+    Of a lesson that is excused as a whole, `excused`.
     """
     decided = [exercise for exercise in lesson["exercises"] if exercise["decision"]]
-    excused = [exercise for exercise in decided if exercise["decision"]["excused"]]
-    if (lesson["decision"] and lesson["decision"]["excused"]) or (excused and not lesson["max_points"]):
-        return "EX" if platform == "canvas" else ""
-    excused_cases = [case for exercise in excused for case in exercise["cases"]]
+    left_out = [exercise for exercise in decided if exercise["decision"]["excused"]]
+    if (lesson["decision"] and lesson["decision"]["excused"]) or (left_out and not lesson["max_points"]):
+        return excused
+    excused_cases = [case for exercise in left_out for case in exercise["cases"]]
     maximum = lesson["max_points"] + sum(case["max_points"] for case in excused_cases)
-    return plain_number(lesson["points"] * maximum / lesson["max_points"]) if excused else lesson["points"]
+    return plain_number(lesson["points"] * maximum / lesson["max_points"]) if left_out else lesson["points"]
 
 
 def exports(grades):
@@ -142,7 +143,7 @@ def _canvas(learners, lessons):
     maxima = (lesson["max_points"] for lesson in lessons.values())
     rows = [("    Points Possible", "", "", "", "", *maxima)]
     for learner in learners:
-        points = {lesson["lesson"]: platform_points(lesson, "canvas") for lesson in learner["lessons"]}
+        points = {lesson["lesson"]: platform_points(lesson, EXCUSED) for lesson in learner["lessons"]}
         number = int(_lesson_from(learner, "canvas")["platform_id"])
         rows.append((learner["name"], number, "", "", "", *(points.get(name, "") for name in lessons)))
     return _text(columns, rows)

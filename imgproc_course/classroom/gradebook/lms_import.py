@@ -9,26 +9,19 @@ matched by a login, an e-mail address or a number that is the learner's name her
 """
 
 import re
-from dataclasses import dataclass
 from pathlib import Path
 
 from imgproc_course.classroom.authoring.lesson_names import lesson_name, lessons_named
-from imgproc_course.classroom.gradebook.csv_table import CsvTable, TableError, csv_text, read_csv
-from imgproc_course.classroom.gradebook.lms_export import lessons_of, platform_points
+from imgproc_course.classroom.gradebook.csv_table import TableError, csv_text, read_csv
+from imgproc_course.classroom.gradebook.lms_export import EXCUSED, lessons_of, platform_points
 from imgproc_course.classroom.gradebook.roster import identities_of, number_of
 
+_CANVAS = ("Student", "ID"), ("LastName", "FirstName", "ID")
 _WITH_NUMBER = re.compile(r"(.+?) \(\d+\)", re.S)
 
 
-@dataclass(frozen=True, kw_only=True)
-class PlatformTable(CsvTable):
-    """A table that a platform exported: "canvas" or "moodle"."""
-
-    platform: str
-
-
 def read_tables(paths):
-    """Read tables that platforms exported, as a list of PlatformTable.
+    """Read tables that platforms exported, as a list of CsvTable.
 
     TableError: one cannot be read, is no table of Canvas or Moodle, or has another one's name.
     """
@@ -38,33 +31,33 @@ def read_tables(paths):
         if names.count(path.name) > 1:
             raise TableError(f"{path}: two tables have the name {path.name}; rename one of them")
     tables = [read_csv(path) for path in paths]
-    return [PlatformTable(**vars(table), platform=_platform(table.path, table.columns)) for table in tables]
+    for table in tables:
+        if not _is_canvas(table) and not {"Identifier", "Grade"} <= set(table.columns):
+            listed = ", ".join(table.columns[:8]) or "nothing"
+            raise TableError(
+                f"{table.path}: its columns are {listed[:200]}; expected Canvas's gradebook export (Student,"
+                " ID, ..., Section) or Moodle's grading worksheet in English (Identifier, ..., Grade)"
+            )
+    return tables
 
 
-def _platform(path, columns):
-    if columns[:2] == ("Student", "ID") or columns[:3] == ("LastName", "FirstName", "ID"):
-        if "Section" in columns:
-            return "canvas"
-    elif {"Identifier", "Grade"} <= set(columns):
-        return "moodle"
-    listed = ", ".join(columns[:8]) or "nothing"
-    raise TableError(
-        f"{path}: its columns are {listed[:200]}; expected Canvas's gradebook export (Student, ID,"
-        " ..., Section) or Moodle's grading worksheet in English (Identifier, ..., Grade)"
-    )
+def _is_canvas(table):
+    """Whether Canvas exported it; else Moodle did."""
+    begins = any(table.columns[: len(names)] == names for names in _CANVAS)
+    return begins and "Section" in table.columns
 
 
 # ---------------------------------------------------------------- filling
 
 
 def fill_table(table, grades):
-    """A PlatformTable's text with our points in it, and lines that report what was filled in.
+    """The text of a platform's table with our points in it, and lines that report what was filled in.
 
     TableError: no column belongs to a lesson.
     """
     columns = _lesson_columns(table, grades)
     rows, filled, without_row = [list(row) for _, row in table.rows], 0, _graded_lessons(grades)
-    graded = dict(without_row)
+    graded, excused = dict(without_row), EXCUSED if _is_canvas(table) else ""
     for row in rows:
         learner = _learner(table.record(row), grades["learners"])
         if learner is None:
@@ -72,7 +65,7 @@ def fill_table(table, grades):
         without_row.pop(learner["name"], None)
         for column, name in columns.items():
             lesson = graded[learner["name"]].get(name)
-            points = platform_points(lesson, table.platform) if lesson else ""
+            points = platform_points(lesson, excused) if lesson else ""
             if points != "" and column < len(row):
                 row[column] = str(points)
                 filled += 1
@@ -97,7 +90,7 @@ def _graded_lessons(grades):
 def _lesson_columns(table, grades):
     """{index of a column: lesson}; Moodle's worksheet has one column of points."""
     lessons = lessons_of(grades)
-    if table.platform == "moodle":
+    if not _is_canvas(table):
         return {table.columns.index("Grade"): _lesson_of_worksheet(table, grades, lessons)}
     lesson_names = {name.casefold(): name for name in lessons}
     lesson_names |= {lesson["title"].casefold(): name for name, lesson in lessons.items()}
@@ -151,7 +144,7 @@ def _different_points(table, columns, grades):
 
 def _maximum_points(table, column):
     cells = []
-    if table.platform == "canvas":
+    if _is_canvas(table):
         cells = [row[column] for _, row in table.rows if column < len(row) and "Points Possible" in row[0]]
     elif "Maximum grade" in table.columns:
         position = table.columns.index("Maximum grade")

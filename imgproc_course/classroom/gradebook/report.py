@@ -84,19 +84,15 @@ def render_page(name, **content):
 # ---------------------------------------------------------------- a learner's page
 
 
-def learner_page(entry, results, answer_keys, deadlines=None, *, incomplete=False):
+def learner_page(entry, results, answer_keys, policy=None, *, incomplete=False):
     """The page of one learner, HTML; `entry` is the learner's part of grades.json.
 
     Of a lesson without a GradedSubmission in `results`, {lesson: result}, the page shows only the points.
-    `incomplete`: it says that its details are missing.
+    `policy` is the LatePolicy or None; `incomplete`: the page says that its details are missing.
     """
-    lessons = [
-        _lesson_view(lesson, results.get(lesson["lesson"]), answer_keys) for lesson in entry["lessons"]
-    ]
-    late_policy = deadlines.policy.text if deadlines and deadlines.policy else ""
-    return render_page(
-        "learner.html", learner=entry, lessons=lessons, late_policy=late_policy, incomplete=incomplete
-    )
+    content = {"learner": entry, "late_policy": policy and policy.text, "incomplete": incomplete}
+    lessons = [_lesson_view(one, results.get(one["lesson"]), answer_keys) for one in entry["lessons"]]
+    return render_page("learner.html", lessons=lessons, **content)
 
 
 def _lesson_view(lesson, result, answer_keys):

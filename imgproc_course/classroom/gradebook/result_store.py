@@ -145,25 +145,17 @@ def _digests(learners, name=None, lesson=None):
     return sorted(digests)
 
 
-def grade_missing(
-    learners, answer_keys, store, *, again=None, quiet=None, on_result=lambda digest: None, **options
-):
+def grade_missing(learners, answer_keys, store, again, *, quiet, on_result, **options):
     """Grade what has no result yet, equal answers once; returns how many submissions were graded now.
 
     `again` is from `answers_to_regrade`; `on_result` is called with the digest of each result; `options` are
     those of `autograde`.
     """
-    again = again or {}
     digests = _digests(learners)
     stored = {digest: store.result(digest) for digest in digests}
     missing = [digest for digest in digests if digest in again or stored[digest] is None]
-    with tqdm(
-        total=len(digests),
-        initial=len(digests) - len(missing),
-        desc="grading",
-        unit=" submissions",
-        disable=quiet,
-    ) as bar:
+    done, about = len(digests) - len(missing), {"desc": "grading", "unit": " submissions"}
+    with tqdm(total=len(digests), initial=done, disable=quiet, **about) as bar:
         exercises = {digest: again.get(digest) if stored[digest] else None for digest in missing}
         keys = {digest: answer_keys.key_of(store.answers(digest)[0]) for digest in missing}
         for result in autograde(_submissions(exercises, store), keys, **options):

@@ -137,11 +137,9 @@ def lesson_by_name(name, lessons):
 
 def _recognize(notebook, cells, catalog, name, content):
     """The lesson by its metadata if its answer cells agree, by those cells, by its name, or its functions."""
-    marks = {cell["id"] for cell in cells} | {f"answer-{cell['exercise']}" for cell in cells}
+    marked, functions = _signs_of_lessons(cells, catalog)
     metadata_lesson = lesson_name(notebook["lesson"] or "")
     claim = metadata_lesson if metadata_lesson in catalog.lessons else None
-    asked = {lesson: catalog.functions(lesson) for lesson in catalog.lessons}
-    marked = {lesson: [id for id, _ in asked[lesson] if f"answer-{id}" in marks] for lesson in asked}
     if claim and marked[claim]:
         return claim
     named_lesson = None if metadata_lesson else lesson_by_name(name, catalog.lessons)
@@ -152,24 +150,34 @@ def _recognize(notebook, cells, catalog, name, content):
             text = f"{says} that it is {claim or named_lesson}, but its answer cells are those of {by_marks}"
             content.add(f"{text}; it is graded as {by_marks}")
         return by_marks
-    if claim or metadata_lesson:
-        return claim
-    functions = {name for cell in cells for name in cell["functions"]}
-    common = {lesson: functions & {function for _, function in asked[lesson]} for lesson in asked}
-    return _recognize_unmarked(named_lesson, common, content)
+    return claim if metadata_lesson else _recognize_unmarked(named_lesson, functions, content)
 
 
-def _recognize_unmarked(named, common, content):
+def _signs_of_lessons(cells, catalog):
+    """{lesson: ids of its exercises with an answer cell}, {lesson: its functions that are defined}."""
+    marks = {cell["id"] for cell in cells} | {f"answer-{cell['exercise']}" for cell in cells}
+    defined = {name for cell in cells for name in cell["functions"]}
+    marked, functions = {}, {}
+    for lesson in catalog.lessons:
+        asked = catalog.functions(lesson)
+        marked[lesson] = {id for id, _ in asked if f"answer-{id}" in marks}
+        functions[lesson] = defined & {function for _, function in asked}
+    return marked, functions
+
+
+def _recognize_unmarked(named, functions, content):
     """The lesson of a notebook without any mark: by the file's name first, then by its functions.
 
-    `common` are {lesson: the functions that it asks for and the notebook has}.
+    `functions` are {lesson: its functions that the notebook defines}.
     """
-    by_functions = _most(common)
+    by_functions = _most(functions)
     if named is None and by_functions:
-        content.add(f"it was recognized as {by_functions} by its functions: {_listed(common[by_functions])}")
-    if named and by_functions not in (None, named) and not common[named]:
+        content.add(
+            f"it was recognized as {by_functions} by its functions: {_listed(functions[by_functions])}"
+        )
+    if named and by_functions not in (None, named) and not functions[named]:
         text = f"its name says that it is {named}, but it defines functions of {by_functions}"
-        content.add(f"{text} ({_listed(common[by_functions])}); it is graded as {named}, by its name")
+        content.add(f"{text} ({_listed(functions[by_functions])}); it is graded as {named}, by its name")
     return named or by_functions
 
 
