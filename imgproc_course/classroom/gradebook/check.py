@@ -8,13 +8,8 @@ import asyncio
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from imgproc_course.classroom.exercises import check_files
 from imgproc_course.classroom.exercises.check_data import CheckData
-from imgproc_course.classroom.exercises.check_files import (
-    NO_CHECKS,
-    CheckFileError,
-    checks_folders,
-    read_check_file,
-)
 from imgproc_course.classroom.exercises.checking import CheckResult, check_built
 from imgproc_course.classroom.exercises.error_advice import advice_on
 from imgproc_course.classroom.exercises.feedback import explain_call
@@ -82,8 +77,8 @@ class CheckFileCatalog:
         self.lessons, self.damage = {}, []
         for path in (path for folder in folders for path in sorted(folder.glob("*.json"))):
             try:
-                file = read_check_file(path)
-            except CheckFileError as error:
+                file = check_files.read_check_file(path)
+            except check_files.CheckFileError as error:
                 self.damage.append(error)
             else:
                 self.lessons.setdefault(file.lesson, file)
@@ -105,9 +100,11 @@ def check_lesson(path, folders=None):
     """
     path = Path(path)
     data = _read(path)
-    catalog = CheckFileCatalog(checks_folders(path.resolve().parent) if folders is None else folders)
+    if folders is None:
+        folders = check_files.checks_folders(path.resolve().parent)
+    catalog = CheckFileCatalog(folders)
     if not catalog.lessons and not catalog.damage:
-        raise CheckFileError(NO_CHECKS)
+        raise check_files.CheckFileError(check_files.NO_CHECKS)
     with NotebookReader() as reader:
         content = read_submission(data, catalog, reader, path.name)
     if content.reason and catalog.damage:

@@ -31,17 +31,8 @@ from pathlib import Path, PurePosixPath
 
 from imgproc_course.classroom.authoring.lesson_names import is_lesson
 from imgproc_course.classroom.autograder.sanitize import sanitize_line
-from imgproc_course.classroom.gradebook.archives import (
-    LARGEST,
-    LARGEST_ZIP,
-    Archives,
-    CollectError,
-    file_problem,
-    member_parts,
-    member_problem,
-    member_time,
-    read_collected,
-)
+from imgproc_course.classroom.gradebook import archives
+from imgproc_course.classroom.gradebook.archives import Archives, CollectError
 from imgproc_course.classroom.gradebook.senders import (
     Certainty,
     Sender,
@@ -300,7 +291,8 @@ class _Intake:
         sender = self._sender_of(parts)
         try:
             status = os.lstat(path)
-            reason = file_problem(status, LARGEST if suffix == ".ipynb" else LARGEST_ZIP)
+            largest = archives.LARGEST if suffix == ".ipynb" else archives.LARGEST_ZIP
+            reason = archives.file_problem(status, largest)
         except OSError as error:
             reason = f"it cannot be read ({error.strerror})"
         if suffix not in _KINDS:
@@ -312,7 +304,7 @@ class _Intake:
         if status:
             location = (os.fspath(path), status.st_dev, status.st_ino)
             about["submitted_at"] = local_time(status.st_mtime)
-            about["reader"] = partial(read_collected, *location)
+            about["reader"] = partial(archives.read_collected, *location)
             if suffix == ".ipynb":
                 about["size"] = status.st_size
             elif not reason:
@@ -325,11 +317,11 @@ class _Intake:
 
     def _add_members(self, location, parts, sender, modified, alone):
         """Add the notebooks in a zip; returns why it cannot be read, or ""."""
-        archives, budget = self._collection.archives, (sender.learner, sender.platform_id, parts[0])
+        opened, budget = self._collection.archives, (sender.learner, sender.platform_id, parts[0])
         if self._members[budget] > MOST_FILES:
             return f"the zips before it in this submission hold more than {MOST_FILES} files"
         try:
-            members = archives.members(*location)
+            members = opened.members(*location)
         except CollectError as error:
             return str(error)
         self._members[budget] += len(members)
@@ -344,13 +336,13 @@ class _Intake:
             is_platforms = senders[name] != sender
             self._collection.add(
                 senders[name],
-                (*parts, *member_parts(member)),
+                (*parts, *archives.member_parts(member)),
                 # A learner can write any date into a zip.
-                submitted_at=member_time(member, modified) if is_platforms else modified,
+                submitted_at=archives.member_time(member, modified) if is_platforms else modified,
                 archived_at=modified if is_platforms else None,
                 size=member.file_size,
-                reason=member_problem(member),
-                reader=partial(archives.read, location, number),
+                reason=archives.member_problem(member),
+                reader=partial(opened.read, location, number),
                 group=display_path(parts),
                 number=number,
             )
@@ -446,7 +438,7 @@ def _suffix(path):
 
 def _counted_name(member):
     """The parts of a member's name; none of what a tool made."""
-    name = tuple(part for part in member_parts(member) if part not in ("/", "..", "."))
+    name = tuple(part for part in archives.member_parts(member) if part not in ("/", "..", "."))
     return () if _SKIPPED_FOLDERS & set(name) or "".join(name[-1:]).startswith("._") else name
 
 

@@ -6,8 +6,6 @@ import unicodedata
 from dataclasses import dataclass
 from pathlib import Path
 
-_LARGEST = 50_000_000  # bytes
-
 
 class TableError(ValueError):
     """A table has a mistake, or cannot be read or filled; one line with the file, the row and the remedy."""
@@ -61,8 +59,6 @@ def is_comment(cells):
 
 def _text(path):
     try:
-        if path.stat().st_size > _LARGEST:
-            raise TableError(f"{path}: larger than {_LARGEST // 1_000_000} MB; give the table as exported")
         return path.read_bytes().decode("utf-8")
     except UnicodeDecodeError as error:
         raise TableError(f"{path}: it is not UTF-8; export it again, or save it as CSV UTF-8") from error

@@ -13,13 +13,8 @@ from pathlib import Path
 
 from imgproc_course.classroom.autograder.outcomes import TEXTS, Outcome
 from imgproc_course.classroom.autograder.sanitize import sanitize_line, sanitize_text
+from imgproc_course.classroom.exercises import values
 from imgproc_course.classroom.exercises.error_advice import advice_on
-from imgproc_course.classroom.exercises.values import (
-    answer_parts,
-    describe_value,
-    differing_elements,
-    table_rows,
-)
 from imgproc_course.classroom.gradebook.submission import NOT_PYTHON
 from imgproc_course.classroom.gradebook.teacher_tables import plain_number
 
@@ -196,8 +191,8 @@ def _values_view(case, key_exercise):
         [value_of(f"given {name}".strip(), form) for name, form in zip(names, call.arguments, strict=False)]
     ]
     images, argument = [], next(iter(call.arguments), None)
-    for name, expected, actual in answer_parts(call.expected, call.actual):
-        wrong = differing_elements(expected, actual, tolerance)
+    for name, expected, actual in values.answer_parts(call.expected, call.actual):
+        wrong = values.differing_elements(expected, actual, tolerance)
         returned = value_of(f"returned {name}".strip(), actual, wrong)
         rows.append([returned, value_of(f"expected {name}".strip(), expected, wrong)])
         images += answer_images(argument, name, expected, actual, wrong)
@@ -218,4 +213,5 @@ def value_of(label, form, wrong=None):
     """The Value of a canonical form, or of None; `wrong` is a bool array: which elements differ."""
     if form is None:
         return Value(label, "nothing was returned")
-    return Value(label, sanitize_line(describe_value(form), _LONGEST_DESCRIPTION), table_rows(form, wrong))
+    description = sanitize_line(values.describe_value(form), _LONGEST_DESCRIPTION)
+    return Value(label, description, values.table_rows(form, wrong))

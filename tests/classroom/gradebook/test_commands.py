@@ -14,7 +14,7 @@ from imgproc_course.classroom.authoring.masters import read_master
 from imgproc_course.classroom.authoring.new_lesson import new_lesson
 from imgproc_course.classroom.autograder.answer_key import load_key
 from imgproc_course.classroom.exercises.declaration import MasterError
-from imgproc_course.classroom.gradebook import grade
+from imgproc_course.classroom.gradebook import grade, result_store
 from imgproc_course.classroom.gradebook.deadlines import local_time_of
 from imgproc_course.cli import main
 
@@ -233,7 +233,7 @@ def test_ctrl_c_says_how_to_continue(run, light, key_path, tmp_path, monkeypatch
     def interrupted(*_words, **_options):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(grade, "grade_missing", interrupted)
+    monkeypatch.setattr(result_store, "grade_missing", interrupted)
     ended = run("grade", "in", "--key", key_path)
     assert ended.exit_code == 130 and "run the same command again to continue" in ended.output
 
