@@ -70,17 +70,14 @@ class LearnerPages:
         entry = learner_entry(learner, self._answer_keys, self._store, self._rules, anonymous=self._anonymous)
         self.entries[learner.name] = entry
         page_entry = learner_without_name(entry) if self._anonymous else entry
+        policy = self._rules.deadlines.policy
         try:
-            page = self._page(learner, page_entry)
+            results = {lesson: self._store.result(digest) for lesson, digest in learner.digests.items()}
+            page = learner_page(page_entry, results, self._answer_keys, policy)
         except Exception as error:  # noqa: BLE001 - a page shows values that other people's code returned
             self.failed[page_entry["name"]] = sanitize_line(f"{type(error).__name__}: {error}", 200)
-            policy = self._rules.deadlines.policy
             page = learner_page(page_entry, {}, self._answer_keys, policy, incomplete=True)
         write_grades_file(self._out / entry["page"], page)
-
-    def _page(self, learner, entry):
-        results = {lesson: self._store.result(digest) for lesson, digest in learner.digests.items()}
-        return learner_page(entry, results, self._answer_keys, self._rules.deadlines.policy)
 
 
 def write_grades(out, grades, learners, lessons, failed_pages, groups):

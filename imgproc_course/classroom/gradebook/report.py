@@ -131,19 +131,20 @@ def _exercise_view(exercise, notes, key_exercise):
 
 
 def _case_view(case, key_exercise, replaced_by_advice, show_values):
-    view = vars(case) | {
-        "passed": case.passed,
-        "label": TEXTS[case.outcome].label,
-        "message": "" if replaced_by_advice else _message_of(case),
-        "hint": "" if replaced_by_advice else case.hint,
-        "values": [],
-        "images": [],
-        "printed": "",
-        "open": False,
-    }
+    view = {"values": [], "images": [], "printed": ""}
     if case.failed_call and not case.hidden and TEXTS[case.outcome].shows_values and show_values:
-        view |= _values_view(case, key_exercise)
-    return view
+        view = _values_view(case, key_exercise)
+    return (
+        view
+        | vars(case)
+        | {
+            "passed": case.passed,
+            "label": TEXTS[case.outcome].label,
+            "message": "" if replaced_by_advice else _message_of(case),
+            "hint": "" if replaced_by_advice else case.hint,
+            "open": False,
+        }
+    )
 
 
 def _message_of(case):

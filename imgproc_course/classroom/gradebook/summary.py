@@ -85,17 +85,9 @@ def _concerns(learner, lesson, own_modules):
     for (name, id), texts in grouped.items():
         entry = entries.get(id, lesson)
         if not entry["decision"]:
-            yield (
-                name,
-                {
-                    "learner": learner,
-                    "lesson": lesson,
-                    "texts": _texts_in_short(list(texts)),
-                    "points": entry["points"],
-                    "max_points": entry["max_points"],
-                    "line": _line_to_copy(name, learner, lesson, id if id in entries else "", entry),
-                },
-            )
+            line = _line_to_copy(name, learner, lesson, id if id in entries else "", entry)
+            about = {"learner": learner, "lesson": lesson, "entry": entry, "line": line}
+            yield name, about | {"texts": _texts_in_short(list(texts))}
 
 
 def _texts_in_short(texts):
