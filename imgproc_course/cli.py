@@ -2,14 +2,16 @@
 
 import contextlib
 import subprocess
-from datetime import datetime
 from pathlib import Path
 
 import click
+from click import option
 
 CHECKOUT = Path(__file__).resolve().parents[1]
+_PATH = click.Path(path_type=Path)
 _FOLDER = click.Path(path_type=Path, file_okay=False)
 _FILE = click.Path(path_type=Path, dir_okay=False)
+_IMAGES = "/kachaka/front_camera/image_raw"
 _COULD_NOT_GRADE = 3
 
 
@@ -43,12 +45,16 @@ def _in_one_line(*errors, written=""):
         raise click.ClickException(f"{written} cannot be written: {error}") from error
 
 
-def _masters_option(command):
-    folder, text = CHECKOUT / "notebooks" / "masters", "Folder of the masters.  [default: the course's own]"
-    return click.option("--masters", type=_FOLDER, default=folder, help=text)(command)
+_masters_option = option(
+    "--masters",
+    type=_FOLDER,
+    default=CHECKOUT / "notebooks" / "masters",
+    show_default=False,
+    help="Folder of the masters.  [default: the course's own]",
+)
 
 
-@click.group(cls=CourseGroup, context_settings={"help_option_names": ["-h", "--help"]})
+@click.group(cls=CourseGroup, context_settings={"help_option_names": ["-h", "--help"], "show_default": True})
 @click.version_option(package_name="imgproc-course")
 def main():
     """Commands of the course "Image processing in ROS 2"."""
@@ -65,7 +71,7 @@ def doctor():
         raise SystemExit(1)
 
 
-@main.command(context_settings={"ignore_unknown_options": True, "help_option_names": ["-h", "--help"]})
+@main.command(context_settings={"ignore_unknown_options": True})
 @click.argument("jupyter_options", nargs=-1, type=click.UNPROCESSED)
 def start(jupyter_options):
     """Copy the lessons into my_lessons/ and open JupyterLab there.
@@ -81,53 +87,40 @@ def start(jupyter_options):
         start_lab(jupyter_options, say=click.echo)
 
 
-def _check_ros():
+@contextlib.contextmanager
+def _with_ros():
+    """Requires ROS, and prints errors as one line."""
     from imgproc_course.ros import ros_problem
 
     problem = ros_problem()
     if problem is not None:
         raise click.ClickException(problem)
+    with _in_one_line(ValueError, RuntimeError):
+        yield
 
 
 @main.command()
-@click.option(
-    "--speed",
-    type=float,
-    default=1.0,
-    show_default=True,
-    help="Playback speed: 2 is twice the recording's own rate.",
-)
-@click.option("--loop/--once", default=True, show_default=True, help="At the end, start again or stop.")
-@click.option(
-    "--recording", default="drive", show_default=True, help="'drive', or the path of a rosbag2 recording."
-)
-@click.option(
-    "--camera-topic", help="Camera topic to play from the recording.  [default: its first colour camera]"
-)
-@click.option(
-    "--topic",
-    default="/kachaka/front_camera/image_raw",
-    show_default=True,
-    help="Topic on which the raw images are published.",
-)
-@click.option(
+@option("--speed", default=1.0, help="Playback speed: 2 is twice the recording's own rate.")
+@option("--loop/--once", default=True, help="At the end, start again or stop.")
+@option("--recording", default="drive", help="'drive', or the path of a rosbag2 recording.")
+@option("--camera-topic", help="Camera topic to play from the recording.  [default: its first colour camera]")
+@option("--topic", default=_IMAGES, help="Topic on which the raw images are published.")
+@option(
     "--stamps",
     type=click.Choice(["now", "recorded"]),
     default="now",
-    show_default=True,
     help="Stamp of each image: the time of sending, or the recorded stamp.",
 )
-@click.option("--switch", is_flag=True, help="Switch the camera for all programs that use it.")
+@option("--switch", is_flag=True, help="Switch the camera for all programs that use it.")
 def play(**options):
     """Publish the recorded drive as the robot publishes its camera images, until Ctrl-C.
 
     There is one camera for all your programs in a ROS domain. If one of them, such as an open lesson, has
     started it already, this command joins it.
     """
-    _check_ros()
-    from imgproc_course.ros.player import play as play_recording
+    with _with_ros():
+        from imgproc_course.ros.player import play as play_recording
 
-    with _in_one_line(ValueError, RuntimeError):
         raise SystemExit(play_recording(**options))
 
 
@@ -139,24 +132,21 @@ def _size(ctx, param, value):
 
 
 @main.command()
-@click.option("--seed", type=int, help="Seed of the wheels' slip and of the sensors' noise.  [default: 0]")
-@click.option("--size", callback=_size, metavar="WxH", help="Size of the images.  [default: 640x360]")
-@click.option("--lighting", type=click.Choice(["day", "evening"]), help="[default: day]")
-@click.option("--rate", type=float, help="Images per second.  [default: 30; 10 for images wider than 640]")
-@click.option(
-    "--start", type=(float, float, float), metavar="X Y YAW", help="Where the robot starts (m, rad)."
-)
-@click.option("--switch", is_flag=True, help="Switch the robot for all programs that use it.")
+@option("--seed", type=int, help="Seed of the wheels' slip and of the sensors' noise.  [default: 0]")
+@option("--size", callback=_size, metavar="WxH", help="Size of the images.  [default: 640x360]")
+@option("--lighting", type=click.Choice(["day", "evening"]), help="[default: day]")
+@option("--rate", type=float, help="Images per second.  [default: 30; 10 for images wider than 640]")
+@option("--start", type=(float,) * 3, metavar="X Y YAW", help="Where the robot starts (m, rad).")
+@option("--switch", is_flag=True, help="Switch the robot for all programs that use it.")
 def drive(**options):
     """Drive a robot through the room of the recorded drive, with the keyboard.
 
     Other programs see its camera, depth, scan and odometry, and can drive it too. There is one robot for all
     your programs in a ROS domain: this command starts it or joins it.
     """
-    _check_ros()
-    from imgproc_course.ros.driver import drive as drive_robot
+    with _with_ros():
+        from imgproc_course.ros.driver import drive as drive_robot
 
-    with _in_one_line(ValueError, RuntimeError):
         raise SystemExit(drive_robot(**options))
 
 
@@ -169,10 +159,9 @@ def record(path, topics):
     Without TOPIC: the robot's compressed images, depth, scan, odometry, commands and true poses. The
     recording is a rosbag2 in MCAP: open_recording, Foxglove and `ros2 bag` read it. Nothing is overwritten.
     """
-    _check_ros()
-    from imgproc_course.ros.recorder import record_until_signal
+    with _with_ros():
+        from imgproc_course.ros.recorder import record_until_signal
 
-    with _in_one_line(ValueError, RuntimeError):
         raise SystemExit(record_until_signal(list(topics) or None, path, say=click.echo))
 
 
@@ -181,24 +170,16 @@ def record(path, topics):
 
 @main.command()
 @click.argument("lessons", nargs=-1, metavar="[LESSON]...")
-@click.option(
+@option(
     "--check",
     "only_check",
     is_flag=True,
     help="Write nothing; fail if a stored lesson differs from its master.",
 )
 @_masters_option
-@click.option(
-    "--out",
-    type=_FOLDER,
-    help="Folder for the lessons.  [default: the parent of the masters' folder]",
-)
-@click.option(
-    "--solved",
-    type=_FOLDER,
-    help="Folder for the solved lessons.  [default: solved/]",
-)
-@click.option(
+@option("--out", type=_FOLDER, help="Folder for the lessons.  [default: the parent of the masters' folder]")
+@option("--solved", type=_FOLDER, help="Folder for the solved lessons.  [default: solved/]")
+@option(
     "--with-solutions",
     is_flag=True,
     help="Also write solutions/, which solution() opens. The course's own lessons always get them.",
@@ -234,15 +215,16 @@ def build(lessons, only_check, masters, out, solved, with_solutions):
 @main.command()
 @click.argument("folder", type=_FOLDER)
 @click.argument("lessons", nargs=-1, metavar="[LESSON]...")
-@click.option(
+@option(
     "--from",
     "source",
     type=_FOLDER,
     default=CHECKOUT / "notebooks",
+    show_default=False,
     help="Folder of the built lessons.  [default: the course's own]",
 )
-@click.option("--with-solutions", is_flag=True, help="Let learners open solutions after three tries.")
-@click.option("--zip", "zipped", is_flag=True, help="Also write FOLDER.zip.")
+@option("--with-solutions", is_flag=True, help="Let learners open solutions after three tries.")
+@option("--zip", "zipped", is_flag=True, help="Also write FOLDER.zip.")
 def handout(folder, lessons, source, with_solutions, zipped):
     """Write what learners get into FOLDER: the lessons without outputs, and what their checks need.
 
@@ -260,61 +242,54 @@ def handout(folder, lessons, source, with_solutions, zipped):
 
 
 @main.command()
-@click.argument(
-    "notebooks", nargs=-1, required=True, type=click.Path(path_type=Path), metavar="LESSON.ipynb..."
-)
-@click.option("--run", "and_run", is_flag=True, help="Also run the checks on your answers.")
+@click.argument("notebooks", nargs=-1, required=True, type=_PATH, metavar="LESSON.ipynb...")
+@option("--run", "and_run", is_flag=True, help="Also run the checks on your answers.")
 def check(notebooks, and_run):
     """Check a lesson before you submit it: is every answer present, and in its answer cell?"""
     from imgproc_course.classroom.exercises.check_files import CheckFileError
-    from imgproc_course.classroom.gradebook.check import (
-        LessonFileError,
-        check_lesson,
-        report_lines,
-        run_answers,
-    )
+    from imgproc_course.classroom.gradebook import check
 
-    ready = True
+    is_ready = []
     for path in notebooks:
-        with _in_one_line(LessonFileError, CheckFileError):
-            lesson_check = check_lesson(path)
+        with _in_one_line(check.LessonFileError, CheckFileError):
+            lesson_check = check.check_lesson(path)
             if and_run:
-                run_answers(lesson_check)
-        click.echo("\n".join(report_lines(lesson_check)))
-        ready = ready and lesson_check.ready
-    if not ready:
+                check.run_answers(lesson_check)
+        click.echo("\n".join(check.report_lines(lesson_check)))
+        is_ready.append(lesson_check.ready)
+    if not all(is_ready):
         raise SystemExit(1)
 
 
-class _LocalTime(click.ParamType):
-    name = "time"
+def _local_time(ctx, param, value):
+    from imgproc_course.classroom.gradebook.deadlines import local_time_of
 
-    def convert(self, value, param, ctx):
-        try:
-            time = datetime.fromisoformat(value)
-        except ValueError:
-            self.fail(f"{value!r} is not a date and time; write it like 2026-12-01T23:59", param, ctx)
-        return time.astimezone().replace(tzinfo=None) if time.tzinfo else time
+    try:
+        return value and local_time_of(value)
+    except ValueError as error:
+        raise click.BadParameter(
+            f"{value!r} is not a date and time; write it like 2026-12-01T23:59"
+        ) from error
 
 
 @main.command()
 @click.argument("lessons", nargs=-1, metavar="[LESSON]...")
-@click.option(
+@option(
     "--seed",
     help="Secret seed of the inputs, 32 random hexadecimal digits or more.  [default: a new one, saved beside"
     " the key]",
 )
-@click.option("--redraw", is_flag=True, help="Make new inputs for a regrade; the old key is kept beside it.")
-@click.option(
+@option("--redraw", is_flag=True, help="Make new inputs for a regrade; the old key is kept beside it.")
+@option(
     "--variants",
     type=click.IntRange(1, 100),
     help="Number of sets of inputs; each learner is graded with one of them.  [default: 1; with --redraw, as"
     " many as the old key has]",
 )
-@click.option("--out", type=_FOLDER, default=Path("key"), show_default=True, help="Folder for the key.")
+@option("--out", type=_FOLDER, default="key", help="Folder for the key.")
 @_masters_option
-@click.option("--force", "--replace", "replace", is_flag=True, help="Replace an existing key.")
-@click.option("--unsafe", is_flag=True, help="Run the masters' solutions without a sandbox.")
+@option("--force", "--replace", "replace", is_flag=True, help="Replace an existing key.")
+@option("--unsafe", is_flag=True, help="Run the masters' solutions without a sandbox.")
 def key(lessons, seed, redraw, variants, out, masters, replace, unsafe):
     """Make the answer key: run the solutions on inputs drawn from a secret seed.
 
@@ -379,62 +354,64 @@ def _would_be_committed(path):
 
 
 @main.command()
-@click.argument("submissions", type=click.Path(path_type=Path))
-@click.option(
+@click.argument("submissions", type=_PATH)
+@option(
     "--key",
     "keys",
     type=_FOLDER,
     multiple=True,
-    default=(Path("key"),),
-    show_default=True,
+    default=["key"],
     help="Folder of a key; repeat the option for keys of other versions or other lessons.",
 )
-@click.option("--out", type=_FOLDER, default=Path("grades"), show_default=True, help="Folder for the grades.")
-@click.option(
+@option("--out", type=_FOLDER, default="grades", help="Folder for the grades.")
+@option(
     "--workers", type=click.IntRange(1), help="Number of submissions graded at once.  [default: one per core]"
 )
-@click.option(
-    "--deadline", type=_LocalTime(), help="Mark later submissions as late. In local time: 2026-12-01T23:59."
+@option(
+    "--deadline",
+    callback=_local_time,
+    metavar="TIME",
+    help="Mark later submissions as late. In local time: 2026-12-01T23:59.",
 )
-@click.option(
+@option(
     "--late",
     metavar="POLICY",
     help='What lateness costs: "10% a day", or "10% a day, 3 days" and then all points.',
 )
-@click.option(
+@option(
     "--extensions", type=_FILE, help="CSV of learners' own deadlines: learner, lesson (or empty), deadline."
 )
-@click.option(
+@option(
     "--decisions",
     type=_FILE,
     help="CSV of your decisions by hand.  [default: decisions.csv in the folder of grades]",
 )
-@click.option(
+@option(
     "--regrade",
     multiple=True,
     metavar="NAME",
     help="Grade a learner, a lesson or an exercise again; repeat the option for more.",
 )
-@click.option("--anonymous", is_flag=True, help="Show an id instead of the name on every page.")
-@click.option(
+@option("--anonymous", is_flag=True, help="Show an id instead of the name on every page.")
+@option(
     "--unsafe",
     is_flag=True,
     help="Run the learners' code without a sandbox: it can read and change your files.",
 )
-@click.option("--fresh", is_flag=True, help="Grade again what was graded before.")
-@click.option(
+@option("--fresh", is_flag=True, help="Grade again what was graded before.")
+@option(
     "--platform-table",
     "platform_tables",
     type=_FILE,
     multiple=True,
     help="Gradebook of Canvas or grading worksheet of Moodle, as exported: it is returned with points.",
 )
-@click.option(
+@option(
     "--roster",
     type=_FILE,
     help="Table of all learners, as Moodle or Canvas exports it: who handed in nothing is reported.",
 )
-@click.option("--scheduler", metavar="ADDRESS", help="Grade on a Dask cluster: tcp://10.0.0.5:8786.")
+@option("--scheduler", metavar="ADDRESS", help="Grade on a Dask cluster: tcp://10.0.0.5:8786.")
 def grade(submissions, keys, out, **options):
     """Grade everything in SUBMISSIONS: a folder, or the zip file of a learning platform.
 
@@ -446,24 +423,22 @@ def grade(submissions, keys, out, **options):
 
     with contextlib.ExitStack() as stack:
         if not options["scheduler"]:
+            # After a first run, perhaps nothing is left to do.
+            is_first = options["fresh"] or not (out / "results").exists()
             settings = {name: options[name] for name in ("workers", "unsafe")}
-            is_first = (
-                options["fresh"] or not (out / "results").exists()
-            )  # else perhaps nothing is left to do
             options["executor"] = stack.enter_context(open_worker_threads(early=is_first, **settings))
-        _grade(submissions, keys, out, options)
+        # Imported while the workers start.
+        from imgproc_course.classroom.autograder.sandbox.bubblewrap import SandboxError
+        from imgproc_course.classroom.gradebook.grade import grade_submissions
 
-
-def _grade(submissions, keys, out, options):
-    from imgproc_course.classroom.autograder.sandbox.bubblewrap import SandboxError
-    from imgproc_course.classroom.gradebook.grade import grade_submissions
-
-    try:
-        with _in_one_line(SandboxError, ValueError):  # the other errors of grading are ValueErrors
-            report = grade_submissions(submissions, keys, out, **options)
-    except KeyboardInterrupt:
-        click.echo("\nStopped. Finished grades are saved: run the same command again to continue.", err=True)
-        raise SystemExit(130) from None
+        try:
+            with _in_one_line(SandboxError, ValueError):  # the other errors of grading are ValueErrors
+                report = grade_submissions(submissions, keys, out, **options)
+        except KeyboardInterrupt:
+            click.echo(
+                "\nStopped. Finished grades are saved: run the same command again to continue.", err=True
+            )
+            raise SystemExit(130) from None
     click.echo(report.text)
     if report.not_graded or report.failed_pages:
         raise SystemExit(_COULD_NOT_GRADE)
@@ -471,9 +446,7 @@ def _grade(submissions, keys, out, options):
 
 @main.command("new-lesson")
 @click.argument("name")
-@click.option(
-    "--out", type=_FOLDER, required=True, help="Folder of your masters; created if it does not exist."
-)
+@option("--out", type=_FOLDER, required=True, help="Folder of your masters; created if it does not exist.")
 def new_lesson(name, out):
     """Create a lesson of your own: a master that you can build and grade at once."""
     from imgproc_course.classroom.authoring.new_lesson import new_lesson as write

@@ -23,26 +23,15 @@ class AnswerKeys:
         self._cells = {key.digest: _read(key.path, HANDED_OUT) for key in self.keys}
         self._solutions = {key.digest: _read(key.path, SOLUTIONS) for key in self.keys}
 
-    def variant_for(self, lesson, version, learner):
-        """The key that grades a learner's lesson: of the key for this version, the learner's variant."""
-        return self.key_for(lesson, version).variant_for(learner)
-
     def key_for(self, lesson, version):
         """The key made from this version of a lesson, or the lesson's default key."""
         candidates = [key for key in self.keys if lesson in key.lessons]
         return next((key for key in candidates if key.lessons[lesson].version == version), candidates[0])
 
-    def answer_ids(self, lesson):
-        """The ids of a lesson's answer cells, in any version, as a set."""
-        return {f"answer-{exercise.id}" for exercise in self._exercises(lesson)}
-
     def functions(self, lesson):
-        """The names of the functions that a lesson asks for, in any version, as a set."""
-        return {exercise.function for exercise in self._exercises(lesson)}
-
-    def _exercises(self, lesson):
+        """{(id of an exercise, the function that it asks for)} of a lesson, in any version."""
         versions = [key.lessons[lesson] for key in self.keys if lesson in key.lessons]
-        return [exercise for version in versions for exercise in version.exercises]
+        return {(exercise.id, exercise.function) for version in versions for exercise in version.exercises}
 
     def describe(self, lesson, version):
         """The LessonDescription of a lesson, from the key for this version."""

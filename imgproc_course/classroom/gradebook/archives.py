@@ -10,6 +10,7 @@ import re
 import stat
 import zipfile
 import zlib
+from contextlib import ExitStack
 from datetime import datetime
 from pathlib import PurePosixPath
 
@@ -18,7 +19,6 @@ from imgproc_course.classroom.gradebook.senders import LONGEST_NAME
 
 LARGEST = 50_000_000  # bytes of one notebook; a lesson full of images has a tenth of it
 LARGEST_ZIP = 4_000_000_000  # bytes of the zip file itself
-LARGEST_WITHIN = 8_000_000_000  # bytes of all files in a zip, unpacked
 MOST_MEMBERS = 20_000
 MOST_RATIO = 200  # unpacked size to packed size
 _LARGEST_CONTENTS = 8_000_000  # bytes of a zip's table of contents; 20,000 files need 3 MB
@@ -50,7 +50,7 @@ def too_large(size, largest):
     )
 
 
-def open_collected(path, device, inode, largest):
+def _open_collected(path, device, inode, largest):
     """Open a collected file for reading bytes; CollectError if another file has taken its place."""
     try:
         descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK | os.O_CLOEXEC)
@@ -67,7 +67,16 @@ def open_collected(path, device, inode, largest):
     return file
 
 
-def read_bounded(file):
+def read_collected(path, device, inode):
+    """The bytes of a collected notebook; CollectError if it cannot be read."""
+    with _open_collected(path, device, inode, LARGEST) as file:
+        try:
+            return _read_bounded(file)
+        except OSError as error:
+            raise CollectError(f"it cannot be read ({error.strerror})") from error
+
+
+def _read_bounded(file):
     """The bytes of a file; CollectError if they are more than the largest notebook may have."""
     data = file.read(LARGEST + 1)
     if len(data) > LARGEST:
@@ -90,22 +99,25 @@ class Archives:
     """Keeps the last zip open: its members are read one after another."""
 
     def __init__(self):
-        self._location, self._archive, self._file, self._members = None, None, None, []
+        self._opened, self._location, self._archive, self._members = ExitStack(), None, None, []
 
     def members(self, *location):
         """The members of the zip at a path, device and inode, without its folders."""
         if self._location != location:
             self.close()
-            self._file = _ContentsReader(open_collected(*location, LARGEST_ZIP).detach())
+            opened = _open_collected(*location, LARGEST_ZIP)
+            file = self._opened.enter_context(_ContentsReader(opened.detach()))
             try:
-                self._archive = zipfile.ZipFile(self._file)
+                self._archive = self._opened.enter_context(zipfile.ZipFile(file))
             except (*_ERRORS, NotImplementedError) as error:
                 self.close()
                 raise CollectError(f"the zip cannot be read ({sanitize_line(str(error), 100)})") from error
             # Not is_dir(): in Python 3.11 it fails for a member without a name.
             members = [member for member in self._archive.infolist() if not member.filename.endswith("/")]
-            _require_bounded(members)
-            self._file.limited, self._location, self._members = False, location, members
+            if len(members) > MOST_MEMBERS:
+                text = f"the zip holds {len(members)} files; at most {MOST_MEMBERS} are read"
+                raise CollectError(text)
+            file.limited, self._location, self._members = False, location, members
         return self._members
 
     def read(self, location, number):
@@ -113,7 +125,7 @@ class Archives:
         try:
             member = self.members(*location)[number]
             with self._archive.open(member) as file:
-                return read_bounded(file)
+                return _read_bounded(file)
         except _ERRORS as error:
             if isinstance(error, CollectError):
                 raise
@@ -121,25 +133,18 @@ class Archives:
 
     def close(self):
         """Close the zip that is open, if any."""
-        for opened in (self._archive, self._file):
-            if opened is not None:
-                opened.close()
-        self._location, self._archive, self._file = None, None, None
+        self._opened.close()
+        self._location = None
 
 
-def _require_bounded(members):
-    if len(members) > MOST_MEMBERS:
-        raise CollectError(f"the zip holds {len(members)} files; at most {MOST_MEMBERS} are read")
-    size = sum(member.file_size for member in members)
-    if size > LARGEST_WITHIN:
-        megabytes = LARGEST_WITHIN // 1_000_000
-        raise CollectError(f"the zip holds {size // 1_000_000} MB; at most {megabytes} are read")
+def member_parts(member):
+    """The parts of the name of a member, whatever system wrote it."""
+    return PurePosixPath(member.filename.replace("\\", "/")).parts
 
 
 def member_problem(member):
     """Why a member of a zip is not read, or ""."""
-    name = member.filename
-    parts = PurePosixPath(name.replace("\\", "/")).parts
+    name, parts = member.filename, member_parts(member)
     if parts and PurePosixPath(parts[-1].lower()).suffix == ".zip":
         return "it is a zip in a zip; submit the notebook itself"
     if name.startswith(("/", "\\")) or ".." in parts or re.match(r"[A-Za-z]:", name):

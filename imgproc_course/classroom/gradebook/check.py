@@ -8,23 +8,14 @@ import asyncio
 from dataclasses import dataclass, field
 from pathlib import Path
 
+from imgproc_course.classroom.exercises import check_files
 from imgproc_course.classroom.exercises.check_data import CheckData
-from imgproc_course.classroom.exercises.check_files import (
-    NO_CHECKS,
-    CheckFileError,
-    checks_folders,
-    read_check_file,
-)
 from imgproc_course.classroom.exercises.checking import CheckResult, check_built
 from imgproc_course.classroom.exercises.error_advice import advice_on
 from imgproc_course.classroom.exercises.feedback import explain_call
 from imgproc_course.classroom.gradebook.archives import LARGEST, too_large
 from imgproc_course.classroom.gradebook.notebook_reader import NotebookReader
-from imgproc_course.classroom.gradebook.submission import (
-    AnswerState,
-    SubmissionContent,
-    read_submission,
-)
+from imgproc_course.classroom.gradebook.submission import AnswerState, SubmissionContent, read_submission
 
 _ADVICE = {
     AnswerState.MISSING: "Open the lesson afresh and copy your function into this cell.",
@@ -69,11 +60,6 @@ class LessonCheck:
     was_run: bool = False
 
     @property
-    def notes(self):
-        """What is unusual about the whole notebook, as a list of str."""
-        return self.content.texts_about("")
-
-    @property
     def ready(self):
         """True if grading finds an answer to every graded exercise."""
         graded = (entry for entry in self.exercises if not entry.exercise.practice)
@@ -81,35 +67,25 @@ class LessonCheck:
 
 
 class CheckFileCatalog:
-    """The lessons that the checks files of some folders describe.
+    """The lessons that the checks files of some folders describe; the first folder that has one describes it.
 
-    Parameters
-    ----------
-    folders : list of Path; the first folder that has a lesson describes it
-
-    Attributes
-    ----------
-    lessons : {name: CheckFile}
-    damage  : list of CheckFileError, of the files that cannot be read
+    lessons  {name: CheckFile}
+    damage   list of CheckFileError, of the files that cannot be read
     """
 
     def __init__(self, folders):
         self.lessons, self.damage = {}, []
         for path in (path for folder in folders for path in sorted(folder.glob("*.json"))):
             try:
-                file = read_check_file(path)
-            except CheckFileError as error:
+                file = check_files.read_check_file(path)
+            except check_files.CheckFileError as error:
                 self.damage.append(error)
             else:
                 self.lessons.setdefault(file.lesson, file)
 
-    def answer_ids(self, lesson):
-        """The ids of a lesson's answer cells, as a set."""
-        return {f"answer-{id}" for id in self.lessons[lesson].entries}
-
     def functions(self, lesson):
-        """The names of the functions that a lesson asks for, as a set."""
-        return {entry.get("function", "") for entry in self.lessons[lesson].entries.values()}
+        """{(id of an exercise, the function that it asks for)} of a lesson."""
+        return {(id, entry.get("function", "")) for id, entry in self.lessons[lesson].entries.items()}
 
     def describe(self, lesson, _version):
         """The LessonDescription of a lesson, in the version that its checks were built with."""
@@ -117,27 +93,18 @@ class CheckFileCatalog:
 
 
 def check_lesson(path, folders=None):
-    """Inspect a learner's notebook, without running anything in it.
+    """Inspect a learner's notebook, without running anything in it; a LessonCheck.
 
-    Parameters
-    ----------
-    path : Path of the notebook
-    folders : list of Path of checks; those beside the notebook and the course's if omitted
-
-    Returns
-    -------
-    LessonCheck
-
-    Raises
-    ------
-    LessonFileError : no such file, not a notebook, or not a lesson of this course
-    CheckFileError : the checks of the lesson are missing or damaged
+    `folders` are those of checks, if not the one beside the notebook and the course's. LessonFileError: no
+    such file, no notebook, or no lesson of this course; CheckFileError: its checks are missing or damaged.
     """
     path = Path(path)
     data = _read(path)
-    catalog = CheckFileCatalog(checks_folders(path.resolve().parent) if folders is None else folders)
+    if folders is None:
+        folders = check_files.checks_folders(path.resolve().parent)
+    catalog = CheckFileCatalog(folders)
     if not catalog.lessons and not catalog.damage:
-        raise CheckFileError(NO_CHECKS)
+        raise check_files.CheckFileError(check_files.NO_CHECKS)
     with NotebookReader() as reader:
         content = read_submission(data, catalog, reader, path.name)
     if content.reason and catalog.damage:
@@ -183,35 +150,15 @@ def _read(path):
 
 
 def run_answers(lesson_check):
-    """Run each answer against its public checks, in a namespace of its own as in grading.
-
-    Parameters
-    ----------
-    lesson_check : LessonCheck; each exercise with an answer gets its `result`
-    """
+    """Run each answer against its public checks, in a namespace of its own as in grading; sets `result`."""
     lesson_check.was_run = True
     for entry in lesson_check.exercises:
         if entry.state is AnswerState.ANSWERED:
-            _run_answer(entry)
+            # As in JupyterLab and in grading, an event loop is running: asyncio.run() raises there.
+            asyncio.run(_run_answer(entry))
 
 
-def _run_answer(entry):
-    if "async" not in entry.source:
-        _run_and_check(entry)
-        return
-    # As in JupyterLab and in grading, an event loop is running: asyncio.run() raises there.
-    loop = asyncio.new_event_loop()
-    try:
-        loop.run_until_complete(_run_in_loop(entry))
-    finally:
-        loop.close()
-
-
-async def _run_in_loop(entry):
-    _run_and_check(entry)
-
-
-def _run_and_check(entry):
+async def _run_answer(entry):
     names, error = entry.exercise.run_answer(entry.source)
     function = names.get(entry.exercise.function)
     if not callable(function):
@@ -244,18 +191,9 @@ def _run_and_check(entry):
 
 
 def report_lines(lesson_check):
-    """The report of a checked lesson, as lines for a terminal.
-
-    Parameters
-    ----------
-    lesson_check : LessonCheck
-
-    Yields
-    ------
-    str
-    """
+    """The report of a LessonCheck, line by line for a terminal."""
     yield f"{lesson_check.path.name}: {lesson_check.content.lesson}"
-    yield from (f"  note: {note}" for note in lesson_check.notes)
+    yield from (f"  note: {note}" for note in lesson_check.content.texts_about(""))
     for entry in lesson_check.exercises:
         practice = " (practice)" if entry.exercise.practice else ""
         yield f"  {entry.exercise.id}{practice}: {_summary(entry)}"

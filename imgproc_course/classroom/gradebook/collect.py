@@ -24,23 +24,15 @@ import os
 import stat
 import unicodedata
 from collections import Counter, deque
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, replace
 from datetime import datetime
+from functools import partial
 from pathlib import Path, PurePosixPath
 
 from imgproc_course.classroom.authoring.lesson_names import is_lesson
 from imgproc_course.classroom.autograder.sanitize import sanitize_line
-from imgproc_course.classroom.gradebook.archives import (
-    LARGEST,
-    LARGEST_ZIP,
-    Archives,
-    CollectError,
-    file_problem,
-    member_problem,
-    member_time,
-    open_collected,
-    read_bounded,
-)
+from imgproc_course.classroom.gradebook import archives
+from imgproc_course.classroom.gradebook.archives import Archives, CollectError
 from imgproc_course.classroom.gradebook.senders import (
     Certainty,
     Sender,
@@ -54,11 +46,11 @@ from imgproc_course.classroom.gradebook.senders import (
 MOST_SENDERS = 20_000
 MOST_NOTEBOOKS = 100  # of one sender; the course has 21 lessons
 LARGEST_SUBMISSION = 200_000_000  # bytes of one sender's notebooks together
-MOST_FOLDERS = 300  # of one sender
-MOST_FILES = 20_000  # in the folders of one sender; as many in the zips
+MOST_FILES = 20_000  # and folders, in the folders of one sender; as many files in the zips
 DEEPEST = 12  # folders
 _MOST_LISTED = 20  # other files of one sender, by name; and findings about what was not looked at
 _MOST_NAMES = 3  # different names in one zip: more look like a zip of several people
+_KINDS = (".ipynb", ".zip")
 _SKIPPED_FOLDERS = {".ipynb_checkpoints", "__MACOSX", "__pycache__", ".git"}
 _ENVIRONMENTS = {".venv", "venv", "env", ".tox", "site-packages", "node_modules"}
 
@@ -73,7 +65,7 @@ class SubmittedFile(Sender):
     order         tuple; sorts the submissions of one lesson from the earliest to the latest
     archived_at   datetime of the platform's zip that says `submitted_at`; None for other files
     reason        why the file is not read, or ""
-    location      what `read` needs to open it
+    reader        function without arguments that returns its bytes
     """
 
     source: str = ""
@@ -82,20 +74,13 @@ class SubmittedFile(Sender):
     order: tuple = ()
     archived_at: datetime | None = None
     reason: str = ""
-    location: tuple = ()
+    reader: object = None
 
     def read(self):
         """The bytes of the file; CollectError if it cannot be read, or if it is too large."""
         if self.reason:
             raise CollectError(self.reason)
-        opener, *location = self.location
-        if isinstance(opener, Archives):
-            return opener.read(*location)
-        with open_collected(opener, *location, LARGEST) as file:
-            try:
-                return read_bounded(file)
-            except OSError as error:
-                raise CollectError(f"it cannot be read ({error.strerror})") from error
+        return self.reader()
 
 
 @dataclass(frozen=True, order=True)
@@ -115,9 +100,28 @@ class IntakeFinding:
     text: str
 
 
-@dataclass
+def collect(path, lessons=()):
+    """Find every submitted file in a folder, a zip or a notebook, as a Collection.
+
+    The names of lessons distinguish them from names of learners. CollectError: there is no submission.
+    """
+    path = Path(path)
+    if not path.exists():
+        raise CollectError(f"{path}: does not exist; give the folder or the zip with the submissions")
+    collection = Collection()
+    intake = _Intake(path.resolve(), tuple(lessons), collection)
+    if path.is_dir():
+        intake.add_everything()
+    else:
+        intake.add_file(path.resolve(), alone=(path.name,))
+    collection.finish()
+    if not collection.files:
+        raise CollectError(f"{path}: no notebooks (*.ipynb) and no zip in it; give the folder of submissions")
+    return collection
+
+
 class Collection:
-    """What was collected.
+    """What was collected, of each sender no more than their budget of files and bytes.
 
     files     list of SubmittedFile, sorted by source
     ignored   names of other files, sorted; of each sender at most some
@@ -126,12 +130,10 @@ class Collection:
     Use it as a context manager: a zip stays open until the end of the block.
     """
 
-    files: list = field(default_factory=list)
-    ignored: list = field(default_factory=list)
-    findings: list = field(default_factory=list)
-    archives: object = field(default_factory=Archives)
-    _known: set = field(default_factory=set)
-    _counts: Counter = field(default_factory=Counter)
+    def __init__(self):
+        self.files, self.ignored, self.findings, self.archives = [], [], [], Archives()
+        self._notebooks, self._bytes, self._ignored, self._found = Counter(), Counter(), Counter(), Counter()
+        self._known = set()
 
     def __enter__(self):
         return self
@@ -142,210 +144,222 @@ class Collection:
     def add_finding(self, kind, learner, parts, text):
         """Add a finding once; of one learner only the first ones of a kind."""
         finding = IntakeFinding(kind, learner, display_path(parts), text)
-        if finding in self._known or self._counts[kind, learner] > _MOST_LISTED:
+        if finding in self._known or self._found[kind, learner] > _MOST_LISTED:
             return
         self._known.add(finding)
-        self._counts[kind, learner] += 1
-        if self._counts[kind, learner] > _MOST_LISTED:
+        self._found[kind, learner] += 1
+        if self._found[kind, learner] > _MOST_LISTED:
             finding = IntakeFinding(kind, learner, "", "and more of the same kind, which are not listed")
         self.findings.append(finding)
 
+    def ignore(self, learner, parts):
+        """List a file that is not read."""
+        self._ignored[learner] += 1
+        if self._ignored[learner] <= _MOST_LISTED:
+            self.ignored.append(display_path(parts))
 
-def collect(path, lessons=()):
-    """Find every submitted file in a folder, a zip or a notebook, as a Collection.
+    def add(self, sender, parts, *, size=0, reason="", submitted_at=None, group="", number=0, **more):
+        """Add the file that was found at `parts`, if its sender's budget allows."""
+        key = (sender.learner, sender.platform_id, parts[0])  # a forged name uses up nobody else's budget
+        self._notebooks[key] += 1
+        if self._notebooks[key] > MOST_NOTEBOOKS:
+            text = f"more than {MOST_NOTEBOOKS} notebooks and zips; the others were not read"
+            self.add_finding("file", sender.learner, parts[:1], text)
+            return
+        self._bytes[key] += 0 if reason else size
+        if self._bytes[key] > LARGEST_SUBMISSION:
+            most = LARGEST_SUBMISSION // 1_000_000
+            reason = reason or f"with it, this submission has more than {most} MB of notebooks; submit fewer"
+        if sender.doubt:
+            self.add_finding("sender", sender.learner, parts, sender.doubt)
+        if not group and not sender.platform and len(parts) > 1:
+            group = sanitize_line(parts[0], 120)
+        _, repetition = split_repetition(PurePosixPath(parts[-1]).stem)
+        moment, source = submitted_at.isoformat() if submitted_at else "", display_path(parts)
+        order = (sender.sequence, moment, repetition, number, source)
+        more |= {"source": source, "group": group, "submitted_at": submitted_at, "order": order}
+        self.files.append(SubmittedFile(**vars(sender), reason=reason, **more))
 
-    The names of lessons distinguish them from names of learners. CollectError: there is no submission.
-    """
-    path = Path(path)
-    if not path.exists():
-        raise CollectError(f"{path}: does not exist; give the folder or the zip with the submissions")
-    collection = Collection()
-    intake = _Intake(tuple(lessons), collection)
-    if path.is_dir():
-        intake.add_folder(path.resolve())
-    else:
-        intake.add_file(path.resolve(), (path.name,), alone=True)
-    intake.finish()
-    if not collection.files:
-        raise CollectError(f"{path}: no notebooks (*.ipynb) and no zip in it; give the folder of submissions")
-    collection.files.sort(key=lambda file: file.source)
-    collection.ignored.sort()
-    collection.findings.sort()
-    return collection
+    def finish(self):
+        """Report what can only be known now that everything is collected, and sort it."""
+        files = list(_told_apart(self.files, self.findings))
+        self.files = sorted(files, key=lambda file: file.source)
+        senders = {file.learner for file in files}
+        for name, count in self._ignored.items():
+            if count > _MOST_LISTED:
+                self.ignored.append(f"{name}: {count - _MOST_LISTED} more files")
+            if name not in senders:
+                self.findings.append(IntakeFinding("file", name, "", "no notebook and no zip"))
+        self.ignored.sort()
+        self.findings.sort()
 
 
 class _Intake:
-    """Turns files, and the members of zips, into SubmittedFiles."""
+    """Finds the files below a folder, and the members of zips, with their senders."""
 
-    def __init__(self, lessons, collection):
-        self._lessons, self._collection = lessons, collection
-        self._notebooks, self._bytes, self._unlisted = Counter(), Counter(), Counter()
-        self._members = Counter()
-        self._numbered = frozenset()
+    def __init__(self, root, lessons, collection):
+        self._root, self._lessons, self._collection = root, lessons, collection
+        self._members, self._numbered = Counter(), frozenset()
 
     # ------------------------------------------------------------ folders
 
-    def add_folder(self, root):
+    def add_everything(self):
         """Add everything in the folder of submissions."""
-        entries = self._entries(root, ())
-        folders = [entry for entry in entries if is_lesson(entry.name, self._lessons) and _is_folder(entry)]
-        notebooks = [Path(path).relative_to(root).parts for entry in folders for path in _notebooks_in(entry)]
+        entries = self._entries(self._root)
+        opened = {
+            entry: self._entries(entry)
+            for entry in entries
+            if is_lesson(entry.name, self._lessons) and _is_folder(entry)
+        }
+        notebooks = [self._parts(e) for inside in opened.values() for e in inside if _suffix(e) == ".ipynb"]
         self._numbered = numbered_learners(notebooks, self._lessons)
-        for entry in folders:
-            if entry.name not in self._numbered:
-                entries.remove(entry)
-                entries += self._entries(Path(entry.path), (entry.name,))
+        for folder, inside in opened.items():
+            if folder.name not in self._numbered:
+                entries.remove(folder)
+                entries += inside
         if len(entries) > MOST_SENDERS:
-            raise CollectError(f"{root}: more than {MOST_SENDERS} submissions; grade it in parts")
-        for entry in sorted(entries, key=lambda entry: entry.path):
-            parts = Path(entry.path).relative_to(root).parts
+            raise CollectError(f"{self._root}: more than {MOST_SENDERS} submissions; grade it in parts")
+        for entry in entries:
             if not _is_folder(entry):
                 if not entry.name.startswith("."):
-                    self.add_file(Path(entry.path), parts)
-            elif not self._is_hidden(entry, parts):
-                self._walk(Path(entry.path), parts)
+                    self.add_file(entry)
+            elif not self._is_hidden(entry):
+                self._walk(entry)
 
-    def _walk(self, top, top_parts):
+    def _walk(self, top):
         """Add the notebooks in a sender's folder, the upper folders first."""
-        folders, count, files_left = deque([(top, top_parts)]), 0, MOST_FILES
+        folders, files_left = deque([top]), MOST_FILES
         while folders:
-            folder, parts = folders.popleft()
-            count += 1
-            if count > MOST_FOLDERS:
-                text = f"more than {MOST_FOLDERS} folders; the deeper ones were not looked at"
-                self._add_finding("file", top_parts, text)
-                return
-            entries = self._entries(folder, parts)
+            entries = self._entries(folders.popleft())
             files_left -= len(entries)
             if files_left < 0:  # the notebooks in this folder are still found
-                text = f"more than {MOST_FILES} files; the others were not looked at"
-                self._add_finding("file", top_parts, text)
-                entries = [entry for entry in entries if _suffix(entry.name) in (".ipynb", ".zip")]
+                self._add_finding(top, f"more than {MOST_FILES} files; the others were not looked at")
+                entries = [entry for entry in entries if _suffix(entry) in _KINDS]
                 folders.clear()
             for entry in entries:
-                entry_parts = (*parts, entry.name)
                 if not _is_folder(entry):
-                    self.add_file(Path(entry.path), entry_parts)
-                elif self._is_walked(entry, entry_parts):
-                    folders.append((Path(entry.path), entry_parts))
+                    self.add_file(entry)
+                elif self._is_walked(entry):
+                    folders.append(entry)
 
-    def _is_walked(self, entry, parts):
-        if entry.name in _ENVIRONMENTS or os.access(f"{entry.path}/pyvenv.cfg", os.F_OK):
-            self._add_finding("file", parts, "an environment of installed packages; it was not looked at")
-        elif len(parts) > DEEPEST and entry.name not in _SKIPPED_FOLDERS:
-            self._add_finding("file", parts, f"more than {DEEPEST} folders deep; it was not looked at")
+    def _is_walked(self, folder):
+        if folder.name in _ENVIRONMENTS or os.access(f"{folder.path}/pyvenv.cfg", os.F_OK):
+            self._add_finding(folder, "an environment of installed packages; it was not looked at")
+        elif len(self._parts(folder)) > DEEPEST and folder.name not in _SKIPPED_FOLDERS:
+            self._add_finding(folder, f"more than {DEEPEST} folders deep; it was not looked at")
         else:
-            return not self._is_hidden(entry, parts)
+            return not self._is_hidden(folder)
         return False
 
-    def _is_hidden(self, folder, parts):
+    def _is_hidden(self, folder):
         """Whether a folder is not looked at because of its name; it is listed unless a tool made it."""
-        if folder.name in _SKIPPED_FOLDERS:
-            return True
-        if folder.name.startswith("."):
-            self._ignore((*parts, ""))
-            return True
-        return False
+        if folder.name.startswith(".") and folder.name not in _SKIPPED_FOLDERS:
+            parts = (*self._parts(folder), "")
+            self._collection.ignore(self._sender_of(parts).learner, parts)
+        return folder.name.startswith(".") or folder.name in _SKIPPED_FOLDERS
 
-    def _entries(self, folder, parts):
+    def _entries(self, folder):
         """The entries of a folder, sorted by name; of one that cannot be read none, and a finding."""
         try:
             return sorted(os.scandir(folder), key=lambda entry: entry.name)
         except OSError as error:
             reason = f"the folder cannot be read ({error.strerror})"
-            if not parts:
+            if folder is self._root:
                 raise CollectError(f"{folder}: {reason}") from error
-            self._add_submission(self._sender_of_folder(parts), parts, reason=reason)
+            self._collection.add(self._sender_of_folder(folder), self._parts(folder), reason=reason)
             return []
 
-    def _sender_of_folder(self, parts):
+    def _add_finding(self, entry, text):
+        sender = self._sender_of_folder(entry)
+        self._collection.add_finding("file", sender.learner, self._parts(entry), text)
+
+    def _sender_of_folder(self, folder):
+        parts = self._parts(folder)
         return self._sender_of(parts if len(parts) > 1 else (*parts, ""))
 
     def _sender_of(self, parts):
         return sender_of(parts, self._lessons, self._numbered)
 
+    def _parts(self, path):
+        return Path(path).relative_to(self._root).parts
+
     # ------------------------------------------------------------ files
 
-    def add_file(self, path, parts, *, alone=False):
-        """Add a file; of a zip, add its members. `alone`: it is all that there is."""
-        suffix = _suffix(parts[-1])
-        try:
-            status = path.lstat()
-        except OSError as error:
-            status, reason = None, f"it cannot be read ({error.strerror})"
-        else:
-            reason = file_problem(status, LARGEST if suffix == ".ipynb" else LARGEST_ZIP)
-        if suffix not in (".ipynb", ".zip"):
-            if status and stat.S_ISLNK(status.st_mode):
-                self._add_finding("file", parts, "a link; links are not followed")
-            self._ignore(parts)
-            return
+    def add_file(self, path, *, alone=()):
+        """Add a file; of a zip, add its members. `alone`: the parts of its path, if there is no other."""
+        parts, suffix, status = alone or self._parts(path), _suffix(path), None
         sender = self._sender_of(parts)
-        modified = local_time(status.st_mtime) if status else None
-        if suffix == ".zip" and not reason:
-            location = (str(path), status.st_dev, status.st_ino)
-            reason = self._add_members(location, parts, sender, modified, alone)
-            if not reason:
-                return
-        self._add_submission(
-            sender,
-            parts,
-            submitted_at=modified,
-            size=status.st_size if suffix == ".ipynb" and status else 0,
-            reason=reason,
-            location=(str(path), status.st_dev, status.st_ino) if status else (),
-        )
+        try:
+            status = os.lstat(path)
+            largest = archives.LARGEST if suffix == ".ipynb" else archives.LARGEST_ZIP
+            reason = archives.file_problem(status, largest)
+        except OSError as error:
+            reason = f"it cannot be read ({error.strerror})"
+        if suffix not in _KINDS:
+            if status and stat.S_ISLNK(status.st_mode):
+                self._add_finding(path, "a link; links are not followed")
+            self._collection.ignore(sender.learner, parts)
+            return
+        about = {}
+        if status:
+            location = (os.fspath(path), status.st_dev, status.st_ino)
+            about["submitted_at"] = local_time(status.st_mtime)
+            about["reader"] = partial(archives.read_collected, *location)
+            if suffix == ".ipynb":
+                about["size"] = status.st_size
+            elif not reason:
+                reason = self._add_members(location, parts, sender, about["submitted_at"], alone)
+                if not reason:
+                    return
+        self._collection.add(sender, parts, reason=reason, **about)
 
     # ------------------------------------------------------------ zips
 
     def _add_members(self, location, parts, sender, modified, alone):
         """Add the notebooks in a zip; returns why it cannot be read, or ""."""
-        archives, budget = self._collection.archives, (sender.learner, sender.platform_id, parts[0])
+        opened, budget = self._collection.archives, (sender.learner, sender.platform_id, parts[0])
         if self._members[budget] > MOST_FILES:
             return f"the zips before it in this submission hold more than {MOST_FILES} files"
         try:
-            members = archives.members(*location)
+            members = opened.members(*location)
         except CollectError as error:
             return str(error)
         self._members[budget] += len(members)
-        names = [_member_name(member) for member in members]
-        sender_in = self._senders_in(parts, [name for name in names if _is_counted(name)], sender, alone)
+        names = [_counted_name(member) for member in members]
+        senders = self._senders_in(parts, list(filter(None, names)), sender, alone)
         for number, (member, name) in enumerate(zip(members, names, strict=True)):
-            if not _is_counted(name):
+            if not name:
                 continue
-            member_sender = sender_in(name)
-            if _suffix(name[-1]) not in (".ipynb", ".zip"):
-                self._ignore((*parts, *name), member_sender)
+            if _suffix(name[-1]) not in _KINDS:
+                self._collection.ignore(senders[name].learner, (*parts, *name))
                 continue
-            is_platforms = member_sender != sender
-            self._add_submission(
-                member_sender,
-                (*parts, *PurePosixPath(member.filename.replace("\\", "/")).parts),
+            is_platforms = senders[name] != sender
+            self._collection.add(
+                senders[name],
+                (*parts, *archives.member_parts(member)),
                 # A learner can write any date into a zip.
-                submitted_at=member_time(member, modified) if is_platforms else modified,
+                submitted_at=archives.member_time(member, modified) if is_platforms else modified,
                 archived_at=modified if is_platforms else None,
                 size=member.file_size,
-                reason=member_problem(member),
-                location=(archives, location, number),
+                reason=archives.member_problem(member),
+                reader=partial(opened.read, location, number),
                 group=display_path(parts),
                 number=number,
             )
         return ""
 
     def _senders_in(self, parts, names, sender, alone):
-        """A function from a member's name to its Sender."""
+        """The Senders of the members of a zip, by their names."""
         if alone and not sender.platform:
             return self._senders_in_folder(names, sender)
         at_top = sender.place == parts[:-1] and sender.certainty is not Certainty.IN_UNKNOWN_FOLDER
-        if not at_top or sender.platform or not names:
-            return lambda name: sender
-        senders = [platform_sender(name[0]) for name in names]
-        if all(found is not None and not found.doubt for found in senders):
-            return lambda name: replace(
-                sender_of(name, self._lessons), place=parts, certainty=Certainty.IN_ZIP
-            )
-        self._report_names(parts, names, sender)
-        return lambda name: sender
+        if at_top and not sender.platform and names:
+            found = [platform_sender(name[0]) for name in names]
+            if all(one is not None and not one.doubt for one in found):
+                in_zip = {"place": parts, "certainty": Certainty.IN_ZIP}
+                return {name: replace(sender_of(name, self._lessons), **in_zip) for name in names}
+            self._report_names(parts, names, sender)
+        return dict.fromkeys(names, sender)
 
     def _senders_in_folder(self, names, sender):
         """The same for a zip given alone: a folder of submissions, perhaps inside one more folder."""
@@ -354,13 +368,11 @@ class _Intake:
         is_wrapped = len(tops) == 1 and "" not in tops and platform_sender(*tops) is None
         depth = 1 if is_wrapped else 0
         numbered = numbered_learners([name[depth:] for name in notebooks], self._lessons)
-
-        def sender_in(name):
-            if len(name) <= depth + 1 and is_lesson_file(name[-1], self._lessons):
-                return sender
-            return sender_of(name[depth:] or name, self._lessons, numbered)
-
-        return sender_in
+        senders = {name: sender_of(name[depth:] or name, self._lessons, numbered) for name in names}
+        lessons = (
+            name for name in names if len(name) <= depth + 1 and is_lesson_file(name[-1], self._lessons)
+        )
+        return senders | dict.fromkeys(lessons, sender)
 
     def _report_names(self, parts, names, sender):
         """Report a zip that may hold submissions of several people; all of them count as its sender's."""
@@ -371,59 +383,6 @@ class _Intake:
             text += f"; all of it counts as {sender.learner}'s. If it holds submissions of several people,"
             self._collection.add_finding("sender", sender.learner, parts, f"{text} unpack it")
 
-    # ------------------------------------------------------------ what was found
-
-    def _add_submission(
-        self, sender, parts, *, size=0, reason="", submitted_at=None, group="", number=0, **more
-    ):
-        """Add the file that was found at `parts` to the collection, if its sender's budget allows."""
-        key = (sender.learner, sender.platform_id, parts[0])  # a forged name uses up nobody else's budget
-        self._notebooks[key] += 1
-        if self._notebooks[key] > MOST_NOTEBOOKS:
-            text = f"more than {MOST_NOTEBOOKS} notebooks and zips; the others were not read"
-            self._collection.add_finding("file", sender.learner, parts[:1], text)
-            return
-        self._bytes[key] += 0 if reason else size
-        if self._bytes[key] > LARGEST_SUBMISSION:
-            most = LARGEST_SUBMISSION // 1_000_000
-            reason = reason or f"with it, this submission has more than {most} MB of notebooks; submit fewer"
-        if sender.doubt:
-            self._collection.add_finding("sender", sender.learner, parts, sender.doubt)
-        if not group and not sender.platform and len(parts) > 1:
-            group = sanitize_line(parts[0], 120)
-        _, repetition = split_repetition(PurePosixPath(parts[-1]).stem)
-        moment, source = submitted_at.isoformat() if submitted_at else "", display_path(parts)
-        file = SubmittedFile(
-            **vars(sender),
-            source=source,
-            group=group,
-            submitted_at=submitted_at,
-            order=(sender.sequence, moment, repetition, number, source),
-            reason=reason,
-            **more,
-        )
-        self._collection.files.append(file)
-
-    def _add_finding(self, kind, parts, text):
-        self._collection.add_finding(kind, self._sender_of_folder(parts).learner, parts, text)
-
-    def _ignore(self, parts, sender=None):
-        sender = sender or self._sender_of(parts)
-        self._unlisted[sender.learner] += 1
-        if self._unlisted[sender.learner] <= _MOST_LISTED:
-            self._collection.ignored.append(display_path(parts))
-
-    def finish(self):
-        """Report what can only be known now that everything is collected."""
-        files, findings = self._collection.files, self._collection.findings
-        self._collection.files = list(_told_apart(files, findings))
-        senders = {file.learner for file in self._collection.files}
-        for name, count in self._unlisted.items():
-            if count > _MOST_LISTED:
-                self._collection.ignored.append(f"{name}: {count - _MOST_LISTED} more files")
-            if name not in senders:
-                findings.append(IntakeFinding("file", name, "", "no notebook and no zip"))
-
 
 def _told_apart(files, findings):
     """The files; senders whose names look like another one's get a name of their own, and a finding.
@@ -432,15 +391,18 @@ def _told_apart(files, findings):
     like an escaped mark. Two forms of one letter (NFC and NFD) are the same name, because systems change
     them; but not side by side in one folder.
     """
-    spellings, people, identities = {}, {}, []
+    spellings, people = {}, {}
     for file in files:
         spellings.setdefault((file.place, _composed(file.given)), set()).add(file.given)
+
+    def identity_of(file):
+        composed = _composed(file.given)
+        return file.given if len(spellings[file.place, composed]) > 1 else composed
+
     for file in files:
-        has_two_forms = len(spellings[file.place, _composed(file.given)]) > 1
-        identities.append(file.given if has_two_forms else _composed(file.given))
-        people.setdefault(file.learner, set()).add(identities[-1])
-    for file, identity in zip(files, identities, strict=True):
-        look_alikes = people[file.learner]
+        people.setdefault(file.learner, set()).add(identity_of(file))
+    for file in files:
+        look_alikes, identity = people[file.learner], identity_of(file)
         first = file.learner if file.learner in look_alikes else min(look_alikes)
         if identity == first:
             yield file
@@ -470,25 +432,14 @@ def _is_folder(entry):
         return False
 
 
-def _notebooks_in(folder):
-    """The paths of the notebooks directly in a folder; none if it cannot be read, which is reported later."""
-    try:
-        return [entry.path for entry in os.scandir(folder) if _suffix(entry.name) == ".ipynb"]
-    except OSError:
-        return []
+def _suffix(path):
+    return PurePosixPath(os.fspath(path).lower()).suffix
 
 
-def _suffix(name):
-    return PurePosixPath(name.lower()).suffix
-
-
-def _member_name(member):
-    parts = PurePosixPath(member.filename.replace("\\", "/")).parts
-    return tuple(part for part in parts if part not in ("/", "..", "."))
-
-
-def _is_counted(name):
-    return bool(name) and not _SKIPPED_FOLDERS & set(name) and not name[-1].startswith("._")
+def _counted_name(member):
+    """The parts of a member's name; none of what a tool made."""
+    name = tuple(part for part in archives.member_parts(member) if part not in ("/", "..", "."))
+    return () if _SKIPPED_FOLDERS & set(name) or "".join(name[-1:]).startswith("._") else name
 
 
 def display_path(parts):

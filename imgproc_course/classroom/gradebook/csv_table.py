@@ -2,10 +2,9 @@
 
 import csv
 import io
+import unicodedata
 from dataclasses import dataclass
 from pathlib import Path
-
-_LARGEST = 50_000_000  # bytes
 
 
 class TableError(ValueError):
@@ -27,6 +26,11 @@ class CsvTable:
     rows: list
     delimiter: str
     byte_order_mark: str
+
+    def record(self, row):
+        """{column, in small letters: cell, without spaces around it} of a row."""
+        cells = (unicodedata.normalize("NFC", cell.strip()) for cell in row)
+        return dict(zip(map(str.casefold, self.columns), cells, strict=False))
 
 
 def read_csv(path):
@@ -55,8 +59,6 @@ def is_comment(cells):
 
 def _text(path):
     try:
-        if path.stat().st_size > _LARGEST:
-            raise TableError(f"{path}: larger than {_LARGEST // 1_000_000} MB; give the table as exported")
         return path.read_bytes().decode("utf-8")
     except UnicodeDecodeError as error:
         raise TableError(f"{path}: it is not UTF-8; export it again, or save it as CSV UTF-8") from error

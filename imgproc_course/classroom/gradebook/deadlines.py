@@ -14,6 +14,12 @@ from datetime import datetime, timedelta
 _POLICY = re.compile(r"(\d{1,3}(?:\.\d{1,2})?) ?% (?:a|per) day(?:, ?(\d{1,4}) days?)?", re.I)
 
 
+def local_time_of(text):
+    """The local time in a text like 2026-12-01T23:59, perhaps with a zone; ValueError: it holds none."""
+    moment = datetime.fromisoformat(text)
+    return moment.astimezone().replace(tzinfo=None) if moment.tzinfo else moment
+
+
 @dataclass(frozen=True)
 class LatePolicy:
     """What lateness costs: `percent` of the points per day; after `days` days (None: no such limit) all."""

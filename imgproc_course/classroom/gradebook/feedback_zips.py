@@ -14,8 +14,6 @@ from pathlib import PurePosixPath
 
 from imgproc_course.classroom.gradebook.lms_export import lessons_of
 
-_DATE = (1980, 1, 1, 0, 0, 0)  # the same pages give the same bytes
-
 
 def feedback_zips(grades, read_page):
     """The zips of all lessons that came from a platform, {file name: bytes}.
@@ -45,9 +43,8 @@ def _member(learner, lesson):
 
 def _zip(members, read_page):
     buffer = io.BytesIO()
-    with zipfile.ZipFile(buffer, "w", zipfile.ZIP_DEFLATED, compresslevel=1) as archive:
+    with zipfile.ZipFile(buffer, "w") as archive:
         for name, learner in members:
-            entry = zipfile.ZipInfo(name, _DATE)
-            entry.compress_type = zipfile.ZIP_DEFLATED
-            archive.writestr(entry, read_page(learner))
+            # A ZipInfo has no date of today: the same pages give the same bytes.
+            archive.writestr(zipfile.ZipInfo(name), read_page(learner), zipfile.ZIP_DEFLATED)
     return buffer.getvalue()

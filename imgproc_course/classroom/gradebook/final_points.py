@@ -36,11 +36,7 @@ def _decide(entry, decision):
     entry["decision"] = None
     if decision is None:
         return
-    entry["decision"] = {
-        "points": decision.points,
-        "excused": decision.excused,
-        "comment": decision.comment,
-    }
+    entry["decision"] = {name: getattr(decision, name) for name in ("points", "excused", "comment")}
     if decision.excused:
         entry["points"] = entry["max_points"] = 0
     elif decision.points is not None:

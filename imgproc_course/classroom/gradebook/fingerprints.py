@@ -1,10 +1,7 @@
 """Fingerprints of answers: what an answer is by its syntax, whatever its names, comments and spacing.
 
-`similarity` starts this file as a program with limits on time and memory, because the text that it parses is
-the learners'. It reads a line of JSON per submission, {exercise id: source}, and writes a line for each:
-{"shapes": {exercise id: [digest, number of tokens]},
- "prints": {fingerprint: [exercise id, first line, last line]}}.
-Nothing is run. Only the standard library is imported.
+The text that is parsed is the learners', so the process of `submission_reader` does it, with limits on time
+and memory. Nothing is run. Only the standard library is imported.
 
 The fingerprints are those of winnowing: of the hashes of all sequences of K tokens, the least one in each
 window of W. Every sequence of W + K - 1 tokens that two answers share gives them a common fingerprint.
@@ -14,18 +11,13 @@ the method of MOSS.
 
 import ast
 import hashlib
-import json
-import os
-import resource
-import signal
-import sys
 
 K, W = 16, 8  # tokens; a line of code has about ten
 LONGEST = 20_000  # characters of an answer; a longer one is not compared
-SECONDS = 5  # of processor time, for one submission; then the program ends
-_MEMORY = 1 << 30  # bytes
 _UNPARSABLE = (SyntaxError, ValueError, RecursionError, MemoryError)
-_FUNCTIONS = (ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef)
+# Where a kind of syntax has the name that it binds.
+_NAMES = {ast.arg: "arg", ast.ExceptHandler: "name"}
+_NAMES |= dict.fromkeys((ast.FunctionDef, ast.AsyncFunctionDef, ast.ClassDef), "name")
 _IGNORED = (ast.expr_context, ast.Import, ast.ImportFrom, ast.Pass)
 _UNTOLD = {"annotation", "returns", "type_comment", "kind"}  # fields that change nothing
 
@@ -62,18 +54,15 @@ def _constant(value):
 
 
 def _own_names(tree):
+    """The names that a source binds; np is everybody's."""
     names = set()
     for node in ast.walk(tree):
-        if isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
+        if type(node) in _NAMES:
+            names.add(getattr(node, _NAMES[type(node)]))
+        elif isinstance(node, ast.Name) and isinstance(node.ctx, ast.Store):
             names.add(node.id)
-        elif isinstance(node, ast.arg):
-            names.add(node.arg)
-        elif isinstance(node, _FUNCTIONS):
-            names.add(node.name)
         elif isinstance(node, ast.alias) and node.asname != "np":
             names.add(node.asname or node.name)
-        elif isinstance(node, ast.ExceptHandler) and node.name:
-            names.add(node.name)
     return names
 
 
@@ -112,7 +101,11 @@ def _digest(tokens):
 
 
 def fingerprints(answers):
-    """The shapes and the fingerprints of {exercise id: source}, as the module describes them."""
+    """Of {exercise id: source}: what grading compares, as JSON can hold it.
+
+    shapes  {exercise id: [digest, number of tokens]}
+    prints  {fingerprint: [exercise id, first line, last line]}
+    """
     shapes, prints = {}, {}
     for id, source in sorted(answers.items()):
         tokens = syntax_tokens(source)
@@ -121,11 +114,3 @@ def fingerprints(answers):
             for fingerprint, lines in winnowed(tokens).items():
                 prints.setdefault(fingerprint, [id, *lines])
     return {"shapes": shapes, "prints": prints}
-
-
-if __name__ == "__main__":
-    os.nice(5)  # grading is waited for, and this is not
-    resource.setrlimit(resource.RLIMIT_AS, (_MEMORY, _MEMORY))
-    for request in sys.stdin:
-        signal.setitimer(signal.ITIMER_VIRTUAL, SECONDS)  # nobody handles its signal, which ends the program
-        print(json.dumps(fingerprints(json.loads(request))), flush=True)

@@ -9,6 +9,7 @@ from pathlib import Path
 
 from imgproc_course.classroom.autograder.pool import open_scheduler
 from imgproc_course.classroom.autograder.sandbox import bubblewrap
+from imgproc_course.classroom.gradebook import result_store
 from imgproc_course.classroom.gradebook.answer_keys import load_keys
 from imgproc_course.classroom.gradebook.archives import CollectError
 from imgproc_course.classroom.gradebook.collect import collect
@@ -18,18 +19,10 @@ from imgproc_course.classroom.gradebook.grades_json import count_not_graded, fau
 from imgproc_course.classroom.gradebook.learners import read_all, unproven_dates
 from imgproc_course.classroom.gradebook.lms_import import fill_table, read_tables
 from imgproc_course.classroom.gradebook.report import count_of, prepare_templates
-from imgproc_course.classroom.gradebook.result_store import (
-    GradesFolderError,
-    ResultStore,
-    answers_to_regrade,
-    grade_missing,
-    open_grades_folder,
-    write_grades_file,
-)
+from imgproc_course.classroom.gradebook.result_store import GradesFolderError
 from imgproc_course.classroom.gradebook.roster import read_roster, roster_report
 from imgproc_course.classroom.gradebook.similarity import compare, report_copies, similar_entries
-from imgproc_course.classroom.gradebook.teacher_rules import TeacherRules
-from imgproc_course.classroom.gradebook.teacher_tables import DECISIONS_TEMPLATE
+from imgproc_course.classroom.gradebook.teacher_tables import DECISIONS_TEMPLATE, TeacherRules
 
 _MAX_LINES = 12  # of a run's summary, before the last lines
 
@@ -61,33 +54,16 @@ def grade_submissions(
     quiet=None,
     **options,
 ):
-    """Grade submissions, and write the folder of grades.
+    """Grade submissions, and write the folder of grades; returns a GradingSummary.
 
-    Parameters
-    ----------
-    submissions : Path of a folder, a zip or a notebook
-    keys : sequence of Path
-    out : Path of the folder of grades
-    deadline : datetime, local, or None
-    late : str, what lateness costs, as `read_late_policy` reads it, or None
-    extensions : Path of a table with other deadlines of learners, or None
-    decisions : Path of the table of the teacher's decisions; None: out/decisions.csv, made if it is missing
-    regrade : sequence of str, learners, lessons and exercises that are graded again
-    anonymous : bool, pages show an id instead of the learner's name
-    fresh : bool, grade again what was graded before
-    scheduler : str, address of a Dask scheduler, or None
-    platform_tables : sequence of Path, tables that platforms exported, to be filled with points
-    roster : Path of a table of all learners, or None
-    quiet : True for no progress bars; None: no progress bars if stderr is no terminal
-    options : unsafe, workers, limits, as `autograde` takes them
+    The options are those of the command `grade`; in addition:
 
-    Returns
-    -------
-    GradingSummary
+    deadline  a local datetime
+    quiet     True for no progress bars; None: none if stderr is no terminal
+    options   unsafe, workers, limits, executor, as `autograde` takes them
 
-    Raises
-    ------
-    CollectError, KeyFolderError, SandboxError, GradesFolderError, ValueError : one line with the remedy
+    CollectError, KeyFolderError, SandboxError, GradesFolderError and other ValueErrors are one line with the
+    remedy.
     """
     out, submissions = Path(out), Path(submissions)
     answer_keys = load_keys(keys)
@@ -99,23 +75,22 @@ def grade_submissions(
     roster = read_roster(roster) if roster else None
     with contextlib.ExitStack() as stack:
         collection = stack.enter_context(_collect(submissions, answer_keys, out))
-        stack.enter_context(open_grades_folder(out))
+        stack.enter_context(result_store.open_grades_folder(out))
         decisions = decisions or _decisions_file(out)
         rules = TeacherRules(
             answer_keys, deadline=deadline, late=late, extensions=extensions, decisions=decisions
         )
-        store = ResultStore(out / "results", {"unsafe": unsafe})
+        store = result_store.ResultStore(out / "results", {"unsafe": unsafe})
         if scheduler is not None:
             options["executor"] = stack.enter_context(open_scheduler(scheduler))
         learners = read_all(collection, answer_keys, store, fresh=fresh, quiet=quiet)
         rules.assign(learners, roster or ())
-        again = answers_to_regrade(regrade, learners, rules.names, answer_keys, fresh=fresh)
+        again = result_store.answers_to_regrade(regrade, learners, rules.names, answer_keys, fresh=fresh)
         pages = LearnerPages(out, learners, answer_keys, store, rules, anonymous=anonymous)
         comparison = stack.enter_context(ThreadPoolExecutor(1)).submit(compare, learners, answer_keys, store)
         threading.Thread(target=prepare_templates, daemon=True).start()
-        graded_now = grade_missing(
-            learners, answer_keys, store, again=again, quiet=quiet, on_result=pages.result_stored, **options
-        )
+        options |= {"quiet": quiet, "on_result": pages.result_stored}
+        graded_now = result_store.grade_missing(learners, answer_keys, store, again, **options)
         if deadline:
             collection.findings += unproven_dates(collection.files, deadline)
         groups, copies = comparison.result()
@@ -155,7 +130,7 @@ def _decisions_file(out):
     """The table in the folder of grades. It is never written again, so decisions survive every run."""
     path = out / "decisions.csv"
     if not path.exists():
-        write_grades_file(path, DECISIONS_TEMPLATE)
+        result_store.write_grades_file(path, DECISIONS_TEMPLATE)
     return path
 
 
@@ -168,7 +143,7 @@ def _fill_tables(platform_tables, grades, out):
         except TableError as error:  # the other tables have the points all the same
             lines.append(f"Not filled: {error}")
             continue
-        write_grades_file(out / "exports" / f"filled-{table.path.name}", text)
+        result_store.write_grades_file(out / "exports" / f"filled-{table.path.name}", text)
         lines += table_lines
     return lines
 

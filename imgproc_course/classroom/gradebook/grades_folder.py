@@ -46,19 +46,16 @@ class LearnerPages:
         self.entries, self.failed = {}, {}
         self._out, self._learners, self._answer_keys, self._store = out, learners, answer_keys, store
         self._rules, self._anonymous = rules, anonymous
-        self._missing, self._waiting = {}, {}
-        for learner in learners:
-            digests = {submission.answers_digest for submission in learner.submissions.values()} - {""}
-            self._missing[learner.name] = set(digests)
-            for digest in digests:
-                self._waiting.setdefault(digest, []).append(learner)
+        self._missing = {learner.name: set(learner.digests.values()) for learner in learners}
 
     def result_stored(self, digest):
         """Write the pages that waited only for this result."""
-        for learner in self._waiting.pop(digest, ()):
-            self._missing[learner.name].discard(digest)
-            if not self._missing[learner.name]:
-                self._write(learner)
+        for learner in self._learners:
+            missing = self._missing[learner.name]
+            if digest in missing:
+                missing.discard(digest)
+                if not missing:
+                    self._write(learner)
 
     def finish(self):
         """Write all other pages, and remove those of an earlier run; returns the entries of all learners."""
@@ -73,20 +70,14 @@ class LearnerPages:
         entry = learner_entry(learner, self._answer_keys, self._store, self._rules, anonymous=self._anonymous)
         self.entries[learner.name] = entry
         page_entry = learner_without_name(entry) if self._anonymous else entry
+        policy = self._rules.deadlines.policy
         try:
-            page = self._page(learner, page_entry)
+            results = {lesson: self._store.result(digest) for lesson, digest in learner.digests.items()}
+            page = learner_page(page_entry, results, self._answer_keys, policy)
         except Exception as error:  # noqa: BLE001 - a page shows values that other people's code returned
             self.failed[page_entry["name"]] = sanitize_line(f"{type(error).__name__}: {error}", 200)
-            page = learner_page(page_entry, {}, self._answer_keys, self._rules.deadlines, incomplete=True)
+            page = learner_page(page_entry, {}, self._answer_keys, policy, incomplete=True)
         write_grades_file(self._out / entry["page"], page)
-
-    def _page(self, learner, entry):
-        results = {
-            lesson: self._store.result(submission.answers_digest)
-            for lesson, submission in learner.submissions.items()
-            if submission.answers_digest
-        }
-        return learner_page(entry, results, self._answer_keys, self._rules.deadlines)
 
 
 def write_grades(out, grades, learners, lessons, failed_pages, groups):

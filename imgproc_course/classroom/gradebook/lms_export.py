@@ -38,6 +38,7 @@ COLUMNS = (
     *("status", "findings", "file", "platform_id", "autograded_points", "days_late", "late_deduction"),
     *("decisions", "page"),
 )
+EXCUSED = "EX"  # what Canvas writes
 
 
 def grades_csv(grades):
@@ -73,18 +74,18 @@ def _decision_texts(lesson):
             yield f"{name or 'the lesson'}: {', '.join(filter(None, cells))}"
 
 
-def platform_points(lesson):
+def platform_points(lesson, excused=""):
     """A lesson's points as a platform takes them, whose maximum does not change if an exercise is excused.
 
-    None if the whole lesson is excused.
+    Of a lesson that is excused as a whole, `excused`.
     """
     decided = [exercise for exercise in lesson["exercises"] if exercise["decision"]]
-    excused = [exercise for exercise in decided if exercise["decision"]["excused"]]
-    if (lesson["decision"] and lesson["decision"]["excused"]) or (excused and not lesson["max_points"]):
-        return None
-    excused_cases = [case for exercise in excused for case in exercise["cases"]]
+    left_out = [exercise for exercise in decided if exercise["decision"]["excused"]]
+    if (lesson["decision"] and lesson["decision"]["excused"]) or (left_out and not lesson["max_points"]):
+        return excused
+    excused_cases = [case for exercise in left_out for case in exercise["cases"]]
     maximum = lesson["max_points"] + sum(case["max_points"] for case in excused_cases)
-    return plain_number(lesson["points"] * maximum / lesson["max_points"]) if excused else lesson["points"]
+    return plain_number(lesson["points"] * maximum / lesson["max_points"]) if left_out else lesson["points"]
 
 
 def exports(grades):
@@ -121,14 +122,8 @@ def _moodle_rows(grades, name):
     for learner in grades["learners"]:
         for lesson in learner["lessons"]:
             if lesson["lesson"] == name and lesson["platform"] == "moodle":
-                points = platform_points(lesson)
-                yield (
-                    f"Participant {lesson['platform_id']}",
-                    learner["name"],
-                    "" if points is None else points,
-                    "",
-                    _comment(lesson),
-                )
+                number = f"Participant {lesson['platform_id']}"
+                yield number, learner["name"], platform_points(lesson), "", _comment(lesson)
 
 
 def _comment(lesson):
@@ -148,17 +143,10 @@ def _canvas(learners, lessons):
     maxima = (lesson["max_points"] for lesson in lessons.values())
     rows = [("    Points Possible", "", "", "", "", *maxima)]
     for learner in learners:
-        points = {lesson["lesson"]: platform_points(lesson) for lesson in learner["lessons"]}
+        points = {lesson["lesson"]: platform_points(lesson, EXCUSED) for lesson in learner["lessons"]}
         number = int(_lesson_from(learner, "canvas")["platform_id"])
-        rows.append((learner["name"], number, "", "", "", *(_canvas_cell(points, name) for name in lessons)))
+        rows.append((learner["name"], number, "", "", "", *(points.get(name, "") for name in lessons)))
     return _text(columns, rows)
-
-
-def _canvas_cell(points, name):
-    """Canvas writes EX for an excused assignment."""
-    if name not in points:
-        return ""
-    return "EX" if points[name] is None else points[name]
 
 
 def _nbgrader(grades, lessons):
@@ -169,13 +157,12 @@ def _nbgrader(grades, lessons):
     for name, lesson in lessons.items():
         maximum = float(lesson["max_points"])
         for learner in grades["learners"]:
-            submission = next((entry for entry in learner["lessons"] if entry["lesson"] == name), None)
-            score = float(platform_points(submission) or 0) if submission else 0.0
-            penalty = float(submission["late_deduction"]) if submission else 0.0
-            timestamp = ((submission["submitted_at"] or "") if submission else "").replace("T", " ")
-            rows.append(
-                (name, due, timestamp, learner["name"], "", "", "", score + penalty, penalty, score, maximum)
-            )
+            score, penalty, timestamp = 0.0, 0.0, ""
+            for entry in (entry for entry in learner["lessons"] if entry["lesson"] == name):
+                score, penalty = float(platform_points(entry) or 0), float(entry["late_deduction"])
+                timestamp = (entry["submitted_at"] or "").replace("T", " ")
+            about = (name, due, timestamp, learner["name"], "", "", "")
+            rows.append((*about, score + penalty, penalty, score, maximum))
     return _text(columns, rows)
 
 

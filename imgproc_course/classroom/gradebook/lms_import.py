@@ -9,31 +9,19 @@ matched by a login, an e-mail address or a number that is the learner's name her
 """
 
 import re
-from dataclasses import dataclass
 from pathlib import Path
 
 from imgproc_course.classroom.authoring.lesson_names import lesson_name, lessons_named
-from imgproc_course.classroom.gradebook.csv_table import CsvTable, TableError, csv_text, read_csv
-from imgproc_course.classroom.gradebook.lms_export import lessons_of, platform_points
+from imgproc_course.classroom.gradebook.csv_table import TableError, csv_text, read_csv
+from imgproc_course.classroom.gradebook.lms_export import EXCUSED, lessons_of, platform_points
+from imgproc_course.classroom.gradebook.roster import identities_of, number_of
 
-_IDENTITIES = {"SIS Login ID", "SIS User ID", "Integration ID", "Email address", "ID number", "Username"}
+_CANVAS = ("Student", "ID"), ("LastName", "FirstName", "ID")
 _WITH_NUMBER = re.compile(r"(.+?) \(\d+\)", re.S)
 
 
-@dataclass(frozen=True, kw_only=True)
-class PlatformTable(CsvTable):
-    """A table that a platform exported: "canvas" or "moodle"."""
-
-    platform: str
-
-    @property
-    def number_column(self):
-        """The index of the column that holds the platform's number of a learner."""
-        return self.columns.index("ID" if self.platform == "canvas" else "Identifier")
-
-
 def read_tables(paths):
-    """Read tables that platforms exported, as a list of PlatformTable.
+    """Read tables that platforms exported, as a list of CsvTable.
 
     TableError: one cannot be read, is no table of Canvas or Moodle, or has another one's name.
     """
@@ -43,47 +31,46 @@ def read_tables(paths):
         if names.count(path.name) > 1:
             raise TableError(f"{path}: two tables have the name {path.name}; rename one of them")
     tables = [read_csv(path) for path in paths]
-    return [PlatformTable(**vars(table), platform=_platform(table.path, table.columns)) for table in tables]
+    for table in tables:
+        if not _is_canvas(table) and not {"Identifier", "Grade"} <= set(table.columns):
+            listed = ", ".join(table.columns[:8]) or "nothing"
+            raise TableError(
+                f"{table.path}: its columns are {listed[:200]}; expected Canvas's gradebook export (Student,"
+                " ID, ..., Section) or Moodle's grading worksheet in English (Identifier, ..., Grade)"
+            )
+    return tables
 
 
-def _platform(path, columns):
-    if columns[:2] == ("Student", "ID") or columns[:3] == ("LastName", "FirstName", "ID"):
-        if "Section" in columns:
-            return "canvas"
-    elif {"Identifier", "Grade"} <= set(columns):
-        return "moodle"
-    listed = ", ".join(columns[:8]) or "nothing"
-    raise TableError(
-        f"{path}: its columns are {listed[:200]}; expected Canvas's gradebook export (Student, ID,"
-        " ..., Section) or Moodle's grading worksheet in English (Identifier, ..., Grade)"
-    )
+def _is_canvas(table):
+    """Whether Canvas exported it; else Moodle did."""
+    begins = any(table.columns[: len(names)] == names for names in _CANVAS)
+    return begins and "Section" in table.columns
 
 
 # ---------------------------------------------------------------- filling
 
 
 def fill_table(table, grades):
-    """A PlatformTable's text with our points in it, and lines that report what was filled in.
+    """The text of a platform's table with our points in it, and lines that report what was filled in.
 
     TableError: no column belongs to a lesson.
     """
     columns = _lesson_columns(table, grades)
-    rows, filled, matched = [list(row) for _, row in table.rows], 0, set()
+    rows, filled, without_row = [list(row) for _, row in table.rows], 0, _graded_lessons(grades)
+    graded, excused = dict(without_row), EXCUSED if _is_canvas(table) else ""
     for row in rows:
-        learner = _learner(table, row, grades["learners"])
+        learner = _learner(table.record(row), grades["learners"])
         if learner is None:
             continue
-        matched.add(learner["name"])
-        for column, lesson in columns.items():
-            graded = _graded_lesson(learner, lesson)
-            points = platform_points(graded) if graded else None
-            if points is None and graded and table.platform == "canvas":
-                points = "EX"  # how Canvas writes that an assignment is excused
-            if points is not None and column < len(row):
+        without_row.pop(learner["name"], None)
+        for column, name in columns.items():
+            lesson = graded[learner["name"]].get(name)
+            points = platform_points(lesson, excused) if lesson else ""
+            if points != "" and column < len(row):
                 row[column] = str(points)
                 filled += 1
     lines = [f"{table.path.name}: {filled} points filled in."]
-    missing = _learners_without_row(grades, matched, set(columns.values()))
+    missing = [name for name, lessons in without_row.items() if lessons.keys() & set(columns.values())]
     if missing:
         names = ", ".join(missing[:5]) + (f" and {len(missing) - 5} more" if len(missing) > 5 else "")
         lines.append(f"  graded, but in no row of the table: {names}")
@@ -92,10 +79,18 @@ def fill_table(table, grades):
     return table.byte_order_mark + text, lines
 
 
+def _graded_lessons(grades):
+    """{learner's name: {lesson: entry}}."""
+    return {
+        learner["name"]: {one["lesson"]: one for one in learner["lessons"] if one["status"] == "graded"}
+        for learner in grades["learners"]
+    }
+
+
 def _lesson_columns(table, grades):
     """{index of a column: lesson}; Moodle's worksheet has one column of points."""
     lessons = lessons_of(grades)
-    if table.platform == "moodle":
+    if not _is_canvas(table):
         return {table.columns.index("Grade"): _lesson_of_worksheet(table, grades, lessons)}
     lesson_names = {name.casefold(): name for name in lessons}
     lesson_names |= {lesson["title"].casefold(): name for name, lesson in lessons.items()}
@@ -125,37 +120,14 @@ def _lesson_of_worksheet(table, grades, lessons):
     )
 
 
-def _learner(table, row, learners):
-    """The learner whose row it is, or None."""
-    cell = row[table.number_column] if table.number_column < len(row) else ""
-    number = re.search(r"(?<!\d)\d+$", cell.strip())
-    if number:
-        for learner in learners:
-            for lesson in learner["lessons"]:
-                if (lesson["platform"], lesson["platform_id"]) == (table.platform, number[0]):
-                    return learner
-    identities = {
-        value.strip().casefold()
-        for column, value in zip(table.columns, row, strict=False)
-        if column in _IDENTITIES and value.strip()
-    }
+def _learner(row, learners):
+    """The learner whose row it is, {column: cell}, or None."""
+    number, identities = number_of(row), set(map(str.casefold, identities_of(row)))
+    for learner in learners:
+        if number in {(lesson["platform"], lesson["platform_id"]) for lesson in learner["lessons"]}:
+            return learner
     candidates = [learner for learner in learners if learner["name"].casefold() in identities]
     return candidates[0] if len(candidates) == 1 else None
-
-
-def _graded_lesson(learner, name):
-    for lesson in learner["lessons"]:
-        if lesson["lesson"] == name and lesson["status"] == "graded":
-            return lesson
-    return None
-
-
-def _learners_without_row(grades, matched, lessons):
-    return [
-        learner["name"]
-        for learner in grades["learners"]
-        if learner["name"] not in matched and any(_graded_lesson(learner, name) for name in lessons)
-    ]
 
 
 def _different_points(table, columns, grades):
@@ -171,14 +143,13 @@ def _different_points(table, columns, grades):
 
 
 def _maximum_points(table, column):
-    if table.platform == "canvas":
+    cells = []
+    if _is_canvas(table):
         cells = [row[column] for _, row in table.rows if column < len(row) and "Points Possible" in row[0]]
     elif "Maximum grade" in table.columns:
         position = table.columns.index("Maximum grade")
         cells = [row[position] for _, row in table.rows if position < len(row)]
-    else:
-        cells = []
     try:
-        return float(cells[0].replace(",", ".")) if cells else None
-    except ValueError:
+        return float(cells[0].replace(",", "."))
+    except (ValueError, IndexError):
         return None

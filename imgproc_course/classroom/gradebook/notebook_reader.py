@@ -2,118 +2,86 @@
 
 import contextlib
 import json
-import resource
-import select
+import signal
 import subprocess
 import sys
-import time
 from pathlib import Path
 
-SECONDS = 60  # for reading one notebook
+SECONDS = 60  # of processor time, for one request
 MEMORY = 2 << 30  # bytes, of the process that reads notebooks
 NOT_READ_IN_TIME = "reading it takes more time or memory than a notebook needs"
+_TRIES = 4  # for one request
 _READER = Path(__file__).with_name("submission_reader.py")
 
 
 class NotebookReader:
     """The process that reads notebooks. It starts when it is needed, and again if a notebook has ended it.
 
-    Parameters
-    ----------
-    seconds : float, for reading one notebook
-    memory : int, bytes
-    cpu_seconds : int, for all notebooks together, or None; on a busy machine they take longer
+    `seconds` of processor time are for one request, however busy the machine is; `memory` is in bytes.
     """
 
-    def __init__(self, seconds=SECONDS, memory=MEMORY, cpu_seconds=None):
-        self._seconds, self._memory, self._cpu_seconds = seconds, memory, cpu_seconds
+    def __init__(self, seconds=SECONDS, memory=MEMORY):
+        self._limits = [str(memory), str(seconds)]
         self._process, self._last_read = None, b""
 
     def read(self, data):
-        """Read a notebook.
-
-        Parameters
-        ----------
-        data : bytes
-
-        Returns
-        -------
-        (dict as `submission_reader.read_notebook` returns it, ""), or (None, the reason)
-        """
+        """(What `submission_reader.read_notebook` makes of bytes, ""), or (None, why they are not read)."""
         self._last_read = data
-        for _ in range(2):  # somebody else may have ended the process
-            reply = self._reply(b"read", data)
-            if reply is not None:
-                return reply.get("notebook"), reply.get("reason", "")
-        return None, NOT_READ_IN_TIME
+        reply = self._reply(b"read", data) or {"reason": NOT_READ_IN_TIME}
+        return reply.get("notebook"), reply.get("reason", "")
 
     def compose(self, requests):
         """Compose the sources by which answers in the last notebook are graded.
 
-        Parameters
-        ----------
-        requests : list of the arguments of `cell_syntax.CellDefinitions.compose`
-
-        Returns
-        -------
-        list of [source, [[name, kind, number of the cell], ...]], or None if it takes too much time or memory
+        `requests` are the arguments of `cell_syntax.CellDefinitions.compose`. Returns a list of
+        [source, [[name, kind, number of the cell], ...]], or None if it takes too much time or memory.
         """
-        data = json.dumps(requests).encode("ascii")
-        for _ in range(2):  # as above; a new process does not know the notebook
-            if self._process is None:
-                self._reply(b"read", self._last_read)
-            reply = self._process and self._reply(b"compose", data)
-            if reply:
-                return reply.get("answers")
-        return None
+        return (self._reply(b"compose", json.dumps(requests).encode("ascii")) or {}).get("answers")
+
+    def fingerprints(self, answers):
+        """What `fingerprints.fingerprints` returns of {exercise id: source}; nothing if it takes too much."""
+        reply = self._reply(b"compare", json.dumps(answers).encode("ascii"))
+        return reply if reply and "prints" in reply else {"shapes": {}, "prints": {}}
 
     def _reply(self, kind, data):
-        """The reply to a request as a dict; None, and the process is ended, if there is none in time."""
-        if self._process is None:
-            self._start()
-        line = b""
-        with contextlib.suppress(OSError):
-            line = self._reply_line(b"%b %d\n" % (kind, len(data)), data)
-        if not line.endswith(b"\n"):
-            self.close()
-            return None
-        return json.loads(line)
-
-    def _reply_line(self, header, data):
-        stdin, stdout = self._process.stdin, self._process.stdout
-        stdin.write(header)
-        stdin.write(data)
-        stdin.flush()
-        end, chunks = time.monotonic() + self._seconds, [b""]
-        while not chunks[-1].endswith(b"\n"):
-            readable, _, _ = select.select([stdout], [], [], max(0.0, end - time.monotonic()))
-            chunk = stdout.read1(1 << 20) if readable else b""
-            if not chunk:
+        """The reply to a request, a dict; None if it takes too much, or is ended too often."""
+        for _ in range(_TRIES):  # somebody else may end it
+            if self._process is None:
+                self._start()
+                if kind == b"compose":  # a new process does not know the notebook
+                    self._exchange(b"read", self._last_read)
+            line = self._exchange(kind, data)
+            if line.endswith(b"\n"):
+                return json.loads(line)
+            if self.close() == -signal.SIGPROF:
                 break
-            chunks.append(chunk)
-        return b"".join(chunks)
+        return None
+
+    def _exchange(self, kind, data):
+        with contextlib.suppress(OSError):
+            self._process.stdin.write(b"%b %d\n%b" % (kind, len(data), data))
+            self._process.stdin.flush()
+            return self._process.stdout.readline()
+        return b""
 
     def _start(self):
         self._process = subprocess.Popen(
-            [sys.executable, "-I", "-S", "-B", str(_READER), str(self._memory)],
+            [sys.executable, "-I", "-S", "-B", str(_READER), *self._limits],
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             stderr=subprocess.DEVNULL,
         )
-        if self._cpu_seconds:
-            limits = (self._cpu_seconds, self._cpu_seconds)
-            resource.prlimit(self._process.pid, resource.RLIMIT_CPU, limits)
 
     def close(self):
-        """End the process."""
+        """End the process; returns how it ended, as `Popen.returncode` says it."""
         if self._process is None:
-            return
+            return None
         process, self._process = self._process, None
         process.kill()
         for stream in (process.stdin, process.stdout):
             with contextlib.suppress(OSError):
                 stream.close()
-        process.wait()
+        return process.wait()
 
     def __enter__(self):
         return self

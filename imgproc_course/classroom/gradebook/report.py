@@ -13,13 +13,8 @@ from pathlib import Path
 
 from imgproc_course.classroom.autograder.outcomes import TEXTS, Outcome
 from imgproc_course.classroom.autograder.sanitize import sanitize_line, sanitize_text
+from imgproc_course.classroom.exercises import values
 from imgproc_course.classroom.exercises.error_advice import advice_on
-from imgproc_course.classroom.exercises.values import (
-    answer_parts,
-    describe_value,
-    differing_elements,
-    table_rows,
-)
 from imgproc_course.classroom.gradebook.submission import NOT_PYTHON
 from imgproc_course.classroom.gradebook.teacher_tables import plain_number
 
@@ -84,30 +79,25 @@ def render_page(name, **content):
 # ---------------------------------------------------------------- a learner's page
 
 
-def learner_page(entry, results, answer_keys, deadlines=None, *, incomplete=False):
+def learner_page(entry, results, answer_keys, policy=None, *, incomplete=False):
     """The page of one learner, HTML; `entry` is the learner's part of grades.json.
 
     Of a lesson without a GradedSubmission in `results`, {lesson: result}, the page shows only the points.
-    `incomplete`: it says that its details are missing.
+    `policy` is the LatePolicy or None; `incomplete`: the page says that its details are missing.
     """
-    lessons = [
-        _lesson_view(lesson, results.get(lesson["lesson"]), answer_keys) for lesson in entry["lessons"]
-    ]
-    late_policy = deadlines.policy.text if deadlines and deadlines.policy else ""
-    return render_page(
-        "learner.html", learner=entry, lessons=lessons, late_policy=late_policy, incomplete=incomplete
-    )
+    content = {"learner": entry, "late_policy": policy and policy.text, "incomplete": incomplete}
+    lessons = [_lesson_view(one, results.get(one["lesson"]), answer_keys) for one in entry["lessons"]]
+    return render_page("learner.html", lessons=lessons, **content)
 
 
 def _lesson_view(lesson, result, answer_keys):
     findings = [finding for finding in lesson["findings"] if finding["kind"] == "message"]
     key = answer_keys.key_of(lesson["key"]) if lesson["key"] else None
-    views, ids = [], set()
-    for exercise in result.exercises if result else ():
+    views = []
+    for entry, exercise in zip(lesson["exercises"], result.exercises if result else (), strict=False):
         notes = [finding["text"] for finding in findings if finding["exercise"] == exercise.id]
-        entry = next(entry for entry in lesson["exercises"] if entry["id"] == exercise.id)
-        views.append(_exercise_view(exercise, entry, notes, key.exercise(exercise.id)))
-        ids.add(exercise.id)
+        views.append(entry | _exercise_view(exercise, notes, key.exercise(exercise.id)))
+    ids = {view["id"] for view in views}
     return lesson | {
         "exercises": views,
         "notes": [finding_text(finding) for finding in findings if finding["exercise"] not in ids],
@@ -122,7 +112,8 @@ def finding_text(finding):
     return f"{finding['exercise']}: {finding['text']}" if finding["exercise"] else finding["text"]
 
 
-def _exercise_view(exercise, entry, notes, key_exercise):
+def _exercise_view(exercise, notes, key_exercise):
+    """What the page shows of an exercise beside its entry in grades.json."""
     advice, replaces_hints = _advice_on(exercise)
     show_values = not advice.endswith(_CELL_ADVICE)
     is_no_python = any(note.startswith("line ") and NOT_PYTHON in note for note in notes)
@@ -135,32 +126,25 @@ def _exercise_view(exercise, entry, notes, key_exercise):
     messages = [exercise.message] if exercise.message and not explained_by_notes else []
     if replaces_hints and not exercise.message:
         messages += list(dict.fromkeys(filter(None, map(_message_of, exercise.cases))))[:1]
-    return vars(exercise) | {
-        "function": key_exercise.function,
-        "points": entry["points"],
-        "max_points": entry["max_points"],
-        "autograded_points": exercise.points,
-        "decision": entry["decision"],
-        "notes": [*notes, *messages],
-        "advice": advice,
-        "cases": cases,
-    }
+    notes = [*notes, *messages]
+    return {"function": key_exercise.function, "notes": notes, "advice": advice, "cases": cases}
 
 
 def _case_view(case, key_exercise, replaced_by_advice, show_values):
-    view = vars(case) | {
-        "passed": case.passed,
-        "label": TEXTS[case.outcome].label,
-        "message": "" if replaced_by_advice else _message_of(case),
-        "hint": "" if replaced_by_advice else case.hint,
-        "values": [],
-        "images": [],
-        "printed": "",
-        "open": False,
-    }
+    view = {"values": [], "images": [], "printed": ""}
     if case.failed_call and not case.hidden and TEXTS[case.outcome].shows_values and show_values:
-        view |= _values_view(case, key_exercise)
-    return view
+        view = _values_view(case, key_exercise)
+    return (
+        view
+        | vars(case)
+        | {
+            "passed": case.passed,
+            "label": TEXTS[case.outcome].label,
+            "message": "" if replaced_by_advice else _message_of(case),
+            "hint": "" if replaced_by_advice else case.hint,
+            "open": False,
+        }
+    )
 
 
 def _message_of(case):
@@ -208,8 +192,8 @@ def _values_view(case, key_exercise):
         [value_of(f"given {name}".strip(), form) for name, form in zip(names, call.arguments, strict=False)]
     ]
     images, argument = [], next(iter(call.arguments), None)
-    for name, expected, actual in answer_parts(call.expected, call.actual):
-        wrong = differing_elements(expected, actual, tolerance)
+    for name, expected, actual in values.answer_parts(call.expected, call.actual):
+        wrong = values.differing_elements(expected, actual, tolerance)
         returned = value_of(f"returned {name}".strip(), actual, wrong)
         rows.append([returned, value_of(f"expected {name}".strip(), expected, wrong)])
         images += answer_images(argument, name, expected, actual, wrong)
@@ -230,4 +214,5 @@ def value_of(label, form, wrong=None):
     """The Value of a canonical form, or of None; `wrong` is a bool array: which elements differ."""
     if form is None:
         return Value(label, "nothing was returned")
-    return Value(label, sanitize_line(describe_value(form), _LONGEST_DESCRIPTION), table_rows(form, wrong))
+    description = sanitize_line(values.describe_value(form), _LONGEST_DESCRIPTION)
+    return Value(label, description, values.table_rows(form, wrong))

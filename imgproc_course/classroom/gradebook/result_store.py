@@ -2,6 +2,7 @@
 
 import contextlib
 import fcntl
+import hashlib
 import json
 from dataclasses import replace
 from importlib.metadata import version
@@ -14,7 +15,6 @@ from imgproc_course.classroom.authoring.lesson_names import lesson_name
 from imgproc_course.classroom.autograder.outcomes import Outcome
 from imgproc_course.classroom.autograder.pool import autograde
 from imgproc_course.classroom.autograder.results import from_json, to_json
-from imgproc_course.classroom.gradebook.learners import digest_of_answers
 
 _FORMAT = 3  # of the files in the folder
 
@@ -70,7 +70,8 @@ class ResultStore:
 
     def keep_answers(self, key, lesson, answers):
         """Store answers until they are graded; returns their digest."""
-        digest = digest_of_answers(key, lesson, answers, self._options)
+        everything = json.dumps([key.digest, lesson, answers, self._options], sort_keys=True)
+        digest = hashlib.sha256(everything.encode("ascii")).hexdigest()
         path = self._folder / f"{digest}.answers.json"
         if not path.exists():
             write_grades_file(path, json.dumps([key.digest, lesson, answers], sort_keys=True))
@@ -136,33 +137,25 @@ def _graded_exercises(answer_keys):
 def _digests(learners, name=None, lesson=None):
     """The digests of all answers; of one learner, or else of one lesson."""
     digests = {
-        submission.answers_digest
+        digest
         for learner in learners
-        for submission in learner.submissions.values()
-        if (learner.name == name if name else lesson in (None, submission.lesson))
+        for graded_lesson, digest in learner.digests.items()
+        if (learner.name == name if name else lesson in (None, graded_lesson))
     }
-    return sorted(digests - {""})
+    return sorted(digests)
 
 
-def grade_missing(
-    learners, answer_keys, store, *, again=None, quiet=None, on_result=lambda digest: None, **options
-):
+def grade_missing(learners, answer_keys, store, again, *, quiet, on_result, **options):
     """Grade what has no result yet, equal answers once; returns how many submissions were graded now.
 
     `again` is from `answers_to_regrade`; `on_result` is called with the digest of each result; `options` are
     those of `autograde`.
     """
-    again = again or {}
     digests = _digests(learners)
     stored = {digest: store.result(digest) for digest in digests}
     missing = [digest for digest in digests if digest in again or stored[digest] is None]
-    with tqdm(
-        total=len(digests),
-        initial=len(digests) - len(missing),
-        desc="grading",
-        unit=" submissions",
-        disable=quiet,
-    ) as bar:
+    done, about = len(digests) - len(missing), {"desc": "grading", "unit": " submissions"}
+    with tqdm(total=len(digests), initial=done, disable=quiet, **about) as bar:
         exercises = {digest: again.get(digest) if stored[digest] else None for digest in missing}
         keys = {digest: answer_keys.key_of(store.answers(digest)[0]) for digest in missing}
         for result in autograde(_submissions(exercises, store), keys, **options):

@@ -10,6 +10,7 @@ import re
 import unicodedata
 from collections import Counter
 from dataclasses import dataclass
+from functools import partial
 
 from imgproc_course.classroom.autograder.sanitize import sanitize_line
 from imgproc_course.classroom.gradebook.csv_table import TableError, read_csv
@@ -17,17 +18,10 @@ from imgproc_course.classroom.gradebook.csv_table import TableError, read_csv
 _FULL_NAME = ("student", "full name", "name", "learner", "student name")
 _FIRST_NAME = ("first name", "firstname")
 _LAST_NAME = ("last name", "lastname", "surname")
-_IDENTITIES = (
-    "email address",
-    "email",
-    "e-mail",
-    "username",
-    "id number",
-    "sis login id",
-    "sis user id",
-    "login",
-)
+_IDENTITIES = ("email address", "email", "e-mail", "username", "id number")
+_IDENTITIES += ("sis login id", "sis user id", "integration id", "login")
 _NUMBERS = {"id": "canvas", "identifier": "moodle"}
+_NUMBER = re.compile(r"(?<!\d)\d+$")
 _CLASS_LIST_NUMBER = re.compile(r"\d+[ _.-]+(?=\S)")  # 01_ada
 _NO_PEOPLE = ("", "student, test", "points possible")
 
@@ -60,29 +54,37 @@ class RosterEntry:
 def read_roster(path):
     """Read a roster, as a list of RosterEntry; TableError: it cannot be read, or no column names people."""
     table = read_csv(path)
-    columns = [column.casefold() for column in table.columns]
-    known_columns = (*_FULL_NAME, *_FIRST_NAME, *_LAST_NAME, *_IDENTITIES)
-    if not set(columns) & set(known_columns):
+    columns = table.record(table.columns)
+    if not columns.keys() & {*_FULL_NAME, *_FIRST_NAME, *_LAST_NAME, *_IDENTITIES}:
         shown_columns = sanitize_line(", ".join(columns), 200) or "nothing"
         raise TableError(
             f"{path}: its columns are {shown_columns}; expected one that"
             " names people: Student (Canvas), Full name, or First name and Last name (Moodle), name, email"
         )
-    entries = [_entry(dict(zip(columns, map(str.strip, row), strict=False))) for _, row in table.rows]
+    entries = (_entry(table.record(row)) for _, row in table.rows)
     return [entry for entry in entries if entry is not None]
 
 
 def _entry(row):
     """The RosterEntry of {column: cell}; None if the row is no person's."""
     full, *other_forms = _forms_of_name(row)
-    identities = [row[column] for column in _IDENTITIES if row.get(column)]
+    identities = identities_of(row)
     if full.casefold() in _NO_PEOPLE and not (full == "" and identities):
         return None
     identities += [text.partition("@")[0] for text in identities if "@" in text]
     names = tuple(dict.fromkeys(filter(None, (full, *other_forms, *identities))))
-    numbers = ((_NUMBERS[column], re.search(r"(?<!\d)\d+$", row.get(column, ""))) for column in _NUMBERS)
-    number = next(((platform, match[0]) for platform, match in numbers if match), None)
-    return RosterEntry(sanitize_line(full or identities[0], 120), names, number)
+    return RosterEntry(sanitize_line(full or identities[0], 120), names, number_of(row))
+
+
+def identities_of(row):
+    """The logins, addresses and numbers of {column: cell} that are one person's."""
+    return [row[column] for column in _IDENTITIES if row.get(column)]
+
+
+def number_of(row):
+    """(platform, the platform's number of a person) in {column: cell}, or None."""
+    numbers = ((platform, _NUMBER.search(row.get(column, ""))) for column, platform in _NUMBERS.items())
+    return next(((platform, match[0]) for platform, match in numbers if match), None)
 
 
 def _forms_of_name(row):
@@ -106,35 +108,33 @@ def _squeezed(name):
     return "".join(filter(str.isalnum, unicodedata.normalize("NFC", name).casefold()))
 
 
-def _learners_in(roster, learners):
-    """[(learner, list of their entries)].
+def _people(roster, learners):
+    """{RosterEntry: the learners who are this person}.
 
     A folder that a class list numbered, 01_ada, is Ada's if nothing else arrived under her name.
     """
-    found = []
-    for learner in learners:
-        files = [submission.file for submission in learner.all_submissions()]
-        found.append((learner, [entry for entry in roster if any(map(entry.is_sender, files))]))
-    seen = {entry for _, entries in found for entry in entries}
-    numbered = {}
-    for learner, entries in found:
-        number = _CLASS_LIST_NUMBER.match(learner.name)
-        if number and not entries:
-            name = learner.name[number.end() :]
-            for entry in (entry for entry in roster if entry.has_name(name) and entry not in seen):
-                numbered.setdefault(entry, []).append(entries)
-    for entry, places in numbered.items():
-        if len(places) == 1:
-            places[0].append(entry)
-    return found
+    people = {
+        entry: [learner for learner in learners if any(map(entry.is_sender, learner.files))]
+        for entry in roster
+    }
+    known = _names_of(people)
+    numbers = [(one, _CLASS_LIST_NUMBER.match(one.name)) for one in learners if one.name not in known]
+    numbered = [(one, one.name[number.end() :]) for one, number in numbers if number]
+    for entry, found in people.items():
+        others = [learner for learner, name in numbered if entry.has_name(name)]
+        if not found and len(others) == 1:
+            found += others
+    return people
+
+
+def _names_of(people):
+    return {learner.name for found in people.values() for learner in found}
 
 
 def _certainty(entry, learner):
     """How certainly a learner is the person of an entry; sorts from the least to the most certain."""
-    files = [submission.file for submission in learner.all_submissions()]
-    has_number = entry.number in {(file.platform, file.platform_id) for file in files}
-    name = unicodedata.normalize("NFC", learner.name).casefold()
-    return has_number, name in {unicodedata.normalize("NFC", own).casefold() for own in entry.names}
+    has_number = entry.number in {(file.platform, file.platform_id) for file in learner.files}
+    return has_number, learner.name.casefold() in map(str.casefold, entry.names)
 
 
 def names_in_roster(roster, learners):
@@ -142,21 +142,21 @@ def names_in_roster(roster, learners):
 
     {name: the learner's name, or None if this person handed in nothing}
     """
-    senders = {entry.name: None for entry in roster}
-    found = [(entry, learner) for learner, entries in _learners_in(roster, learners) for entry in entries]
-    # Of two with nearly one name, the platform's number decides, then the exact name.
-    for entry, learner in sorted(found, key=lambda pair: _certainty(*pair)):
-        senders[entry.name] = learner.name
-    count = Counter(name for entry in roster for name in {entry.name, *entry.names})
-    names = ((name, entry.name) for entry in roster for name in {entry.name, *entry.names})
-    return {name: senders[entry_name] for name, entry_name in names if count[name] == 1}
+    names, count = {}, Counter(name for entry in roster for name in {entry.name, *entry.names})
+    for entry, found in _people(roster, learners).items():
+        # Of two with nearly one name, the platform's number decides, then the exact name.
+        found = sorted(found, key=partial(_certainty, entry))
+        sender = found[-1].name if found else None
+        names |= {name: sender for name in (entry.name, *entry.names) if count[name] == 1}
+    return names
 
 
 def roster_report(roster, learners):
     """The roster's `count`, who handed in nothing (`missing`), and who is not in it (`unknown`): names."""
-    unseen, unknown = list(roster), []
-    for learner, entries in _learners_in(roster, learners):
-        unseen = [entry for entry in unseen if entry not in entries]
-        if not entries:
-            unknown.append(learner.name)
-    return {"count": len(roster), "missing": [entry.name for entry in unseen], "unknown": unknown}
+    people = _people(roster, learners)
+    known = _names_of(people)
+    return {
+        "count": len(roster),
+        "missing": [entry.name for entry in roster if not people[entry]],
+        "unknown": [learner.name for learner in learners if learner.name not in known],
+    }

@@ -7,16 +7,13 @@ shows their common answers once. Similarity is a reason to look, never a verdict
 """
 
 import json
-import signal
-import subprocess
-import sys
 from collections import Counter
 from dataclasses import dataclass
 from functools import lru_cache
 from itertools import combinations
-from pathlib import Path
 
 from imgproc_course.classroom.autograder.sanitize import sanitize_text
+from imgproc_course.classroom.gradebook.notebook_reader import NotebookReader
 from imgproc_course.classroom.gradebook.report import render_page
 
 SHORTEST_SOLUTION = 60  # tokens; independent learners often write the same short solution
@@ -25,10 +22,8 @@ FEWEST_PRINTS = 6  # of a submission that is compared
 LEAST_SHARE = 0.5  # of the fingerprints of the smaller submission
 MOST_GROUPS = 40  # of one lesson
 MOST_VERSIONS = 6  # of an answer, that the page shows of a group
-_TRIES = 4
+_SECONDS = 5  # of processor time, for the fingerprints of one submission
 _LONGEST_LINE = 20_000  # characters that a page shows
-_PROGRAM = Path(__file__).with_name("fingerprints.py")
-_NOTHING = {"shapes": {}, "prints": {}}
 
 
 @dataclass(frozen=True)
@@ -68,53 +63,27 @@ class _Document:
     prints: dict
 
 
-def read_fingerprints(submissions):
-    """The fingerprints of submissions, {exercise id: source}, computed in a process of its own.
-
-    They are empty for a submission that ends the process.
-    """
-    results, tries = [], _TRIES
-    while len(results) < len(submissions):
-        text = "".join(json.dumps(answers) + "\n" for answers in submissions[len(results) :])
-        program = [sys.executable, "-I", "-S", "-B", str(_PROGRAM)]
-        process = subprocess.run(program, input=text.encode("ascii"), capture_output=True, check=False)
-        lines = process.stdout.splitlines(keepends=True)
-        results += [json.loads(line) for line in lines if line.endswith(b"\n")]
-        tries = tries - 1 if process.returncode == -signal.SIGKILL else 0
-        if len(results) < len(submissions) and not tries:  # else somebody ended the process
-            results.append(_NOTHING)
-            tries = _TRIES
-    return results
-
-
 def compare(learners, answer_keys, store):
     """Compare all submissions that count.
 
     Returns the SimilarGroups of each lesson, the most similar first, and the answers that equal the solution:
     {answers digest: list of exercise ids}.
     """
-    by_digest = {}
+    by_lesson, groups, copies = {}, [], {}
     for learner in learners:
-        for lesson, submission in learner.submissions.items():
-            if submission.answers_digest:
-                by_digest.setdefault((lesson, submission.answers_digest), []).append(learner.name)
-    places = sorted(by_digest)
-    answers = [store.answers(digest)[2] for _, digest in places]
-    lessons = sorted({lesson for lesson, _ in places})
-    known = [known for lesson in lessons for known in answer_keys.known_code(lesson)]
-    results = read_fingerprints([*answers, *known])
-    compared, known = results[: len(places)], results[len(places) :]
-    groups, copies = [], {}
-    for number, lesson in enumerate(lessons):
-        handed_out, solution = known[2 * number : 2 * number + 2]
-        documents = {}
-        for (name, digest), sources, result in zip(places, answers, compared, strict=True):
-            if name == lesson:
+        for lesson, digest in learner.digests.items():
+            by_lesson.setdefault(lesson, {}).setdefault(digest, []).append(learner.name)
+    with NotebookReader(_SECONDS) as reader:
+        for lesson, by_digest in sorted(by_lesson.items()):
+            handed_out, solution = map(reader.fingerprints, answer_keys.known_code(lesson))
+            documents = {}
+            for digest, names in sorted(by_digest.items()):
+                answers = store.answers(digest)[2]
+                result = reader.fingerprints(answers)
                 copies[digest] = _copied(result["shapes"], solution["shapes"])
-                _add_document(documents, by_digest[name, digest], sources, result)
-        groups += _groups(
-            lesson, list(documents.values()), handed_out["prints"].keys() | solution["prints"].keys()
-        )
+                _add_document(documents, names, answers, result)
+            known = handed_out["prints"].keys() | solution["prints"].keys()
+            groups += _groups(lesson, list(documents.values()), known)
     return groups, copies
 
 
@@ -164,33 +133,37 @@ def _groups(lesson, documents, known):
 
 def _group(lesson, documents, share):
     counts = Counter(fingerprint for document in documents for fingerprint in document.prints)
-    learners, versions = [], {}
+    documents = sorted(documents, key=lambda document: document.learners)
+    versions = {}
     for document in documents:
-        learners += document.learners
         lines = {}
         for fingerprint, (id, first, last) in document.prints.items():
             if counts[fingerprint] > 1 or len(documents) == 1:
                 lines.setdefault(id, set()).update(range(first, last + 1))
         for id, similar in lines.items():
-            shape = tuple(document.shapes[id])
-            version = (document.learners, document.answers[id], similar)
-            versions.setdefault(id, {}).setdefault(shape, []).append(version)
+            by_shape = versions.setdefault(id, {})
+            by_shape.setdefault(tuple(document.shapes[id]), []).append((document, similar))
     return SimilarGroup(
         lesson,
         share,
-        tuple(sorted(learners, key=str.casefold)),
-        {id: tuple(_versions(by_shape.values())) for id, by_shape in sorted(versions.items())},
+        _names(documents),
+        {id: _versions(id, by_shape.values()) for id, by_shape in sorted(versions.items())},
     )
 
 
-def _versions(equal_answers):
-    """The versions of an answer; answers that differ in their names only are one."""
+def _names(documents):
+    """The names of the learners of some documents, as a sorted tuple."""
+    return tuple(sorted((name for document in documents for name in document.learners), key=str.casefold))
+
+
+def _versions(id, equal_answers):
+    """The versions of an answer; answers that differ in names only are one, shown as the first has it."""
     versions = []
     for answers in equal_answers:
-        learners = sorted((name for names, _, _ in answers for name in names), key=str.casefold)
-        _, source, lines = min(answers, key=lambda answer: answer[0])
-        versions.append(Version(tuple(learners), source, frozenset(lines)))
-    return sorted(versions, key=lambda version: (-len(version.learners), version.learners))
+        first, similar = answers[0]
+        names = _names(document for document, _ in answers)
+        versions.append(Version(names, first.answers[id], frozenset(similar)))
+    return tuple(sorted(versions, key=lambda version: (-len(version.learners), version.learners)))
 
 
 def report_copies(entries, learners, copies):
@@ -201,12 +174,10 @@ def report_copies(entries, learners, copies):
     text = "it equals the course's solution, whatever the names; the solutions are public: a reason to ask"
     for entry, learner in zip(entries, learners, strict=True):
         for lesson in entry["lessons"]:
-            submission = learner.submissions.get(lesson["lesson"])
-            copied = copies.get(submission.answers_digest, ()) if submission else ()
+            copied = copies.get(learner.digests.get(lesson["lesson"]), ())
             graded = {exercise["id"] for exercise in lesson["exercises"]}
-            for id in copied:
-                if id in graded:
-                    lesson["findings"].append({"kind": "odd", "exercise": id, "text": text})
+            found = [{"kind": "odd", "exercise": id, "text": text} for id in copied if id in graded]
+            lesson["findings"] += found
     return entries
 
 
@@ -223,27 +194,8 @@ def similarity_page(groups, names):
 
     `names` are {learner's name: the name to show}.
     """
-    views = []
-    for group in groups:
-        exercises = [
-            {
-                "id": id,
-                "versions": [
-                    {
-                        "learners": [names[name] for name in version.learners],
-                        "source": _marked(version.source, version.lines),
-                    }
-                    for version in versions[:MOST_VERSIONS]
-                ],
-                "others": [names[n] for version in versions[MOST_VERSIONS:] for n in version.learners],
-            }
-            for id, versions in group.versions.items()
-        ]
-        learners = [names[name] for name in group.learners]
-        is_same = all(len(versions) == 1 for versions in group.versions.values())
-        view = {"lesson": group.lesson, "percent": round(100 * group.share), "is_same": is_same}
-        views.append(view | {"learners": learners, "exercises": exercises})
-    return render_page("similar.html", groups=views) if views else ""
+    content = {"groups": groups, "names": names, "marked": _marked, "most": MOST_VERSIONS}
+    return render_page("similar.html", **content) if groups else ""
 
 
 def _marked(source, similar):

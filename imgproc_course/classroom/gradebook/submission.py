@@ -9,13 +9,12 @@ change that matters becomes a finding.
 import difflib
 from dataclasses import dataclass, field
 from enum import StrEnum
-from functools import lru_cache
 
 from imgproc_course.classroom.authoring.lesson_names import lesson_name, lessons_named
 from imgproc_course.classroom.autograder.sanitize import sanitize_line
 from imgproc_course.classroom.exercises.answer_cells import find_answer_cell, requests_to_compose
 from imgproc_course.classroom.exercises.error_advice import advice_on
-from imgproc_course.classroom.gradebook.submission_reader import MOST_CHARACTERS, syntax_digest
+from imgproc_course.classroom.gradebook.submission_reader import MOST_CHARACTERS
 
 _LONGEST_PREDICTION = 1_000  # characters
 _MOST_PREDICTIONS = 100
@@ -88,18 +87,10 @@ class SubmissionContent:
 
 
 def read_submission(data, catalog, reader, name=""):
-    """Read a submission and inspect it.
+    """Read the bytes of a notebook with a NotebookReader and inspect them; the SubmissionContent.
 
-    Parameters
-    ----------
-    data : bytes of the notebook
-    catalog : AnswerKeys (for `grade`) or CheckFileCatalog (for `check`), the lessons that it can be
-    reader : NotebookReader
-    name : str, the file's name, which may name the lesson
-
-    Returns
-    -------
-    SubmissionContent
+    `catalog` has the lessons that it can be: AnswerKeys for `grade`, a CheckFileCatalog for `check`. The
+    file's `name` may name the lesson.
     """
     notebook, reason = reader.read(data)
     if notebook is None:
@@ -139,48 +130,54 @@ def _predictions(cells, lesson):
 
 
 def lesson_by_name(name, lessons):
-    """The one lesson that a file's name contains, or None if there is none or more than one.
-
-    Parameters
-    ----------
-    name : str
-    lessons : iterable of str
-    """
+    """The one lesson that a file's name contains, or None if there is none or more than one."""
     candidates = lessons_named(name, lessons)
     return candidates[0] if len(candidates) == 1 else None
 
 
 def _recognize(notebook, cells, catalog, name, content):
     """The lesson by its metadata if its answer cells agree, by those cells, by its name, or its functions."""
-    marks = {cell["id"] for cell in cells} | {f"answer-{cell['exercise']}" for cell in cells}
+    marked, functions = _signs_of_lessons(cells, catalog)
     metadata_lesson = lesson_name(notebook["lesson"] or "")
     claim = metadata_lesson if metadata_lesson in catalog.lessons else None
-    if claim and marks & catalog.answer_ids(claim):
+    if claim and marked[claim]:
         return claim
     named_lesson = None if metadata_lesson else lesson_by_name(name, catalog.lessons)
-    by_marks = _most({lesson: marks & catalog.answer_ids(lesson) for lesson in catalog.lessons})
+    by_marks = _most(marked)
     if by_marks:
         if (claim or named_lesson) not in (None, by_marks):
             says = "it says" if claim else "its name says"
             text = f"{says} that it is {claim or named_lesson}, but its answer cells are those of {by_marks}"
             content.add(f"{text}; it is graded as {by_marks}")
         return by_marks
-    if claim or metadata_lesson:
-        return claim
-    return _recognize_unmarked(
-        named_lesson, {name for cell in cells for name in cell["functions"]}, catalog, content
-    )
+    return claim if metadata_lesson else _recognize_unmarked(named_lesson, functions, content)
 
 
-def _recognize_unmarked(named, functions, catalog, content):
-    """The lesson of a notebook without any mark: by the file's name first, then by its functions."""
-    common = {lesson: functions & catalog.functions(lesson) for lesson in catalog.lessons}
-    by_functions = _most(common)
+def _signs_of_lessons(cells, catalog):
+    """{lesson: ids of its exercises with an answer cell}, {lesson: its functions that are defined}."""
+    marks = {cell["id"] for cell in cells} | {f"answer-{cell['exercise']}" for cell in cells}
+    defined = {name for cell in cells for name in cell["functions"]}
+    marked, functions = {}, {}
+    for lesson in catalog.lessons:
+        asked = catalog.functions(lesson)
+        marked[lesson] = {id for id, _ in asked if f"answer-{id}" in marks}
+        functions[lesson] = defined & {function for _, function in asked}
+    return marked, functions
+
+
+def _recognize_unmarked(named, functions, content):
+    """The lesson of a notebook without any mark: by the file's name first, then by its functions.
+
+    `functions` are {lesson: its functions that the notebook defines}.
+    """
+    by_functions = _most(functions)
     if named is None and by_functions:
-        content.add(f"it was recognized as {by_functions} by its functions: {_listed(common[by_functions])}")
-    if named and by_functions not in (None, named) and not common[named]:
+        content.add(
+            f"it was recognized as {by_functions} by its functions: {_listed(functions[by_functions])}"
+        )
+    if named and by_functions not in (None, named) and not functions[named]:
         text = f"its name says that it is {named}, but it defines functions of {by_functions}"
-        content.add(f"{text} ({_listed(common[by_functions])}); it is graded as {named}, by its name")
+        content.add(f"{text} ({_listed(functions[by_functions])}); it is graded as {named}, by its name")
     return named or by_functions
 
 
@@ -246,7 +243,7 @@ def _inspect_source(exercise, answer, content):
         return AnswerState.BROKEN
     if answer.is_elsewhere:
         return AnswerState.ANSWERED
-    if _is_stub(answer.cell, exercise):
+    if source.strip() == exercise.stub.strip():
         return AnswerState.NOT_ATTEMPTED
     problem, is_slip = _problem(exercise, answer.cell)
     if problem:
@@ -255,18 +252,6 @@ def _inspect_source(exercise, answer, content):
     if exercise.function in answer.cell["answer"]["stub_lines"]:
         content.add(f"{exercise.function}() still begins with {STUB_LINE}", exercise.id)
     return AnswerState.ANSWERED if answer.is_answer else AnswerState.NOT_ATTEMPTED
-
-
-def _is_stub(cell, exercise):
-    if cell["source"].strip() == exercise.stub.strip():
-        return True
-    digest = cell["answer"]["digest"]
-    return digest is not None and digest == _digest_of_stub(exercise.stub)
-
-
-@lru_cache(maxsize=500)
-def _digest_of_stub(stub):
-    return syntax_digest(stub)
 
 
 def _problem(exercise, cell):

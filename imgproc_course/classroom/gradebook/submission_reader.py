@@ -1,18 +1,19 @@
 """Reads notebooks of learners, in a process of its own that may fail without harm.
 
-`notebook_reader.NotebookReader` starts this file as a program with a limit on memory, sends it the bytes of a
-notebook and receives plain data: the id and type of each cell, and the sources of code. It also composes the
-source by which an answer is graded. Nothing in a notebook is run or followed. The program imports the
-standard library only, and `cell_syntax` (and `syntax_slips`, once an answer has an error), which do the same:
-it starts quickly, and no module of a learner can take the place of ours.
+`notebook_reader.NotebookReader` starts this file as a program with limits on memory and processor time, sends
+it the bytes of a notebook and receives plain data: the id and type of each cell, and the sources of code. It
+also composes the source by which an answer is graded, and takes the fingerprints of answers. Nothing in a
+notebook is run or followed. The program imports the standard library only, and `cell_syntax` and
+`fingerprints` (and `syntax_slips`, once an answer has an error), which do the same: it starts quickly, and no
+module of a learner can take the place of ours.
 """
 
 import ast
 import codecs
 import ctypes
-import hashlib
 import importlib
 import json
+import os
 import re
 import resource
 import signal
@@ -21,10 +22,12 @@ from functools import lru_cache
 from pathlib import Path
 
 if __name__ == "__main__":
-    sys.path.append(str(Path(__file__).parents[1] / "exercises"))
+    sys.path += [str(Path(__file__).parents[1] / "exercises"), str(Path(__file__).parent)]
     import cell_syntax
+    import fingerprints
 else:
     from imgproc_course.classroom.exercises import cell_syntax
+    from imgproc_course.classroom.gradebook import fingerprints
 
 MOST_CHARACTERS = 200_000  # of one source; grading refuses a longer answer
 MOST_CELLS = 5_000
@@ -36,7 +39,7 @@ _MOST_NAME = 200  # characters of a name or an id
 _CODE_BEGINS = re.compile(r"^(def|async def|class) \w|^\w+ *= *(lambda|\w)", re.M)
 _PR_SET_PDEATHSIG = 1
 _SLIPS = "syntax_slips" if __name__ == "__main__" else "imgproc_course.classroom.exercises.syntax_slips"
-_UNKNOWN_SYNTAX = {"error": None, "slip": None, "digest": None, "names": None, "stub_lines": []}
+_UNKNOWN_SYNTAX = {"error": None, "slip": None, "names": None, "stub_lines": []}
 
 
 class UnreadableError(ValueError):
@@ -44,27 +47,15 @@ class UnreadableError(ValueError):
 
 
 def read_notebook(data):
-    """Read a notebook as plain data.
+    """Read the bytes of a notebook as plain data; UnreadableError: they are none of format 4 or 3.
 
-    Parameters
-    ----------
-    data : bytes of the file
-
-    Returns
-    -------
-    dict with
-
-    lesson, version, kernel : str, or None if the notebook does not name them
-    cells : list of dict, None in the place of anything that is not a cell. Each has `number`, `id`, `type`,
-        `exercise` (the id in its metadata, or "") and `functions` (see `cell_syntax.function_definitions`; of
-        a cell that is no code only if its text is). A code cell and a cell of the course have `source` (str,
-        at most one character more than MOST_CHARACTERS; None if it is not text, or after MOST_CODE). A cell
-        of the course has `grader_tags`, an answer cell also `answer` (see `_parsed_answer`), a check cell
-        `output`
-
-    Raises
-    ------
-    UnreadableError : the bytes are not a notebook of format 4 or 3
+    lesson, version, kernel  str, or None if the notebook does not name them
+    cells  list of dict, None in the place of anything that is not a cell. Each has `number`, `id`, `type`,
+           `exercise` (the id in its metadata, or "") and `functions` (see `cell_syntax.function_definitions`;
+           of a cell that is no code only if its text is). A code cell and a cell of the course have `source`
+           (str, at most one character more than MOST_CHARACTERS; None if it is not text, or after MOST_CODE).
+           A cell of the course has `grader_tags`, an answer cell also `answer` (see `_parsed_answer`), a
+           check cell `output`
     """
     notebook = _parsed(data)
     nbformat = notebook.get("nbformat")
@@ -80,12 +71,10 @@ def read_notebook(data):
         raise UnreadableError("it has no list of cells; save it again in JupyterLab")
     if len(cells) > MOST_CELLS:
         raise UnreadableError(f"it has {len(cells)} cells; at most {MOST_CELLS} are read")
-    metadata = _dict(notebook.get("metadata"))
-    about = _dict(metadata.get("imgproc_course"))
     return {
-        "lesson": _text(about.get("lesson")),
-        "version": _text(about.get("version")),
-        "kernel": _text(_dict(metadata.get("kernelspec")).get("name")),
+        "lesson": _text(notebook, "metadata", "imgproc_course", "lesson"),
+        "version": _text(notebook, "metadata", "imgproc_course", "version"),
+        "kernel": _text(notebook, "metadata", "kernelspec", "name"),
         "cells": _cells(cells),
     }
 
@@ -117,9 +106,8 @@ def _parsed(data):
 
 def _cells_of_format_3(notebook):
     """The cells of all worksheets as format 4 has them, code as `source`; None without any list of cells."""
-    worksheets = notebook.get("worksheets")
-    parts = [_dict(part).get("cells") for part in worksheets] if isinstance(worksheets, list) else []
-    parts = [cells for cells in parts if isinstance(cells, list)]
+    parts = [_at(part, list, "cells") for part in _at(notebook, list, "worksheets") or ()]
+    parts = [cells for cells in parts if cells is not None]
     return [_cell_of_format_3(cell) for cells in parts for cell in cells] if parts else None
 
 
@@ -128,12 +116,16 @@ def _cell_of_format_3(cell):
     return cell | {"source": cell.get("input")} if is_code else cell
 
 
-def _dict(value):
-    return value if isinstance(value, dict) else {}
+def _at(value, kind, *names):
+    """What is found by these names in dicts within dicts, if it is of this kind; else None."""
+    for name in names:
+        value = value.get(name) if isinstance(value, dict) else None
+    return value if isinstance(value, kind) else None
 
 
-def _text(value):
-    return value[:_MOST_NAME] if isinstance(value, str) else None
+def _text(value, *names):
+    text = _at(value, str, *names)
+    return None if text is None else text[:_MOST_NAME]
 
 
 def _joined(text):
@@ -155,12 +147,11 @@ def _cells(cells):
 
 def _cell(cell, number, code_left):
     """A cell as `read_notebook` describes it."""
-    about = _dict(_dict(cell.get("metadata")).get("imgproc_course"))
     content = {
         "number": number,
-        "id": _text(cell.get("id")) or "",
-        "type": _text(cell.get("cell_type")) or "",
-        "exercise": _text(about.get("exercise")) or "",
+        "id": _text(cell, "id") or "",
+        "type": _text(cell, "cell_type") or "",
+        "exercise": _text(cell, "metadata", "imgproc_course", "exercise") or "",
         "functions": {},
     }
     source = _joined(cell.get("source"))
@@ -190,60 +181,35 @@ def _may_define(content, source):
     return source is not None and len(source) <= MOST_CHARACTERS and bool(_CODE_BEGINS.search(source))
 
 
+def _cached_if_short(function):
+    """A function of a source that remembers the short ones: most cells are in every notebook."""
+    cached = lru_cache(maxsize=2_000)(function)
+    return lambda source: (cached if len(source) <= cell_syntax.MOST_CACHED else function)(source)
+
+
+_plain_python = _cached_if_short(cell_syntax.plain_python)
+
+
+@_cached_if_short
 def _functions(source):
-    return _cached_functions(source) if len(source) <= cell_syntax.MOST_CACHED else _find_functions(source)
-
-
-@lru_cache(maxsize=2_000)
-def _cached_functions(source):
-    return _find_functions(source)
-
-
-def _find_functions(source):
     functions = cell_syntax.function_definitions(cell_syntax.plain_python(source))
     return {name[:_MOST_NAME]: digest for name, digest in list(functions.items())[:_MOST_FUNCTIONS]}
 
 
 def _grader_tags(cell):
     """The tags and metadata that would direct nbval, nbgrader or otter-grader."""
-    metadata = _dict(cell.get("metadata"))
-    tags = metadata.get("tags")
-    tags = [tag for tag in tags if isinstance(tag, str)] if isinstance(tags, list) else []
+    metadata = _at(cell, dict, "metadata") or {}
+    tags = [tag for tag in _at(metadata, list, "tags") or () if isinstance(tag, str)]
     prefixes = ("nbval-", "raises-exception", "skip", "otter")
     grader_tags = [tag[:_MOST_NAME] for tag in tags if tag.startswith(prefixes)]
     return grader_tags[:10] + [name for name in ("nbgrader", "points", "otter") if name in metadata]
 
 
-def syntax_digest(source):
-    """SHA-256 of a source's syntax tree: equal for sources that differ only in comments and spacing.
-
-    Returns
-    -------
-    str of hexadecimal digits, or None if the source does not parse
-    """
-    try:
-        return _tree_digest(ast.parse(source))
-    except cell_syntax.UNPARSABLE:
-        return None
-
-
-def _tree_digest(tree):
-    try:
-        return hashlib.sha256(ast.dump(tree).encode("utf-8", "surrogatepass")).hexdigest()
-    except (RecursionError, MemoryError):
-        return None
-
-
 def _parsed_answer(source):
     """What the syntax of an answer says.
 
-    Returns
-    -------
-    dict with
-
     error : [line number, text of the line, message] of a syntax error, or None
     slip : [the line mended, names as below] if one change makes a source with an error Python, or None
-    digest : see `syntax_digest`
     names : list of str, what the source binds at its top level; None if that is unknown
     stub_lines : list of str, the functions that go on after the stub's `raise NotImplementedError(...)`
     """
@@ -257,9 +223,7 @@ def _parsed_answer(source):
     except (ValueError, RecursionError, MemoryError):
         return _UNKNOWN_SYNTAX
     return {
-        "error": None,
-        "slip": None,
-        "digest": _tree_digest(tree),
+        **_UNKNOWN_SYNTAX,
         "names": _bound_names(tree),
         "stub_lines": cell_syntax.functions_with_stub_line(tree)[:_MOST_FUNCTIONS],
     }
@@ -282,26 +246,17 @@ def _slip(source, error):
 
 def _output_text(cell):
     """The beginning of a cell's stored outputs, as text."""
-    outputs = cell.get("outputs")
     texts = []
-    for output in outputs[:20] if isinstance(outputs, list) else ():
-        output = _dict(output)
-        for text in (output.get("text"), _dict(output.get("data")).get("text/plain")):
+    for output in (_at(cell, list, "outputs") or [])[:20]:
+        for text in (_at(output, object, "text"), _at(output, object, "data", "text/plain")):
             texts.append((_joined(text) or "")[:_MOST_OUTPUT])
     return "\n".join(filter(None, texts))[:_MOST_OUTPUT]
 
 
 def compose_answers(cells, requests):
-    """The sources by which answers are graded; see `cell_syntax.CellDefinitions.compose`.
+    """The sources by which answers are graded: [[source, [[name, kind, number of the cell], ...]], ...].
 
-    Parameters
-    ----------
-    cells : as `read_notebook` describes them
-    requests : list of the arguments of `compose`
-
-    Returns
-    -------
-    list of [source, [[name, kind, number of the cell], ...]]
+    `requests` is a list of the arguments of `cell_syntax.CellDefinitions.compose`.
     """
     definitions = cell_syntax.CellDefinitions([_source_to_search(cell) for cell in cells])
     answers = []
@@ -317,27 +272,19 @@ def _source_to_search(cell):
     if cell is None or not (cell["type"] == "code" or cell["functions"]):
         return None
     source = cell["source"] or ""
-    if 0 < len(source) <= cell_syntax.MOST_CACHED:
-        return _cached_plain_python(source)
-    return cell_syntax.plain_python(source) if 0 < len(source) <= MOST_CHARACTERS else None
+    return _plain_python(source) if 0 < len(source) <= MOST_CHARACTERS else None
 
 
-@lru_cache(maxsize=2_000)
-def _cached_plain_python(source):
-    return cell_syntax.plain_python(source)
-
-
-def serve(requests, replies, most_memory):
+def serve(requests, replies, most_memory, seconds):
     """Answer each request with a line of JSON, until there is no more, or the memory is in use.
 
     `read <length>`, and the bytes of a notebook: {"notebook": } or {"reason": }
     `compose <length>`, and the requests of `compose_answers` as JSON, about the last notebook: {"answers": }
+    `compare <length>`, and {exercise id: source} as JSON: what `fingerprints.fingerprints` returns
 
-    Parameters
-    ----------
-    requests, replies : binary files
-    most_memory : int, bytes; with more in use, it ends instead of reading another notebook. So what it
-        remembers of earlier notebooks leaves enough memory for each one
+    With more than `most_memory` bytes in use, it ends instead of reading another notebook: so what it
+    remembers of earlier notebooks leaves enough memory for each one. A request that takes more `seconds` of
+    processor time ends it.
     """
     notebook = None
     while header := requests.readline():
@@ -345,12 +292,16 @@ def serve(requests, replies, most_memory):
         if kind == b"read" and _memory_in_use() > most_memory:
             return
         body = requests.read(int(length))
+        signal.setitimer(signal.ITIMER_PROF, seconds)  # nobody handles its signal, which ends the process
         try:
             if kind == b"read":
                 notebook = read_notebook(body)
                 reply = {"notebook": notebook}
-            else:
+            elif kind == b"compose":
                 reply = {"answers": compose_answers(notebook["cells"], json.loads(body))}
+            else:
+                os.setpriority(os.PRIO_PROCESS, 0, 5)  # grading is waited for, and this is not
+                reply = fingerprints.fingerprints(json.loads(body))
         except UnreadableError as error:
             reply = {"reason": str(error)}
         except (MemoryError, RecursionError):
@@ -373,4 +324,4 @@ if __name__ == "__main__":
     resource.setrlimit(resource.RLIMIT_AS, (memory, memory))
     if sys.platform.startswith("linux"):
         ctypes.CDLL(None).prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)  # end with the process that started this
-    serve(sys.stdin.buffer, sys.stdout.buffer, memory // 4)
+    serve(sys.stdin.buffer, sys.stdout.buffer, memory // 4, float(sys.argv[2]))

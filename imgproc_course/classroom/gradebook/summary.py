@@ -4,6 +4,8 @@ import statistics
 from collections import Counter
 from pathlib import PurePosixPath
 
+import numpy as np
+
 from imgproc_course.classroom.autograder.outcomes import CELL_FAILS, TEXTS, Outcome
 from imgproc_course.classroom.autograder.sanitize import spreadsheet_text
 from imgproc_course.classroom.gradebook.csv_table import csv_text
@@ -22,9 +24,9 @@ def summary_page(grades, failed_pages=(), other_pages=()):
 
     `failed_pages` are {learner's name: why their page lacks its details}, `other_pages` {file name: title}.
     """
-    submissions = [(learner, lesson) for learner in grades["learners"] for lesson in learner["lessons"]]
-    submitted = {lesson["lesson"] for _, lesson in submissions}
-    graded = [lesson for _, lesson in submissions if lesson["status"] == "graded"]
+    submissions = [lesson for learner in grades["learners"] for lesson in learner["lessons"]]
+    submitted = {lesson["lesson"] for lesson in submissions}
+    graded = [lesson for lesson in submissions if lesson["status"] == "graded"]
     senders = [finding for finding in grades["intake"] if finding["kind"] != "file"]
     own_modules = {PurePosixPath(path).stem for path in grades["ignored"] if path.endswith(".py")}
     return render_page(
@@ -33,15 +35,13 @@ def summary_page(grades, failed_pages=(), other_pages=()):
         failed_pages=dict(failed_pages),
         other_pages=dict(other_pages),
         names=[name for name in lesson_names(grades) if name in submitted],
-        submission_count=len(submissions),
-        graded_count=len(graded),
-        late_count=sum(lesson["late"] for _, lesson in submissions),
+        submissions=submissions,
+        graded=graded,
         bins=_histogram(_percentages(grades["learners"])),
         checks=_check_rows(graded),
         mistakes=_mistake_counts(graded),
         senders=senders,
         doubtful=list(dict.fromkeys(finding["learner"] or finding["file"] for finding in senders)),
-        other_files=[finding for finding in grades["intake"] if finding["kind"] == "file"],
         **_mean_and_median(grades["learners"]),
         **_lists_of_concerns(grades["learners"], own_modules),
         lessons=list(_lesson_rows(graded, lesson_names(grades))),
@@ -85,17 +85,9 @@ def _concerns(learner, lesson, own_modules):
     for (name, id), texts in grouped.items():
         entry = entries.get(id, lesson)
         if not entry["decision"]:
-            yield (
-                name,
-                {
-                    "learner": learner,
-                    "lesson": lesson,
-                    "texts": _texts_in_short(list(texts)),
-                    "points": entry["points"],
-                    "max_points": entry["max_points"],
-                    "line": _line_to_copy(name, learner, lesson, id if id in entries else "", entry),
-                },
-            )
+            line = _line_to_copy(name, learner, lesson, id if id in entries else "", entry)
+            about = {"learner": learner, "lesson": lesson, "entry": entry, "line": line}
+            yield name, about | {"texts": _texts_in_short(list(texts))}
 
 
 def _texts_in_short(texts):
@@ -188,22 +180,21 @@ def _percentages(entries):
 def _mean_and_median(entries):
     """In percent; 0 if there are no points."""
     percentages = _percentages(entries) or [0]
-    return {
-        "mean": round(statistics.fmean(percentages)),
-        "median": round(statistics.median(percentages)),
-    }
+    mean, median = statistics.fmean(percentages), statistics.median(percentages)
+    return {"mean": round(mean), "median": round(median)}
 
 
 def _histogram(percentages):
     """[{low, high, count, height}] of ten bins; the last one includes 100."""
-    counts = [0] * _BIN_COUNT
-    for percentage in percentages:
-        counts[min(int(percentage * _BIN_COUNT / 100), _BIN_COUNT - 1)] += 1
-    highest = max(counts) or 1
-    width = 100 // _BIN_COUNT
+    counts, edges = np.histogram(percentages, _BIN_COUNT, (0, 100))
     return [
-        {"low": k * width, "high": (k + 1) * width, "count": count, "height": round(100 * count / highest)}
-        for k, count in enumerate(counts)
+        {
+            "low": int(low),
+            "high": int(high),
+            "count": int(count),
+            "height": round(100 * count / max(1, *counts)),
+        }
+        for low, high, count in zip(edges, edges[1:], counts, strict=False)
     ]
 
 

@@ -1,17 +1,19 @@
-"""Tables that a teacher writes: decisions by hand, and extensions of the deadline.
+"""What a teacher adds to the autograder's points: decisions, extensions of the deadline, and a late policy.
 
-They are CSV files in UTF-8 with a row of column names, as every spreadsheet writes them. A line that begins
-with # is a comment.
+Decisions and extensions are CSV files in UTF-8 with a row of column names, as every spreadsheet writes them.
+A line that begins with # is a comment.
 """
 
 import difflib
-import unicodedata
 from dataclasses import dataclass
 from datetime import datetime
 
 from imgproc_course.classroom.authoring.lesson_names import lesson_name
 from imgproc_course.classroom.autograder.sanitize import sanitize_line, without_apostrophes
+from imgproc_course.classroom.gradebook.anonymity import anonymous_id
 from imgproc_course.classroom.gradebook.csv_table import TableError, is_comment, read_csv
+from imgproc_course.classroom.gradebook.deadlines import Deadlines, local_time_of, read_late_policy
+from imgproc_course.classroom.gradebook.roster import names_in_roster
 
 DECISION_COLUMNS = ("learner", "lesson", "exercise", "points", "comment")
 _EXTENSION_COLUMNS = ("learner", "lesson", "deadline")
@@ -71,16 +73,15 @@ def read_extensions(path, answer_keys):
     for row, place in _rows(path, _EXTENSION_COLUMNS, required=("learner", "deadline")):
         lesson = _lesson(row["lesson"], answer_keys, place).name if row["lesson"] else ""
         try:
-            deadline = datetime.fromisoformat(row["deadline"])
+            deadline = local_time_of(row["deadline"])
         except ValueError as error:
             text = f"the deadline is {sanitize_line(row['deadline'], 40)!r}"
             raise TableError(f"{place}: {text}; write it like 2026-12-01T23:59") from error
-        deadline = deadline.astimezone().replace(tzinfo=None) if deadline.tzinfo else deadline
         extensions.append(Extension(row["learner"], lesson, deadline, place))
     return extensions
 
 
-def by_learner(rows, names):
+def _by_learner(rows, names):
     """Assign the rows of a table to learners, {name: rows}; TableError: nobody has a name.
 
     `names` are {name or anonymous id: the learner's name, or None: this person's rows are left out}.
@@ -109,30 +110,27 @@ def _unknown(learner, names):
 def _rows(path, columns, required):
     """({column: cell}, "file, row 3") of each row that is not empty and no comment."""
     table = read_csv(path)
-    header = _header(table, columns, required) if table.columns else ()
+    if table.columns:
+        _require_columns(table, columns, required)
     for number, cells in table.rows:
         if is_comment(cells):
             continue
-        cells = [unicodedata.normalize("NFC", cell.strip()) for cell in cells]
-        place = f"{path}, row {number}"
-        if any(cells[len(header) :]):
-            text = f"{len(cells)} cells, expected {len(header)}; put a text with commas in quotes"
+        place, expected = f"{path}, row {number}", len(table.columns)
+        if any(map(str.strip, cells[expected:])):
+            text = f"{len(cells)} cells, expected {expected}; put a text with commas in quotes"
             raise TableError(f"{place}: {text}")
-        row = dict.fromkeys(columns, "") | dict(zip(header, cells, strict=False))
+        row = dict.fromkeys(columns, "") | table.record(cells)
         missing = [name for name in required if name != "points" and not row[name]]
         if missing:
             raise TableError(f"{place}: the cell {missing[0]} is empty")
         yield row, place
 
 
-def _header(table, columns, required):
-    header = [column.casefold() for column in table.columns]
-    unknown = [name for name in header if name and name not in columns]
-    missing = [name for name in required if name not in header]
-    if unknown or missing:
+def _require_columns(table, columns, required):
+    header = table.record(table.columns).keys() - {""}
+    if not set(required) <= header <= set(columns):
         listed = sanitize_line(", ".join(table.columns), 100)
         raise TableError(f"{table.path}: its columns are {listed}; expected {', '.join(columns)}")
-    return header
 
 
 def _lesson(text, answer_keys, place):
@@ -181,3 +179,46 @@ def plain_number(value):
 
 def _quoted(text):
     return repr(sanitize_line(text, 60))
+
+
+# ---------------------------------------------------------------- the rules together
+
+
+class TeacherRules:
+    """The teacher's deadline, late policy, extensions and decisions; those two are Paths of tables.
+
+    After `assign`: names {name or anonymous id: the learner's name}, deadlines (Deadlines), and
+    decisions {learner's name: list of Decision}. Mistakes in a table or in the policy are ValueErrors.
+    """
+
+    def __init__(self, answer_keys, *, deadline=None, late=None, extensions=None, decisions=None):
+        if late and not deadline:
+            raise ValueError("--late needs the deadline: --deadline 2026-12-01T23:59")
+        self._answer_keys, self._deadline = answer_keys, deadline
+        self._policy = read_late_policy(late) if late else None
+        self._extensions = read_extensions(extensions, answer_keys) if extensions else []
+        self._decisions = read_decisions(decisions, answer_keys) if decisions else []
+
+    def assign(self, learners, roster=()):
+        """Assign extensions and decisions to learners, who are read but not yet graded.
+
+        A row about a person of the roster who handed in nothing waits for the submission. TableError:
+        nobody has a name, or a decision is on an exercise that cannot be graded.
+        """
+        self.names = {anonymous_id(learner.name, self._answer_keys): learner.name for learner in learners}
+        self.names |= {learner.name: learner.name for learner in learners}
+        known_names = names_in_roster(roster, learners) | self.names
+        extensions = _by_learner(self._extensions, known_names)
+        self.deadlines = Deadlines(self._deadline, self._policy, extensions)
+        self.decisions = _by_learner(self._decisions, known_names)
+        for learner in learners:
+            for decision in self.decisions.get(learner.name, ()):
+                _require_exercises(decision, learner.submissions.get(decision.lesson))
+
+
+def _require_exercises(decision, submission):
+    """Refuse a decision on a single exercise of a lesson that has none to decide on."""
+    if decision.exercise and (submission is None or not submission.answers_digest):
+        problem = "was not submitted" if submission is None else "could not be graded"
+        text = f"{decision.learner}'s {decision.lesson} {problem}, so it has no exercises"
+        raise TableError(f"{decision.place}: {text}; leave the exercise empty")

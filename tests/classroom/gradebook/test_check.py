@@ -187,7 +187,7 @@ def test_a_lesson_of_another_version_is_reported(lesson):
     notebook = json.loads(path.read_text())
     notebook["metadata"]["imgproc_course"]["version"] = "0.0.1"
     path.write_text(json.dumps(notebook))
-    (note,) = check_lesson(path).notes
+    (note,) = check_lesson(path).content.texts_about("")
     assert note.startswith("it was made from version '0.0.1' of the lesson, not from version ")
 
 

@@ -10,12 +10,12 @@ import pytest
 from click.testing import CliRunner
 from submissions import MASTERS, answers_of, notebook, write
 
-from imgproc_course import cli
 from imgproc_course.classroom.authoring.masters import read_master
 from imgproc_course.classroom.authoring.new_lesson import new_lesson
 from imgproc_course.classroom.autograder.answer_key import load_key
 from imgproc_course.classroom.exercises.declaration import MasterError
-from imgproc_course.classroom.gradebook import grade
+from imgproc_course.classroom.gradebook import grade, result_store
+from imgproc_course.classroom.gradebook.deadlines import local_time_of
 from imgproc_course.cli import main
 
 pytestmark = [pytest.mark.sandbox, pytest.mark.xdist_group("answer_key")]
@@ -233,7 +233,7 @@ def test_ctrl_c_says_how_to_continue(run, light, key_path, tmp_path, monkeypatch
     def interrupted(*_words, **_options):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(grade, "grade_missing", interrupted)
+    monkeypatch.setattr(result_store, "grade_missing", interrupted)
     ended = run("grade", "in", "--key", key_path)
     assert ended.exit_code == 130 and "run the same command again to continue" in ended.output
 
@@ -253,7 +253,7 @@ def test_a_scheduler_is_found_by_its_address(run, light, key_path, tmp_path, mon
 
 
 def test_a_deadline_with_a_zone_is_in_local_time():
-    moment = cli._LocalTime().convert("2026-12-01T23:59+00:00", None, None)
+    moment = local_time_of("2026-12-01T23:59+00:00")
     assert moment.tzinfo is None
     assert moment.astimezone().utctimetuple()[:5] == (2026, 12, 1, 23, 59)
 

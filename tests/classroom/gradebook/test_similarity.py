@@ -5,7 +5,7 @@ import json
 import pytest
 from submissions import notebook, write
 
-from imgproc_course.classroom.gradebook import similarity
+from imgproc_course.classroom.gradebook import notebook_reader, similarity
 from imgproc_course.classroom.gradebook.collect import collect
 from imgproc_course.classroom.gradebook.fingerprints import (
     LONGEST,
@@ -17,11 +17,11 @@ from imgproc_course.classroom.gradebook.fingerprints import (
     winnowed,
 )
 from imgproc_course.classroom.gradebook.learners import read_all
+from imgproc_course.classroom.gradebook.notebook_reader import NotebookReader
 from imgproc_course.classroom.gradebook.result_store import ResultStore
 from imgproc_course.classroom.gradebook.similarity import (
     MOST_VERSIONS,
     compare,
-    read_fingerprints,
     report_copies,
     similarity_page,
 )
@@ -77,6 +77,11 @@ HOSTILE = {
 }
 
 
+def read_fingerprints(submissions):
+    with NotebookReader(seconds=5) as reader:
+        return [reader.fingerprints(answers) for answers in submissions]
+
+
 def shape(source):
     return shape_of(syntax_tokens(source))
 
@@ -126,11 +131,12 @@ def test_a_number_too_huge_to_write_in_decimals_is_compared_like_any_other():
 
 
 def test_a_submission_that_ends_the_process_costs_only_its_own_comparison(tmp_path, monkeypatch):
-    program = tmp_path / "fingerprints.py"
-    ending = 'if "ended" in request:\n            import os; os.abort()\n        print('
-    source = similarity._PROGRAM.read_text(encoding="utf-8")
-    program.write_text(source.replace("print(", ending), encoding="utf-8")
-    monkeypatch.setattr(similarity, "_PROGRAM", program)
+    program, source = tmp_path / "reader.py", notebook_reader._READER.read_text(encoding="utf-8")
+    ending = 'if b"ended" in body: os.abort()\n                reply = fingerprints.'
+    source = source.replace("reply = fingerprints.", ending)
+    source = source.replace("__file__", repr(str(notebook_reader._READER)))
+    program.write_text(source, encoding="utf-8")
+    monkeypatch.setattr(notebook_reader, "_READER", program)
     results = read_fingerprints([{"e": MINE}, {"e": "ended"}, {"e": OTHER}])
     assert [result["shapes"].get("e") for result in results] == [shape(MINE), None, shape(OTHER)]
 

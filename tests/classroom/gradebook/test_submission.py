@@ -7,7 +7,7 @@ from form_attacks import MALFORMED
 from submissions import answers_of, cell_of, notebook
 
 from imgproc_course.classroom.autograder.screening import MAX_ANSWER
-from imgproc_course.classroom.gradebook.notebook_reader import NotebookReader
+from imgproc_course.classroom.gradebook.notebook_reader import NOT_READ_IN_TIME, NotebookReader
 from imgproc_course.classroom.gradebook.submission import AnswerState, read_submission
 from imgproc_course.classroom.gradebook.submission_reader import (
     MOST_CHARACTERS,
@@ -444,8 +444,10 @@ def cells_as_notebook(sources, output=""):
 
 def test_a_reader_that_hangs_is_ended_and_one_that_was_killed_costs_nothing(answer_keys, made, light):
     data = json.dumps(made).encode()
-    with NotebookReader(seconds=0.0) as reader:
-        assert "time" in read_submission(data, answer_keys, reader).reason
+    with NotebookReader(seconds=0.1) as reader:
+        slow = {f"answer-{number}": "x = 1\n" * 30_000 for number in range(6)}
+        assert reader.read(cells_as_notebook(slow)) == (None, NOT_READ_IN_TIME)
+        assert read_submission(data, answer_keys, reader).reason == ""
     with NotebookReader() as reader:
         reader.read(b"{}")
         reader._process.kill()

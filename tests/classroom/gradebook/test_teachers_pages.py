@@ -192,7 +192,7 @@ def test_answers_without_marks_are_one_row_and_one_sentence():
         "max_points": 6, "autograded_points": 6, "earlier": [], "findings": findings, "exercises": entries,
     }  # fmt: skip
     ((name, concern),) = _concerns({"name": "ada"}, lesson, set())
-    assert name == "others" and concern["points"] == 6
+    assert name == "others" and concern["entry"]["points"] == 6
     assert concern["texts"] == [
         "its answers were found by the names of their functions, because their answer cells are missing: a-0,"
         " a-1, a-2"
