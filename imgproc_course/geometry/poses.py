@@ -79,7 +79,8 @@ class Pose:
 
 def rotate(rotation, vectors):
     """Vectors (..., 3) turned by a rotation (3, 3)."""
-    return (rotation * np.asarray(vectors)[..., None, :]).sum(-1)
+    x, y, z = np.moveaxis(np.asarray(vectors), -1, 0)  # faster than a product and a sum of all points
+    return np.stack([row[0] * x + row[1] * y + row[2] * z for row in rotation], -1)
 
 
 def product(first, second):
