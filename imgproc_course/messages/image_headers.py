@@ -14,8 +14,10 @@ from .errors import ConversionError
 from .tiff import tiff_size
 
 MAX_PIXELS = 2**27  # 134 million: more than any camera on a robot has
-BLANK_PIXELS = 2**22  # RVL, WebP and JPEG 2000 write a blank image of any size in a few bytes
-PIXELS_PER_BYTE = 1024  # beyond that, for these three; for JPEG too: 8 × 8 pixels need at least 1 bit
+# RVL, WebP and JPEG 2000 write a blank image of any size in a few bytes: so many pixels are accepted of any
+# file, and PIXELS_PER_BYTE in addition. JPEG needs at least 1 bit for 8 × 8 pixels, half of PIXELS_PER_BYTE.
+BLANK_PIXELS = 2**22
+PIXELS_PER_BYTE = 1024
 DAMAGED = "the message is cut short or damaged; publish it again"
 PNG_EXPANSION = 1032  # bytes that one byte of a deflate stream can become: 258 from 2 bits
 _UNCOMPRESSED = "it is cut short, damaged or compressed; use PNG, which compresses without loss"
@@ -25,7 +27,7 @@ _TEXT_HEADER_BYTES = 4096
 
 
 def check_claim(name, height, width, file_bytes, limit):
-    """Refuses no pixel, and more than `limit` or MAX_PIXELS pixels, in the header of an image file."""
+    """ConversionError if a header claims no pixels at all, or more than `limit` or MAX_PIXELS."""
     limit = min(limit, MAX_PIXELS)
     if height == 0 or width == 0:
         raise ConversionError(f"{name} of {height} rows × {width} columns has no pixel; {DAMAGED}")
@@ -43,7 +45,7 @@ class FileFormat(NamedTuple):
     signature: bytes  # regular expression of the first bytes
     read_size: Callable  # of a contiguous memoryview; gives (width, height), or None
     pixels_per_byte: int
-    blank_pixels: int = 0  # beyond that
+    blank_pixels: int = 0  # in addition, for any file
     remedy: str = DAMAGED  # for a header that cannot be read
 
     def check(self, data):
@@ -55,7 +57,7 @@ class FileFormat(NamedTuple):
             )
         width, height = size
         limit = self.blank_pixels + self.pixels_per_byte * len(data)
-        check_claim(self.name, abs(height), width, len(data), limit)
+        check_claim(self.name, abs(height), width, len(data), limit)  # a BMP can have a negative height
 
 
 def file_format(data):
@@ -109,22 +111,28 @@ def _webp_size(data):
     return None
 
 
+# In each pattern the group in parentheses holds width and height.
 _BMP = (
-    rb"BM.{12}[\x28-\xff]\0\0\0(.{3}[\0-\x7f].{4})\x01\0"  # a header of 40 bytes or more, size, planes
+    rb"BM.{12}[\x28-\xff]\0\0\0"  # file header; the next header has 40 bytes or more
+    rb"(.{3}[\0-\x7f].{4})\x01\0"  # width (not negative), height, one plane
     rb"(?:[\x01\x04\x08\x18]\0\0|[\x10\x20]\0[\0\x03])\0\0\0"  # bits per pixel, and no compression
 )
-_SUN_RASTER = rb"\x59\xa6\x6a\x95(.{8})\0\0\0[\x01\x08\x18\x20].{4}\0\0\0[\0\x01].{8}"
+_SUN_RASTER = (
+    rb"\x59\xa6\x6a\x95(.{8})"
+    rb"\0\0\0[\x01\x08\x18\x20].{4}"  # bits per pixel, and the number of bytes
+    rb"\0\0\0[\0\x01].{8}"  # not compressed; the color map
+)
 _PNG = (
     rb"\x89PNG\r\n\x1a\n\0\0\0\rIHDR(.{8})"
     rb"(?:[\x01\x02\x04\x08\x10]\0|[\x08\x10][\x02\x04\x06]|[\x01\x02\x04\x08]\x03)"  # bits and color type
-    rb"\0\0[\0\x01]"
+    rb"\0\0[\0\x01]"  # compression, filter, interlacing
 )
 # As OpenCV writes it: one tile, default precincts, at most 64 layers, the same coding for all channels.
 # Anything else can make OpenJPEG allocate or compute far more than the size says.
 _JPEG_2000 = (
     rb".*?jp2c\xff\x4f\xff\x51.{4}(.{8})\0{8}\1\0{8}"  # size of the image, and the same of its tile
     rb"\0[\x01\x03\x04](?:[\0-\x0f]\x01\x01){1,4}"  # channels: bits and no subsampling
-    rb"\xff\x52..\0.\0[\x01-\x40].[\0-\x20]"
+    rb"\xff\x52..\0.\0[\x01-\x40].[\0-\x20]"  # coding: default precincts, layers, levels
 )
 _GAP = rb"(?:\s|#[^\n]*\n)+"  # between the numbers: whitespace and comments
 _PNM = rb"P[1-6]" + _GAP + rb"(?P<width>\d{1,9})" + _GAP + rb"(?P<height>\d{1,9})\s"

@@ -5,10 +5,12 @@ checks file holds, as text:
 
     format, lesson, version
     cells      {cell id: source of a check or given cell, null for the others}
-    exercises  {id: the fields of CheckData; every value by its key in `values`}
+    exercises  {id: the fields of CheckData, with a key of `values` in the place of each value; in addition a
+                case has `expected`, one result for each call, and `arguments`, one list for each call}
     values     {key: an argument (see `input_encoding`) or a result (see `canonical`)}, each value once
 
-An argument that is no data (a function, an open recording) is made again by the source of its case.
+An argument that is no data (a function, an open recording) is made again: then the case has no `arguments`,
+but `inputs`, a source that runs after `preparation`, the source of the declaration's cell.
 """
 
 import contextlib
@@ -42,7 +44,7 @@ class CheckFileError(ValueError):
     """A file that a lesson carries is missing or damaged, or does not know the exercise; says what to do."""
 
     def _render_traceback_(self):
-        """One line in a notebook: the learner did nothing wrong that a traceback could show."""
+        """IPython calls it: one line, because a traceback would show nothing that the learner did."""
         return [str(self)]
 
 
@@ -95,11 +97,14 @@ class CheckFile:
 def _read_record(id, entry):
     import msgspec  # here, because the kernels that grade import this module too
 
-    return msgspec.convert(entry | {"id": id}, CheckData)
+    return msgspec.convert(entry | {"id": id}, CheckData)  # without the keys that are no fields of it
 
 
 def change_values(entry, change):
-    """A stored exercise with `change(value, tolerance)` for each of its values; an argument has none."""
+    """A copy of a stored exercise with `change(item, tolerance)` in the place of each value, or of its key.
+
+    The tolerance is that of the case; None for an argument.
+    """
     entry = copy.deepcopy(entry)
     tolerances = {case["id"]: case["tolerance"] for case in entry["cases"]}
     for case in entry["cases"]:

@@ -113,7 +113,7 @@ def collect(path, lessons=()):
     if path.is_dir():
         intake.add_everything()
     else:
-        intake.add_file(path.resolve(), alone=(path.name,))
+        intake.add_file(path.resolve(), is_everything=True)
     collection.finish()
     if not collection.files:
         raise CollectError(f"{path}: no notebooks (*.ipynb) and no zip in it; give the folder of submissions")
@@ -285,9 +285,13 @@ class _Intake:
 
     # ------------------------------------------------------------ files
 
-    def add_file(self, path, *, alone=()):
-        """Add a file; of a zip, add its members. `alone`: the parts of its path, if there is no other."""
-        parts, suffix, status = alone or self._parts(path), _suffix(path), None
+    def add_file(self, path, *, is_everything=False):
+        """Add a file; of a zip, add its members.
+
+        `is_everything`: the instructor gave this file instead of a folder, so a zip holds the whole class's.
+        """
+        parts = (path.name,) if is_everything else self._parts(path)
+        suffix, status = _suffix(path), None
         sender = self._sender_of(parts)
         try:
             status = os.lstat(path)
@@ -308,14 +312,14 @@ class _Intake:
             if suffix == ".ipynb":
                 about["size"] = status.st_size
             elif not reason:
-                reason = self._add_members(location, parts, sender, about["submitted_at"], alone)
+                reason = self._add_members(location, parts, sender, about["submitted_at"], is_everything)
                 if not reason:
                     return
         self._collection.add(sender, parts, reason=reason, **about)
 
     # ------------------------------------------------------------ zips
 
-    def _add_members(self, location, parts, sender, modified, alone):
+    def _add_members(self, location, parts, sender, modified, is_everything):
         """Add the notebooks in a zip; returns why it cannot be read, or ""."""
         opened, budget = self._collection.archives, (sender.learner, sender.platform_id, parts[0])
         if self._members[budget] > MOST_FILES:
@@ -326,20 +330,20 @@ class _Intake:
             return str(error)
         self._members[budget] += len(members)
         names = [_counted_name(member) for member in members]
-        senders = self._senders_in(parts, list(filter(None, names)), sender, alone)
+        senders = self._senders_in(parts, list(filter(None, names)), sender, is_everything)
         for number, (member, name) in enumerate(zip(members, names, strict=True)):
             if not name:
                 continue
             if _suffix(name[-1]) not in _KINDS:
                 self._collection.ignore(senders[name].learner, (*parts, *name))
                 continue
-            is_platforms = senders[name] != sender
+            is_named_inside = senders[name] != sender  # the zip is believed: then its dates count too
             self._collection.add(
                 senders[name],
                 (*parts, *archives.member_parts(member)),
                 # A learner can write any date into a zip.
-                submitted_at=archives.member_time(member, modified) if is_platforms else modified,
-                archived_at=modified if is_platforms else None,
+                submitted_at=archives.member_time(member, modified) if is_named_inside else modified,
+                archived_at=modified if is_named_inside else None,
                 size=member.file_size,
                 reason=archives.member_problem(member),
                 reader=partial(opened.read, location, number),
@@ -348,10 +352,11 @@ class _Intake:
             )
         return ""
 
-    def _senders_in(self, parts, names, sender, alone):
+    def _senders_in(self, parts, names, sender, is_everything):
         """The Senders of the members of a zip, by their names."""
-        if alone and not sender.platform:
+        if is_everything and not sender.platform:
             return self._senders_in_folder(names, sender)
+        # No folder above the zip names a learner: then a platform may have made the zip.
         at_top = sender.place == parts[:-1] and sender.certainty is not Certainty.IN_UNKNOWN_FOLDER
         if at_top and not sender.platform and names:
             found = [platform_sender(name[0]) for name in names]

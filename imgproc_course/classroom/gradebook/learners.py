@@ -177,10 +177,10 @@ def _choose(learner, lesson, submissions):
 
 
 def _display_names(submissions):
-    """{id(submission): the learner's name}; learners of one name get the platform's number after it.
+    """{id(submission): the name that is shown}; in two cases the platform's number, or the zip, follows it:
 
-    So does a submission under a name that somebody could choose, if there is one of the same lesson that the
-    instructor has under that name (see `collect`).
+    - several learners of a platform have this name;
+    - somebody chose the name (`Certainty.CHOSEN`), and another submission of the same lesson came under it.
     """
     people, certain = {}, _most_certain(submissions)
     for submission in submissions:
