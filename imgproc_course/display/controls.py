@@ -43,6 +43,19 @@ def _handle_names(names):
     return widgets.Output(outputs=(output,) if names else (), layout=widgets.Layout(display="none"))
 
 
+def make_button(description, icon, on_click):
+    """A button that calls `on_click()`; a narrow window does not cut its text."""
+    layout = widgets.Layout(width="110px", flex="none")
+    button = widgets.Button(description=description, icon=icon, layout=layout)
+    button.on_click(lambda _: on_click())
+    return button
+
+
+def in_a_row(*children):
+    """Widgets side by side, or below each other in a narrow window."""
+    return widgets.HBox(children, layout=widgets.Layout(flex_flow="row wrap"))
+
+
 class Controls:
     """One widget per keyword, and the parameter values that the widgets set; `tune` describes the ranges.
 
@@ -64,8 +77,7 @@ class Controls:
         self._on_change = on_change
         for widget in self._widgets.values():
             widget.observe(self._changed, "value")
-        reset = widgets.Button(description="Reset", icon="undo", layout=widgets.Layout(width="110px"))
-        reset.on_click(lambda _: self.reset())
+        reset = make_button("Reset", "undo", self.reset)
         self._code = widgets.HTML(layout=widgets.Layout(width="auto"))
         self._note = ""
         self._write_code()
@@ -152,10 +164,9 @@ class Controls:
         if isinstance(range_, bool):
             return widgets.Checkbox(value=range_, **common)
         if isinstance(range_, (list, dict)) and len(range_):
-            options = list(range_.items()) if isinstance(range_, dict) else range_
-            values = [value for _, value in options] if isinstance(range_, dict) else options
+            values = list(range_.values()) if isinstance(range_, dict) else range_
             start = self._default(keyword)
-            return widgets.Dropdown(options=options, value=start if start in values else values[0], **common)
+            return widgets.Dropdown(options=range_, value=start if start in values else values[0], **common)
         return self._make_slider(keyword, range_, common)
 
     def _make_slider(self, keyword, range_, common):

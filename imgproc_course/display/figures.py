@@ -140,7 +140,7 @@ def draw(
         _Panel(
             image,
             _is_numbered(image, numbers),
-            _is_scaled(image) or (limits is not None and image.order == "gray"),
+            is_scaled(image) or (limits is not None and image.order == "gray"),
         )
         for image in checked_images
     ]
@@ -341,7 +341,7 @@ def _crop(image, rows, cols, name):
     return image._replace(array=part, first_row=first_row, first_col=first_col)
 
 
-def _is_scaled(image):
+def is_scaled(image):
     """Whether its values need a scale: for uint8, bool and colour, black and white are fixed."""
     return image.order == "gray" and image.array.dtype not in (np.uint8, np.bool_)
 
@@ -352,7 +352,7 @@ def _check_limits(limits, images):
         if not low < high:
             raise ValueError(f"limits={limits!r}: the value shown black must be below the value shown white")
         return float(low), float(high)
-    scaled = [image.array for image in images if _is_scaled(image)]
+    scaled = [image.array for image in images if is_scaled(image)]
     low = min((float(array.min()) for array in scaled), default=0.0)
     high = max((float(array.max()) for array in scaled), default=0.0)
     largest = max(-low, high) or 1.0
@@ -481,7 +481,7 @@ def _draw_image(figure, panel, scale, cmap):
     colours = to_rgb(image, scale if panel.is_barred else _fixed_range(image), cmap)
     left, top = image.first_col - 0.5, image.first_row - 0.5
     axes.imshow(
-        _resample(colours, box),
+        resize(colours, [max(1, round(side * DENSITY)) for side in box]),
         extent=(left, left + width, top + height, top),
         interpolation="nearest",
         aspect="auto",
@@ -524,11 +524,10 @@ def _on_white(rgba):
     return ((rgba[:, :, :3] * opacity + 255 * (255 - opacity) + 127) // 255).astype(np.uint8)
 
 
-def _resample(colours, box):
-    """Resizes to the pixels of the screen: shrinking averages, so that thin edges stay; growing copies."""
-    size = tuple(max(1, round(side * DENSITY)) for side in box)
-    shrinks = size[0] < colours.shape[1]
-    return cv2.resize(colours, size, interpolation=cv2.INTER_AREA if shrinks else cv2.INTER_NEAREST)
+def resize(array, size):
+    """Resizes to (width, height): shrinking averages, so that thin edges stay; growing copies."""
+    shrinks = size[0] < array.shape[1]
+    return cv2.resize(array, size, interpolation=cv2.INTER_AREA if shrinks else cv2.INTER_NEAREST)
 
 
 def _number(value):
