@@ -50,22 +50,24 @@ class CameraPublisher:
         self._thread.start()
 
     def _create_publishers(self):
-        self._node = node = self._session.node
+        self._node = self._session.node
         self._publishers: list[Any] = []
+        self._raw = self._create_publisher(Image, self.topic)
+        compressed_topic, info_topics = camera_topics(self.topic)
+        topics = [(CompressedImage, compressed_topic, lambda image, header: image.compressed(header))]
+        topics += [
+            (CameraInfo, topic, lambda image, header: image.camera_info(header)) for topic in info_topics
+        ]
+        topics += self._images.other_topics(self.topic.rpartition("/")[0])
+        self._others = [(self._create_publisher(kind, topic), make) for kind, topic, make in topics]
+
+    def _create_publisher(self, message_type, topic):
         # Without rclpy's default callbacks: on a mismatch of QoS it is the subscriber that gives the reason.
         events = PublisherEventCallbacks(use_default_callbacks=False)
-
-        def publisher(message_type, topic):
-            qos = qos_profile_sensor_data
-            self._publishers.append(node.create_publisher(message_type, topic, qos, event_callbacks=events))
-            return self._publishers[-1]
-
-        compressed_topic, info_topics = camera_topics(self.topic)
-        self._raw = publisher(Image, self.topic)
-        self._compressed = publisher(CompressedImage, compressed_topic)
-        self._infos = [publisher(CameraInfo, topic) for topic in info_topics]
-        other_topics = self._images.other_topics(self.topic.rpartition("/")[0])
-        self._others = [(publisher(message_type, topic), make) for message_type, topic, make in other_topics]
+        qos = qos_profile_sensor_data
+        publisher = self._node.create_publisher(message_type, topic, qos, event_callbacks=events)
+        self._publishers.append(publisher)
+        return publisher
 
     def stop(self):
         """Stops publishing and removes the publishers. A second call does nothing."""
@@ -131,11 +133,6 @@ class CameraPublisher:
             image.message.header = header
             self._raw.publish(image.message)
             self.published += 1
-        if self._compressed.get_subscription_count():
-            self._compressed.publish(image.compressed(header))
-        for info in self._infos:
-            if info.get_subscription_count():
-                info.publish(image.camera_info(header))
         for publisher, make in self._others:
             if publisher.get_subscription_count():
                 publisher.publish(make(image, header))

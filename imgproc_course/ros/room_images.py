@@ -134,8 +134,7 @@ class RoomImages:
                 max(1, math.floor(rate)),
             )
 
-    def other_topics(self, base):
-        return sensor_topics(base)
+    other_topics = staticmethod(sensor_topics)
 
     def close(self):
         self._depth_thread.shutdown()  # waits for what it draws

@@ -51,10 +51,7 @@ class RoomPublisher(CameraPublisher):
 
     def _create_publishers(self):
         super()._create_publishers()
-        self._odometry = []
-        for topic in (ODOMETRY, WHEEL_ODOMETRY):
-            self._odometry.append(self._node.create_publisher(Odometry, topic, qos_profile_sensor_data))
-        self._publishers += self._odometry
+        self._odometry = [self._create_publisher(Odometry, topic) for topic in (ODOMETRY, WHEEL_ODOMETRY)]
         self._images.on_motion = self._publish_odometry
         self._session.remove_namesake(ROOM_NODE, context=self._session.context)  # of the body before
         self._room = Node(ROOM_NODE, context=self._session.context)
