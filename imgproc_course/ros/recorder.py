@@ -212,16 +212,13 @@ def record_until_signal(topics, path, *, status_seconds=STATUS_SECONDS, say=prin
 
     Returns the exit code: 0, or 1 if nothing was recorded, or the recording stopped because of an error.
     """
-    with stop_signals() as stopping:
-        try:
-            with Recorder(topics, path) as recorder:
-                say(f"recording {len(recorder.topics)} topics into {recorder.path} (Ctrl-C stops)")
-                start = time.monotonic()
-                while not stopping.wait(status_seconds) and recorder.running:
-                    say(f"{time.monotonic() - start:.0f} s: {_progress(recorder)}")
-            return _report(recorder, say)
-        finally:
-            RosSession().stop()
+    with stop_signals() as stopping, RosSession():
+        with Recorder(topics, path) as recorder:
+            say(f"recording {len(recorder.topics)} topics into {recorder.path} (Ctrl-C stops)")
+            start = time.monotonic()
+            while not stopping.wait(status_seconds) and recorder.running:
+                say(f"{time.monotonic() - start:.0f} s: {_progress(recorder)}")
+        return _report(recorder, say)
 
 
 def _report(recorder, say):
