@@ -12,10 +12,10 @@ from collections.abc import Sequence
 from pathlib import Path
 from typing import Any, Self
 
+from imgproc_course.ros.entities import weak_callback
 from imgproc_course.ros.robot_process import RobotConnection, running_robot, shareable
 from imgproc_course.ros.robot_topics import TOPIC, camera_topics
 from imgproc_course.ros.session import RosSession
-from imgproc_course.ros.subscriber import weak_callback
 
 SOURCES = ("recording", "room", "webcam", "topic")
 # The room, if nothing else is asked.

@@ -15,7 +15,7 @@ def explain_missing_messages(
     received,
     *,
     failure=None,
-    incompatible_qos=None,
+    qos_problem=None,
     publisher_error=None,
     own_topics=(),
 ):
@@ -36,7 +36,7 @@ def explain_missing_messages(
     if not of_expected_type:
         return start + _wrong_type(publishers[0].topic_type, expected_type, topic)
     if not subscription.get_publisher_count():
-        return start + (incompatible_qos or _not_matched(of_expected_type[0], subscription.qos_profile))
+        return start + (qos_problem or _not_matched(of_expected_type[0], subscription.qos_profile))
     return start + (publisher_error or _silent_publisher(of_expected_type, topic, received))
 
 

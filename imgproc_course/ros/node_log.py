@@ -46,8 +46,9 @@ class NodeLog:
                 "just now): both publish on the same topics; rename one: --ros-args -r __node:=another",
             )
 
-    def publisher_count_changed(self, topic, count):
-        self.info(f"{topic} has {count or 'no'} publisher{'' if count == 1 else 's'}")
+    def count_changed(self, topic, count, role):
+        """Logs the new number of a topic's publishers or subscribers."""
+        self.info(f"{topic} has {count or 'no'} {role}{'' if count == 1 else 's'}")
 
     def publisher_events(self, topic):
         """PublisherEventCallbacks that log who subscribes to the topic, and with which QoS in vain."""
@@ -61,7 +62,6 @@ class NodeLog:
             )
 
         def on_matched(event):
-            count = event.current_count
-            self.info(f"{topic} has {count or 'no'} subscriber{'' if count == 1 else 's'}")
+            self.count_changed(topic, event.current_count, "subscriber")
 
         return PublisherEventCallbacks(incompatible_qos=on_incompatible_qos, matched=on_matched)

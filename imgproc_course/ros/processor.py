@@ -140,7 +140,7 @@ class ImageProcessor(Node):
 
     def _on_matched(self, event):
         self._statistics.losses.set_publishers(event.current_count)
-        self._log.publisher_count_changed(self._topic, event.current_count)
+        self._log.count_changed(self._topic, event.current_count, "publisher")
 
     def _on_message(self, msg, info):
         if not self.context.ok():

@@ -4,7 +4,6 @@ import difflib
 import math
 import threading
 import time
-import weakref
 from pathlib import Path
 from typing import Self
 
@@ -14,12 +13,12 @@ from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from imgproc_course.recording import RecordingError, RecordingWriter
 from imgproc_course.recording.message_classes import installed_class
 from imgproc_course.recording.topics import POSE_PREFIX, POSES
+from imgproc_course.ros.entities import Entities, weak_callback
 from imgproc_course.ros.loss_counter import LossCounter
 from imgproc_course.ros.robot_process import running_robot
 from imgproc_course.ros.robot_topics import COMMANDS, ODOMETRY, SCAN, TOPIC, camera_topics
 from imgproc_course.ros.session import RosSession, log
 from imgproc_course.ros.stop_signals import stop_signals
-from imgproc_course.ros.subscriber import weak_callback
 
 # What a drive is made of. Of these, what nobody publishes is left out.
 ROBOT_TOPICS = (
@@ -84,11 +83,9 @@ class Recorder:
         self.last_error: str | None = None
         self.running = True
         counts = self._robots_subscribers()
-        self._subscriptions = subscriptions = [self._subscribe(topic) for topic in self.topics]
-        self._session.on_shutdown(self, self.stop)  # it also keeps a Recorder that is bound to no name
-        node = self._session.node
-        self._finalizer = weakref.finalize(self, _destroy, self._session, node, subscriptions)
-        self._finalizer.atexit = False
+        self._entities = Entities(self, self.stop)  # this also keeps a Recorder that is bound to no name
+        for topic in self.topics:
+            self._entities.add(self._subscribe(topic))
         self._wait_for_robot(counts)
 
     @property
@@ -112,8 +109,7 @@ class Recorder:
             except RecordingError as error:
                 self.last_error = str(error)
                 log.warning("%s", error)
-        self._session.on_shutdown(self, None)
-        self._finalizer()
+        self._entities.close()
 
     def __enter__(self) -> Self:
         return self
@@ -241,7 +237,3 @@ def _progress(recorder):
 def _hint(topic, published):
     close_matches = difflib.get_close_matches(topic, published, 1)
     return f"did you mean {close_matches[0]}?" if close_matches else 'open_camera("room") starts a robot'
-
-
-def _destroy(session, node, subscriptions):
-    session.post(lambda: [node.destroy_subscription(subscription) for subscription in subscriptions])

@@ -16,7 +16,7 @@ from imgproc_course.ros.camera_publisher import UNKNOWN_NODE_NAME, CameraPublish
 from imgproc_course.ros.robot_topics import COMMANDS, ENABLED, ODOMETRY, ROOM_NODE, WHEEL_ODOMETRY
 from imgproc_course.ros.room_images import RoomImages
 from imgproc_course.ros.room_messages import ODOM_FRAME, odometry_message
-from imgproc_course.ros.session import log
+from imgproc_course.ros.session import RosSession, log
 from imgproc_course.simulation.drive import MAX_ANGULAR, MAX_LINEAR
 from imgproc_course.simulation.simulation import START
 
@@ -53,8 +53,9 @@ class RoomPublisher(CameraPublisher):
         super()._create_publishers()
         self._odometry = [self._create_publisher(Odometry, topic) for topic in (ODOMETRY, WHEEL_ODOMETRY)]
         self._images.on_motion = self._publish_odometry
-        self._session.remove_namesake(ROOM_NODE, context=self._session.context)  # of the body before
-        self._room = Node(ROOM_NODE, context=self._session.context)
+        session = RosSession.current()
+        session.remove_namesake(ROOM_NODE, context=session.context)  # of the body before
+        self._room = Node(ROOM_NODE, context=session.context)
         self._room.create_subscription(Twist, COMMANDS, self._on_command, qos_profile_sensor_data)
         self._room.create_service(SetBool, ENABLED, self._on_enable)
         options = self._images.options
@@ -62,12 +63,12 @@ class RoomPublisher(CameraPublisher):
             value = options[name]
             self._room.declare_parameter(name, [*value] if isinstance(value, tuple) else value)
         self._room.add_on_set_parameters_callback(self._on_parameters)
-        self._session.add_node(self._room)
+        session.add_node(self._room)
 
     def _destroy_publishers(self):
         super()._destroy_publishers()
         if self._room is not None:
-            self._session.remove_node(self._room)
+            RosSession().remove_node(self._room)
 
     def _on_command(self, msg):
         linear, angular = msg.linear.x, msg.angular.z

@@ -9,6 +9,7 @@ import collections
 import concurrent.futures
 import contextlib
 import ctypes
+import functools
 import logging
 import os
 import sys
@@ -148,15 +149,13 @@ class RosSession:
         It replaces the node of the same name and namespace that was added before: that one is destroyed
         first, so a cell that runs again does not leave two nodes.
         """
-        spinner = self._running_spinner()
-        self.run(lambda: spinner.add(node))
+        self.run(functools.partial(self._running_spinner().add, node))
         return node
 
     def remove_node(self, node: Node) -> None:
         """Stops spinning your node and destroys it. A second call does nothing."""
-        spinner = self._spinner
         if self.running:
-            self.run(lambda: spinner.destroy(node))
+            self.run(functools.partial(self._spinner.destroy, node))
 
     def remove_namesake(self, name: str, namespace: str | None = None, context: Any = None) -> None:
         """Destroys the session's node of this name, before another one is created in the same context.
@@ -165,9 +164,8 @@ class RosSession:
         has no services and no publishers in the graph any more, and its log does not go to /rosout.
         """
         if self.running and context is self.context:
-            spinner = self._spinner
             full_name = f"/{(namespace or '').strip('/')}/{name}".replace("//", "/")
-            self.run(lambda: spinner.remove_namesakes(full_name))
+            self.run(functools.partial(self._spinner.remove_namesakes, full_name))
 
     def error_of_publisher(self, topic: str) -> str | None:
         """What went wrong last in your node that publishes the topic, in one line with its name; or None."""
