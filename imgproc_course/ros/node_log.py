@@ -1,7 +1,5 @@
 """What an ImageProcessor logs about its stream, its losses, its publishers and its subscribers."""
 
-import collections
-
 from rclpy.event_handler import PublisherEventCallbacks
 from rclpy.qos import qos_policy_name_from_kind
 
@@ -15,14 +13,14 @@ class NodeLog:
 
     def __init__(self, node):
         self._node = node
-        self._throttles = collections.defaultdict(Throttle)
-        self._throttles["duplicate name"] = Throttle(DUPLICATE_NAME_PERIOD)
+        self._may_log = Throttle()
+        self._may_log_duplicate = Throttle(DUPLICATE_NAME_PERIOD)
 
     def info(self, text):
         self._node.get_logger().info(text)
 
-    def warn(self, kind, text):
-        if self._throttles[kind]():
+    def warn(self, fault, text):
+        if self._may_log(fault):
             self._node.get_logger().warning(text)
 
     def report(self, stream, statistics, explain_silence):
@@ -39,9 +37,8 @@ class NodeLog:
     def _warn_about_duplicate_name(self):
         node = self._node
         own_name = (node.get_name(), node.get_namespace())
-        if node.get_node_names_and_namespaces().count(own_name) > 1:
-            self.warn(
-                "duplicate name",
+        if node.get_node_names_and_namespaces().count(own_name) > 1 and self._may_log_duplicate():
+            node.get_logger().warning(
                 f"another node has the name {node.get_fully_qualified_name()} too (or had it, and was killed "
                 "just now): both publish on the same topics; rename one: --ros-args -r __node:=another",
             )

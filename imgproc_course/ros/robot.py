@@ -22,6 +22,7 @@ TIMEOUT = 10.0  # seconds that a message, or a robot, may take to appear
 SETTLING = 0.2  # seconds: see Robot._require_robot
 FRESH = 1.0  # seconds: an older message is of a robot that is gone, so the next one is waited for
 _START_IT = 'open_camera("room") starts a simulated robot'
+_START_ANY = f"{_START_IT}, or start a real robot's bridge in this ROS domain"
 
 
 class Robot:
@@ -134,18 +135,16 @@ class Robot:
         if start is not None:
             start = [float(value) for value in start]
         changes = {"seed": seed, "lighting": lighting, "start": start}
-        result = self._set_parameters(
-            [Parameter(name, value=value) for name, value in changes.items() if value is not None]
-        )
+        parameters = [Parameter(name, value=value) for name, value in changes.items() if value is not None]
+        result = self._set_parameters(parameters)
         if not result.successful:
             raise ValueError(result.reason)
 
     def _set_parameters(self, parameters):
         if self._client is None:
             service = f"/{ROOM_NODE}/set_parameters_atomically"
-            self._client = self._entities.add(
-                self._entities.node.create_client(SetParametersAtomically, service)
-            )
+            client = self._entities.node.create_client(SetParametersAtomically, service)
+            self._client = self._entities.add(client)
         if not self._client.wait_for_service(TIMEOUT):
             raise RuntimeError(f"no simulated robot answers: {_START_IT}")
         finished = threading.Event()
@@ -183,19 +182,15 @@ class Robot:
 
     def _require_robot(self):
         self._require_open()
-        is_new = False
-        if self._commands is None:
+        is_new = self._commands is None
+        if is_new:
             # Not before: the robot would warn of two publishers while another program drives it.
             publisher = self._entities.node.create_publisher(Twist, self._topics["commands"], 10)
             self._commands = self._entities.add(publisher)
-            is_new = True
         end = time.monotonic() + TIMEOUT
         while not self._entities.closed and not self._commands.get_subscription_count():
             if time.monotonic() > end:
-                raise RuntimeError(
-                    f"no robot subscribes to {self._topics['commands']}: {_START_IT}, "
-                    "or start a real robot's bridge in this ROS domain"
-                )
+                raise RuntimeError(f"no robot subscribes to {self._topics['commands']}: {_START_ANY}")
             time.sleep(0.01)
         if is_new:
             # The robot notices this publisher a moment later, and would miss a command before.
@@ -213,8 +208,7 @@ class Robot:
             # A restart forgets the messages meanwhile: no message is no newer one.
             if not self._change.wait_for(lambda: self._messages.get(name, arrived) is not arrived, TIMEOUT):
                 raise TimeoutError(
-                    f"no {name} arrived on {self._topics[name]} in {TIMEOUT:g} s: {_START_IT}, "
-                    "or start a real robot's bridge in this ROS domain"
+                    f"no {name} arrived on {self._topics[name]} in {TIMEOUT:g} s: {_START_ANY}"
                 )
             return self._messages[name][1]
 

@@ -11,6 +11,7 @@ import contextlib
 import ctypes
 import functools
 import logging
+import math
 import os
 import sys
 import threading
@@ -38,18 +39,21 @@ START_ATTEMPTS = 20
 
 
 class Throttle:
-    """True at most once per period, so that a fault at 30 Hz is logged but does not flood the log."""
+    """True for each fault at most once per period, so that a fault at 30 Hz does not flood the log.
 
-    def __init__(self, seconds=LOG_PERIOD):
-        self._seconds = seconds
-        self._last = None
+    With `while_it_lasts`, the period begins anew whenever the fault occurs.
+    """
 
-    def __call__(self):
+    def __init__(self, seconds=LOG_PERIOD, *, while_it_lasts=False):
+        self._seconds, self._while_it_lasts = seconds, while_it_lasts
+        self._last = {}
+
+    def __call__(self, fault=""):
         now = time.monotonic()
-        if self._last is not None and now - self._last < self._seconds:
-            return False
-        self._last = now
-        return True
+        is_due = now - self._last.get(fault, -math.inf) >= self._seconds
+        if is_due or self._while_it_lasts:
+            self._last[fault] = now
+        return is_due
 
 
 class RosSession:
