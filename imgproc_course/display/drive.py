@@ -207,7 +207,6 @@ class _Map:
     def __init__(self):
         self.trace: list[tuple[float, float]] = []
         self._cells: set[tuple[int, int]] = set()
-        self._sent: tuple[int, set[tuple[int, int]]] = (0, set())
         # (time, x, y, yaw): a scan is older than the odometry.
         self._places: collections.deque[tuple[float, ...]] = collections.deque(maxlen=20)
         self.begin_again()
@@ -219,15 +218,15 @@ class _Map:
     def update(self, odometry, scan):
         """The message for the browser; of trace and cells, what is new since the message before."""
         x, y, yaw = self._follow(odometry)
+        begins, self._begins = self._begins, False
+        count, new_cells = len(self.trace), set()
         if not self.trace or math.dist(self.trace[-1], (x, y)) > 0.01:
             self.trace.append((x, y))
         if scan is not None and (place := self._place_at(seconds(scan.header.stamp))):
-            self._cells |= cells_of(scan, *place)
-        if begins := self._begins:
-            self._sent, self._begins = (0, set()), False
-        count, cells = self._sent
-        new_cells = self._cells - cells
-        self._sent = len(self.trace), cells | new_cells
+            new_cells = cells_of(scan, *place) - self._cells
+            self._cells |= new_cells
+        if begins:
+            count, new_cells = 0, self._cells
         twist = odometry.twist.twist
         return {
             "pose": [round(v, 3) for v in (x, y, yaw)],
