@@ -10,9 +10,9 @@ import threading
 import weakref
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, Self
+from typing import Any
 
-from imgproc_course.ros.entities import weak_callback
+from imgproc_course.ros.entities import Stoppable, weak_callback
 from imgproc_course.ros.robot_process import RobotConnection, running_robot, shareable
 from imgproc_course.ros.robot_topics import TOPIC, camera_topics
 from imgproc_course.ros.session import RosSession
@@ -126,7 +126,7 @@ def _room_request(rate=None, **options):
     return request | {"rate": float(rate or RATES[request["size"][0] > FAST_WIDTH])}
 
 
-class Camera:
+class Camera(Stoppable):
     """This program's use of the camera, until it is stopped: see `open_camera`.
 
     It ends with the RosSession too, and when no reference to it is left; but the newest one is kept.
@@ -231,12 +231,6 @@ class Camera:
         if self.running:
             self._ended.wait(timeout)
         return not self.running
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *exception):
-        self.stop()
 
     def __repr__(self):
         rate = "" if self.rate is None else f" at {self.rate:g} Hz"

@@ -1,7 +1,7 @@
 """What an object of ours has in the ROS graph, and when that is destroyed."""
 
 import weakref
-from typing import Any
+from typing import Any, Self
 
 from imgproc_course.ros.session import RosSession
 
@@ -28,6 +28,28 @@ class Entities:
     def add(self, entity):
         self.all.append(entity)
         return entity
+
+    def subscribe(self, message_type, topic, qos, method, *arguments, **options):
+        """A subscription that calls `method(*arguments, msg, info)` as long as the method's object exists."""
+        call = weak_callback(method)
+
+        def on_message(msg, info):
+            call(*arguments, msg, info)
+
+        return self.add(self.node.create_subscription(message_type, topic, on_message, qos, **options))
+
+
+class Stoppable:
+    """What stops at the end of its `with`, in any case."""
+
+    def stop(self) -> None:
+        raise NotImplementedError
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *exception):
+        self.stop()
 
 
 def _destroy(session, node, entities):

@@ -23,18 +23,7 @@ class NodeLog:
         if self._may_log(fault):
             self._node.get_logger().warning(text)
 
-    def report(self, stream, statistics, explain_silence):
-        """Logs what happened since the last report; `explain_silence()` says why no image arrives."""
-        for change in stream.changes():
-            self.info(change)
-        losses = statistics.new_losses()
-        if losses:
-            self.warn("losses", losses)
-        if stream.has_become_silent():
-            self._node.get_logger().warning(explain_silence())
-        self._warn_about_duplicate_name()
-
-    def _warn_about_duplicate_name(self):
+    def warn_about_duplicate_name(self):
         node = self._node
         own_name = (node.get_name(), node.get_namespace())
         if node.get_node_names_and_namespaces().count(own_name) > 1 and self._may_log_duplicate():

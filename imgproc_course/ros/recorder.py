@@ -5,7 +5,6 @@ import math
 import threading
 import time
 from pathlib import Path
-from typing import Self
 
 from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
@@ -13,7 +12,7 @@ from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from imgproc_course.recording import RecordingError, RecordingWriter
 from imgproc_course.recording.message_classes import installed_class
 from imgproc_course.recording.topics import POSE_PREFIX, POSES
-from imgproc_course.ros.entities import Entities, weak_callback
+from imgproc_course.ros.entities import Entities, Stoppable
 from imgproc_course.ros.loss_counter import LossCounter
 from imgproc_course.ros.robot_process import running_robot
 from imgproc_course.ros.robot_topics import COMMANDS, ODOMETRY, SCAN, TOPIC, camera_topics
@@ -37,7 +36,7 @@ MATCHING = 3.0  # seconds that the robot process may take to find our subscripti
 STATUS_SECONDS = 2.0
 
 
-class Recorder:
+class Recorder(Stoppable):
     """Records topics into a new recording in MCAP, until it is stopped.
 
     It stops with `stop`, at the end of its `with`, with the RosSession, or at the end of the program.
@@ -85,7 +84,7 @@ class Recorder:
         counts = self._robots_subscribers()
         self._entities = Entities(self, self.stop)  # this also keeps a Recorder that is bound to no name
         for topic in self.topics:
-            self._entities.add(self._subscribe(topic))
+            self._subscribe(topic)
         self._wait_for_robot(counts)
 
     @property
@@ -110,12 +109,6 @@ class Recorder:
                 self.last_error = str(error)
                 log.warning("%s", error)
         self._entities.close()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *exception):
-        self.stop()
 
     def __repr__(self):
         state = "" if self.running else ", stopped"
@@ -165,8 +158,7 @@ class Recorder:
             time.sleep(0.02)
 
     def _subscribe(self, topic):
-        node, losses = self._session.node, self._losses[topic]
-        offers = [info.qos_profile for info in node.get_publishers_info_by_topic(topic)]
+        offers = [info.qos_profile for info in self._session.node.get_publishers_info_by_topic(topic)]
         is_reliable = offers and all(offer.reliability == ReliabilityPolicy.RELIABLE for offer in offers)
         is_kept = offers and all(offer.durability == DurabilityPolicy.TRANSIENT_LOCAL for offer in offers)
         qos = QoSProfile(
@@ -174,18 +166,10 @@ class Recorder:
             reliability=ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT,
             durability=DurabilityPolicy.TRANSIENT_LOCAL if is_kept else DurabilityPolicy.VOLATILE,
         )
-        on_message = weak_callback(self._on_message)
-        return node.create_subscription(
-            installed_class(self.topics[topic]),
-            topic,
-            lambda serialized, info: on_message(topic, serialized, info),
-            qos,
-            event_callbacks=SubscriptionEventCallbacks(
-                # rclpy names a type here that mypy does not find.
-                matched=lambda event: losses.set_publishers(event.current_count)  # type: ignore[attr-defined]
-            ),
-            raw=True,
-        )
+        events = SubscriptionEventCallbacks(matched=self._losses[topic].on_matched)
+        message_type = installed_class(self.topics[topic])
+        options = {"event_callbacks": events, "raw": True}
+        self._entities.subscribe(message_type, topic, qos, self._on_message, topic, **options)
 
     def _on_message(self, topic, serialized, info):
         with self._lock:

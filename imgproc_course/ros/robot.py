@@ -197,8 +197,11 @@ class Robot:
             time.sleep(SETTLING)
 
     def _newest(self, name, message_type):
+        topic = self._topics[name]
         if name not in self._subscribed:
-            self._subscribe(name, message_type)
+            self._require_open()
+            self._entities.subscribe(message_type, topic, qos_profile_sensor_data, self._on_message, name)
+            self._subscribed.add(name)
         with self._change:
             arrived = self._messages.get(name)
             if arrived is not None and time.monotonic() - arrived[0] < FRESH:
@@ -207,21 +210,10 @@ class Robot:
                 raise RuntimeError(f"no {name} can arrive while a ROS callback waits for it")
             # A restart forgets the messages meanwhile: no message is no newer one.
             if not self._change.wait_for(lambda: self._messages.get(name, arrived) is not arrived, TIMEOUT):
-                raise TimeoutError(
-                    f"no {name} arrived on {self._topics[name]} in {TIMEOUT:g} s: {_START_ANY}"
-                )
+                raise TimeoutError(f"no {name} arrived on {topic} in {TIMEOUT:g} s: {_START_ANY}")
             return self._messages[name][1]
 
-    def _subscribe(self, name, message_type):
-        self._require_open()
-        on_message = weak_callback(self._on_message)
-        subscription = self._entities.node.create_subscription(
-            message_type, self._topics[name], lambda msg: on_message(name, msg), qos_profile_sensor_data
-        )
-        self._entities.add(subscription)
-        self._subscribed.add(name)
-
-    def _on_message(self, name, msg):
+    def _on_message(self, name, msg, _):
         with self._change:
             self._messages[name] = (time.monotonic(), msg)
             self._change.notify_all()

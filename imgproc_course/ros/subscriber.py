@@ -4,7 +4,7 @@ import collections
 import threading
 import time
 from collections.abc import Callable, Iterator
-from typing import Any, ClassVar, Self
+from typing import Any, ClassVar
 
 import numpy as np
 from rclpy.event_handler import SubscriptionEventCallbacks
@@ -13,7 +13,7 @@ from sensor_msgs.msg import CompressedImage, Image
 
 from imgproc_course.messages import ConversionError, compressed_to_array, encoding_info, image_to_array
 from imgproc_course.ros.diagnostics import explain_missing_messages
-from imgproc_course.ros.entities import Entities, weak_callback
+from imgproc_course.ros.entities import Entities, Stoppable, weak_callback
 from imgproc_course.ros.loss_counter import LossCounter
 from imgproc_course.ros.session import RCLError, RosSession, Throttle, failed_line, log
 
@@ -44,7 +44,7 @@ def image_type(topic):
     return Image, image_to_array
 
 
-class ImageSubscriber:
+class ImageSubscriber(Stoppable):
     """Subscribes to images and keeps the newest one, as a frame.
 
     Parameters
@@ -111,21 +111,16 @@ class ImageSubscriber:
         if on_image is not None:
             self._replace_previous()
         self._entities = Entities(self, weak_callback(self.stop))
-        self._subscription = self._entities.add(self._subscribe())
+        self._subscription = self._subscribe()
 
     def _subscribe(self):
         # Weak references, so that an unused subscriber is deleted, and its subscription with it.
         events = SubscriptionEventCallbacks(
-            incompatible_qos=weak_callback(self._on_incompatible_qos), matched=weak_callback(self._on_matched)
+            incompatible_qos=weak_callback(self._on_incompatible_qos), matched=self._losses.on_matched
         )
-        on_message = weak_callback(self._on_message)
         try:
-            return self.session.node.create_subscription(
-                self.message_type,
-                self.topic,
-                lambda msg, info: on_message(msg, info),
-                self.qos,
-                event_callbacks=events,
+            return self._entities.subscribe(
+                self.message_type, self.topic, self.qos, self._on_message, event_callbacks=events
             )
         except RCLError as error:
             raise ValueError(
@@ -248,12 +243,6 @@ class ImageSubscriber:
             del self._subscribers[self._key]
         self._entities.close()
 
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *exception):
-        self.stop()
-
     def __repr__(self):
         state = "stopped" if self._stopped else f"{self.measured_rate:.1f} Hz, {self.received} received"
         return f"<ImageSubscriber {self.topic}: {state}>"
@@ -289,10 +278,6 @@ class ImageSubscriber:
             self.last_error = text
         if self._may_log():
             log.warning("%s (skipped; %d failed so far)", text, self.failed)
-
-    def _on_matched(self, event):
-        with self._change:
-            self._losses.set_publishers(event.current_count)
 
     def _on_incompatible_qos(self, event):
         remedy = _QOS_REMEDIES.get(
