@@ -3,6 +3,7 @@
 import base64
 import html
 import itertools
+import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
@@ -591,8 +592,6 @@ def _jpeg(bgr):
 
 def _close(figure):
     """Closes a figure of pyplot, which would otherwise be shown a second time at the end of its cell."""
-    manager = getattr(figure.canvas, "manager", None)
-    if getattr(figure, "number", None) is not None or manager is not None:
-        from matplotlib import pyplot as plt
-
-        plt.close(figure)
+    pyplot = sys.modules.get("matplotlib.pyplot")  # not imported here: it chooses a backend
+    if pyplot is not None:
+        pyplot.close(figure)

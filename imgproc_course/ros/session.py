@@ -62,7 +62,6 @@ class RosSession:
     There is one session per process: `RosSession()` always returns the same object, and
     `RosSession.current()` also starts it. You may start twice, stop twice, and start again after a stop. The
     session has its own context: your rclpy.init() and rclpy.shutdown() in the same process do not affect it.
-
     """
 
     _instance: "RosSession | None" = None
