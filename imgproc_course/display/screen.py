@@ -85,9 +85,9 @@ class Screen:
 
     def show(self, result):
         """Shows an array, or several in a list or dict (of title -> array). Returns the JPEG's bytes."""
-        titles, images = self._read(result)
+        images = self._read(result)
         jpeg = _encode(self._compose(images))
-        self._set_titles(titles, images)
+        self._set_titles(images)
         self.image.value = jpeg
         return jpeg
 
@@ -110,11 +110,11 @@ class Screen:
                     f"limits=({array.min():g}, {array.max():g}), or return uint8"
                 )
             images.append(image)
-        return titles, images
+        return images
 
     def full_size(self, result):
         """(rows, cols) or (rows, cols, 3) uint8, blue first: the image of `show` at full resolution."""
-        _, images = self._read(result)
+        images = self._read(result)
         return self._side_by_side(images, max(image.array.shape[0] for image in images))
 
     def _compose(self, images):
@@ -152,14 +152,13 @@ class Screen:
             for widget in (self.image, self._titles, self._message):
                 widget.layout.width = f"{width}px"
 
-    def _set_titles(self, titles, images):
-        if not any(titles):
-            text = ""
-        else:
-            cells = "".join(
-                f'<div style="flex: {_aspect(image):.4f}; text-align: center">{html.escape(title)}</div>'
-                for title, image in zip(titles, images, strict=True)
-            )
+    def _set_titles(self, images):
+        text = ""
+        if any(image.title for image in images):
+            cells = ""
+            for image in images:
+                style = f"flex: {_aspect(image):.4f}; text-align: center"
+                cells += f'<div style="{style}">{html.escape(image.title)}</div>'
             text = f'<div style="display: flex; gap: {GAP}px">{cells}</div>'
         if text != self._titles.value:
             self._titles.value = text

@@ -94,8 +94,8 @@ class Tuner(View):
         self._controls = Controls(function, ranges, self._request)
         self._screen = Screen(look, f"Result of {self._name} on the frame")
         self._lock = threading.Lock()
-        self._requests, self._working = 0, False
-        self._idle = threading.Event()
+        self._requests = 0
+        self._idle = threading.Event()  # not set while a thread computes
         self.error: BaseException | None = None
         self._value = None
         self._jpeg = b""
@@ -128,7 +128,7 @@ class Tuner(View):
             alt = html.escape(self._screen.image.tooltip)
             img_tag = f'<img alt="{alt}" style="max-width: 100%" src="data:image/jpeg;base64,{data}">'
         still = f'<figure style="margin: 0">{img_tag}<figcaption><code>{code}</code></figcaption></figure>'
-        publish(self._box, f"Sliders for {self._name}: {self.call}", still)
+        publish(self._box, repr(self), still)
 
     def _ipython_display_(self):
         """Shows nothing: as the last value of its own cell, it is already on the page."""
@@ -139,10 +139,9 @@ class Tuner(View):
     def _request(self):
         with self._lock:
             self._requests += 1
-            self._idle.clear()
-            if self._working:
+            if not self._idle.is_set():
                 return
-            self._working = True
+            self._idle.clear()
         threading.Thread(target=self._work, name=f"tune: {self._name}", daemon=True).start()
         # Threads take turns in the interpreter, 5 ms each. A quick computation ends sooner if this one waits.
         self._idle.wait(QUICK)
@@ -156,7 +155,6 @@ class Tuner(View):
                 self._screen.say(last_lines(printed))
             with self._lock:
                 if requests == self._requests:
-                    self._working = False
                     self._idle.set()
                     return
 
