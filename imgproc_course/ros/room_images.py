@@ -35,7 +35,8 @@ class RoomImages:
     """
 
     def __init__(self, rate, **options):
-        self.rate, self._options = rate, options
+        self.rate = rate
+        self.options = options  # of the simulation that runs, or begins next
         self.simulation = Simulation(**options)
         self.simulation.frame()  # the first one takes a second, which the robot would miss while it drives
         self.on_motion: Callable[[int], None] = lambda stamp: None
@@ -47,11 +48,6 @@ class RoomImages:
         self._is_reported = False
         self._times: list[float] = []  # of the images of this RATE_WINDOW
         self._depth_thread = ThreadPoolExecutor(1, "depth of the room")
-
-    @property
-    def options(self):
-        """The options of the simulation that runs, or begins next."""
-        return dict(self._options)
 
     def command(self, linear, angular):
         """Sets the speeds (m/s, rad/s) that the robot strives for. Any thread may call it."""
@@ -65,10 +61,11 @@ class RoomImages:
         """
         if changes.keys() == {"lighting"}:
             changes["start"] = planar(self.simulation.pose("robot"))
-        options = self._options | changes
+        options = self.options | changes
         simulation = Simulation(**options, time=self.simulation.time)
         is_taken = threading.Event()
-        self._options, self._command = options, STAND_STILL
+        self.options = options
+        self._command = STAND_STILL
         self._restarts.append((simulation, is_taken))
         is_taken.wait(RESTART_TIMEOUT)
 
