@@ -43,6 +43,19 @@ def _handle_names(names):
     return widgets.Output(outputs=(output,) if names else (), layout=widgets.Layout(display="none"))
 
 
+def make_button(description, icon, on_click):
+    """A button that calls `on_click()`; a narrow window does not cut its text."""
+    layout = widgets.Layout(width="110px", flex="none")
+    button = widgets.Button(description=description, icon=icon, layout=layout)
+    button.on_click(lambda _: on_click())
+    return button
+
+
+def in_a_row(*children):
+    """Widgets side by side, or below each other in a narrow window."""
+    return widgets.HBox(children, layout=widgets.Layout(flex_flow="row wrap"))
+
+
 class Controls:
     """One widget per keyword, and the parameter values that the widgets set; `tune` describes the ranges.
 
@@ -54,7 +67,7 @@ class Controls:
         self._names = {}  # keyword -> names of the one or two parameters that it sets
         self._widgets = {}
         for keyword, range_ in ranges.items():
-            self._names[keyword] = self._parameters_of(keyword, range_, function)
+            self._names[keyword] = self._parameters_of(keyword, range_)
             self._widgets[keyword] = self._make_widget(keyword, range_)
         names = [name for pair in self._names.values() for name in pair]
         if len(set(names)) < len(names):
@@ -64,8 +77,7 @@ class Controls:
         self._on_change = on_change
         for widget in self._widgets.values():
             widget.observe(self._changed, "value")
-        reset = widgets.Button(description="Reset", icon="undo", layout=widgets.Layout(width="110px"))
-        reset.on_click(lambda _: self.reset())
+        reset = make_button("Reset", "undo", self.reset)
         self._code = widgets.HTML(layout=widgets.Layout(width="auto"))
         self._note = ""
         self._write_code()
@@ -126,7 +138,7 @@ class Controls:
                 names += [f"{keyword}: {name}" for name in parameters] if is_pair else [keyword]
         return _handle_names(names)
 
-    def _parameters_of(self, keyword, range_, function):
+    def _parameters_of(self, keyword, range_):
         parameters = self._parameters
         if parameters is None or keyword in parameters or _takes_any_keyword(parameters):
             return (keyword,)
@@ -136,7 +148,7 @@ class Controls:
         if len(pairs) == 1 and isinstance(getattr(range_, "value", range_), tuple) and not close_matches:
             return pairs[0]
         raise ValueError(
-            f"{name_of(function)} has no parameter {keyword!r}; it has: {', '.join(parameters)}. "
+            f"{name_of(self._function)} has no parameter {keyword!r}; it has: {', '.join(parameters)}. "
             + (f"Did you mean {close_matches[0]}? " if close_matches else "")
             + "A new name makes one range slider for two parameters, if they are called low and high"
         )
@@ -152,10 +164,9 @@ class Controls:
         if isinstance(range_, bool):
             return widgets.Checkbox(value=range_, **common)
         if isinstance(range_, (list, dict)) and len(range_):
-            options = list(range_.items()) if isinstance(range_, dict) else range_
-            values = [value for _, value in options] if isinstance(range_, dict) else options
+            values = list(range_.values()) if isinstance(range_, dict) else range_
             start = self._default(keyword)
-            return widgets.Dropdown(options=options, value=start if start in values else values[0], **common)
+            return widgets.Dropdown(options=range_, value=start if start in values else values[0], **common)
         return self._make_slider(keyword, range_, common)
 
     def _make_slider(self, keyword, range_, common):
@@ -164,12 +175,9 @@ class Controls:
         limits = {"min": low, "max": high, "step": step}
         if not is_integer:
             common["readout_format"] = f".{max(0, -math.floor(math.log10(step)))}f"
-        names = self._names[keyword]
-        if len(names) == 2:
-            start = tuple(
-                self._start(name, low, high, step, share)
-                for name, share in zip(names, (0.1, 0.2), strict=True)
-            )
+        if len(self._names[keyword]) == 2:
+            lower, upper = self._names[keyword]
+            start = self._start(lower, low, high, step, 0.1), self._start(upper, low, high, step, 0.2)
             slider_class = widgets.IntRangeSlider if is_integer else widgets.FloatRangeSlider
         else:
             start = self._start(keyword, low, high, step, 0.5)

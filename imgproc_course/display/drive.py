@@ -11,12 +11,13 @@ from pathlib import Path
 from typing import Any
 
 import anywidget
-import ipywidgets as widgets
 import numpy as np
 from traitlets import Float
 
+from imgproc_course.display.controls import in_a_row
 from imgproc_course.display.figures import split_text
 from imgproc_course.display.live_view import LiveView
+from imgproc_course.display.screen import Look
 
 HERE = Path(__file__).parent
 robot_log = logging.getLogger("imgproc_course.ros.robot")
@@ -67,8 +68,13 @@ def drive(
     for name, speed in (("linear", linear), ("angular", angular)):
         if not (isinstance(speed, (int, float)) and math.isfinite(speed) and speed > 0):
             raise ValueError(f"{name} must be a speed above 0, got {speed!r}")
+    if source is None:
+        from imgproc_course.ros.robot_topics import TOPIC
+
+        source = TOPIC
     caption, alt = split_text(text, caption, alt)
-    view = DriveView(robot, source, linear=linear, angular=angular, width=width, caption=caption, alt=alt)
+    look = Look(width=width, caption=caption, alt=alt or "What the robot's camera sees")
+    view = DriveView(robot, source, DrivePad(linear=float(linear), angular=float(angular)), look)
     view.start()
     view.publish()
     return view
@@ -97,19 +103,8 @@ class _RobotWarnings(logging.Handler):
 class DriveView(LiveView):
     """The robot's image, and its controls; `drive` makes one and starts it."""
 
-    def __init__(
-        self,
-        robot: Any,
-        source: Any,
-        *,
-        linear: float,
-        angular: float,
-        width: int,
-        caption: str | None,
-        alt: str | None,
-    ):
-        self._robot, self._width = robot, width
-        self._pad = DrivePad(linear=float(linear), angular=float(angular))
+    def __init__(self, robot: Any, source: Any, pad: DrivePad, look: Look):
+        self._robot, self._pad = robot, pad
         self._pad.on_msg(self._on_message)
         self._command: tuple[float, float, float] | None = None  # time, linear, angular
         self._commanded = threading.Condition()
@@ -117,21 +112,9 @@ class DriveView(LiveView):
         self._map = _Map()
         self._threads: list[threading.Thread] = []
         self._warnings = _RobotWarnings(lambda text: self._screen.say(text))
-        super().__init__(
-            source or _front_camera(),
-            None,
-            encoding="bgr8",
-            width=width,
-            limits=None,
-            caption=caption,
-            alt=alt or "What the robot's camera sees",
-            ranges={},
-        )
-
-    def _make_widgets(self):
-        super()._make_widgets()
-        self._box.layout.width = f"{self._width + 8}px"  # the texts above the image must not widen it
-        self._box = widgets.HBox([self._box, self._pad], layout=widgets.Layout(flex_flow="row wrap"))
+        super().__init__(source, None, look, {})
+        self._box.layout.width = f"{(look.width or 0) + 8}px"  # the texts above the image must not widen it
+        self._box = in_a_row(self._box, self._pad)
 
     @property
     def trace(self) -> list[tuple[float, float]]:
@@ -218,19 +201,12 @@ class DriveView(LiveView):
             self._robot.stop()
 
 
-def _front_camera():
-    from imgproc_course.ros.robot_topics import TOPIC
-
-    return TOPIC
-
-
 class _Map:
     """The way and the obstacles so far, and what of them the browser does not have yet."""
 
     def __init__(self):
         self.trace: list[tuple[float, float]] = []
         self._cells: set[tuple[int, int]] = set()
-        self._sent: tuple[int, set[tuple[int, int]]] = (0, set())
         # (time, x, y, yaw): a scan is older than the odometry.
         self._places: collections.deque[tuple[float, ...]] = collections.deque(maxlen=20)
         self.begin_again()
@@ -242,15 +218,15 @@ class _Map:
     def update(self, odometry, scan):
         """The message for the browser; of trace and cells, what is new since the message before."""
         x, y, yaw = self._follow(odometry)
+        begins, self._begins = self._begins, False
+        count, new_cells = len(self.trace), set()
         if not self.trace or math.dist(self.trace[-1], (x, y)) > 0.01:
             self.trace.append((x, y))
         if scan is not None and (place := self._place_at(seconds(scan.header.stamp))):
-            self._cells |= cells_of(scan, *place)
-        if begins := self._begins:
-            self._sent, self._begins = (0, set()), False
-        count, cells = self._sent
-        new_cells = self._cells - cells
-        self._sent = len(self.trace), cells | new_cells
+            new_cells = cells_of(scan, *place) - self._cells
+            self._cells |= new_cells
+        if begins:
+            count, new_cells = 0, self._cells
         twist = odometry.twist.twist
         return {
             "pose": [round(v, 3) for v in (x, y, yaw)],

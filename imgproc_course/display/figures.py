@@ -3,6 +3,7 @@
 import base64
 import html
 import itertools
+import sys
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple, TypeAlias
@@ -100,17 +101,7 @@ def show(
     ------
     ValueError : a shape, dtype, encoding, range or count that cannot be shown
     """
-    figure, _ = draw(
-        images,
-        titles,
-        encoding=encoding,
-        limits=limits,
-        cmap=cmap,
-        rows=rows,
-        cols=cols,
-        numbers=numbers,
-        columns=columns,
-    )
+    figure, _ = draw(images, titles, encoding, limits, cmap, rows, cols, numbers, columns)
     caption, alt = split_text(text, caption, alt)
     show_figure(figure, alt=alt or str(figure.get_label()), caption=caption)
 
@@ -118,7 +109,6 @@ def show(
 def draw(
     images: Images,
     titles: str | Sequence[str] | None = None,
-    *,
     encoding: str | Sequence[str] = "bgr8",
     limits: tuple[float, float] | None = None,
     cmap: str = "gray",
@@ -136,14 +126,10 @@ def draw(
     """
     checked_images = _check_images(images, titles, encoding, rows, cols)
     scale = _check_limits(limits, checked_images)
-    panels = [
-        _Panel(
-            image,
-            _is_numbered(image, numbers),
-            _is_scaled(image) or (limits is not None and image.order == "gray"),
-        )
-        for image in checked_images
-    ]
+    panels = []
+    for image in checked_images:
+        is_barred = is_scaled(image) or (limits is not None and image.order == "gray")
+        panels.append(_Panel(image, _is_numbered(image, numbers), is_barred))
     with mpl.rc_context():
         mpl.rcdefaults()  # a learner's dark style must not change what a lesson shows
         figure, axes = _draw_panels(panels, scale, cmap, columns)
@@ -312,9 +298,8 @@ def _check_colour(array, order, encoding, name):
     channels = len(CHANNEL_ORDERS.get(order, "1"))
     if array.shape[2] != channels:
         expected_shape = "(rows, cols)" if channels == 1 else f"(rows, cols, {channels})"
-        remedy = {3: 'encoding="bgr8"', 4: 'encoding="bgra8"'}.get(
-            array.shape[2], "array[:, :, k] for one channel"
-        )
+        remedies = {3: 'encoding="bgr8"', 4: 'encoding="bgra8"'}
+        remedy = remedies.get(array.shape[2], "array[:, :, k] for one channel")
         raise ValueError(
             f"{name} has shape {array.shape}, but encoding {encoding!r} means {expected_shape}; try {remedy}"
         )
@@ -341,7 +326,7 @@ def _crop(image, rows, cols, name):
     return image._replace(array=part, first_row=first_row, first_col=first_col)
 
 
-def _is_scaled(image):
+def is_scaled(image):
     """Whether its values need a scale: for uint8, bool and colour, black and white are fixed."""
     return image.order == "gray" and image.array.dtype not in (np.uint8, np.bool_)
 
@@ -352,7 +337,7 @@ def _check_limits(limits, images):
         if not low < high:
             raise ValueError(f"limits={limits!r}: the value shown black must be below the value shown white")
         return float(low), float(high)
-    scaled = [image.array for image in images if _is_scaled(image)]
+    scaled = [image.array for image in images if is_scaled(image)]
     low = min((float(array.min()) for array in scaled), default=0.0)
     high = max((float(array.max()) for array in scaled), default=0.0)
     largest = max(-low, high) or 1.0
@@ -372,10 +357,10 @@ def _is_numbered(image, numbers):
 
 def _describe(image):
     height, width = image.array.shape[:2]
-    position = (
-        f" from row {image.first_row}, col {image.first_col}" if image.first_row or image.first_col else ""
-    )
     kind = "gray" if image.order == "gray" else "colour"
+    position = ""
+    if image.first_row or image.first_col:
+        position = f" from row {image.first_row}, col {image.first_col}"
     return f"{image.title or 'image'} ({kind}, {height} rows by {width} cols{position})"
 
 
@@ -480,20 +465,16 @@ def _draw_image(figure, panel, scale, cmap):
     height, width = image.array.shape[:2]
     colours = to_rgb(image, scale if panel.is_barred else _fixed_range(image), cmap)
     left, top = image.first_col - 0.5, image.first_row - 0.5
-    axes.imshow(
-        _resample(colours, box),
-        extent=(left, left + width, top + height, top),
-        interpolation="nearest",
-        aspect="auto",
-    )
+    pixels = resize(colours, [max(1, round(side * DENSITY)) for side in box])
+    extent = (left, left + width, top + height, top)
+    axes.imshow(pixels, extent=extent, interpolation="nearest", aspect="auto")
     axes.set_title(image.title, fontsize=10, pad=5)
     axes.set_xlabel("col", fontsize=9, labelpad=2)
     axes.set_ylabel("row", fontsize=9, labelpad=2)
     axes.tick_params(labelsize=8, length=3)
     for axis, size in ((axes.xaxis, width), (axes.yaxis, height)):
-        axis.set_major_locator(
-            MaxNLocator(size if panel.is_numbered else 5, integer=True, steps=[1, 2, 5, 10])
-        )
+        most_ticks = size if panel.is_numbered else 5
+        axis.set_major_locator(MaxNLocator(most_ticks, integer=True, steps=[1, 2, 5, 10]))
     if panel.is_numbered:
         _write_numbers(axes, image, colours, box[0] / width)
     axes.set_xlim(left, left + width)
@@ -524,11 +505,10 @@ def _on_white(rgba):
     return ((rgba[:, :, :3] * opacity + 255 * (255 - opacity) + 127) // 255).astype(np.uint8)
 
 
-def _resample(colours, box):
-    """Resizes to the pixels of the screen: shrinking averages, so that thin edges stay; growing copies."""
-    size = tuple(max(1, round(side * DENSITY)) for side in box)
-    shrinks = size[0] < colours.shape[1]
-    return cv2.resize(colours, size, interpolation=cv2.INTER_AREA if shrinks else cv2.INTER_NEAREST)
+def resize(array, size):
+    """Resizes to (width, height): shrinking averages, so that thin edges stay; growing copies."""
+    shrinks = size[0] < array.shape[1]
+    return cv2.resize(array, size, interpolation=cv2.INTER_AREA if shrinks else cv2.INTER_NEAREST)
 
 
 def _number(value):
@@ -545,29 +525,22 @@ def _write_numbers(axes, image, colours, cell):
     if channels:
         axes.set_xlabel(f"col (in each pixel, from the top: {', '.join(channels)})", fontsize=9, labelpad=2)
     for row, col in np.ndindex(luma.shape):
-        numbers = [_number(value) for value in np.atleast_1d(image.array[row, col])]
-        axes.text(
-            col + image.first_col,
-            row + image.first_row,
-            "\n".join(numbers),
-            color="black" if luma[row, col] > 127 else "white",
-            fontsize=points,
-            ha="center",
-            va="center",
-        )
+        text = "\n".join(_number(value) for value in np.atleast_1d(image.array[row, col]))
+        color = "black" if luma[row, col] > 127 else "white"
+        x, y = col + image.first_col, row + image.first_row
+        axes.text(x, y, text, color=color, fontsize=points, ha="center", va="center")
 
 
 def _draw_bar(figure, panel, scale, cmap, arrays):
     left = panel.left + LEFT + panel.box[0] + BAR_GAP
-    place = _place(figure, left, panel.top + TOP, BAR_WIDTH, panel.box[1])
+    axes = figure.add_axes(_place(figure, left, panel.top + TOP, BAR_WIDTH, panel.box[1]))
     low, high = scale
     below = any(array.min() < low for array in arrays)
     above = any(array.max() > high for array in arrays)
     extend = {(False, False): "neither", (True, False): "min", (False, True): "max", (True, True): "both"}
-    bar = figure.colorbar(
-        ScalarMappable(Normalize(low, high), cmap), cax=figure.add_axes(place), extend=extend[below, above]
-    )
-    bar.ax.tick_params(labelsize=8, length=3)
+    scale_colours = ScalarMappable(Normalize(low, high), cmap)
+    figure.colorbar(scale_colours, cax=axes, extend=extend[below, above])
+    axes.tick_params(labelsize=8, length=3)
 
 
 # ---------------------------------------------------------------- store
@@ -619,8 +592,6 @@ def _jpeg(bgr):
 
 def _close(figure):
     """Closes a figure of pyplot, which would otherwise be shown a second time at the end of its cell."""
-    manager = getattr(figure.canvas, "manager", None)
-    if getattr(figure, "number", None) is not None or manager is not None:
-        from matplotlib import pyplot as plt
-
-        plt.close(figure)
+    pyplot = sys.modules.get("matplotlib.pyplot")  # not imported here: it chooses a backend
+    if pyplot is not None:
+        pyplot.close(figure)

@@ -15,10 +15,10 @@ import numpy as np
 from IPython import get_ipython
 from IPython.display import display
 
-from imgproc_course.display.controls import Controls
+from imgproc_course.display.controls import Controls, in_a_row, make_button
 from imgproc_course.display.figures import Output, split_text
 from imgproc_course.display.printing import captured_prints, last_lines
-from imgproc_course.display.screen import Screen, describe_error
+from imgproc_course.display.screen import Look, Screen, View, describe_error
 
 MAX_RATE = 30  # frames per second: enough for a camera on a screen, and the browser must keep up
 PING_INTERVAL = 0.5  # seconds between two pings to the browser
@@ -73,17 +73,8 @@ def live_view(
     ValueError : another kind of source, an invalid range
     RosMissingError : a topic, but rclpy is not installed
     """
-    caption, alt = split_text(text, caption, alt)
-    view = LiveView(
-        source,
-        process,
-        encoding=encoding,
-        width=width,
-        limits=limits,
-        caption=caption,
-        alt=alt,
-        ranges=ranges,
-    )
+    look = Look(encoding, width, limits, *split_text(text, caption, alt))
+    view = LiveView(source, process, look, ranges)
     view.start()
     view.publish()
     return view
@@ -97,7 +88,7 @@ class Snapshot(NamedTuple):
     path: Path | None
 
 
-class LiveView:
+class LiveView(View):
     """A live view, running or stopped; `live_view` makes one and starts it.
 
     Attributes
@@ -109,18 +100,7 @@ class LiveView:
     snapshots : list of Snapshot
     """
 
-    def __init__(
-        self,
-        source: Any,
-        process: Callable[..., Any] | None,
-        *,
-        encoding: str,
-        width: int | None,
-        limits: tuple[float, float] | None,
-        caption: str | None,
-        alt: str | None,
-        ranges: dict[str, Any],
-    ):
+    def __init__(self, source: Any, process: Callable[..., Any] | None, look: Look, ranges: dict[str, Any]):
         if process is not None and not callable(process):
             raise ValueError(
                 f"process is {type(process).__name__}; expected a function: live_view(camera, edges)"
@@ -128,10 +108,10 @@ class LiveView:
         if ranges and process is None:
             raise ValueError(f"{', '.join(ranges)}: sliders need a function whose parameters they set")
         self._process = process
-        self._feed = _feed_from(source, encoding)
+        self._feed = _feed_from(source, look.encoding)
         self._controls = Controls(process, ranges) if ranges else None
-        self._name = caption or getattr(process, "__name__", "camera").replace("<lambda>", "camera")
-        self._screen = Screen(encoding, width, limits, alt or caption or f"Live view: {self._name}", caption)
+        self._name = look.caption or getattr(process, "__name__", "camera").replace("<lambda>", "camera")
+        self._screen = Screen(look, f"Live view: {self._name}")
         self._pacer = _Pacer()
         self._thread: threading.Thread | None = None
         self._stopping = threading.Event()
@@ -144,22 +124,13 @@ class LiveView:
         self._make_widgets()
 
     def _make_widgets(self):
-        button_layout = widgets.Layout(width="110px", flex="none")  # a narrow window does not cut its text
-        self._start = widgets.Button(description="Start", icon="play", layout=button_layout)
-        self._stop = widgets.Button(description="Stop", icon="stop", layout=button_layout)
-        self._snapshot_button = widgets.Button(description="Snapshot", icon="camera", layout=button_layout)
-        self._start.on_click(lambda _: self.start())
-        self._stop.on_click(lambda _: self.stop())
-        self._snapshot_button.on_click(lambda _: self.snapshot())
+        self._start = make_button("Start", "play", self.start)
+        self._stop = make_button("Stop", "stop", self.stop)
+        snapshot = make_button("Snapshot", "camera", self.snapshot)
         self._status = widgets.Label(value="waiting for the first frame", layout=widgets.Layout(flex="none"))
+        bar = in_a_row(self._start, self._stop, snapshot, self._status)
         box = self._screen.box
-        if self._controls:
-            box = widgets.HBox([box, self._controls.box], layout=widgets.Layout(flex_flow="row wrap"))
-        bar = widgets.HBox(
-            [self._start, self._stop, self._snapshot_button, self._status],
-            layout=widgets.Layout(flex_flow="row wrap"),
-        )
-        self._box = widgets.VBox([bar, box])
+        self._box = widgets.VBox([bar, in_a_row(box, self._controls.box) if self._controls else box])
         # With a number here, the browser counts the views of this widget: 0 means that no page shows it.
         self._screen.image._view_count = 0
         self._screen.image.observe(self._count_views, "_view_count")
@@ -169,21 +140,6 @@ class LiveView:
     @property
     def running(self) -> bool:
         return self._thread is not None and self._thread.is_alive()
-
-    @property
-    def parameters(self) -> dict[str, Any]:
-        """Dict of parameter -> value, as `process` gets them."""
-        return self._controls.values if self._controls else {}
-
-    @property
-    def call(self) -> str:
-        """The call of `process` as code to copy."""
-        return self._controls.call if self._controls else f"{self._name}(frame)"
-
-    def reset(self) -> None:
-        """Sets every slider back to its start."""
-        if self._controls:
-            self._controls.reset()
 
     def start(self) -> None:
         """Starts the view, or starts it again. Does nothing if it runs."""
@@ -392,14 +348,21 @@ def is_live(source):
     return isinstance(source, str) or any(hasattr(source, name) for name in ("wait", "frame", "topic"))
 
 
-class _Subscription:
+class _Feed:
+    """Where a view's frames come from, by `next`, while it runs; what needs no opening stays as it is."""
+
+    def open(self):
+        pass
+
+    def close(self):
+        pass
+
+
+class _Subscription(_Feed):
     """A learner's own subscription, which stays open when the view stops."""
 
     def __init__(self, subscriber):
         self._subscriber, self._last_frame = subscriber, None
-
-    def open(self):
-        pass
 
     def next(self, timeout):
         """The newest frame that was not returned before."""
@@ -408,9 +371,6 @@ class _Subscription:
             frame = self._subscriber.wait(timeout=timeout)
         self._last_frame = frame
         return frame
-
-    def close(self):
-        pass
 
 
 class _Topic(_Subscription):
@@ -431,7 +391,7 @@ class _Topic(_Subscription):
             subscriber.stop()
 
 
-class _Playback:
+class _Playback(_Feed):
     """Plays a recording at its own rate, again and again; frames that would be late are dropped."""
 
     def __init__(self, recording, encoding):
@@ -449,9 +409,6 @@ class _Playback:
         number = max(self._next_number, int((time.monotonic() - self._started) * self._rate))
         self._next_number = number + 1
         return self._recording.frame(number % len(self._recording), encoding=self._encoding)
-
-    def close(self):
-        pass
 
 
 # ---------------------------------------------------------------- in the notebook

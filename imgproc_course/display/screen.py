@@ -4,19 +4,53 @@ import html
 import linecache
 import traceback
 from pathlib import Path
+from typing import Any, NamedTuple
 
 import cv2
 import ipywidgets as widgets
 import numpy as np
 from traitlets import Unicode
 
-from imgproc_course.display.controls import name_of
-from imgproc_course.display.figures import check_image, to_rgb
+from imgproc_course.display.controls import Controls, name_of
+from imgproc_course.display.figures import check_image, is_scaled, resize, to_rgb
 
 GAP = 6
 WIDTH, WIDTH_OF_SEVERAL, HIGHEST = 640, 960, 480
 QUALITY = 80
 DISPLAY_FOLDER = Path(__file__).parent
+
+
+class Look(NamedTuple):
+    """How a view shows its images; `live_view` describes it."""
+
+    encoding: str = "bgr8"
+    width: int | None = None
+    limits: tuple[float, float] | None = None
+    caption: str | None = None
+    alt: str | None = None
+
+
+class View:
+    """What a live view and a tuner have in common: a screen, and controls of a function's parameters."""
+
+    _name: str
+    _screen: "Screen"
+    _controls: Controls | None
+
+    @property
+    def parameters(self) -> dict[str, Any]:
+        """Dict of parameter -> value, as the function gets them."""
+        return self._controls.values if self._controls else {}
+
+    @property
+    def call(self) -> str:
+        """The function's call with the current values, as code to copy."""
+        return self._controls.call if self._controls else f"{self._name}(frame)"
+
+    def reset(self) -> None:
+        """Sets every slider back to its start."""
+        if self._controls:
+            self._controls.reset()
 
 
 class NamedImage(widgets.Image):
@@ -34,27 +68,26 @@ class Screen:
     Any thread may call it: it only assigns to existing widgets.
     """
 
-    def __init__(self, encoding, width, limits, alt, caption):
-        self.encoding, self.limits, self._fixed_width = encoding, limits, width
+    def __init__(self, look, alt):
+        self._look = look
         self._size = (0, 0)
         common = {"max_width": "calc(100% - 4px)", "margin": "2px"}
-        self.image = NamedImage(
-            format="jpeg", layout=widgets.Layout(object_fit="contain", **common), tooltip=alt
-        )
+        layout = widgets.Layout(object_fit="contain", **common)
+        self.image = NamedImage(format="jpeg", layout=layout, tooltip=look.alt or look.caption or alt)
         self._titles = widgets.HTML(layout=widgets.Layout(**common))
         # Its height is fixed: an error that appears or disappears must not move the page.
         self._message = widgets.HTML(layout=widgets.Layout(height="62px", overflow="auto", **common))
-        width = width or WIDTH
+        width = look.width or WIDTH
         self._resize(width, round(width * 9 / 16))
         self.image.value = _encode(np.full((self._size[1], width), 230, np.uint8))
-        caption_line = [widgets.HTML(html.escape(caption))] if caption else []
+        caption_line = [widgets.HTML(html.escape(look.caption))] if look.caption else []
         self.box = widgets.VBox([self._titles, self.image, *caption_line, self._message])
 
     def show(self, result):
         """Shows an array, or several in a list or dict (of title -> array). Returns the JPEG's bytes."""
-        titles, images = self._read(result)
+        images = self._read(result)
         jpeg = _encode(self._compose(images))
-        self._set_titles(titles, images)
+        self._set_titles(images)
         self.image.value = jpeg
         return jpeg
 
@@ -70,25 +103,22 @@ class Screen:
         images = []
         for k, (title, array) in enumerate(zip(titles, arrays, strict=True)):
             name = title or ("the result" if len(arrays) == 1 else f"result {k}")
-            images.append(check_image(array, self.encoding, title, name))
-            self._check_scale(images[-1], name)
-        return titles, images
-
-    def _check_scale(self, image, name):
-        dtype = image.array.dtype
-        if image.order == "gray" and dtype not in (np.uint8, np.bool_) and self.limits is None:
-            raise ValueError(
-                f"{name} has dtype {dtype}: give the values of black and white, for example "
-                f"limits=({image.array.min():g}, {image.array.max():g}), or return uint8"
-            )
+            image = check_image(array, self._look.encoding, title, name)
+            if is_scaled(image) and self._look.limits is None:
+                raise ValueError(
+                    f"{name} has dtype {array.dtype}: give the values of black and white, for example "
+                    f"limits=({array.min():g}, {array.max():g}), or return uint8"
+                )
+            images.append(image)
+        return images
 
     def full_size(self, result):
         """(rows, cols) or (rows, cols, 3) uint8, blue first: the image of `show` at full resolution."""
-        _, images = self._read(result)
+        images = self._read(result)
         return self._side_by_side(images, max(image.array.shape[0] for image in images))
 
     def _compose(self, images):
-        width = self._fixed_width or (WIDTH if len(images) == 1 else WIDTH_OF_SEVERAL)
+        width = self._look.width or (WIDTH if len(images) == 1 else WIDTH_OF_SEVERAL)
         width_of_images = width - GAP * (len(images) - 1)
         height = max(1, min(HIGHEST, round(width_of_images / sum(map(_aspect, images)))))
         self._resize(width, height)
@@ -107,11 +137,10 @@ class Screen:
         if image.order == "gray" and array.dtype == bool:
             array = array.view(np.uint8) * np.uint8(255)
         elif array.dtype != np.uint8:
-            limits = self.limits if image.order == "gray" else (0, 1)
+            limits = self._look.limits if image.order == "gray" else (0, 1)
             array = to_rgb(image, limits)[:, :, ::-1]
             image = image._replace(order="bgr")
-        shrinks = size[0] < array.shape[1]
-        array = cv2.resize(array, size, interpolation=cv2.INTER_AREA if shrinks else cv2.INTER_NEAREST)
+        array = resize(array, size)
         if image.order in ("gray", "bgr"):
             return array
         return to_rgb(image._replace(array=array), (0, 255))[:, :, ::-1]
@@ -123,14 +152,13 @@ class Screen:
             for widget in (self.image, self._titles, self._message):
                 widget.layout.width = f"{width}px"
 
-    def _set_titles(self, titles, images):
-        if not any(titles):
-            text = ""
-        else:
-            cells = "".join(
-                f'<div style="flex: {_aspect(image):.4f}; text-align: center">{html.escape(title)}</div>'
-                for title, image in zip(titles, images, strict=True)
-            )
+    def _set_titles(self, images):
+        text = ""
+        if any(image.title for image in images):
+            cells = ""
+            for image in images:
+                style = f"flex: {_aspect(image):.4f}; text-align: center"
+                cells += f'<div style="{style}">{html.escape(image.title)}</div>'
             text = f'<div style="display: flex; gap: {GAP}px">{cells}</div>'
         if text != self._titles.value:
             self._titles.value = text

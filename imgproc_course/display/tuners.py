@@ -10,11 +10,11 @@ from typing import Any
 import ipywidgets as widgets
 import numpy as np
 
-from imgproc_course.display.controls import Controls
+from imgproc_course.display.controls import Controls, in_a_row
 from imgproc_course.display.figures import split_text
 from imgproc_course.display.live_view import LiveView, is_live, live_view, publish
 from imgproc_course.display.printing import captured_prints, last_lines
-from imgproc_course.display.screen import Screen, describe_error
+from imgproc_course.display.screen import Look, Screen, View, describe_error
 
 PATIENCE = 10  # seconds that `.value` waits for a computation
 QUICK = 0.05  # seconds that the kernel waits for a computation before it reads its next message
@@ -63,26 +63,19 @@ def tune(
         )
     if not sliders:
         raise ValueError("nothing to tune: give a parameter and its range, such as sigma=(0, 5.0)")
-    caption, alt = split_text(text, caption, alt)
-    common: dict[str, Any] = {
-        "encoding": encoding,
-        "width": width,
-        "limits": limits,
-        "caption": caption,
-        "alt": alt,
-    }
-    if is_live(frame) and not isinstance(frame, np.ndarray):
-        return live_view(frame, function, **common, **sliders)
-    if not isinstance(frame, np.ndarray):
+    look = Look(encoding, width, limits, *split_text(text, caption, alt))
+    if isinstance(frame, np.ndarray):
+        tuner = Tuner(function, frame, look, sliders)
+        tuner.publish()
+        return tuner
+    if not is_live(frame):
         raise ValueError(
             f"frame is {type(frame).__name__}; expected an array, or a source that live_view takes"
         )
-    tuner = Tuner(function, frame, **common, ranges=sliders)
-    tuner.publish()
-    return tuner
+    return live_view(frame, function, **look._asdict(), **sliders)
 
 
-class Tuner:
+class Tuner(View):
     """A function, a frame, and sliders; `tune` makes one and shows it.
 
     The function runs on a thread, so that a slow one does not block the sliders. While it runs, only the
@@ -93,43 +86,22 @@ class Tuner:
     error : the exception of the last call, None if there was none
     """
 
-    def __init__(
-        self,
-        function: Callable[..., Any],
-        frame: Any,
-        *,
-        encoding: str,
-        width: int | None,
-        limits: tuple[float, float] | None,
-        caption: str | None,
-        alt: str | None,
-        ranges: dict[str, Any],
-    ):
+    _controls: Controls
+
+    def __init__(self, function: Callable[..., Any], frame: Any, look: Look, ranges: dict[str, Any]):
         self._function, self._frame = function, frame
         self._name = getattr(function, "__name__", "function")
         self._controls = Controls(function, ranges, self._request)
-        self._alt = alt or caption or f"Result of {self._name} on the frame"
-        self._screen = Screen(encoding, width, limits, self._alt, caption)
+        self._screen = Screen(look, f"Result of {self._name} on the frame")
         self._lock = threading.Lock()
-        self._requests, self._working = 0, False
-        self._idle = threading.Event()
+        self._requests = 0
+        self._idle = threading.Event()  # not set while a thread computes
         self.error: BaseException | None = None
         self._value = None
         self._jpeg = b""
-        layout = widgets.Layout(flex_flow="row wrap")
-        self._box = widgets.HBox([self._screen.box, self._controls.box], layout=layout)
+        self._box = in_a_row(self._screen.box, self._controls.box)
         self._compute()
         self._idle.set()
-
-    @property
-    def parameters(self) -> dict[str, Any]:
-        """Dict of parameter -> value, as the function gets them."""
-        return self._controls.values
-
-    @property
-    def call(self) -> str:
-        """The current call as code."""
-        return self._controls.call
 
     @property
     def value(self) -> Any:
@@ -143,10 +115,6 @@ class Tuner:
             raise TimeoutError(f"{self.call} has not returned within {PATIENCE} s; does its loop end?")
         return self._value
 
-    def reset(self) -> None:
-        """Sets every slider back to its start."""
-        self._controls.reset()
-
     def __getitem__(self, keyword: str) -> widgets.Widget:
         """The widget of a keyword: tuner["sigma"].value = 2.0 moves its slider."""
         return self._controls[keyword]
@@ -157,10 +125,10 @@ class Tuner:
         img_tag = ""
         if self._jpeg:
             data = base64.b64encode(self._jpeg).decode()
-            alt = html.escape(self._alt)
+            alt = html.escape(self._screen.image.tooltip)
             img_tag = f'<img alt="{alt}" style="max-width: 100%" src="data:image/jpeg;base64,{data}">'
         still = f'<figure style="margin: 0">{img_tag}<figcaption><code>{code}</code></figcaption></figure>'
-        publish(self._box, f"Sliders for {self._name}: {self.call}", still)
+        publish(self._box, repr(self), still)
 
     def _ipython_display_(self):
         """Shows nothing: as the last value of its own cell, it is already on the page."""
@@ -171,10 +139,9 @@ class Tuner:
     def _request(self):
         with self._lock:
             self._requests += 1
-            self._idle.clear()
-            if self._working:
+            if not self._idle.is_set():
                 return
-            self._working = True
+            self._idle.clear()
         threading.Thread(target=self._work, name=f"tune: {self._name}", daemon=True).start()
         # Threads take turns in the interpreter, 5 ms each. A quick computation ends sooner if this one waits.
         self._idle.wait(QUICK)
@@ -188,7 +155,6 @@ class Tuner:
                 self._screen.say(last_lines(printed))
             with self._lock:
                 if requests == self._requests:
-                    self._working = False
                     self._idle.set()
                     return
 

@@ -27,9 +27,8 @@ def check_disk():
     if free >= ENOUGH_DISK:
         yield ok("disk", "enough space for your work")
     else:
-        yield warning(
-            "disk", f"{free >> 20} MiB free where your lessons are", "free some space before you go on"
-        )
+        problem = f"{free >> 20} MiB free where your lessons are"
+        yield warning("disk", problem, "free some space before you go on")
 
 
 def check_topics():

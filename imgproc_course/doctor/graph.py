@@ -28,7 +28,8 @@ def check_ros():
         return
     names = ("rclpy", "sensor_msgs")
     yield ok("ROS 2", ", ".join(f"{name} {_version_of(name)}" for name in names))
-    yield ok("middleware", _middleware())
+    # Ask rclpy, which imgproc_course.ros has imported, what it loaded: the variable may be unset.
+    yield ok("middleware", sys.modules["rclpy.utilities"].get_rmw_implementation_identifier())
     profile = dds_profile()
     if profile.note is None:
         yield ok("DDS profile", profile)
@@ -43,14 +44,6 @@ def _version_of(package):
         with contextlib.suppress(importlib.metadata.PackageNotFoundError):
             return importlib.metadata.version(distribution)
     return "of this system"
-
-
-def _middleware():
-    # imgproc_course.ros has imported rclpy by now. Ask rclpy what it loaded: the variable may be unset.
-    utilities = sys.modules.get("rclpy.utilities")
-    if utilities is not None:
-        return utilities.get_rmw_implementation_identifier()
-    return os.environ.get("RMW_IMPLEMENTATION", "the default")
 
 
 def _shared_memory(free):
@@ -70,11 +63,9 @@ def _domain():
     domain = os.environ.get("ROS_DOMAIN_ID", "0") or "0"
     discovery_range = os.environ.get("ROS_AUTOMATIC_DISCOVERY_RANGE", "") or "SUBNET"
     if not (domain.isdecimal() and int(domain) <= 101):
-        yield failure(
-            "domain", f"ROS_DOMAIN_ID={domain}", "give a number from 0 to 101: export ROS_DOMAIN_ID=7"
-        )
-        return
-    if discovery_range not in RANGES:
+        remedy = "give a number from 0 to 101: export ROS_DOMAIN_ID=7"
+        yield failure("domain", f"ROS_DOMAIN_ID={domain}", remedy)
+    elif discovery_range not in RANGES:
         yield failure(
             "domain",
             f"ROS_AUTOMATIC_DISCOVERY_RANGE={discovery_range} is not one of {', '.join(RANGES)}",
@@ -87,12 +78,9 @@ def _domain():
             "unset ROS_AUTOMATIC_DISCOVERY_RANGE, or set it to LOCALHOST; then restart the kernel",
         )
     else:
-        is_local = discovery_range == "LOCALHOST" or os.environ.get("ROS_LOCALHOST_ONLY") == "1"
-        scope = (
-            "only with programs on this machine, not with a robot"
-            if is_local
-            else "with everyone on this network in the same domain"
-        )
+        scope = "with everyone on this network in the same domain"
+        if discovery_range == "LOCALHOST" or os.environ.get("ROS_LOCALHOST_ONLY") == "1":
+            scope = "only with programs on this machine, not with a robot"
         yield ok("domain", f"{domain}; topics are shared {scope}")
 
 
@@ -117,10 +105,8 @@ def check_network():
 
 def _packet_arrives(address, timeout=1.0):
     loopback = socket.inet_aton("127.0.0.1")
-    with (
-        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as receiver,
-        socket.socket(socket.AF_INET, socket.SOCK_DGRAM) as sender,
-    ):
+    udp = (socket.AF_INET, socket.SOCK_DGRAM)
+    with socket.socket(*udp) as receiver, socket.socket(*udp) as sender:
         try:
             receiver.settimeout(timeout)
             receiver.bind(("" if address == MULTICAST_GROUP else address, 0))

@@ -70,14 +70,11 @@ class Report:
 
     @property
     def summary(self):
-        failures, warnings = (
-            sum(diagnosis.verdict == verdict for diagnosis in self.diagnoses)
-            for verdict in ("failure", "warning")
-        )
-        if failures:
-            count = f"{failures} of {len(self.diagnoses)} failed"
+        verdicts = [diagnosis.verdict for diagnosis in self.diagnoses]
+        if not self.ready:
+            count = f"{verdicts.count('failure')} of {len(verdicts)} failed"
             return f"{count}: follow the remedy beside each ✗, then run the doctor again."
-        return "Everything is ready." if not warnings else "Ready. You can ignore the lines with !."
+        return "Ready. You can ignore the lines with !." if "warning" in verdicts else "Everything is ready."
 
     def print(self, console=None):
         """Prints the table, in colours where the terminal has them."""

@@ -15,7 +15,7 @@ VENV = Path(imgproc_course.__file__).resolve().parents[1] / ".venv"
 
 
 def check_python():
-    version = f"{sys.version_info.major}.{sys.version_info.minor}.{sys.version_info.micro}"
+    version = ".".join(map(str, sys.version_info[:3]))
     if (3, 11) <= sys.version_info[:2] <= (3, 13):
         yield ok("Python", version)
     else:
@@ -27,19 +27,14 @@ def check_kernel():
     """Whether the notebook, or a JupyterLab started now, uses the environment that holds the course."""
     if importlib.util.find_spec("jupyter_client") is None:
         return  # check_packages reports that JupyterLab is missing
+    own_names = (None, "python", "python3", f"python3.{sys.version_info.minor}", sys.executable)
     if VENV.is_dir() and Path(sys.prefix).resolve() != VENV.resolve():
         yield warning(
             "kernel",
             "this Python belongs to another environment, not to the course's .venv",
             "start JupyterLab with environment/lab; in the notebook: Kernel > Change Kernel > Python 3",
         )
-    elif _kernel_of_jupyter() in (
-        None,
-        "python",
-        "python3",
-        f"python3.{sys.version_info.minor}",
-        sys.executable,
-    ):
+    elif _kernel_of_jupyter() in own_names:
         yield ok("kernel", "from the course's own environment")
     else:
         yield warning(
@@ -102,9 +97,8 @@ def check_opencv():
     if count:
         yield ok("OpenCV", f"{version}, with {count} Haar cascades")
     else:
-        yield warning(
-            "OpenCV", f"{version}, without Haar cascades", "face detection needs OpenCV 4: " + SET_UP
-        )
+        remedy = f"face detection needs OpenCV 4: {SET_UP}"
+        yield warning("OpenCV", f"{version}, without Haar cascades", remedy)
 
 
 def in_notebook():

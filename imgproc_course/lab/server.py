@@ -150,15 +150,8 @@ def running_on(folder):
     return [
         f"{server['url']}lab?token={server.get('token', '')}"
         for server in servers
-        if _is_same_folder(server.get("root_dir", ""), folder)
+        if Path(server.get("root_dir", "")).resolve() == Path(folder).resolve()
     ]
-
-
-def _is_same_folder(path, other_path):
-    try:
-        return Path(path).samefile(other_path)
-    except OSError:
-        return False
 
 
 def check_runtime_folder():

@@ -10,6 +10,7 @@ changed.
 import contextlib
 import errno
 import hashlib
+import itertools
 import json
 import re
 from dataclasses import dataclass, field
@@ -107,10 +108,7 @@ def _update(source, target, lessons, version):
                 changes.renumbered.append((old_name, name))
             origin = _take_origin(origins, target, name, old_name)
             origins[name] = _update_one(staged, changes, name, data, origin, version)
-        state = target / STATE
-        staged.write(
-            STATE, _state_text(origins).encode(), replaces=state.read_bytes() if state.exists() else None
-        )
+        staged.write(STATE, _state_text(origins).encode(), replaces=_content(target / STATE))
         staged.put_in_place()
     return changes
 
@@ -182,16 +180,13 @@ def _update_one(staged, changes, name, data, origin, version):
 def _name_beside(folder, name, version, data):
     """A free name for an updated lesson; None if a file with the same lesson exists already."""
     path = Path(name)
-    for number in range(1, 1000):
+    for number in itertools.count(1):
         label = f"version {version}" if number == 1 else f"version {version}, {number}"
         name_beside = path.with_name(f"{path.stem} ({label}){path.suffix}").as_posix()
         if not (folder / name_beside).exists():
             return name_beside
         if _work_digest(name, (folder / name_beside).read_bytes()) == _work_digest(name, data):
             return None
-    raise LessonsError(
-        f"there are already 999 updates of {name} in {folder.name}/; move some of them elsewhere"
-    )
 
 
 def _digest(data):
@@ -226,18 +221,18 @@ def _work_of(cell, with_numbers):
 def _read_state(path):
     try:
         entries = json.loads(path.read_text(encoding="utf-8"))["lessons"]
-        return {
-            str(name): Origin(str(entry["shipped"]), str(entry["work"]), str(entry.get("offered", "")))
-            for name, entry in entries.items()
-        }
+        return {name: Origin(**entry) for name, entry in entries.items()}
     except (FileNotFoundError, ValueError, KeyError, TypeError, AttributeError):
         return {}
 
 
 def _state_text(origins):
-    return json.dumps(
-        {"lessons": {name: origin._asdict() for name, origin in sorted(origins.items())}}, indent=1
-    )
+    entries = {name: origin._asdict() for name, origin in sorted(origins.items())}
+    return json.dumps({"lessons": entries}, indent=1)
+
+
+def _content(path):
+    return path.read_bytes() if path.exists() else None
 
 
 class StagedFiles:
@@ -259,8 +254,7 @@ class StagedFiles:
         if data == replaces:
             return
         path = self.folder / name
-        temporary = stage_file(path, data, sync=True)
-        self._files.append((temporary, path, replaces))
+        self._files.append((stage_file(path, data, sync=True), path, replaces))
 
     def rename(self, old_name, name):
         self._renamed[self.folder / name] = self.folder / old_name
@@ -272,7 +266,7 @@ class StagedFiles:
     def put_in_place(self):
         for _, path, replaces in self._files:
             present = self._renamed.get(path, path)
-            if (present.read_bytes() if present.exists() else None) != replaces:
+            if _content(present) != replaces:
                 raise LessonsError(f"{present.name} was saved during its update; start again")
         for path, old_path in self._renamed.items():
             if path.exists():

@@ -22,16 +22,15 @@ def import_problem():
     for name in ("rclpy", "rclpy.node", "sensor_msgs.msg"):
         try:
             importlib.import_module(name)
-        except ModuleNotFoundError as error:
-            if error.name not in (name, name.partition(".")[0]):
+        except ImportError as error:
+            own_names = (name, name.partition(".")[0])
+            if not isinstance(error, ModuleNotFoundError) or error.name not in own_names:
                 return _load_problem(error)
             return (
                 f"ROS 2 is missing ({name} is not installed), and this needs a running graph. "
                 "On Linux x86-64: environment/setup. On macOS or ARM: environment/pixi.toml or "
                 "environment/Dockerfile. On Windows: WSL. Without ROS, use open_recording('drive')"
             )
-        except ImportError as error:
-            return _load_problem(error)
     return None
 
 

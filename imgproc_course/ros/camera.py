@@ -10,21 +10,16 @@ import threading
 import weakref
 from collections.abc import Sequence
 from pathlib import Path
-from typing import Any, Self
+from typing import Any
 
+from imgproc_course.ros.entities import Stoppable, weak_callback
 from imgproc_course.ros.robot_process import RobotConnection, running_robot, shareable
 from imgproc_course.ros.robot_topics import TOPIC, camera_topics
 from imgproc_course.ros.session import RosSession
-from imgproc_course.ros.subscriber import weak_callback
 
 SOURCES = ("recording", "room", "webcam", "topic")
 # The room, if nothing else is asked.
-ROOM: dict[str, Any] = {
-    "seed": 0,
-    "size": (640, 360),
-    "lighting": "day",
-    "start": None,
-}  # the room, if nothing else is asked
+ROOM: dict[str, Any] = {"seed": 0, "size": (640, 360), "lighting": "day", "start": None}
 RATES = (30, 10)  # images per second of the room, up to this width in pixels and above
 FAST_WIDTH = 640
 robot_log = logging.getLogger("imgproc_course.ros.robot")  # the robot's warnings; display.drive shows them
@@ -80,11 +75,10 @@ def open_camera(
     options = {"seed": seed, "size": size, "lighting": lighting, "start": start, "rate": rate}
     room = {name: value for name, value in options.items() if value is not None}
     _check_room(source, room)
-    session = RosSession.current()
-    request: dict[str, Any] = {"source": source, "topic": session.resolve_topic(topic)}
+    request: dict[str, Any] = {"source": source, "topic": RosSession.current().resolve_topic(topic)}
     if source == "recording":
-        own_path = str(recording) if recording == "drive" else str(Path(recording).absolute())
-        request |= {"recording": own_path, "camera_topic": camera_topic, "speed": float(speed)}
+        path = recording if recording == "drive" else Path(recording).absolute()
+        request |= {"recording": str(path), "camera_topic": camera_topic, "speed": float(speed)}
         request |= {"loop": bool(loop), "stamps": stamps}
     if source == "room":
         request |= _room_request(**room)
@@ -94,10 +88,8 @@ def open_camera(
 def _check_arguments(source, speed, stamps):
     if source not in SOURCES:
         close_matches = difflib.get_close_matches(str(source), SOURCES, 1)
-        raise ValueError(
-            f"unknown source {source!r}; use 'recording', 'room', 'webcam' or 'topic'"
-            + (f"; did you mean {close_matches[0]!r}?" if close_matches else "")
-        )
+        guess = f"; did you mean {close_matches[0]!r}?" if close_matches else ""
+        raise ValueError(f"unknown source {source!r}; use 'recording', 'room', 'webcam' or 'topic'{guess}")
     if not (_is_number(speed) and speed > 0):
         raise ValueError(f"speed must be a positive number, got {speed!r}; 1.0 plays at the recorded rate")
     if source != "recording" and speed != 1.0:
@@ -134,7 +126,7 @@ def _room_request(rate=None, **options):
     return request | {"rate": float(rate or RATES[request["size"][0] > FAST_WIDTH])}
 
 
-class Camera:
+class Camera(Stoppable):
     """This program's use of the camera, until it is stopped: see `open_camera`.
 
     It ends with the RosSession too, and when no reference to it is left; but the newest one is kept.
@@ -239,12 +231,6 @@ class Camera:
         if self.running:
             self._ended.wait(timeout)
         return not self.running
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *exception):
-        self.stop()
 
     def __repr__(self):
         rate = "" if self.rate is None else f" at {self.rate:g} Hz"

@@ -2,7 +2,6 @@
 
 import threading
 import time
-from typing import Any
 
 from rclpy.event_handler import PublisherEventCallbacks
 from rclpy.qos import qos_profile_sensor_data
@@ -10,8 +9,9 @@ from rclpy.time import Time
 from sensor_msgs.msg import CameraInfo, CompressedImage, Image
 from std_msgs.msg import Header
 
+from imgproc_course.ros.entities import Entities
 from imgproc_course.ros.robot_topics import TOPIC, camera_topics
-from imgproc_course.ros.session import RCLError, RosSession, log
+from imgproc_course.ros.session import RCLError, log
 
 UNKNOWN_NODE_NAME = "_NODE_NAME_UNKNOWN_"  # rclpy's name for a node whose name has not arrived yet
 CHECK_PERIOD = 1.0  # seconds between two checks for other publishers of the topic
@@ -27,7 +27,6 @@ class CameraPublisher:
         self._stopping = threading.Event()
         self._thread = threading.Thread(target=self._play, name=f"camera on {topic}", daemon=True)
         self._checks_with_others = 0
-        self._on_end = lambda: None
         self.running = False
         self.played = self.published = 0
         self.last_error: str | None = None
@@ -35,7 +34,7 @@ class CameraPublisher:
     def start(self, on_end=lambda: None):
         """Creates the publishers and begins to publish; calls `on_end` if the images end."""
         self._on_end = on_end
-        self._session = RosSession.current()
+        self._entities = Entities(self, self.stop)
         try:
             self._create_publishers()
         except RCLError as error:
@@ -45,27 +44,25 @@ class CameraPublisher:
                 f"cannot publish images on {self.topic}: the camera uses this name, or one beside it, for "
                 f"another type of message; choose another topic, such as {TOPIC}"
             ) from error
-        self._session.on_shutdown(self, self.stop)
         self.running = True
         self._thread.start()
 
     def _create_publishers(self):
-        self._node = node = self._session.node
-        self._publishers: list[Any] = []
+        self._node = self._entities.node
+        self._raw = self._create_publisher(Image, self.topic)
+        compressed_topic, info_topics = camera_topics(self.topic)
+        topics = [(CompressedImage, compressed_topic, lambda image, header: image.compressed(header))]
+        for topic in info_topics:
+            topics.append((CameraInfo, topic, lambda image, header: image.camera_info(header)))
+        topics += self._images.other_topics(self.topic.rpartition("/")[0])
+        self._others = [(self._create_publisher(kind, topic), make) for kind, topic, make in topics]
+
+    def _create_publisher(self, message_type, topic):
         # Without rclpy's default callbacks: on a mismatch of QoS it is the subscriber that gives the reason.
         events = PublisherEventCallbacks(use_default_callbacks=False)
-
-        def publisher(message_type, topic):
-            qos = qos_profile_sensor_data
-            self._publishers.append(node.create_publisher(message_type, topic, qos, event_callbacks=events))
-            return self._publishers[-1]
-
-        compressed_topic, info_topics = camera_topics(self.topic)
-        self._raw = publisher(Image, self.topic)
-        self._compressed = publisher(CompressedImage, compressed_topic)
-        self._infos = [publisher(CameraInfo, topic) for topic in info_topics]
-        other_topics = self._images.other_topics(self.topic.rpartition("/")[0])
-        self._others = [(publisher(message_type, topic), make) for message_type, topic, make in other_topics]
+        qos = qos_profile_sensor_data
+        publisher = self._node.create_publisher(message_type, topic, qos, event_callbacks=events)
+        return self._entities.add(publisher)
 
     def stop(self):
         """Stops publishing and removes the publishers. A second call does nothing."""
@@ -74,12 +71,10 @@ class CameraPublisher:
         self._stopping.set()
         if self._thread is not threading.current_thread():
             self._thread.join()
-        self._session.on_shutdown(self, None)
         self._destroy_publishers()
 
     def _destroy_publishers(self):
-        node, publishers = self._node, self._publishers
-        self._session.post(lambda: [node.destroy_publisher(publisher) for publisher in publishers])
+        self._entities.close()
 
     def status(self):
         """What a `Camera` shows of it: a dict."""
@@ -94,7 +89,7 @@ class CameraPublisher:
         }
 
     def _subscribers(self):
-        return {publisher.topic_name: publisher.get_subscription_count() for publisher in self._publishers}
+        return {publisher.topic_name: publisher.get_subscription_count() for publisher in self._entities.all}
 
     def _play(self):
         next_check = time.monotonic() + CHECK_PERIOD
@@ -131,11 +126,6 @@ class CameraPublisher:
             image.message.header = header
             self._raw.publish(image.message)
             self.published += 1
-        if self._compressed.get_subscription_count():
-            self._compressed.publish(image.compressed(header))
-        for info in self._infos:
-            if info.get_subscription_count():
-                info.publish(image.camera_info(header))
         for publisher, make in self._others:
             if publisher.get_subscription_count():
                 publisher.publish(make(image, header))

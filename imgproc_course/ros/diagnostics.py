@@ -15,7 +15,7 @@ def explain_missing_messages(
     received,
     *,
     failure=None,
-    incompatible_qos=None,
+    qos_problem=None,
     publisher_error=None,
     own_topics=(),
 ):
@@ -36,7 +36,7 @@ def explain_missing_messages(
     if not of_expected_type:
         return start + _wrong_type(publishers[0].topic_type, expected_type, topic)
     if not subscription.get_publisher_count():
-        return start + (incompatible_qos or _not_matched(of_expected_type[0], subscription.qos_profile))
+        return start + (qos_problem or _not_matched(of_expected_type[0], subscription.qos_profile))
     return start + (publisher_error or _silent_publisher(of_expected_type, topic, received))
 
 
@@ -48,17 +48,14 @@ def _no_publisher(node, topic, own_topics):
         if name not in (topic, *own_topics) and set(types) & set(IMAGE_TYPES) and node.count_publishers(name)
     ]
     similar = difflib.get_close_matches(topic, image_topics, n=3, cutoff=0.5) or image_topics[:3]
-    network = f"domain {node.context.get_domain_id()}, discovery range {_discovery_range()}"
+    discovery_range = os.environ.get("ROS_AUTOMATIC_DISCOVERY_RANGE") or "SUBNET (the default)"
+    network = f"domain {node.context.get_domain_id()}, discovery range {discovery_range}"
     if similar:
         return f"no node publishes this topic ({network}); images are published on {', '.join(similar)}"
     return (
         f"no node publishes this topic or any other image ({network}); run open_camera(), or imgproc-course "
         "play in a terminal; for a robot, use its ROS_DOMAIN_ID and the discovery range SUBNET"
     )
-
-
-def _discovery_range():
-    return os.environ.get("ROS_AUTOMATIC_DISCOVERY_RANGE") or "SUBNET (the default)"
 
 
 def _wrong_type(actual_type, expected_type, topic):

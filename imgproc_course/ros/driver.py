@@ -38,19 +38,16 @@ def drive(*, status_seconds=None, **options):
 
     Returns the exit code: 0, or 1 if the robot stopped because of an error.
     """
-    with stop_signals() as stopping:
-        try:
-            with open_camera("room", **options) as camera, Robot() as robot, _keyboard() as read_key:
-                others = camera.other_users
-                how = f"joined the robot of {', '.join(others)}" if others else "started"
-                domain = RosSession.current().context.get_domain_id()
-                print(f"{how}: {camera.description} in domain {domain} (Ctrl-C stops)", flush=True)
-                if read_key is not None:
-                    print(HELP, flush=True)
-                _drive(camera, robot, stopping, read_key, status_seconds)
-                return 0 if camera.last_error is None else 1
-        finally:
-            RosSession().stop()
+    with stop_signals() as stopping, RosSession() as session, open_camera("room", **options) as camera:
+        others = camera.other_users
+        how = f"joined the robot of {', '.join(others)}" if others else "started"
+        domain = session.context.get_domain_id()
+        with Robot() as robot, _keyboard() as read_key:
+            print(f"{how}: {camera.description} in domain {domain} (Ctrl-C stops)", flush=True)
+            if read_key is not None:
+                print(HELP, flush=True)
+            _drive(camera, robot, stopping, read_key, status_seconds)
+            return 0 if camera.last_error is None else 1
 
 
 def _drive(camera, robot, stopping, read_key, status_seconds):

@@ -25,24 +25,24 @@ class RecordedImages:
     def __init__(self, recording, speed, loop, stamps):
         self.recording = recording
         self._loop = loop
-        self._uses_recorded_stamps = stamps == "recorded"
-        self._stamps = recording.stamps
+        self.uses_recorded_stamps = stamps == "recorded"
+        self.stamps = recording.stamps
         first = recording.message(0)
         self.frame_id = first.header.frame_id or FRAME_ID
-        self._is_compressed = hasattr(first, "format")
-        if not self._is_compressed and encoding_info(first.encoding).color is None:
+        self.is_compressed = hasattr(first, "format")
+        if not self.is_compressed and encoding_info(first.encoding).color is None:
             raise ValueError(
                 f"{recording.name} cannot be played as a camera: the images on {recording.camera_topic} "
                 f"are {first.encoding}, neither colour nor gray (depth?); record a colour camera's topic "
                 "too, or read these with open_recording(...).frame(k, 'passthrough')"
             )
         try:
-            self._info = recording.camera_info
+            self.info = recording.camera_info
         except NotRecordedError:
-            self._info = _uncalibrated(*recording.frame(0).shape[:2])
+            self.info = _uncalibrated(*recording.frame(0).shape[:2])
         self.rate = (recording.rate or 1.0) * speed
         # Seconds from the start. If a stamp jumps back, its image is due at once.
-        self._offsets = np.maximum.accumulate(self._stamps - self._stamps[0]) / 1e9 / speed
+        self._offsets = np.maximum.accumulate(self.stamps - self.stamps[0]) / 1e9 / speed
         self._duration = self._offsets[-1] + 1 / self.rate
 
     def __iter__(self):
@@ -58,19 +58,6 @@ class RecordedImages:
                 return
             start += self._duration
 
-    def compressed(self, k, header):
-        if not self._is_compressed:
-            return array_to_compressed(self.recording.frame(k, "bgr8"), "bgr8", header=header)
-        msg = self.recording.message(k)
-        msg.header = header
-        return msg
-
-    def camera_info(self, header):
-        return _with_header(self._info, header)
-
-    def stamp(self, k):
-        return int(self._stamps[k]) if self._uses_recorded_stamps else None
-
     def other_topics(self, base):
         """What is published beside the camera's topics: (message type, topic, function(image, header))."""
         has_depth = self.recording.depth_topic is not None
@@ -84,19 +71,24 @@ class _RecordedImage:
     """One image; it is decoded only when its message is needed."""
 
     def __init__(self, images, k):
-        self._images, self._k = images, k
-        self.frame_id, self.camera_info = images.frame_id, images.camera_info
-        self.stamp = images.stamp(k)
+        self._images, self._recording, self._k = images, images.recording, k
+        self.frame_id = images.frame_id
+        self.stamp = int(images.stamps[k]) if images.uses_recorded_stamps else None
 
     @functools.cached_property
     def message(self):
-        return array_to_image(self._images.recording.frame(self._k, "rgb8"), "rgb8")
+        return array_to_image(self._recording.frame(self._k, "rgb8"), "rgb8")
 
     def compressed(self, header):
-        return self._images.compressed(self._k, header)
+        if self._images.is_compressed:
+            return _with_header(self._recording.message(self._k), header)
+        return array_to_compressed(self._recording.frame(self._k, "bgr8"), "bgr8", header=header)
+
+    def camera_info(self, header):
+        return _with_header(self._images.info, header)
 
     def depth(self, header):
-        return array_to_image(self._images.recording.depth(self._k), "16UC1", header)
+        return array_to_image(self._recording.depth(self._k), "16UC1", header)
 
 
 class Webcam:
@@ -154,7 +146,7 @@ def _uncalibrated(height, width):
     return CameraInfo(height=height, width=width)
 
 
-def _with_header(info, header):
-    info = copy.copy(info)
-    info.header = header
-    return info
+def _with_header(msg, header):
+    msg = copy.copy(msg)
+    msg.header = header
+    return msg

@@ -26,6 +26,10 @@ class LossCounter:
         self._last_number = None
         self._can_count = count <= 1
 
+    def on_matched(self, event):
+        """The callback of a subscription whose publishers have changed."""
+        self.set_publishers(event.current_count)
+
     @property
     def lost(self):
         """`total`, or None while it cannot be known: several publishers, or messages without numbers."""

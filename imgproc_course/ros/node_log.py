@@ -1,7 +1,5 @@
 """What an ImageProcessor logs about its stream, its losses, its publishers and its subscribers."""
 
-import collections
-
 from rclpy.event_handler import PublisherEventCallbacks
 from rclpy.qos import qos_policy_name_from_kind
 
@@ -15,39 +13,28 @@ class NodeLog:
 
     def __init__(self, node):
         self._node = node
-        self._throttles = collections.defaultdict(Throttle)
-        self._throttles["duplicate name"] = Throttle(DUPLICATE_NAME_PERIOD)
+        self._may_log = Throttle()
+        self._may_log_duplicate = Throttle(DUPLICATE_NAME_PERIOD)
 
     def info(self, text):
         self._node.get_logger().info(text)
 
-    def warn(self, kind, text):
-        if self._throttles[kind]():
+    def warn(self, fault, text):
+        if self._may_log(fault):
             self._node.get_logger().warning(text)
 
-    def report(self, stream, statistics, explain_silence):
-        """Logs what happened since the last report; `explain_silence()` says why no image arrives."""
-        for change in stream.changes():
-            self.info(change)
-        losses = statistics.new_losses()
-        if losses:
-            self.warn("losses", losses)
-        if stream.has_become_silent():
-            self._node.get_logger().warning(explain_silence())
-        self._warn_about_duplicate_name()
-
-    def _warn_about_duplicate_name(self):
+    def warn_about_duplicate_name(self):
         node = self._node
         own_name = (node.get_name(), node.get_namespace())
-        if node.get_node_names_and_namespaces().count(own_name) > 1:
-            self.warn(
-                "duplicate name",
+        if node.get_node_names_and_namespaces().count(own_name) > 1 and self._may_log_duplicate():
+            node.get_logger().warning(
                 f"another node has the name {node.get_fully_qualified_name()} too (or had it, and was killed "
                 "just now): both publish on the same topics; rename one: --ros-args -r __node:=another",
             )
 
-    def publisher_count_changed(self, topic, count):
-        self.info(f"{topic} has {count or 'no'} publisher{'' if count == 1 else 's'}")
+    def count_changed(self, topic, count, role):
+        """Logs the new number of a topic's publishers or subscribers."""
+        self.info(f"{topic} has {count or 'no'} {role}{'' if count == 1 else 's'}")
 
     def publisher_events(self, topic):
         """PublisherEventCallbacks that log who subscribes to the topic, and with which QoS in vain."""
@@ -61,7 +48,6 @@ class NodeLog:
             )
 
         def on_matched(event):
-            count = event.current_count
-            self.info(f"{topic} has {count or 'no'} subscriber{'' if count == 1 else 's'}")
+            self.count_changed(topic, event.current_count, "subscriber")
 
         return PublisherEventCallbacks(incompatible_qos=on_incompatible_qos, matched=on_matched)

@@ -7,15 +7,10 @@ class NodeParameters:
     """Declares the parameters, checks every request to change them, and holds their `values`."""
 
     def __init__(self, node, numeric_parameters, check):
-        self._types = {parameter.name: type(parameter.default) for parameter in numeric_parameters}
+        self._types = {p.name: type(p.default) for p in numeric_parameters}
         self._check = check
-        initial = {
-            parameter.name: node.declare_parameter(
-                parameter.name, parameter.default, parameter.descriptor()
-            ).value
-            for parameter in numeric_parameters
-        }
-        self.values = self._checked(initial)
+        declared = [(p.name, p.default, p.descriptor()) for p in numeric_parameters]
+        self.values = self._checked({p.name: p.value for p in node.declare_parameters("", declared)})
         node.add_on_set_parameters_callback(self._validate)
         node.add_post_set_parameters_callback(self._apply)
 

@@ -1,6 +1,5 @@
 """An ImageProcessor as a process of its own: from its first line to a quiet end."""
 
-import signal
 import sys
 from collections.abc import Callable
 from typing import Any
@@ -11,7 +10,10 @@ from rclpy.executors import ExternalShutdownException
 from rclpy.signals import SignalHandlerOptions
 from rclpy.utilities import remove_ros_args
 
+from imgproc_course.ros.stop_signals import stop_signals
 from imgproc_course.ros.stream_statistics import statistics_line
+
+EXPECTED_SIGNALS = 2  # under `ros2 launch` Ctrl-C comes twice, from the terminal and from launch
 
 
 def run_processor(make_node: Callable[[], Any], args: list[str] | None = None) -> int:
@@ -26,26 +28,28 @@ def run_processor(make_node: Callable[[], Any], args: list[str] | None = None) -
     -------
     int, the exit code: 0, or 2 if the node could not start (the reason is one line on stderr)
     """
-    node, stop_signals = None, _StopSignals()
-    try:
+    node = None
+    # The current image is finished, and no other is begun.
+    with stop_signals(EXPECTED_SIGNALS) as stopping:
         try:
-            if args is None:
-                _refuse_other_arguments(sys.argv)
-            # ROS's own handlers would shut the context down from another thread, in the middle of a call.
-            rclpy.init(args=args, signal_handler_options=SignalHandlerOptions.NO)
-            node = make_node()
-        except (ValueError, RuntimeError, ParameterException) as error:
-            print(f"cannot start: {' '.join(str(error).split())}", file=sys.stderr)
-            return 2
-        _log_profile(node)
-        node.spin(stop_signals.received)
-    except (KeyboardInterrupt, ExternalShutdownException):
-        pass
-    finally:
-        if node is not None:
-            print(f"{node.get_name()}: {statistics_line(node.statistics())}", file=sys.stderr)
-            node.destroy_node()
-        rclpy.try_shutdown()
+            try:
+                if args is None:
+                    _refuse_other_arguments(sys.argv)
+                # ROS's own handlers would shut the context down from another thread, in the middle of a call.
+                rclpy.init(args=args, signal_handler_options=SignalHandlerOptions.NO)
+                node = make_node()
+            except (ValueError, RuntimeError, ParameterException) as error:
+                print(f"cannot start: {' '.join(str(error).split())}", file=sys.stderr)
+                return 2
+            _log_profile(node)
+            node.spin(stopping.is_set)
+        except (KeyboardInterrupt, ExternalShutdownException):
+            pass
+        finally:
+            if node is not None:
+                print(f"{node.get_name()}: {statistics_line(node.statistics())}", file=sys.stderr)
+                node.destroy_node()
+            rclpy.try_shutdown()
     return 0
 
 
@@ -59,31 +63,9 @@ def _refuse_other_arguments(command_line):
         )
 
 
-class _StopSignals:
-    """Counts Ctrl-C and SIGTERM: the current image is finished, and no other is begun."""
-
-    # Under `ros2 launch` Ctrl-C comes twice, from the terminal and from launch. A third interrupts at once.
-    EXPECTED = 2
-
-    def __init__(self):
-        self._count = 0
-        for number in (signal.SIGINT, signal.SIGTERM):
-            signal.signal(number, self._on_signal)
-
-    def received(self):
-        return self._count > 0
-
-    def _on_signal(self, number, _):
-        self._count += 1
-        if self._count > self.EXPECTED:
-            raise KeyboardInterrupt
-
-
 def _log_profile(node):
     from imgproc_course.ros import dds_profile  # not at the top: the package imports this module
 
-    profile = dds_profile()
-    if profile.note:
-        node.get_logger().warning(f"DDS profile: {profile}")
-    else:
-        node.get_logger().info(f"DDS profile: {profile}")
+    profile, logger = dds_profile(), node.get_logger()
+    log = logger.warning if profile.note else logger.info
+    log(f"DDS profile: {profile}")

@@ -4,6 +4,7 @@ Without this, the call needs rclpy.init(), and rclpy's handler of the interrupt 
 context of the process, also the session's.
 """
 
+import functools
 import sys
 
 import rclpy
@@ -35,14 +36,11 @@ def install(context, take_back):
     shell = sys.modules["IPython"].get_ipython() if "IPython" in sys.modules else None
     if getattr(shell, "kernel", None) is None:
         return
-    executors: list[InterruptibleExecutor] = []
+    executor_of = functools.lru_cache(maxsize=1)(InterruptibleExecutor)
 
     def global_executor():
         uninstall_signal_handlers()  # rclpy.init() installs them
-        chosen_context = rclpy.utilities.get_default_context() if rclpy.ok() else context
-        if not executors or executors[0].context is not chosen_context:
-            executors[:] = [InterruptibleExecutor(chosen_context, take_back)]
-        return executors[0]
+        return executor_of(rclpy.utilities.get_default_context() if rclpy.ok() else context, take_back)
 
     rclpy.get_global_executor = global_executor
 

@@ -24,13 +24,11 @@ class NumericParameter(NamedTuple):
         """The rcl_interfaces/ParameterDescriptor of the parameter."""
         from rcl_interfaces.msg import FloatingPointRange, IntegerRange, ParameterDescriptor
 
-        is_integer = isinstance(self.default, int)
+        low, high = self.minimum, self.maximum
         return ParameterDescriptor(
             description=self.description,
             # ROS itself would refuse the 1 of `ros2 param set NODE sigma 1`, because 1 is not a float.
-            dynamic_typing=not is_integer,
-            integer_range=[IntegerRange(from_value=int(self.minimum), to_value=int(self.maximum))],
-            floating_point_range=[
-                FloatingPointRange(from_value=float(self.minimum), to_value=float(self.maximum))
-            ],
+            dynamic_typing=not isinstance(self.default, int),
+            integer_range=[IntegerRange(from_value=int(low), to_value=int(high))],
+            floating_point_range=[FloatingPointRange(from_value=float(low), to_value=float(high))],
         )

@@ -12,15 +12,10 @@ class OutputPublishers:
 
     def __init__(self, node, outputs, qos, log):
         self._context = node.context
-        self.publishers = {
-            output: node.create_publisher(
-                Image,
-                f"~/{output}",
-                qos,
-                event_callbacks=log.publisher_events(node.resolve_topic_name(f"~/{output}")),
-            )
-            for output in outputs
-        }
+        self.publishers = {}
+        for output in outputs:
+            events = log.publisher_events(node.resolve_topic_name(f"~/{output}"))
+            self.publishers[output] = node.create_publisher(Image, f"~/{output}", qos, event_callbacks=events)
 
     def topics(self):
         return [publisher.topic_name for publisher in self.publishers.values()]

@@ -15,15 +15,11 @@ def play(*, recording="drive", status_seconds=STATUS_SECONDS, **options):
     `options` are those of `open_camera`. Returns the exit code: 0, or 1 if the camera stopped because of an
     error.
     """
-    with stop_signals() as stopping:
-        try:
-            with open_camera(recording=recording, **options) as camera:
-                print(_first_line(camera, recording), flush=True)
-                _print_status(camera, stopping, status_seconds)
-                print(_last_line(camera), flush=True)
-                return 0 if camera.last_error is None else 1
-        finally:
-            RosSession().stop()
+    with stop_signals() as stopping, RosSession(), open_camera(recording=recording, **options) as camera:
+        print(_first_line(camera, recording), flush=True)
+        _print_status(camera, stopping, status_seconds)
+        print(_last_line(camera), flush=True)
+        return 0 if camera.last_error is None else 1
 
 
 def _first_line(camera, recording):
@@ -50,9 +46,6 @@ def _print_status(camera, stopping, period):
         elapsed = time.monotonic() - start
         if elapsed >= (lines + 1) * period:
             lines = int(elapsed // period)
-            print(f"{elapsed:.0f} s: {camera.played} images; subscribers: {_subscribers(camera)}", flush=True)
-
-
-def _subscribers(camera):
-    counts = [f"{topic} {count}" for topic, count in camera.subscribers().items() if count]
-    return ", ".join(counts) or "none"
+            counts = [f"{topic} {count}" for topic, count in camera.subscribers().items() if count]
+            subscribers = ", ".join(counts) or "none"
+            print(f"{elapsed:.0f} s: {camera.played} images; subscribers: {subscribers}", flush=True)

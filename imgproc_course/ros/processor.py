@@ -128,19 +128,17 @@ class ImageProcessor(Node):
 
     def _subscribe(self):
         self._topic = self.resolve_topic_name(TOPIC)
-        self._message_type, self._convert = image_type(self._topic)
+        message_type, self._convert = image_type(self._topic)
+        on_message: Any = self._on_message  # rclpy gives the info to those who take two arguments
+        events = SubscriptionEventCallbacks(matched=self._on_matched)
         self._subscription = self.create_subscription(
-            self._message_type,
-            TOPIC,
-            self._on_message,  # type: ignore[arg-type]  # rclpy gives the info to those who take two arguments
-            SENSOR_DATA,
-            event_callbacks=SubscriptionEventCallbacks(matched=self._on_matched),
+            message_type, TOPIC, on_message, SENSOR_DATA, event_callbacks=events
         )
-        self._log.info(f"subscribed to {self._topic} ({self._message_type.__name__})")
+        self._log.info(f"subscribed to {self._topic} ({message_type.__name__})")
 
     def _on_matched(self, event):
-        self._statistics.losses.set_publishers(event.current_count)
-        self._log.publisher_count_changed(self._topic, event.current_count)
+        self._statistics.losses.on_matched(event)
+        self._log.count_changed(self._topic, event.current_count, "publisher")
 
     def _on_message(self, msg, info):
         if not self.context.ok():
@@ -187,10 +185,13 @@ class ImageProcessor(Node):
     def _report(self):
         if self._statistics_publisher.get_subscription_count():
             self._statistics_publisher.publish(String(data=json.dumps(self.statistics())))
-        self._log.report(self._stream, self._statistics, self._explain_silence)
-
-    def _explain_silence(self):
-        topics = self._outputs.topics()
-        return explain_missing_messages(
-            self, self._subscription, SILENCE, self._statistics.received, own_topics=topics
-        )
+        for change in self._stream.changes():
+            self._log.info(change)
+        losses = self._statistics.new_losses()
+        if losses:
+            self._log.warn("losses", losses)
+        if self._stream.has_become_silent():
+            received, topics = self._statistics.received, self._outputs.topics()
+            reason = explain_missing_messages(self, self._subscription, SILENCE, received, own_topics=topics)
+            self.get_logger().warning(reason)
+        self._log.warn_about_duplicate_name()

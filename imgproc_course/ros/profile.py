@@ -25,10 +25,6 @@ _SMALL_NEEDS = 18 << 20
 _LARGE_NEEDS = 4 * (69 << 20)
 _SEGMENT_NAME = re.compile(r"fastrtps_[0-9a-f]{16}")
 _PORT_NAME = re.compile(r"fastrtps_port[0-9]+")
-_SMALL_REMEDY = (
-    "enlarge it (docker run --shm-size=1g, or mount -o remount,size=1g /dev/shm), "
-    "or subscribe to the /compressed topic"
-)
 
 
 @dataclass(frozen=True)
@@ -70,20 +66,10 @@ def choose_profile():
     free = free_shared_memory()
     if free is not None and free < _LARGE_NEEDS and remove_stale_segments():
         free = free_shared_memory()
-    if _a_node_exists():
-        note = (
-            "a ROS node existed before imgproc_course.ros was imported, so Fast DDS keeps its defaults and "
-            "raw images get lost between processes; restart the kernel and import imgproc_course.ros first"
-        )
-        warnings.warn(note, RuntimeWarning, stacklevel=3)
-        return DdsProfile("nobody", free_bytes=free, note=note)
-    if free is not None and free < _SMALL_NEEDS:
-        note = (
-            f"{SHARED_MEMORY} has {free >> 20} MiB free, but images need {_SMALL_NEEDS >> 20}, so raw "
-            f"images get lost between processes; {_SMALL_REMEDY}"
-        )
-        warnings.warn(note, RuntimeWarning, stacklevel=3)
-        return DdsProfile("nobody", free_bytes=free, note=note)
+    problem = _why_not(free)
+    if problem is not None:
+        warnings.warn(problem, RuntimeWarning, stacklevel=3)
+        return DdsProfile("nobody", free_bytes=free, note=problem)
     path = LARGE if free is None or free >= _LARGE_NEEDS else SMALL
     for variable in PROFILE_VARIABLES:
         os.environ[variable] = str(path)
@@ -91,38 +77,50 @@ def choose_profile():
     return DdsProfile("course", str(path), SEGMENT_BYTES[path], free, note if path is SMALL else None)
 
 
+def _why_not(free):
+    """Why the course's profile cannot be used, and the remedy, in one line; None if it can."""
+    if _a_node_exists():
+        return (
+            "a ROS node existed before imgproc_course.ros was imported, so Fast DDS keeps its defaults and "
+            "raw images get lost between processes; restart the kernel and import imgproc_course.ros first"
+        )
+    if free is not None and free < _SMALL_NEEDS:
+        return (
+            f"{SHARED_MEMORY} has {free >> 20} MiB free, but images need {_SMALL_NEEDS >> 20}, so raw images "
+            "get lost between processes; enlarge it (docker run --shm-size=1g, or mount -o "
+            "remount,size=1g /dev/shm), or subscribe to the /compressed topic"
+        )
+    return None
+
+
 def _users_choice():
     middleware = os.environ.get("RMW_IMPLEMENTATION", "")
     if middleware and "fastrtps" not in middleware:
         return DdsProfile("user", note=f"RMW_IMPLEMENTATION={middleware}, which uses no Fast DDS profile")
     course_files = {str(path) for path in SEGMENT_BYTES}  # inherited from a parent process that chose it
-    files = {name: os.environ[name] for name in PROFILE_VARIABLES if os.environ.get(name)}
-    for name, path in files.items():
-        if path not in course_files:
-            note: str | None = (
-                None if Path(path).is_file() else f"{name} names a file that does not exist; unset it"
-            )
-            if name != PROFILE_VARIABLES[0] and PROFILE_VARIABLES[0] not in files and not note:
+    for name in PROFILE_VARIABLES:
+        path = os.environ.get(name)
+        if path and path not in course_files:
+            note = None
+            if not Path(path).is_file():
+                note = f"{name} names a file that does not exist; unset it"
+            elif not os.environ.get(PROFILE_VARIABLES[0]):
                 note = f"Fast DDS 2 (ROS 2 Jazzy) reads only {PROFILE_VARIABLES[0]}; set it too"
-            return DdsProfile("user", path, note=note or None)
-    if os.environ.get("FASTDDS_BUILTIN_TRANSPORTS"):
-        return DdsProfile(
-            "user", note=f"FASTDDS_BUILTIN_TRANSPORTS={os.environ['FASTDDS_BUILTIN_TRANSPORTS']}"
-        )
+            return DdsProfile("user", path, note=note)
+    transports = os.environ.get("FASTDDS_BUILTIN_TRANSPORTS")
+    if transports:
+        return DdsProfile("user", note=f"FASTDDS_BUILTIN_TRANSPORTS={transports}")
     local_file = Path("DEFAULT_FASTRTPS_PROFILES.xml")  # Fast DDS reads a file with this name by itself
     return DdsProfile("user", str(local_file.absolute())) if local_file.is_file() else None
 
 
 def _a_node_exists():
     """Whether this process already has a DDS participant: its memory is mapped, or rclpy is running."""
-    if sys.modules.get("rclpy") is None:
+    rclpy = sys.modules.get("rclpy")
+    if rclpy is None:
         return False
     maps = Path("/proc/self/maps")
-    if maps.exists() and f"{SHARED_MEMORY}/fastrtps_" in maps.read_text():
-        return True
-    import rclpy
-
-    return rclpy.ok()
+    return (maps.exists() and f"{SHARED_MEMORY}/fastrtps_" in maps.read_text()) or rclpy.ok()
 
 
 def free_shared_memory():

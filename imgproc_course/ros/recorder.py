@@ -4,9 +4,7 @@ import difflib
 import math
 import threading
 import time
-import weakref
 from pathlib import Path
-from typing import Self
 
 from rclpy.event_handler import SubscriptionEventCallbacks
 from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
@@ -14,12 +12,12 @@ from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
 from imgproc_course.recording import RecordingError, RecordingWriter
 from imgproc_course.recording.message_classes import installed_class
 from imgproc_course.recording.topics import POSE_PREFIX, POSES
+from imgproc_course.ros.entities import Entities, Stoppable
 from imgproc_course.ros.loss_counter import LossCounter
 from imgproc_course.ros.robot_process import running_robot
 from imgproc_course.ros.robot_topics import COMMANDS, ODOMETRY, SCAN, TOPIC, camera_topics
 from imgproc_course.ros.session import RosSession, log
 from imgproc_course.ros.stop_signals import stop_signals
-from imgproc_course.ros.subscriber import weak_callback
 
 # What a drive is made of. Of these, what nobody publishes is left out.
 ROBOT_TOPICS = (
@@ -38,7 +36,7 @@ MATCHING = 3.0  # seconds that the robot process may take to find our subscripti
 STATUS_SECONDS = 2.0
 
 
-class Recorder:
+class Recorder(Stoppable):
     """Records topics into a new recording in MCAP, until it is stopped.
 
     It stops with `stop`, at the end of its `with`, with the RosSession, or at the end of the program.
@@ -84,11 +82,9 @@ class Recorder:
         self.last_error: str | None = None
         self.running = True
         counts = self._robots_subscribers()
-        self._subscriptions = subscriptions = [self._subscribe(topic) for topic in self.topics]
-        self._session.on_shutdown(self, self.stop)  # it also keeps a Recorder that is bound to no name
-        node = self._session.node
-        self._finalizer = weakref.finalize(self, _destroy, self._session, node, subscriptions)
-        self._finalizer.atexit = False
+        self._entities = Entities(self, self.stop)  # this also keeps a Recorder that is bound to no name
+        for topic in self.topics:
+            self._subscribe(topic)
         self._wait_for_robot(counts)
 
     @property
@@ -112,14 +108,7 @@ class Recorder:
             except RecordingError as error:
                 self.last_error = str(error)
                 log.warning("%s", error)
-        self._session.on_shutdown(self, None)
-        self._finalizer()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *exception):
-        self.stop()
+        self._entities.close()
 
     def __repr__(self):
         state = "" if self.running else ", stopped"
@@ -169,8 +158,7 @@ class Recorder:
             time.sleep(0.02)
 
     def _subscribe(self, topic):
-        node, losses = self._session.node, self._losses[topic]
-        offers = [info.qos_profile for info in node.get_publishers_info_by_topic(topic)]
+        offers = [info.qos_profile for info in self._session.node.get_publishers_info_by_topic(topic)]
         is_reliable = offers and all(offer.reliability == ReliabilityPolicy.RELIABLE for offer in offers)
         is_kept = offers and all(offer.durability == DurabilityPolicy.TRANSIENT_LOCAL for offer in offers)
         qos = QoSProfile(
@@ -178,18 +166,10 @@ class Recorder:
             reliability=ReliabilityPolicy.RELIABLE if is_reliable else ReliabilityPolicy.BEST_EFFORT,
             durability=DurabilityPolicy.TRANSIENT_LOCAL if is_kept else DurabilityPolicy.VOLATILE,
         )
-        on_message = weak_callback(self._on_message)
-        return node.create_subscription(
-            installed_class(self.topics[topic]),
-            topic,
-            lambda serialized, info: on_message(topic, serialized, info),
-            qos,
-            event_callbacks=SubscriptionEventCallbacks(
-                # rclpy names a type here that mypy does not find.
-                matched=lambda event: losses.set_publishers(event.current_count)  # type: ignore[attr-defined]
-            ),
-            raw=True,
-        )
+        events = SubscriptionEventCallbacks(matched=self._losses[topic].on_matched)
+        message_type = installed_class(self.topics[topic])
+        options = {"event_callbacks": events, "raw": True}
+        self._entities.subscribe(message_type, topic, qos, self._on_message, topic, **options)
 
     def _on_message(self, topic, serialized, info):
         with self._lock:
@@ -212,16 +192,13 @@ def record_until_signal(topics, path, *, status_seconds=STATUS_SECONDS, say=prin
 
     Returns the exit code: 0, or 1 if nothing was recorded, or the recording stopped because of an error.
     """
-    with stop_signals() as stopping:
-        try:
-            with Recorder(topics, path) as recorder:
-                say(f"recording {len(recorder.topics)} topics into {recorder.path} (Ctrl-C stops)")
-                start = time.monotonic()
-                while not stopping.wait(status_seconds) and recorder.running:
-                    say(f"{time.monotonic() - start:.0f} s: {_progress(recorder)}")
-            return _report(recorder, say)
-        finally:
-            RosSession().stop()
+    with stop_signals() as stopping, RosSession():
+        with Recorder(topics, path) as recorder:
+            say(f"recording {len(recorder.topics)} topics into {recorder.path} (Ctrl-C stops)")
+            start = time.monotonic()
+            while not stopping.wait(status_seconds) and recorder.running:
+                say(f"{time.monotonic() - start:.0f} s: {_progress(recorder)}")
+        return _report(recorder, say)
 
 
 def _report(recorder, say):
@@ -244,7 +221,3 @@ def _progress(recorder):
 def _hint(topic, published):
     close_matches = difflib.get_close_matches(topic, published, 1)
     return f"did you mean {close_matches[0]}?" if close_matches else 'open_camera("room") starts a robot'
-
-
-def _destroy(session, node, subscriptions):
-    session.post(lambda: [node.destroy_subscription(subscription) for subscription in subscriptions])

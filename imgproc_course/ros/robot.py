@@ -3,7 +3,6 @@
 import math
 import threading
 import time
-import weakref
 from collections.abc import Sequence
 from typing import Any, Self
 
@@ -14,15 +13,16 @@ from rclpy.parameter import Parameter
 from rclpy.qos import qos_profile_sensor_data
 from sensor_msgs.msg import LaserScan
 
+from imgproc_course.ros.entities import Entities, weak_callback
 from imgproc_course.ros.robot_topics import COMMANDS, ODOMETRY, ROOM_NODE, SCAN
 from imgproc_course.ros.session import RosSession
-from imgproc_course.ros.subscriber import weak_callback
 
 COMMAND_PERIOD = 0.1  # seconds between the commands of a drive that lasts
 TIMEOUT = 10.0  # seconds that a message, or a robot, may take to appear
 SETTLING = 0.2  # seconds: see Robot._require_robot
 FRESH = 1.0  # seconds: an older message is of a robot that is gone, so the next one is waited for
 _START_IT = 'open_camera("room") starts a simulated robot'
+_START_ANY = f"{_START_IT}, or start a real robot's bridge in this ROS domain"
 
 
 class Robot:
@@ -44,20 +44,16 @@ class Robot:
 
     def __init__(self, namespace: str = "/kachaka"):
         self._session = RosSession.current()
-        self._node = self._session.node
         self._change = threading.Condition()
         self._messages: dict[str, tuple[float, Any]] = {}
-        self._subscriptions: dict[str, Any] = {}
+        self._subscribed: set[str] = set()
         self._topics = {
             name: self._session.resolve_topic(f"/{namespace.strip('/')}/{topic.partition('/kachaka/')[2]}")
             for name, topic in (("commands", COMMANDS), ("odometry", ODOMETRY), ("scan", SCAN))
         }
         self._commands: Any = None
         self._client: Any = None
-        self._owned: list[Any] = []
-        self._finalizer = weakref.finalize(self, _destroy, self._session, self._node, self._owned)
-        self._finalizer.atexit = False  # the session destroys them then
-        self._session.on_shutdown(self._owned, weak_callback(self._on_shutdown))
+        self._entities = Entities(self, weak_callback(self.close))
 
     def drive(self, linear: float, angular: float, seconds: float | None = None) -> None:
         """Sends a command: for 0.5 s at most, unless the next one follows; or for `seconds`, then a stop.
@@ -90,7 +86,7 @@ class Robot:
 
     def stop(self) -> None:
         """Sends the command to stand still, if this Robot has driven."""
-        if self._finalizer.alive and self._commands is not None:
+        if not self._entities.closed and self._commands is not None:
             self._send(0.0, 0.0)
 
     @property
@@ -139,17 +135,16 @@ class Robot:
         if start is not None:
             start = [float(value) for value in start]
         changes = {"seed": seed, "lighting": lighting, "start": start}
-        result = self._set_parameters(
-            [Parameter(name, value=value) for name, value in changes.items() if value is not None]
-        )
+        parameters = [Parameter(name, value=value) for name, value in changes.items() if value is not None]
+        result = self._set_parameters(parameters)
         if not result.successful:
             raise ValueError(result.reason)
 
     def _set_parameters(self, parameters):
         if self._client is None:
             service = f"/{ROOM_NODE}/set_parameters_atomically"
-            self._client = self._node.create_client(SetParametersAtomically, service)
-            self._owned.append(self._client)
+            client = self._entities.node.create_client(SetParametersAtomically, service)
+            self._client = self._entities.add(client)
         if not self._client.wait_for_service(TIMEOUT):
             raise RuntimeError(f"no simulated robot answers: {_START_IT}")
         finished = threading.Event()
@@ -165,8 +160,7 @@ class Robot:
     def close(self) -> None:
         """Stops the robot, and its use. A second call does nothing."""
         self.stop()
-        self._session.on_shutdown(self._owned, None)
-        self._finalizer()
+        self._entities.close()
 
     def __enter__(self) -> Self:
         return self
@@ -183,32 +177,31 @@ class Robot:
         self._commands.publish(Twist(linear=linear, angular=angular))
 
     def _require_open(self):
-        if not self._finalizer.alive:
+        if self._entities.closed:
             raise RuntimeError("this Robot is closed; make a new one: Robot()")
 
     def _require_robot(self):
         self._require_open()
-        is_new = False
-        if self._commands is None:
+        is_new = self._commands is None
+        if is_new:
             # Not before: the robot would warn of two publishers while another program drives it.
-            self._commands = self._node.create_publisher(Twist, self._topics["commands"], 10)
-            self._owned.append(self._commands)
-            is_new = True
+            publisher = self._entities.node.create_publisher(Twist, self._topics["commands"], 10)
+            self._commands = self._entities.add(publisher)
         end = time.monotonic() + TIMEOUT
-        while self._finalizer.alive and not self._commands.get_subscription_count():
+        while not self._entities.closed and not self._commands.get_subscription_count():
             if time.monotonic() > end:
-                raise RuntimeError(
-                    f"no robot subscribes to {self._topics['commands']}: {_START_IT}, "
-                    "or start a real robot's bridge in this ROS domain"
-                )
+                raise RuntimeError(f"no robot subscribes to {self._topics['commands']}: {_START_ANY}")
             time.sleep(0.01)
         if is_new:
             # The robot notices this publisher a moment later, and would miss a command before.
             time.sleep(SETTLING)
 
     def _newest(self, name, message_type):
-        if name not in self._subscriptions:
-            self._subscribe(name, message_type)
+        topic = self._topics[name]
+        if name not in self._subscribed:
+            self._require_open()
+            self._entities.subscribe(message_type, topic, qos_profile_sensor_data, self._on_message, name)
+            self._subscribed.add(name)
         with self._change:
             arrived = self._messages.get(name)
             if arrived is not None and time.monotonic() - arrived[0] < FRESH:
@@ -217,40 +210,10 @@ class Robot:
                 raise RuntimeError(f"no {name} can arrive while a ROS callback waits for it")
             # A restart forgets the messages meanwhile: no message is no newer one.
             if not self._change.wait_for(lambda: self._messages.get(name, arrived) is not arrived, TIMEOUT):
-                raise TimeoutError(
-                    f"no {name} arrived on {self._topics[name]} in {TIMEOUT:g} s: {_START_IT}, "
-                    "or start a real robot's bridge in this ROS domain"
-                )
+                raise TimeoutError(f"no {name} arrived on {topic} in {TIMEOUT:g} s: {_START_ANY}")
             return self._messages[name][1]
 
-    def _subscribe(self, name, message_type):
-        self._require_open()
-        on_message = weak_callback(self._on_message)
-        self._subscriptions[name] = subscription = self._node.create_subscription(
-            message_type,
-            self._topics[name],
-            lambda msg: on_message(name, msg),
-            qos_profile_sensor_data,
-        )
-        self._owned.append(subscription)
-
-    def _on_message(self, name, msg):
+    def _on_message(self, name, msg, _):
         with self._change:
             self._messages[name] = (time.monotonic(), msg)
             self._change.notify_all()
-
-    def _on_shutdown(self):
-        self.stop()
-        self._finalizer.detach()
-
-
-def _destroy(session, node, owned):
-    session.on_shutdown(owned, None)
-
-    def destroy():
-        for entity in owned:
-            for kind in (node.destroy_publisher, node.destroy_subscription, node.destroy_client):
-                if kind(entity):
-                    break
-
-    session.post(destroy)

@@ -1,5 +1,6 @@
 """The room in real time: a simulated robot that follows commands, and an image for each time that is due."""
 
+import collections
 import functools
 import math
 import threading
@@ -13,6 +14,7 @@ from imgproc_course.ros.room_messages import camera_info, sensor_topics
 from imgproc_course.ros.session import log
 from imgproc_course.simulation import Simulation
 
+STAND_STILL = (0.0, 0.0, -math.inf)  # m/s, rad/s, and when this was commanded
 COMMAND_TIMEOUT = 0.5  # seconds: an older command stops the robot, on the real one too
 MOTION_RATE = 30  # steps of the motion per second, at least
 LONGEST_DELAY = 1.0  # seconds: behind by more, the room's time waits instead of catching up
@@ -33,28 +35,23 @@ class RoomImages:
     """
 
     def __init__(self, rate, **options):
-        self.rate, self._options = rate, options
+        self.rate = rate
+        self.options = options  # of the simulation that runs, or begins next
         self.simulation = Simulation(**options)
         self.simulation.frame()  # the first one takes a second, which the robot would miss while it drives
         self.on_motion: Callable[[int], None] = lambda stamp: None
         self.reached_rate: float | None = None  # images per second over the last seconds
         self.bumps = 0
-        self._lock = threading.Lock()
-        self._command = (0.0, 0.0, -math.inf)
-        self._next = None
+        # Other threads set the command, and append to the restarts.
+        self._command = STAND_STILL
+        self._restarts: collections.deque[tuple[Simulation, threading.Event]] = collections.deque()
         self._is_reported = False
         self._times: list[float] = []  # of the images of this RATE_WINDOW
         self._depth_thread = ThreadPoolExecutor(1, "depth of the room")
 
-    @property
-    def options(self):
-        """The options of the simulation that runs, or begins next."""
-        return dict(self._options)
-
     def command(self, linear, angular):
         """Sets the speeds (m/s, rad/s) that the robot strives for. Any thread may call it."""
-        with self._lock:
-            self._command = (linear, angular, time.monotonic())
+        self._command = (linear, angular, time.monotonic())
 
     def restart(self, **changes):
         """Begins again with other options; person, car and ball go on. Any other thread may call it.
@@ -64,12 +61,12 @@ class RoomImages:
         """
         if changes.keys() == {"lighting"}:
             changes["start"] = planar(self.simulation.pose("robot"))
-        options = self._options | changes
+        options = self.options | changes
         simulation = Simulation(**options, time=self.simulation.time)
         is_taken = threading.Event()
-        with self._lock:
-            self._options, self._next = options, (simulation, is_taken)
-            self._command = (0.0, 0.0, -math.inf)
+        self.options = options
+        self._command = STAND_STILL
+        self._restarts.append((simulation, is_taken))
         is_taken.wait(RESTART_TIMEOUT)
 
     def __iter__(self):
@@ -82,7 +79,8 @@ class RoomImages:
             if delay > LONGEST_DELAY:
                 start, delay = start + delay, 0.0
             time.sleep(max(0.0, -delay))
-            self._take_next()
+            if self._restarts:
+                self._begin_again(*self._restarts.popleft())
             linear, angular = self._current_command()
             self.simulation.step(linear, angular, period)
             self.bumps += self.simulation.bumped and not was_bumped
@@ -99,21 +97,15 @@ class RoomImages:
                 self._measure_rate()
             steps += 1
 
-    def _take_next(self):
-        """Begins with the simulation of a restart, if there is one."""
-        with self._lock:
-            following, self._next = self._next, None
-        if following is None:
-            return
+    def _begin_again(self, simulation, is_taken):
         self.simulation.close()
-        self.simulation, is_taken = following
+        self.simulation = simulation
         self.simulation.frame()
         is_taken.set()
         self._times.clear()
 
     def _current_command(self):
-        with self._lock:
-            linear, angular, since = self._command
+        linear, angular, since = self._command
         return (linear, angular) if time.monotonic() - since <= COMMAND_TIMEOUT else (0.0, 0.0)
 
     def _measure_rate(self):
@@ -134,8 +126,7 @@ class RoomImages:
                 max(1, math.floor(rate)),
             )
 
-    def other_topics(self, base):
-        return sensor_topics(base)
+    other_topics = staticmethod(sensor_topics)
 
     def close(self):
         self._depth_thread.shutdown()  # waits for what it draws

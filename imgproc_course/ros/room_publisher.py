@@ -16,7 +16,7 @@ from imgproc_course.ros.camera_publisher import UNKNOWN_NODE_NAME, CameraPublish
 from imgproc_course.ros.robot_topics import COMMANDS, ENABLED, ODOMETRY, ROOM_NODE, WHEEL_ODOMETRY
 from imgproc_course.ros.room_images import RoomImages
 from imgproc_course.ros.room_messages import ODOM_FRAME, odometry_message
-from imgproc_course.ros.session import log
+from imgproc_course.ros.session import RosSession, Throttle, log
 from imgproc_course.simulation.drive import MAX_ANGULAR, MAX_LINEAR
 from imgproc_course.simulation.simulation import START
 
@@ -41,7 +41,7 @@ class RoomPublisher(CameraPublisher):
 
     def __init__(self, topic, images):
         super().__init__(topic, images, _description(topic, images))
-        self._reports = _Reports()
+        self._may_log = Throttle(QUIET, while_it_lasts=True)
         self._commanded = -math.inf
         self._room = None
 
@@ -51,13 +51,11 @@ class RoomPublisher(CameraPublisher):
 
     def _create_publishers(self):
         super()._create_publishers()
-        self._odometry = []
-        for topic in (ODOMETRY, WHEEL_ODOMETRY):
-            self._odometry.append(self._node.create_publisher(Odometry, topic, qos_profile_sensor_data))
-        self._publishers += self._odometry
+        self._odometry = [self._create_publisher(Odometry, topic) for topic in (ODOMETRY, WHEEL_ODOMETRY)]
         self._images.on_motion = self._publish_odometry
-        self._session.remove_namesake(ROOM_NODE, context=self._session.context)  # of the body before
-        self._room = Node(ROOM_NODE, context=self._session.context)
+        session = RosSession.current()
+        session.remove_namesake(ROOM_NODE, context=session.context)  # of the body before
+        self._room = Node(ROOM_NODE, context=session.context)
         self._room.create_subscription(Twist, COMMANDS, self._on_command, qos_profile_sensor_data)
         self._room.create_service(SetBool, ENABLED, self._on_enable)
         options = self._images.options
@@ -65,28 +63,30 @@ class RoomPublisher(CameraPublisher):
             value = options[name]
             self._room.declare_parameter(name, [*value] if isinstance(value, tuple) else value)
         self._room.add_on_set_parameters_callback(self._on_parameters)
-        self._session.add_node(self._room)
+        session.add_node(self._room)
 
     def _destroy_publishers(self):
         super()._destroy_publishers()
         if self._room is not None:
-            self._session.remove_node(self._room)
+            RosSession().remove_node(self._room)
 
     def _on_command(self, msg):
         linear, angular = msg.linear.x, msg.angular.z
         self._commanded = time.monotonic()
         if not (math.isfinite(linear) and math.isfinite(angular)):
-            self._reports.warn(
-                "not finite", f"a command of {linear} m/s and {angular} rad/s: the robot stops"
-            )
+            self._warn("not finite", f"a command of {linear} m/s and {angular} rad/s: the robot stops")
             linear = angular = 0.0
         elif abs(linear) > TOLERANCE * MAX_LINEAR or abs(angular) > TOLERANCE * MAX_ANGULAR:
-            self._reports.warn(
+            self._warn(
                 "limit",
                 f"a command of {linear:g} m/s and {angular:g} rad/s: the robot drives at most "
                 f"{MAX_LINEAR} m/s and turns at most {MAX_ANGULAR} rad/s",
             )
         self._images.command(linear, angular)
+
+    def _warn(self, fault, text):
+        if self._may_log(fault):
+            log.warning("%s", text)
 
     def _on_enable(self, request, response):
         """The next command switches manual control on again, as on the robot."""
@@ -113,7 +113,7 @@ class RoomPublisher(CameraPublisher):
         names = ", ".join(sorted(info.node_name for info in publishers))
         is_commanded = time.monotonic() - self._commanded < 1.0
         if len(publishers) > 1 and is_commanded and UNKNOWN_NODE_NAME not in names:
-            self._reports.warn(
+            self._warn(
                 f"publishers {names}",
                 f"{len(publishers)} publishers send commands on {COMMANDS} ({names}): the robot follows the "
                 "newest command of them all",
@@ -133,16 +133,3 @@ def _description(topic, images):
         f"the room (seed {options['seed']}, {options['lighting']}, {width}×{height}) "
         f"at {images.rate:g} Hz on {topic}"
     )
-
-
-class _Reports:
-    """Warnings, each once as long as its fault lasts."""
-
-    def __init__(self):
-        self._last = {}
-
-    def warn(self, fault, text):
-        now = time.monotonic()
-        if now - self._last.get(fault, -math.inf) > QUIET:
-            log.warning("%s", text)
-        self._last[fault] = now

@@ -9,7 +9,9 @@ import collections
 import concurrent.futures
 import contextlib
 import ctypes
+import functools
 import logging
+import math
 import os
 import sys
 import threading
@@ -37,18 +39,21 @@ START_ATTEMPTS = 20
 
 
 class Throttle:
-    """True at most once per period, so that a fault at 30 Hz is logged but does not flood the log."""
+    """True for each fault at most once per period, so that a fault at 30 Hz does not flood the log.
 
-    def __init__(self, seconds=LOG_PERIOD):
-        self._seconds = seconds
-        self._last = None
+    With `while_it_lasts`, the period begins anew whenever the fault occurs.
+    """
 
-    def __call__(self):
+    def __init__(self, seconds=LOG_PERIOD, *, while_it_lasts=False):
+        self._seconds, self._while_it_lasts = seconds, while_it_lasts
+        self._last = {}
+
+    def __call__(self, fault=""):
         now = time.monotonic()
-        if self._last is not None and now - self._last < self._seconds:
-            return False
-        self._last = now
-        return True
+        is_due = now - self._last.get(fault, -math.inf) >= self._seconds
+        if is_due or self._while_it_lasts:
+            self._last[fault] = now
+        return is_due
 
 
 class RosSession:
@@ -57,7 +62,6 @@ class RosSession:
     There is one session per process: `RosSession()` always returns the same object, and
     `RosSession.current()` also starts it. You may start twice, stop twice, and start again after a stop. The
     session has its own context: your rclpy.init() and rclpy.shutdown() in the same process do not affect it.
-
     """
 
     _instance: "RosSession | None" = None
@@ -148,15 +152,13 @@ class RosSession:
         It replaces the node of the same name and namespace that was added before: that one is destroyed
         first, so a cell that runs again does not leave two nodes.
         """
-        spinner = self._running_spinner()
-        self.run(lambda: spinner.add(node))
+        self.run(functools.partial(self._running_spinner().add, node))
         return node
 
     def remove_node(self, node: Node) -> None:
         """Stops spinning your node and destroys it. A second call does nothing."""
-        spinner = self._spinner
         if self.running:
-            self.run(lambda: spinner.destroy(node))
+            self.run(functools.partial(self._spinner.destroy, node))
 
     def remove_namesake(self, name: str, namespace: str | None = None, context: Any = None) -> None:
         """Destroys the session's node of this name, before another one is created in the same context.
@@ -165,9 +167,8 @@ class RosSession:
         has no services and no publishers in the graph any more, and its log does not go to /rosout.
         """
         if self.running and context is self.context:
-            spinner = self._spinner
             full_name = f"/{(namespace or '').strip('/')}/{name}".replace("//", "/")
-            self.run(lambda: spinner.remove_namesakes(full_name))
+            self.run(functools.partial(self._spinner.remove_namesakes, full_name))
 
     def error_of_publisher(self, topic: str) -> str | None:
         """What went wrong last in your node that publishes the topic, in one line with its name; or None."""

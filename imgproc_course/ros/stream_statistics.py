@@ -122,9 +122,8 @@ def _percentiles(seconds):
 
 
 def statistics_line(statistics):
-    parts = [f"{statistics[key]} {key}" for key in ("received", "processed", "failed", "ignored")]
-    if statistics["lost"] is not None:
-        parts.append(f"{statistics['lost']} lost")
+    counts = ("received", "processed", "failed", "ignored", "lost")
+    parts = [f"{statistics[key]} {key}" for key in counts if statistics[key] is not None]
     if statistics["rate"] is not None:
         parts.append(f"{statistics['rate']} Hz")
     if statistics["latency_ms"] is not None:

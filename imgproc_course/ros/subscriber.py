@@ -3,9 +3,8 @@
 import collections
 import threading
 import time
-import weakref
 from collections.abc import Callable, Iterator
-from typing import Any, ClassVar, Self
+from typing import Any, ClassVar
 
 import numpy as np
 from rclpy.event_handler import SubscriptionEventCallbacks
@@ -14,6 +13,7 @@ from sensor_msgs.msg import CompressedImage, Image
 
 from imgproc_course.messages import ConversionError, compressed_to_array, encoding_info, image_to_array
 from imgproc_course.ros.diagnostics import explain_missing_messages
+from imgproc_course.ros.entities import Entities, Stoppable, weak_callback
 from imgproc_course.ros.loss_counter import LossCounter
 from imgproc_course.ros.session import RCLError, RosSession, Throttle, failed_line, log
 
@@ -23,7 +23,8 @@ QOS = {
     "sensor_data": qos_profile_sensor_data,
     "reliable": QoSProfile(depth=10),  # what a plain 10 in create_subscription means
 }
-RATE_WINDOW = 2.0  # seconds over which the rate is measured
+RATE_WINDOW = 2.0  # seconds over which the rate is measured, of at most RECENT frames
+RECENT = 1000
 
 _QOS_REMEDIES = {
     QoSPolicyKind.RELIABILITY: (
@@ -43,7 +44,7 @@ def image_type(topic):
     return Image, image_to_array
 
 
-class ImageSubscriber:
+class ImageSubscriber(Stoppable):
     """Subscribes to images and keeps the newest one, as a frame.
 
     Parameters
@@ -94,7 +95,7 @@ class ImageSubscriber:
         self.encoding = encoding
         self._on_image: Any = on_image
         self._change = threading.Condition()
-        self._arrivals: collections.deque[float] = collections.deque()
+        self._arrivals: collections.deque[float] = collections.deque(maxlen=RECENT)
         self._may_log = Throttle()
         self._latest: Any = None
         self._converted = 0
@@ -109,24 +110,17 @@ class ImageSubscriber:
         self.message_type, self._convert = image_type(self.topic)
         if on_image is not None:
             self._replace_previous()
-        self._subscription = subscription = self._subscribe()
-        self.session.on_shutdown(subscription, weak_callback(self.stop))
-        self._finalizer = weakref.finalize(self, _unsubscribe, self.session, self.session.node, subscription)
-        self._finalizer.atexit = False  # the session destroys the subscription then
+        self._entities = Entities(self, weak_callback(self.stop))
+        self._subscription = self._subscribe()
 
     def _subscribe(self):
         # Weak references, so that an unused subscriber is deleted, and its subscription with it.
         events = SubscriptionEventCallbacks(
-            incompatible_qos=weak_callback(self._on_incompatible_qos), matched=weak_callback(self._on_matched)
+            incompatible_qos=weak_callback(self._on_incompatible_qos), matched=self._losses.on_matched
         )
-        on_message = weak_callback(self._on_message)
         try:
-            return self.session.node.create_subscription(
-                self.message_type,
-                self.topic,
-                lambda msg, info: on_message(msg, info),
-                self.qos,
-                event_callbacks=events,
+            return self._entities.subscribe(
+                self.message_type, self.topic, self.qos, self._on_message, event_callbacks=events
             )
         except RCLError as error:
             raise ValueError(
@@ -173,17 +167,16 @@ class ImageSubscriber:
         if self._stopped or node is None:
             raise RuntimeError(f"the subscriber of {self.topic} is stopped; make a new ImageSubscriber")
         failed = self.failed - failed_before
-        raise TimeoutError(
-            explain_missing_messages(
-                node,
-                self._subscription,
-                timeout,
-                self.received,
-                failure=f"{failed} arrived and failed; {self.last_error}" if failed else None,
-                incompatible_qos=self.incompatible_qos,
-                publisher_error=self.session.error_of_publisher(self.topic),
-            )
+        reason = explain_missing_messages(
+            node,
+            self._subscription,
+            timeout,
+            self.received,
+            failure=f"{failed} arrived and failed; {self.last_error}" if failed else None,
+            qos_problem=self.incompatible_qos,
+            publisher_error=self.session.error_of_publisher(self.topic),
         )
+        raise TimeoutError(reason)
 
     def wait_for_incompatible_qos(self, timeout: float = 20.0) -> str | None:
         """Waits until ROS reports a publisher whose QoS policies do not match; returns `incompatible_qos`.
@@ -218,11 +211,10 @@ class ImageSubscriber:
     @property
     def measured_rate(self) -> float:
         """Frames per second that arrived during the last two seconds."""
+        oldest = time.monotonic() - RATE_WINDOW
         with self._change:
-            self._forget_old_arrivals()
-            if len(self._arrivals) < 2:
-                return 0.0
-            return (len(self._arrivals) - 1) / (self._arrivals[-1] - self._arrivals[0])
+            arrivals = [moment for moment in self._arrivals if moment >= oldest]
+        return (len(arrivals) - 1) / (arrivals[-1] - arrivals[0]) if len(arrivals) > 1 else 0.0
 
     @property
     def dropped(self) -> int | None:
@@ -249,13 +241,7 @@ class ImageSubscriber:
             self._change.notify_all()
         if self._subscribers.get(self._key) is self:
             del self._subscribers[self._key]
-        self._finalizer()
-
-    def __enter__(self) -> Self:
-        return self
-
-    def __exit__(self, *exception):
-        self.stop()
+        self._entities.close()
 
     def __repr__(self):
         state = "stopped" if self._stopped else f"{self.measured_rate:.1f} Hz, {self.received} received"
@@ -276,7 +262,6 @@ class ImageSubscriber:
             self._latest = frame
             self._converted += 1
             self._arrivals.append(time.monotonic())
-            self._forget_old_arrivals()
             self._change.notify_all()
         if self._on_image is not None:
             self._call_on_image(frame, msg)
@@ -294,10 +279,6 @@ class ImageSubscriber:
         if self._may_log():
             log.warning("%s (skipped; %d failed so far)", text, self.failed)
 
-    def _on_matched(self, event):
-        with self._change:
-            self._losses.set_publishers(event.current_count)
-
     def _on_incompatible_qos(self, event):
         remedy = _QOS_REMEDIES.get(
             event.last_policy_kind,
@@ -311,11 +292,6 @@ class ImageSubscriber:
                 self.incompatible_qos = text
                 self._change.notify_all()
 
-    def _forget_old_arrivals(self):
-        oldest = time.monotonic() - RATE_WINDOW
-        while self._arrivals and self._arrivals[0] < oldest:
-            self._arrivals.popleft()
-
 
 def _qos_profile(qos):
     if isinstance(qos, QoSProfile):
@@ -323,19 +299,3 @@ def _qos_profile(qos):
     if not isinstance(qos, str) or qos not in QOS:
         raise ValueError(f"qos must be 'sensor_data', 'reliable' or an rclpy.qos.QoSProfile, got {qos!r}")
     return QOS[qos]
-
-
-def weak_callback(method):
-    """A function that calls the method as long as its object exists."""
-    reference = weakref.WeakMethod(method)
-
-    def call(*arguments):
-        bound_method = reference()
-        return bound_method(*arguments) if bound_method is not None else None
-
-    return call
-
-
-def _unsubscribe(session, node, subscription):
-    session.on_shutdown(subscription, None)
-    session.post(lambda: node.destroy_subscription(subscription))

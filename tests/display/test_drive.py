@@ -30,9 +30,10 @@ class Commands:
 @pytest.fixture
 def view(monkeypatch):
     """A view without threads: what it would show does not matter here."""
-    from imgproc_course.display.drive import DriveView
+    from imgproc_course.display.drive import DrivePad, DriveView
+    from imgproc_course.display.screen import Look
 
-    view = DriveView(Commands(), "/camera", linear=0.3, angular=1.2, width=480, caption=None, alt=None)
+    view = DriveView(Commands(), "/camera", DrivePad(), Look(width=480))
     stopping = threading.Event()
     thread = threading.Thread(target=view._send_commands, args=(stopping,))
     thread.start()

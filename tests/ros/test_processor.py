@@ -311,13 +311,14 @@ def test_statistics_are_published_while_the_topic_has_a_subscriber(
 
 SIGNALS = """
 import os, signal
-from imgproc_course.ros.node_process import _StopSignals
-stop_signals = _StopSignals()
-print(stop_signals.received())
-for number in (signal.SIGINT, signal.SIGTERM):
-    os.kill(os.getpid(), number)
-    print(stop_signals.received(), flush=True)
-os.kill(os.getpid(), signal.SIGINT)
+from imgproc_course.ros.node_process import EXPECTED_SIGNALS
+from imgproc_course.ros.stop_signals import stop_signals
+with stop_signals(EXPECTED_SIGNALS) as stopping:
+    print(stopping.is_set())
+    for number in (signal.SIGINT, signal.SIGTERM):
+        os.kill(os.getpid(), number)
+        print(stopping.is_set(), flush=True)
+    os.kill(os.getpid(), signal.SIGINT)
 """
 
 

@@ -408,13 +408,13 @@ def test_dropped_messages_are_the_gaps_in_the_publishers_numbers(subscribe):
 
     arrive(7, 8, 11)
     assert subscriber.dropped == 2
-    subscriber._on_matched(types.SimpleNamespace(current_count=1))  # another publisher starts again
+    subscriber._losses.on_matched(types.SimpleNamespace(current_count=1))  # another publisher starts again
     arrive(1, 2, 4)
     assert subscriber.dropped == 3
-    subscriber._on_matched(types.SimpleNamespace(current_count=2))
+    subscriber._losses.on_matched(types.SimpleNamespace(current_count=2))
     arrive(5, 900, 6)
     assert subscriber.dropped is None
-    subscriber._on_matched(types.SimpleNamespace(current_count=1))
+    subscriber._losses.on_matched(types.SimpleNamespace(current_count=1))
     arrive(7, 9)
     assert subscriber.dropped == 4
     arrive(None)
