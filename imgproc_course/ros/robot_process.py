@@ -8,6 +8,9 @@ one, and nothing that a killed process leaves behind is in the way.
 What the robot publishes is its *body*, for example a recorded camera. This module knows only that a body has
 `description`, `running`, `status()`, `start(on_end)` and `stop()`, and that it logs its warnings: these go to
 every program that uses the robot. A request is a dict that says which body it should be.
+
+A program sends (kind, *arguments), where the kind is join, status or leave. The robot sends (kind, content,
+status), where the kind is answer, refused or event.
 """
 
 import contextlib
@@ -88,7 +91,8 @@ def running_robot(domain):
     with connection:
         try:
             connection.send(("status",))
-            return connection.recv()[2] if connection.poll(ANSWER_TIMEOUT) else None
+            _kind, _content, status = connection.recv() if connection.poll(ANSWER_TIMEOUT) else (None,) * 3
+            return status
         except (EOFError, OSError):
             return None  # it has just ended
 
@@ -111,7 +115,7 @@ class RobotConnection:
         self._on_event = on_event
         self._asking = threading.Lock()
         self._change = threading.Condition()
-        self._answers = 0
+        self._answer_count = 0
         self.left = False
         self._connection, self.status = self._join(request, switch)
         self._all.add(self)
@@ -124,11 +128,11 @@ class RobotConnection:
         """The robot's status now; the last known one if it does not answer or was left."""
         with self._asking:
             with self._change:
-                answers = self._answers
+                answers = self._answer_count
             with contextlib.suppress(OSError):  # the reading thread notices it too
                 self._connection.send((message,))
                 with self._change:
-                    self._change.wait_for(lambda: self._answers > answers, ANSWER_TIMEOUT)
+                    self._change.wait_for(lambda: self._answer_count > answers, ANSWER_TIMEOUT)
             return self.status
 
     def leave(self):
@@ -138,7 +142,7 @@ class RobotConnection:
             self.ask("leave")
 
     def leave_soon(self):
-        """Leaves without waiting for the answer, which the garbage collector must not do."""
+        """Leaves without waiting for the answer: the garbage collector calls this, and must not wait."""
         self.left = True
         with contextlib.suppress(OSError):
             self._connection.send(("leave",))
@@ -171,16 +175,17 @@ class RobotConnection:
             kind, text, status = message
             with self._change:
                 self.status = status
-                self._answers += kind == "answer"
+                self._answer_count += kind == "answer"
                 self._change.notify_all()
             if kind == "event":
                 self._on_event(text, status)
         self._connection.close()
-        is_unexpected, self.left = not self.left, True
+        is_unexpected = not self.left
+        self.left = True
         with self._change:
             if is_unexpected:
                 self.status |= {"running": False, "last_error": UNEXPECTED_END}
-            self._answers += 1  # nobody waits for an answer any more
+            self._answer_count += 1  # nobody waits for an answer any more
             self._change.notify_all()
         if is_unexpected:
             self._on_event(UNEXPECTED_END, self.status)
@@ -288,7 +293,7 @@ class _Robot(logging.Handler):
                 elif ready is self._events:
                     self._tell(self._events.recv())
                 else:
-                    self._answer(ready)
+                    self._handle_request(ready)
 
     def close(self):
         self._listener.close()
@@ -296,7 +301,7 @@ class _Robot(logging.Handler):
             self._body.stop()
         super().close()
 
-    def _answer(self, connection):
+    def _handle_request(self, connection):
         try:
             kind, *arguments = connection.recv()
         except (EOFError, OSError):
@@ -316,13 +321,13 @@ class _Robot(logging.Handler):
             self._forget(connection)
 
     def _join(self, connection, request, user, switch):
-        is_new = self._body is None or not self._body.running
-        if not is_new and request != self._request:
+        needs_new_body = self._body is None or not self._body.running
+        if not needs_new_body and request != self._request:
             others = {other for other in self._users.values() if other.pid != user.pid}
             if others and not switch:
                 raise RobotInUseError(self._in_use(request, others))
-            is_new = True
-        if is_new:
+            needs_new_body = True
+        if needs_new_body:
             self._switch(request, user)
         self._users[connection] = user
 
@@ -336,9 +341,10 @@ class _Robot(logging.Handler):
         )
 
     def _switch(self, request, user):
+        # The old body is stopped only when the new one has started. If that fails, the old one goes on.
         body = self._open_body(request)
         body.start(on_end=lambda: self._event_sender.send(None))
-        if self._body is not None:  # if one of the two has failed, this body goes on
+        if self._body is not None:
             self._body.stop()
         self._body, self._request = body, request
         self._tell(f"{user} has switched the robot: it is now {body.description}", except_pid=user.pid)
