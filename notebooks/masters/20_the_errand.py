@@ -1404,8 +1404,11 @@ if ros_available():
     errand = Errand(flat_markers(Simulation()), read_with_places, course_parts)
     node = session.add_node(ErrandNode(errand, context=session.context))
     end = time.monotonic() + most_looks  # enough for one look in a second
-    while errand.task != errand.finished and node.looks < most_looks and time.monotonic() < end:
+    in_corner, in_time = True, True
+    while errand.task != errand.finished and in_time and (in_corner or node.looks < most_looks):
         time.sleep(0.1)
+        in_corner = math.dist(errand.place.pose[:2], START[:2]) < 0.2
+        in_time = time.monotonic() < end
     session.remove_node(node)
     live_robot.stop()
     print("looks:", node.looks, "  tasks done:", [task for task, _ in errand.diary])
@@ -1413,9 +1416,9 @@ if ros_available():
     live_camera.stop()
 
 # %%
-# Check: the node looked. With all its looks, the robot left the corner; a slow computer may have fewer.
+# Check: the node looked, and the robot left the corner, unless the computer was too slow for that.
 assert not ros_available() or node.looks > 0
-assert not ros_available() or node.looks < most_looks or math.dist(errand.place.pose[:2], START[:2]) > 0.2
+assert not ros_available() or not in_time or not in_corner
 
 # %% [markdown]
 # **On the real robot**, this node would wait for ever: there is no depth image of the floor. You have to change three things. Do without `low_points`, and clear low things away. Give the place of the sign yourself (`errand.sign`), because `look_around` takes it from the depth image. And in place of `flat_markers`, write a dictionary with the poses of your own markers, measured in the same map as `START`. We have not tried this on a Kachaka; be ready to catch it.
