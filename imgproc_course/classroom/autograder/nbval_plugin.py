@@ -30,8 +30,8 @@ from imgproc_course.classroom.autograder.sandbox.cell_run import MIME, CellRun
 from imgproc_course.classroom.autograder.screening import reason_not_to_run
 from imgproc_course.classroom.autograder.verdict import CaseRun, verdict_on
 
-# A kernel that ended like this may have been ended by something else than the answer.
-_RUN_AGAIN_AFTER = ("crashed", "memory")
+# A kernel that ended like this may have been ended by something else than the answer: endings, try by try.
+_RUN_AGAIN_AFTER = (("crashed", "memory"), ("crashed", "gone"), ("crashed", "gone"))
 _NBVAL_COMMENT = re.compile(r"^([^\S\n]*#+[^\S\n]*)(NBVAL_\w+|PYTEST_VALIDATE_\w+)([^\S\n]*)$", re.M)
 
 
@@ -42,12 +42,11 @@ class ExerciseKernel:
     a lesson.
     """
 
-    current = None  # the ExerciseRun whose notebook nbval runs now
+    language = "python"
 
-    def __init__(self, kernel_name, cwd=None, startup_timeout=60):
-        self._exercise_run = ExerciseKernel.current
+    def __init__(self, exercise_run):
+        self._exercise_run = exercise_run
         self._sources_before, self._messages, self._cell_count = [], [], 0
-        self.language = "python"
 
     def is_alive(self):
         return True
@@ -67,10 +66,8 @@ class ExerciseKernel:
         run = self._exercise_run.run(case, [*self._sources_before], source)
         for answer in run.check.answers:
             self._add_message(message_id, "display_data", data={MIME: answer}, metadata={})
-        if run.ended:
-            self._add_message(message_id, "error", ename=run.ended, evalue="", traceback=[])
-        elif run.check.error[0]:
-            name, text = run.check.error
+        name, text = (run.ended, "") if run.ended else run.check.error
+        if name:
             self._add_message(message_id, "error", ename=name, evalue=text, traceback=[])
 
     def _add_message(self, message_id, kind, **content):
@@ -105,9 +102,9 @@ class ExerciseRun:
     faults   {case id: text} of the cases that the autograder itself failed to run
     """
 
-    def __init__(self, exercise, content, kernel_factory, next_request, stop_at=math.inf):
+    def __init__(self, exercise, content, kernel_factory, stop_at=math.inf):
         self._exercise, self._content = exercise, content
-        self._kernel_factory, self._next_request = kernel_factory, next_request
+        self._kernel_factory = kernel_factory
         self._kernel, self._kernel_seconds, self._answer_run = None, 0.0, None
         self._stop_at = stop_at
         self.runs, self.passed, self.faults = {}, set(), {}
@@ -124,29 +121,24 @@ class ExerciseRun:
         if time.monotonic() > self._stop_at:
             run = CaseRun(check=CellRun(ended="budget"))
         else:
-            run = self._run_in_a_kernel(case, sources_before, source)
+            run = self._run_in_same_kernel(case, source)
+            run = run or self._run_in_new_kernels(case, sources_before, source)
         if run.ended == "gone":
             self.faults[case.id] = "the process that starts kernels ended, three times"
         else:
             self.runs[case.id] = run
-        if not run.passed:  # the next case needs a kernel of its own, too
-            self._kernel_factory.keep_spares(self._requests_after(case))
         return run
 
-    def _run_in_a_kernel(self, case, sources_before, source):
-        run = self._run_in_same_kernel(case, source)
-        if run is None:
-            run = self._run_in_new_kernel(case, sources_before, source)
-        if run.ended in _RUN_AGAIN_AFTER:
-            run = self._run_in_new_kernel(case, sources_before, source, alone=True)
-        for _ in range(2):
-            if run.ended in ("crashed", "gone"):
+    def _run_in_new_kernels(self, case, sources_before, source):
+        run = self._run_in_new_kernel(case, sources_before, source)
+        for endings in _RUN_AGAIN_AFTER:
+            if run.ended in endings:
                 run = self._run_in_new_kernel(case, sources_before, source, alone=True)
         return run
 
     def _run_in_same_kernel(self, case, source):
         """A CaseRun that passed, or None. The kernel must not have more time than a new one would."""
-        if self._kernel is None or self._kernel_seconds > seconds_of(self._exercise, case):
+        if self._kernel is None or self._kernel_seconds > self._seconds_of(case):
             return None
         run = CaseRun(answer=self._answer_run)
         self._run_check(run, case, source)
@@ -155,12 +147,9 @@ class ExerciseRun:
     def _run_in_new_kernel(self, case, sources_before, source, *, alone=False):
         """A CaseRun; `alone`: while no other kernel waits, which could use memory that this one needs."""
         self.close()
-        self._kernel_seconds = seconds_of(self._exercise, case)
-        self._kernel = self._kernel_factory.start(
-            self._exercise.allowed,
-            self._kernel_seconds,
-            [] if alone else self._requests_after(case),
-        )
+        self._kernel_seconds = self._seconds_of(case)
+        allowed = self._exercise.allowed
+        self._kernel = self._kernel_factory.start(allowed, self._kernel_seconds, alone=alone)
         self._answer_run = self._kernel.run_statements(sources_before)
         run = CaseRun(answer=self._answer_run)
         if not run.ended:
@@ -169,17 +158,9 @@ class ExerciseRun:
             self.close()
         return run
 
-    def _requests_after(self, case):
-        """The requests of the kernels that will probably be needed after the one for a case.
-
-        An answer that has failed one case mostly fails the next one too, and that one needs its own kernel.
-        """
-        requests = [self._next_request] if self._next_request else []
-        next_case = next(iter(self._exercise.cases[self._exercise.cases.index(case) + 1 :]), None)
-        has_failed = any(not run.passed for run in self.runs.values())
-        if has_failed and next_case is not None and next_case.id not in self.runs:
-            requests.append((self._exercise.allowed, seconds_of(self._exercise, next_case)))
-        return requests
+    def _seconds_of(self, case):
+        """Processor time of a case: the exercise's time limit for each of its calls."""
+        return self._exercise.time_limit * case.calls
 
     def _run_check(self, run, case, source):
         exercise = self._exercise
@@ -196,11 +177,6 @@ class ExerciseRun:
         if self._kernel is not None:
             self._kernel.stop()
         self._kernel = None
-
-
-def seconds_of(exercise, case):
-    """Processor time of a case: the exercise's time limit for each of its calls."""
-    return exercise.time_limit * case.calls
 
 
 class StoredVerdict:
@@ -230,7 +206,7 @@ class GradingPlugin:
         self._kernel_factory = kernel_factory
         self._keys = {}
         self._folder = Path(folder)
-        self._session, self._phases, self._exception = None, [], None
+        self._session, self._exercise_kernel, self._phases, self._exception = None, None, [], None
 
     def serve(self, session):
         """Grade submissions until the socket is closed, then end this process."""
@@ -258,25 +234,22 @@ class GradingPlugin:
     def _grade(self, job):
         key = self._key(job["key"], job["digest"])
         lesson = key.lessons[job["lesson"]]
-        graded = [exercise for exercise in lesson.exercises if not exercise.practice]
-        sources = {exercise.id: job["answers"].get(exercise.id) for exercise in graded}
-        reasons = {exercise.id: reason_not_to_run(exercise, sources[exercise.id]) for exercise in graded}
-        to_run = [exercise for exercise in graded if reasons[exercise.id] is None]
         results, stop_at = [], time.monotonic() + self._kernel_factory.limits.submission
-        for exercise in graded:
-            if reasons[exercise.id] is not None:
-                results.append(ungraded_exercise(exercise, *reasons[exercise.id]))
+        for exercise in lesson.exercises:
+            if exercise.practice:
                 continue
-            following = (to_run[to_run.index(exercise) + 1 :] or to_run)[0]
-            next_request = (following.allowed, seconds_of(following, following.cases[0]))
-            source = sources[exercise.id]
-            results.append(self._grade_exercise(key, exercise, source, next_request, stop_at))
+            source = job["answers"].get(exercise.id)
+            reason = reason_not_to_run(exercise, source)
+            if reason is None:
+                results.append(self._grade_exercise(key, exercise, source, stop_at))
+            else:
+                results.append(ungraded_exercise(exercise, *reason))
         return GradedSubmission(job["submission"], lesson.name, lesson.version, tuple(results))
 
-    def _grade_exercise(self, key, exercise, source, next_request, stop_at):
+    def _grade_exercise(self, key, exercise, source, stop_at):
         content = key.content(exercise.id)
-        exercise_run = ExerciseRun(exercise, content, self._kernel_factory, next_request, stop_at)
-        ExerciseKernel.current = exercise_run
+        exercise_run = ExerciseRun(exercise, content, self._kernel_factory, stop_at)
+        self._exercise_kernel = ExerciseKernel(exercise_run)
         path = self._folder / "exercise.ipynb"
         path.write_text(json.dumps(_with_answer(content.notebook, exercise, source)), encoding="utf-8")
         try:
@@ -306,7 +279,7 @@ class GradingPlugin:
     def pytest_configure(self):
         import nbval.plugin
 
-        nbval.plugin.RunningKernel = ExerciseKernel
+        nbval.plugin.RunningKernel = lambda *_arguments, **_options: self._exercise_kernel
 
     @pytest.hookimpl
     def pytest_runtest_logreport(self, report):

@@ -377,7 +377,7 @@ def test_a_fork_server_that_has_ended_is_closed_and_started_again():
         process.kill()
         process.wait()
         del process  # nothing here may keep it alive
-        kernel = kernels.start((), 5.0)
+        kernel = kernels.start((), 5.0, alone=True)  # the kernel that waited has ended with it
         assert not kernel.run("1 + 1").ended
         kernel.stop()
 
@@ -411,7 +411,7 @@ def test_a_kernel_that_is_killed_twice_costs_nobody_a_point(key, right):
     content = key.content(exercise.id)
     (check,) = [cell for cell in content.notebook["cells"] if cell["id"] == exercise.cases[0].id]
     with KillsKernels() as kernels:
-        exercise_run = ExerciseRun(exercise, content, kernels, None)
+        exercise_run = ExerciseRun(exercise, content, kernels)
         sources = [*exercise.given, right[exercise.id]]
         run = exercise_run.run(exercise.cases[0], sources, "".join(check["source"]))
         exercise_run.close()

@@ -6,6 +6,7 @@ variable of the user, no key, no master and no submission. `inside/confine.py` c
 `inside/refusal.py` refuses by their names the modules that an exercise does not allow.
 """
 
+import math
 import os
 import shutil
 import signal
@@ -59,9 +60,9 @@ class Limits:
     wall_grace: float = 8.0
     submission: float = 120.0
 
-    def for_system(self, seconds):
-        """The limits that the operating system enforces on a kernel that may use so many seconds."""
-        return vars(self) | {"cpu": int(-(-(seconds + self.grace) // 1))}
+    def cpu(self, seconds):
+        """Whole seconds of processor time that the system gives to each process of a kernel."""
+        return math.ceil(seconds + self.grace)
 
     def deadline(self, seconds):
         """Seconds of wall time after which a kernel is ended from outside, whatever it does."""

@@ -4,7 +4,6 @@ from dataclasses import dataclass, field
 
 from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
 
-LOOK_SECONDS = 0.05  # between two looks at the memory of all processes together
 _MAX_TEXT = 2_000  # characters of an error's text, and of what a cell printed, that are kept
 _MAX_NAME = 100  # characters of an exception's name
 
@@ -26,7 +25,7 @@ class CellRun:
     printed: str = ""
 
     def add(self, kind, content):
-        """Add a message of Jupyter's, or "idle"; returns whether it was the cell's end."""
+        """Add a message of a kernel; returns whether it was the cell's end."""
         if kind == "idle":
             if not self.error[0]:  # a cell can fail without showing an error: an unknown magic
                 self._set_error(content)
@@ -35,7 +34,7 @@ class CellRun:
             self.printed = (self.printed + content["text"])[:_MAX_TEXT]
         elif kind == "error" and not self.error[0]:  # of several statements, the first that fails is reported
             self._set_error(content)
-        elif kind in ("display_data", "execute_result") and MIME in content["data"]:
+        elif MIME in content.get("data", ()):
             self.answers.append(content["data"][MIME])
         return False
 

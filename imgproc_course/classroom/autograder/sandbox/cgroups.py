@@ -50,7 +50,7 @@ class ProcessGroup:
         self._limit_swap()
         self._kill_counter = self._find_kill_counter()
         self._cpu_counter = self._find_cpu_counter()
-        self._kills, self._used_memory = self._count_kills(), 0
+        self._kills = self._count_kills()
 
     def _make_cgroup(self, controller, values):
         for parent in _parent_folders(controller):
@@ -95,7 +95,7 @@ class ProcessGroup:
 
     def reset(self):
         """Ignore kills that happened until now: the next kernel did not cause them."""
-        self._kills, self._used_memory = self._count_kills() or 0, 0
+        self._kills = self._count_kills() or 0
 
     def ran_out_of_memory(self, root):
         """Whether all processes below one use more memory than they may.
@@ -104,8 +104,7 @@ class ProcessGroup:
         """
         kills = self._count_kills()
         if kills is None:
-            self._used_memory = _memory_under(root, self._max_memory)
-            return self._used_memory > self._max_memory
+            return _memory_under(root, self._max_memory) > self._max_memory
         kills_before, self._kills = self._kills, kills
         return self._kills > (kills_before or 0)
 
@@ -117,14 +116,6 @@ class ProcessGroup:
         """The file in which the system counts their processor time, or None."""
         paths = (folder / name for folder in self.folders for name in ("cpuacct.usage", "cpu.stat"))
         return next((path for path in paths if _cpu_seconds_in(path) is not None), None)
-
-    def is_crowded(self):
-        """Whether half of the memory is in use; without a control group, whether it was at the last look."""
-        for folder in self.folders:
-            for name in ("memory.current", "memory.usage_in_bytes"):
-                with suppress(OSError, ValueError):
-                    return int((folder / name).read_text(encoding="ascii")) > self._max_memory // 2
-        return self._used_memory > self._max_memory // 2
 
     def _find_kill_counter(self):
         """The file in which the system counts the processes that it killed for want of memory, or None."""
