@@ -199,11 +199,10 @@ class StoredVerdict:
 
 
 class GradingPlugin:
-    """The plugin's state: the keys, the kernels, and the socket to `NbvalProcess`, of which `lines` reads."""
+    """The plugin's state: the keys, the kernels, and the socket to `NbvalProcess`."""
 
-    def __init__(self, connection, lines, folder, kernel_factory):
-        self._connection, self._lines = connection, lines
-        self._kernel_factory = kernel_factory
+    def __init__(self, connection, folder, kernel_factory):
+        self._connection, self._kernel_factory = connection, kernel_factory
         self._keys = {}
         self._folder = Path(folder)
         self._session, self._exercise_kernel, self._phases, self._exception = None, None, [], None
@@ -216,7 +215,7 @@ class GradingPlugin:
         self._send({"ready": True})
         nbformat.validate(nbformat.v4.new_notebook())  # compiles the schema while submissions are read
         with self._kernel_factory:
-            for line in self._lines:
+            for line in self._connection.makefile("r", 1 << 20, encoding="ascii"):
                 self._send(to_json(self._grade(json.loads(line))))
         os._exit(0)  # the other side waits, and nobody needs what pytest would still do
 

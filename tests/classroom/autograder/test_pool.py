@@ -246,7 +246,7 @@ def test_submissions_are_read_as_results_are_taken(key, right):
 
 def test_another_key_in_the_same_place_is_noticed(key, right):
     with pytest.raises(ValueError, match="this is another key than the one"):
-        grade_one(("a", LESSON, right), key, "0" * 64)
+        grade_one(("a", LESSON, right), key.path, "0" * 64)
     nbval_process.stop_nbval_processes()
 
 
@@ -328,7 +328,7 @@ def test_an_nbval_process_that_does_not_start_reports_why(key, right, monkeypatc
     broken.chmod(0o755)
     monkeypatch.setattr(nbval_process.sys, "executable", str(broken))
     with pytest.raises(SandboxError, match="the nbval process did not start: no such plugin"):
-        grade_one(("a", LESSON, right), key, unsafe=True)
+        grade_one(("a", LESSON, right), key.path, key.digest, unsafe=True)
 
 
 def mortal(path, program, deaths):
@@ -346,7 +346,7 @@ def test_an_nbval_process_that_is_killed_while_it_starts_is_started_again(
     key, right, monkeypatch, tmp_path, deaths
 ):
     monkeypatch.setattr(nbval_process.sys, "executable", mortal(tmp_path / "python", sys.executable, deaths))
-    result = grade_one(("a", LESSON, right), key, unsafe=True)
+    result = grade_one(("a", LESSON, right), key.path, key.digest, unsafe=True)
     nbval_process.stop_nbval_processes()
     if deaths == 5:
         assert result.points == 10
