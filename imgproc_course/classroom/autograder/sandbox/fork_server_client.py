@@ -11,7 +11,6 @@ import subprocess
 import time
 from collections import deque
 from contextlib import suppress
-from functools import lru_cache
 
 from imgproc_course.classroom.autograder.sandbox import bubblewrap
 from imgproc_course.classroom.autograder.sandbox.cell_run import CellRun
@@ -53,11 +52,14 @@ class ForkedKernel:
 
     def run(self, code):
         """Run one cell; returns its CellRun."""
-        return self._request({"cells": [{"code": code, "apart": False}]})
+        return self._request({"cells": [code]})
 
     def run_statements(self, sources):
         """Run cells of which each statement that fails costs only itself; the CellRun has the first error."""
-        return self._request({"cells": [cell for source in sources for cell in _cells_to_send(source)]})
+        # Its package imports NumPy; the fork server starts before that.
+        from imgproc_course.classroom.exercises.cell_syntax import parts_of
+
+        return self._request({"cells": [part for source in sources for part in parts_of(source)]})
 
     def run_check(self, code, inputs, seconds):
         """Run a check cell with its inputs (see `check_cell.deliver`); returns its CellRun.
@@ -67,8 +69,7 @@ class ForkedKernel:
         """
         group = self._fork_server.group
         cpu_before, began = group.cpu_seconds(), time.monotonic()
-        cells = [{"code": code, "apart": False}]
-        run = self._request({"case": {"calls": inputs, "seconds": seconds}, "cells": cells})
+        run = self._request({"case": {"calls": inputs, "seconds": seconds}, "cells": [code]})
         most = seconds * len(inputs) + self._limits.grace
         if run.ended or cpu_before is None or time.monotonic() - began <= most:
             return run
@@ -152,22 +153,6 @@ class ForkedKernel:
         if self._id is not None:
             self._fork_server.end(self._id)
             self._id = None
-
-
-@lru_cache(maxsize=16)  # every case that fails has a kernel of its own, with the same cells
-def _cells_to_send(source):
-    """A source as the kernel takes it: whole cells where it can tell the statements apart by itself."""
-    # Its package imports NumPy; the fork server starts before that.
-    from imgproc_course.classroom.exercises.cell_syntax import cells_of, parts_of
-
-    cells = []
-    for cell in cells_of(source):
-        parts = parts_of(cell)
-        if len(parts) > 1 and "async" not in cell and "await" not in cell:
-            cells.append({"code": cell, "apart": True})
-        else:
-            cells += [{"code": part, "apart": False} for part in parts]
-    return cells
 
 
 def _parse_message(line):

@@ -1,7 +1,6 @@
 """An IPython shell without ZMQ: it reads cells from a socket and writes messages, as lines of JSON.
 
-In:  {"cells": [{"code": "...", "apart": true}]}; if "apart", a statement that fails ends only itself. A check
-     has also "case": {...}, its inputs
+In:  {"cells": ["..."]}; one that fails ends only itself. A check has also "case": {...}, its inputs
 Out: {"type": "stream" | "display_data" | "error" | "idle", "content": {...}}, as Jupyter's messages. What a
      cell draws is not sent, but for what a check cell shows.
 """
@@ -122,19 +121,10 @@ class CellShell(InteractiveShell):
     displayhook_class = Type(AnswerDisplayHook)
     display_pub_class = Type(AnswerPublisher)
     input_transformer_manager = Instance(FastTransformer, ())
-    statements_apart = False  # whether a statement that fails ends only itself, and not its cell
 
     def should_run_async(self, raw_cell, **options):
         # IPython compiles the cell to find out; for most cells a look at the text is enough.
         return ("await" in raw_cell or "async" in raw_cell) and super().should_run_async(raw_cell, **options)
-
-    async def run_ast_nodes(self, nodelist, cell_name, **options):
-        if not self.statements_apart:
-            return await super().run_ast_nodes(nodelist, cell_name, **options)
-        has_failed = False
-        for node in nodelist:
-            has_failed |= bool(await super().run_ast_nodes([node], cell_name, **options))
-        return has_failed
 
     def enable_gui(self, gui=None):
         pass
@@ -189,7 +179,7 @@ def serve(shell, requests, descriptor, deliver):
         WRITER.printed = 0
         if "case" in request:
             deliver(request["case"])
-        errors = [runner.run(**cell) for cell in request["cells"]]
+        errors = [runner.run(code) for code in request["cells"]]
         _flush()
         error = next((error for error in errors if error is not None), None)
         name = "" if error is None else type(error).__name__
@@ -202,9 +192,8 @@ class _CellRunner:
     def __init__(self, shell):
         self._shell, self._loop = shell, None
 
-    def run(self, code, apart):
+    def run(self, code):
         """Run a cell; returns the exception that ended it, or None."""
-        self._shell.statements_apart = apart
         result = self._run(code)
         return result.error_before_exec or result.error_in_exec
 
