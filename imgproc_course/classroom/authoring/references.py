@@ -17,7 +17,7 @@ from functools import cached_property
 from pathlib import Path
 
 from imgproc_course.classroom.authoring.glossary import GLOSSARY, read_glossary
-from imgproc_course.classroom.authoring.lesson_names import LESSON_FILE
+from imgproc_course.classroom.authoring.lesson_names import lesson_name
 from imgproc_course.classroom.exercises.percent_script import MISTAKES_SUFFIX, MasterError, read_script
 
 _IN_PROSE = re.compile(
@@ -52,14 +52,9 @@ class References:
 
     @cached_property
     def _lessons(self):
-        matches = (
-            (file, LESSON_FILE.fullmatch(file.stem)) for file in sorted(self._path.parent.glob("*.py"))
-        )
-        return {
-            match["name"]: LessonPlace(match["number"], match["name"], file)
-            for file, match in matches
-            if match
-        }
+        files = sorted(self._path.parent.glob("[0-9][0-9]_*.py"))
+        places = [LessonPlace(file.stem[:2], lesson_name(file.stem), file) for file in files]
+        return {place.name: place for place in places if place.name != place.path.stem}
 
     @cached_property
     def _terms(self):
@@ -103,10 +98,10 @@ class References:
         """(the words, the address) of what stands between the brackets."""
         name, _, label = target.partition("|")
         if name.startswith("term:"):
-            term = self._term(name.removeprefix("term:"), target)
-            return label or name.removeprefix("term:"), term.address
+            word = name.removeprefix("term:")
+            return label or word, self._find("term", word.casefold(), self._terms, target).address
         name, _, section = name.partition("#")
-        lesson = self._lesson(name, target)
+        lesson = self._find("lesson", name, self._lessons, target)
         address = f"{lesson.path.stem}.ipynb"
         if section:
             address += f"#cell-id={self._section_cell(lesson, section, target)}"
@@ -114,15 +109,14 @@ class References:
         plain = f"lesson {lesson.number}"
         return label or (f"{plain}, {lesson.title}" if in_prose else plain), address
 
-    def _lesson(self, name, target):
-        if name not in self._lessons:
-            raise MasterError(self._unknown(target, "lesson", name, self._lessons))
-        return self._lessons[name]
-
-    def _term(self, name, target):
-        if name.casefold() not in self._terms:
-            raise MasterError(self._unknown(target, "term", name, self._terms))
-        return self._terms[name.casefold()]
+    def _find(self, kind, name, known, target):
+        if name in known:
+            return known[name]
+        nearest = difflib.get_close_matches(name, list(known), n=1, cutoff=0.4)
+        advice = f"there are: {', '.join(sorted(known)) or 'none'}"
+        if nearest:
+            advice = f"did you mean {nearest[0]}?"
+        raise MasterError(f"{self._place(target)}: [[{target}]] names no {kind}; {advice}")
 
     def _section_cell(self, lesson, section, target):
         """The id of the cell that a section begins with."""
@@ -131,13 +125,6 @@ class References:
             if cell.kind == "markdown" and heading.search(cell.source):
                 return f"{lesson.name}-{position}"
         raise MasterError(f"{self._place(target)}: {lesson.path.name} has no section {section}")
-
-    def _unknown(self, target, kind, name, known):
-        nearest = difflib.get_close_matches(name, list(known), n=1, cutoff=0.4)
-        advice = (
-            f"did you mean {nearest[0]}?" if nearest else f"there are: {', '.join(sorted(known)) or 'none'}"
-        )
-        return f"{self._place(target)}: [[{target}]] names no {kind}; {advice}"
 
     def _place(self, target):
         files = (self._path, self._path.with_suffix(MISTAKES_SUFFIX))
