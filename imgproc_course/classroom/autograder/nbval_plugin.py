@@ -19,7 +19,7 @@ from pathlib import Path
 
 import pytest
 
-from imgproc_course.classroom.autograder.answer_key import load_key
+from imgproc_course.classroom.autograder.pool import expected_key
 from imgproc_course.classroom.autograder.results import (
     GradedSubmission,
     graded_exercise,
@@ -32,6 +32,7 @@ from imgproc_course.classroom.autograder.verdict import CaseRun, verdict_on
 
 # A kernel that ended like this may have been ended by something else than the answer: endings, try by try.
 _RUN_AGAIN_AFTER = (("crashed", "memory"), ("crashed", "gone"), ("crashed", "gone"))
+_MESSAGE_ID = "a cell's run"
 _NBVAL_COMMENT = re.compile(r"^([^\S\n]*#+[^\S\n]*)(NBVAL_\w+|PYTEST_VALIDATE_\w+)([^\S\n]*)$", re.M)
 
 
@@ -46,32 +47,30 @@ class ExerciseKernel:
 
     def __init__(self, exercise_run):
         self._exercise_run = exercise_run
-        self._sources_before, self._messages, self._cell_count = [], [], 0
+        self._sources_before, self._messages = [], []
+        self.case = None  # the KeyCase that the next cell checks
 
     def is_alive(self):
         return True
 
     def execute_cell_input(self, cell_input, allow_stdin=None):
-        self._cell_count += 1
-        message_id = f"cell-{self._cell_count}"
-        case = self._exercise_run.case_of_cell(self._cell_count)
-        if case is None:
+        if self.case is None:
             self._sources_before.append(cell_input)
         else:
-            self._run_case(case, cell_input, message_id)
-        self._add_message(message_id, "status", execution_state="idle")
-        return message_id
+            self._run_case(cell_input)
+        self._add_message("status", execution_state="idle")
+        return _MESSAGE_ID
 
-    def _run_case(self, case, source, message_id):
-        run = self._exercise_run.run(case, [*self._sources_before], source)
+    def _run_case(self, source):
+        run = self._exercise_run.run(self.case, [*self._sources_before], source)
         for answer in run.check.answers:
-            self._add_message(message_id, "display_data", data={MIME: answer}, metadata={})
+            self._add_message("display_data", data={MIME: answer}, metadata={})
         name, text = (run.ended, "") if run.ended else run.check.error
         if name:
-            self._add_message(message_id, "error", ename=name, evalue=text, traceback=[])
+            self._add_message("error", ename=name, evalue=text, traceback=[])
 
-    def _add_message(self, message_id, kind, **content):
-        parent = {"msg_id": message_id}
+    def _add_message(self, kind, **content):
+        parent = {"msg_id": _MESSAGE_ID}
         self._messages.append({"msg_type": kind, "content": content, "parent_header": parent})
 
     def await_reply(self, msg_id, timeout=None):
@@ -108,13 +107,6 @@ class ExerciseRun:
         self._kernel, self._kernel_seconds, self._answer_run = None, 0.0, None
         self._stop_at = stop_at
         self.runs, self.passed, self.faults = {}, set(), {}
-        cases = {case.id: case for case in exercise.cases}
-        code = [cell for cell in content.notebook["cells"] if cell["cell_type"] == "code"]
-        self._cases = {number: cases.get(cell["id"]) for number, cell in enumerate(code, 1)}
-
-    def case_of_cell(self, number):
-        """The KeyCase that the notebook's n-th code cell checks, or None; the first cell has number 1."""
-        return self._cases[number]
 
     def run(self, case, sources_before, source):
         """The CaseRun of one case: its check cell runs after the given cells and the answer."""
@@ -203,7 +195,6 @@ class GradingPlugin:
 
     def __init__(self, connection, folder, kernel_factory):
         self._connection, self._kernel_factory = connection, kernel_factory
-        self._keys = {}
         self._folder = Path(folder)
         self._session, self._exercise_kernel, self._phases, self._exception = None, None, [], None
 
@@ -222,16 +213,8 @@ class GradingPlugin:
     def _send(self, message):
         self._connection.sendall((json.dumps(message) + "\n").encode("ascii"))
 
-    def _key(self, path, digest):
-        if digest not in self._keys:
-            key = load_key(path)
-            if key.digest != digest:
-                raise ValueError("the key was replaced while it was used")
-            self._keys[digest] = key
-        return self._keys[digest]
-
     def _grade(self, job):
-        key = self._key(job["key"], job["digest"])
+        key = expected_key(job["key"], job["digest"])
         lesson = key.lessons[job["lesson"]]
         results, stop_at = [], time.monotonic() + self._kernel_factory.limits.submission
         for exercise in lesson.exercises:
@@ -258,18 +241,19 @@ class GradingPlugin:
         return graded_exercise(exercise, content, exercise_run)
 
     def _run_nbval(self, path, exercise, exercise_run):
-        case_ids = {case.id for case in exercise.cases}
+        cases = {case.id: case for case in exercise.cases}
         (notebook,) = self._session.config.hook.pytest_collect_file(file_path=path, parent=self._session)
         items = list(notebook.collect())
         for item in items:
-            if item.cell.id in case_ids:
+            if item.cell.id in cases:
                 item.cell.outputs[0].data[MIME] = StoredVerdict(exercise_run, item.cell.id)
         for item, next_item in zip(items, [*items[1:], None], strict=True):
+            self._exercise_kernel.case = cases.get(item.cell.id)
             self._phases, self._exception = [], None
             item.ihook.pytest_runtest_protocol(item=item, nextitem=next_item)
             if self._phases == ["setup passed", "call passed", "teardown passed"]:
                 exercise_run.passed.add(item.cell.id)
-            elif item.cell.id in case_ids - exercise_run.runs.keys():
+            elif item.cell.id in cases.keys() - exercise_run.runs.keys():
                 exercise_run.faults.setdefault(item.cell.id, self._exception or "nbval did not run it")
             item.cell = None
         notebook.nb = None

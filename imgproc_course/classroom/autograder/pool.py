@@ -197,7 +197,7 @@ def grade_one(submission, key_folder, digest, *, unsafe=False, limits=None):
     SandboxError : there is no sandbox on the machine that runs this
     KeyFolderError, ValueError : there is no such key, or another one
     """
-    key = _loaded_key(key_folder, digest)
+    key = expected_key(key_folder, digest)
     attempts = kills = 0
     while attempts < _ATTEMPTS and kills < _KILLS:
         try:
@@ -222,7 +222,8 @@ def grade_one(submission, key_folder, digest, *, unsafe=False, limits=None):
 
 
 @lru_cache(maxsize=32)
-def _loaded_key(folder, digest):
+def expected_key(folder, digest):
+    """The Key in a folder; KeyFolderError, ValueError: there is none, or another one than expected."""
     key = load_key(folder)
     if key.digest != digest:
         raise ValueError(f"{folder}: this is another key than the one that grading began with")

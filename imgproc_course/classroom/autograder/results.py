@@ -10,7 +10,7 @@ import base64
 import builtins
 import hashlib
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, is_dataclass
 
 from imgproc_course.classroom.autograder.answer_key import known_mistake
 from imgproc_course.classroom.autograder.outcomes import BUDGET_MESSAGE, CELL_FAILS, TEXTS, Outcome
@@ -130,37 +130,23 @@ class GradedSubmission:
 # ---------------------------------------------------------------- JSON
 
 
-def to_json(submission):
-    """A GradedSubmission as data for json.dumps."""
-    return {
-        "submission": submission.name,
-        "lesson": submission.lesson,
-        "version": submission.version,
-        "points": submission.points,
-        "max_points": submission.max_points,
-        "exercises": [_exercise_to_json(exercise) for exercise in submission.exercises],
-    }
-
-
-def _exercise_to_json(exercise):
+def to_json(result):
+    """A GradedSubmission, or a part of one, as data for json.dumps."""
     # dataclasses.asdict would copy every value too, which takes much longer.
-    cases = [vars(case) | {"failed_call": _fields_of(case.failed_call)} for case in exercise.cases]
-    return vars(exercise) | {"cases": cases, "points": exercise.points}
-
-
-def _fields_of(failed_call):
-    return failed_call and dict(vars(failed_call))
+    if isinstance(result, tuple):
+        return [to_json(part) for part in result]
+    if is_dataclass(result):
+        return {name: to_json(value) for name, value in vars(result).items()}
+    return result
 
 
 def from_json(data):
     """The GradedSubmission that `to_json` wrote; KeyError, TypeError or ValueError if it did not."""
-    exercises = tuple(_exercise_from_json(entry) for entry in data["exercises"])
-    return GradedSubmission(data["submission"], data["lesson"], data["version"], exercises)
+    return GradedSubmission(**data | {"exercises": tuple(map(_exercise_from_json, data["exercises"]))})
 
 
 def _exercise_from_json(entry):
-    fields = {name: value for name, value in entry.items() if name not in ("points", "cases")}
-    return GradedExercise(cases=tuple(_case_from_json(case) for case in entry["cases"]), **fields)
+    return GradedExercise(**entry | {"cases": tuple(map(_case_from_json, entry["cases"]))})
 
 
 def _case_from_json(entry):
@@ -190,15 +176,9 @@ def graded_exercise(exercise, content, exercise_run):
     if not all(case.passed for case in cases):
         calls = {id: run.verdict.calls for id, run in runs.items()}
         mistake = known_mistake(exercise, content, calls)
-    return GradedExercise(
-        exercise.id,
-        exercise.title,
-        exercise.points,
-        cases,
-        mistake.name if mistake else "",
-        mistake.explanation if mistake else "",
-        _message_about_cell(runs),
-    )
+    known = (mistake.name, mistake.explanation) if mistake else ("", "")
+    message = _message_about_cell(runs)
+    return GradedExercise(exercise.id, exercise.title, exercise.points, cases, *known, message)
 
 
 def _graded_case(case, outcome, message="", failed_call=None):
@@ -239,11 +219,12 @@ def _outcome_of_run(exercise, run):
     if run.ended:
         outcome = Outcome(run.ended)
         return outcome, TEXTS[outcome].message
-    if run.check.error[0] == "NameError" and not run.check.answers:
-        return _outcome_without_function(exercise, run)
-    if run.check.error[0] and not run.check.answers:
-        return Outcome.RAISED, _exception_text(*run.check.error)
-    if run.verdict.calls is None or run.check.error[0]:
+    error = run.check.error
+    if error[0] and not run.check.answers:
+        if error[0] == "NameError":
+            return _outcome_without_function(exercise, run)
+        return Outcome.RAISED, _exception_text(*error)
+    if error[0] or run.verdict.calls is None:
         return Outcome.HOSTILE, "its check cell showed something else than what the function returned"
     return _outcome_of_verdict(exercise, run.verdict)
 
@@ -286,10 +267,8 @@ def _outcome_without_function(exercise, run):
 
 def _message_about_cell(runs):
     """The first exception of the answer cell: it costs nothing as long as the function is defined."""
-    run = next(iter(runs.values()), CaseRun())
-    return (
-        f"a statement in its cell fails: {_exception_text(*run.answer.error)}" if run.answer.error[0] else ""
-    )
+    error = next(iter(runs.values()), CaseRun()).answer.error
+    return f"a statement in its cell fails: {_exception_text(*error)}" if error[0] else ""
 
 
 def _message_of_hidden(outcome, message):
