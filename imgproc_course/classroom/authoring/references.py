@@ -14,6 +14,7 @@ import re
 import tokenize
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import accumulate
 from pathlib import Path
 
 from imgproc_course.classroom.authoring.glossary import GLOSSARY, read_glossary
@@ -79,14 +80,11 @@ class References:
         """Code whose comments and strings have plain words in place of references."""
         if not _IN_CODE.search(source):
             return source
-        lines = source.splitlines(keepends=True)
         try:
             tokens = list(tokenize.generate_tokens(io.StringIO(source).readline))
         except (tokenize.TokenError, SyntaxError):  # a cell with a magic
             return self.in_text(source)
-        starts = [0]
-        for line in lines:
-            starts.append(starts[-1] + len(line))
+        starts = list(accumulate(map(len, source.splitlines(keepends=True)), initial=0))
         for token in reversed(tokens):
             if token.type in _WITH_WORDS:
                 begin = starts[token.start[0] - 1] + token.start[1]

@@ -159,8 +159,7 @@ class _Queue:
 
 def _was_left_out(exercise):
     """Whether an exercise is out of time only because others had used all of it."""
-    late = [case.message for case in exercise.cases if case.outcome == Outcome.TIME]
-    return bool(late) and set(late) == {BUDGET_MESSAGE}
+    return {case.message for case in exercise.cases if case.outcome == Outcome.TIME} == {BUDGET_MESSAGE}
 
 
 def _one_share_each(limits, exercises):

@@ -12,8 +12,8 @@ from imgproc_course.classroom.exercises.cell_syntax import parts_of
 INSIDE = "imgproc_course.classroom.autograder.sandbox.inside"
 BEGIN = f"""
 import sys as _sys
-from {INSIDE} import check_cell as _check_cell, display_stub, exercises_stub, refusal as _refusal
-_sys.modules |= {{{{"imgproc_course.display": display_stub, "imgproc_course.exercises": exercises_stub}}}}
+from {INSIDE} import check_cell as _check_cell, package_stub, refusal as _refusal
+_sys.modules |= {{{{"imgproc_course.display": package_stub, "imgproc_course.exercises": package_stub}}}}
 _check_cell.refuse_input()
 _refusal.allow_modules({{allowed!r}})
 import numpy as np

@@ -224,7 +224,7 @@ def _course_packages():
         if (SOURCE / name).exists():
             options += _bind(str(SOURCE / name), f"{root}/{name}")
     for package in ("exercises", "display"):
-        options += _bind(str(INSIDE / f"{package}_stub.py"), f"{root}/{package}/__init__.py")
+        options += _bind(str(INSIDE / "package_stub.py"), f"{root}/{package}/__init__.py")
     names = ["__init__.py", "course.py", *(f"exercises/{module}.py" for module in EXERCISES_MODULES)]
     names += [f"autograder/{name}" for name in ("__init__.py", "sandbox/__init__.py", "sandbox/inside")]
     for name in names:

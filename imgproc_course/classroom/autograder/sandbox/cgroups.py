@@ -148,24 +148,18 @@ def _memory_under(root, exact_above):
         processes = [process, *process.children(recursive=True)]
     except psutil.Error:
         return 0
-    used = sum(_resident_memory(process) for process in processes)
-    return used if used <= exact_above else sum(_proportional_memory(process) for process in processes)
+    used = sum(_memory_of(process) for process in processes)
+    return used if used <= exact_above else sum(_memory_of(process, exactly=True) for process in processes)
 
 
-def _resident_memory(process):
-    with suppress(psutil.Error):
+def _memory_of(process, *, exactly=False):
+    with suppress(psutil.Error):  # it has ended in the meantime
+        if exactly:
+            with suppress(psutil.AccessDenied):
+                memory = process.memory_full_info()
+                return memory.pss + memory.swap
         return process.memory_info().rss
-    return 0  # it has ended in the meantime
-
-
-def _proportional_memory(process):
-    try:
-        memory = process.memory_full_info()
-    except psutil.AccessDenied:
-        return _resident_memory(process)
-    except psutil.Error:
-        return 0
-    return memory.pss + memory.swap
+    return 0
 
 
 def _parent_folders(controller):
