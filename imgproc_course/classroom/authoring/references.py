@@ -12,7 +12,6 @@ import difflib
 import io
 import re
 import tokenize
-from dataclasses import dataclass
 from functools import cached_property
 from itertools import accumulate
 from pathlib import Path
@@ -31,20 +30,6 @@ _AT_START = re.compile(r"(?:\A|\n[^\S\n]*\n|[.!?] )\Z")
 _WITH_WORDS = {tokenize.COMMENT, tokenize.STRING, getattr(tokenize, "FSTRING_MIDDLE", tokenize.STRING)}
 
 
-@dataclass(frozen=True)
-class LessonPlace:
-    """Where a lesson is in the course: its number is only the order, its name is its identity."""
-
-    number: str
-    name: str
-    path: Path
-
-    @cached_property
-    def title(self):
-        match = _TITLE.search(self.path.read_text(encoding="utf-8"))
-        return match[1].strip("\"'") if match else self.name.replace("_", " ").capitalize()
-
-
 class References:
     """The references of the master with this path, to the lessons and the glossary of its folder."""
 
@@ -53,9 +38,9 @@ class References:
 
     @cached_property
     def _lessons(self):
+        """{name of a lesson: its master}"""
         files = sorted(self._path.parent.glob("[0-9][0-9]_*.py"))
-        places = [LessonPlace(file.stem[:2], lesson_name(file.stem), file) for file in files]
-        return {place.name: place for place in places if place.name != place.path.stem}
+        return {lesson_name(file.stem): file for file in files if lesson_name(file.stem) != file.stem}
 
     @cached_property
     def _terms(self):
@@ -99,13 +84,12 @@ class References:
             word = name.removeprefix("term:")
             return label or word, self._find("term", word.casefold(), self._terms, target).address
         name, _, section = name.partition("#")
-        lesson = self._find("lesson", name, self._lessons, target)
-        address = f"{lesson.path.stem}.ipynb"
+        path = self._find("lesson", name, self._lessons, target)
+        address, number = f"{path.stem}.ipynb", path.stem[:2]
         if section:
-            address += f"#cell-id={self._section_cell(lesson, section, target)}"
-            return label or f"section {section} of lesson {lesson.number}", address
-        plain = f"lesson {lesson.number}"
-        return label or (f"{plain}, {lesson.title}" if in_prose else plain), address
+            address += f"#cell-id={self._section_cell(path, section, target)}"
+            return label or f"section {section} of lesson {number}", address
+        return label or f"lesson {number}" + (f", {_title(path)}" if in_prose else ""), address
 
     def _find(self, kind, name, known, target):
         if name in known:
@@ -116,13 +100,13 @@ class References:
             advice = f"did you mean {nearest[0]}?"
         raise MasterError(f"{self._place(target)}: [[{target}]] names no {kind}; {advice}")
 
-    def _section_cell(self, lesson, section, target):
+    def _section_cell(self, path, section, target):
         """The id of the cell that a section begins with."""
         heading = re.compile(rf"^#+ {section}\b", re.M)
-        for position, cell in enumerate(read_script(lesson.path).lesson_cells, 1):
+        for position, cell in enumerate(read_script(path).lesson_cells, 1):
             if cell.kind == "markdown" and heading.search(cell.source):
-                return f"{lesson.name}-{position}"
-        raise MasterError(f"{self._place(target)}: {lesson.path.name} has no section {section}")
+                return f"{lesson_name(path.stem)}-{position}"
+        raise MasterError(f"{self._place(target)}: {path.name} has no section {section}")
 
     def _place(self, target):
         files = (self._path, self._path.with_suffix(MISTAKES_SUFFIX))
@@ -134,6 +118,12 @@ class References:
             if f"[[{target}]]" in line
         )
         return next(places, self._path.name)
+
+
+def _title(path):
+    """The title of a lesson, of which the whole master is not read."""
+    match = _TITLE.search(path.read_text(encoding="utf-8"))
+    return match[1].strip("\"'") if match else lesson_name(path.stem).replace("_", " ").capitalize()
 
 
 def _capitalized(words, match, text):

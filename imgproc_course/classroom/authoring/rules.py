@@ -196,14 +196,17 @@ def _assert_problems(master):
 
 def _calls(cell, names):
     """The calls of the named functions in a cell."""
-    module = _parse(cell.source)
-    calls = [node for node in (ast.walk(module) if module else ()) if isinstance(node, ast.Call)]
+    calls = [node for node in _nodes(cell) if isinstance(node, ast.Call)]
     return [call for call in calls if isinstance(call.func, ast.Name) and call.func.id in names]
 
 
 def _asserts(cell):
+    return any(isinstance(node, ast.Assert) for node in _nodes(cell))
+
+
+def _nodes(cell):
     module = _parse(cell.source)
-    return module is not None and any(isinstance(node, ast.Assert) for node in ast.walk(module))
+    return ast.walk(module) if module else ()
 
 
 def _parse(source):

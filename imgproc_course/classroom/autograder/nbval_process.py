@@ -117,10 +117,8 @@ class NbvalProcess:
         command = [sys.executable, "-I", "-c", _PROGRAM, json.dumps(settings)]
         command += ["-c", str(folder / "pytest.ini"), "--rootdir", str(folder), "--noconftest"]
         command += ["--color=no", "-q", "-s"]
-        for name in _BLOCKED_PLUGINS:
-            command += ["-p", f"no:{name}"]
-        for name in _PLUGINS:
-            command += ["-p", name]
+        for plugin in (*(f"no:{name}" for name in _BLOCKED_PLUGINS), *_PLUGINS):
+            command += ["-p", plugin]
         inherited = ("PATH", "LANG", "HOME")
         environment = {name: os.environ[name] for name in inherited if name in os.environ}
         environment |= {

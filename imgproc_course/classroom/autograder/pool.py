@@ -236,7 +236,7 @@ def _not_graded(key, name, lesson, _answers, fault):
         for exercise in key.lessons[lesson].exercises
         if not exercise.practice
     )
-    return GradedSubmission(name, lesson, key.lessons[lesson].version, exercises)
+    return GradedSubmission(name, lesson, exercises)
 
 
 @contextlib.contextmanager

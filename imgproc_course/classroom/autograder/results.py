@@ -9,6 +9,7 @@ Texts are sanitized (no control characters) but not escaped for HTML: that is do
 import base64
 import builtins
 import hashlib
+import json
 import re
 from dataclasses import dataclass, is_dataclass
 
@@ -30,7 +31,6 @@ _EXCEPTIONS = frozenset(name for name, kind in vars(builtins).items() if isinsta
 class FailedCall:
     """The first call of a public case that failed.
 
-    number     index of the call within the case
     arguments  canonical forms of its arguments (their names: `KeyExercise.arguments`)
     expected   canonical form of the expected value
     actual     canonical form of the returned value, or None if nothing was returned
@@ -39,7 +39,6 @@ class FailedCall:
     `exercises.array_of`, `describe` and `compare` take canonical forms.
     """
 
-    number: int
     arguments: list
     expected: dict
     actual: dict | None
@@ -101,13 +100,11 @@ class GradedSubmission:
 
     name       the name that `autograde` was given for it
     lesson     name of the lesson
-    version    the version of the course that the key was made from
     exercises  GradedExercise of each graded exercise in the lesson's order; practice exercises are not graded
     """
 
     name: str
     lesson: str
-    version: str
     exercises: tuple
 
     @property
@@ -286,7 +283,6 @@ def _failed_call(content, case, verdict):
     calls = verdict.calls or []
     call = calls[number] if number < len(calls) else None
     return FailedCall(
-        number,
         content.canonical_arguments(case.id, number),
         expected[number],
         form_to_show(call.value, expected[number]) if call else None,
@@ -311,12 +307,7 @@ def form_to_show(form, expected):
 
 
 def _size(form):
-    """About the number of characters of a canonical form, as JSON."""
-    if isinstance(form, dict):
-        return 20 + sum(map(_size, form.values()))
-    if isinstance(form, list):
-        return 2 + sum(map(_size, form))
-    return len(form) if isinstance(form, str) else 8
+    return len(json.dumps(form))
 
 
 def _exception_text(name, text):

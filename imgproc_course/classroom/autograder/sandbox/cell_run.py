@@ -25,7 +25,7 @@ class CellRun:
     printed: str = ""
 
     def add(self, kind, content):
-        """Add a message; returns whether it was the cell's end. ValueError, TypeError, KeyError: no message."""
+        """Add a message; returns whether it ended the cell. ValueError, TypeError, KeyError: it is none."""
         if kind == "stream":
             self.printed = (self.printed + _text(content["text"]))[:_MAX_TEXT]
         elif kind in ("error", "idle"):

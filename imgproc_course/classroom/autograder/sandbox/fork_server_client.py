@@ -105,10 +105,7 @@ class ForkedKernel:
                 raise KernelEnded(self._how_it_ended())
             *lines, self._buffer = (self._buffer + data).split(b"\n")
             self._lines.extend(lines)
-        line = self._lines.popleft()
-        if len(line) > max_bytes:
-            raise KernelEnded("output")
-        return line
+        return self._lines.popleft()
 
     def _exchange(self, send_or_receive, argument):
         """The result of sending or receiving once; the kernel ends if time or memory runs out meanwhile."""
@@ -135,7 +132,11 @@ class ForkedKernel:
 
     def _how_it_ended(self):
         """The value of CellRun.ended for a kernel that ended by itself."""
-        status, self._id = self._fork_server.status_at_end(self._id), None
+        if self._id is None:  # somebody has asked before
+            return "crashed"
+        # A process closes its sockets a moment before its end is known: wait for that.
+        self._fork_server.end(self._id, patience=1.0)
+        status, self._id = self._fork_server.await_ends(), None
         if status is None:
             return "gone"
         if status["code"] == 70 and not self._is_confined:  # later, an answer can end with this code too
@@ -236,14 +237,6 @@ class ForkServer:
                 status = None
                 self.stop()
         return status
-
-    def status_at_end(self, kernel_id):
-        """How a kernel ended, or None: see `await_ends`."""
-        if kernel_id is None:
-            return {"signal": 0, "code": 0, "cpu": 0.0}
-        # A process closes its sockets a moment before its end is known: wait for that.
-        self.end(kernel_id, patience=1.0)
-        return self.await_ends()
 
     def ran_out_of_memory(self):
         """Whether the processes of all its kernels together use more memory than they may."""

@@ -138,7 +138,3 @@ def _end(child, patience):
         "code": os.WEXITSTATUS(status) if os.WIFEXITED(status) else 0,
         "cpu": usage.ru_utime + usage.ru_stime,
     }
-
-
-if __name__ == "__main__":
-    main()

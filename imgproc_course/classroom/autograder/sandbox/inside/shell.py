@@ -90,9 +90,6 @@ class AnswerPublisher(DisplayPublisher):
     def publish(self, data, metadata=None, **_ignored):
         WRITER.send_answer(data)
 
-    def clear_output(self, wait=False):
-        pass
-
 
 class AnswerDisplayHook(DisplayHook):
     """Makes the value of a cell's last expression ready to show, and sends it if it is an answer."""
