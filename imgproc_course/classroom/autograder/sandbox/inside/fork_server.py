@@ -3,7 +3,8 @@
 `fork_server_client` starts it with a socket (SOCK_SEQPACKET). It takes these orders:
     {"op": "fork", "id": 7}                   with the kernel's socket
     {"op": "end", "id": 7, "patience": 1.0}   kill the kernel and all that it started, if it does not end by
-                                              itself within a second; reply how it had ended
+                                              itself within a second; reply how it ended, null without
+                                              patience
 It ends when its socket is closed.
 """
 
@@ -97,7 +98,7 @@ def main():
     gc.collect()
     gc.freeze()
     control.send(b"ready")
-    kernels = {}
+    kernels, ending = {}, set()
     while True:
         text, descriptors, _, _ = socket.recv_fds(control, 1 << 20, 1)
         if not text:
@@ -106,9 +107,16 @@ def main():
         if order["op"] == "fork":
             child = _fork(control, descriptors[0], order["id"], settings, run_cells, namespace)
             kernels[order["id"]] = child
-        else:  # perhaps of a kernel of a fork server before this one
-            status = _end(kernels.pop(order["id"]), order["patience"]) if order["id"] in kernels else None
+        else:
+            child, status = kernels.pop(order["id"], None), None
+            if child is None:  # a kernel of a fork server before this one
+                pass
+            elif order["patience"]:
+                status = _end(child, order["patience"])
+            elif _kill(child, {*kernels.values(), *ending}):
+                ending.add(child)
             control.send(json.dumps(status).encode())
+        ending -= {child for child in ending if os.waitpid(child, os.WNOHANG)[0]}
 
 
 def _fork(control, descriptor, kernel_id, settings, run_cells, namespace):
@@ -121,6 +129,16 @@ def _fork(control, descriptor, kernel_id, settings, run_cells, namespace):
         confine.return_to_pid_namespace(namespace)
     os.close(descriptor)
     return child
+
+
+def _kill(child, others):
+    """Kill a kernel with all that it started; whether it had started nothing, and may go on ending."""
+    os.kill(child, signal.SIGKILL)  # first: until then it can start another one
+    started = {int(entry.name) for entry in os.scandir("/proc") if entry.name.isdigit()}
+    if started - others - {1, os.getpid(), child}:
+        os.waitpid(child, 0)
+        return False
+    return True  # the system takes some milliseconds to remove its namespaces
 
 
 def _end(child, patience):

@@ -102,7 +102,7 @@ class AnswerDisplayHook(DisplayHook):
 
 
 # Without one of these characters there is no magic, no shell command and no question for help.
-_ESCAPES = re.compile(r"[%!?]|^[ \t\f]*[,;/]", re.M)
+_ESCAPES = re.compile(r"[%?]|!(?!=)|^[ \t\f]*[,;/]", re.M)
 
 
 class FastTransformer(TransformerManager):
