@@ -5,8 +5,8 @@ the messages that come back, and lets a cell pass if there was no error, if ther
 stored, and if each output equals (`!=` is false) the stored one. A case gets its points only if nbval lets
 its cell pass. What ours does: `ExerciseKernel` takes the place of nbval's kernel and runs the cells in the
 sandbox; `verdict_on` makes the one comparison of what a check cell showed with the answer key, with the
-case's tolerance, as soon as the cell has run; and a `StoredVerdict` takes the place of the stored output, so
-nbval's `!=` reads that verdict and compares nothing a second time. The session loop takes submissions from a
+case's tolerance, as soon as the cell has run; and nbval is shown the verdict, which is stored as "passed", so
+nbval's `!=` reads it and compares nothing a second time. The session loop takes submissions from a
 socket as long as there are any.
 """
 
@@ -33,14 +33,14 @@ from imgproc_course.classroom.autograder.verdict import CaseRun, verdict_on
 # A kernel that ended like this may have been ended by something else than the answer: endings, try by try.
 _RUN_AGAIN_AFTER = (("crashed", "memory"), ("crashed", "gone"), ("crashed", "gone"))
 _MESSAGE_ID = "a cell's run"
+PASSED = "passed"  # the verdict that nbval finds stored for each check
 _NBVAL_COMMENT = re.compile(r"^([^\S\n]*#+[^\S\n]*)(NBVAL_\w+|PYTEST_VALIDATE_\w+)([^\S\n]*)$", re.M)
 
 
 class ExerciseKernel:
     """What nbval takes for its kernel, for one exercise.
 
-    nbval gets only the values that a check cell shows. What the function printed or drew costs nothing, as in
-    a lesson.
+    Of a check, nbval gets only the verdict. What the function printed or drew costs nothing, as in a lesson.
     """
 
     language = "python"
@@ -63,8 +63,8 @@ class ExerciseKernel:
 
     def _run_case(self, source):
         run = self._exercise_run.run(self.case, [*self._sources_before], source)
-        for answer in run.check.answers:
-            self._add_message("display_data", data={MIME: answer}, metadata={})
+        verdict = PASSED if run.passed else "not passed"
+        self._add_message("display_data", data={MIME: verdict}, metadata={})
         name, text = (run.ended, "") if run.ended else run.check.error
         if name:
             self._add_message("error", ename=name, evalue=text, traceback=[])
@@ -171,20 +171,6 @@ class ExerciseRun:
         self._kernel = None
 
 
-class StoredVerdict:
-    """Takes the place of a check cell's stored output: nbval's `stored != shown` reads the case's verdict."""
-
-    def __init__(self, exercise_run, case_id):
-        self._exercise_run, self._case_id = exercise_run, case_id
-
-    def __ne__(self, shown):
-        run = self._exercise_run.runs.get(self._case_id)
-        return run is None or not run.passed
-
-    def __repr__(self):
-        return "<the verdict>"  # nbval prints what differs
-
-
 class GradingPlugin:
     """The plugin's state: the keys, the kernels, and the socket to `NbvalProcess`."""
 
@@ -242,7 +228,7 @@ class GradingPlugin:
         items = list(notebook.collect())
         for item in items:
             if item.cell.id in cases:
-                item.cell.outputs[0].data[MIME] = StoredVerdict(exercise_run, item.cell.id)
+                item.cell.outputs[0].data[MIME] = PASSED
         for item, next_item in zip(items, [*items[1:], None], strict=True):
             self._exercise_kernel.case = cases.get(item.cell.id)
             self._phases, self._exception = [], None
@@ -264,9 +250,6 @@ class GradingPlugin:
 
     def pytest_exception_interact(self, call):
         self._exception = f"{call.excinfo.typename}: {call.excinfo.value}"
-
-    def pytest_assertrepr_compare(self, config, op, left, right):
-        return ["the values differ"]  # nbval would print both
 
     def pytest_sessionstart(self, session):
         reporter = session.config.pluginmanager.get_plugin("terminalreporter")

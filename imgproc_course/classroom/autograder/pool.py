@@ -89,7 +89,9 @@ def _grade_all(submissions, key, options, workers, executor):
                 submissions, workers * _QUEUE_PER_WORKER - len(queue.waiting)
             ):
                 key_of_submission = key if isinstance(key, Key) else key[name]
-                _check_lesson(lesson, key_of_submission)
+                if lesson not in key_of_submission.lessons:
+                    names = ", ".join(key_of_submission.lessons)
+                    raise ValueError(f"lesson {lesson!r} is not in the key, which has {names}")
                 queue.add((name, lesson, dict(answers)), key_of_submission)
             if not queue.waiting:
                 return
@@ -170,11 +172,6 @@ def _one_share_each(limits, exercises):
     limits = limits or Limits()
     share = limits.submission / sum(len(exercise.cases) for exercise in exercises)
     return replace(limits, wall_factor=0, wall_grace=share)
-
-
-def _check_lesson(lesson, key):
-    if lesson not in key.lessons:
-        raise ValueError(f"lesson {lesson!r} is not in the key, which has {', '.join(key.lessons)}")
 
 
 def grade_one(submission, key_folder, digest, *, unsafe=False, limits=None):

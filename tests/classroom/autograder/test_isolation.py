@@ -8,7 +8,7 @@ from attacks import LESSON, RIGHT, SHORT
 from jupyter_kernel import JupyterFactory
 
 from imgproc_course.classroom.autograder import verdict
-from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun, StoredVerdict
+from imgproc_course.classroom.autograder.nbval_plugin import MIME, PASSED, ExerciseKernel, ExerciseRun
 from imgproc_course.classroom.autograder.pool import Limits, SandboxError, autograde
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.classroom.exercises.comparison import compare
@@ -160,17 +160,19 @@ def test_a_case_is_compared_once_and_nbval_reads_that_verdict(key, right, monkey
         return compare(*arguments, **options)
 
     monkeypatch.setattr(verdict, "compare", counted)
-    runs = {}
-    for name, source in (("right", right["attacked-mean"]), ("wrong", "def mean(values):\n    return 0.0")):
+    for is_right, source in ((True, right["attacked-mean"]), (False, "def mean(values):\n    return 0.0")):
         with exercise_run_of(key) as (exercise_run, before, checks):
-            before = [*before, source]
+            kernel, shown = ExerciseKernel(exercise_run), []
+            for cell in (*before, source):
+                kernel.execute_cell_input(cell)
+                assert kernel.get_message("iopub")["msg_type"] == "status"
             for case, check in checks:
-                runs[name, case.hidden] = exercise_run.run(case, before, check)
-            stored = [StoredVerdict(exercise_run, case.id) for case, _ in checks]
-            differs = [output != "anything that nbval read" for output in stored]
-            assert differs == [name == "wrong"] * 2
-            assert StoredVerdict(exercise_run, "a case that did not run") != {}
-    assert [run.passed for run in runs.values()] == [True, True, False, False]
+                kernel.case = case
+                kernel.execute_cell_input(check)
+                shown.append(kernel.get_message("iopub")["content"]["data"])
+                assert kernel.get_message("iopub")["msg_type"] == "status"
+            assert [data == {MIME: PASSED} for data in shown] == [is_right] * 2
+            assert [run.passed for run in exercise_run.runs.values()] == [is_right] * 2
     assert len(comparisons) == 4
 
 

@@ -139,7 +139,9 @@ def sandbox_command(confined):
     if not confined:
         return [sys.executable, *_PYTHON_OPTIONS]
     command = [shutil.which("bwrap") or "bwrap", "--die-with-parent", "--new-session", "--clearenv"]
-    command += [*_namespace_options(), *_environment_options(), *_system_folders()]
+    for name, value in environment().items():
+        command += ["--setenv", name, value]
+    command += [*_namespace_options(), *_system_folders()]
     command += ["--proc", "/proc", "--dev", "/dev", "--perms", "1777", "--tmpfs", "/dev/shm"]
     command += ["--perms", "1777", "--tmpfs", "/tmp", *_site_packages(), *_course_packages()]
     # If the user does not really change, kernels own these folders: the next kernel would find what one
@@ -157,10 +159,6 @@ def _namespace_options():
     for name in _CAPABILITIES:
         options += ["--cap-add", f"CAP_{name}"]
     return options
-
-
-def _environment_options():
-    return [option for name, value in environment().items() for option in ("--setenv", name, value)]
 
 
 def _bind(source, mount_point=None):

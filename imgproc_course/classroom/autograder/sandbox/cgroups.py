@@ -5,6 +5,7 @@ hundred and twenty. Versions 1 and 2 of control groups are supported. A user who
 neither; then the code that waits for the processes asks for the sum of their sizes.
 """
 
+import itertools
 import os
 import subprocess
 from contextlib import suppress
@@ -14,6 +15,7 @@ import psutil
 
 _ROOT = Path("/sys/fs/cgroup")
 _PREFIX = "imgproc-course-"
+_numbers = itertools.count()  # of the groups of this process
 _OWN_MEMORY = 256 << 20  # of the fork server and of a waiting kernel
 # Reading ends when this process closes the pipe or ends, however it ends. Then the guard ends what is left in
 # the groups, and removes them: within a second, or after eight it leaves them to the next run.
@@ -35,6 +37,8 @@ class ProcessGroup:
 
     def __init__(self, memory, processes, *, use_cgroups=True):
         self.folders = []
+        # Of each group its own: the guard ends what is in the folders.
+        self._name = f"{_PREFIX}{next(_numbers)}-{os.getpid()}"
         self._max_memory = memory + _OWN_MEMORY
         limits = {
             "memory": {"memory.limit_in_bytes": self._max_memory, "memory.max": self._max_memory},
@@ -58,19 +62,18 @@ class ProcessGroup:
 
     def _make_cgroup(self, parent, values):
         """Make a control group there, unless there is one, with these limits; returns whether it has one."""
-        folder, files_set = parent / f"{_PREFIX}{os.getpid()}", []
+        folder, files_set = parent / self._name, []
         with suppress(OSError):
             _remove_abandoned(parent)
             folder.mkdir(exist_ok=True)
             files_set = [_set(folder / name, value) for name, value in values.items()]
-        if folder in self.folders:
-            return any(files_set)
-        if any(files_set):
+        is_limited = any(files_set)
+        if folder not in self.folders and is_limited:
             self.folders.append(folder)
-        else:
+        elif folder not in self.folders:
             with suppress(OSError):
                 folder.rmdir()
-        return any(files_set)
+        return is_limited
 
     def _start_guard(self):
         return subprocess.Popen(
@@ -181,6 +184,6 @@ def _parent_folders(controller):
 def _remove_abandoned(parent):
     """Remove groups whose autograder was killed."""
     for folder in parent.glob(f"{_PREFIX}*"):
-        if not Path("/proc", folder.name.removeprefix(_PREFIX)).exists():
+        if not Path("/proc", folder.name.rpartition("-")[2]).exists():
             with suppress(OSError):
                 folder.rmdir()

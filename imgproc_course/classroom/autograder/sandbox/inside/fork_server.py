@@ -143,14 +143,12 @@ def _kill(child, others):
 
 def _end(child, patience):
     """How a kernel ended: by itself within `patience` seconds (signal or exit code), or killed here."""
-    ended_child, status, usage = os.wait4(child, os.WNOHANG)
-    give_up = time.monotonic() + patience
-    while ended_child == 0 and time.monotonic() < give_up:
-        time.sleep(0.001)
+    ended_child, give_up = 0, time.monotonic() + patience
+    while ended_child == 0:
+        if time.monotonic() > give_up:
+            os.kill(child, signal.SIGKILL)
         ended_child, status, usage = os.wait4(child, os.WNOHANG)
-    if ended_child == 0:
-        os.kill(child, signal.SIGKILL)
-        _, status, usage = os.wait4(child, 0)
+        time.sleep(0.001)
     return {
         "signal": os.WTERMSIG(status) if os.WIFSIGNALED(status) else 0,
         "code": os.WEXITSTATUS(status) if os.WIFEXITED(status) else 0,
