@@ -39,44 +39,30 @@ def build(masters_dir, lessons_dir, solved_dir, names=(), progress=print, *, wit
     Each lesson is built alone and written when it is complete. A failure or Ctrl-C costs only that lesson:
     its stored file stays as it was. `progress` takes a line of text.
     """
-    result = BuildResult()
-    for path, twins, files, problem in _build_each(masters_dir, lessons_dir, names, progress, solved=True):
-        if problem:
-            result.problems.append(problem)
-            continue
-        for folder, notebook in zip((lessons_dir, solved_dir), twins, strict=True):
-            text = nbformat.writes(notebook) + "\n"
-            write_file(Path(folder) / f"{path.stem}.ipynb", text, permissions=0o644)
-        _write_lesson_files(files, Path(lessons_dir), with_solutions=with_solutions)
-        result.built.append(path.stem)
+    result, folder = BuildResult(), Path(lessons_dir)
+    for name, twins, files in _build_each(result, masters_dir, folder, names, progress, solved=True):
+        for twin, folder_of_twin in zip(twins, (folder, Path(solved_dir)), strict=True):
+            text = nbformat.writes(twin) + "\n"
+            write_file(folder_of_twin / f"{name}.ipynb", text, permissions=0o644)
+        _write_lesson_files(files, folder, with_solutions=with_solutions)
     if not names:
-        result.problems += _write_pages(masters_dir, Path(lessons_dir))
-        result.problems += _orphans(masters_dir, lessons_dir)
+        try:
+            for name, text in build_pages(masters_dir).items():
+                write_file(folder / name, text, permissions=0o644)
+        except MasterError as error:
+            result.problems.append(str(error))
+        result.problems += _orphans(masters_dir, folder)
     return result
-
-
-def _write_pages(masters_dir, lessons_dir):
-    try:
-        pages = build_pages(masters_dir)
-    except MasterError as error:
-        return [str(error)]
-    for name, text in pages.items():
-        write_file(lessons_dir / name, text, permissions=0o644)
-    return []
 
 
 def compare_lessons(masters_dir, lessons_dir, names=(), progress=print):
     """Build lessons without writing them; the problems of the BuildResult say how the stored ones differ."""
-    result = BuildResult()
-    for path, twins, files, problem in _build_each(masters_dir, lessons_dir, names, progress, solved=False):
-        if problem:
-            result.problems.append(problem)
-            continue
-        result.problems += differences(twins[0], Path(lessons_dir) / f"{path.stem}.ipynb")
-        result.problems += lesson_file_differences(files, Path(lessons_dir))
-        result.built.append(path.stem)
+    result, folder = BuildResult(), Path(lessons_dir)
+    for name, (lesson,), files in _build_each(result, masters_dir, folder, names, progress, solved=False):
+        result.problems += differences(lesson, folder / f"{name}.ipynb")
+        result.problems += lesson_file_differences(files, folder)
     if not names:
-        result.problems += compare_other_files(masters_dir, lessons_dir)
+        result.problems += compare_other_files(masters_dir, folder)
     return result
 
 
@@ -97,24 +83,25 @@ def _write_lesson_files(files, folder, *, with_solutions):
             (folder / name).unlink(missing_ok=True)  # of a build with solutions
 
 
-def _build_each(masters_dir, lessons_dir, names, progress, *, solved):
+def _build_each(result, masters_dir, lessons_dir, names, progress, *, solved):
+    """(name, [lesson, and its solved twin], lesson files) of each that builds; `result` tells of all."""
     for path in _masters_to_build(masters_dir, names):
         start = time.monotonic()
         progress(f"{path.stem} ...")
         try:
             master = read_valid_master(path)
             files = lesson_files(master)
-            twins = [build_lesson(master, Path(lessons_dir) / f"{path.stem}.ipynb")]
-            if solved:
-                twins.append(build_solved(master))
+            twins = [build_lesson(master, lessons_dir / f"{path.stem}.ipynb")]
+            twins += [build_solved(master)] if solved else []
         except MasterError as error:
-            yield path, None, {}, str(error)
+            result.problems.append(str(error))
             continue
         kilobytes = len(nbformat.writes(twins[0])) / 1000
         check_kilobytes = sum(len(text) for name, text in files.items() if name.startswith(CHECKS)) / 1000
         sizes = f"{kilobytes:.0f} kB, checks {check_kilobytes:.0f} kB"
         progress(f"{path.stem}: {sizes}, {time.monotonic() - start:.0f} s")
-        yield path, twins, files, ""
+        yield path.stem, twins, files
+        result.built.append(path.stem)
 
 
 def _masters_to_build(folder, names=()):
@@ -134,7 +121,7 @@ def read_valid_master(path):
     return master
 
 
-def build_lesson(master, stored_path=None, executed=None):
+def build_lesson(master, stored_path, executed=None):
     """The lesson of a master, executed; a cell whose output varies keeps its output in the stored lesson.
 
     `executed` is `lesson_notebook` with the outputs of its execution. MasterError: an error in a cell, or an
@@ -201,33 +188,25 @@ def _cell_metadata(cell):
 
 def _keep_varying_outputs(notebook, stored_path, master):
     """A cell whose output varies keeps its stored output if no code up to it has changed."""
-    stored = _read_stored(stored_path)
-    if stored is None:
-        return
-    stored_cells = {cell.id: cell for cell in stored.cells}
-    for cell, master_cell in zip(notebook.cells, master.cells, strict=True):
-        unchanged = cell.id in stored_cells and _code_up_to(notebook, cell.id) == _code_up_to(stored, cell.id)
-        if master_cell.varies and unchanged:
-            cell.outputs = stored_cells[cell.id].outputs
+    stored = _read_stored(stored_path) or new_notebook()
+    outputs = {code: cell.outputs for cell, code in _code_cells(stored)}
+    varying = {cell.id for cell in master.cells if cell.varies}
+    for cell, code in _code_cells(notebook):
+        if cell.id in varying:
+            cell.outputs = outputs.get(code, cell.outputs)
 
 
-def _code_up_to(notebook, id):
-    sources = []
-    for cell in notebook.cells:
-        if cell.cell_type == "code":
-            sources.append(cell.source)
-        if cell.id == id:
-            return sources
-    return None
+def _code_cells(notebook):
+    """Each code cell, and the code up to it."""
+    code = [cell for cell in notebook.cells if cell.cell_type == "code"]
+    return [(cell, tuple(each.source for each in code[: number + 1])) for number, cell in enumerate(code)]
 
 
 def _read_stored(path):
     """A stored lesson, or None if the file is missing or cannot be read."""
-    if path is None or not Path(path).is_file():
-        return None
     try:
         return nbformat.read(path, as_version=4)
-    except (ValueError, AttributeError, KeyError, TypeError):  # cut short, merged by hand, not a notebook
+    except (OSError, ValueError, AttributeError, KeyError, TypeError):  # cut short, merged by hand, ...
         return None
 
 

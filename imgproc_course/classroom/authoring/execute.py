@@ -9,10 +9,12 @@ import os
 import re
 import subprocess
 import tempfile
+from itertools import groupby
 from pathlib import Path
 
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError, CellTimeoutError, DeadKernelError
+from nbformat.v4 import new_output
 from PIL import Image
 
 from imgproc_course.classroom.authoring.rules import RAISING_TAGS
@@ -124,20 +126,14 @@ def _normalize_output(output, count):
 def _merge_streams(outputs):
     """Neighbouring chunks of one stream as one; stdout before stderr, because their order is a race."""
     merged = []
-    for output in outputs:
-        last = merged[-1] if merged else None
-        if output.output_type != "stream":
-            merged.append(output)
-        elif last is not None and last.output_type == "stream" and last.name == output.name:
-            last.text += output.text
-        elif last is not None and last.output_type == "stream" and output.name == "stdout":
-            before = merged[-2] if len(merged) > 1 else None
-            if before is not None and before.output_type == "stream":
-                before.text += output.text
-            else:
-                merged.insert(-1, output)
-        else:
-            merged.append(output)
+    for kind, neighbours in groupby(outputs, lambda output: output.output_type):
+        neighbours = list(neighbours)
+        if kind == "stream":
+            texts = {"stdout": "", "stderr": ""}
+            for output in neighbours:
+                texts[output.name] += output.text
+            neighbours = [new_output(kind, name=name, text=text) for name, text in texts.items() if text]
+        merged += neighbours
     return merged
 
 
@@ -152,39 +148,20 @@ def _remove_png_metadata(encoded):
 
 def refuse_traces(notebook, master):
     """Refuse outputs with a path of this machine, or with an address, which changes from run to run."""
-    paths = _machine_paths(master)
+    folders = {Path(__file__).resolve().parents[3], Path.home(), master.path.parent.resolve()}
+    paths = [re.escape(str(folder)) + r"(?![\w.-])" for folder in sorted(folders) if folder != Path("/")]
+    paths = re.compile("|".join([*paths, re.escape(f"{tempfile.gettempdir()}/lesson-")]))
     for cell, master_cell in zip(notebook.cells, master.cells, strict=True):
         if master_cell.kind != "code":
             continue
-        text = "\n".join(output_texts(cell))
-        for path in paths:
-            if _names_path(text, path):
-                raise MasterError(
-                    f"{master.path.name}: cell {cell.id}: its output contains a path of this machine, {path}"
-                )
-        address = None if master_cell.varies else _ADDRESS.search(text)
-        if address:
-            raise MasterError(
-                f"{master.path.name}: cell {cell.id}: its output contains the address {address[0]}, which"
-                " changes with every run; show the value instead of the object"
-            )
-
-
-def _machine_paths(master):
-    checkout = Path(__file__).resolve().parents[3]
-    paths = {
-        str(checkout),
-        str(Path.home()),
-        tempfile.gettempdir() + "/lesson-",
-        str(master.path.parent.resolve()),
-    }
-    return sorted(path for path in paths if len(path) > 1)
-
-
-def _names_path(text, path):
-    escaped = re.escape(path)
-    is_named = re.search(escaped + r"(?![\w.-])|" + escaped + "/", text)
-    return bool(is_named) or (path.endswith("-") and path in text)
+        text, trace = "\n".join(output_texts(cell)), ""
+        if path := paths.search(text):
+            trace = f"a path of this machine, {path[0]}"
+        elif not master_cell.varies and (address := _ADDRESS.search(text)):
+            trace = f"the address {address[0]}, which changes with every run; show the value instead of the"
+            trace += " object"
+        if trace:
+            raise MasterError(f"{master.path.name}: cell {cell.id}: its output contains {trace}")
 
 
 def output_texts(cell):

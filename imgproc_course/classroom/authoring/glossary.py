@@ -9,7 +9,6 @@ ordinary = true                          also an ordinary English word, which `e
 
 import tomllib
 from dataclasses import dataclass
-from functools import lru_cache
 from pathlib import Path
 
 from imgproc_course.classroom.exercises.percent_script import MasterError
@@ -51,13 +50,8 @@ class Term:
 def read_glossary(path):
     """The Terms of a glossary.toml in alphabetical order; none without the file. MasterError names faults."""
     path = Path(path)
-    return _read_glossary(path, path.stat().st_mtime_ns) if path.exists() else ()
-
-
-@lru_cache(maxsize=8)
-def _read_glossary(path, _modified):
     try:
-        entries = tomllib.loads(path.read_text(encoding="utf-8"))
+        entries = tomllib.loads(path.read_text(encoding="utf-8")) if path.exists() else {}
     except tomllib.TOMLDecodeError as error:
         raise MasterError(f"{path.name}: it is not TOML: {error}") from error
     terms = [_read_term(path, name, entry) for name, entry in entries.items()]

@@ -32,8 +32,6 @@ def new_lesson(name, folder):
         folder.mkdir(parents=True, exist_ok=True)
         with path.open("x", encoding="utf-8") as file:
             file.write(text)
-    except FileExistsError as error:
-        raise MasterError(f"{path}: a lesson with that name exists; choose another name") from error
     except OSError as error:
         raise MasterError(f"{path}: cannot be written ({error.strerror})") from error
     return path

@@ -12,12 +12,12 @@ import difflib
 import io
 import re
 import tokenize
-from dataclasses import dataclass
 from functools import cached_property
+from itertools import accumulate
 from pathlib import Path
 
 from imgproc_course.classroom.authoring.glossary import GLOSSARY, read_glossary
-from imgproc_course.classroom.authoring.lesson_names import LESSON_FILE
+from imgproc_course.classroom.authoring.lesson_names import lesson_name
 from imgproc_course.classroom.exercises.percent_script import MISTAKES_SUFFIX, MasterError, read_script
 
 _IN_PROSE = re.compile(
@@ -30,20 +30,6 @@ _AT_START = re.compile(r"(?:\A|\n[^\S\n]*\n|[.!?] )\Z")
 _WITH_WORDS = {tokenize.COMMENT, tokenize.STRING, getattr(tokenize, "FSTRING_MIDDLE", tokenize.STRING)}
 
 
-@dataclass(frozen=True)
-class LessonPlace:
-    """Where a lesson is in the course: its number is only the order, its name is its identity."""
-
-    number: str
-    name: str
-    path: Path
-
-    @cached_property
-    def title(self):
-        match = _TITLE.search(self.path.read_text(encoding="utf-8"))
-        return match[1].strip("\"'") if match else self.name.replace("_", " ").capitalize()
-
-
 class References:
     """The references of the master with this path, to the lessons and the glossary of its folder."""
 
@@ -52,14 +38,9 @@ class References:
 
     @cached_property
     def _lessons(self):
-        matches = (
-            (file, LESSON_FILE.fullmatch(file.stem)) for file in sorted(self._path.parent.glob("*.py"))
-        )
-        return {
-            match["name"]: LessonPlace(match["number"], match["name"], file)
-            for file, match in matches
-            if match
-        }
+        """{name of a lesson: its master}"""
+        files = sorted(self._path.parent.glob("[0-9][0-9]_*.py"))
+        return {lesson_name(file.stem): file for file in files if lesson_name(file.stem) != file.stem}
 
     @cached_property
     def _terms(self):
@@ -84,14 +65,11 @@ class References:
         """Code whose comments and strings have plain words in place of references."""
         if not _IN_CODE.search(source):
             return source
-        lines = source.splitlines(keepends=True)
         try:
             tokens = list(tokenize.generate_tokens(io.StringIO(source).readline))
         except (tokenize.TokenError, SyntaxError):  # a cell with a magic
             return self.in_text(source)
-        starts = [0]
-        for line in lines:
-            starts.append(starts[-1] + len(line))
+        starts = list(accumulate(map(len, source.splitlines(keepends=True)), initial=0))
         for token in reversed(tokens):
             if token.type in _WITH_WORDS:
                 begin = starts[token.start[0] - 1] + token.start[1]
@@ -103,41 +81,32 @@ class References:
         """(the words, the address) of what stands between the brackets."""
         name, _, label = target.partition("|")
         if name.startswith("term:"):
-            term = self._term(name.removeprefix("term:"), target)
-            return label or name.removeprefix("term:"), term.address
+            word = name.removeprefix("term:")
+            return label or word, self._find("term", word.casefold(), self._terms, target).address
         name, _, section = name.partition("#")
-        lesson = self._lesson(name, target)
-        address = f"{lesson.path.stem}.ipynb"
+        path = self._find("lesson", name, self._lessons, target)
+        address, number = f"{path.stem}.ipynb", path.stem[:2]
         if section:
-            address += f"#cell-id={self._section_cell(lesson, section, target)}"
-            return label or f"section {section} of lesson {lesson.number}", address
-        plain = f"lesson {lesson.number}"
-        return label or (f"{plain}, {lesson.title}" if in_prose else plain), address
+            address += f"#cell-id={self._section_cell(path, section, target)}"
+            return label or f"section {section} of lesson {number}", address
+        return label or f"lesson {number}" + (f", {_title(path)}" if in_prose else ""), address
 
-    def _lesson(self, name, target):
-        if name not in self._lessons:
-            raise MasterError(self._unknown(target, "lesson", name, self._lessons))
-        return self._lessons[name]
+    def _find(self, kind, name, known, target):
+        if name in known:
+            return known[name]
+        nearest = difflib.get_close_matches(name, list(known), n=1, cutoff=0.4)
+        advice = f"there are: {', '.join(sorted(known)) or 'none'}"
+        if nearest:
+            advice = f"did you mean {nearest[0]}?"
+        raise MasterError(f"{self._place(target)}: [[{target}]] names no {kind}; {advice}")
 
-    def _term(self, name, target):
-        if name.casefold() not in self._terms:
-            raise MasterError(self._unknown(target, "term", name, self._terms))
-        return self._terms[name.casefold()]
-
-    def _section_cell(self, lesson, section, target):
+    def _section_cell(self, path, section, target):
         """The id of the cell that a section begins with."""
         heading = re.compile(rf"^#+ {section}\b", re.M)
-        for position, cell in enumerate(read_script(lesson.path).lesson_cells, 1):
+        for position, cell in enumerate(read_script(path).lesson_cells, 1):
             if cell.kind == "markdown" and heading.search(cell.source):
-                return f"{lesson.name}-{position}"
-        raise MasterError(f"{self._place(target)}: {lesson.path.name} has no section {section}")
-
-    def _unknown(self, target, kind, name, known):
-        nearest = difflib.get_close_matches(name, list(known), n=1, cutoff=0.4)
-        advice = (
-            f"did you mean {nearest[0]}?" if nearest else f"there are: {', '.join(sorted(known)) or 'none'}"
-        )
-        return f"{self._place(target)}: [[{target}]] names no {kind}; {advice}"
+                return f"{lesson_name(path.stem)}-{position}"
+        raise MasterError(f"{self._place(target)}: {path.name} has no section {section}")
 
     def _place(self, target):
         files = (self._path, self._path.with_suffix(MISTAKES_SUFFIX))
@@ -149,6 +118,12 @@ class References:
             if f"[[{target}]]" in line
         )
         return next(places, self._path.name)
+
+
+def _title(path):
+    """The title of a lesson, of which the whole master is not read."""
+    match = _TITLE.search(path.read_text(encoding="utf-8"))
+    return match[1].strip("\"'") if match else lesson_name(path.stem).replace("_", " ").capitalize()
 
 
 def _capitalized(words, match, text):

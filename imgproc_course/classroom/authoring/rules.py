@@ -3,6 +3,8 @@
 import ast
 import re
 
+from imgproc_course.classroom.exercises.cell_syntax import bound_names
+
 VARYING_TAG = "nbval-ignore-output"
 RAISING_TAGS = ("nbval-raises-exception", "raises-exception")
 CHECK_LINE, TEXTS_LINE = "# Check: ", "# The captions and alt texts of the figures"
@@ -23,31 +25,33 @@ def master_problems(master):
         first_line = cell.source.splitlines()[0] if cell.source else "(empty)"
         problems += [f"{cell.id}: {problem}\n    {first_line}" for problem in _cell_problems(cell, next_cell)]
     problems += [*_prediction_problems(master), *_assert_problems(master)]
-    return problems + [problem for exercise in master.exercises for problem in _exercise_problems(exercise)]
+    for exercise in master.exercises:
+        rules = _exercise_rules(exercise)
+        problems += [f"exercise {exercise.id} {problem}" for is_broken, problem in rules if is_broken]
+    return problems
 
 
-def _exercise_problems(exercise):
-    if not exercise.public:
-        yield f'exercise {exercise.id} has no role="case"; without one, `check` has nothing to run'
-    if not exercise.hidden:
-        yield f'exercise {exercise.id} has no role="hidden"; an answer could copy the public values'
-    if not exercise.mistakes:
-        yield f'exercise {exercise.id} has no role="mistake"; which wrong answer do learners give?'
-    if len(exercise.hints) != HINTS or not all(_is_text(text) for text in exercise.hints):
-        yield (
-            f"exercise {exercise.id} needs hints=(...) with {HINTS} texts: a question that points to the"
-            f" idea, the steps in words, nearly the code; it has {len(exercise.hints)}"
-        )
-    if not _is_text(exercise.explanation):
-        yield f"exercise {exercise.id} needs explanation=...: why is its solution written in this way?"
-    if not _is_text(exercise.another_way):
-        yield f'exercise {exercise.id} needs another_way="You can also write ...", one sentence'
-    names = [mistake.name for mistake in exercise.mistakes]
-    yield from (
-        f"exercise {exercise.id} declares the mistake {name!r} twice"
-        for name in sorted(set(names))
-        if names.count(name) > 1
+def _exercise_rules(exercise):
+    """(whether an exercise breaks the rule, the problem) of each rule."""
+    hints = exercise.hints
+    yield not exercise.public, 'has no role="case"; without one, `check` has nothing to run'
+    yield not exercise.hidden, 'has no role="hidden"; an answer could copy the public values'
+    yield not exercise.mistakes, 'has no role="mistake"; which wrong answer do learners give?'
+    yield (
+        len(hints) != HINTS or not all(map(_is_text, hints)),
+        f"needs hints=(...) with {HINTS} texts: a question that points to the idea, the steps in words,"
+        f" nearly the code; it has {len(hints)}",
     )
+    why = "needs explanation=...: why is its solution written in this way?"
+    yield not _is_text(exercise.explanation), why
+    another_way = 'needs another_way="You can also write ...", one sentence'
+    yield not _is_text(exercise.another_way), another_way
+    for name in _repeated([mistake.name for mistake in exercise.mistakes]):
+        yield True, f"declares the mistake {name!r} twice"
+
+
+def _repeated(names):
+    return sorted({name for name in names if names.count(name) > 1})
 
 
 def _is_text(value):
@@ -67,13 +71,13 @@ def _name_problems(master):
     functions = {exercise.function for exercise in master.exercises}
     for cell in master.cells:
         if cell.kind == "code" and not cell.role:
-            for name in sorted(functions & _names_bound(cell)):
+            for name in sorted(functions & bound_names(cell.source)):
                 yield f"{cell.id} defines {name}, which is the name of an exercise's function; rename it"
 
 
 def _id_problems(master):
     ids = [cell.id for cell in master.cells]
-    yield from (f"two cells have the id {id}" for id in sorted(set(ids)) if ids.count(id) > 1)
+    yield from (f"two cells have the id {id}" for id in _repeated(ids))
     yield from (
         f"the id {id} is longer than the {_MOST_ID_CHARACTERS} characters that a notebook allows"
         for id in ids
@@ -134,7 +138,7 @@ def _figure_problems(cell):
 def _folding_problems(cell):
     module = _parse(cell.source)
     if cell.source.startswith(TEXTS_LINE):
-        if module is None or _names_bound(cell) != {"figure_texts"} or len(module.body) != 1:
+        if module is None or bound_names(cell.source) != {"figure_texts"} or len(module.body) != 1:
             yield f"a cell that begins with '{TEXTS_LINE}' holds only figure_texts = {{...}}"
     elif not _asserts(cell) or not all(_belongs_to_asserts(node) for node in module.body):
         yield f"a cell that begins with '{CHECK_LINE}' is folded: it holds only asserts, and names for them"
@@ -171,29 +175,17 @@ def _guess_name(cell):
 
 def _cell_after(master, predict_cell):
     """The next code cell that can compare: not one that raises."""
-    position = master.cells.index(predict_cell)
-    return next(
-        (
-            cell
-            for cell in master.cells[position + 1 :]
-            if cell.kind == "code" and not set(cell.tags) & set(RAISING_TAGS)
-        ),
-        None,
-    )
+    cells = master.cells[master.cells.index(predict_cell) + 1 :]
+    may_compare = (cell for cell in cells if cell.kind == "code" and not {*cell.tags} & {*RAISING_TAGS})
+    return next(may_compare, None)
 
 
 def _is_compared(guess, cell):
     module = _parse(cell.source) if cell else None
-    if module is None or not module.body or not isinstance(module.body[-1], ast.Expr):
-        return False
-    call = module.body[-1].value
-    return (
-        call in _calls(cell, ("compare_guess",), module)
-        and len(call.args) > 1
-        and isinstance(call.args[0], ast.Name)
-        and call.args[0].id == guess
-        and any(isinstance(node, ast.Name) for node in ast.walk(call.args[1]))
-    )
+    match module and module.body[-1:]:
+        case [ast.Expr(ast.Call(ast.Name("compare_guess"), [ast.Name(name), value, *_]))]:
+            return name == guess and any(isinstance(node, ast.Name) for node in ast.walk(value))
+    return False
 
 
 def _assert_problems(master):
@@ -202,30 +194,19 @@ def _assert_problems(master):
             yield f"{cell.id}: move its asserts into a cell that begins with '{CHECK_LINE}'"
 
 
-def _calls(cell, names, module=None):
+def _calls(cell, names):
     """The calls of the named functions in a cell."""
-    module = module or _parse(cell.source)
-    return [
-        node
-        for node in (ast.walk(module) if module else ())
-        if isinstance(node, ast.Call) and isinstance(node.func, ast.Name) and node.func.id in names
-    ]
-
-
-def _names_bound(cell):
-    """What a cell defines for the cells after it: its functions, classes and variables."""
-    module = _parse(cell.source)
-    if module is None:
-        return set()
-    definitions = {node.name for node in module.body if isinstance(node, ast.FunctionDef | ast.ClassDef)}
-    statements = [node for node in module.body if not isinstance(node, ast.FunctionDef | ast.ClassDef)]
-    names = (name for node in statements for name in ast.walk(node) if isinstance(name, ast.Name))
-    return definitions | {name.id for name in names if isinstance(name.ctx, ast.Store)}
+    calls = [node for node in _nodes(cell) if isinstance(node, ast.Call)]
+    return [call for call in calls if isinstance(call.func, ast.Name) and call.func.id in names]
 
 
 def _asserts(cell):
+    return any(isinstance(node, ast.Assert) for node in _nodes(cell))
+
+
+def _nodes(cell):
     module = _parse(cell.source)
-    return module is not None and any(isinstance(node, ast.Assert) for node in ast.walk(module))
+    return ast.walk(module) if module else ()
 
 
 def _parse(source):

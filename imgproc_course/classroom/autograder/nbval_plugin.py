@@ -5,8 +5,8 @@ the messages that come back, and lets a cell pass if there was no error, if ther
 stored, and if each output equals (`!=` is false) the stored one. A case gets its points only if nbval lets
 its cell pass. What ours does: `ExerciseKernel` takes the place of nbval's kernel and runs the cells in the
 sandbox; `verdict_on` makes the one comparison of what a check cell showed with the answer key, with the
-case's tolerance, as soon as the cell has run; and a `StoredVerdict` takes the place of the stored output, so
-nbval's `!=` reads that verdict and compares nothing a second time. The session loop takes submissions from a
+case's tolerance, as soon as the cell has run; and nbval is shown the verdict, which is stored as "passed", so
+nbval's `!=` reads it and compares nothing a second time. The session loop takes submissions from a
 socket as long as there are any.
 """
 
@@ -19,7 +19,7 @@ from pathlib import Path
 
 import pytest
 
-from imgproc_course.classroom.autograder.answer_key import load_key
+from imgproc_course.classroom.autograder.pool import expected_key
 from imgproc_course.classroom.autograder.results import (
     GradedSubmission,
     graded_exercise,
@@ -30,51 +30,47 @@ from imgproc_course.classroom.autograder.sandbox.cell_run import MIME, CellRun
 from imgproc_course.classroom.autograder.screening import reason_not_to_run
 from imgproc_course.classroom.autograder.verdict import CaseRun, verdict_on
 
-# A kernel that ended like this may have been ended by something else than the answer.
-_RUN_AGAIN_AFTER = ("crashed", "memory")
+# A kernel that ended like this may have been ended by something else than the answer: endings, try by try.
+_RUN_AGAIN_AFTER = (("crashed", "memory"), ("crashed", "gone"), ("crashed", "gone"))
+_MESSAGE_ID = "a cell's run"
+PASSED = "passed"  # the verdict that nbval finds stored for each check
 _NBVAL_COMMENT = re.compile(r"^([^\S\n]*#+[^\S\n]*)(NBVAL_\w+|PYTEST_VALIDATE_\w+)([^\S\n]*)$", re.M)
 
 
 class ExerciseKernel:
     """What nbval takes for its kernel, for one exercise.
 
-    nbval gets only the values that a check cell shows. What the function printed or drew costs nothing, as in
-    a lesson.
+    Of a check, nbval gets only the verdict. What the function printed or drew costs nothing, as in a lesson.
     """
 
-    current = None  # the ExerciseRun whose notebook nbval runs now
+    language = "python"
 
-    def __init__(self, kernel_name, cwd=None, startup_timeout=60):
-        self._exercise_run = ExerciseKernel.current
-        self._sources_before, self._messages, self._cell_count = [], [], 0
-        self.language = "python"
+    def __init__(self, exercise_run):
+        self._exercise_run = exercise_run
+        self._sources_before, self._messages = [], []
+        self.case = None  # the KeyCase that the next cell checks
 
     def is_alive(self):
         return True
 
     def execute_cell_input(self, cell_input, allow_stdin=None):
-        self._cell_count += 1
-        message_id = f"cell-{self._cell_count}"
-        case = self._exercise_run.case_of_cell(self._cell_count)
-        if case is None:
+        if self.case is None:
             self._sources_before.append(cell_input)
         else:
-            self._run_case(case, cell_input, message_id)
-        self._add_message(message_id, "status", execution_state="idle")
-        return message_id
+            self._run_case(cell_input)
+        self._add_message("status", execution_state="idle")
+        return _MESSAGE_ID
 
-    def _run_case(self, case, source, message_id):
-        run = self._exercise_run.run(case, [*self._sources_before], source)
-        for answer in run.check.answers:
-            self._add_message(message_id, "display_data", data={MIME: answer}, metadata={})
-        if run.ended:
-            self._add_message(message_id, "error", ename=run.ended, evalue="", traceback=[])
-        elif run.check.error[0]:
-            name, text = run.check.error
-            self._add_message(message_id, "error", ename=name, evalue=text, traceback=[])
+    def _run_case(self, source):
+        run = self._exercise_run.run(self.case, [*self._sources_before], source)
+        verdict = PASSED if run.passed else "not passed"
+        self._add_message("display_data", data={MIME: verdict}, metadata={})
+        name, text = (run.ended, "") if run.ended else run.check.error
+        if name:
+            self._add_message("error", ename=name, evalue=text, traceback=[])
 
-    def _add_message(self, message_id, kind, **content):
-        parent = {"msg_id": message_id}
+    def _add_message(self, kind, **content):
+        parent = {"msg_id": _MESSAGE_ID}
         self._messages.append({"msg_type": kind, "content": content, "parent_header": parent})
 
     def await_reply(self, msg_id, timeout=None):
@@ -105,48 +101,36 @@ class ExerciseRun:
     faults   {case id: text} of the cases that the autograder itself failed to run
     """
 
-    def __init__(self, exercise, content, kernel_factory, next_request, stop_at=math.inf):
+    def __init__(self, exercise, content, kernel_factory, stop_at=math.inf):
         self._exercise, self._content = exercise, content
-        self._kernel_factory, self._next_request = kernel_factory, next_request
+        self._kernel_factory = kernel_factory
         self._kernel, self._kernel_seconds, self._answer_run = None, 0.0, None
         self._stop_at = stop_at
         self.runs, self.passed, self.faults = {}, set(), {}
-        cases = {case.id: case for case in exercise.cases}
-        code = [cell for cell in content.notebook["cells"] if cell["cell_type"] == "code"]
-        self._cases = {number: cases.get(cell["id"]) for number, cell in enumerate(code, 1)}
-
-    def case_of_cell(self, number):
-        """The KeyCase that the notebook's n-th code cell checks, or None; the first cell has number 1."""
-        return self._cases[number]
 
     def run(self, case, sources_before, source):
         """The CaseRun of one case: its check cell runs after the given cells and the answer."""
         if time.monotonic() > self._stop_at:
             run = CaseRun(check=CellRun(ended="budget"))
         else:
-            run = self._run_in_a_kernel(case, sources_before, source)
+            run = self._run_in_same_kernel(case, source)
+            run = run or self._run_in_new_kernels(case, sources_before, source)
         if run.ended == "gone":
             self.faults[case.id] = "the process that starts kernels ended, three times"
         else:
             self.runs[case.id] = run
-        if not run.passed:  # the next case needs a kernel of its own, too
-            self._kernel_factory.keep_spares(self._requests_after(case))
         return run
 
-    def _run_in_a_kernel(self, case, sources_before, source):
-        run = self._run_in_same_kernel(case, source)
-        if run is None:
-            run = self._run_in_new_kernel(case, sources_before, source)
-        if run.ended in _RUN_AGAIN_AFTER:
-            run = self._run_in_new_kernel(case, sources_before, source, alone=True)
-        for _ in range(2):
-            if run.ended in ("crashed", "gone"):
+    def _run_in_new_kernels(self, case, sources_before, source):
+        run = self._run_in_new_kernel(case, sources_before, source)
+        for endings in _RUN_AGAIN_AFTER:
+            if run.ended in endings:
                 run = self._run_in_new_kernel(case, sources_before, source, alone=True)
         return run
 
     def _run_in_same_kernel(self, case, source):
         """A CaseRun that passed, or None. The kernel must not have more time than a new one would."""
-        if self._kernel is None or self._kernel_seconds > seconds_of(self._exercise, case):
+        if self._kernel is None or self._kernel_seconds > self._seconds_of(case):
             return None
         run = CaseRun(answer=self._answer_run)
         self._run_check(run, case, source)
@@ -155,12 +139,9 @@ class ExerciseRun:
     def _run_in_new_kernel(self, case, sources_before, source, *, alone=False):
         """A CaseRun; `alone`: while no other kernel waits, which could use memory that this one needs."""
         self.close()
-        self._kernel_seconds = seconds_of(self._exercise, case)
-        self._kernel = self._kernel_factory.start(
-            self._exercise.allowed,
-            self._kernel_seconds,
-            [] if alone else self._requests_after(case),
-        )
+        self._kernel_seconds = self._seconds_of(case)
+        allowed = self._exercise.allowed
+        self._kernel = self._kernel_factory.start(allowed, self._kernel_seconds, alone=alone)
         self._answer_run = self._kernel.run_statements(sources_before)
         run = CaseRun(answer=self._answer_run)
         if not run.ended:
@@ -169,17 +150,9 @@ class ExerciseRun:
             self.close()
         return run
 
-    def _requests_after(self, case):
-        """The requests of the kernels that will probably be needed after the one for a case.
-
-        An answer that has failed one case mostly fails the next one too, and that one needs its own kernel.
-        """
-        requests = [self._next_request] if self._next_request else []
-        next_case = next(iter(self._exercise.cases[self._exercise.cases.index(case) + 1 :]), None)
-        has_failed = any(not run.passed for run in self.runs.values())
-        if has_failed and next_case is not None and next_case.id not in self.runs:
-            requests.append((self._exercise.allowed, seconds_of(self._exercise, next_case)))
-        return requests
+    def _seconds_of(self, case):
+        """Processor time of a case: the exercise's time limit for each of its calls."""
+        return self._exercise.time_limit * case.calls
 
     def _run_check(self, run, case, source):
         exercise = self._exercise
@@ -198,41 +171,16 @@ class ExerciseRun:
         self._kernel = None
 
 
-def seconds_of(exercise, case):
-    """Processor time of a case: the exercise's time limit for each of its calls."""
-    return exercise.time_limit * case.calls
-
-
-class StoredVerdict:
-    """Takes the place of a check cell's stored output: nbval's `stored != shown` reads the case's verdict."""
-
-    def __init__(self, exercise_run, case_id):
-        self._exercise_run, self._case_id = exercise_run, case_id
-
-    def __ne__(self, shown):
-        run = self._exercise_run.runs.get(self._case_id)
-        return run is None or not run.passed
-
-    def __eq__(self, shown):
-        return not self != shown
-
-    __hash__ = None
-
-    def __repr__(self):
-        return "<the verdict>"  # nbval prints what differs
-
-
 class GradingPlugin:
-    """The plugin's state: the keys, the kernels, and the socket to `NbvalProcess`, of which `lines` reads."""
+    """The plugin's state: the keys, the kernels, and the socket to `NbvalProcess`."""
 
-    def __init__(self, connection, lines, folder, kernel_factory):
-        self._connection, self._lines = connection, lines
-        self._kernel_factory = kernel_factory
-        self._keys = {}
+    def __init__(self, connection, folder, kernel_factory):
+        self._connection, self._kernel_factory = connection, kernel_factory
         self._folder = Path(folder)
-        self._session, self._phases, self._exception = None, [], None
+        self._session, self._exercise_kernel, self._phases, self._exception = None, None, [], None
 
-    def serve(self, session):
+    @pytest.hookimpl(tryfirst=True)
+    def pytest_runtestloop(self, session):
         """Grade submissions until the socket is closed, then end this process."""
         self._session = session
         import nbformat  # after `blocked_imports`
@@ -240,43 +188,32 @@ class GradingPlugin:
         self._send({"ready": True})
         nbformat.validate(nbformat.v4.new_notebook())  # compiles the schema while submissions are read
         with self._kernel_factory:
-            for line in self._lines:
+            for line in self._connection.makefile("r", 1 << 20, encoding="ascii"):
                 self._send(to_json(self._grade(json.loads(line))))
         os._exit(0)  # the other side waits, and nobody needs what pytest would still do
 
     def _send(self, message):
         self._connection.sendall((json.dumps(message) + "\n").encode("ascii"))
 
-    def _key(self, path, digest):
-        if digest not in self._keys:
-            key = load_key(path)
-            if key.digest != digest:
-                raise ValueError("the key was replaced while it was used")
-            self._keys[digest] = key
-        return self._keys[digest]
-
     def _grade(self, job):
-        key = self._key(job["key"], job["digest"])
+        key = expected_key(job["key"], job["digest"])
         lesson = key.lessons[job["lesson"]]
-        graded = [exercise for exercise in lesson.exercises if not exercise.practice]
-        sources = {exercise.id: job["answers"].get(exercise.id) for exercise in graded}
-        reasons = {exercise.id: reason_not_to_run(exercise, sources[exercise.id]) for exercise in graded}
-        to_run = [exercise for exercise in graded if reasons[exercise.id] is None]
         results, stop_at = [], time.monotonic() + self._kernel_factory.limits.submission
-        for exercise in graded:
-            if reasons[exercise.id] is not None:
-                results.append(ungraded_exercise(exercise, *reasons[exercise.id]))
+        for exercise in lesson.exercises:
+            if exercise.practice:
                 continue
-            following = (to_run[to_run.index(exercise) + 1 :] or to_run)[0]
-            next_request = (following.allowed, seconds_of(following, following.cases[0]))
-            source = sources[exercise.id]
-            results.append(self._grade_exercise(key, exercise, source, next_request, stop_at))
-        return GradedSubmission(job["submission"], lesson.name, lesson.version, tuple(results))
+            source = job["answers"].get(exercise.id)
+            reason = reason_not_to_run(exercise, source)
+            if reason is None:
+                results.append(self._grade_exercise(key, exercise, source, stop_at))
+            else:
+                results.append(ungraded_exercise(exercise, *reason))
+        return GradedSubmission(job["submission"], lesson.name, tuple(results))
 
-    def _grade_exercise(self, key, exercise, source, next_request, stop_at):
+    def _grade_exercise(self, key, exercise, source, stop_at):
         content = key.content(exercise.id)
-        exercise_run = ExerciseRun(exercise, content, self._kernel_factory, next_request, stop_at)
-        ExerciseKernel.current = exercise_run
+        exercise_run = ExerciseRun(exercise, content, self._kernel_factory, stop_at)
+        self._exercise_kernel = ExerciseKernel(exercise_run)
         path = self._folder / "exercise.ipynb"
         path.write_text(json.dumps(_with_answer(content.notebook, exercise, source)), encoding="utf-8")
         try:
@@ -286,46 +223,34 @@ class GradingPlugin:
         return graded_exercise(exercise, content, exercise_run)
 
     def _run_nbval(self, path, exercise, exercise_run):
-        case_ids = {case.id for case in exercise.cases}
+        cases = {case.id: case for case in exercise.cases}
         (notebook,) = self._session.config.hook.pytest_collect_file(file_path=path, parent=self._session)
         items = list(notebook.collect())
         for item in items:
-            if item.cell.id in case_ids:
-                item.cell.outputs[0].data[MIME] = StoredVerdict(exercise_run, item.cell.id)
+            if item.cell.id in cases:
+                item.cell.outputs[0].data[MIME] = PASSED
         for item, next_item in zip(items, [*items[1:], None], strict=True):
+            self._exercise_kernel.case = cases.get(item.cell.id)
             self._phases, self._exception = [], None
             item.ihook.pytest_runtest_protocol(item=item, nextitem=next_item)
             if self._phases == ["setup passed", "call passed", "teardown passed"]:
                 exercise_run.passed.add(item.cell.id)
-            elif item.cell.id in case_ids - exercise_run.runs.keys():
+            elif item.cell.id in cases.keys() - exercise_run.runs.keys():
                 exercise_run.faults.setdefault(item.cell.id, self._exception or "nbval did not run it")
             item.cell = None
         notebook.nb = None
 
-    @pytest.hookimpl
     def pytest_configure(self):
         import nbval.plugin
 
-        nbval.plugin.RunningKernel = ExerciseKernel
+        nbval.plugin.RunningKernel = lambda *_arguments, **_options: self._exercise_kernel
 
-    @pytest.hookimpl
     def pytest_runtest_logreport(self, report):
         self._phases.append(f"{report.when} {report.outcome}")
 
-    @pytest.hookimpl
     def pytest_exception_interact(self, call):
         self._exception = f"{call.excinfo.typename}: {call.excinfo.value}"
 
-    @pytest.hookimpl(tryfirst=True)
-    def pytest_runtestloop(self, session):
-        self.serve(session)
-        return True
-
-    @pytest.hookimpl
-    def pytest_assertrepr_compare(self, config, op, left, right):
-        return ["the values differ"]  # nbval would print both
-
-    @pytest.hookimpl
     def pytest_sessionstart(self, session):
         reporter = session.config.pluginmanager.get_plugin("terminalreporter")
         session.config.pluginmanager.unregister(reporter)  # it keeps a report of every cell

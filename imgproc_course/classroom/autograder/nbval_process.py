@@ -12,21 +12,17 @@ import atexit
 import contextlib
 import json
 import os
-import select
 import socket
 import subprocess
 import sys
 import threading
-import time
 from dataclasses import asdict
 
 from imgproc_course.classroom.autograder.sandbox import bubblewrap
 from imgproc_course.classroom.autograder.sandbox.bubblewrap import Limits, SandboxError
 from imgproc_course.classroom.autograder.temporary_folder import TemporaryFolder
 
-SOCKET_VARIABLE = "IMGPROC_NBVAL_SOCKET"  # environment variable with the descriptor of the socket
 _START_SECONDS = 120
-_SEND_SECONDS = 60
 _BLOCKED_PLUGINS = (
     *("cacheprovider", "logging", "warnings", "doctest", "junitxml", "faulthandler", "debugging", "pastebin"),
     *("setuponly", "setupplan", "stepwise", "unraisableexception", "threadexception", "subtests", "skipping"),
@@ -38,9 +34,7 @@ _PLUGINS = (
 )
 _PROGRAM = "from imgproc_course.classroom.autograder import nbval_main; nbval_main.main()"
 
-_of_thread = threading.local()
-_running = {}
-_lock = threading.Lock()
+_processes = {}  # name of a thread: its NbvalProcess
 
 
 class NbvalProcessEnded(Exception):
@@ -57,13 +51,11 @@ class NbvalProcessNotStarted(SandboxError):
 
 def nbval_process_of_thread(unsafe, limits):
     """This thread's NbvalProcess with these options of `autograde`; one with others is stopped."""
-    options = (unsafe, limits)
-    process = getattr(_of_thread, "process", None)
-    if process is None or process.options != options or not process.is_alive:
-        if process is not None:
-            process.stop()
-        process = _of_thread.process = NbvalProcess(*options)
-    return process
+    process = _processes.get(threading.current_thread().name)
+    if process is not None and process.options != (unsafe, limits):
+        process.stop()
+        process = None
+    return process or NbvalProcess(unsafe, limits)
 
 
 def stop_nbval_processes(thread_prefix=""):
@@ -71,8 +63,7 @@ def stop_nbval_processes(thread_prefix=""):
 
     The next submission starts others.
     """
-    with _lock:
-        processes = [process for process in _running.values() if process.thread.startswith(thread_prefix)]
+    processes = [process for name, process in list(_processes.items()) if name.startswith(thread_prefix)]
     for process in processes:
         process.close_connection()
     for process in processes:
@@ -83,34 +74,24 @@ atexit.register(stop_nbval_processes)
 
 
 class NbvalProcess:
-    """One nbval process, and the socket to it.
+    """One nbval process of a thread, and the socket to it.
 
     Raises NbvalProcessKilled if it is killed while it starts, SandboxError if it does not start.
     """
 
     def __init__(self, unsafe, limits):
         self.options = (unsafe, limits)
-        self.thread = threading.current_thread().name
         self._limits = limits or Limits()
         self._folder = TemporaryFolder()
-        folder = self._folder.path
-        (folder / "pytest.ini").write_text("[pytest]\n", encoding="utf-8")
-        (folder / "work").mkdir()
-        self._errors, self._last_errors = (folder / "errors").open("w+b"), ""
-        our_end, process_end = socket.socketpair()
-        self._socket, self._buffer = our_end, b""
+        self._errors = (self._folder.path / "errors").open("w+b")
+        self._socket, process_end = socket.socketpair()
+        self._lines = self._socket.makefile("r", 1 << 20, encoding="ascii")
         with process_end:
-            self._process = self._start(folder, process_end)
-        self.is_alive, self._is_ready = True, False
-        with _lock:
-            _running[id(self)] = self
-        settings = {
-            "unsafe": unsafe,
-            "limits": asdict(limits) if limits else None,
-            "folder": str(folder / "work"),
-        }
+            self._process = self._start(process_end)
+        self._is_ready, self._last_errors = False, ""
+        self._thread = threading.current_thread().name
+        _processes[self._thread] = self
         try:
-            self._send(settings)
             if not unsafe:
                 bubblewrap.require_sandbox()  # while the process starts
             self._receive(_START_SECONDS)
@@ -120,27 +101,33 @@ class NbvalProcess:
         except NbvalProcessEnded as error:
             raise NbvalProcessNotStarted(f"the nbval process did not start: {error}") from error
         except SandboxError:
-            self.stop(wait=False)
+            self.stop()
             raise
 
-    def _start(self, folder, connection):
-        command = [sys.executable, "-I", "-c", _PROGRAM, "-c", str(folder / "pytest.ini")]
-        command += ["--rootdir", str(folder), "--noconftest", "--color=no", "-q", "-s"]
-        for name in _BLOCKED_PLUGINS:
-            command += ["-p", f"no:{name}"]
-        for name in _PLUGINS:
-            command += ["-p", name]
-        command += ["--nbval", str(folder / "work")]
+    def _start(self, connection):
+        folder = self._folder.path
+        (folder / "pytest.ini").write_text("[pytest]\n", encoding="utf-8")
+        (folder / "work").mkdir()
+        settings = {
+            "unsafe": self.options[0],
+            "limits": asdict(self._limits),
+            "folder": str(folder / "work"),
+            "socket": connection.fileno(),
+        }
+        command = [sys.executable, "-I", "-c", _PROGRAM, json.dumps(settings)]
+        command += ["-c", str(folder / "pytest.ini"), "--rootdir", str(folder), "--noconftest"]
+        command += ["--color=no", "-q", "-s"]
+        for plugin in (*(f"no:{name}" for name in _BLOCKED_PLUGINS), *_PLUGINS):
+            command += ["-p", plugin]
         inherited = ("PATH", "LANG", "HOME")
         environment = {name: os.environ[name] for name in inherited if name in os.environ}
         environment |= {
             "PYTEST_DISABLE_PLUGIN_AUTOLOAD": "1",
             "OPENBLAS_NUM_THREADS": "1",
             "TMPDIR": str(folder),
-            SOCKET_VARIABLE: str(connection.fileno()),
         }
         return subprocess.Popen(
-            command,
+            [*command, "--nbval", str(folder / "work")],
             cwd=folder,
             env=environment,
             stdin=subprocess.DEVNULL,
@@ -153,7 +140,11 @@ class NbvalProcess:
     def grade(self, key, name, lesson, answers):
         """Grade one submission; what `results.to_json` wrote. NbvalProcessEnded: it ended, or it is stuck."""
         job = {"key": str(key.path), "digest": key.digest}
-        self._send(job | {"submission": name, "lesson": lesson, "answers": answers})
+        job |= {"submission": name, "lesson": lesson, "answers": answers}
+        try:
+            self._socket.sendall((json.dumps(job) + "\n").encode("ascii"))
+        except OSError as error:
+            raise self._stopped(str(error)) from error
         return self._receive(self._patience(key.lessons[lesson]))
 
     def _patience(self, lesson):
@@ -166,38 +157,21 @@ class NbvalProcess:
         # The last case begins within the submission's time, and it may be run again.
         return 60 + 2 * (self._limits.submission + 2 * max(deadlines, default=0))
 
-    def _send(self, message):
+    def _receive(self, patience):
+        self._socket.settimeout(patience)
         try:
-            self._socket.settimeout(_SEND_SECONDS)
-            self._socket.sendall((json.dumps(message) + "\n").encode("ascii"))
+            line = self._lines.readline()
+        except TimeoutError as error:
+            raise self._stopped(f"no answer within {patience:.0f} s") from error
         except OSError as error:
             raise self._stopped(str(error)) from error
-
-    def _receive(self, patience):
-        deadline = time.monotonic() + patience
-        poll = select.poll()
-        poll.register(self._socket, select.POLLIN)
-        chunks, data = [self._buffer], self._buffer
-        while b"\n" not in data:
-            data, is_answering = b"", poll.poll(max(0.0, deadline - time.monotonic()) * 1000)
-            if is_answering:
-                with contextlib.suppress(OSError):
-                    data = self._socket.recv(1 << 20)
-            if not is_answering:
-                self.stop(wait=False)
-                raise NbvalProcessEnded(self._last_errors or f"no answer within {patience:.0f} s")
-            if not data:
-                raise self._stopped("it closed the connection")
-            chunks.append(data)
-        line, _, self._buffer = b"".join(chunks).partition(b"\n")
+        if not line.endswith("\n"):
+            raise self._stopped("it closed the connection")
         return json.loads(line)
 
     def _stopped(self, fault):
-        """Clean up after a process that has closed its connection; returns the exception to raise."""
-        code = 0
-        with contextlib.suppress(subprocess.TimeoutExpired):
-            code = self._process.wait(5)
-        self.stop(wait=False)
+        """Clean up after a process that ended, or is stuck; returns the exception to raise."""
+        code = self.stop(patience=5)
         if code < 0:
             return NbvalProcessKilled(f"signal {-code} ended it")
         return NbvalProcessEnded(self._last_errors or fault)
@@ -207,17 +181,19 @@ class NbvalProcess:
         with contextlib.suppress(OSError):
             self._socket.shutdown(socket.SHUT_RDWR)
 
-    def stop(self, *, wait=True):
-        """End the process, and with it its fork server; `wait`: it has five seconds to end by itself."""
-        if not self.is_alive:
-            return
-        self.is_alive = False
-        with _lock:
-            _running.pop(id(self), None)
+    def stop(self, patience=None):
+        """End the process, and with it its fork server; returns its exit code if it ended by itself.
+
+        It has so many seconds for that; None: five if it has graded or could have.
+        """
+        code = 0
+        if _processes.pop(self._thread, None) is None:  # it was stopped before
+            return code
+        self.close_connection()
+        self._lines.close()
         self._socket.close()
-        if wait and self._is_ready:
-            with contextlib.suppress(subprocess.TimeoutExpired):
-                self._process.wait(5)
+        with contextlib.suppress(subprocess.TimeoutExpired):
+            code = self._process.wait((5 if self._is_ready else 0) if patience is None else patience)
         with contextlib.suppress(ProcessLookupError):
             os.killpg(self._process.pid, 9)
         self._process.wait()
@@ -226,3 +202,4 @@ class NbvalProcess:
         self._last_errors = " | ".join(errors[-3:])[:500]
         self._errors.close()
         self._folder.remove()
+        return code

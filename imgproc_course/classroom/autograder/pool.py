@@ -20,7 +20,7 @@ import contextlib
 import itertools
 import os
 from collections import deque
-from concurrent.futures import Executor, Future, wait
+from concurrent.futures import Future, wait
 from dataclasses import replace
 from functools import lru_cache
 
@@ -81,12 +81,7 @@ def autograde(submissions, key, *, unsafe=False, workers=None, executor=None, li
 
 def _grade_all(submissions, key, options, workers, executor):
     with contextlib.ExitStack() as stack:
-        if executor is None:
-            executor = stack.enter_context(open_worker_threads(workers))
-        elif not isinstance(executor, Executor) and not hasattr(executor, "submit"):
-            raise TypeError(
-                f"executor: expected a concurrent.futures.Executor, got {type(executor).__name__}"
-            )
+        executor = executor or stack.enter_context(open_worker_threads(workers))
         queue = stack.enter_context(contextlib.closing(_Queue(executor, options)))
         submissions = iter(submissions)
         while True:
@@ -94,7 +89,9 @@ def _grade_all(submissions, key, options, workers, executor):
                 submissions, workers * _QUEUE_PER_WORKER - len(queue.waiting)
             ):
                 key_of_submission = key if isinstance(key, Key) else key[name]
-                _check_lesson(lesson, key_of_submission)
+                if lesson not in key_of_submission.lessons:
+                    names = ", ".join(key_of_submission.lessons)
+                    raise ValueError(f"lesson {lesson!r} is not in the key, which has {names}")
                 queue.add((name, lesson, dict(answers)), key_of_submission)
             if not queue.waiting:
                 return
@@ -164,8 +161,7 @@ class _Queue:
 
 def _was_left_out(exercise):
     """Whether an exercise is out of time only because others had used all of it."""
-    late = [case.message for case in exercise.cases if case.outcome == Outcome.TIME]
-    return bool(late) and set(late) == {BUDGET_MESSAGE}
+    return {case.message for case in exercise.cases if case.outcome == Outcome.TIME} == {BUDGET_MESSAGE}
 
 
 def _one_share_each(limits, exercises):
@@ -178,19 +174,14 @@ def _one_share_each(limits, exercises):
     return replace(limits, wall_factor=0, wall_grace=share)
 
 
-def _check_lesson(lesson, key):
-    if lesson not in key.lessons:
-        raise ValueError(f"lesson {lesson!r} is not in the key, which has {', '.join(key.lessons)}")
-
-
-def grade_one(submission, key, digest=None, *, unsafe=False, limits=None):
+def grade_one(submission, key_folder, digest, *, unsafe=False, limits=None):
     """Grade one submission; a plain function that any Executor can run, in this process or another.
 
     Parameters
     ----------
     submission : (name, lesson, answers), as `autograde` takes them
-    key : path of the key's folder, which must exist on the machine that runs this; or a Key
-    digest : str, `Key.digest` of the expected key, any other key is refused; None: any key
+    key_folder : path of the key, which must exist on the machine that runs this
+    digest : str, `Key.digest` of the expected key; any other key is refused
     unsafe, limits : as `autograde`
 
     Returns
@@ -202,10 +193,7 @@ def grade_one(submission, key, digest=None, *, unsafe=False, limits=None):
     SandboxError : there is no sandbox on the machine that runs this
     KeyFolderError, ValueError : there is no such key, or another one
     """
-    if not isinstance(key, Key):
-        key = _loaded_key(key, digest) if digest else load_key(key)
-    if digest not in (None, key.digest):
-        raise ValueError(f"{key.path}: this is another key than the one that grading began with")
+    key = expected_key(key_folder, digest)
     attempts = kills = 0
     while attempts < _ATTEMPTS and kills < _KILLS:
         try:
@@ -230,8 +218,12 @@ def grade_one(submission, key, digest=None, *, unsafe=False, limits=None):
 
 
 @lru_cache(maxsize=32)
-def _loaded_key(path, _digest):
-    return load_key(path)
+def expected_key(folder, digest):
+    """The Key in a folder; KeyFolderError, ValueError: there is none, or another one than expected."""
+    key = load_key(folder)
+    if key.digest != digest:
+        raise ValueError(f"{folder}: this is another key than the one that grading began with")
+    return key
 
 
 def _not_graded(key, name, lesson, _answers, fault):
@@ -241,9 +233,10 @@ def _not_graded(key, name, lesson, _answers, fault):
         for exercise in key.lessons[lesson].exercises
         if not exercise.practice
     )
-    return GradedSubmission(name, lesson, key.lessons[lesson].version, exercises)
+    return GradedSubmission(name, lesson, exercises)
 
 
+@contextlib.contextmanager
 def open_scheduler(address, *, patience=20):
     """An Executor over the workers of a Dask cluster, for `autograde(..., executor=...)`.
 
@@ -255,9 +248,9 @@ def open_scheduler(address, *, patience=20):
     address : str, "tcp://10.0.0.5:8786"
     patience : float, seconds to wait for the scheduler's answer
 
-    Returns
-    -------
-    context manager that gives the Executor
+    Yields
+    ------
+    Executor
 
     Raises
     ------
@@ -269,13 +262,8 @@ def open_scheduler(address, *, patience=20):
         raise ValueError(
             'a scheduler needs Dask: pip install "imgproc-course[scheduler]" here and on its workers'
         ) from error
-    return _scheduler(Client, address, patience)
-
-
-@contextlib.contextmanager
-def _scheduler(make_client, address, patience):
     try:
-        client = make_client(address, timeout=patience)
+        client = Client(address, timeout=patience)
     except OSError as error:
         raise ValueError(f"no Dask scheduler answers at {address} ({error})") from error
     with client, client.get_executor(pure=False, retries=3) as executor:

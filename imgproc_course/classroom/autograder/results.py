@@ -9,8 +9,9 @@ Texts are sanitized (no control characters) but not escaped for HTML: that is do
 import base64
 import builtins
 import hashlib
+import json
 import re
-from dataclasses import dataclass
+from dataclasses import dataclass, is_dataclass
 
 from imgproc_course.classroom.autograder.answer_key import known_mistake
 from imgproc_course.classroom.autograder.outcomes import BUDGET_MESSAGE, CELL_FAILS, TEXTS, Outcome
@@ -30,7 +31,6 @@ _EXCEPTIONS = frozenset(name for name, kind in vars(builtins).items() if isinsta
 class FailedCall:
     """The first call of a public case that failed.
 
-    number     index of the call within the case
     arguments  canonical forms of its arguments (their names: `KeyExercise.arguments`)
     expected   canonical form of the expected value
     actual     canonical form of the returned value, or None if nothing was returned
@@ -39,7 +39,6 @@ class FailedCall:
     `exercises.array_of`, `describe` and `compare` take canonical forms.
     """
 
-    number: int
     arguments: list
     expected: dict
     actual: dict | None
@@ -101,13 +100,11 @@ class GradedSubmission:
 
     name       the name that `autograde` was given for it
     lesson     name of the lesson
-    version    the version of the course that the key was made from
     exercises  GradedExercise of each graded exercise in the lesson's order; practice exercises are not graded
     """
 
     name: str
     lesson: str
-    version: str
     exercises: tuple
 
     @property
@@ -130,37 +127,23 @@ class GradedSubmission:
 # ---------------------------------------------------------------- JSON
 
 
-def to_json(submission):
-    """A GradedSubmission as data for json.dumps."""
-    return {
-        "submission": submission.name,
-        "lesson": submission.lesson,
-        "version": submission.version,
-        "points": submission.points,
-        "max_points": submission.max_points,
-        "exercises": [_exercise_to_json(exercise) for exercise in submission.exercises],
-    }
-
-
-def _exercise_to_json(exercise):
+def to_json(result):
+    """A GradedSubmission, or a part of one, as data for json.dumps."""
     # dataclasses.asdict would copy every value too, which takes much longer.
-    cases = [vars(case) | {"failed_call": _fields_of(case.failed_call)} for case in exercise.cases]
-    return vars(exercise) | {"cases": cases, "points": exercise.points}
-
-
-def _fields_of(failed_call):
-    return failed_call and dict(vars(failed_call))
+    if isinstance(result, tuple):
+        return [to_json(part) for part in result]
+    if is_dataclass(result):
+        return {name: to_json(value) for name, value in vars(result).items()}
+    return result
 
 
 def from_json(data):
     """The GradedSubmission that `to_json` wrote; KeyError, TypeError or ValueError if it did not."""
-    exercises = tuple(_exercise_from_json(entry) for entry in data["exercises"])
-    return GradedSubmission(data["submission"], data["lesson"], data["version"], exercises)
+    return GradedSubmission(**data | {"exercises": tuple(map(_exercise_from_json, data["exercises"]))})
 
 
 def _exercise_from_json(entry):
-    fields = {name: value for name, value in entry.items() if name not in ("points", "cases")}
-    return GradedExercise(cases=tuple(_case_from_json(case) for case in entry["cases"]), **fields)
+    return GradedExercise(**entry | {"cases": tuple(map(_case_from_json, entry["cases"]))})
 
 
 def _case_from_json(entry):
@@ -190,15 +173,9 @@ def graded_exercise(exercise, content, exercise_run):
     if not all(case.passed for case in cases):
         calls = {id: run.verdict.calls for id, run in runs.items()}
         mistake = known_mistake(exercise, content, calls)
-    return GradedExercise(
-        exercise.id,
-        exercise.title,
-        exercise.points,
-        cases,
-        mistake.name if mistake else "",
-        mistake.explanation if mistake else "",
-        _message_about_cell(runs),
-    )
+    known = (mistake.name, mistake.explanation) if mistake else ("", "")
+    message = _message_about_cell(runs)
+    return GradedExercise(exercise.id, exercise.title, exercise.points, cases, *known, message)
 
 
 def _graded_case(case, outcome, message="", failed_call=None):
@@ -239,11 +216,12 @@ def _outcome_of_run(exercise, run):
     if run.ended:
         outcome = Outcome(run.ended)
         return outcome, TEXTS[outcome].message
-    if run.check.error[0] == "NameError" and not run.check.answers:
-        return _outcome_without_function(exercise, run)
-    if run.check.error[0] and not run.check.answers:
-        return Outcome.RAISED, _exception_text(*run.check.error)
-    if run.verdict.calls is None or run.check.error[0]:
+    error = run.check.error
+    if error[0] and not run.check.answers:
+        if error[0] == "NameError":
+            return _outcome_without_function(exercise, run)
+        return Outcome.RAISED, _exception_text(*error)
+    if error[0] or run.verdict.calls is None:
         return Outcome.HOSTILE, "its check cell showed something else than what the function returned"
     return _outcome_of_verdict(exercise, run.verdict)
 
@@ -286,10 +264,8 @@ def _outcome_without_function(exercise, run):
 
 def _message_about_cell(runs):
     """The first exception of the answer cell: it costs nothing as long as the function is defined."""
-    run = next(iter(runs.values()), CaseRun())
-    return (
-        f"a statement in its cell fails: {_exception_text(*run.answer.error)}" if run.answer.error[0] else ""
-    )
+    error = next(iter(runs.values()), CaseRun()).answer.error
+    return f"a statement in its cell fails: {_exception_text(*error)}" if error[0] else ""
 
 
 def _message_of_hidden(outcome, message):
@@ -307,7 +283,6 @@ def _failed_call(content, case, verdict):
     calls = verdict.calls or []
     call = calls[number] if number < len(calls) else None
     return FailedCall(
-        number,
         content.canonical_arguments(case.id, number),
         expected[number],
         form_to_show(call.value, expected[number]) if call else None,
@@ -332,12 +307,7 @@ def form_to_show(form, expected):
 
 
 def _size(form):
-    """About the number of characters of a canonical form, as JSON."""
-    if isinstance(form, dict):
-        return 20 + sum(map(_size, form.values()))
-    if isinstance(form, list):
-        return 2 + sum(map(_size, form))
-    return len(form) if isinstance(form, str) else 8
+    return len(json.dumps(form))
 
 
 def _exception_text(name, text):

@@ -2182,7 +2182,7 @@ for _number, _name, _source in (
     def double(pixels):
         text = "".join(json.dumps({"n": 1, "type": kind, "content": content}) + "\\n" for kind, content in (
             ("idle", {"ename": "", "evalue": ""}), ("error", {"ename": "E", "evalue": "", "traceback": []}),
-            ("clear_output", {"wait": False}), ("idle", {"ename": "", "evalue": ""})) * 50)
+            ("stream", {"text": ""}), ("idle", {"ename": "", "evalue": ""})) * 50)
         for fd in range(3, 64):
             try:
                 if stat.S_ISSOCK(os.fstat(fd).st_mode): os.write(fd, text.encode())
@@ -2253,7 +2253,7 @@ for _number, _name, _step, _outcomes in (
     (
         611,
         "hundreds of thousands of small messages",
-        'while True: os.write(fd, b\'{"type":"clear_output","content":{"wait":true}}\\n\' * 5000)',
+        'while True: os.write(fd, b\'{"type":"stream","content":{"text":""}}\\n\' * 5000)',
         ("output",),
     ),
     (612, "an urgent byte, and then nothing", "own.send(b'x', socket.MSG_OOB), time.sleep(1000)", ("time",)),

@@ -12,8 +12,8 @@ from imgproc_course.classroom.exercises.cell_syntax import parts_of
 INSIDE = "imgproc_course.classroom.autograder.sandbox.inside"
 BEGIN = f"""
 import sys as _sys
-from {INSIDE} import check_cell as _check_cell, display_stub, exercises_stub, refusal as _refusal
-_sys.modules |= {{{{"imgproc_course.display": display_stub, "imgproc_course.exercises": exercises_stub}}}}
+from {INSIDE} import check_cell as _check_cell, package_stub, refusal as _refusal
+_sys.modules |= {{{{"imgproc_course.display": package_stub, "imgproc_course.exercises": package_stub}}}}
 _check_cell.refuse_input()
 _refusal.allow_modules({{allowed!r}})
 import numpy as np
@@ -59,8 +59,11 @@ class JupyterKernel:
         return CellRun(ended=runs[-1].ended if runs else "", error=failed[0] if failed else ("", ""))
 
     def run_check(self, code, inputs, seconds):
-        text = json.dumps({"calls": inputs, "seconds": seconds})
-        run = self.run(f"from {INSIDE} import check_cell as _check_cell\n_check_cell.deliver({text!r})")
+        case = {"calls": inputs, "seconds": seconds}
+        run = self.run(
+            f"import json\nfrom {INSIDE} import check_cell as _check_cell\n"
+            f"_check_cell.deliver(json.loads({json.dumps(case)!r}))"
+        )
         return run if run.ended else self.run(code)
 
     def stop(self):
@@ -69,7 +72,7 @@ class JupyterKernel:
 
 
 class JupyterFactory:
-    """Starts them as `KernelFactory` does, without any that wait."""
+    """Starts them as `KernelFactory` does, without one that waits."""
 
     def __enter__(self):
         return self
@@ -77,8 +80,5 @@ class JupyterFactory:
     def __exit__(self, *_error):
         pass
 
-    def start(self, allowed, seconds, next_requests=()):
+    def start(self, allowed, seconds, *, alone=False):
         return JupyterKernel(allowed)
-
-    def keep_spares(self, requests):
-        pass

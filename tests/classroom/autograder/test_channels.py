@@ -1,7 +1,7 @@
 """What one kernel could leave for the next: the channels of `confine`'s list are tried.
 
-The first kernel leaves a mark wherever it can. The second was forked before that, as in grading, and looks
-for it after the first has ended. `leave` and `look` are cells; `look` prints what it found.
+The first kernel leaves a mark wherever it can. The second was forked before that, and looks for it after the
+first has ended. `leave` and `look` are cells; `look` prints what it found.
 """
 
 import platform
@@ -196,18 +196,20 @@ def kernel_factory():
 @pytest.mark.parametrize("name", CHANNELS)
 def test_one_kernel_leaves_nothing_for_the_next(kernel_factory, name):
     leave, look = CHANNELS[name]
-    first, second = kernel_factory.start((), 30), kernel_factory.start((), 30)
+    first = kernel_factory.start((), 30)
     try:
-        before = "import os\nBEFORE = (os.getpriority(0, 0), len(os.sched_getaffinity(0)))"
-        assert second.run(before).ended == ""
+        before = first.run("import os\nprint((os.getpriority(0, 0), len(os.sched_getaffinity(0))))").printed
         left = first.run(leave)
         assert (left.ended, left.printed.strip()) == ("", "")
+    finally:
         first.stop()
+    second = kernel_factory.start((), 30)
+    try:
+        assert second.run(f"BEFORE = {before}").ended == ""
         found = second.run(look)
         assert (found.ended, found.error) == ("", ("", ""))
         assert found.printed.split() == []
     finally:
-        first.stop()
         second.stop()
 
 

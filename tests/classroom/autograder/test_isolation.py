@@ -8,7 +8,7 @@ from attacks import LESSON, RIGHT, SHORT
 from jupyter_kernel import JupyterFactory
 
 from imgproc_course.classroom.autograder import verdict
-from imgproc_course.classroom.autograder.nbval_plugin import ExerciseRun, StoredVerdict
+from imgproc_course.classroom.autograder.nbval_plugin import MIME, PASSED, ExerciseKernel, ExerciseRun
 from imgproc_course.classroom.autograder.pool import Limits, SandboxError, autograde
 from imgproc_course.classroom.autograder.sandbox.kernel_factory import KernelFactory
 from imgproc_course.classroom.exercises.comparison import compare
@@ -59,7 +59,7 @@ def exercise_run_of(key, kind_of_factory=KernelFactory, id="attacked-mean"):
     cells = {cell["id"]: "".join(cell["source"]) for cell in content.notebook["cells"]}
     given = [text for name, text in cells.items() if name.startswith("given")]
     with kind_of_factory() as kernel_factory:
-        exercise_run = ExerciseRun(exercise, content, kernel_factory, None)
+        exercise_run = ExerciseRun(exercise, content, kernel_factory)
         yield exercise_run, given, [(case, cells[case.id]) for case in exercise.cases]
         exercise_run.close()
 
@@ -88,7 +88,8 @@ def kernels_for(key, source, titles):
         for title in titles:
             case, check = checks_by_title[title]
             runs.append(exercise_run.run(case, [*given, source], check))
-        return exercise_run._kernel_factory._fork_server._fork_count, [run.passed for run in runs]
+        forks = exercise_run._kernel_factory._fork_server._fork_count
+        return forks - 1, [run.passed for run in runs]  # one waits
 
 
 def test_checks_share_a_kernel_as_long_as_they_pass(key, right):
@@ -98,24 +99,6 @@ def test_checks_share_a_kernel_as_long_as_they_pass(key, right):
     assert kernels_for(key, ANSWERS["works once"], names) == (3, [True] * 3)
     late = f"def mean(values):\n    return {MEAN} if len(values) > 5 else 0.0"
     assert kernels_for(key, late, names) == (3, [False, True, False])
-
-
-def test_once_a_case_has_failed_a_kernel_waits_for_the_next_one(key, right):
-    with exercise_run_of(key) as (exercise_run, given, [(first, check), (second, _)]):
-        exercise_run.run(first, [*given, right["attacked-mean"]], check)
-        assert exercise_run._requests_after(first) == []
-        exercise_run.close()
-        sources = [*given, "def mean(values):\n    return 0.0"]
-        exercise_run.run(first, sources, check)
-        (request,) = exercise_run._requests_after(first)
-        assert exercise_run._requests_after(second) == []
-        kernels = exercise_run._kernel_factory
-        fork_count = kernels._fork_server._fork_count
-        kernel = kernels.start(*request)
-        run = kernel.run_statements(sources)
-        assert (run.ended, run.error, kernels._fork_server._fork_count) == ("", ("", ""), fork_count)
-        assert kernel.run("print(mean([1]))").printed == "0.0\n"
-        kernel.stop()
 
 
 def test_an_answer_cannot_say_that_its_kernel_was_not_confined():
@@ -161,15 +144,12 @@ def test_all_processes_of_a_check_share_its_time():
         kernel.stop()
 
 
-def test_a_kernel_that_ended_while_it_waited_is_replaced():
-    with KernelFactory() as kernel_factory:
-        kernel_factory.keep_spares([((), 5.0)])
-        (spare,) = kernel_factory._spares.values()
-        spare.run("import os\nos._exit(3)")
-        kernel = kernel_factory.start((), 5.0)
-        assert kernel.run("print(3)").printed == "3\n"
-        assert kernel_factory._fork_server._fork_count == 2
-        kernel.stop()
+def test_a_kernel_that_ended_while_it_waited_is_replaced(key, right):
+    with exercise_run_of(key) as (exercise_run, given, [(case, check), _]):
+        kernels = exercise_run._kernel_factory
+        kernels._spare = kernels.start((), 5.0, alone=True)
+        assert kernels._spare.run("import os\nos._exit(3)").ended == "crashed"
+        assert exercise_run.run(case, [*given, right["attacked-mean"]], check).passed
 
 
 def test_a_case_is_compared_once_and_nbval_reads_that_verdict(key, right, monkeypatch):
@@ -180,17 +160,19 @@ def test_a_case_is_compared_once_and_nbval_reads_that_verdict(key, right, monkey
         return compare(*arguments, **options)
 
     monkeypatch.setattr(verdict, "compare", counted)
-    runs = {}
-    for name, source in (("right", right["attacked-mean"]), ("wrong", "def mean(values):\n    return 0.0")):
+    for is_right, source in ((True, right["attacked-mean"]), (False, "def mean(values):\n    return 0.0")):
         with exercise_run_of(key) as (exercise_run, before, checks):
-            before = [*before, source]
+            kernel, shown = ExerciseKernel(exercise_run), []
+            for cell in (*before, source):
+                kernel.execute_cell_input(cell)
+                assert kernel.get_message("iopub")["msg_type"] == "status"
             for case, check in checks:
-                runs[name, case.hidden] = exercise_run.run(case, before, check)
-            stored = [StoredVerdict(exercise_run, case.id) for case, _ in checks]
-            differs = [output != "anything that nbval read" for output in stored]
-            assert differs == [name == "wrong"] * 2
-            assert StoredVerdict(exercise_run, "a case that did not run") != {}
-    assert [run.passed for run in runs.values()] == [True, True, False, False]
+                kernel.case = case
+                kernel.execute_cell_input(check)
+                shown.append(kernel.get_message("iopub")["content"]["data"])
+                assert kernel.get_message("iopub")["msg_type"] == "status"
+            assert [data == {MIME: PASSED} for data in shown] == [is_right] * 2
+            assert [run.passed for run in exercise_run.runs.values()] == [is_right] * 2
     assert len(comparisons) == 4
 
 
@@ -202,11 +184,10 @@ print(get_ipython().execution_count, _, __, sorted(get_ipython().user_ns_hidden)
 
 
 def test_a_kernel_that_has_waited_is_as_a_new_one():
-    """While it waits, it has run cells of ours."""
     texts = []
     with KernelFactory() as kernel_factory:
         for _ in range(3):  # a new one, then two that have waited
-            kernel = kernel_factory.start((), 5.0, [((), 5.0)])
+            kernel = kernel_factory.start((), 5.0)
             run = kernel.run_statements([STATE])
             texts.append((run.printed, run.error))
             kernel.stop()

@@ -120,7 +120,7 @@ def test_a_result_is_read_back_from_its_json(results):
 def test_json_that_is_no_result_is_refused(results):
     data = to_json(results["one off"])
     for damaged in (
-        {name: value for name, value in data.items() if name != "version"},
+        {name: value for name, value in data.items() if name != "lesson"},
         data | {"exercises": [data["exercises"][0] | {"cases": [{"id": "x"}]}]},
         data | {"exercises": [data["exercises"][0] | {"unknown": 1}]},
         [],
@@ -246,7 +246,7 @@ def test_submissions_are_read_as_results_are_taken(key, right):
 
 def test_another_key_in_the_same_place_is_noticed(key, right):
     with pytest.raises(ValueError, match="this is another key than the one"):
-        grade_one(("a", LESSON, right), key, "0" * 64)
+        grade_one(("a", LESSON, right), key.path, "0" * 64)
     nbval_process.stop_nbval_processes()
 
 
@@ -328,7 +328,7 @@ def test_an_nbval_process_that_does_not_start_reports_why(key, right, monkeypatc
     broken.chmod(0o755)
     monkeypatch.setattr(nbval_process.sys, "executable", str(broken))
     with pytest.raises(SandboxError, match="the nbval process did not start: no such plugin"):
-        grade_one(("a", LESSON, right), key, unsafe=True)
+        grade_one(("a", LESSON, right), key.path, key.digest, unsafe=True)
 
 
 def mortal(path, program, deaths):
@@ -346,7 +346,7 @@ def test_an_nbval_process_that_is_killed_while_it_starts_is_started_again(
     key, right, monkeypatch, tmp_path, deaths
 ):
     monkeypatch.setattr(nbval_process.sys, "executable", mortal(tmp_path / "python", sys.executable, deaths))
-    result = grade_one(("a", LESSON, right), key, unsafe=True)
+    result = grade_one(("a", LESSON, right), key.path, key.digest, unsafe=True)
     nbval_process.stop_nbval_processes()
     if deaths == 5:
         assert result.points == 10
@@ -377,7 +377,7 @@ def test_a_fork_server_that_has_ended_is_closed_and_started_again():
         process.kill()
         process.wait()
         del process  # nothing here may keep it alive
-        kernel = kernels.start((), 5.0)
+        kernel = kernels.start((), 5.0, alone=True)  # the kernel that waited has ended with it
         assert not kernel.run("1 + 1").ended
         kernel.stop()
 
@@ -411,7 +411,7 @@ def test_a_kernel_that_is_killed_twice_costs_nobody_a_point(key, right):
     content = key.content(exercise.id)
     (check,) = [cell for cell in content.notebook["cells"] if cell["id"] == exercise.cases[0].id]
     with KillsKernels() as kernels:
-        exercise_run = ExerciseRun(exercise, content, kernels, None)
+        exercise_run = ExerciseRun(exercise, content, kernels)
         sources = [*exercise.given, right[exercise.id]]
         run = exercise_run.run(exercise.cases[0], sources, "".join(check["source"]))
         exercise_run.close()

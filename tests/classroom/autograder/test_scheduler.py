@@ -78,5 +78,8 @@ def test_an_address_without_a_scheduler_is_reported():
 
 def test_without_dask_the_error_says_what_to_install(monkeypatch):
     monkeypatch.setitem(sys.modules, "distributed", None)
-    with pytest.raises(ValueError, match=r'pip install "imgproc-course\[scheduler\]"'):
-        open_scheduler("tcp://127.0.0.1:8786")
+    with (
+        pytest.raises(ValueError, match=r'pip install "imgproc-course\[scheduler\]"'),
+        open_scheduler("tcp://127.0.0.1:8786"),
+    ):
+        pass

@@ -117,8 +117,9 @@ def test_a_worker_that_dies_twice_is_reported_and_the_others_are_graded(key, rig
 def test_all_processes_of_a_worker_have_one_share_of_the_processor(tmp_path, monkeypatch):
     """Written to a folder of our own: not every user may make control groups."""
     monkeypatch.setattr(cgroups, "_parent_folders", lambda controller: [tmp_path / controller])
+    monkeypatch.setattr(cgroups, "_numbers", iter([7]))
     for name in ("memory.max", "pids.max", "cpu.weight", "cpu.shares"):
-        folder = tmp_path / name.partition(".")[0] / f"{cgroups._PREFIX}{cgroups.os.getpid()}"
+        folder = tmp_path / name.partition(".")[0] / f"{cgroups._PREFIX}7-{cgroups.os.getpid()}"
         folder.mkdir(parents=True, exist_ok=True)
         (folder / name).touch()
     group = ProcessGroup(1 << 30, 24)

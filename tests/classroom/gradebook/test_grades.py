@@ -18,6 +18,7 @@ from submissions import MASTERS, SEED, answers_of, notebook, thirty, write
 from imgproc_course.classroom.autograder.answer_key import load_key
 from imgproc_course.classroom.autograder.make_answer_key import make_key
 from imgproc_course.classroom.autograder.pool import SandboxError
+from imgproc_course.classroom.autograder.results import from_json
 from imgproc_course.classroom.autograder.sandbox import bubblewrap
 from imgproc_course.classroom.gradebook import grades_json
 from imgproc_course.classroom.gradebook.grade import grade_submissions
@@ -152,7 +153,7 @@ def test_an_incomplete_result_is_graded_again(light, key_path, submissions, grad
     (path,) = [each for each in (tmp_path / "grades" / "results").iterdir() if "answers" not in each.name]
     path.write_text(path.read_text()[:40])
     assert grade(submissions) == first
-    assert json.loads(path.read_text())["points"] == 6
+    assert from_json(json.loads(path.read_text())).points == 6
 
 
 def test_equal_answers_are_graded_once(light, key_path, submissions, tmp_path):

@@ -6,6 +6,7 @@ variable of the user, no key, no master and no submission. `inside/confine.py` c
 `inside/refusal.py` refuses by their names the modules that an exercise does not allow.
 """
 
+import math
 import os
 import shutil
 import signal
@@ -59,9 +60,9 @@ class Limits:
     wall_grace: float = 8.0
     submission: float = 120.0
 
-    def for_system(self, seconds):
-        """The limits that the operating system enforces on a kernel that may use so many seconds."""
-        return vars(self) | {"cpu": int(-(-(seconds + self.grace) // 1))}
+    def cpu(self, seconds):
+        """Whole seconds of processor time that the system gives to each process of a kernel."""
+        return math.ceil(seconds + self.grace)
 
     def deadline(self, seconds):
         """Seconds of wall time after which a kernel is ended from outside, whatever it does."""
@@ -138,7 +139,9 @@ def sandbox_command(confined):
     if not confined:
         return [sys.executable, *_PYTHON_OPTIONS]
     command = [shutil.which("bwrap") or "bwrap", "--die-with-parent", "--new-session", "--clearenv"]
-    command += [*_namespace_options(), *_environment_options(), *_system_folders()]
+    for name, value in environment().items():
+        command += ["--setenv", name, value]
+    command += [*_namespace_options(), *_system_folders()]
     command += ["--proc", "/proc", "--dev", "/dev", "--perms", "1777", "--tmpfs", "/dev/shm"]
     command += ["--perms", "1777", "--tmpfs", "/tmp", *_site_packages(), *_course_packages()]
     # If the user does not really change, kernels own these folders: the next kernel would find what one
@@ -156,10 +159,6 @@ def _namespace_options():
     for name in _CAPABILITIES:
         options += ["--cap-add", f"CAP_{name}"]
     return options
-
-
-def _environment_options():
-    return [option for name, value in environment().items() for option in ("--setenv", name, value)]
 
 
 def _bind(source, mount_point=None):
@@ -223,7 +222,7 @@ def _course_packages():
         if (SOURCE / name).exists():
             options += _bind(str(SOURCE / name), f"{root}/{name}")
     for package in ("exercises", "display"):
-        options += _bind(str(INSIDE / f"{package}_stub.py"), f"{root}/{package}/__init__.py")
+        options += _bind(str(INSIDE / "package_stub.py"), f"{root}/{package}/__init__.py")
     names = ["__init__.py", "course.py", *(f"exercises/{module}.py" for module in EXERCISES_MODULES)]
     names += [f"autograder/{name}" for name in ("__init__.py", "sandbox/__init__.py", "sandbox/inside")]
     for name in names:

@@ -4,7 +4,6 @@ from dataclasses import dataclass, field
 
 from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
 
-LOOK_SECONDS = 0.05  # between two looks at the memory of all processes together
 _MAX_TEXT = 2_000  # characters of an error's text, and of what a cell printed, that are kept
 _MAX_NAME = 100  # characters of an exception's name
 
@@ -26,18 +25,22 @@ class CellRun:
     printed: str = ""
 
     def add(self, kind, content):
-        """Add a message of Jupyter's, or "idle"; returns whether it was the cell's end."""
-        if kind == "idle":
-            if not self.error[0]:  # a cell can fail without showing an error: an unknown magic
-                self._set_error(content)
-            return True
-        if kind == "stream" and len(self.printed) < _MAX_TEXT:
-            self.printed = (self.printed + content["text"])[:_MAX_TEXT]
-        elif kind == "error" and not self.error[0]:  # of several statements, the first that fails is reported
-            self._set_error(content)
-        elif kind in ("display_data", "execute_result") and MIME in content["data"]:
-            self.answers.append(content["data"][MIME])
-        return False
+        """Add a message; returns whether it ended the cell. ValueError, TypeError, KeyError: it is none."""
+        if kind == "stream":
+            self.printed = (self.printed + _text(content["text"]))[:_MAX_TEXT]
+        elif kind in ("error", "idle"):
+            # A cell can fail without showing an error (an unknown magic). Of several errors the first counts.
+            error = (_text(content["ename"])[:_MAX_NAME], _text(content["evalue"]))
+            self.error = self.error if self.error[0] else error
+        elif kind in ("display_data", "execute_result"):
+            data = dict(content["data"])
+            self.answers += [data[MIME]] if MIME in data else []
+        else:
+            raise ValueError(f"a message of the kind {kind!r}")
+        return kind == "idle"
 
-    def _set_error(self, content):
-        self.error = (content["ename"][:_MAX_NAME], content["evalue"][:_MAX_TEXT])
+
+def _text(value):
+    if not isinstance(value, str):
+        raise TypeError(f"expected a text, got {type(value).__name__}")
+    return value[:_MAX_TEXT]

@@ -5,9 +5,9 @@ hundred and twenty. Versions 1 and 2 of control groups are supported. A user who
 neither; then the code that waits for the processes asks for the sum of their sizes.
 """
 
+import itertools
 import os
 import subprocess
-import time
 from contextlib import suppress
 from pathlib import Path
 
@@ -15,9 +15,10 @@ import psutil
 
 _ROOT = Path("/sys/fs/cgroup")
 _PREFIX = "imgproc-course-"
+_numbers = itertools.count()  # of the groups of this process
 _OWN_MEMORY = 256 << 20  # of the fork server and of a waiting kernel
-# Reading ends with this process, however it ends. Then the guard ends what is left in the groups, and removes
-# them: within a second, or after eight it leaves them to the next run.
+# Reading ends when this process closes the pipe or ends, however it ends. Then the guard ends what is left in
+# the groups, and removes them: within a second, or after eight it leaves them to the next run.
 _GUARD = """read -r _
 for group; do
     for _ in $(seq 80); do
@@ -36,6 +37,8 @@ class ProcessGroup:
 
     def __init__(self, memory, processes, *, use_cgroups=True):
         self.folders = []
+        # Of each group its own: the guard ends what is in the folders.
+        self._name = f"{_PREFIX}{next(_numbers)}-{os.getpid()}"
         self._max_memory = memory + _OWN_MEMORY
         limits = {
             "memory": {"memory.limit_in_bytes": self._max_memory, "memory.max": self._max_memory},
@@ -45,30 +48,32 @@ class ProcessGroup:
             "cpuacct": {"cpuacct.usage": 0},  # counts from 0; version 2 counts in every group
         }
         for controller, values in limits.items() if use_cgroups else ():
-            self._make_cgroup(controller, values)
-        self._guard = self._start_guard() if self.folders else None
-        self._limit_swap()
-        self._kill_counter = self._find_kill_counter()
-        self._cpu_counter = self._find_cpu_counter()
-        self._kills, self._used_memory = self._count_kills(), 0
-
-    def _make_cgroup(self, controller, values):
-        for parent in _parent_folders(controller):
-            folder = parent / f"{_PREFIX}{os.getpid()}"
-            try:
-                _remove_abandoned(parent)
-                folder.mkdir(exist_ok=True)
-                files = [name for name in values if (folder / name).exists()]
-                for name in files:
-                    (folder / name).write_text(str(values[name]), encoding="ascii")
-            except OSError:
-                files = []
-            if files:
-                self.folders += [folder] if folder not in self.folders else []
-                return
-            if folder not in self.folders:
+            for parent in _parent_folders(controller):
+                if self._make_cgroup(parent, values):
+                    break
+        # Swapped memory too, because some systems do not count it, and it is slow.
+        for folder in self.folders:
+            for name, limit in (("memory.memsw.limit_in_bytes", self._max_memory), ("memory.swap.max", 0)):
                 with suppress(OSError):
-                    folder.rmdir()
+                    _set(folder / name, limit)
+        self._guard = self._start_guard() if self.folders else None
+        self._kills = 0
+        self.reset()
+
+    def _make_cgroup(self, parent, values):
+        """Make a control group there, unless there is one, with these limits; returns whether it has one."""
+        folder, files_set = parent / self._name, []
+        with suppress(OSError):
+            _remove_abandoned(parent)
+            folder.mkdir(exist_ok=True)
+            files_set = [_set(folder / name, value) for name, value in values.items()]
+        is_limited = any(files_set)
+        if folder not in self.folders and is_limited:
+            self.folders.append(folder)
+        elif folder not in self.folders:
+            with suppress(OSError):
+                folder.rmdir()
+        return is_limited
 
     def _start_guard(self):
         return subprocess.Popen(
@@ -79,14 +84,6 @@ class ProcessGroup:
             start_new_session=True,
         )
 
-    def _limit_swap(self):
-        """Count swapped memory too, because some systems do not, and it is slow."""
-        for folder in self.folders:
-            for name, limit in (("memory.memsw.limit_in_bytes", self._max_memory), ("memory.swap.max", 0)):
-                if (folder / name).exists():
-                    with suppress(OSError):
-                        (folder / name).write_text(str(limit), encoding="ascii")
-
     def enter(self):
         """Put this process into the group, before it becomes the sandbox."""
         for folder in self.folders:
@@ -95,7 +92,7 @@ class ProcessGroup:
 
     def reset(self):
         """Ignore kills that happened until now: the next kernel did not cause them."""
-        self._kills, self._used_memory = self._count_kills() or 0, 0
+        self._kills = self._count_kills() or 0
 
     def ran_out_of_memory(self, root):
         """Whether all processes below one use more memory than they may.
@@ -104,66 +101,44 @@ class ProcessGroup:
         """
         kills = self._count_kills()
         if kills is None:
-            self._used_memory = _memory_under(root, self._max_memory)
-            return self._used_memory > self._max_memory
+            return _memory_under(root, self._max_memory) > self._max_memory
         kills_before, self._kills = self._kills, kills
-        return self._kills > (kills_before or 0)
-
-    def cpu_seconds(self):
-        """Seconds of processor time that all processes have used together; None if nobody counts them."""
-        return None if self._cpu_counter is None else _cpu_seconds_in(self._cpu_counter)
-
-    def _find_cpu_counter(self):
-        """The file in which the system counts their processor time, or None."""
-        paths = (folder / name for folder in self.folders for name in ("cpuacct.usage", "cpu.stat"))
-        return next((path for path in paths if _cpu_seconds_in(path) is not None), None)
-
-    def is_crowded(self):
-        """Whether half of the memory is in use; without a control group, whether it was at the last look."""
-        for folder in self.folders:
-            for name in ("memory.current", "memory.usage_in_bytes"):
-                with suppress(OSError, ValueError):
-                    return int((folder / name).read_text(encoding="ascii")) > self._max_memory // 2
-        return self._used_memory > self._max_memory // 2
-
-    def _find_kill_counter(self):
-        """The file in which the system counts the processes that it killed for want of memory, or None."""
-        names = [folder / name for folder in self.folders for name in ("memory.events", "memory.oom_control")]
-        for path in names:
-            with suppress(OSError):
-                if "oom_kill" in path.read_text(encoding="ascii").split():
-                    return path
-        return None
+        return kills > kills_before
 
     def _count_kills(self):
         """How many processes the system killed for want of memory; None if it does not count them."""
-        if self._kill_counter is None:
-            return None
-        with suppress(OSError, ValueError):
-            fields = self._kill_counter.read_text(encoding="ascii").split()
-            return int(fields[fields.index("oom_kill") + 1])
+        kills = self._count("memory.events", "oom_kill")  # version 2
+        return self._count("memory.oom_control", "oom_kill") if kills is None else kills
+
+    def cpu_seconds(self):
+        """Seconds of processor time that all processes have used together; None if nobody counts them."""
+        nanoseconds, microseconds = self._count("cpuacct.usage"), self._count("cpu.stat", "usage_usec")
+        if nanoseconds is not None:
+            return nanoseconds / 1e9
+        return None if microseconds is None else microseconds / 1e6
+
+    def _count(self, file, name=None):
+        """A number in a file of a control group: the first one, or the one after a name; None without it."""
+        for folder in self.folders:
+            with suppress(OSError, ValueError, IndexError):
+                words = (folder / file).read_text(encoding="ascii").split()
+                return int(words[words.index(name) + 1 if name else 0])
         return None
 
     def remove(self):
-        """Remove the control groups as soon as their last process has ended."""
-        for _ in range(40):
-            self.folders = [folder for folder in self.folders if not _remove_folder(folder)]
-            if not self.folders:
-                break
-            time.sleep(0.025)
-        if self._guard is not None:
-            self._guard.kill()
+        """Remove the control groups, with what is still in them."""
+        if self.folders:
+            if self._guard.poll() is not None:  # somebody killed it
+                self._guard.communicate()
+                self._guard = self._start_guard()
             self._guard.communicate()
 
 
-def _cpu_seconds_in(path):
-    """The seconds that cpuacct.usage (version 1) or cpu.stat (version 2) says, or None."""
-    with suppress(OSError, ValueError):
-        fields = path.read_text(encoding="ascii").split()
-        if path.name == "cpuacct.usage":
-            return int(fields[0]) / 1e9
-        return int(fields[fields.index("usage_usec") + 1]) / 1e6
-    return None
+def _set(file, value):
+    """Write a value to a file of a control group, if there is one; returns whether there is."""
+    if file.exists():
+        file.write_text(str(value), encoding="ascii")
+    return file.exists()
 
 
 def _memory_under(root, exact_above):
@@ -176,35 +151,18 @@ def _memory_under(root, exact_above):
         processes = [process, *process.children(recursive=True)]
     except psutil.Error:
         return 0
-    used = sum(_resident_memory(process) for process in processes)
-    return used if used <= exact_above else sum(_proportional_memory(process) for process in processes)
+    used = sum(_memory_of(process) for process in processes)
+    return used if used <= exact_above else sum(_memory_of(process, exactly=True) for process in processes)
 
 
-def _resident_memory(process):
-    with suppress(psutil.Error):
+def _memory_of(process, *, exactly=False):
+    with suppress(psutil.Error):  # it has ended in the meantime
+        if exactly:
+            with suppress(psutil.AccessDenied):
+                memory = process.memory_full_info()
+                return memory.pss + memory.swap
         return process.memory_info().rss
-    return 0  # it has ended in the meantime
-
-
-def _proportional_memory(process):
-    try:
-        memory = process.memory_full_info()
-    except psutil.AccessDenied:
-        return _resident_memory(process)
-    except psutil.Error:
-        return 0
-    return memory.pss + memory.swap
-
-
-def _remove_folder(folder):
-    """Remove a folder; returns whether it is gone."""
-    try:
-        folder.rmdir()
-    except FileNotFoundError:
-        return True
-    except OSError:
-        return False
-    return True
+    return 0
 
 
 def _parent_folders(controller):
@@ -226,6 +184,6 @@ def _parent_folders(controller):
 def _remove_abandoned(parent):
     """Remove groups whose autograder was killed."""
     for folder in parent.glob(f"{_PREFIX}*"):
-        if not Path("/proc", folder.name.removeprefix(_PREFIX)).exists():
+        if not Path("/proc", folder.name.rpartition("-")[2]).exists():
             with suppress(OSError):
                 folder.rmdir()

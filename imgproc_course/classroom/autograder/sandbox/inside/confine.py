@@ -106,18 +106,23 @@ def _mount_proc():
 
 
 def set_limits(limits):
-    """Set the limits of this process and all that it starts: "cpu" in seconds, "memory", "file" in bytes."""
-    for kind, limit in (
-        (resource.RLIMIT_CPU, limits["cpu"]),
-        (resource.RLIMIT_AS, limits["memory"]),
-        (resource.RLIMIT_NPROC, limits["processes"]),
-        (resource.RLIMIT_FSIZE, limits["file"]),
-        (resource.RLIMIT_NOFILE, 256),
-        (resource.RLIMIT_CORE, 1),  # 0 does not keep a system from piping the core to a program
-    ):
-        _, hard = resource.getrlimit(kind)
-        limit = limit if hard == resource.RLIM_INFINITY else min(limit, hard)
-        resource.setrlimit(kind, (limit, limit))
+    """Set the limits of this process and all that it starts, but for its time; "memory", "file" in bytes."""
+    _set_limit(resource.RLIMIT_AS, limits["memory"])
+    _set_limit(resource.RLIMIT_NPROC, limits["processes"])
+    _set_limit(resource.RLIMIT_FSIZE, limits["file"])
+    _set_limit(resource.RLIMIT_NOFILE, 256)
+    _set_limit(resource.RLIMIT_CORE, 1)  # 0 does not keep a system from piping the core to a program
+
+
+def set_time_limit(seconds):
+    """Set the processor time that this process and each that it starts may use."""
+    _set_limit(resource.RLIMIT_CPU, seconds)
+
+
+def _set_limit(kind, limit):
+    _, hard = resource.getrlimit(kind)
+    limit = limit if hard == resource.RLIM_INFINITY else min(limit, hard)
+    resource.setrlimit(kind, (limit, limit))
 
 
 def _drop_privileges(user):

@@ -37,14 +37,16 @@ _CALLS = {
     "memfd_secret": (447, 447),
 }
 _PARTLY = ("clone", "clone3", "socket", "fcntl")  # some uses of them are refused
-_SETLEASE = 1024
-_NEW_USER = 0x10000000
 _SOCKET_FAMILIES = (1, 2, 10, 16)  # UNIX, INET, INET6, NETLINK: a network namespace separates them
 _X32 = 0x40000000  # calls of the x32 interface, with other numbers
 _LOAD, _EQUAL, _AT_LEAST, _ANY_BIT, _RETURN = 0x20, 0x15, 0x35, 0x45, 0x06
 _NUMBER, _MACHINE, _FIRST_ARGUMENT, _SECOND_ARGUMENT = 0, 4, 16, 24  # offsets in struct seccomp_data
 _ALLOW, _ERROR = 0x7FFF0000, 0x00050000
 _PR_SET_SECCOMP, _FILTER = 22, 2
+_REFUSED_USES = (  # to set a lease on a file, and to make a user namespace
+    ("fcntl", _SECOND_ARGUMENT, _EQUAL, 1024),
+    ("clone", _FIRST_ARGUMENT, _ANY_BIT, 0x10000000),
+)
 
 
 def refuse_system_calls():
@@ -81,20 +83,17 @@ def _filter(machine, numbers):
             yield from _if(_EQUAL, number, errno.EPERM)
     # clone3 has its flags in memory, where no filter sees them; after ENOSYS the C library calls clone.
     yield from _if(_EQUAL, numbers["clone3"], errno.ENOSYS)
-    yield _instruction(_EQUAL, numbers["fcntl"], 0, 4)
-    yield _instruction(_LOAD, _SECOND_ARGUMENT)
-    yield from _if(_EQUAL, _SETLEASE, errno.EPERM)
-    yield _instruction(_RETURN, _ALLOW)
+    for name, argument, test, value in _REFUSED_USES:
+        yield _instruction(_EQUAL, numbers[name], 0, 4)
+        yield _instruction(_LOAD, argument)
+        yield from _if(test, value, errno.EPERM)
+        yield _instruction(_RETURN, _ALLOW)
     yield _instruction(_EQUAL, numbers["socket"], 0, 2 + 2 * len(_SOCKET_FAMILIES))
     yield _instruction(_LOAD, _FIRST_ARGUMENT)
     for family in _SOCKET_FAMILIES:
         yield _instruction(_EQUAL, family, 0, 1)
         yield _instruction(_RETURN, _ALLOW)
     yield _fail(errno.EAFNOSUPPORT)
-    yield _instruction(_EQUAL, numbers["clone"], 1, 0)
-    yield _instruction(_RETURN, _ALLOW)
-    yield _instruction(_LOAD, _FIRST_ARGUMENT)
-    yield from _if(_ANY_BIT, _NEW_USER, errno.EPERM)
     yield _instruction(_RETURN, _ALLOW)
 
 

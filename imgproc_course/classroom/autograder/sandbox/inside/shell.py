@@ -1,19 +1,17 @@
 """An IPython shell without ZMQ: it reads cells from a socket and writes messages, as lines of JSON.
 
-In:  {"n": 3, "code": "..."}; a check cell has also "case": {...}, its inputs; or
-     {"n": 3, "cells": [{"code": "...", "apart": true}]}; if "apart", a statement that fails ends only itself
-Out: {"n": 3, "type": "stream" | "display_data" | "execute_result" | "update_display_data" | "clear_output" |
-      "error" | "idle", "content": {...}}, with the content of Jupyter's messages
+In:  {"cells": ["..."]}; one that fails ends only itself. A check has also "case": {...}, its inputs
+Out: {"type": "stream" | "display_data" | "error" | "idle", "content": {...}}, as Jupyter's messages. What a
+     cell draws is not sent, but for what a check cell shows.
 """
 
-import ast
 import asyncio
+import io
 import json
 import os
 import re
 import sys
 import threading
-import warnings
 
 from IPython.core.displayhook import DisplayHook
 from IPython.core.displaypub import DisplayPublisher
@@ -25,10 +23,7 @@ from traitlets.config import Config
 from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
 
 _BUFFER_SIZE = 8_192  # characters of a stream that are collected before they are sent
-_MOST_OUTPUT = 1_000_000  # bytes of what a cell prints and draws; nobody reads more, and more costs nothing
-
-
-_OUTPUTS = ("stream", "display_data", "update_display_data", "execute_result")
+_MOST_PRINTED = 1_000_000  # characters that are sent of what a request prints; the rest costs nothing
 
 
 class MessageWriter:
@@ -36,62 +31,49 @@ class MessageWriter:
 
     def __init__(self):
         self.descriptor = -1
-        self.cell = 0
-        self.output_left = 0
+        self.printed = 0
         self._lock = threading.RLock()
 
     def send(self, kind, **content):
-        text = json.dumps({"n": self.cell, "type": kind, "content": content}, default=str) + "\n"
+        text = json.dumps({"type": kind, "content": content}, default=str) + "\n"
         data = memoryview(text.encode("ascii"))
-        if kind in _OUTPUTS and MIME not in content.get("data", ()):
-            self.output_left -= len(data)
-            if self.output_left < 0:
-                return
         with self._lock:
             while data:
                 data = data[os.write(self.descriptor, data) :]
+
+    def send_answer(self, data):
+        """Send what a check cell shows, of what a cell displays."""
+        if MIME in data:
+            self.send("display_data", data={MIME: data[MIME]})
 
 
 WRITER = MessageWriter()
 
 
-class OutputStream:
+class OutputStream(io.TextIOBase):
     """sys.stdout and sys.stderr of a cell."""
 
-    encoding, errors, newlines, closed = "utf-8", "replace", None, False
+    encoding, errors = "utf-8", "replace"
 
     def __init__(self, name):
-        self.name = name
-        self._texts, self._length = [], 0
+        self.name, self._text = name, ""
 
     def write(self, text):
         if not isinstance(text, str):
             raise TypeError(f"write() argument must be str, not {type(text).__name__}")
-        self._texts.append(text)
-        self._length += len(text)
-        if self._length > _BUFFER_SIZE:
+        self._text += text
+        if len(self._text) > _BUFFER_SIZE:
             self.flush()
         return len(text)
 
-    def writelines(self, lines):
-        for line in lines:
-            self.write(line)
-
     def flush(self):
-        text, self._texts, self._length = "".join(self._texts), [], 0
-        if text:
-            WRITER.send("stream", name=self.name, text=text)
-
-    def isatty(self):
-        return False
+        text, self._text = self._text, ""
+        if text and WRITER.printed < _MOST_PRINTED:
+            WRITER.printed += len(text)
+            WRITER.send("stream", text=text[:_MOST_PRINTED])
 
     def writable(self):
         return True
-
-    def readable(self):
-        return False
-
-    seekable = readable
 
     def fileno(self):
         return 1 if self.name == "stdout" else 2
@@ -102,87 +84,44 @@ def _flush():
     sys.stderr.flush()
 
 
-class MessagePublisher(DisplayPublisher):
-    """Sends rich display as messages."""
+class AnswerPublisher(DisplayPublisher):
+    """Sends what a check cell displays."""
 
-    def publish(self, data, metadata=None, *, transient=None, update=False, **_ignored):
-        _flush()
-        kind = "update_display_data" if update else "display_data"
-        WRITER.send(kind, data=data, metadata=metadata or {}, transient=transient or {})
-
-    def clear_output(self, wait=False):
-        _flush()
-        WRITER.send("clear_output", wait=bool(wait))
+    def publish(self, data, metadata=None, **_ignored):
+        WRITER.send_answer(data)
 
 
-class MessageDisplayHook(DisplayHook):
-    """Sends the value of a cell's last expression as a message."""
+class AnswerDisplayHook(DisplayHook):
+    """Makes the value of a cell's last expression ready to show, and sends it if it is an answer."""
 
     def write_output_prompt(self):
         pass
 
     def write_format_data(self, format_dict, md_dict=None):
-        _flush()
-        WRITER.send(
-            "execute_result", data=format_dict, metadata=md_dict or {}, execution_count=self.prompt_count
-        )
-
-    def finish_displayhook(self):
-        self._is_active = False
+        WRITER.send_answer(format_dict)
 
 
 # Without one of these characters there is no magic, no shell command and no question for help.
-_ESCAPES = re.compile(r"[%!?]|^[ \t\f]*[,;/]", re.M)
+_ESCAPES = re.compile(r"[%?]|!(?!=)|^[ \t\f]*[,;/]", re.M)
 
 
 class FastTransformer(TransformerManager):
-    """IPython's transformer, but faster: it searches for magics only in cells that are not plain Python.
-
-    Magics and shell commands are never valid Python, and IPython splits every cell into tokens to find them.
-    """
+    """IPython's transformer, without a search for magics, which takes long, where there can be none."""
 
     def do_token_transforms(self, lines):
-        source = "".join(lines)
-        if not _ESCAPES.search(source) or _is_python(source):
-            return lines
-        return super().do_token_transforms(lines)
-
-
-def _is_python(source):
-    with warnings.catch_warnings():
-        warnings.simplefilter("ignore")  # running the cell shows them
-        try:
-            ast.parse(source)
-        except (SyntaxError, ValueError, RecursionError, MemoryError):
-            return False
-    return True
+        return super().do_token_transforms(lines) if _ESCAPES.search("".join(lines)) else lines
 
 
 class CellShell(InteractiveShell):
     """The shell that runs cells: it does what ipykernel's shell does, without sockets."""
 
-    displayhook_class = Type(MessageDisplayHook)
-    display_pub_class = Type(MessagePublisher)
+    displayhook_class = Type(AnswerDisplayHook)
+    display_pub_class = Type(AnswerPublisher)
     input_transformer_manager = Instance(FastTransformer, ())
-    system = InteractiveShell.system_piped
-    readline_use = False
-    statements_apart = False  # whether a statement that fails ends only itself, and not its cell
-
-    def init_history(self):
-        super().init_history()
-        self.history_manager.enabled = False
 
     def should_run_async(self, raw_cell, **options):
         # IPython compiles the cell to find out; for most cells a look at the text is enough.
         return ("await" in raw_cell or "async" in raw_cell) and super().should_run_async(raw_cell, **options)
-
-    async def run_ast_nodes(self, nodelist, cell_name, **options):
-        if not self.statements_apart:
-            return await super().run_ast_nodes(nodelist, cell_name, **options)
-        has_failed = False
-        for node in nodelist:
-            has_failed |= bool(await super().run_ast_nodes([node], cell_name, **options))
-        return has_failed
 
     def enable_gui(self, gui=None):
         pass
@@ -190,14 +129,11 @@ class CellShell(InteractiveShell):
     def ask_exit(self):
         pass
 
-    def init_virtualenv(self):
-        pass
-
     def showtraceback(self, exc_tuple=None, *_arguments, **_options):
         """Send the exception without its traceback: nobody reads it, and IPython takes long to make it."""
         etype, evalue, _ = self._get_exc_info(exc_tuple)
         _flush()
-        WRITER.send("error", ename=etype.__name__, evalue=_text_of(evalue), traceback=[])
+        WRITER.send("error", ename=etype.__name__, evalue=_text_of(evalue))
 
     def showsyntaxerror(self, *_arguments, **_options):
         self.showtraceback()
@@ -220,22 +156,29 @@ def make_shell():
     return shell
 
 
-def serve(shell, descriptor, deliver):
-    """Run cells from a connected socket until it is closed; `deliver` takes the inputs of each check."""
+def run_unseen(shell, cells):
+    """Run cells whose output nobody reads."""
+    WRITER.descriptor = os.open(os.devnull, os.O_WRONLY)
+    streams = sys.stdout, sys.stderr
+    sys.stdout, sys.stderr = OutputStream("stdout"), OutputStream("stderr")
+    for code in cells:
+        shell.run_cell(code, store_history=False)
+    sys.stdout, sys.stderr = streams
+    os.close(WRITER.descriptor)
+
+
+def serve(shell, requests, descriptor, deliver):
+    """Run the cells of each request until there are no more; `deliver` takes the inputs of each check."""
     WRITER.descriptor = descriptor
     sys.stdout, sys.stderr = OutputStream("stdout"), OutputStream("stderr")
     runner = _CellRunner(shell)
-    for request in _requests(descriptor):
-        WRITER.cell, WRITER.output_left = request["n"], _MOST_OUTPUT
+    for request in map(json.loads, requests):
+        WRITER.printed = 0
         if "case" in request:
             deliver(request["case"])
-        error = None
-        for cell in request.get("cells") or [{"code": request.get("code"), "apart": False}]:
-            if cell["code"]:
-                shell.statements_apart = cell["apart"]
-                error_of_cell = runner.run(cell["code"])
-                error = error_of_cell if error is None else error
-                _flush()
+        errors = [runner.run(code) for code in request["cells"]]
+        _flush()
+        error = next((error for error in errors if error is not None), None)
         name = "" if error is None else type(error).__name__
         WRITER.send("idle", ename=name, evalue="" if error is None else _text_of(error))
 
@@ -252,31 +195,13 @@ class _CellRunner:
         return result.error_before_exec or result.error_in_exec
 
     def _run(self, code):
-        if self._loop is None and "async" not in code and "await" not in code:
-            return self._shell.run_cell(code, store_history=False)
-        if self._loop is None:
+        if self._loop is None and ("async" in code or "await" in code):
             self._loop = asyncio.new_event_loop()
             asyncio.set_event_loop(self._loop)
             self._shell.loop_runner = self._loop.run_until_complete
-        if re.search(r"\b(await|async)\b", code):
+        if self._loop is None or re.search(r"\b(await|async)\b", code):
             return self._shell.run_cell(code, store_history=False)
         return self._loop.run_until_complete(self._run_in_loop(code))
 
     async def _run_in_loop(self, code):
         return self._shell.run_cell(code, store_history=False)
-
-
-def _requests(descriptor):
-    buffer = b""
-    while True:
-        *lines, buffer = buffer.split(b"\n")
-        yield from (json.loads(line) for line in lines)
-        data = os.read(descriptor, 1 << 16)
-        if not data:
-            return
-        buffer += data
-        while b"\n" not in data:
-            data = os.read(descriptor, 1 << 20)
-            if not data:
-                return
-            buffer += data

@@ -1,0 +1,14 @@
+"""Replaces `imgproc_course.exercises` and `imgproc_course.display` inside the sandbox.
+
+An answer cell may check itself, ask for hints and show images, and nobody looks here.
+"""
+
+
+def __getattr__(name):
+    if name.startswith("__"):
+        raise AttributeError(name)
+    return _do_nothing
+
+
+def _do_nothing(*_arguments, **_options):
+    """Do nothing, whatever it is."""
