@@ -30,7 +30,8 @@ from imgproc_course.classroom.autograder.sandbox.cell_run import MIME, CellRun
 from imgproc_course.classroom.autograder.screening import reason_not_to_run
 from imgproc_course.classroom.autograder.verdict import CaseRun, verdict_on
 
-# A kernel that ended like this may have been ended by something else than the answer: endings, try by try.
+# A kernel that ended like this may have been ended by something else than the answer. It is run again, alone:
+# after "memory" once, after "gone" up to twice, after "crashed" up to three times. One pair for each try.
 _RUN_AGAIN_AFTER = (("crashed", "memory"), ("crashed", "gone"), ("crashed", "gone"))
 _MESSAGE_ID = "a cell's run"
 PASSED = "passed"  # the verdict that nbval finds stored for each check
@@ -40,6 +41,8 @@ _NBVAL_COMMENT = re.compile(r"^([^\S\n]*#+[^\S\n]*)(NBVAL_\w+|PYTEST_VALIDATE_\w
 class ExerciseKernel:
     """What nbval takes for its kernel, for one exercise.
 
+    For each cell nbval calls execute_cell_input, await_reply and then get_message until "idle"; after an
+    error also await_idle. Given cells and answer are only collected: they run before the first check.
     Of a check, nbval gets only the verdict. What the function printed or drew costs nothing, as in a lesson.
     """
 

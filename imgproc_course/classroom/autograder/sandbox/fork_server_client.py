@@ -6,6 +6,7 @@ extends, and all of it may be forged.
 
 import json
 import os
+import signal
 import socket
 import subprocess
 import time
@@ -18,6 +19,8 @@ from imgproc_course.classroom.autograder.sandbox.cell_run import CellRun
 _LOOK_SECONDS = 0.05  # between two looks at the memory of all processes together
 _OWN_SECONDS = 0.5  # of processor time, that the fork server and a waiting kernel use beside a check, at most
 _STARTS = 3  # of a fork server that ends before it forks
+_NOT_CONFINED = 70  # exit code of a fork that could not be confined, see `inside.fork_server`
+_TIME_SIGNALS = (signal.SIGKILL, signal.SIGXCPU)  # by which the system ends a process whose time is used up
 
 
 class KernelEnded(Exception):
@@ -78,7 +81,7 @@ class ForkedKernel:
             bytes_left = self._limits.output
             while True:
                 line = self._read_line(bytes_left)
-                if not self._is_confined:  # its first line, which `fork_server` writes
+                if not self._is_confined:  # its first line is empty: `fork_server` has confined it
                     self._is_confined = True
                     continue
                 bytes_left -= len(line)
@@ -131,17 +134,20 @@ class ForkedKernel:
         self._next_look = time.monotonic() + _LOOK_SECONDS
 
     def _how_it_ended(self):
-        """The value of CellRun.ended for a kernel that ended by itself."""
+        """The value of CellRun.ended for a kernel that ended by itself; "gone" if the fork server did too."""
         if self._id is None:  # somebody has asked before
             return "crashed"
         # A process closes its sockets a moment before its end is known: wait for that.
         self._fork_server.end(self._id, patience=1.0)
-        status, self._id = self._fork_server.await_ends(), None
+        status = self._fork_server.await_ends()  # the last reply is the one about this kernel
+        self._id = None
         if status is None:
             return "gone"
-        if status["code"] == 70 and not self._is_confined:  # later, an answer can end with this code too
+        # Once it is confined, an answer can end with this code too.
+        if status["code"] == _NOT_CONFINED and not self._is_confined:
             raise bubblewrap.SandboxError("a kernel could not be confined; see imgproc-course doctor")
-        if status["signal"] in (9, 24) and status["cpu"] > self._cpu_limit - 0.9:
+        # The system's limit is in whole seconds.
+        if status["signal"] in _TIME_SIGNALS and status["cpu"] > self._cpu_limit - 0.9:
             return "time"
         return "memory" if self._fork_server.ran_out_of_memory() else "crashed"
 
