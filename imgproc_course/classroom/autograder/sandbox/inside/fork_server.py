@@ -29,7 +29,7 @@ _USUAL_CELLS = (
 
 
 def _load():
-    """Load what kernels need; returns what each fork calls with its socket."""
+    """Load what kernels need; returns what each fork calls while it waits, and then with its socket."""
     import asyncio  # noqa: F401 - loaded for the forks
     import getpass  # noqa: F401
     import statistics  # noqa: F401
@@ -42,8 +42,13 @@ def _load():
 
     cell_shell = shell.make_shell()
     cell_shell.user_ns["np"] = np
-    check_cell.deliver({"calls": [{"tuple": [1.5]}], "seconds": 5})
-    shell.run_unseen(cell_shell, _USUAL_CELLS)
+
+    def warm_up():
+        """Load what is loaded at its first use; in a fork, copy the memory pages that a check writes to."""
+        check_cell.deliver({"calls": [{"tuple": [1.5]}], "seconds": 5})
+        shell.run_unseen(cell_shell, _USUAL_CELLS)
+
+    warm_up()
     cell_shell.display_formatter.format(0)  # makes the formatters, else each kernel would
     # Answers may draw from NumPy's global generator; its state is the same in each fork.
     np.random.seed(0)  # noqa: NPY002 - the global generator is meant, not one of ours
@@ -53,10 +58,10 @@ def _load():
         refusal.allow_modules(allowed)
         shell.serve(cell_shell, requests, descriptor, check_cell.deliver)
 
-    return run_cells
+    return warm_up, run_cells
 
 
-def _run_kernel(control, descriptor, kernel_id, settings, run_cells):
+def _run_kernel(control, descriptor, kernel_id, settings, warm_up, run_cells):
     """What a fork does; it does not return."""
     exit_code = 70  # the fork could not be confined
     try:
@@ -75,6 +80,7 @@ def _run_kernel(control, descriptor, kernel_id, settings, run_cells):
             confine.die_with_parent()
             confine.set_limits(settings["limits"] | {"processes": 4096})
         os.write(descriptor, b"\n")  # it is confined; until now nobody else's code ran
+        warm_up()
         with open(descriptor, "rb", 1 << 18, closefd=False) as requests:
             beginning = json.loads(requests.readline())
             confine.set_time_limit(beginning["cpu"])
@@ -90,7 +96,7 @@ def main():
     confine.leave_session_keyring()
     settings = json.loads(sys.argv[1])
     control = socket.socket(fileno=settings["control"])
-    run_cells = _load()
+    loaded = _load()
     null = os.open(os.devnull, os.O_RDWR)
     for standard_stream in (0, 1, 2):
         os.dup2(null, standard_stream)
@@ -105,7 +111,7 @@ def main():
             return
         order = json.loads(text)
         if order["op"] == "fork":
-            child = _fork(control, descriptors[0], order["id"], settings, run_cells, namespace)
+            child = _fork(control, descriptors[0], order["id"], settings, loaded, namespace)
             kernels[order["id"]] = child
         else:
             child, status = kernels.pop(order["id"], None), None
@@ -119,12 +125,12 @@ def main():
         ending -= {child for child in ending if os.waitpid(child, os.WNOHANG)[0]}
 
 
-def _fork(control, descriptor, kernel_id, settings, run_cells, namespace):
+def _fork(control, descriptor, kernel_id, settings, loaded, namespace):
     if namespace is not None:
         confine.unshare(confine.NEWPID)
     child = os.fork()
     if child == 0:
-        _run_kernel(control, descriptor, kernel_id, settings, run_cells)
+        _run_kernel(control, descriptor, kernel_id, settings, *loaded)
     if namespace is not None:
         confine.return_to_pid_namespace(namespace)
     os.close(descriptor)
