@@ -14,7 +14,7 @@ from imgproc_course.classroom.exercises.declaration import PUBLIC_SEED
 from imgproc_course.classroom.exercises.dependencies import Dependencies, dependencies_of, find_refused
 from imgproc_course.classroom.exercises.diagnosis import Diagnosis, diagnose
 from imgproc_course.classroom.exercises.expected_results import check_data_of
-from imgproc_course.classroom.exercises.progress import ExerciseProgress, digest_of, note_progress
+from imgproc_course.classroom.exercises.progress import ExerciseProgress, content_of, digest_of, note_progress
 from imgproc_course.classroom.exercises.running import (
     CallResult,
     TimeUp,
@@ -141,8 +141,8 @@ def check(exercise_id, function):
     if not exercise.can_be_answer(function):
         raise TypeError(
             f"check({exercise_id!r}, ...) needs your {exercise.kind} {exercise.function} itself, got a value"
-            f" of type {type(function).__name__}; run the cell with your {exercise.kind} first (if it shows an"
-            f" error, repair that), and write check({exercise_id!r}, {exercise.function}), no parentheses"
+            f" of type {type(function).__name__}; run the cell with your {exercise.kind} first (if it shows"
+            f" an error, repair that), and write check({exercise_id!r}, {exercise.function}), no parentheses"
             " after the name"
         )
     why_older = RUNS.why_older(exercise_id, exercise.function, function)
@@ -235,10 +235,7 @@ def _are_same(codes, other_codes):
     """Whether the code objects of two answers do the same; None if those of one are not known."""
     if not codes or not other_codes:
         return None
-    contents = [
-        {name: (code.co_code, code.co_consts, code.co_names) for name, code in own.items()}
-        for own in (codes, other_codes)
-    ]
+    contents = [{name: content_of(code) for name, code in own.items()} for own in (codes, other_codes)]
     return contents[0] == contents[1]
 
 

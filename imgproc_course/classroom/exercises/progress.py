@@ -146,12 +146,13 @@ def digest_of(answer):
     source = "\n".join("".join(linecache.getlines(file)) for file in files)
     with contextlib.suppress(SyntaxError, ValueError, RecursionError):
         source = ast.dump(ast.parse(source))
-    content = "\n".join([source, *(f"{name} {_content_of(code)}" for name, code in codes.items())])
+    content = "\n".join([source, *(f"{name} {content_of(code)}" for name, code in codes.items())])
     return hashlib.sha256(content.encode("utf-8", "surrogatepass")).hexdigest()[:16]
 
 
-def _content_of(code):
+def content_of(code):
+    """What a code object does, as text, wherever it stands; of another constant its repr."""
     if not isinstance(code, types.CodeType):
         return repr(code)
-    constants = [_content_of(constant) for constant in code.co_consts]
+    constants = [content_of(constant) for constant in code.co_consts]
     return repr((code.co_code, code.co_names, constants))
