@@ -8,7 +8,7 @@ The steps of a drive are dicts, in order:
     {"set": {"low": 20}}         parameters, as `ros2 param set` sets them
     {"get": ["low", "high"]}     parameters, as `ros2 param get` reads them
 
-A node of rclpy is driven as a node of `ros_double`, so nothing of it appears in the ROS graph: a class that
+A node of rclpy is driven as a `RecordingNode`, so nothing of it appears in the ROS graph: a class that
 records stands between the learner's class and rclpy's Node.
 """
 
@@ -19,16 +19,17 @@ import threading
 
 import numpy as np
 
-from imgproc_course.classroom.exercises.ros_double import (
+from imgproc_course.classroom.exercises.recording_node import (
+    LEVELS,
     UNKNOWN,
     NodeError,
     NodeStopped,
     RecordingNode,
-    offer_modules,
     refusals,
     stop,
     type_text,
 )
+from imgproc_course.classroom.exercises.ros_double import offer_modules
 
 _WINDOWS = ("imshow", "waitKey", "waitKeyEx", "namedWindow", "destroyAllWindows", "destroyWindow")
 # What a node must not do: it is trapped during a drive, and the record says that it was used.
@@ -219,16 +220,13 @@ def _result(node, record, step):
         if timer.is_on:
             timer.callback()
     levels = [level for level, _ in record.logged[logged:]]
-    level = max(levels, key=_LEVELS.index, default="")
+    level = max(levels, key=LEVELS.index, default="")
     return {
         "delivered": delivered,
         "ended": ended,
         "log": "error" if level == "fatal" else level if step.get("bad") or level == "error" else "",
         "published": [_plain_message(topic, fields) for topic, fields in record.published[published:]],
     }
-
-
-_LEVELS = ("debug", "info", "warn", "error", "fatal")
 
 
 def _set(node, name, value):
