@@ -46,8 +46,19 @@ def _exercise_rules(exercise):
     yield not _is_text(exercise.explanation), why
     another_way = 'needs another_way="You can also write ...", one sentence'
     yield not _is_text(exercise.another_way), another_way
+    is_node = exercise.subject == "node"
+    yield (
+        is_node and not _defines_class(exercise.stub, exercise.function),
+        f'has subject="node"; its answer cell must define class {exercise.function}(Node)',
+    )
     for name in _repeated([mistake.name for mistake in exercise.mistakes]):
         yield True, f"declares the mistake {name!r} twice"
+
+
+def _defines_class(source, name):
+    module = _parse(source)
+    classes = [node.name for node in module.body if isinstance(node, ast.ClassDef)] if module else []
+    return name in classes
 
 
 def _repeated(names):

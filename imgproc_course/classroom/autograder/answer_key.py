@@ -69,6 +69,7 @@ class KeyExercise:
     stub        the answer cell's source in the lesson
     arguments   names of the function's arguments
     given       sources of the given cells; () in a key of an earlier version
+    subject     what the answer is: "function" or "node"
     exact_type  whether a right value in another type is wrong
     """
 
@@ -85,6 +86,7 @@ class KeyExercise:
     mistakes: tuple[KeyMistake, ...]
     given: tuple[str, ...] = ()
     exact_type: bool = False
+    subject: str = "function"
 
 
 @dataclass(frozen=True)

@@ -70,6 +70,7 @@ class CheckData:
     id: str
     title: str
     function: str
+    subject: str = "function"
     names: tuple[str, ...] = ()
     stub: str
     given: tuple[str, ...]
@@ -132,7 +133,8 @@ class CheckData:
     def call(self, function, arguments):
         """The CallResult of one call of an answer."""
         more_names = (f"argument {k + 1}" for k in range(len(self.names), len(arguments)))
-        return call(function, arguments, [*self.names[: len(arguments)], *more_names], self.time_limit)
+        names = [*self.names[: len(arguments)], *more_names]
+        return call(function, arguments, names, self.time_limit, self.subject)
 
 
 def shared_fields(record, kind):

@@ -14,6 +14,7 @@ import numpy as np
 
 from imgproc_course.classroom.exercises.check_data import Case, CheckData, Mistake
 from imgproc_course.classroom.exercises.percent_script import MISTAKES_SUFFIX, ROLES, MasterError, read_script
+from imgproc_course.classroom.exercises.running import SUBJECTS
 
 PUBLIC_SEED = 20_240_501  # what `check` draws its inputs from; a teacher's key has a seed of its own
 
@@ -25,6 +26,7 @@ def exercise(
     id,
     *,
     function,
+    subject="function",
     title="",
     time_limit=5.0,
     allowed=(),
@@ -47,7 +49,9 @@ def exercise(
     ----------
     id : str, `<lesson>-<what>`, lower case: "grayscale-luma"
     title : str, the exercise's name in reports; its id if omitted
-    function : str, the name of the function that the learner writes
+    function : str, the name of the function or of the class that the learner writes
+    subject : str, what the answer is: "function", or "node", the class of a ROS 2 node, which is driven as
+        each case says with its arguments (look, steps), see `node_driver`
     time_limit : float, seconds, for one call of the function
     allowed : tuple of str, modules that the answer may use beside NumPy and the standard library: ("scipy",
         "imgproc_course.imaging"). matplotlib, IPython.display and imgproc_course.display are there for
@@ -76,6 +80,9 @@ def exercise(
         )
     if not isinstance(function, str) or not function.isidentifier():
         raise MasterError(f"exercise {id}: function={function!r}, expected the name of a function")
+    if subject not in SUBJECTS:
+        expected = " or ".join(map(repr, SUBJECTS))
+        raise MasterError(f"exercise {id}: subject={subject!r}, expected {expected}")
     if not time_limit > 0 or not tolerance >= 0:
         raise MasterError(
             f"exercise {id}: time_limit must be > 0 and tolerance >= 0, got {time_limit} and {tolerance}"
@@ -92,6 +99,7 @@ def exercise(
     return {
         "id": id,
         "function": function,
+        "subject": subject,
         "title": title or id,
         "time_limit": float(time_limit),
         "allowed": tuple(allowed),
@@ -151,11 +159,11 @@ class Exercise(CheckData):
             self.run_part(self.helpers, names, f"helpers of the mistakes of {self.id}")
             names["solution"] = self.function_of(self.solution, "solution")
         self.run_part(source, names, f"{label} of {self.id}")
-        if not callable(names.get(self.function)):
-            raise MasterError(
-                f"{self.master.name}: the {label} of {self.id} does not define {self.function}()"
-            )
-        return names[self.function]
+        is_node = self.subject == "node"
+        answer, name = names.get(self.function), f"class {self.function}" if is_node else f"{self.function}()"
+        if not (isinstance(answer, type) if is_node else callable(answer)):
+            raise MasterError(f"{self.master.name}: the {label} of {self.id} does not define {name}")
+        return answer
 
     def arguments(self, case, seed=PUBLIC_SEED):
         """A tuple of arguments for each call that a case makes; it depends only on the seed and the case."""

@@ -33,6 +33,8 @@ _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
 _BLOCKS = 16  # of one size: more than NumPy or malloc keep for reuse
 _REPEAT = 0.1  # seconds: an alarm swallowed by a bare `except:` rings again
 _PATIENCE = 2  # time limits that a function may wait in addition, for the processor or in a sleep
+SUBJECTS = ("function", "node")  # what an answer may be
+_NODE_ARGUMENTS = ["look", "steps"]  # of a call in an exercise whose answer is a node, see `node_driver`
 
 
 class TimeUp(BaseException):
@@ -78,10 +80,11 @@ class CallResult:
         return not self.finished or compare(other.value, self.value, tolerance, exact_type=exact_type) is None
 
 
-def call(function, arguments, names, time_limit):
+def call(function, arguments, names, time_limit, subject="function"):
     """Call a function on copies of its arguments; the CallResult says what it did.
 
-    `names` are the arguments'. The time limit is in seconds; on a busy machine up to three times as long.
+    `names` are the arguments'. The time limit is in seconds; on a busy machine up to three times as long. If
+    the subject is "node", it is the class of a node, and is driven through the steps in its arguments.
     """
     copies = copy.deepcopy(arguments)
     before = [canonical(value, limit=None) for value in copies]
@@ -89,7 +92,7 @@ def call(function, arguments, names, time_limit):
     with warnings.catch_warnings(record=True) as caught_warnings:
         warnings.simplefilter("always")
         with contextlib.redirect_stdout(output), contextlib.redirect_stderr(output):
-            fields = _call_fields(function, copies, time_limit)
+            fields = _call_fields(function, copies, time_limit, subject)
     if not fields.get("stuck"):
         pairs = zip(names, before, copies, strict=True)
         fields["changed"] = tuple(name for name, old, new in pairs if old != canonical(new, limit=None))
@@ -111,10 +114,22 @@ def by_itself():
         sys.stdin = stdin
 
 
-def _call_fields(function, arguments, time_limit):
-    """The fields of CallResult that the call itself gives, as a dict."""
+def argument_names(function, arguments=(), subject="function"):
+    """The names of an answer's arguments; arguments without a name are numbered."""
     try:
-        value = call_within(lambda: function(*arguments), time_limit)
+        names = _NODE_ARGUMENTS if subject == "node" else list(inspect.signature(function).parameters)
+    except (TypeError, ValueError):
+        names = []
+    if not arguments:
+        return names
+    return [*names[: len(arguments)], *(f"argument {k + 1}" for k in range(len(names), len(arguments)))]
+
+
+def _call_fields(function, arguments, time_limit, subject):
+    """The fields of CallResult that the call itself gives, as a dict."""
+    run = _drive if subject == "node" else _call
+    try:
+        value = call_within(lambda: run(function, arguments), time_limit)
         has_return = value is None and _returns_a_value(code_of(function))
         return {"value": canonical(value, limit=None), "has_return": has_return}
     except TimeUp as ended:
@@ -125,6 +140,19 @@ def _call_fields(function, arguments, time_limit):
             "message": _message(error),
             "line": _own_line(error, function),
         }
+
+
+def _call(function, arguments):
+    return function(*arguments)
+
+
+def _drive(node_class, arguments):
+    """What a node did when it was driven, as a plain value."""
+    from imgproc_course.classroom.exercises.node_driver import drive  # here: only nodes need it
+
+    if not isinstance(node_class, type):
+        raise TypeError(f"expected the class of your node, got a value of type {type(node_class).__name__}")
+    return drive(node_class, *arguments)
 
 
 def _returns_a_value(code):
