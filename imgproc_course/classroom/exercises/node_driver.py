@@ -41,20 +41,20 @@ _TRAPS = {
 _POLICIES = ("reliability", "durability", "history", "depth")
 
 
-def drive(node_class, steps):
+def drive(node_class, look, steps):
     """Make a node of a class, and let it take some steps.
 
     Parameters
     ----------
     node_class : a class that inherits from rclpy's Node, ROS's own or the double's
+    look : "setup": what the node is after the steps; "images": what came of each step
     steps : list of dict, see above
 
     Returns
     -------
-    dict: "node", its name; "subscriptions" and "publishers", lists of dicts sorted by topic; "steps", what
-    came of each step; "sleeps" and "windows", whether it slept or opened windows; "published early", how many
-    messages it published in __init__. Without steps, "steps" is missing; with steps, only it and what is
-    forbidden is there.
+    dict: "node", its name, "subscriptions" and "publishers", lists of dicts sorted by topic, and "published
+    early", the number of messages that it published in __init__; or "steps", what came of each step. And
+    "sleeps" and "windows": whether it slept or opened windows.
 
     Raises
     ------
@@ -70,13 +70,12 @@ def drive(node_class, steps):
         used = stack.enter_context(_traps(node_class))
         node = node_class()
         record = node._node_record
-        early = len(record.published)
-        if not steps:
-            return _description(node) | {"published early": early} | used
-        results = []
+        early, results = len(record.published), []
         for step in steps:
             has_ended = bool(results) and bool(results[-1].get("ended"))
             results.append(results[-1] if has_ended else _result(node, record, step))
+        if look == "setup":
+            return _description(node) | {"published early": early} | used
         return {"steps": results} | used
 
 
