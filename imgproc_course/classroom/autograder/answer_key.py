@@ -30,6 +30,7 @@ from imgproc_course.classroom.autograder.answer_forms import read_calls
 from imgproc_course.classroom.autograder.sandbox.inside.answer_mime import MIME
 from imgproc_course.classroom.exercises.canonical import canonical
 from imgproc_course.classroom.exercises.input_encoding import decode
+from imgproc_course.classroom.exercises.running import answer_name
 
 FORMAT = 4
 HANDED_OUT = "handed_out.json"
@@ -87,6 +88,11 @@ class KeyExercise:
     given: tuple[str, ...] = ()
     exact_type: bool = False
     subject: str = "function"
+
+    @property
+    def answer_name(self):
+        """How texts name its answer, double() or Doubler."""
+        return answer_name(self.function, self.subject)
 
 
 @dataclass(frozen=True)

@@ -254,7 +254,7 @@ def _outcome_of_verdict(exercise, verdict):
     call = verdict.calls[verdict.failed_call]
     if call.timed_out:
         limit = f"{exercise.time_limit:g} s of processor time"
-        return Outcome.TIME, f"{exercise.function}() used more than {limit}"
+        return Outcome.TIME, f"{exercise.answer_name} used more than {limit}"
     if call.error:
         return _outcome_of_exception(call)
     if call.changed:
@@ -279,7 +279,7 @@ def _outcome_without_function(exercise, run):
         return _OUTCOMES_OF_ERRORS[name], reproducible_text(text)
     if name:
         return Outcome.RAISED, f"{CELL_FAILS}: {_exception_text(name, text)}"
-    return Outcome.MISSING, f"its cell does not define {exercise.function}()"
+    return Outcome.MISSING, f"its cell does not define {exercise.answer_name}"
 
 
 def _message_about_cell(runs):

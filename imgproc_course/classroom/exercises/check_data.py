@@ -11,7 +11,7 @@ import numpy as np
 
 from imgproc_course.classroom.exercises.cell_syntax import cells_of, needed_parts, parts_of
 from imgproc_course.classroom.exercises.dependencies import tree_as_graded
-from imgproc_course.classroom.exercises.running import CallResult, by_itself, call
+from imgproc_course.classroom.exercises.running import CallResult, answer_name, by_itself, call
 
 
 @dataclass(frozen=True, eq=False)
@@ -91,6 +91,20 @@ class CheckData:
     def points(self):
         """Points of all its cases."""
         return sum(case.points for case in self.cases)
+
+    @property
+    def answer_name(self):
+        """How texts name its answer, double() or Doubler."""
+        return answer_name(self.function, self.subject)
+
+    @property
+    def kind(self):
+        """What texts call its answer."""
+        return "class" if self.subject == "node" else "function"
+
+    def can_be_answer(self, value):
+        """Whether a value is of the kind of its answers."""
+        return isinstance(value, type) if self.subject == "node" else callable(value)
 
     def namespace(self):
         """A new namespace as an answer gets it in grading: np, and what the given cells define."""

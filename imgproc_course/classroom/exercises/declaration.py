@@ -160,10 +160,10 @@ class Exercise(CheckData):
             self.run_part(self.helpers, names, f"helpers of the mistakes of {self.id}")
             names["solution"] = self.function_of(self.solution, "solution")
         self.run_part(source, names, f"{label} of {self.id}")
-        is_node = self.subject == "node"
-        answer, name = names.get(self.function), f"class {self.function}" if is_node else f"{self.function}()"
-        if not (isinstance(answer, type) if is_node else callable(answer)):
-            raise MasterError(f"{self.master.name}: the {label} of {self.id} does not define {name}")
+        answer = names.get(self.function)
+        if not self.can_be_answer(answer):
+            place = f"{self.master.name}: the {label} of {self.id}"
+            raise MasterError(f"{place} does not define the {self.kind} {self.answer_name}")
         return answer
 
     def arguments(self, case, seed=PUBLIC_SEED):

@@ -51,7 +51,7 @@ def _solve(exercise, case, seed):
     for arguments in exercise.arguments(case, seed):
         result = exercise.call(solution, arguments)
         if not result.finished or result.changed:
-            explanation = feedback.explain_call(result, None, exercise.function)
+            explanation = feedback.explain_call(result, None, exercise.answer_name)
             raise MasterError(f"{exercise.master.name}, {case.id}: the solution fails. {explanation}")
         calls.append(ExpectedCall(arguments, result))
     return tuple(calls)

@@ -33,9 +33,8 @@ _COLOURS = {
 }
 
 
-def explain_call(result, difference, function):
-    """What went wrong in one call of a function, in a sentence or two; "" if nothing did."""
-    name = f"{function}()"
+def explain_call(result, difference, name):
+    """What went wrong in one call of an answer of this name, in a sentence or two; "" if nothing did."""
     if result.timed_out:
         return _explain_timeout(name, result.stuck)
     if result.error:
@@ -63,8 +62,8 @@ def explain_failure(exercise, call):
             return "\nin your ".join(filter(None, (call.result.message, call.result.line)))
         if call.difference is not None:
             sentence = sentence_on_node(call.expected.value, call.result.value, call.arguments)
-            return sentence or explain_call(call.result, call.difference, exercise.function)
-    return explain_call(call.result, call.difference, exercise.function)
+            return sentence or explain_call(call.result, call.difference, exercise.answer_name)
+    return explain_call(call.result, call.difference, exercise.answer_name)
 
 
 def _explain_timeout(name, stuck):
@@ -134,7 +133,7 @@ def _refusals(result):
     for module, name in result.dependencies.refused.items():
         used = module if name.startswith(module) else f"{name} of {module}"
         reason = "the task does not allow it" if result.exercise.practice else "grading refuses it"
-        yield f"{result.exercise.function}() uses {used}. Write this exercise without it: {reason}."
+        yield f"{result.exercise.answer_name} uses {used}. Write this exercise without it: {reason}."
 
 
 def _notes(result):
@@ -143,28 +142,31 @@ def _notes(result):
     if result.dependencies.error:
         yield f"The answer cell does not run by itself: {result.dependencies.error}"
     for foreign, origin in result.dependencies.foreign.items():
-        if foreign in exercise.names:
+        if exercise.subject == "node":
+            advice = f"Copy the definition of {foreign} into the answer cell."
+        elif foreign in exercise.names:
             advice = f"Take {foreign} as the argument: def {exercise.function}({names}):"
         elif origin == "function":
             advice = f"Copy the definition of {foreign} into the answer cell."
         else:
             advice = f"Use the arguments of your function ({names}), or define {foreign} in the answer cell."
         reason = "" if exercise.practice else " Grading runs only the answer cell."
-        yield f"{exercise.function}() uses {foreign}, which another cell defines.{reason} {advice}"
+        yield f"{exercise.answer_name} uses {foreign}, which another cell defines.{reason} {advice}"
 
 
 def _taken_along(result):
     """What grading takes along from other cells. In a wrong answer, a value may stand for an argument."""
     dependencies, exercise = result.dependencies, result.exercise
     values = [name for name, kind in dependencies.taken.items() if kind in ("value", "other")]
-    if values and not all(case_result.passed for case_result in result.results):
+    is_function = exercise.subject == "function"
+    if values and is_function and not all(case_result.passed for case_result in result.results):
         yield (
-            f"{exercise.function}() uses {', '.join(values)} of another cell, which is the same in every"
+            f"{exercise.answer_name} uses {', '.join(values)} of another cell, which is the same in every"
             f" call. Should it be computed from the arguments ({', '.join(exercise.names)})?"
         )
     elif dependencies.taken and not exercise.practice:
         names = ", ".join(dependencies.taken)
-        yield f"{exercise.function}() uses {names} of another cell. Grading takes that along."
+        yield f"{exercise.answer_name} uses {names} of another cell. Grading takes that along."
 
 
 def _cases(result):
@@ -184,7 +186,7 @@ def _state(result):
 
 def _headline(result):
     if result.why_older:
-        return "this is an older function"
+        return f"this is an older {result.exercise.kind}"
     if not result.attempted:
         return "not attempted yet"
     passed, count = sum(case_result.passed for case_result in result.results), len(result.results)
@@ -208,8 +210,8 @@ def _footer(result):
         return ""
     if not result.attempted:
         return (
-            f"Write {exercise.function}() in its cell, run that cell, then run this one."
-            " (If that cell shows an error, repair it first: Python still has the old function.)"
+            f"Write {exercise.answer_name} in its cell, run that cell, then run this one."
+            f" (If that cell shows an error, repair it first: Python still has the old {exercise.kind}.)"
         )
     if exercise.practice:
         return "Practice: no points."
@@ -244,9 +246,9 @@ def _advice(result, call):
             )
     elif call.result.error:
         error, exercise = call.result, result.exercise
-        if exercise.subject == "node":
-            yield advice_on_node_error(error)
-        yield advice_on(error.error, error.message, error.line, exercise.names, exercise.function)
+        names = exercise.names if exercise.subject == "function" else None
+        node_advice = advice_on_node_error(error) if exercise.subject == "node" else ""
+        yield node_advice or advice_on(error.error, error.message, error.line, names, exercise.function)
     if call.difference is None or call.result.changed or result.exercise.subject == "node":
         return
     diagnosis = result.diagnosis
@@ -257,13 +259,13 @@ def _advice(result, call):
         yield f"Hint: {call.case.hint}"
 
 
-def _warning_and_output(call):
+def _warning_and_output(call, kind):
     if call.result.warning:
         yield f"NumPy or Python warned: {call.result.warning}"
     if call.result.printed.strip():
         lines = call.result.printed.rstrip().splitlines()
         ellipsis = ["…"] if len(lines) > _MOST_LINES else []
-        yield "Your function printed:\n" + "\n".join(lines[:_MOST_LINES] + ellipsis)
+        yield f"Your {kind} printed:\n" + "\n".join(lines[:_MOST_LINES] + ellipsis)
 
 
 # ---------------------------------------------------------------- plain text
@@ -287,7 +289,7 @@ def _details_as_text(result, call):
         for row in rows:
             yield "".join(f"{text:>{width}}{'*' if mark else ' '}" for text, mark in row).rstrip()
     yield from _advice(result, call)
-    yield from _warning_and_output(call)
+    yield from _warning_and_output(call, result.exercise.kind)
 
 
 def _indent(text):
@@ -328,7 +330,7 @@ def _details_as_html(result, call):
         if rows:
             yield _table(rows)
     yield _figures(result, call)
-    yield from map(_paragraph, _warning_and_output(call))
+    yield from map(_paragraph, _warning_and_output(call, result.exercise.kind))
 
 
 def _table(rows):

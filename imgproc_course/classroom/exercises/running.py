@@ -4,6 +4,7 @@ Such a function may raise anything, so `except Exception` is right here. In this
 the code of a learner or of a master runs.
 """
 
+import ast
 import contextlib
 import copy
 import ctypes
@@ -78,6 +79,11 @@ class CallResult:
         if ends[0] != ends[1]:
             return False
         return not self.finished or compare(other.value, self.value, tolerance, exact_type=exact_type) is None
+
+
+def answer_name(function, subject):
+    """How texts name an answer: double(), or the class Doubler."""
+    return function if subject == "node" else f"{function}()"
 
 
 def call(function, arguments, names, time_limit, subject="function"):
@@ -263,7 +269,7 @@ def _message(error):
 
 def _own_line(error, function):
     """The innermost line of the learner's own code, `line 3: return a / 0`; "" if it is not known."""
-    namespace = getattr(function, "__globals__", None)
+    namespace = globals_of(function)
     own_frames = [
         (frame, line)
         for frame, line in traceback.walk_tb(error.__traceback__)
@@ -276,15 +282,56 @@ def _own_line(error, function):
     return f"line {line}: {source}" if source else f"line {line}"
 
 
+def functions_of(answer):
+    """The Python functions of an answer, {name: function}: itself, or the methods of a class.
+
+    A class has those of its bases, too, if they are of the same module: other bases are no answer. It is
+    empty for a built-in.
+    """
+    found = {"": getattr(answer, "__func__", answer)}
+    if isinstance(answer, type):
+        own_bases = [base for base in reversed(answer.__mro__) if base.__module__ == answer.__module__]
+        members = {name: value for base in own_bases for name, value in vars(base).items()}
+        found = {name: _unwrapped(value) for name, value in members.items()}
+    return {name: value for name, value in found.items() if isinstance(value, types.FunctionType)}
+
+
+def _unwrapped(member):
+    """The function behind a static method, a class method or a property."""
+    return getattr(member, "__func__", None) or getattr(member, "fget", None) or member
+
+
+def codes_of(answer):
+    """The code objects of an answer, {name: code}, see `functions_of`."""
+    return {name: function.__code__ for name, function in functions_of(answer).items()}
+
+
 def code_of(function):
     """The code object behind a Python function, or None (a built-in, a class)."""
-    function = getattr(function, "__func__", function)
-    return function.__code__ if isinstance(function, types.FunctionType) else None
+    return codes_of(function).get("")
 
 
-def source_of(function):
-    """The source of a function, "" if it is not known."""
+def globals_of(answer):
+    """The namespace in which an answer was defined; {} if it is not known."""
+    return next((function.__globals__ for function in functions_of(answer).values()), {})
+
+
+def source_of(answer):
+    """The source of a function or class, "" if it is not known."""
     try:
-        return textwrap.dedent(inspect.getsource(function))
-    except (OSError, TypeError):
+        lines = _lines_of_class(answer) if isinstance(answer, type) else inspect.getsource(answer)
+        return textwrap.dedent(lines)
+    except (OSError, TypeError, SyntaxError):
         return ""
+
+
+def _lines_of_class(answer):
+    """The lines that define a class: `inspect` does not find a class of a notebook, but its methods."""
+    own = f"{answer.__qualname__}."
+    codes = [code for code in codes_of(answer).values() if code.co_qualname.startswith(own)]
+    lines = linecache.getlines(codes[0].co_filename) if codes else []
+    for node in ast.walk(ast.parse("".join(lines))):
+        if isinstance(node, ast.ClassDef) and node.lineno <= codes[0].co_firstlineno <= node.end_lineno:
+            start = min([node.lineno, *(decorator.lineno for decorator in node.decorator_list)])
+            return "".join(lines[start - 1 : node.end_lineno])
+    return ""
