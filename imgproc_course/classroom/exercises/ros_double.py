@@ -11,6 +11,7 @@ import importlib.util
 import re
 import sys
 import types
+from importlib.machinery import ModuleSpec
 from typing import ClassVar
 
 from imgproc_course.classroom import course
@@ -334,6 +335,7 @@ def offer_modules(*, even_if_installed=False):
         modules = {}
         for name, content in _modules().items():
             modules[name] = _Module(name)
+            modules[name].__spec__ = ModuleSpec(name, None, is_package=True)
             vars(modules[name]).update(content, __path__=[])
             package, _, last = name.rpartition(".")
             if package:
