@@ -174,7 +174,11 @@ class ExerciseContent:
 
     def canonical_arguments(self, case_id, number):
         """The canonical forms of one call's arguments, to show a public case."""
-        return [canonical(value, limit=None) for value in decode(self.inputs[case_id][number])]
+        return [canonical(value, limit=None) for value in self.arguments(case_id, number)]
+
+    def arguments(self, case_id, number):
+        """The arguments of one call."""
+        return decode(self.inputs[case_id][number])
 
 
 @lru_cache(maxsize=64)

@@ -12,6 +12,7 @@ from pathlib import Path
 
 import numpy as np
 
+from imgproc_course.classroom import course
 from imgproc_course.classroom.exercises.check_data import Case, CheckData, Mistake
 from imgproc_course.classroom.exercises.percent_script import MISTAKES_SUFFIX, ROLES, MasterError, read_script
 from imgproc_course.classroom.exercises.running import SUBJECTS
@@ -54,8 +55,8 @@ def exercise(
         each case says with its arguments (look, steps), see `node_driver`
     time_limit : float, seconds, for one call of the function
     allowed : tuple of str, modules that the answer may use beside NumPy and the standard library: ("scipy",
-        "imgproc_course.imaging"). matplotlib, IPython.display and imgproc_course.display are there for
-        looking
+        "imgproc_course.imaging"). A node may use those of `course.NODE_MODULES`, too. matplotlib,
+        IPython.display and imgproc_course.display are there for looking
     tolerance : float >= 0, absolute, in the unit of the answer, for every case that declares none
     exact_type : bool, a right value in another type is wrong: the task says so to the learner. Otherwise
         `comparison` says which types stand for another one
@@ -102,7 +103,7 @@ def exercise(
         "subject": subject,
         "title": title or id,
         "time_limit": float(time_limit),
-        "allowed": tuple(allowed),
+        "allowed": (*allowed, *(course.NODE_MODULES if subject == "node" else ())),
         "tolerance": float(tolerance),
         "exact_type": bool(exact_type),
         "practice": bool(practice),

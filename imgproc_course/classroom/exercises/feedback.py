@@ -8,6 +8,12 @@ import html
 
 from imgproc_course.classroom.exercises.canonical import array_of, canonical
 from imgproc_course.classroom.exercises.error_advice import advice_on
+from imgproc_course.classroom.exercises.node_feedback import (
+    NODE_ERRORS,
+    advice_on_node_error,
+    differing_images,
+    sentence_on_node,
+)
 from imgproc_course.classroom.exercises.values import (
     answer_parts,
     describe_value,
@@ -49,6 +55,17 @@ def explain_call(result, difference, name):
     return f"In answer{difference.path}: {message}" if difference.path else message
 
 
+def explain_failure(exercise, call):
+    """What went wrong in a CaseCall of an answer, in a sentence or two."""
+    if exercise.subject == "node":
+        if call.result.error in NODE_ERRORS:
+            return "\nin your ".join(filter(None, (call.result.message, call.result.line)))
+        if call.difference is not None:
+            sentence = sentence_on_node(call.expected.value, call.result.value, call.arguments)
+            return sentence or explain_call(call.result, call.difference, exercise.answer_name)
+    return explain_call(call.result, call.difference, exercise.answer_name)
+
+
 def _explain_timeout(name, stuck):
     text = f"{name} did not finish and was stopped. Is there an endless loop?"
     return text + (" It could not be stopped: restart the kernel before you go on." if stuck else "")
@@ -83,6 +100,8 @@ def _values(result, call, marks):
 
 def _labelled_forms(result, call):
     """(label, form, which of its elements differ) of what was given, and returned and expected."""
+    if result.exercise.subject == "node":
+        return  # a record is no reading
     names = [*result.exercise.names, *("" for _ in call.arguments)]
     for name, argument in zip(names, call.arguments, strict=False):
         argument_form = canonical(argument, limit=None)
@@ -155,7 +174,7 @@ def _cases(result):
     for case_result in result.results:
         call, explanation = case_result.failed_call, ""
         if call is not None:
-            explanation = explain_call(call.result, call.difference, result.exercise.answer_name)
+            explanation = explain_failure(result.exercise, call)
         elif not case_result.passed:
             explanation = "not run, because the call above did not finish"
         yield case_result, explanation, call if call is result.shown else None
@@ -228,8 +247,9 @@ def _advice(result, call):
     elif call.result.error:
         error, exercise = call.result, result.exercise
         names = exercise.names if exercise.subject == "function" else None
-        yield advice_on(error.error, error.message, error.line, names, exercise.function)
-    if call.difference is None or call.result.changed:
+        node_advice = advice_on_node_error(error) if exercise.subject == "node" else ""
+        yield node_advice or advice_on(error.error, error.message, error.line, names, exercise.function)
+    if call.difference is None or call.result.changed or result.exercise.subject == "node":
         return
     diagnosis = result.diagnosis
     yield diagnosis.text
@@ -334,6 +354,8 @@ def _figures(result, call):
 
     if not call.result.finished:
         return ""
+    if result.exercise.subject == "node":
+        return _images_of_node(call)
     images = given_images(zip(result.exercise.names, call.arguments, strict=False))
     for part_name, expected, actual in _answer_parts(call):
         wrong = differing_elements(expected, actual, call.case.tolerance)
@@ -341,6 +363,21 @@ def _figures(result, call):
             argument_form = canonical(call.arguments[0], limit=None) if call.arguments else None
             images = answer_images(argument_form, part_name, expected, actual, wrong)
             break
+    return _row_of_figures(images)
+
+
+def _images_of_node(call):
+    """The first image that a node published, and that differs, with what was sent and what was expected."""
+    from imgproc_course.classroom.exercises.answer_images import answer_images
+
+    images = call.difference and differing_images(call.expected.value, call.result.value, call.arguments)
+    if not images or images[1].shape != images[2].shape:
+        return ""
+    given, expected, actual = (canonical(image, limit=None) for image in images)
+    return _row_of_figures(answer_images(given, "", expected, actual, images[1] != images[2]))
+
+
+def _row_of_figures(images):
     figures = "".join(map(_figure, images))
     flow = "display: flex; flex-wrap: wrap; gap: 10px; margin: 4px 0"
     return f'<div style="{flow}">{figures}</div>' if figures else ""

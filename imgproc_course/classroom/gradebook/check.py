@@ -12,7 +12,7 @@ from imgproc_course.classroom.exercises import check_files
 from imgproc_course.classroom.exercises.check_data import CheckData
 from imgproc_course.classroom.exercises.checking import CheckResult, check_built
 from imgproc_course.classroom.exercises.error_advice import advice_on
-from imgproc_course.classroom.exercises.feedback import explain_call
+from imgproc_course.classroom.exercises.feedback import explain_failure
 from imgproc_course.classroom.gradebook.archives import LARGEST, too_large
 from imgproc_course.classroom.gradebook.notebook_reader import NotebookReader
 from imgproc_course.classroom.gradebook.submission import AnswerState, SubmissionContent, read_submission
@@ -179,7 +179,7 @@ async def _run_answer(entry):
     failed = [case for case in result.results if not case.passed]
     if failed:
         call = failed[0].failed_call
-        explanation = explain_call(call.result, call.difference, entry.exercise.answer_name)
+        explanation = explain_failure(entry.exercise, call)
         advice = advice_on(call.result.error, call.result.message, call.result.line)
         text = " ".join(filter(None, [explanation, advice]))
         entry.notes.append(
