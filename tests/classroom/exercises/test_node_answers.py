@@ -320,7 +320,7 @@ def test_an_object_is_no_answer(node_master, monkeypatch, tmp_path):
     assert [hint("test-double", step).text for step in (1, 2, 3)] == ["a", "b", "c"]
     assert "shows how the class can be written" in repr(hint("test-double"))
     assert check("test-double", answer_in(RIGHT)).passed
-    assert solution("test-double").code == RIGHT
+    assert solution("test-double").code == RIGHT.strip()
 
 
 def test_remarks_on_the_source_of_methods(checked):
