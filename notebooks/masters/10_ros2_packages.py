@@ -2,7 +2,7 @@
 # jupyter:
 #   imgproc_course:
 #     title: ROS 2 packages
-#     minutes: 80
+#     minutes: 110
 # ---
 
 # %% [markdown]
@@ -15,9 +15,10 @@
 # - explain each file of an `ament_python` package (a ROS 2 package in Python; *[[term:ament]]* is the build system of ROS 2),
 # - build a *[[term:workspace]]* (a folder with packages) with `colcon`, source it, and start its nodes in a terminal,
 # - recognise two common mistakes: a workspace that is not sourced, and a dependency that `rosdep` does not know,
+# - write the files of a package of your own, build it, and run its node,
 # - explain what changes on the real robot, and go on with a robot and a node of your own.
 #
-# **Time** about 80 minutes, with a pause after section 4. **You need** [[grayscale_node]] and [[edge_detection_node]]. You type the commands into a terminal of JupyterLab. Each command also has a cell that does the same, so this lesson works without a terminal too. To run the nodes you need ROS 2.
+# **Time** about 110 minutes, with a pause after section 4. **You need** [[grayscale_node]] and [[edge_detection_node]]. You type the commands into a terminal of JupyterLab. Each command also has a cell that does the same, so this lesson works without a terminal too. To run the nodes you need ROS 2.
 
 # %% role="given" exercise=["packages-executable"]
 from pathlib import Path
@@ -50,6 +51,10 @@ figure_texts = {
     "gray": (
         "The gray images that the node publishes from another process.",
         "The living room in gray, live, while the robot drives.",
+    ),
+    "own": (
+        "The negatives that the node of my own package publishes.",
+        "The living room as a negative, live: black is white.",
     ),
     "edges": (
         "The edges that the node publishes from another process.",
@@ -569,7 +574,296 @@ if stop_now and edge_node is not None:
     stop(edge_node)
 
 # %% [markdown]
-# ## 9 · On the robot (5 minutes)
+# ## 9 · Your turn: a package of your own (30 minutes)
+#
+# Write a third package, `image_negative`. Its node publishes the *negative* of each gray image: `255 - gray`, so black becomes white. With a full ROS 2 installation you would begin with
+#
+# ```sh
+# ros2 pkg create image_negative --build-type ament_python --node-name image_negative --dependencies rclpy sensor_msgs
+# ```
+#
+# and change the files. Here you write the three files that matter as texts; `package_files` returns them. (The other files are the same in each package: the cell below the check writes them.) Each step is one line of the check.
+#
+# 1. **package.xml.** Fill in the name and the build type, `ament_python`. The node imports `rclpy`, `sensor_msgs` and `cv2`: write an `exec_depend` for each, with its rosdep key. *Afterwards* colcon knows the package, and `rosdep` can install what it needs.
+# 2. **setup.py.** Fill in the name and the folder with Python code. Install the marker and `package.xml`, as in section 2. The executable `image_negative` calls the function `main` of the node's file. *Afterwards* `ros2 run image_negative image_negative` finds it.
+# 3. **The node.** Its name is `image_negative`. It subscribes to `/kachaka/front_camera/image_raw` (best effort, volatile, depth 5), and publishes `255 - gray` on `~/negative`, as `mono8` with the header of the message. A message that cannot be converted is logged as an error. Begin with your class of [[grayscale_node]]. *Afterwards* each image of the camera gives its negative.
+
+# %% role="exercise"
+exercise(
+    "packages-own",
+    subject="package",
+    title="A package of your own",
+    function="package_files",
+    time_limit=5,
+    allowed=("cv2", "imgproc_course.messages"),
+    hint="Compare each file with the same file of image_gray_processor in section 2.",
+    hints=(
+        "Compare with the files of image_gray_processor in sections 2 and 3: what is the same in each package, and"
+        " where does the name of the package stand?",
+        "1. In package.xml: the name, three lines exec_depend, and the build type in export.\n"
+        "2. In setup.py: the name three times, and one line NAME = MODULE:FUNCTION.\n"
+        "3. The node is your ImageGrayProcessor with other names, and publishes 255 - gray.",
+        "<exec_depend>python3-opencv</exec_depend>\n\n"
+        '"console_scripts": ["image_negative = image_negative.image_negative:main"]\n\n'
+        'negative_msg = self.bridge.cv2_to_imgmsg(255 - gray, "mono8", msg.header)',
+    ),
+    explanation="A package is a folder of texts. package.xml says what the package needs, setup.py says what is"
+    " installed and started, and the node's file does the work. The name of the package must be the same in all of them.",
+    another_way="You can also store the name in a variable of setup.py, and write packages=find_packages().",
+)
+
+
+def blocks(rng):
+    """A frame of coloured blocks."""
+    colours = rng.integers(0, 256, size=(4, 6, 3), dtype=np.uint8)
+    return colours.repeat(8, axis=0).repeat(8, axis=1)
+
+
+def sent(image, number, encoding="bgr8", **more):
+    """A step of a drive: an image of the camera."""
+    return {
+        "image": image,
+        "encoding": encoding,
+        "topic": "/kachaka/front_camera/image_raw",
+        "stamp": (100 + number, 1000 * number + 7),
+        "frame_id": f"camera_{number}",
+    } | more
+
+
+# %% role="answer"
+PACKAGE_XML = """
+<?xml version="1.0"?>
+<package format="3">
+  <name>...</name>
+  <version>0.1.0</version>
+  <description>Publishes the negative of each image.</description>
+  <maintainer email="me@example.org">me</maintainer>
+  <license>Apache-2.0</license>
+  <exec_depend>...</exec_depend>
+  <export>
+    <build_type>...</build_type>
+  </export>
+</package>
+"""
+
+SETUP_PY = """
+from setuptools import setup
+
+setup(
+    name="...",
+    version="0.1.0",
+    packages=["..."],
+    data_files=[
+        ("share/ament_index/resource_index/packages", ["resource/..."]),
+        ("share/...", ["package.xml"]),
+    ],
+    entry_points={"console_scripts": ["..."]},
+)
+"""
+
+NODE_PY = """
+import cv2
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from sensor_msgs.msg import Image
+
+# On a robot with cv_bridge: from cv_bridge import CvBridge, CvBridgeError
+from imgproc_course.messages.cv_bridge import CvBridge, CvBridgeError
+
+
+class ImageNegative(Node):
+    def __init__(self):
+        pass  # step 3
+
+
+def main(args=None):
+    rclpy.init(args=args)
+    node = ImageNegative()
+    try:
+        rclpy.spin(node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        node.destroy_node()
+        rclpy.try_shutdown()
+"""
+
+
+def package_files():
+    raise NotImplementedError("step 1: fill in PACKAGE_XML, and delete this line")
+    return {
+        "package.xml": PACKAGE_XML,
+        "setup.py": SETUP_PY,
+        "image_negative/image_negative.py": NODE_PY,
+    }
+
+
+# %% role="solution"
+PACKAGE_XML = """
+<?xml version="1.0"?>
+<package format="3">
+  <name>image_negative</name>
+  <version>0.1.0</version>
+  <description>Publishes the negative of each image.</description>
+  <maintainer email="me@example.org">me</maintainer>
+  <license>Apache-2.0</license>
+  <exec_depend>rclpy</exec_depend>
+  <exec_depend>sensor_msgs</exec_depend>
+  <exec_depend>python3-opencv</exec_depend>
+  <export>
+    <build_type>ament_python</build_type>
+  </export>
+</package>
+"""
+
+SETUP_PY = """
+from setuptools import setup
+
+setup(
+    name="image_negative",
+    version="0.1.0",
+    packages=["image_negative"],
+    data_files=[
+        ("share/ament_index/resource_index/packages", ["resource/image_negative"]),
+        ("share/image_negative", ["package.xml"]),
+    ],
+    entry_points={"console_scripts": ["image_negative = image_negative.image_negative:main"]},
+)
+"""
+
+NODE_PY = """
+import cv2
+import rclpy
+from rclpy.executors import ExternalShutdownException
+from rclpy.node import Node
+from rclpy.qos import DurabilityPolicy, QoSProfile, ReliabilityPolicy
+from sensor_msgs.msg import Image
+
+# On a robot with cv_bridge: from cv_bridge import CvBridge, CvBridgeError
+from imgproc_course.messages.cv_bridge import CvBridge, CvBridgeError
+
+
+class ImageNegative(Node):
+    def __init__(self):
+        super().__init__("image_negative")
+        self.bridge = CvBridge()
+        qos = QoSProfile(
+            depth=5,
+            reliability=ReliabilityPolicy.BEST_EFFORT,
+            durability=DurabilityPolicy.VOLATILE,
+        )
+        self.publisher = self.create_publisher(Image, "~/negative", qos)
+        self.create_subscription(
+            Image, "/kachaka/front_camera/image_raw", self.image_callback, qos
+        )
+
+    def image_callback(self, msg):
+        try:
+            frame = self.bridge.imgmsg_to_cv2(msg, "bgr8")
+        except CvBridgeError as error:
+            self.get_logger().error(str(error))
+            return
+        gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
+        negative_msg = self.bridge.cv2_to_imgmsg(255 - gray, "mono8", msg.header)
+        self.publisher.publish(negative_msg)
+
+
+def main(args=None):
+    rclpy.init(args=args)
+    node = ImageNegative()
+    try:
+        rclpy.spin(node)
+    except (KeyboardInterrupt, ExternalShutdownException):
+        pass
+    finally:
+        node.destroy_node()
+        rclpy.try_shutdown()
+"""
+
+
+def package_files():
+    return {
+        "package.xml": PACKAGE_XML,
+        "setup.py": SETUP_PY,
+        "image_negative/image_negative.py": NODE_PY,
+    }
+
+
+# %% role="check"
+own_result = check("packages-own", package_files)
+own_result
+
+
+# %% role="case" title="step 1: package.xml" points=1 hint="Compare with the package.xml in section 3: the name, one exec_depend for each import, the build type."
+def inputs(rng):
+    return ("package.xml", [])
+
+
+# %% role="case" title="step 2: setup.py" points=1 hint="Compare with the setup.py in section 2, word by word."
+def inputs(rng):
+    return ("setup.py", [])
+
+
+# %% role="case" title="step 3: the node" points=1 hint="Compare with your ImageGrayProcessor: which names are different, and what is published?"
+def inputs(rng):
+    bad = sent(blocks(rng), 2, "bgr16", bad=True)
+    return [("setup", []), ("images", [sent(blocks(rng), 1), bad, sent(blocks(rng), 3)])]
+
+
+# %% role="hidden" title="other images" points=1 hint="Does each image of the camera give its negative?"
+def inputs(rng):
+    cut = sent(blocks(rng), 5, cut=True, bad=True)
+    return ("images", [sent(blocks(rng), 4, "rgb8"), cut, sent(blocks(rng), 6)])
+
+
+# %% [markdown]
+# The next cell writes your files into the workspace, and the files that are the same in each package. Then it builds your package and starts its executable, as you did for the gray node. (With a full ROS 2 installation: `ros2 run image_negative image_negative`.)
+
+# %%
+same_files = {
+    "setup.cfg": (
+        "[develop]\nscript_dir=$base/lib/image_negative\n"
+        "[install]\ninstall_scripts=$base/lib/image_negative\n"
+    ),
+    "resource/image_negative": "",
+    "image_negative/__init__.py": "",
+}
+
+# %%
+def write_package(files):
+    """Writes the texts of a package into the workspace."""
+    for path, text in files.items():
+        target = workspace / "src" / "image_negative" / path
+        target.parent.mkdir(parents=True, exist_ok=True)
+        target.write_text(text.strip() + "\n", encoding="utf-8")
+
+# %% tags=["nbval-ignore-output"]
+own_node, own_image = None, None
+if own_result.passed and ros_available():
+    write_package(same_files | package_files())
+    run("python -m colcon build --packages-select image_negative")
+    own_node = start(
+        sourced + "exec install/image_negative/lib/image_negative/image_negative")
+    own_images = ImageSubscriber("/image_negative/negative", encoding="mono8")
+    own_image = own_images.wait(timeout=30)
+    own_view = live_view(own_images, encoding="mono8", text=figure_texts["own"])
+else:
+    print("this needs a package that passes the check, and a running ROS 2")
+
+# %%
+# Check: your node publishes images of the camera's size
+assert own_image is None or own_image.shape == (720, 1280)
+
+# %% tags=["nbval-ignore-output"]
+if own_node is not None:
+    own_view.stop()
+    stop(own_node)
+    print("exit code:", own_node.returncode)
+
+# %% [markdown]
+# ## 10 · On the robot (5 minutes)
 #
 # | in this course | with a full ROS 2 installation |
 # |---|---|
@@ -614,7 +908,7 @@ if stop_now and edge_node is not None:
 assert round(720 * 1280 * 3 * 8 * 10 / 1e6) == 221
 
 # %% [markdown]
-# ## 10 · Goodbye, and what next (4 minutes)
+# ## 11 · Goodbye, and what next (4 minutes)
 #
 # You have gone the whole way of an image: from the bytes of a message to a gray image, a clean image, a binary image and edges; from a function to a node, and from a node to a package that runs without a notebook. You computed every step by hand and compared it with the library that everybody uses. Well done!
 #

@@ -36,8 +36,9 @@ def _exercise_rules(exercise):
     hints = exercise.hints
     yield not exercise.public, 'has no role="case"; without one, `check` has nothing to run'
     yield not exercise.hidden, 'has no role="hidden"; an answer could copy the public values'
-    is_node = exercise.subject == "node"  # `node_feedback` has the sentences for its mistakes
-    yield not (exercise.mistakes or is_node), 'has no role="mistake"; which wrong answer do learners give?'
+    is_node = exercise.subject == "node"
+    is_driven = exercise.subject != "function"  # `node_feedback` has the sentences for its mistakes
+    yield not (exercise.mistakes or is_driven), 'has no role="mistake"; which wrong answer do learners give?'
     yield (
         len(hints) != HINTS or not all(map(_is_text, hints)),
         f"needs hints=(...) with {HINTS} texts: a question that points to the idea, the steps in words,"

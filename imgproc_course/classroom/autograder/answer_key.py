@@ -70,7 +70,7 @@ class KeyExercise:
     stub        the answer cell's source in the lesson
     arguments   names of the function's arguments
     given       sources of the given cells; () in a key of an earlier version
-    subject     what the answer is: "function" or "node"
+    subject     what the answer is: "function", "node" or "package"
     exact_type  whether a right value in another type is wrong
     """
 

@@ -207,7 +207,7 @@ def _case_of_run(exercise, content, case, run, passed):
     if case.hidden:
         return _graded_case(case, outcome, _message_of_hidden(outcome, message))
     failed_call = _failed_call(content, case, run.verdict)
-    if exercise.subject == "node":  # its record is no reading
+    if exercise.subject != "function":  # its record is no reading
         return _graded_case(
             case, outcome, _message_on_node(content, case, run.verdict, failed_call) or message
         )

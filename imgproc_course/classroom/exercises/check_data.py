@@ -108,7 +108,7 @@ class CheckData:
 
     def namespace(self):
         """A new namespace as an answer gets it in grading: np, and what the given cells define."""
-        if self.subject == "node":
+        if self.subject != "function":
             _offer_modules()
         names = {"np": np, "__name__": self.id}
         for number, source in enumerate(self.given, 1):

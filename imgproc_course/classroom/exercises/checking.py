@@ -290,7 +290,7 @@ def _diagnosis(result, calls):
     exercise = result.exercise
     if shown_value is None or shown_value.difference is None or shown_value.result.changed:
         return Diagnosis()
-    if exercise.subject == "node":
+    if exercise.subject != "function":
         return Diagnosis()  # `node_feedback` says what is wrong
     return diagnose(calls, shown_value, exercise.names, exact_type=exercise.exact_type)
 

@@ -52,7 +52,8 @@ def exercise(
     title : str, the exercise's name in reports; its id if omitted
     function : str, the name of the function or of the class that the learner writes
     subject : str, what the answer is: "function", or "node", the class of a ROS 2 node, which is driven as
-        each case says with its arguments (look, steps), see `node_driver`
+        each case says with its arguments (look, steps), see `node_driver`, or "package", a function that
+        returns the files of a ROS 2 package, see `package_driver`
     time_limit : float, seconds, for one call of the function
     allowed : tuple of str, modules that the answer may use beside NumPy and the standard library: ("scipy",
         "imgproc_course.imaging"). A node may use those of `course.NODE_MODULES`, too. matplotlib,
@@ -103,7 +104,7 @@ def exercise(
         "subject": subject,
         "title": title or id,
         "time_limit": float(time_limit),
-        "allowed": (*allowed, *(course.NODE_MODULES if subject == "node" else ())),
+        "allowed": (*allowed, *(course.NODE_MODULES if subject != "function" else ())),
         "tolerance": float(tolerance),
         "exact_type": bool(exact_type),
         "practice": bool(practice),

@@ -57,7 +57,7 @@ def explain_call(result, difference, name):
 
 def explain_failure(exercise, call):
     """What went wrong in a CaseCall of an answer, in a sentence or two."""
-    if exercise.subject == "node":
+    if exercise.subject != "function":
         if call.result.error in NODE_ERRORS:
             return "\nin your ".join(filter(None, (call.result.message, call.result.line)))
         if call.difference is not None:
@@ -100,7 +100,7 @@ def _values(result, call, marks):
 
 def _labelled_forms(result, call):
     """(label, form, which of its elements differ) of what was given, and returned and expected."""
-    if result.exercise.subject == "node":
+    if result.exercise.subject != "function":
         return  # a record is no reading
     names = [*result.exercise.names, *("" for _ in call.arguments)]
     for name, argument in zip(names, call.arguments, strict=False):
@@ -142,7 +142,7 @@ def _notes(result):
     if result.dependencies.error:
         yield f"The answer cell does not run by itself: {result.dependencies.error}"
     for foreign, origin in result.dependencies.foreign.items():
-        if exercise.subject == "node":
+        if exercise.subject != "function":
             advice = f"Copy the definition of {foreign} into the answer cell."
         elif foreign in exercise.names:
             advice = f"Take {foreign} as the argument: def {exercise.function}({names}):"
@@ -247,9 +247,9 @@ def _advice(result, call):
     elif call.result.error:
         error, exercise = call.result, result.exercise
         names = exercise.names if exercise.subject == "function" else None
-        node_advice = advice_on_node_error(error) if exercise.subject == "node" else ""
+        node_advice = advice_on_node_error(error) if exercise.subject != "function" else ""
         yield node_advice or advice_on(error.error, error.message, error.line, names, exercise.function)
-    if call.difference is None or call.result.changed or result.exercise.subject == "node":
+    if call.difference is None or call.result.changed or result.exercise.subject != "function":
         return
     diagnosis = result.diagnosis
     yield diagnosis.text
@@ -354,7 +354,7 @@ def _figures(result, call):
 
     if not call.result.finished:
         return ""
-    if result.exercise.subject == "node":
+    if result.exercise.subject != "function":
         return _images_of_node(call)
     images = given_images(zip(result.exercise.names, call.arguments, strict=False))
     for part_name, expected, actual in _answer_parts(call):

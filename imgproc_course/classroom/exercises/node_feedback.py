@@ -14,7 +14,20 @@ from imgproc_course.classroom.exercises.error_advice import read_phrases
 NODE_ERRORS = ("NodeError", "NotGradedError")
 # The names in a record, those first that explain others.
 _ORDER = (
-    *("sleeps", "windows", "node", "subscriptions", "publishers", "published early", "steps", "delivered"),
+    *("name", "missing elements", "build type", "names of pip", "missing dependencies", "packages"),
+    *(
+        "executables",
+        "data files",
+        "main",
+        "sleeps",
+        "windows",
+        "node",
+        "subscriptions",
+        "publishers",
+        "published early",
+        "steps",
+        "delivered",
+    ),
     *("ended", "published", "log", "accepted", "topic", "type", "reliability", "durability", "history"),
     *("depth", "encoding", "height", "width", "pixels", "stamp", "frame_id"),
 )
@@ -170,6 +183,24 @@ _SENTENCES = {
     f"{_IMAGE}/pixels": _on_pixels,
 } | read_phrases(
     r"""
+/name
+    The package is called {actual}. The task asks for {expected}.
+/missing elements
+    package.xml must have text in each of these elements: {actual}.
+/build type
+    The build type must be {expected}: <export><build_type>{expected}</build_type></export>.
+/names of pip
+    {actual} is a name of pip. package.xml has rosdep keys, such as python3-opencv.
+/missing dependencies
+    The node imports what package.xml does not name: {actual}. Each needs a line <exec_depend>...</exec_depend>.
+/packages
+    The argument packages of setup(...) names {actual}. It must name the folder of the node: {expected}.
+/executables
+    console_scripts makes these executables: {actual}. The task asks for {expected}.
+/data files
+    data_files must install {expected}.
+/main
+    The file of the node defines no function main, and the executable calls it.
 /sleeps
     Your node sleeps. Meanwhile images wait, and those that do not fit into the queue are lost: a callback
     returns as soon as it can. Remove sleep.

@@ -34,8 +34,8 @@ _ADDRESS = re.compile(r"0x[0-9a-fA-F]{6,}")
 _BLOCKS = 16  # of one size: more than NumPy or malloc keep for reuse
 _REPEAT = 0.1  # seconds: an alarm swallowed by a bare `except:` rings again
 _PATIENCE = 2  # time limits that a function may wait in addition, for the processor or in a sleep
-SUBJECTS = ("function", "node")  # what an answer may be
-_NODE_ARGUMENTS = ["look", "steps"]  # of a call in an exercise whose answer is a node, see `node_driver`
+SUBJECTS = ("function", "node", "package")  # what an answer may be
+_NODE_ARGUMENTS = ["look", "steps"]  # of a call in an exercise that drives, see `node_driver`
 
 
 class TimeUp(BaseException):
@@ -90,7 +90,8 @@ def call(function, arguments, names, time_limit, subject="function"):
     """Call a function on copies of its arguments; the CallResult says what it did.
 
     `names` are the arguments'. The time limit is in seconds; on a busy machine up to three times as long. If
-    the subject is "node", it is the class of a node, and is driven through the steps in its arguments.
+    the subject is "node", it is the class of a node, and is driven through the steps in its arguments; of a
+    "package", it returns the files.
     """
     copies = copy.deepcopy(arguments)
     before = [canonical(value, limit=None) for value in copies]
@@ -123,7 +124,8 @@ def by_itself():
 def argument_names(function, arguments=(), subject="function"):
     """The names of an answer's arguments; arguments without a name are numbered."""
     try:
-        names = _NODE_ARGUMENTS if subject == "node" else list(inspect.signature(function).parameters)
+        driven = subject != "function"
+        names = _NODE_ARGUMENTS if driven else list(inspect.signature(function).parameters)
     except (TypeError, ValueError):
         names = []
     if not arguments:
@@ -133,7 +135,7 @@ def argument_names(function, arguments=(), subject="function"):
 
 def _call_fields(function, arguments, time_limit, subject):
     """The fields of CallResult that the call itself gives, as a dict."""
-    run = _drive if subject == "node" else _call
+    run = {"function": _call, "node": _drive, "package": _drive_package}[subject]
     try:
         value = call_within(lambda: run(function, arguments), time_limit)
         has_return = value is None and _returns_a_value(code_of(function))
@@ -159,6 +161,13 @@ def _drive(node_class, arguments):
     if not isinstance(node_class, type):
         raise TypeError(f"expected the class of your node, got a value of type {type(node_class).__name__}")
     return drive(node_class, *arguments)
+
+
+def _drive_package(function, arguments):
+    """What the files of a package say, or what its node did, as a plain value."""
+    from imgproc_course.classroom.exercises.package_driver import drive_package
+
+    return drive_package(function, *arguments)
 
 
 def _returns_a_value(code):
