@@ -1,0 +1,72 @@
+"""The files of a package that a learner writes as texts: what each wrong file is told."""
+
+from pathlib import Path
+
+import pytest
+
+from imgproc_course.classroom.exercises import read_exercises
+from imgproc_course.classroom.exercises.checking import run_cases
+
+MASTER = Path(__file__).parents[3] / "notebooks" / "masters" / "10_ros2_packages.py"
+EXERCISE = next(exercise for exercise in read_exercises(MASTER) if exercise.id == "packages-own")
+
+
+def checked(*changes):
+    """The CheckResult of the solution with some texts replaced."""
+    source = EXERCISE.solution
+    for old, new in changes:
+        assert old in source
+        source = source.replace(old, new)
+    return run_cases(EXERCISE, EXERCISE.function_of(source, "answer"))
+
+
+def test_the_solution_passes_and_so_do_other_styles():
+    assert checked().passed
+    assert checked(
+        ('name="image_negative"', "name=NAME"), ("\nsetup(", '\nNAME = "image_negative"\nsetup(')
+    ).passed
+    assert checked(
+        ('["image_negative"]', "find_packages()"), ("import setup", "import find_packages, setup")
+    ).passed
+    assert checked(
+        ('"share/image_negative"', 'f"share/{NAME}"'), ("\nsetup(", '\nNAME = "image_negative"\nsetup(')
+    ).passed
+    assert checked(("<exec_depend>rclpy</exec_depend>", "<depend>rclpy</depend>")).passed
+    assert checked(("255 - gray", "cv2.bitwise_not(gray)")).passed
+
+
+@pytest.mark.parametrize(
+    ("step", "old", "new", "sentence"),
+    [
+        (1, "<name>image_negative", "<name>negative", "The package is called negative. The task asks for image_negative."),
+        (1, "python3-opencv", "opencv-python", "opencv-python is a name of pip. package.xml has rosdep keys"),
+        (1, "  <exec_depend>sensor_msgs</exec_depend>\n", "", "package.xml does not name: sensor_msgs."),
+        (1, "ament_python", "ament_cmake", "<build_type>ament_python</build_type>"),
+        (1, "<license>Apache-2.0</license>", "", "text in each of these elements: license."),
+        (1, "</export>", "", "package.xml is not XML: mismatched tag"),
+        (1, '"package.xml": PACKAGE_XML', '"pakage.xml": PACKAGE_XML', "There is no package.xml. The paths are: "),
+        (2, 'image_negative:main"', 'main"', "executables: image_negative=image_negative.main."),
+        (2, 'packages=["image_negative"]', "packages=[]", "It must name the folder of the node: image_negative."),
+        (2, '["resource/image_negative"]', "[]", "data_files must install package.xml to share/image_negative, resource/"),
+        (2, "def main(args=None)", "def start(args=None)", "defines no function main"),
+        (2, "setup(\n", "setup(\n    (", "setup.py, line"),
+        (3, "255 - gray", "gray", "pixels of the published image are wrong."),
+        (3, "BEST_EFFORT", "RELIABLE", "The camera offers best effort"),
+        (3, "except CvBridgeError", "except KeyError", "A message that cannot be"),
+        (3, "import cv2\n", "import cv2\nimport scipy\n", "imports scipy, which this exercise does not need."),
+        (3, "~/negative", "~/gray", "You publish on /image_negative/gray."),
+    ],
+)  # fmt: skip
+def test_what_is_wrong_is_said_in_a_sentence(step, old, new, sentence):
+    result = checked((old, new))
+    assert [case.passed for case in result.results].index(False) == step - 1
+    assert sentence in str(result)
+
+
+def test_setup_py_is_never_run(tmp_path):
+    trace = tmp_path / "trace"
+    result = checked(
+        ("from setuptools import setup", f"open({str(trace)!r}, 'w')\nfrom setuptools import setup")
+    )
+    assert result.passed
+    assert not trace.exists()
