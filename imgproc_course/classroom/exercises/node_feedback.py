@@ -192,7 +192,7 @@ _SENTENCES = {
 /names of pip
     {actual} is a name of pip. package.xml has rosdep keys, such as python3-opencv.
 /missing dependencies
-    The node imports what package.xml does not name: {actual}. Each needs a line <exec_depend>...</exec_depend>.
+    The node imports what package.xml does not name: {actual}. Write <exec_depend>...</exec_depend> for each.
 /packages
     The argument packages of setup(...) names {actual}. It must name the folder of the node: {expected}.
 /executables
