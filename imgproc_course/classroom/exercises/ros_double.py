@@ -276,7 +276,9 @@ class _Module(types.ModuleType):
 
 def _qos_names():
     sensor_data = _QoSProfile(depth=5, reliability=_POLICIES["reliability"].BEST_EFFORT)
-    system_default = _QoSProfile(history=_POLICIES["history"].SYSTEM_DEFAULT, reliability=0, durability=0)
+    system_default = _QoSProfile(
+        history=_POLICIES["history"].SYSTEM_DEFAULT, depth=0, reliability=0, durability=0
+    )
     names = {f"{prefix}{kind.__name__}": kind for kind in _POLICIES.values() for prefix in ("", "QoS")}
     return names | {
         "QoSProfile": _QoSProfile,
