@@ -20,6 +20,9 @@ WALK_START = (4.93, -1.72)
 CAR_TIME, CAR_REST = 9.0, 1.0
 ROLL_TIME = 3.5  # seconds in which the ball loses all but 1/e of its speed
 BOUNCE = 0.4  # share of its speed that the ball keeps when it meets something
+SLIDE, ESCAPE = 0.12, 0.6  # metres: how far a ball slides that is pushed, and one that holds the robot
+HOLD = 3.0  # seconds in which who gave way does not come back
+DIRECTIONS = [(round(math.cos(a), 12), round(math.sin(a), 12)) for a in np.arange(16) * math.pi / 8]
 
 
 def is_on_rug(x, y):
@@ -48,6 +51,9 @@ def car_path(time):
     x, y = 2.25 + 0.30 * math.sin(0.45 * t), -1.35 + 0.30 * t
     yaw = math.atan2(0.30, 0.135 * math.cos(0.45 * t))
     return (x, y, RUG_HEIGHT if y > -0.25 else 0.0, yaw), 0.33 * t / 0.028
+
+
+PATHS = (("person_time", walk, PERSON_RADIUS), ("car_time", car_path, CAR_RADIUS))
 
 
 @dataclass
@@ -125,7 +131,7 @@ class Movers:
     def __init__(self, time, free_space):
         self.person_time = self.car_time = time
         self.ball = Ball.at(time)
-        self._free_space = free_space
+        self._free_space, self._hold = free_space, 0.0
 
     def circles(self):
         """(x, y, radius) of person and car."""
@@ -135,7 +141,8 @@ class Movers:
 
     def step(self, dt, robot):
         """dt seconds of person, car and ball; `robot` is (x, y, yaw)."""
-        for name, path, radius in (("person_time", walk, PERSON_RADIUS), ("car_time", car_path, CAR_RADIUS)):
+        self._hold = max(0.0, self._hold - dt)
+        for name, path, radius in () if self._hold else PATHS:
             now, later = getattr(self, name), round(getattr(self, name) + dt, 9)
             before, after = path(now)[0][:2], path(later)[0][:2]
             distance = nearest_on_body(robot, *after)[1]
@@ -150,27 +157,59 @@ class Movers:
         if 0 < distance < radius + BALL_RADIUS:
             self.ball.bounce(dx / distance, dy / distance, *velocity)
 
-    def push_ball(self, robot, velocity):
-        """The robot at (x, y, yaw), at (linear, angular), pushes the ball out of its way.
+    def push_ball(self, robot, velocity, before):
+        """The robot, from (x, y, yaw) `before` to `robot`, at (linear, angular), pushes the ball.
 
-        Returns (touched, the ball gave way).
+        Returns (touched, the robot can move so).
         """
-        nearest, distance = nearest_on_body(robot, self.ball.x, self.ball.y)
+        distance = nearest_on_body(robot, self.ball.x, self.ball.y)[1]
         if distance >= BALL_RADIUS:
             return False, True
-        dx, dy = self.ball.x - nearest[0], self.ball.y - nearest[1]
-        if distance == 0:  # its center is under the body: nothing sensible but to stop
-            return True, False
-        nx, ny = dx / distance, dy / distance
-        x, y = nearest[0] + nx * BALL_RADIUS, nearest[1] + ny * BALL_RADIUS
-        if self._free_space.distance(x, y) < BALL_RADIUS:
-            return True, False
+        spot = self._spot_beside(robot)
+        if spot is None:  # wedged: away from it the robot can always move
+            return True, distance > nearest_on_body(before, self.ball.x, self.ball.y)[1]
+        self.ball.place(*spot)
+        nearest, distance = nearest_on_body(robot, *spot)
         c, s = math.cos(robot[2]), math.sin(robot[2])
         linear, angular = velocity
         arm_x, arm_y = nearest[0] - robot[0], nearest[1] - robot[1]
-        self.ball.place(x, y)
+        nx, ny = (spot[0] - nearest[0]) / distance, (spot[1] - nearest[1]) / distance
         self.ball.bounce(nx, ny, linear * c - angular * arm_y, linear * s + angular * arm_x)
         return True, True
+
+    def _spot_beside(self, robot):
+        """(x, y) where the ball has room straight before the body, or else beside that; None if wedged."""
+        (near_x, near_y), distance = nearest_on_body(robot, self.ball.x, self.ball.y)
+        if distance == 0:  # its center is under the body
+            return None
+        scale = BALL_RADIUS / distance
+        straight = near_x + (self.ball.x - near_x) * scale, near_y + (self.ball.y - near_y) * scale
+        if self._free_space.distance(*straight) >= BALL_RADIUS:
+            return straight
+        return self._spot_around(robot, SLIDE, BALL_RADIUS)
+
+    def _spot_around(self, robot, reach, room):
+        """The nearest (x, y) within `reach` metres with `room` metres to everything, or None."""
+        x, y = self.ball.x, self.ball.y
+        for r in np.arange(0.02, reach, 0.02).tolist():
+            for c, s in DIRECTIONS:
+                spot, middle = (x + r * c, y + r * s), (x + r * c / 2, y + r * s / 2)
+                nearest = min(self._free_space.distance(*spot), nearest_on_body(robot, *spot)[1])
+                if nearest >= room and self._free_space.distance(*middle) > 0:  # not through a wall
+                    return spot
+        return None
+
+    def give_way(self, dt, robot):
+        """Makes room for a robot that is held: person and car go back for dt seconds, the ball rolls away."""
+        for name, path, radius in PATHS:
+            earlier = round(getattr(self, name) - dt, 9)
+            if nearest_on_body(robot, *path(getattr(self, name))[0][:2])[1] < radius + 0.05:
+                setattr(self, name, earlier)
+                self._hold = HOLD
+        near = nearest_on_body(robot, self.ball.x, self.ball.y)[1] < BALL_RADIUS + 0.01
+        spot = self._spot_around(robot, ESCAPE, BALL_RADIUS + 0.05) if near else None
+        if spot is not None:
+            self.ball.place(*spot)
 
     def joint_poses(self, tree):
         """The pose of every joint in the map, {name: Pose}, of a RoomModel's joint_tree."""

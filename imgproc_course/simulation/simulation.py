@@ -27,6 +27,7 @@ TOF_CAMERA = CameraModel(160, 120, 80.0, 80.0, 79.5, 59.5)
 TOF_MOUNT, TOF_TILT = (0.221, 0.0418), math.pi / 4
 START = (-0.2067, -0.0367, 0.1757)  # its camera stands where the recorded drive begins
 LONGEST_STEP = 0.02  # seconds
+LONGEST_HELD, PLAY = 1.0, 0.01  # seconds, metres per second: see _small_step and _blocked
 DEPTH_WIDTH = 640
 OPTICAL = np.array([[0.0, 0, 1], [-1, 0, 0], [0, -1, 0]])  # columns: the optical frame's axes in the body's
 
@@ -80,6 +81,7 @@ class Simulation:
                 raise ValueError(
                     f"the robot cannot start at {start}: {name} is in its way; choose another start"
                 )
+        self._held: tuple[Any, float, frozenset[float]] = self._drive.place, 0.0, frozenset()  # _note_held
         self._odometry = WheelOdometry(np.random.default_rng([seed, 1]))
         self._laser = Laser(self._room, seed if sensor else None)
         self._sensor = Sensor(self._model, seed, lighting) if sensor else None
@@ -115,21 +117,41 @@ class Simulation:
         for speeds in ((body.linear, body.angular), (0.0, body.angular), (0.0, 0.0)):
             place = body.moved(*speeds, dt)
             if speeds == (0.0, 0.0) or not self._blocked(place):
-                hit, gave_way = self._movers.push_ball(place, speeds)
+                hit, gave_way = self._movers.push_ball(place, speeds, body.place)
                 touched |= hit
                 if gave_way or speeds == (0.0, 0.0):
                     break
             touched = True
+        self._note_held(place, linear, angular, dt)
+        if touched and self._held[1] > LONGEST_HELD:
+            self._movers.give_way(dt, place)
         body.place = place
         body.linear, body.angular = speeds
         self._odometry.step(*speeds, dt, is_on_rug(*place[:2]))
         self._movers.step(dt, place)
         return touched
 
+    def _note_held(self, place, linear, angular, dt):
+        """Notes for how long the body has hardly moved although it should, and which ways were tried."""
+        old, seconds, tried = self._held
+        way = math.hypot(place[0] - old[0], place[1] - old[1])
+        turned = abs(math.remainder(place[2] - old[2], 2 * math.pi))
+        if way > 0.01 or turned > 0.3 or linear == angular == 0:
+            old, seconds, tried = place, 0.0, frozenset()
+        self._held = old, round(seconds + dt, 9), tried | {np.sign(linear)}
+
     def _blocked(self, place):
-        """Whether the body at (x, y, yaw) would be in something, and not merely leave it."""
-        nearest = min(self._distances(place).values())
-        return nearest < 0 and nearest <= min(self._distances(self._drive.place).values())
+        """Whether the body at (x, y, yaw) would be in something, and not merely leave it.
+
+        A body that can move neither forwards nor backwards gets some play, which grows until it moves.
+        """
+        _, seconds, tried = self._held
+        limit = -PLAY * seconds if seconds > LONGEST_HELD and {-1, 1} <= tried else 0.0
+        after = self._distances(place)
+        if min(after.values()) >= limit:
+            return False
+        before = self._distances(self._drive.place)
+        return any(after[name] < limit and after[name] <= before[name] for name in after)
 
     def _distances(self, place):
         """{name: metres} between the body at (x, y, yaw) and everything; negative inside."""

@@ -131,6 +131,38 @@ def test_the_ball_is_pushed_and_rolls_on():
         assert nearest_on_body(place(room), *after[:2])[1] >= BALL_RADIUS - 1e-6
 
 
+def way_of(room, linear, angular, steps=100):
+    """Metres that the robot moves, at most, while it is commanded so for `steps` steps of 0.02 s."""
+    before, ways = place(room), [0.0]
+    for _ in range(steps):
+        room.step(linear, angular)
+        ways.append(math.dist(before[:2], place(room)[:2]))
+    return max(ways)
+
+
+def test_from_a_wedged_ball_the_robot_can_move_away():
+    with Simulation(start=(4.4, -1.55, -1.233), time=60.0) as room:
+        room._drive.place = (4.456305232, -1.671509979, -1.233024163)  # the ball is between it and a corner
+        room._movers.ball.x, room._movers.ball.y = 4.639998628, -1.974826058
+        assert max(way_of(room, *command) for command in ((-0.3, 0), (0, 1), (0, -1), (0.3, 0))) > 0.1
+
+
+def test_the_car_goes_back_for_a_robot_that_it_holds():
+    with Simulation(start=(0.4, -0.3, 0), time=60.0) as room:
+        room._drive.place = (2.081686465, 0.955950364, 1.411943624)  # between furniture and car
+        room._movers.car_time = 7.6
+        assert way_of(room, 0.3, 0, 400) > 0.1 or way_of(room, -0.3, 0, 400) > 0.1
+
+
+def test_a_robot_that_is_stuck_in_furniture_gets_some_play():
+    with Simulation(start=FREE, time=60.0) as room:
+        room._drive.place = (1.963734977, -1.576336448, 1.14163877)  # every motion leads into something
+        room.step(0.3, 0, 1.0)
+        assert place(room)[:2] == pytest.approx((1.964, -1.576), abs=0.002)
+        commands = ((-0.3, 0), (0.3, 0), (0, 1), (0, -1)) * 2
+        assert max(way_of(room, *command) for command in commands) > 0.1
+
+
 def test_the_car_waits_for_the_robot():
     with Simulation(start=(2.45, 0.1, math.pi / 2), time=62.0) as room:
         cars = []
