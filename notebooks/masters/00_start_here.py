@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Start here
-#     minutes: 25
 # ---
 
 # %% [markdown]
@@ -18,10 +17,10 @@
 # - receive a camera's frames from a ROS 2 topic and watch them live,
 # - do an exercise, check your answer, and get a hint.
 #
-# **Time** about 25 minutes. **You need** a little Python: variables, functions, lists.
+# **Time** [[minutes]]. **You need** a little Python: variables, functions, lists.
 
 # %% [markdown]
-# ## 1 · How a lesson works (6 minutes)
+# ## 1 · How a lesson works ([[minutes]])
 #
 # A lesson is a *[[term:notebook]]*: a list of cells. Text cells like this one are for reading. Code cells contain Python. Click into the next cell and press **Shift + Enter** to run it. Its output appears below it.
 
@@ -54,7 +53,7 @@ print("hello")
 #
 # The words in bold guide you. **Ask** begins with a question. **Try**, **Look** and **Check** mean: run the cell and compare. Before a result, you often write down a guess; section 3 shows how. Some cells show only their first line, such as `# Check: the numbers in this section`. They contain lines with [[term:assert|`assert`]]: each of them tests that a number in the text is right. You can run these cells without reading them.
 #
-# ## 2 · Is your computer ready? (3 minutes)
+# ## 2 · Is your computer ready? ([[minutes]])
 #
 # The next cell runs the *doctor*, a program of this course that checks everything the lessons need. If a line shows ✗, it also says how to fix the problem. You can ignore a line that shows !. (In a terminal, the command `imgproc-course doctor` does the same.)
 #
@@ -84,7 +83,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 3 · An image from the recording (4 minutes)
+# ## 3 · An image from the recording ([[minutes]])
 #
 # We begin without ROS. `open_recording` opens the recording of the drive, and `frame(0)` is its first frame. An image is an *[[term:array]]*: a table of numbers. Its smallest part is a *[[term:pixel]]*: one small square of one colour. The `shape` of an array says how many rows, columns and so on it has. Its `dtype` (data type) says what kind of numbers it contains.
 #
@@ -119,7 +118,7 @@ assert frame.dtype == np.uint8 and np.iinfo(np.uint8).max == 255
 assert round(recording.pose("camera", 0)[2], 2) == 0.2  # metres above the floor
 
 # %% [markdown]
-# ## 4 · A frame from a topic (5 minutes)
+# ## 4 · A frame from a topic ([[minutes]])
 #
 # Now we use ROS 2. `open_camera` starts a camera that publishes the recording on the robot's topic, as the robot does. A robot has one camera, so there is one for all your notebooks and programs, too: if it runs already, `open_camera` joins it. It ends with the last of them. `ImageSubscriber` subscribes to this topic, so it receives every frame that is published there. `wait` waits for the next frame and returns it.
 #
@@ -163,7 +162,7 @@ assert 255 * 100 == 25_500 and np.iinfo(np.uint16).max == 65_535
 assert frame.max() == 255 and darken(frame, percent=50).max() == 127
 
 # %% [markdown]
-# ## 5 · Your turn: the first exercise (7 minutes)
+# ## 5 · Your turn: the first exercise ([[minutes]])
 #
 # How many pixels does an image have? Write the function `count_pixels(frame)`:
 #

@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Arrays
-#     minutes: 75
 # ---
 
 # %% [markdown]
@@ -16,7 +15,7 @@
 # - select pixels with a mask, and count them,
 # - replace a loop over all pixels by one line with slices.
 #
-# **Time** about 75 minutes; take a break after section 5. **You need** [[start_here]]. If you know NumPy, do only the exercises: each is called "Your turn".
+# **Time** [[minutes]]; take a break after section 5. **You need** [[start_here]]. If you know NumPy, do only the exercises: each is called "Your turn".
 
 # %% role="given" exercise=["arrays-crop", "arrays-mirror", "arrays-red", "arrays-share", "arrays-two-levels", "arrays-paint", "arrays-row-means", "arrays-differences"]
 import numpy as np
@@ -64,7 +63,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · A table of numbers (5 minutes)
+# ## 1 · A table of numbers ([[minutes]])
 #
 # `np.array` makes an array from a list of rows. The `shape` says how many rows and columns it has; rows come first. `size` is the number of all its numbers.
 
@@ -87,7 +86,7 @@ show(tiny, "tiny", text=figure_texts["tiny"])
 assert tiny.shape == (5, 5) and tiny.size == 25 and tiny[0, 0] == 10
 
 # %% [markdown]
-# ## 2 · One pixel: the index (6 minutes)
+# ## 2 · One pixel: the index ([[minutes]])
 #
 # The *index* of a pixel is its row and its column, in square brackets, with a comma between them. Python counts from 0: the first row is row 0. Negative numbers count from the end: row −1 is the last row.
 #
@@ -115,7 +114,7 @@ assert tiny[2, 4] == 90 and tiny[4, 4] == tiny[-1, -1] == 0
 assert changed[0].tolist() == [255, 10, 200, 10, 10] and tiny[0, 0] == 10
 
 # %% [markdown]
-# ## 3 · A part: the slice (9 minutes)
+# ## 3 · A part: the slice ([[minutes]])
 #
 # A *slice* `start:stop` selects several rows or columns. The start is included, the stop is not: `1:3` means the rows 1 and 2. If you leave out the start, the slice begins at the first row; if you leave out the stop, it goes to the end. A colon alone, `:`, means all of them.
 
@@ -195,7 +194,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 4 · A step, forwards and backwards (7 minutes)
+# ## 4 · A step, forwards and backwards ([[minutes]])
 #
 # A slice may have a third number, the *step*. `::2` takes every second row. A step of `-1` goes backwards: `::-1` begins at the end.
 
@@ -275,7 +274,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 5 · Channels and the three dots (6 minutes)
+# ## 5 · Channels and the three dots ([[minutes]])
 #
 # A colour image has a third index, the *channel*: 0 is blue, 1 is green, 2 is red. So `frame[100, 200, 2]` is the red of one pixel, and `frame[:, :, 2]` is the red channel of all pixels. Three dots, `...`, mean "all axes that I do not name": `frame[..., 2]` is the same as `frame[:, :, 2]`.
 
@@ -350,7 +349,7 @@ def inputs(rng):
 # %% [markdown]
 # **This is a good place for a break.**
 #
-# ## 6 · The kind of number: dtype (6 minutes)
+# ## 6 · The kind of number: dtype ([[minutes]])
 #
 # All numbers of an array have the same kind, its *dtype* (data type). Images mostly use `uint8`: whole numbers from 0 to 255, one *byte* (8 bits) each. Other dtypes hold more:
 #
@@ -397,7 +396,7 @@ assert np.iinfo(np.int16).min == -32_768 and np.iinfo(np.int16).max == 32_767
 assert [np.dtype(name).itemsize for name in ("uint8", "uint16", "int16", "float64", "bool")] == [1, 2, 2, 8, 1]
 
 # %% [markdown]
-# ## 7 · Masks (12 minutes)
+# ## 7 · Masks ([[minutes]])
 #
 # A comparison with an array gives True or False for each pixel. Such an array is called a *mask*.
 
@@ -545,7 +544,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 8 · Copy and view (7 minutes)
+# ## 8 · Copy and view ([[minutes]])
 #
 # A slice does not copy the numbers. It is a *view*: another name for the same numbers in memory. This saves time and memory, but if you change the view, the array changes too.
 #
@@ -621,7 +620,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 9 · One axis at a time (6 minutes)
+# ## 9 · One axis at a time ([[minutes]])
 #
 # `mean`, `sum`, `min` and `max` take all numbers together, or one *axis* at a time. Axis 0 goes down the rows, axis 1 goes across the columns. The named axis disappears: `axis=1` computes across the columns, so one number is left for each row.
 #
@@ -685,7 +684,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 10 · Neighbours: a loop, and the same with slices (11 minutes)
+# ## 10 · Neighbours: a loop, and the same with slices ([[minutes]])
 #
 # Most methods of [[term:image processing]] compare a pixel with its neighbours. Here is one row. We want, for each pixel, the sum of its left neighbour, itself, and its right neighbour. With a loop:
 

@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: What is image processing?
-#     minutes: 55
 # ---
 
 # %% [markdown]
@@ -16,7 +15,7 @@
 # - explain why a grayscale image is not a binary image,
 # - name the four steps of a program that processes a robot's images, and the libraries that it needs.
 #
-# **Time** about 55 minutes; take a break after section 4. **You need** [[arrays]]: slices, masks, `np.where`, the mean of a mask.
+# **Time** [[minutes]]; take a break after section 4. **You need** [[arrays]]: slices, masks, `np.where`, the mean of a mask.
 #
 # If the next cell says *No module named 'imgproc_course'*, open the lessons with `environment/lab`, as [[start_here]] explains.
 
@@ -94,7 +93,7 @@ assert frame.size == 2_764_800 and recording.rate == 10
 #
 # A robot does not have the ground truth. It has to find the answers itself. Here we use the ground truth to see what the robot looks for.
 #
-# ### 1 · Environment recognition: where can I drive? (5 minutes)
+# ### 1 · Environment recognition: where can I drive? ([[minutes]])
 #
 # Look at the frame above. **Predict.** How many percent of the image are floor? (The rug does not count.)
 
@@ -122,7 +121,7 @@ assert recording.label_names[1] == "floor"
 assert round(floor_share * 100) == 36
 
 # %% [markdown]
-# ### 2 · Object detection: who is there? (4 minutes)
+# ### 2 · Object detection: who is there? ([[minutes]])
 #
 # A detector returns a *[[term:bounding box]]*: the smallest rectangle around an object, given by its first and last row and its first and last column. Here we compute the person's bounding box from the label image. A real detector has to find the person in the frame.
 
@@ -146,7 +145,7 @@ assert recording.label_names[16] == "person"
 assert (top, bottom, left, right) == (102, 394, 584, 690)
 
 # %% [markdown]
-# ### 3 · Position estimation: where am I? (7 minutes)
+# ### 3 · Position estimation: where am I? ([[minutes]])
 #
 # The black and white square is a *[[term:marker]]*. OpenCV knows its pattern: it finds the four corners of the marker in the image, and reads its number.
 
@@ -194,7 +193,7 @@ assert round(true_distance, 1) == 3.6 and round(float(distance), 2) == 3.75
 assert abs(distance - true_distance) / true_distance < 0.05
 
 # %% [markdown]
-# ### 4 · Obstacle avoidance: what is in my way? (6 minutes)
+# ### 4 · Obstacle avoidance: what is in my way? ([[minutes]])
 #
 # The depth image contains distances in millimetres, for every second row and every second column of the frame. We look for the nearest obstacle straight ahead of the robot, in the middle third of the image. Floor and rug are no obstacles.
 #
@@ -238,7 +237,7 @@ assert np.nonzero(box)[1].min() > 427
 #
 # Programs for all four uses are built from simple operations. Four operations are very common, and each has its own lesson: [[grayscale]], [[binarization]], [[canny_stages|edge detection]] and [[noise_removal]]. Look at what each operation does to the *numbers*: to the shape of the array, and to how many different values it has.
 #
-# ### 5 · Grayscale: three numbers become one (3 minutes)
+# ### 5 · Grayscale: three numbers become one ([[minutes]])
 
 # %%
 gray = cv2.cvtColor(frame, cv2.COLOR_BGR2GRAY)
@@ -247,7 +246,7 @@ print("different values:", np.unique(gray).size)
 show([frame, gray], ["colour", "gray"], text=figure_texts["gray"])
 
 # %% [markdown]
-# ### 6 · Planned failure: grayscale is not binary (4 minutes)
+# ### 6 · Planned failure: grayscale is not binary ([[minutes]])
 #
 # Many people call a gray image a "black and white photograph". Are all its pixels black or white? (In a *planned failure*, something goes wrong on purpose. **Repair it** then says what to do.) **Predict** how many percent of its pixels are fully black (0) or fully white (255).
 
@@ -268,7 +267,7 @@ assert together == 0.005
 # %% [markdown]
 # Almost no pixel is fully white or black: a gray image has up to 256 intensities ([[term:gray level|gray levels]]). **Repair it**: to get two values from 256, choose a *[[term:threshold]]*, and compare every pixel with it. That is the next operation.
 #
-# ### 7 · Binarization: above the threshold or not (4 minutes)
+# ### 7 · Binarization: above the threshold or not ([[minutes]])
 
 # %%
 binary = np.where(gray > 128, 255, 0).astype(np.uint8)
@@ -279,7 +278,7 @@ show([gray, binary], ["gray: 246 values", "binary: two"],
      text=figure_texts["binary"])
 
 # %% [markdown]
-# ### 8 · Edge detection: where the intensity jumps (4 minutes)
+# ### 8 · Edge detection: where the intensity jumps ([[minutes]])
 #
 # An *[[term:edge]]* is a place where the intensity changes strongly from one pixel to the next. We detect edges with the *[[term:Canny edge detector]]*; [[canny_stages]] explains it, and the two numbers 50 and 150 in the next cell. An edge image also has only two values: 255 (white) for an edge, 0 for no edge.
 #
@@ -305,7 +304,7 @@ assert np.unique(binary).tolist() == np.unique(edges).tolist() == [0, 255]
 assert round(edge_share * 100) == 4 and binary_share > 0.3
 
 # %% [markdown]
-# ### 9 · Noise removal: the same image with fewer errors (5 minutes)
+# ### 9 · Noise removal: the same image with fewer errors ([[minutes]])
 #
 # Sensors make errors, called *[[term:noise]]*. Here we set 5 % of the pixels to black or white. This is *[[term:impulse noise]]*, also called salt-and-pepper noise.
 
@@ -346,7 +345,7 @@ assert round(noise.mean() * 100) == 5 and cleaned.shape == noisy.shape
 assert error_after < error_before / 2
 
 # %% [markdown]
-# ## 10 · The four steps, live on the robot's topic (4 minutes)
+# ## 10 · The four steps, live on the robot's topic ([[minutes]])
 #
 # Every program in this course that processes a robot's images has four steps:
 #
@@ -387,7 +386,7 @@ view = live_view(source, with_edges, low=(0, 500), high=(0, 500),
 assert (with_edges(frame)["edges"] == edges).all()
 
 # %% [markdown]
-# ## 11 · Your turn: name the operation (9 minutes)
+# ## 11 · Your turn: name the operation ([[minutes]])
 #
 # Write `name_operation(before, after)`. It gets an image before and after one operation, and returns the name of this operation.
 #

@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Images as messages
-#     minutes: 110
 # ---
 
 # %% [markdown]
@@ -16,7 +15,7 @@
 # - recognise two common mistakes in an image (red and blue swapped; the rows cut wrongly) and repair them,
 # - explain why some [[term:subscription|subscriptions]] receive nothing from a camera, and repair them.
 #
-# **Time** about 110 minutes, with two places for a break. **You need** [[arrays]]: shape, dtype, slices with a step, `astype`.
+# **Time** [[minutes]], with two places for a break. **You need** [[arrays]]: shape, dtype, slices with a step, `astype`.
 #
 # If the next cell says *No module named 'imgproc_course'*, open the lessons with `environment/lab`, as [[start_here]] explains.
 
@@ -67,7 +66,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · An image is a message (7 minutes)
+# ## 1 · An image is a message ([[minutes]])
 #
 # **Ask.** What arrives when a camera sends an image? We take the first frame of the recorded drive and put it into a message, as the robot does. Then we look at its fields.
 
@@ -110,7 +109,7 @@ assert total_bytes == len(message.data) == 2_764_800
 assert message.step == message.width * bytes_per_pixel == 3840
 
 # %% [markdown]
-# ## 2 · Find a pixel by hand (10 minutes)
+# ## 2 · Find a pixel by hand ([[minutes]])
 #
 # **Ask.** At which position in `data` is the pixel of row 1, column 2? We use an image that is small enough to read: five rows of five pixels. Its [[term:encoding]] is `mono8`: one channel, one byte per pixel. With one channel, the value of a pixel is its *intensity*, also called its *gray level*: 0 is black and 255 is white.
 
@@ -161,7 +160,7 @@ assert 1 * tiny_message.step + 2 == 7 and tiny_message.data[7] == tiny[1, 2]
 assert (decoded == tiny).all()
 
 # %% [markdown]
-# ### Your turn: decode a gray image (5 minutes, practice)
+# ### Your turn: decode a gray image ([[minutes]], practice)
 #
 # Write `decode_mono8(message)` with the two lines above. They must work for an image of any size.
 #
@@ -224,7 +223,7 @@ def inputs(rng):
     return (gray_message(rng, height, width + height),)
 
 # %% [markdown]
-# ## 3 · Planned failure: which channel is red? (7 minutes)
+# ## 3 · Planned failure: which channel is red? ([[minutes]])
 #
 # The same lines decode the camera's image. `reshape` only needs one more number: three channels per pixel.
 
@@ -269,7 +268,7 @@ assert largest == 0  # red in rgb8, but the place of blue in bgr8
 assert (bgr == frame[..., ::-1]).all()
 
 # %% [markdown]
-# ### Your turn: decode a colour image (5 minutes, practice)
+# ### Your turn: decode a colour image ([[minutes]], practice)
 #
 # Write `decode_rgb8(message)`. It keeps the channels in the order of `data`, so it treats `rgb8` and `bgr8` in the same way.
 #
@@ -330,7 +329,7 @@ def inputs(rng):
     return (colour_message(rng, "rgb8", height, width + height),)
 
 # %% [markdown]
-# ## 4 · Planned failure: a padded row (10 minutes)
+# ## 4 · Planned failure: a padded row ([[minutes]])
 #
 # Many cameras start every row at a multiple of, for example, 16 bytes. They fill the rest of the row with bytes that have no meaning: *[[term:padded rows|padding]]*. Then `step` is larger than width × bytes per pixel.
 #
@@ -397,7 +396,7 @@ assert (cut_by_step == tiny).all() and (image_to_array(padded) == tiny).all()
 assert (sheared[1, 0] == 0).all() and (sheared[700, 700:] == frame[700, :580]).all()
 
 # %% [markdown]
-# ### Your turn: remove the padding (8 minutes, practice)
+# ### Your turn: remove the padding ([[minutes]], practice)
 #
 # Write `decode_padded(message)`. Put the two things together that you have seen: crop the padding, as in `cut_by_step`, and form the pixels of a colour image.
 #
@@ -474,7 +473,7 @@ def inputs(rng):
 # %% [markdown]
 # **Pause.** This is a good place for a break. After it, run the cells above again: **Run → Run All Above Selected Cell**.
 #
-# ## 5 · Which byte comes first? (8 minutes)
+# ## 5 · Which byte comes first? ([[minutes]])
 #
 # A depth camera measures distances. It needs numbers above 255, so a pixel takes two bytes. The encoding is `16UC1` (16 bits, unsigned, 1 channel) or `mono16`. One of the two bytes is the *more significant* one: it counts 256 times as much as the other. Two bytes can be stored in two orders. *[[term:big-endian|Big-endian]]* stores the more significant byte first, *little-endian* the less significant one.
 #
@@ -528,7 +527,7 @@ depth_message.is_bigendian = 1
 assert image_to_array(depth_message)[0, 0] == 513
 
 # %% [markdown]
-# ### Your turn: decode 16 bits (8 minutes, practice)
+# ### Your turn: decode 16 bits ([[minutes]], practice)
 #
 # Write `decode_mono16(message)`.
 #
@@ -597,7 +596,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 6 · Use the library (6 minutes)
+# ## 6 · Use the library ([[minutes]])
 #
 # ROS 2 has its own converter, `cv_bridge`, but pip cannot install it. The course's `CvBridge` has methods with the same names, and for correct messages the same results. So your code runs on a robot after you change one line: the import.
 #
@@ -646,7 +645,7 @@ assert encoding_info("rgb8").channels == 3 and encoding_info("16UC1").dtype == n
 assert encoding_info("32FC1").dtype == np.float32
 
 # %% [markdown]
-# ## 7 · Your turn: decode a message (18 minutes)
+# ## 7 · Your turn: decode a message ([[minutes]])
 #
 # Write `decode(message)`. It decodes the four encodings of the small exercises above, and every message may have padded rows.
 #
@@ -747,7 +746,7 @@ def inputs(rng):
 # %% [markdown]
 # **Pause.** Here is the second place for a break.
 #
-# ## 8 · The header: time and camera (3 minutes)
+# ## 8 · The header: time and camera ([[minutes]])
 #
 # A moving robot must know when an image was taken: `header.stamp` (the *[[term:stamp]]*) is this time. `header.frame_id` names the [[term:coordinate frame]] of the camera. (Here *frame* means a coordinate system, not an image of a stream.) A *[[term:node]]* is a program that takes part in ROS. A node that publishes a processed image copies the header, so that a subscriber knows when the camera took the image.
 
@@ -763,7 +762,7 @@ assert message.header.frame_id == "camera_front" and len(recording) == 90
 assert np.median(np.diff(stamps)) == 100_000_000
 
 # %% [markdown]
-# ## 9 · Raw or compressed? (5 minutes)
+# ## 9 · Raw or compressed? ([[minutes]])
 #
 # The robot publishes each image twice: raw (not compressed) on the topic `image_raw`, and as a [[term:JPEG]] on the topic `image_raw/compressed`. **Predict** how many times smaller the JPEG is.
 
@@ -799,7 +798,7 @@ assert math.ceil(raw_bytes / 65_507) == 43 and math.ceil(jpeg_bytes / 65_507) ==
 assert 0 < difference.mean() < 2
 
 # %% [markdown]
-# ## 10 · A live topic, and a subscription that receives nothing (10 minutes)
+# ## 10 · A live topic, and a subscription that receives nothing ([[minutes]])
 #
 # Now we use ROS 2: the recorded drive is published on the robot's own topic, and this notebook subscribes to it. (Without ROS, the ROS cells below do nothing; the doctor in [[start_here]] says what to install. Everything above works without ROS.)
 

@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Grayscale
-#     minutes: 80
 # ---
 
 # %% [markdown]
@@ -16,7 +15,7 @@
 # - compute luma with integers (whole numbers) only, in loops and with slices, and get the same result as OpenCV for every pixel,
 # - explain which information a gray image loses.
 #
-# **Time** about 80 minutes, with a pause after section 5. **You need** [[arrays]] (index, slice, dtype) and [[images_as_messages]]: the shape of a frame is (rows, columns, channels), and its channels are in the order blue, green, red.
+# **Time** [[minutes]], with a pause after section 5. **You need** [[arrays]] (index, slice, dtype) and [[images_as_messages]]: the shape of a frame is (rows, columns, channels), and its channels are in the order blue, green, red.
 
 # %% role="given" exercise=["grayscale-luma"]
 import numpy as np
@@ -68,7 +67,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · One pixel (4 minutes)
+# ## 1 · One pixel ([[minutes]])
 #
 # **Ask.** A pixel has three channels: blue 30, green 60, red 220. How bright is it? The simplest answer is the average of the three.
 #
@@ -87,7 +86,7 @@ compare_guess(guess_average, average)
 assert average == 103
 
 # %% [markdown]
-# ## 2 · Planned failure: a sum of pixels (12 minutes)
+# ## 2 · Planned failure: a sum of pixels ([[minutes]])
 #
 # Now we take the same pixel as it is stored in a frame: three numbers of dtype `uint8`. **Predict** the result of the same calculation.
 
@@ -158,7 +157,7 @@ assert np.iinfo(np.uint16).max == 65_535 and np.iinfo(np.uint32).max == 4_294_96
 assert 255 * 19235 == 4_904_925 and (white * 19235)[0] == 4_904_925 % 65_536
 
 # %% [markdown]
-# ## 3 · Your eyes do not compute the average (8 minutes)
+# ## 3 · Your eyes do not compute the average ([[minutes]])
 #
 # Is the average the right gray level? Here are pure blue, green and red at full intensity:
 
@@ -209,7 +208,7 @@ assert luma_patches[0, ::2].tolist() == [29, 150, 76]
 assert round(weighted) == 104 and round(0.299 + 0.587 + 0.114, 9) == 1
 
 # %% [markdown]
-# ## 4 · With integers (14 minutes)
+# ## 4 · With integers ([[minutes]])
 #
 # On a small processor, calculations with integers are fast, and their sums have no rounding errors. So we multiply the weights by 2¹⁵ = 32768, round them, and divide the sum by 2¹⁵ at the end.
 
@@ -275,7 +274,7 @@ assert (np.rint(decimal) != to_gray(colours)).sum() > 1 and np.abs(np.rint(decim
 # %% [markdown]
 # Only one pixel differs, by one gray level. (In an image with all kinds of colours, a few more differ.) But "equal for every pixel" is easier to check than "nearly equal". So the exercise asks for the integer weights.
 #
-# ## 5 · An image small enough to read (9 minutes)
+# ## 5 · An image small enough to read ([[minutes]])
 #
 # In the last line below, `f"..."` is an *f-string*: Python replaces each name in braces by its value.
 
@@ -320,7 +319,7 @@ assert (by_slices == to_gray(tiny)).all() and (by_loops == by_slices).all()
 # %% [markdown]
 # **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 #
-# ## 6 · Does OpenCV agree? (4 minutes)
+# ## 6 · Does OpenCV agree? ([[minutes]])
 #
 # We compare three results: our rounded sum above, the course's `to_gray`, and OpenCV's `cvtColor`. **Check** every pixel of the frame.
 
@@ -352,7 +351,7 @@ assert (gray == opencv).all() and (rounded == opencv).all()
 assert (coffee_gray == cv2.cvtColor(np.ascontiguousarray(coffee), cv2.COLOR_BGR2GRAY)).all()
 
 # %% [markdown]
-# ## 7 · Swapped channels (4 minutes)
+# ## 7 · Swapped channels ([[minutes]])
 #
 # If an image is `rgb8` and you read it as `bgr8`, blue gets the weight of red. The result still looks like a correct gray image. **Predict** the mean error, in gray levels.
 
@@ -372,7 +371,7 @@ assert round(float(difference.mean()), 1) == 8.6 and difference.max() == 38
 # %% [markdown]
 # The mean error is 8.6 gray levels. This is hard to see in the image, but it can change the result of an edge detector. Only the message's `encoding` tells you the right order.
 #
-# ## 8 · What a gray image loses (3 minutes)
+# ## 8 · What a gray image loses ([[minutes]])
 #
 # Two different colours can have the same luma. In the gray image they look the same, and no method can find an edge between them.
 
@@ -389,7 +388,7 @@ show([pair, to_gray(pair)], ["two colours", "one gray"], numbers=False,
 assert to_gray(pair)[0, 0] == to_gray(pair)[0, -1]
 
 # %% [markdown]
-# ## 9 · A pixel value is not an amount of light (6 minutes)
+# ## 9 · A pixel value is not an amount of light ([[minutes]])
 #
 # A camera does not store the amount of light. It stores a *[[term:gamma|gamma-encoded]]* number: this encoding uses more gray levels for dark tones, because our eyes see small differences there. The sRGB standard defines the formula that calculates the amount of light from the number; `linear_light` uses it.
 #
@@ -423,7 +422,7 @@ assert (by_light >= luma_patches).all() and linear_light_gray(white_wall) == to_
 # %% [markdown]
 # Robots still use luma: it needs only three multiplications per pixel, and OpenCV computes it. But if you want to measure light, first undo the gamma encoding, and then take the mean of the pixels.
 #
-# ## 10 · Your turn: luma with integers (16 minutes)
+# ## 10 · Your turn: luma with integers ([[minutes]])
 #
 # Write `luma(bgr)` for an image of any size. Use the integer weights of section 4, and round. Begin with two loops if you like, make them pass, and then try to write it with slices, as in section 5.
 #

@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: The grayscale node
-#     minutes: 80
 # ---
 
 # %% [markdown]
@@ -16,7 +15,7 @@
 # - explain what `rclpy.spin` does in a script and in a notebook (`rclpy` is the Python library of ROS 2),
 # - choose QoS policies (rules for how messages are delivered), copy a header, and keep a node running when an image cannot be converted.
 #
-# **Time** about 80 minutes, with a pause after section 3. **You need** [[images_as_messages]] and [[grayscale]]. This lesson needs a running ROS 2. Without ROS 2 (macOS, Windows without WSL), read the lesson, run section 2, and do the exercise in section 6.
+# **Time** [[minutes]], with a pause after section 3. **You need** [[images_as_messages]] and [[grayscale]]. This lesson needs a running ROS 2. Without ROS 2 (macOS, Windows without WSL), read the lesson, run section 2, and do the exercise in section 6.
 
 # %% role="given" exercise=["node-process"]
 import cv2
@@ -49,7 +48,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · A callback is a function that ROS calls (10 minutes)
+# ## 1 · A callback is a function that ROS calls ([[minutes]])
 #
 # **Ask.** Until now you called `wait` and waited for an image. A node does not wait. It subscribes to a topic and passes a function, its *[[term:callback]]*. ROS calls this function for every message that arrives. This is the way of an image through a grayscale node:
 #
@@ -115,7 +114,7 @@ assert len({(stamp.sec, stamp.nanosec) for stamp in stamps}) == len(stamps)
 #     end
 # ```
 #
-# ## 2 · A class in ten lines (10 minutes)
+# ## 2 · A class in ten lines ([[minutes]])
 #
 # In Python, a node is written as a *[[term:class]]*. If you have never written a class, this section is for you. It does not use ROS. A class describes objects: which values they have, and what they can do. Here is a bell. If you want to know when it rings, you give it a callback.
 
@@ -191,7 +190,7 @@ assert (back_door.name, back_door.rings, len(back_door.callbacks)) == ("back doo
 # %% [markdown]
 # Remember this form: a class that inherits, an `__init__` that begins with `super().__init__(...)` and subscribes, and a method that is the callback. The node in the next section has exactly this form.
 #
-# ## 3 · The node, line by line (20 minutes)
+# ## 3 · The node, line by line ([[minutes]])
 #
 # A node that works with images does four things: it **subscribes** to a topic, **converts** each message to an array, **processes** the array, and **publishes** (or displays) the result.
 #
@@ -322,7 +321,7 @@ assert (array == frame).all() and msg.encoding == "bgr8"
 #
 # **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 #
-# ## 4 · Planned failure: rclpy.spin in a notebook (8 minutes)
+# ## 4 · Planned failure: rclpy.spin in a notebook ([[minutes]])
 #
 # Step 6: most ROS tutorials end with `rclpy.spin(node)`. In a script this is right: the node runs until you press Ctrl-C. (In [[ros2_packages]] you read and run such a script.)
 
@@ -392,7 +391,7 @@ else:
 assert view.running
 
 # %% [markdown]
-# ## 5 · The same node for every function (10 minutes)
+# ## 5 · The same node for every function ([[minutes]])
 #
 # An edge-detection node needs the same lines; only the names and line 7 are different. So the course has one class for all such nodes: `ImageProcessor`. You give it the node's name, a function, and the names of the function's results. The function gets a frame and returns a dictionary. The node publishes each value of the dictionary on the topic that its key names: `"gray"` goes to `~/gray`.
 
@@ -443,7 +442,7 @@ if ros_available():
 assert not ros_available() or (statistics["processed"] >= 6 and statistics["failed"] >= 5)
 
 # %% [markdown]
-# ## 6 · Your turn: the node's function (10 minutes)
+# ## 6 · Your turn: the node's function ([[minutes]])
 #
 # Write `process(frame)`, the function of a grayscale node. You may use `cv2` and `np`, which are imported already. If you use something else (for example `to_gray`), import it in this cell. Do not change the frame, because other code may use it too. The key, the shape and the dtype must be exactly as in the table.
 #
@@ -504,7 +503,7 @@ def inputs(rng):
     return (frame,)
 
 # %% [markdown]
-# ## 7 · Practice: your node, live (12 minutes)
+# ## 7 · Practice: your node, live ([[minutes]])
 #
 # Run your own `process` in a node and watch its images. In the next cell, replace `make_gray` by `process` and run the cell. Then change `process` in your answer cell. After each change, run the answer cell and then the next cell again. The new node replaces the old one of the same name. Ideas:
 #

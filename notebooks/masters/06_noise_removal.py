@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Noise removal
-#     minutes: 100
 # ---
 
 # %% [markdown]
@@ -17,7 +16,7 @@
 # - compute a 3 × 3 median by hand,
 # - measure with PSNR which filter removes more noise, and choose a filter with this number.
 #
-# **Time** about 100 minutes; take a break after section 4, and one after section 7. **You need** [[arrays]] and [[grayscale]].
+# **Time** [[minutes]]; take a break after section 4, and one after section 7. **You need** [[arrays]] and [[grayscale]].
 
 # %% role="given" exercise=["noise-median", "noise-psnr", "noise-choose"]
 import numpy as np
@@ -78,7 +77,7 @@ gray = to_gray(recording.frame(30))
 print(gray.shape, gray.dtype, "range", gray.min(), "to", gray.max())
 
 # %% [markdown]
-# ## 1 · Noise is in every image (5 minutes)
+# ## 1 · Noise is in every image ([[minutes]])
 #
 # **Ask.** A wall has one colour. Does the camera see one gray level? We look at 8 × 8 pixels of the wall.
 #
@@ -108,7 +107,7 @@ assert four.mean() == 100 and four.std() == np.sqrt((differences**2).mean())
 assert 0 < wall.std() < 5 and 0 < int(wall.max()) - int(wall.min()) < 20
 
 # %% [markdown]
-# ## 2 · A row with an intensity step (12 minutes)
+# ## 2 · A row with an intensity step ([[minutes]])
 #
 # An image consists of many rows, and one row is easier to read. Here is a row with a dark part, a bright part and an *intensity step* between them: the place where the gray level (the intensity) jumps. We add an error of a few gray levels to each value.
 
@@ -174,7 +173,7 @@ assert correlated.tolist() == [0, 0, 3, 2, 1, 0, 0]
 assert (np.correlate(impulse, kernel[::-1], mode="same") == convolved).all()
 
 # %% [markdown]
-# ## 3 · Planned failure: a mean filter against impulse noise (6 minutes)
+# ## 3 · Planned failure: a mean filter against impulse noise ([[minutes]])
 #
 # Some sensor errors are not small: a broken pixel is black or white. This is **[[term:impulse noise]]**, also called *salt-and-pepper* noise. Here is a row of 50 with a single white pixel.
 #
@@ -215,7 +214,7 @@ assert (median_of_three(salted_row) == 50).all()
 assert (median_of_three(clean_row) == clean_row).all()
 
 # %% [markdown]
-# ## 4 · From a row to an image (14 minutes)
+# ## 4 · From a row to an image ([[minutes]])
 #
 # In an image a pixel has neighbours on all sides. Together with them it is a neighbourhood of 3 × 3 = 9 values. If you sort the nine, the median is the fifth. Here is a dark and a bright area with two wrong pixels, and the neighbourhood of the 255.
 
@@ -317,7 +316,7 @@ assert response.sum() == 160 and response[2, 2] == 160 * 4 / 16 == 40
 # %% [markdown]
 # *This is a good place for a break.*
 #
-# ## 5 · Two kinds of noise (3 minutes)
+# ## 5 · Two kinds of noise ([[minutes]])
 #
 # Now we add random noise to a camera frame. The [[term:seed]] of the random numbers is fixed, so everybody gets the same noise. Impulse noise makes 5 % of the pixels black or white. **Gaussian noise** adds a random error to every pixel. The errors have a *normal distribution*: small errors are common, large ones are rare. Here their standard deviation is 20 gray levels. (In an f-string, `:.1%` writes a share in percent, `:.1f` writes one digit after the point, and `:10` fills up to ten characters.)
 
@@ -335,7 +334,7 @@ assert 0.04 < (salted != gray).mean() < 0.06
 assert (grainy != gray).mean() > 0.95
 
 # %% [markdown]
-# ## 6 · How much noise is left? (9 minutes)
+# ## 6 · How much noise is left? ([[minutes]])
 #
 # "It looks better" is not a measurement. The *mean squared error* (MSE) is one: take the difference between each pixel and the same pixel of the clean image, square it, and average over all pixels. By hand on four pixels:
 
@@ -392,7 +391,7 @@ assert abs(psnr(gray, brighter) - psnr(gray, grainy)) < 1
 assert ssim(gray, brighter) > 0.9 and ssim(gray, grainy) < 0.3
 
 # %% [markdown]
-# ## 7 · Four filters (10 minutes)
+# ## 7 · Four filters ([[minutes]])
 #
 # We compare the box, the Gaussian and the median filter, and a fourth one, the **bilateral filter**. It is a weighted mean like the Gaussian filter, but a neighbour has a large weight only if it is near *and* has a similar gray level. So the bright side of a step has almost no weight on the dark side, and the step stays sharp.
 #
@@ -496,7 +495,7 @@ assert psnr(portrait, cleaned_portrait) > psnr(portrait, salted_portrait) + 10
 # *This is a good place for a break. Three exercises follow.*
 
 # %% [markdown]
-# ## 8 · Your turn: the median by hand (24 minutes)
+# ## 8 · Your turn: the median by hand ([[minutes]])
 #
 # Write `median3(gray)`: each pixel becomes the median of its 3 × 3 neighbourhood. At the border use *replicate*: repeat the outermost rows and columns. Compute it yourself, with NumPy only, and do not change `gray`.
 #
@@ -571,7 +570,7 @@ def inputs(rng):
     return (rng.integers(0, 256, size=(1, 12), dtype=np.uint8),)
 
 # %% [markdown]
-# ## 9 · Your turn: PSNR (12 minutes)
+# ## 9 · Your turn: PSNR ([[minutes]])
 #
 # Write `my_psnr(clean, other)` with the formula of section 6. Remember what [[term:uint8]] does to a negative difference. For equal images the result is infinity, `float("inf")`. Compute it yourself, with NumPy only.
 #
@@ -657,7 +656,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 10 · Practice: choose a filter (5 minutes)
+# ## 10 · Practice: choose a filter ([[minutes]])
 #
 # Write `best_filter(clean, noisy, filters)`. It applies every filter to `noisy`, and returns the name of the filter whose result has the highest PSNR compared with `clean`. This exercise gives no points. But for every new camera you will have to choose a filter in this way.
 #

@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Binarization
-#     minutes: 60
 # ---
 
 # %% [markdown]
@@ -15,7 +14,7 @@
 # - compute Otsu's threshold by hand, with the same result as OpenCV,
 # - explain when one threshold for the whole image fails, and what works instead.
 #
-# **Time** about 60 minutes; take a break after section 4. **You need** [[arrays]], [[grayscale]] and [[noise_removal]].
+# **Time** [[minutes]]; take a break after section 4. **You need** [[arrays]], [[grayscale]] and [[noise_removal]].
 
 # %% role="given" exercise=["binarization-otsu"]
 import numpy as np
@@ -77,7 +76,7 @@ gray = to_gray(recording.frame(30))
 print(gray.shape, gray.dtype, "range", gray.min(), "to", gray.max())
 
 # %% [markdown]
-# ## 1 · A global threshold (5 minutes)
+# ## 1 · A global threshold ([[minutes]])
 #
 # **Ask.** In the image below, every value above 100 becomes 255 (white), and all others become 0 (black). This is a **global threshold**: one number for the whole image.
 #
@@ -106,7 +105,7 @@ assert (threshold(tiny, 100) == binary).all()
 assert (cv2.threshold(tiny, 100, 255, cv2.THRESH_BINARY)[1] == binary).all()
 
 # %% [markdown]
-# ## 2 · The histogram (9 minutes)
+# ## 2 · The histogram ([[minutes]])
 #
 # The marker in front of the back wall is black print on white paper. The print is the foreground, the paper is the background.
 
@@ -156,7 +155,7 @@ depth = recording.depth(30)[160:198, 328:362]  # millimetres, at half the size
 assert round(np.median(depth) / 1000, 1) == 3.6
 
 # %% [markdown]
-# ## 3 · Otsu's method (14 minutes)
+# ## 3 · Otsu's method ([[minutes]])
 #
 # A histogram with two peaks is called *bimodal*. A person sees the valley between the peaks, but a program needs a rule. **Otsu's method** (1979) tries every threshold. Each threshold splits the pixels into two classes. The method keeps the threshold with the largest **between-class variance**, which measures how much the two classes differ:
 #
@@ -247,7 +246,7 @@ assert 4 / 8 * 4 / 8 * (eight[:4].mean() - eight[4:].mean()) ** 2 == 7656.25
 assert best == otsu_threshold(marker) == int(opencv_best)
 
 # %% [markdown]
-# ## 4 · Two more examples (4 minutes)
+# ## 4 · Two more examples ([[minutes]])
 #
 # Otsu's method on the sign on the wall (we only print its threshold), and on a photograph of a man with a camera, one of scikit-image's example images (CC0, free to use).
 
@@ -270,7 +269,7 @@ for image in (sign, photograph):
 # %% [markdown]
 # *This is a good place for a break.*
 #
-# ## 5 · Planned failure: the sun on the floor (12 minutes)
+# ## 5 · Planned failure: the sun on the floor ([[minutes]])
 #
 # A part of a rug with dark stripes lies in the sun. The dark stripes are our foreground.
 
@@ -344,7 +343,7 @@ assert np.abs((block_means - 5)[1:4] - 185).max() < 5
 assert np.abs((block_means - 5)[6:9] - 65).max() < 5
 
 # %% [markdown]
-# ## 6 · Your turn: Otsu from the pixels (16 minutes)
+# ## 6 · Your turn: Otsu from the pixels ([[minutes]])
 #
 # Section 3 counted the pixels in a histogram. Find the same threshold without a histogram: write `otsu(gray)`, which tries every `t` from 0 to 255 and selects the pixels of the two classes with [[term:mask|masks]], as for the eight pixels.
 #

@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: The stages of Canny
-#     minutes: 180
 # ---
 
 # %% [markdown]
@@ -16,7 +15,7 @@
 # - explain what 50 and 150 mean, and when to change them,
 # - explain why a noisy image must be smoothed before edge detection.
 #
-# **Time** about 180 minutes, best on two days: there are pauses after sections 4 and 8. **You need** [[arrays#10]] (shifted slices and padding), [[grayscale]] and [[noise_removal]].
+# **Time** [[minutes]], best on two days: there are pauses after sections 4 and 8. **You need** [[arrays#10]] (shifted slices and padding), [[grayscale]] and [[noise_removal]].
 
 # %% role="given" exercise=["canny-sobel", "canny-local-maximum", "canny-suppression", "canny-thresholds", "canny-hysteresis"]
 import numpy as np
@@ -105,7 +104,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · An edge is an intensity step (8 minutes)
+# ## 1 · An edge is an intensity step ([[minutes]])
 #
 # **Ask.** Here is one row of an image:
 #
@@ -143,7 +142,7 @@ assert difference.tolist() == [0, 0, 0, 150, 150, 0, 0, 0]
 assert (correlated == difference).all() and (convolved == -correlated).all()
 
 # %% [markdown]
-# ## 2 · The Sobel kernel, one window by hand (12 minutes)
+# ## 2 · The Sobel kernel, one window by hand ([[minutes]])
 #
 # Noise easily disturbs the differences in a single row. The **[[term:Sobel kernel]]** combines three rows, and gives the middle row double weight:
 #
@@ -217,7 +216,7 @@ assert 50 / 4 == 12.5 and 150 / 4 == 37.5 and np.iinfo(np.int32).max > 2_000_000
 assert (np.outer([1, 2, 1], [-1, 0, 1]) == kernel).all()
 
 # %% [markdown]
-# ## 3 · Your turn: the Sobel filter (22 minutes)
+# ## 3 · Your turn: the Sobel filter ([[minutes]])
 #
 # Write `my_sobel(gray)`. It computes both parts of the gradient for every pixel.
 #
@@ -285,7 +284,7 @@ def inputs(rng):
     return (rng.integers(0, 256, size=(7, 9), dtype=np.uint8),)
 
 # %% [markdown]
-# ## 4 · Gradient magnitude and direction (12 minutes)
+# ## 4 · Gradient magnitude and direction ([[minutes]])
 #
 # The gradient of a pixel is an arrow: `grad_col` to the right, `grad_row` down. The arrow points from dark to bright, at a right angle to the edge: this is the **[[term:gradient direction]]** (or orientation). The length of the arrow is the **[[term:gradient magnitude]]**. A *norm* is a way to measure a length. Canny uses one of two norms:
 #
@@ -358,7 +357,7 @@ assert down[2, 2] > 0 and right[2, 2] > 0
 # %% [markdown]
 # **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 #
-# ## 5 · A ridge in one row (8 minutes)
+# ## 5 · A ridge in one row ([[minutes]])
 #
 # An edge should be one pixel wide. But if the intensity changes over a few pixels, the response is also a few pixels wide: the magnitudes form a *[[term:ridge]]*, like a mountain ridge. Here is a soft step:
 #
@@ -393,7 +392,7 @@ for col in range(8):
 assert profile.tolist() == [0, 40, 160, 360, 400, 200, 40, 0]
 
 # %% [markdown]
-# ### Your turn: the peaks of one row (10 minutes, practice)
+# ### Your turn: the peaks of one row ([[minutes]], practice)
 #
 # Write `keep_peaks(magnitude)`. It applies this rule to one row. This prepares section 7.
 #
@@ -460,7 +459,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 6 · Non-maximum suppression: keep only the top of the ridge (15 minutes)
+# ## 6 · Non-maximum suppression: keep only the top of the ridge ([[minutes]])
 #
 # Now the same in two dimensions. The next cell walks over *all* pixels of a 5 × 5 image with two loops, also over those on the border. Its edge is vertical, so every pixel is compared with its left and right neighbours.
 
@@ -526,7 +525,7 @@ assert (wall_thinned == canny_stages(wall, 50, 150).thinned).all()
 assert (wall_thinned > 0).sum(axis=1).tolist() == [1, 1, 1, 1, 1]
 
 # %% [markdown]
-# ## 7 · Your turn: non-maximum suppression (25 minutes)
+# ## 7 · Your turn: non-maximum suppression ([[minutes]])
 #
 # Write `suppress(magnitude, sector)`. Use the rule and the table of section 6. Begin with the two loops of section 6: which two neighbours you take depends on the sector of the pixel.
 #
@@ -606,7 +605,7 @@ def inputs(rng):
     return rng.integers(0, 4, size=(12, 15)).astype(np.int32), rng.integers(0, 4, size=(12, 15), dtype=np.uint8)
 
 # %% [markdown]
-# ## 8 · The double threshold (8 minutes)
+# ## 8 · The double threshold ([[minutes]])
 #
 # Which ridges are edges? A single threshold is not enough. If it is low, the wood pattern of the floor becomes edges. If it is high, outlines get gaps. Canny uses a **[[term:double threshold]]**. A pixel above `high` is a **strong** edge pixel: it is always an edge. A pixel above `low`, but not above `high`, is a **weak** edge pixel: it may be an edge. All other pixels are background.
 #
@@ -642,7 +641,7 @@ assert (stages.strong == strong).all() and (stages.weak == weak).all()
 assert not (weak & strong).any()  # no pixel is both
 
 # %% [markdown]
-# ### Your turn: the double threshold (6 minutes)
+# ### Your turn: the double threshold ([[minutes]])
 #
 # Write `double_threshold(thinned, low, high)`. Strong means strictly above `high`. Weak means strictly above `low` and not strong.
 #
@@ -698,7 +697,7 @@ def inputs(rng):
 # %% [markdown]
 # **This is a good place for a second pause.** Only one stage is missing. When you come back, choose **Run → Run All Above Selected Cell**.
 #
-# ## 9 · Edge tracking by hysteresis (15 minutes)
+# ## 9 · Edge tracking by hysteresis ([[minutes]])
 #
 # All strong pixels are edges. A weak pixel becomes an edge if at least one of its eight neighbours is an edge. The neighbours at the corners count too: this is *8-connectivity*. (With *4-connectivity* only the four neighbours at the sides count.) So edges grow from the strong pixels, step by step along the weak pixels, until nothing changes. This is **[[term:hysteresis|edge tracking by hysteresis]]**. (*Hysteresis* means here: an edge needs the high threshold to start, but only the low threshold to continue.)
 #
@@ -784,7 +783,7 @@ show([stages.strong, late], ["strong pixels", "after growth"],
 assert ((stages.edges == 255) == late).all()
 
 # %% [markdown]
-# ## 10 · Your turn: hysteresis (20 minutes)
+# ## 10 · Your turn: hysteresis ([[minutes]])
 #
 # Write `grow(weak, strong)`. Every strong pixel is an edge. A weak pixel is an edge if a chain of weak pixels leads from it to a strong pixel. Each pixel of the chain touches the next one at a side or a corner.
 #
@@ -905,7 +904,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 11 · Does OpenCV agree? (3 minutes)
+# ## 11 · Does OpenCV agree? ([[minutes]])
 #
 # `canny_stages` runs all stages one after another. The course's `canny` computes the same edges, but faster. **Check** that it agrees with OpenCV on ten frames of the drive, pixel by pixel.
 
@@ -921,7 +920,7 @@ print("pixels that differ from OpenCV:", different, "of", 10 * gray.size)
 assert different == 0 and (canny(gray, 50, 150) == stages.edges).all()
 
 # %% [markdown]
-# ## 12 · Planned failure: Canny on a noisy frame (6 minutes)
+# ## 12 · Planned failure: Canny on a noisy frame ([[minutes]])
 #
 # In textbooks, the first stage of Canny is a Gaussian blur. `cv2.Canny` does **not** blur: you have to blur the image yourself. What happens if you forget it? We add Gaussian noise with a standard deviation of 15 gray levels to the frame.
 #
@@ -952,7 +951,7 @@ assert round(times) == 8 and (repaired > 0).sum() < (unblurred > 0).sum() / 3
 assert (repaired == canny(gaussian_blur(noisy, 2), 50, 150)).all()
 
 # %% [markdown]
-# ## 13 · Tune the three numbers (10 minutes)
+# ## 13 · Tune the three numbers ([[minutes]])
 #
 # Three numbers decide which edges you get: `low`, `high` and `sigma`. Move the sliders. Find values that keep the outlines of the ball, the chair and the marker, but remove the wood pattern of the floor. Below the sliders is a line of code with your values that you can copy.
 

@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: The edge-detection node
-#     minutes: 105
 # ---
 
 # %% [markdown]
@@ -16,7 +15,7 @@
 # - compare edges with a ground truth, and measure precision, recall and F1,
 # - tune the parameters on some frames, and evaluate them on other frames.
 #
-# **Time** about 105 minutes, with a pause after section 3. **You need** [[grayscale_node]] and [[canny_stages]].
+# **Time** [[minutes]], with a pause after section 3. **You need** [[grayscale_node]] and [[canny_stages]].
 
 # %% role="given" exercise=["edges-near", "edges-f1"]
 import numpy as np
@@ -78,7 +77,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · The node (8 minutes)
+# ## 1 · The node ([[minutes]])
 #
 # This node differs from the node of [[grayscale_node]] in two ways: its function returns several images, and it has parameters.
 #
@@ -161,7 +160,7 @@ if ros_available():
 assert not ros_available() or (edges.shape == (720, 1280) and set(np.unique(edges)) <= {0, 255})
 
 # %% [markdown]
-# ## 2 · Change the thresholds and observe (12 minutes)
+# ## 2 · Change the thresholds and observe ([[minutes]])
 #
 # Remember the unit of both thresholds: the L1 magnitude of the Sobel gradient, |grad_row| + |grad_col|. A horizontal or vertical intensity step of h gray levels has the magnitude 4 h. Pixels above `high` are strong. Pixels above `low` but not above `high` are weak. So with `high` = 150, a step of more than 37.5 gray levels gives strong edge pixels. With `low` = 50, a step of more than 12.5 gray levels, up to 37.5, gives weak ones.
 #
@@ -240,7 +239,7 @@ assert (lines, lines_high, lines_low) == (330, 98, 1096)
 assert 50 / 4 == 12.5 and 150 / 4 == 37.5
 
 # %% [markdown]
-# ## 3 · Planned failure: swapped thresholds (6 minutes)
+# ## 3 · Planned failure: swapped thresholds ([[minutes]])
 #
 # In `cv2.Canny(gray, 150, 50)` the two thresholds are swapped. **Predict** what OpenCV does.
 
@@ -285,7 +284,7 @@ if ros_available():
 # %% [markdown]
 # **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 #
-# ## 4 · Which edges are right? (12 minutes)
+# ## 4 · Which edges are right? ([[minutes]])
 #
 # To decide which edges are better, we need a **[[term:ground truth]]**: the right result, from another source than the node. The recording has a *[[term:label image]]* for each frame: the value of each of its pixels is the number of the object that the pixel shows. If two neighbouring pixels show different objects, there is a true *outline* between them.
 #
@@ -345,7 +344,7 @@ compare_guess(guess_f1, round(float(f1), 2))
 assert both == 3 and precision == 3 / 4 and recall == 3 / 5 and round(float(f1), 2) == 0.67
 
 # %% [markdown]
-# ## 5 · Near is enough: a tolerance (8 minutes)
+# ## 5 · Near is enough: a tolerance ([[minutes]])
 #
 # "On an outline" is too strict: the outline lies *between* two objects, and an edge may be one pixel beside it. So we accept a **tolerance**: an edge pixel counts if an outline pixel is *near*. With a tolerance of 1, near means at most one row *and* at most one column away: the 3 × 3 neighbourhood of a pixel.
 #
@@ -372,7 +371,7 @@ assert near_outlines.sum(axis=1).tolist() == [3] * 5 and (small_edges & near_out
 # %% [markdown]
 # With a tolerance of 2 pixels the neighbourhood has 5 × 5 pixels, so there are 5 × 5 shifted copies, and the padding is 2 pixels wide.
 #
-# ### Your turn: pixels near a mask (10 minutes, practice)
+# ### Your turn: pixels near a mask ([[minutes]], practice)
 #
 # Write `near(mask, tolerance)`: the same for any tolerance. You need it for F1.
 #
@@ -443,7 +442,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 6 · Your turn: F1 (20 minutes)
+# ## 6 · Your turn: F1 ([[minutes]])
 #
 # Write `f1_score(edges, outlines, tolerance)`.
 #
@@ -587,7 +586,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 7 · Dim light (15 minutes)
+# ## 7 · Dim light ([[minutes]])
 #
 # In dim light, the images of a camera have more noise. Here we add Gaussian noise with a standard deviation of 20 gray levels.
 #
@@ -705,7 +704,7 @@ assert f1_maps.max() == f1_maps[1].max() and f1_maps.max() < bright
 # - The best values have a small blur, with a sigma of one pixel. A sigma of three removes outlines together with the noise.
 # - No values reach the F1 of the images in bright light.
 #
-# ## 8 · Evaluate on frames that you did not tune on (6 minutes)
+# ## 8 · Evaluate on frames that you did not tune on ([[minutes]])
 #
 # If you report the F1 of the two frames that you tuned on, the number is usually too good: the values may fit only these two frames. So evaluate the values on other frames. We compare three settings on two new frames: the best values (with sigma = 1), the best values without blur, and 50, 150.
 #
@@ -732,7 +731,7 @@ assert (round(tuned, 2), round(unblurred, 2), round(untuned, 2)) == (0.42, 0.38,
 assert round(f1_maps.max(), 2) == 0.45
 
 # %% [markdown]
-# ## 9 · Practice: better than the map (8 minutes)
+# ## 9 · Practice: better than the map ([[minutes]])
 #
 # Move the sliders yourself, on another frame in dim light, which is neither a tuning frame nor a new frame. Then write your values into the cell below the image, and run it: it prints their F1 on the new frames. Do this only once. If you look at the result and change your values again, you tune on the new frames.
 

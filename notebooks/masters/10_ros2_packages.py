@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: ROS 2 packages
-#     minutes: 80
 # ---
 
 # %% [markdown]
@@ -17,7 +16,7 @@
 # - recognise two common mistakes: a workspace that is not sourced, and a dependency that `rosdep` does not know,
 # - explain what changes on the real robot, and go on with a robot and a node of your own.
 #
-# **Time** about 80 minutes, with a pause after section 4. **You need** [[grayscale_node]] and [[edge_detection_node]]. You type the commands into a terminal of JupyterLab. Each command also has a cell that does the same, so this lesson works without a terminal too. To run the nodes you need ROS 2.
+# **Time** [[minutes]], with a pause after section 4. **You need** [[grayscale_node]] and [[edge_detection_node]]. You type the commands into a terminal of JupyterLab. Each command also has a cell that does the same, so this lesson works without a terminal too. To run the nodes you need ROS 2.
 
 # %% role="given" exercise=["packages-executable"]
 from pathlib import Path
@@ -58,7 +57,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · A node as a script (13 minutes)
+# ## 1 · A node as a script ([[minutes]])
 #
 # The course has both nodes as short scripts, as you find them in many tutorials. The next cell makes a folder, `ros2_ws`, beside this notebook. It copies the scripts and the packages of the course into it, and prints the first script:
 
@@ -174,7 +173,7 @@ if ros_available():
 assert script_node is None or script_node.returncode == 0
 
 # %% [markdown]
-# ## 2 · What is in a package (10 minutes)
+# ## 2 · What is in a package ([[minutes]])
 #
 # If ROS 2 is fully installed, one command creates the files of a new package. For our two packages the commands are:
 #
@@ -235,7 +234,7 @@ assert "console_scripts" in setup and "data_files" in setup
 # %% [markdown]
 # The node consists of a function and an `ImageProcessor`, as in [[grayscale_node]]. On a robot, speed is important, so the function calls OpenCV. Section 6 compares its result with the gray image that you computed by hand in [[grayscale]].
 #
-# ## 3 · Planned failure: a dependency that cannot be found (6 minutes)
+# ## 3 · Planned failure: a dependency that cannot be found ([[minutes]])
 #
 # On a robot, the command `rosdep install` reads `package.xml` and installs the dependencies with the package manager of the robot's Linux. It identifies each dependency by a name, the *[[term:rosdep|rosdep key]]*. If `package.xml` contains another name, rosdep stops:
 #
@@ -272,7 +271,7 @@ print((package / "package.xml").read_text(encoding="utf-8"))
 # %% [markdown]
 # `exec_depend` means: needed when the node runs. `test_depend` means: needed only for the tests. `imgproc_course`, the Python package of this course, has no rosdep key. It must be installed in the Python that builds and runs the nodes. Here this is the Python of this notebook.
 #
-# ## 4 · Build (10 minutes)
+# ## 4 · Build ([[minutes]])
 #
 # The build tool of ROS 2 is [[term:colcon]]. It finds the packages in `src`, builds them, and installs them into the folder `install`. Now our workspace has two folders, `scripts` and `src`. **Predict** how many more folders it has after the build.
 
@@ -314,7 +313,7 @@ assert printed.count("Finished") == 2 and new_folders == ["build", "install", "l
 #
 # **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 #
-# ## 5 · Does ROS find the package? (8 minutes)
+# ## 5 · Does ROS find the package? ([[minutes]])
 #
 # The packages are built. Now you open a *second* terminal with **File → New → Terminal**, and ask ROS for the package. **Predict**: can ROS find it?
 
@@ -364,7 +363,7 @@ if ros_available():
 assert not ros_available() or where == str(workspace / "install" / "image_gray_processor")
 
 # %% [markdown]
-# ## 6 · Run (10 minutes)
+# ## 6 · Run ([[minutes]])
 #
 # `ros2 run image_gray_processor image_gray_processor` finds the folder of the package, as you just did. Then it starts the file `lib/PACKAGE/EXECUTABLE` in this folder. Without the command `ros2`, start the file itself. First this notebook subscribes to the node's topic:
 
@@ -465,7 +464,7 @@ assert node is None or node.returncode == 0
 # %% [markdown]
 # The node stopped without an error and printed its statistics. (*Ignored* images are images that came while the node had no subscriber. The node does not process them.)
 #
-# ## 7 · Practice: where is the executable? (6 minutes)
+# ## 7 · Practice: where is the executable? ([[minutes]])
 #
 # Write `executable_of(install, package)`. It returns the path of the file that `ros2 run` starts. Here the executable has the same name as its package. The function only puts the path together; it does not look at the disk. `Path` is imported already.
 #
@@ -522,7 +521,7 @@ def inputs(rng):
     return ("/opt/ws/install", "front_camera")
 
 # %% [markdown]
-# ## 8 · Practice: run the edge node (8 minutes)
+# ## 8 · Practice: run the edge node ([[minutes]])
 #
 # Now run the edge-detection node in the second terminal. Its thresholds are *parameters*, and you can set them in the command:
 #
@@ -569,7 +568,7 @@ if stop_now and edge_node is not None:
     stop(edge_node)
 
 # %% [markdown]
-# ## 9 · On the robot (5 minutes)
+# ## 9 · On the robot ([[minutes]])
 #
 # | in this course | with a full ROS 2 installation |
 # |---|---|
@@ -614,7 +613,7 @@ if stop_now and edge_node is not None:
 assert round(720 * 1280 * 3 * 8 * 10 / 1e6) == 221
 
 # %% [markdown]
-# ## 10 · Goodbye, and what next (4 minutes)
+# ## 10 · Goodbye, and what next ([[minutes]])
 #
 # You have gone the whole way of an image: from the bytes of a message to a gray image, a clean image, a binary image and edges; from a function to a node, and from a node to a package that runs without a notebook. You computed every step by hand and compared it with the library that everybody uses. Well done!
 #

@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Obstacles ahead
-#     minutes: 60
 # ---
 
 # %% [markdown]
@@ -17,7 +16,7 @@
 # - compute the time to collision from one camera, without depth,
 # - write a node that brakes in time, and measure how good it is.
 #
-# **Time** about 60 minutes, with a pause after section 4. **You need** [[drive_the_robot]] and [[arrays]]. Only the last section needs ROS 2.
+# **Time** [[minutes]], with a pause after section 4. **You need** [[drive_the_robot]] and [[arrays]]. Only the last section needs ROS 2.
 
 # %% role="given" exercise=["obstacles-ray", "obstacles-plane", "obstacles-inliers", "obstacles-nearest", "obstacles-ttc"]
 import math
@@ -68,7 +67,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · The depth image (4 minutes)
+# ## 1 · The depth image ([[minutes]])
 #
 # You know the depth image from [[what_is_image_processing#4]]: for every second row and every second column of the frame, it has a distance in millimetres. This distance is the *[[term:depth]]* of a point: how far it is in front of the camera, measured straight ahead. 0 means: no depth.
 
@@ -87,7 +86,7 @@ assert depth.shape == (360, 640) and (depth > 0).all()
 # %% [markdown]
 # **On the real robot** there is no such topic: `/kachaka/front_camera/depth` belongs to this course. The depth camera of a Kachaka (`/kachaka/tof_camera/image_raw`) looks up and does not see the floor. There you use the laser scanner, `/kachaka/lidar/scan`; sections 6 and 8 show how. Many other robots have a depth camera like ours.
 #
-# ## 2 · The ray of a pixel (11 minutes)
+# ## 2 · The ray of a pixel ([[minutes]])
 #
 # A pixel and its depth are not yet a place in the room. For this you need the *[[term:ray]]* of the pixel: the line from the camera on which everything lies that this pixel shows. We describe a ray by its point (x, y, 1), at a depth of 1 m: x metres to the **right** and y metres **down**. The point at the depth z is then (x · z, y · z, z).
 #
@@ -246,7 +245,7 @@ moved = camera.project(np.dstack([own_x, own_y, np.ones((360, 640))])) - np.dsta
 assert np.hypot(moved[..., 0], moved[..., 1]).max() < 1
 
 # %% [markdown]
-# ## 3 · A plane of three points (9 minutes)
+# ## 3 · A plane of three points ([[minutes]])
 #
 # The floor is a *[[term:plane]]*. Three points that are not on one line lie on exactly one plane. How do we compute it?
 #
@@ -351,7 +350,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 4 · RANSAC: which points are the floor? (10 minutes)
+# ## 4 · RANSAC: which points are the floor? ([[minutes]])
 #
 # A depth image has 230,400 points; we use every fourth row and column. Most of them are walls and furniture. A plane through the middle of *all* points is useless:
 
@@ -520,7 +519,7 @@ def inputs(rng):
 # **This is a good place for a pause.** When you come back, choose **Run → Run All Above Selected Cell**.
 
 # %% [markdown]
-# ## 5 · What stands on the floor, and a planned failure (5 minutes)
+# ## 5 · What stands on the floor, and a planned failure ([[minutes]])
 #
 # Now the height of every point is one line. What is more than 3 cm above the floor is an obstacle; the rug is not.
 
@@ -574,7 +573,7 @@ assert floor_66.sum() == 48154 and phantoms.sum() == 1728
 assert not ((right_height > 0.03) & floor_66).any()
 
 # %% [markdown]
-# ## 6 · The nearest obstacle in the corridor (8 minutes)
+# ## 6 · The nearest obstacle in the corridor ([[minutes]])
 #
 # Not every obstacle is in the way. The robot is 0.24 m wide. If it drives straight ahead, it needs a *corridor*: a strip of the floor, in which we want 8 cm of free space on each side, so 0.40 m in all. An obstacle is a point in the corridor that is higher than 3 cm, but lower than 0.40 m (the robot drives under anything that is higher).
 #
@@ -730,7 +729,7 @@ by_laser = laser.ranges[beams - 45] * np.cos(np.radians(beams - 45.0)) - 0.054
 assert np.abs(ranges[beams] * np.cos(np.radians(beams - 44.5)) - by_laser).max() < 0.15
 
 # %% [markdown]
-# ## 7 · Time to collision, with one camera (6 minutes)
+# ## 7 · Time to collision, with one camera ([[minutes]])
 #
 # Can a robot brake without any depth? Yes: what it drives towards grows in the image. If a ball is twice as near, it looks twice as wide. Let its width be 160 pixels now, and 144 pixels half a second ago. The *[[term:time to collision]]* is the time until the robot hits it, if the speed does not change:
 #
@@ -835,7 +834,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 8 · Brake! (7 minutes)
+# ## 8 · Brake! ([[minutes]])
 #
 # When must the robot brake? The first idea: when an obstacle is nearer than a fixed distance, say 0.06 m. We try it in the simulation, at three speeds. The robot looks ten times per second. (Its front is 0.03 m ahead of its camera.)
 

@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Object tracking
-#     minutes: 75
 # ---
 
 # %% [markdown]
@@ -17,7 +16,7 @@
 # - keep two objects apart that look the same, by joint assignment,
 # - write a node that follows a ball.
 #
-# **Time** about 75 minutes, with a pause after section 4. **You need** [[obstacles_ahead]] and [[arrays]]. Only the last part of section 8 needs ROS 2.
+# **Time** [[minutes]], with a pause after section 4. **You need** [[obstacles_ahead]] and [[arrays]]. Only the last part of section 8 needs ROS 2.
 
 # %% role="given" exercise=["tracking-iou", "tracking-backproject", "tracking-mean-shift", "tracking-predict", "tracking-update"]
 import math
@@ -78,7 +77,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · Two boxes (10 minutes)
+# ## 1 · Two boxes ([[minutes]])
 #
 # We work with every second row and column of each frame: 360 × 640 pixels, the size of the depth image. The labels of the recording are the ground truth: OpenCV's `boundingRect` gives the smallest [[term:bounding box]] around all pixels of the ball, as (col, row, width, height).
 
@@ -201,7 +200,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 2 · The colours of the ball (12 minutes)
+# ## 2 · The colours of the ball ([[minutes]])
 #
 # What distinguishes the ball? Its [[term:hue]]: red, in sun and in shade. In OpenCV's HSV images, the hue is from 0 to 179 (see [[canny_stages#5]]), and red is near 0. The white parts of the ball have no colour: their *[[term:saturation]]* is low. So we count the hues inside the box of the first frame, but only where the saturation is above 140:
 
@@ -335,7 +334,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 3 · Mean shift (13 minutes)
+# ## 3 · Mean shift ([[minutes]])
 #
 # The ball moves a little from frame to frame. So we begin with the box of the frame before, look at the weights **inside this box**, and move the box so that its middle is at their *[[term:center of mass]]*. There we look again, and so on, until the box stays where it is. This is *[[term:mean shift]]*.
 #
@@ -478,7 +477,7 @@ steps, box = cv2.meanShift(image, true_boxes[0], (3, 10, 1))
 print("steps", steps, "  box", box, "  true box", true_boxes[10])
 
 # %% [markdown]
-# ## 4 · The whole drive, and a failure (6 minutes)
+# ## 4 · The whole drive, and a failure ([[minutes]])
 #
 # We track the ball through all 90 frames: each frame begins with the box of the frame before. Beside mean shift we use `cv2.CamShift` (*[[term:CamShift]]*). After the mean shift, it computes a new width and height from the weights, because the ball grows as the robot comes nearer.
 #
@@ -546,7 +545,7 @@ assert sum(value >= 0.5 for value in camshift_iou) == 2 and mean_shift_iou[89] <
 #
 # This is a good place for a pause.
 #
-# ## 5 · Places on the floor (8 minutes)
+# ## 5 · Places on the floor ([[minutes]])
 #
 # Where is the ball on the floor? You need three things: its pixel, its depth, and the [[term:pose]] of the camera. From pixel and depth, the ray gives a point in front of the camera, as in [[obstacles_ahead#2]]. The pose takes this point into the room: `pose.apply(point)` gives x, y and z in metres, where z is the height above the floor. (Here we take the pose from the recording. [[term:odometry|Odometry]] gives it as well, with some error.)
 
@@ -645,7 +644,7 @@ assert round(np.median(distances), 1) == 2.3 and round(max(distances), 1) == 20.
 assert sum(distance < 5 for distance in distances) == 75
 
 # %% [markdown]
-# ## 6 · The Kalman filter (13 minutes)
+# ## 6 · The Kalman filter ([[minutes]])
 #
 # We know two things about the ball: where it should be now, since it rolled in a certain direction with a certain speed, and where we see it now. Both are uncertain. How do we combine them?
 #
@@ -885,7 +884,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 7 · Who is who? (6 minutes)
+# ## 7 · Who is who? ([[minutes]])
 #
 # Two *tracks*, of ball and car, and in each frame several red things. Which thing belongs to which track?
 #
@@ -1019,7 +1018,7 @@ assert ball.max() < 9 and car.max() < 9 and switches == 0 and linear_sum_assignm
 # %% [markdown]
 # While both are one spot, both tracks take it, and the track of the ball is pulled towards the car. When they separate, nothing is inside its gate any more, and it drives on in the wrong direction, nearer to the car than to the ball: an *[[term:identity switch]]*. With **joint assignment**, only one track gets the spot. The track of the ball coasts for a few frames, until it sees the ball again.
 #
-# ## 8 · Follow the ball (7 minutes)
+# ## 8 · Follow the ball ([[minutes]])
 #
 # Now the robot in the room follows the ball. It knows its own pose from odometry. The camera stands 0.21 m before the axle, 0.20 m above the floor, and looks ahead: its right is the robot's −y, its down is −z, its ahead is x. These are the columns of the rotation. The command turns the robot towards the ball, and keeps 0.8 m between camera and ball.
 

@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Where am I?
-#     minutes: 70
 # ---
 
 # %% [markdown]
@@ -17,7 +16,7 @@
 # - chain motions to a path, and keep its drift small with keyframes,
 # - measure the error of a path against the truth.
 #
-# **Time** about 70 minutes, with a pause after section 4. **You need** [[obstacles_ahead]] and [[drive_the_robot]]. Only the last part of section 8 needs ROS 2.
+# **Time** [[minutes]], with a pause after section 4. **You need** [[obstacles_ahead]] and [[drive_the_robot]]. Only the last part of section 8 needs ROS 2.
 
 # %% role="given" exercise=["where-homography", "where-decode", "where-motion", "where-inliers", "where-keyframes"]
 import math
@@ -84,7 +83,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · Two ways to know the place (5 minutes)
+# ## 1 · Two ways to know the place ([[minutes]])
 #
 # In [[drive_the_robot#4]] the robot drove a small square, and its wheels were wrong by 15 cm at the end. The wheels count only steps, and each small error stays. There are two better ways:
 #
@@ -133,7 +132,7 @@ show([cut_out(0), cut_out(89)], ["frame 0", "frame 89"], text=figure_texts["mark
 assert len(corners) == 90 and all(found.shape == (4, 2) for found in corners)
 
 # %% [markdown]
-# ## 2 · From a flat thing to its image (14 minutes)
+# ## 2 · From a flat thing to its image ([[minutes]])
 #
 # The marker is flat. Give each of its points two coordinates, x and y. Where is the point in the image? There is one 3 × 3 matrix for all of its points, the *[[term:homography]]*. Multiply it with (x, y, 1): this gives three numbers a, b and c. Then **divide**: the column is u = a / c, the row is v = b / c.
 
@@ -274,7 +273,7 @@ def inputs(rng):
 # %% [markdown]
 # OpenCV does the same: `cv2.getPerspectiveTransform` for four corners, `cv2.findHomography` for more. From here on, the lesson uses `homography` of the course's package, so that it does not need your function.
 #
-# ## 3 · Read the marker (11 minutes)
+# ## 3 · Read the marker ([[minutes]])
 #
 # Which marker is it? Its pattern has 6 × 6 cells. We give the corners of the marker the coordinates (0, 0), (6, 0), (6, 6) and (0, 6): then the middle of the first cell is at (0.5, 0.5). The homography says which pixel that is.
 
@@ -445,7 +444,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 4 · Where is the camera? (7 minutes)
+# ## 4 · Where is the camera? ([[minutes]])
 #
 # The four corners say still more. If the marker has its real size of 0.25 m, its homography contains where the marker is, as seen from the camera: its [[term:pose]]. `homography_pose` of the course's package takes it out; OpenCV's `cv2.solvePnP` computes it from the corners directly. (PnP means *[[term:perspective-n-point]]*: the pose from n points.)
 #
@@ -538,7 +537,7 @@ assert max(math.dist(place_by_hand(corners[k]), refined_places[k]) for k in rang
 #
 # This is a good place for a pause.
 #
-# ## 5 · The motion between two clouds of points (11 minutes)
+# ## 5 · The motion between two clouds of points ([[minutes]])
 #
 # Most places have no marker. But every room has corners, edges and patterns. Take frame 40 and frame 50, one second later. OpenCV finds points that are easy to find again (`goodFeaturesToTrack`), and follows each of them into the other frame (`calcOpticalFlowPyrLK`, the *[[term:optical flow]]* of Lucas and Kanade). As a test, it follows them back: who does not come back to its start is left out.
 
@@ -731,7 +730,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 6 · Many pairs are wrong (8 minutes)
+# ## 6 · Many pairs are wrong ([[minutes]])
 #
 # The room does not stand still: the person walks, the ball rolls, the car drives. And some points jump: from the edge of a thing to the wall behind it, or from one stripe of the rug to the next one, which looks the same. So many pairs do not tell the motion of the robot. You know the remedy: [[term:RANSAC]]. Draw three pairs, compute their motion, count the [[term:inlier|inliers]], repeat.
 #
@@ -902,7 +901,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 7 · The whole drive, and more drift (8 minutes)
+# ## 7 · The whole drive, and more drift ([[minutes]])
 #
 # Now chain the motions: the pose of the camera at frame 1 is its pose at frame 0, and then the motion from 0 to 1; then the motion from 1 to 2, and so on. The points move the other way round than the camera, so we take the inverse.
 #
@@ -1050,7 +1049,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 8 · In the room (6 minutes)
+# ## 8 · In the room ([[minutes]])
 #
 # The robot drives a slalom in the simulated room, and has both: its wheels, and its camera. The class does what you have just built: it follows the points of the last keyframe, and takes a new keyframe after 0.15 m or 10 degrees. It also takes one if fewer than 40 pairs agree, while it still can.
 

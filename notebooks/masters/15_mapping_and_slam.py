@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Mapping and SLAM
-#     minutes: 70
 # ---
 
 # %% [markdown]
@@ -17,7 +16,7 @@
 # - recognize a place with two laser scans,
 # - correct all poses of a path with the Gauss-Newton method, and measure how much better the map becomes.
 #
-# **Time** about 70 minutes, with a pause after section 4. **You need** [[where_am_i]] and [[drive_the_robot]]. Only the last part of section 9 needs ROS 2.
+# **Time** [[minutes]], with a pause after section 4. **You need** [[where_am_i]] and [[drive_the_robot]]. Only the last part of section 9 needs ROS 2.
 
 # %% role="given" exercise=["mapping-ray", "mapping-scan", "mapping-error", "mapping-loops", "mapping-step"]
 import math
@@ -85,7 +84,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · A loop in the room (4 minutes)
+# ## 1 · A loop in the room ([[minutes]])
 #
 # The scanner of the robot sends 360 rays in a plane, 10 cm above the floor. Where a ray ends, there is something. The robot drives a circle, and comes back to its start after 25 seconds. Every 0.8 seconds it *looks*: it keeps a scan, and what the wheels say. For the scores, we also keep the true pose.
 
@@ -132,7 +131,7 @@ assert math.dist(truth[0, :2], truth[-1, :2]) < 0.1 and 25 < robot.time < 27
 # %% [markdown]
 # A cloud of dots is not yet a map. A robot that plans its way needs two answers for each place: is there something, is it free, **or do we not know**? So we divide the floor into squares of 5 cm, the *cells* of an *[[term:occupancy grid]]*. Each ray says two things: its last cell is occupied, and all cells on the way are free.
 #
-# ## 2 · The cells of a ray (9 minutes)
+# ## 2 · The cells of a ray ([[minutes]])
 #
 # A ray begins in the cell (0, 0), row and column, and ends in (2, 5). Which cells does it pass through? It goes 2 rows and 5 columns far. So it takes 5 *steps*, the larger of both numbers. In each step the column grows by 1, and the row by 2/5. **Predict** the row after the second step, in the cell of column 2.
 
@@ -262,7 +261,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 3 · How sure is a cell? (10 minutes)
+# ## 3 · How sure is a cell? ([[minutes]])
 #
 # One scan can be wrong: a ray hits the leg of a person who walks by, or passes a corner. So each scan only makes a cell *more* or *less* likely to be occupied. If a ray ends in a cell, something is there with a [[term:probability]] of 0.7, as long as we know nothing else. If a ray passes through it, with 0.4.
 #
@@ -413,7 +412,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 4 · Two maps of one room (7 minutes)
+# ## 4 · Two maps of one room ([[minutes]])
 #
 # Our map has 110 × 150 cells of 5 cm. Its first cell is at x = −1.5 m and y = −2.7 m. A scan is given as the robot sees it, so first its points go into the room, turned and shifted by the pose of the robot, as in [[drive_the_robot]]. Then each point has a cell:
 
@@ -530,7 +529,7 @@ assert (first_map > 0).sum() + (first_map < 0).sum() + (first_map == 0).sum() ==
 # %% [markdown]
 # This is a good place for a pause.
 #
-# ## 5 · What an edge says (8 minutes)
+# ## 5 · What an edge says ([[minutes]])
 #
 # The wheels are wrong about the whole way, but about one step from a pose to the next, they are nearly right. So we keep the small steps, and leave open where the poses are. Such a net is called a *[[term:pose graph]]*: its nodes are poses (x, y, yaw), and each *edge* is a measured motion from one pose to another one: so far ahead, so far to the left, and turned by so much.
 #
@@ -647,7 +646,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 6 · I have been here before (10 minutes)
+# ## 6 · I have been here before ([[minutes]])
 #
 # With the edges of the wheels alone, nothing can be corrected: each pose follows from the one before, and no edge contradicts another. We need an edge that goes back: the robot must notice that it is at a place where it has been. This is a *[[term:loop closure]]*. A person would recognize the sofa. The robot compares two scans: if they come from almost the same place, they lie on each other after a small shift and turn. This is called *[[term:scan matching]]*.
 #
@@ -811,7 +810,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 7 · Pull the graph straight (12 minutes)
+# ## 7 · Pull the graph straight ([[minutes]])
 #
 # Now some edges contradict each other. First on a line: three poses at x = 0, 1 and 2. The wheels have measured 1.0 and 1.0. Then the robot compares the scans, and measures that the last pose is only 1.7 after the first. The errors of the three edges:
 
@@ -994,7 +993,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 8 · The map afterwards (5 minutes)
+# ## 8 · The map afterwards ([[minutes]])
 #
 # Now for our circle. The pairs that may close a loop are those whose wheels say that they are at most 1 m apart, and that are at least 12 poses from each other. The scans decide:
 
@@ -1067,7 +1066,7 @@ print("ATE with one wrong loop:", "more than 30 cm" if ate(bent[:, :2], truth[:,
 assert ate(bent[:, :2], truth[:, :2]) > 0.3
 
 # %% [markdown]
-# ## 9 · Live: the map snaps (5 minutes)
+# ## 9 · Live: the map snaps ([[minutes]])
 #
 # Now everything together, step by step while the robot drives. A `Mapper` takes a new *[[term:keyframe]]* after 20 cm or 20 degrees. It compares each keyframe with the nearest one that is at least 12 keyframes older. If they match, it corrects all poses.
 

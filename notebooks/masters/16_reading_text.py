@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Reading text
-#     minutes: 90
 # ---
 
 # %% [markdown]
@@ -18,7 +17,7 @@
 # - turn the scores of a network into text (CTC decoding),
 # - say when a reader fails, and what helps.
 #
-# **Time** about 90 minutes, with a pause after section 4. **You need** [[binarization]] and [[where_am_i]]. Only the last part of section 8 needs ROS 2.
+# **Time** [[minutes]], with a pause after section 4. **You need** [[binarization]] and [[where_am_i]]. Only the last part of section 8 needs ROS 2.
 
 # %% role="given" exercise=["text-components", "text-ncc", "text-distance", "text-ctc"]
 import numpy as np
@@ -81,7 +80,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · The tool (6 minutes)
+# ## 1 · The tool ([[minutes]])
 #
 # `rapidocr` (Apache 2.0) reads a whole image. Its networks, PP-OCRv6, are also under Apache 2.0 and come with the package, so nothing is downloaded; ONNX Runtime computes them. One network finds where text is, a second one reads it.
 
@@ -126,7 +125,7 @@ compare_guess(guess_lines, len(right))
 assert right == ["KITCHEN", "ROOM 204"] and 120 < np.ptp(cols) < 130
 
 # %% [markdown]
-# ## 2 · From the front (8 minutes)
+# ## 2 · From the front ([[minutes]])
 #
 # By hand, reading is easier if the letters always have the same size and do not lean. The robot knows from [[where_am_i]] where it is; it also knows where the sign hangs. So each point of the sign has a place in the room, and the camera model gives its pixel. To *[[term:rectification|rectify]]* an image is to compute its view from the front. `cv2.remap` does this: it takes each pixel of the new image from the given place of the old one. (For a lens without distortion this is the homography of [[where_am_i#2]]; `cv2.warpPerspective` applies one.)
 
@@ -161,7 +160,7 @@ show([cv2.resize(signs[k], None, fx=2, fy=2) for k in (0, 89)], ["frame 0", "fra
 assert signs.shape == (90, 120, 248, 3) and signs.dtype == np.uint8
 
 # %% [markdown]
-# ## 3 · Letters are components (20 minutes)
+# ## 3 · Letters are components ([[minutes]])
 #
 # The first line has rows 12 to 51. The light changes over the sign, so we first subtract the coarse brightness: a fine Gaussian blur minus a coarse one. (Doubled, for more contrast, and added to 128, so that nothing is negative.) Then Otsu's threshold of [[binarization#3]] separates ink and paper.
 
@@ -326,7 +325,7 @@ show([line, np.where(ink, 255, 0).astype(np.uint8), shades],
 assert (boxes[1:, 3] >= 20).sum() == 7
 
 # %% [markdown]
-# ## 4 · Which letter is it? (14 minutes)
+# ## 4 · Which letter is it? ([[minutes]])
 #
 # A drawn letter is called a *[[term:glyph]]*. The sign is printed in a font without serifs; Matplotlib brings such a font, DejaVu Sans Bold. We draw each letter and digit with it, and bring all glyphs into one form: 24 × 24 pixels, the letter 20 pixels high.
 
@@ -497,7 +496,7 @@ for template in templates.values():
     assert abs(result - np.corrcoef(seen[0].ravel(), template.ravel())[0, 1]) < 1e-4
 
 # %% [markdown]
-# ## 5 · How wrong is it? (16 minutes)
+# ## 5 · How wrong is it? ([[minutes]])
 #
 # FDCHIN or KITCHEM: which one is worse? The *[[term:edit distance]]* (Levenshtein) counts the smallest number of steps from one text to the other. A step inserts a character, deletes one, or replaces one by another.
 #
@@ -705,7 +704,7 @@ assert max(errors_network[:29] + errors_network[42:]) == 0 < min(errors_network[
 # %% [markdown]
 # The network reads KITCHEN in 77 frames, ROOM 204 in 40, and the third line in none. It fails to read KITCHEN only in the frames 29 to 41, while a person walks past. The reader by hand has trouble from frame 18 on, before the person comes: noise makes letters touch, and C and H become one D (MTDEN in frame 20). The mean helps against the noise, and at first also against the person, because it still contains frames from before. In frame 42, the reader by hand finds IKITCHEN: its first I is a leg.
 #
-# ## 6 · How a network spells (12 minutes)
+# ## 6 · How a network spells ([[minutes]])
 #
 # The network does not look for components. It cuts the line into narrow columns, and gives each column a score for each character that it knows. One more "character" is the **blank**: here is nothing. For seven columns and three characters:
 
@@ -859,7 +858,7 @@ for k in (0, 50, 89):
 assert network_text(name_line) == "KITCHEN"
 
 # %% [markdown]
-# ## 7 · Planned failures (8 minutes)
+# ## 7 · Planned failures ([[minutes]])
 #
 # **Touching letters.** The second line has seven characters and a space. It is small and blurred. Some of its letters touch each other, others break into parts.
 
@@ -928,7 +927,7 @@ show([stretched(strip) for strip in strips],
 # %% [markdown]
 # You can perhaps read the line in frame 89 as well, because you know these words. The network cannot: in five single frames, its edit distance is at least 10, of 27 characters. In the mean, the noise of the camera is gone, and it has only a few errors. For this, the robot must know exactly where it was in each frame: then all signs lie on each other.
 #
-# ## 8 · Live (6 minutes)
+# ## 8 · Live ([[minutes]])
 #
 # The robot in the room publishes five images in a second; the network needs a third of a second or more for each. If the node kept all images, it would read older and older ones. So it keeps only the newest: a [[term:QoS policy|QoS]] with history *keep last* and **depth 1**. All others are dropped on purpose.
 #

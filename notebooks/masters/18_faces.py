@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Faces
-#     minutes: 110
 # ---
 
 # %% [markdown]
@@ -19,7 +18,7 @@
 # - say when each of these fails,
 # - hide faces in an image, and say what a robot may store.
 #
-# **Time** about 110 minutes, with a pause after section 4. **You need** [[noise_removal]] and [[recognising_objects]]. Only the last part of section 8 needs ROS 2.
+# **Time** [[minutes]], with a pause after section 4. **You need** [[noise_removal]] and [[recognising_objects]]. Only the last part of section 8 needs ROS 2.
 
 # %% role="given" exercise=["faces-integral", "faces-haar", "faces-residue", "faces-lbp", "faces-anonymise"]
 import numpy as np
@@ -90,7 +89,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · People who do not exist (5 minutes)
+# ## 1 · People who do not exist ([[minutes]])
 #
 # *[[term:face detection|Face detection]]* finds where faces are in an image. *[[term:face recognition|Face recognition]]* says whose face it is. These are different questions, and they need different tools.
 #
@@ -109,7 +108,7 @@ show(faces, ["person 0", "person 1", "0, side light", "0, turned"],
 assert len(people) == 30 and people[0].shape == (12,) and faces[0].shape == (128, 128, 3) and faces[0].dtype == np.uint8
 
 # %% [markdown]
-# ## 2 · The sum of any box (14 minutes)
+# ## 2 · The sum of any box ([[minutes]])
 #
 # Where the eyes are, a face is dark. So a detector adds up the pixels of many boxes and compares the sums. A box of 200 × 300 pixels has 60,000 of them, and there are hundreds of thousands of boxes. We do it with **running sums** instead: each number is the sum of all numbers up to it.
 
@@ -227,7 +226,7 @@ compare_guess(guess_corners, len(corners))
 assert [int(corner) for corner in corners] == [78, -6, -33, 1] and sum(corners) == block[1:3, 2:4].sum() == 40
 
 # %% [markdown]
-# ## 3 · Bright boxes and dark boxes (15 minutes)
+# ## 3 · Bright boxes and dark boxes ([[minutes]])
 #
 # A *[[term:Haar feature]]* consists of two or three boxes in a small window, and each box has a weight. Its value is the sum of the pixels of each box, times its weight, all added up. OpenCV's face detector looks at windows of 24 × 24 pixels. This is the first feature in its file: left, top, width, height and weight of each box, counted from the upper left corner of the window.
 
@@ -362,7 +361,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 4 · The cascade (15 minutes)
+# ## 4 · The cascade ([[minutes]])
 #
 # One feature finds no face: curtains and shelves also have dark strips. A *weak classifier* compares one feature with a limit and gives one of two numbers. A *stage* adds up the numbers of its weak classifiers. If the sum is below the threshold of the stage, the window is rejected. Three windows, two weak classifiers, and a threshold of 1.5:
 
@@ -560,7 +559,7 @@ assert not HAS_HAAR or [len(alarms[k]) for k in (0, 30, 66)] == [0, 1, 1]
 # %% [markdown]
 # This is a good place for a pause.
 #
-# ## 5 · Eigenfaces (18 minutes)
+# ## 5 · Eigenfaces ([[minutes]])
 #
 # Now that a face is found: whose is it? A gray image of 64 × 64 pixels is a vector of 4096 numbers. But faces are alike: most of the 4096 numbers say nothing about the person. So we describe a face by a few numbers: how it differs from the **mean face**, in the directions in which faces differ most.
 #
@@ -744,7 +743,7 @@ assert shares == {5: 95, 40: 71}
 # More eigenfaces tell less. A few eigenfaces can rebuild faces, and hardly anything else; so a large residue says that something is no face. With 40 of them, a curtain is rebuilt quite well too, and its residue is also small.
 
 # %% [markdown]
-# ## 6 · Local binary patterns (16 minutes)
+# ## 6 · Local binary patterns ([[minutes]])
 #
 # A lamp at the side makes one half of a face dark. Each gray level changes, and so do the weights of the eigenfaces. But the eye is still darker than the skin beside it. A *[[term:local binary pattern]]*, LBP, keeps only this. For each of the 8 neighbours of a pixel: is the neighbour **at least as bright** as the pixel (`>=`)? Each yes adds a number. The numbers go clockwise, from the upper left:
 #
@@ -968,7 +967,7 @@ assert (((blurred[1][:, None] - blurred[0]) ** 2).sum(axis=2).argmin(axis=1) == 
 # Two planned failures in one figure. Dim light and side light defeat pixels and eigenfaces, and not LBP. Dim light changes the order of hardly any two neighbours. Side light changes most codes, but enough of them stay: the histograms are still nearest to those of the right person. But noise defeats LBP, and not the others: on smooth skin, noise decides which neighbour is brighter. (Two remedies to try: for dim light, subtract from each image its mean and divide by its standard deviation; for noise, blur a little before the codes.) And a turned head moves the mouth and the eyes into other parts. No description is best for all; say in which light a score was measured.
 
 # %% [markdown]
-# ## 7 · What may a robot keep? (18 minutes)
+# ## 7 · What may a robot keep? ([[minutes]])
 #
 # A home robot sees who is at home, when, with whom, and in what state. People who live there, guests and children did not all agree to this. Before you store or send images of people, ask:
 #
@@ -1137,7 +1136,7 @@ def paint_over(frame, boxes):
     return frame
 
 # %% [markdown]
-# ## 8 · Hidden before it is stored (9 minutes)
+# ## 8 · Hidden before it is stored ([[minutes]])
 #
 # The person in the room of our robot does not turn a face to the camera. So a node of ours, the *visitor*, draws one into each image of the camera; it moves from the left to the right. The second node, the *anonymiser*, subscribes to these images. It looks for faces, paints over them, and publishes the result on a topic of its own. It does not know where the visitor is. `record` stores only the anonymiser's topic.
 

@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Gestures
-#     minutes: 120
 # ---
 
 # %% [markdown]
@@ -17,7 +16,7 @@
 # - train a small neural network, and test it honestly,
 # - compare two movements by dynamic time warping.
 #
-# **Time** about 120 minutes, with a pause after section 4. **You need** [[canny_stages]] and [[recognising_objects]]. Only the last part of section 7 needs ROS 2.
+# **Time** [[minutes]], with a pause after section 4. **You need** [[canny_stages]] and [[recognising_objects]]. Only the last part of section 7 needs ROS 2.
 
 # %% role="given" exercise=["gestures-hull", "gestures-valley", "gestures-runs", "gestures-dtw"]
 import numpy as np
@@ -83,7 +82,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · A hand in a glove (10 minutes)
+# ## 1 · A hand in a glove ([[minutes]])
 #
 # Nobody's hand was photographed for this lesson: the hands are drawn from random numbers, so we know how many fingers each of them raises. They wear a green glove, because green occurs hardly anywhere in the room. `random_hand` draws the place, the size and the turn of a hand; `draw_hand` draws it over a frame, with noise.
 
@@ -152,7 +151,7 @@ show([images[4], view], ["four fingers", "mask"], text=figure_texts["mask"])
 assert small_mask.sum() == 27
 
 # %% [markdown]
-# ## 2 · A rubber band around points (23 minutes)
+# ## 2 · A rubber band around points ([[minutes]])
 #
 # Stretch a rubber band around the hand and let it go: it touches the finger tips, and spans the valleys between them. The shape of the band is called the *[[term:convex hull]]*. Its corners are points of the hand, and the band turns in the same direction at each of them.
 #
@@ -337,7 +336,7 @@ for a, b in zip(hull, np.roll(hull, -1, axis=0), strict=True):
     assert min(turn(a.astype(int), b.astype(int), point.astype(int)) for point in outline) >= 0
 
 # %% [markdown]
-# ## 3 · Valleys (21 minutes)
+# ## 3 · Valleys ([[minutes]])
 #
 # Between two neighbouring corners of the hull, the contour goes into a valley. How deep is it? The depth of a point is its distance to the straight line through the two corners. `turn(a, b, p)` helps again: without its sign, it is the area of a parallelogram with the base from a to b, and the distance is its height. So divide it by the length of the base.
 
@@ -517,7 +516,7 @@ compare_guess(guess_valleys, valleys[1])
 assert valleys == [0, 0, 1, 2, 3, 4]
 
 # %% [markdown]
-# ## 4 · A circle around the palm (18 minutes)
+# ## 4 · A circle around the palm ([[minutes]])
 #
 # So another idea. Draw a circle around the palm's center, twice as large as the palm's circle. Walk around it once, and count how often you come from the background onto the hand: once for each raised finger, and once for the arm.
 
@@ -765,7 +764,7 @@ assert np.trace(circle_matrix) == 116 and set(by_valleys) <= set(range(6)) and c
 #
 # This is a good place for a pause.
 #
-# ## 5 · A small network (12 minutes)
+# ## 5 · A small network ([[minutes]])
 #
 # Somebody had to invent the circle. A *[[term:neural network]]* learns from examples what to look at. The linear classifier of [[recognising_objects#5]] multiplied and added once. A network does it several times, in *layers*, and after each layer but the last, negative numbers become 0. A network with two inputs, two numbers in its *[[term:hidden layer]]*, and two classes:
 
@@ -855,7 +854,7 @@ assert np.degrees(max(abs(hand.turn) for hand in hands)) < 23
 # %% [markdown]
 # **The second planned failure:** the network has learnt these 600 hands, and not what a finger is. It knows nothing of turned hands, and does not say so: it gives a class, often with a high probability. The circle is the same from all sides. What would you change: the training data, or the crop?
 #
-# ## 6 · Movements (25 minutes)
+# ## 6 · Movements ([[minutes]])
 #
 # A wave is a movement, so one image is not enough. We follow the palm's center from frame to frame: its *[[term:tracking|track]]*, an array of points x, y. `gesture_track` makes such tracks of six gestures, with noise. No two people are equally fast, so the tracks have different lengths. A gesture is the same on the left and on the right of the image, so we subtract the mean of all points.
 
@@ -1121,7 +1120,7 @@ for _, track in tracks:
 # %% [markdown]
 # A movement in one direction is easy: a swipe is a swipe at any speed. What goes to and fro, the wave and the circle, needs time warping.
 #
-# ## 7 · In the room (11 minutes)
+# ## 7 · In the room ([[minutes]])
 #
 # Now the robot obeys. Images of your hand come on the topic `/webcam/image_raw`. The node looks at each of them:
 # - Five fingers are a **palm**: the robot stops at once, and forgets what it was doing. Stop always wins: how a palm moves does not matter.

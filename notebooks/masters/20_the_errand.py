@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: The errand
-#     minutes: 130
 # ---
 
 # %% [markdown]
@@ -17,7 +16,7 @@
 # - decide when a robot may believe what it has read,
 # - join these parts to a robot that does an errand.
 #
-# **Time** about 130 minutes, with a long pause after section 4. **You need** the lessons since [[drive_the_robot]], above all [[obstacles_ahead]], [[mapping_and_slam]] and [[reading_text]].
+# **Time** [[minutes]], with a long pause after section 4. **You need** the lessons since [[drive_the_robot]], above all [[obstacles_ahead]], [[mapping_and_slam]] and [[reading_text]].
 
 # %% role="given" exercise=["errand-frame", "errand-speed", "errand-direction", "errand-believe"]
 import math
@@ -86,7 +85,7 @@ figure_texts = {
 }
 
 # %% [markdown]
-# ## 1 · Where am I, all the time? (20 minutes)
+# ## 1 · Where am I, all the time? ([[minutes]])
 #
 # The robot has two answers to this question, and neither is good enough alone:
 #
@@ -256,7 +255,7 @@ assert [round(float(e), 2) for e in (wheel_errors[seen], wheel_errors[-1], error
 # %% [markdown]
 # At the marker, the error of 0.28 m becomes 0. Later the wheels drift on, so at the end there is an error again; but it is 0.33 m in place of 0.59 m. The more often the robot sees a marker, the smaller its error. And the odometry itself has no jump: only the blue path in the map has one.
 #
-# ## 2 · How fast may it be? (14 minutes)
+# ## 2 · How fast may it be? ([[minutes]])
 #
 # [[obstacles_ahead#8]] had a rule: brake when the free way is less than the stopping distance. So the robot drives with its full speed, or it stands. In a room with a person, it is better to drive slowly when there is little space: only as fast as the robot can still stop in time.
 #
@@ -388,7 +387,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 3 · Around things (15 minutes)
+# ## 3 · Around things ([[minutes]])
 #
 # Boxes stand in front of the robot, and the goal is behind them, a little to the left. The laser scanner sees all around: one ray for each degree, counterclockwise from straight ahead. It is mounted 0.156 m in front of the axle. As in [[mapping_and_slam#1]], the ends of the rays become points: x ahead of the axle, y to its left.
 
@@ -559,7 +558,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 4 · Believe a text (15 minutes)
+# ## 4 · Believe a text ([[minutes]])
 #
 # In the recorded drive, the network of [[reading_text]] looked for text in each frame. A person walks past the sign KITCHEN in the middle of the drive. Here is what it read in eight of these frames, word for word. (They are written down here, because each look takes a third of a second or more.)
 
@@ -757,7 +756,7 @@ def inputs(rng):
 
 
 # %% [markdown]
-# ## 5 · The whole errand (22 minutes)
+# ## 5 · The whole errand ([[minutes]])
 #
 # Now all parts come together. The errand, step by step:
 #
@@ -1125,7 +1124,7 @@ def run_errand(seed, lighting="day", limit=180, **options):
                   np.array(path), np.array(believed), bumps), errand
 
 # %% [markdown]
-# ## 6 · A first run, and a planned failure (12 minutes)
+# ## 6 · A first run, and a planned failure ([[minutes]])
 #
 # Each part has worked in its own lesson. The first run uses them as they were in their lessons: each marker is believed at once and completely, as in [[where_am_i#4]], and obstacles come from the laser scan alone, as [[obstacles_ahead#8]] advises for the real robot. We tried each of these two simplifications alone before, with the same seed: **100 points** each time. Now both together. The run ends after 45 seconds.
 #
@@ -1184,7 +1183,7 @@ assert [task for task, _ in first_errand.diary] == ["to_lookout", "look_around"]
 assert first.bump_times[0] < large[0] and jumps[12.8] == 16
 
 # %% [markdown]
-# ## 7 · The repaired robot (10 minutes)
+# ## 7 · The repaired robot ([[minutes]])
 #
 # Both are repaired already: `Place` weighs the markers, and `low_points` shows the slippers. We run the same seed again, without the two options. Now the robot reaches the sign just when the person walks past it. **Predict** how often it has to look at the sign, until two looks agree.
 
@@ -1229,7 +1228,7 @@ assert parts_read == [["KIT"], ["K"], [], [], ["HEN"]]
 assert round(100 * np.linalg.norm(repaired.path - repaired.believed, axis=1).max()) == 33
 
 # %% [markdown]
-# ## 8 · Your own runs (22 minutes)
+# ## 8 · Your own runs ([[minutes]])
 #
 # Now your functions. **Run the four `check` cells first**: all must pass. A wrong function gives an error in the middle of the errand, or a robot that does strange things.
 #

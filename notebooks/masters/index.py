@@ -2,7 +2,6 @@
 # jupyter:
 #   imgproc_course:
 #     title: Image processing in ROS 2
-#     minutes: 2
 # ---
 
 # %% [markdown]

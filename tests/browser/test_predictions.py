@@ -12,7 +12,6 @@ MASTER = """
 # jupyter:
 #   imgproc_course:
 #     title: Sums
-#     minutes: 5
 # ---
 
 # %% [markdown]

@@ -99,7 +99,8 @@ def _build_each(result, masters_dir, lessons_dir, names, progress, *, solved):
         kilobytes = len(nbformat.writes(twins[0])) / 1000
         check_kilobytes = sum(len(text) for name, text in files.items() if name.startswith(CHECKS)) / 1000
         sizes = f"{kilobytes:.0f} kB, checks {check_kilobytes:.0f} kB"
-        progress(f"{path.stem}: {sizes}, {time.monotonic() - start:.0f} s")
+        minutes = f"core {master.core_minutes} of {master.minutes} minutes"
+        progress(f"{path.stem}: {minutes}; {sizes}, {time.monotonic() - start:.0f} s")
         yield path.stem, twins, files
         result.built.append(path.stem)
 
@@ -163,6 +164,8 @@ def lesson_notebook(master, *, solved=False):
         "lesson": master.name,
         "title": master.title,
         "minutes": master.minutes,
+        "core_minutes": master.core_minutes,
+        "deeper": list(master.deeper_exercises),
         "version": version("imgproc-course"),
     }
     kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}

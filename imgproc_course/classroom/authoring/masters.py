@@ -9,7 +9,6 @@ A whole one:
     # jupyter:
     #   imgproc_course:
     #     title: Doubling
-    #     minutes: 5
     # ---
 
     # %% [markdown]
@@ -68,8 +67,12 @@ A whole one:
         return pixels * 2
 
 Front matter
-    `jupyter: imgproc_course:` holds `title` and `minutes`. The first cell begins with the heading `# title`;
+    `jupyter: imgproc_course:` holds the `title`. The first cell begins with the heading `# title`;
     the lesson has its number there, too.
+
+Minutes, core and deeper
+    `[[minutes]]` in a heading begins a section: build writes its minutes. `([[minutes]], deeper)` marks what
+    can be left out. In the line **Time**, `[[minutes]]` is the time of the lesson; `minutes` has the rule.
 
 References
     Other lessons, their sections and the terms of the glossary are referred to by name:
@@ -154,6 +157,7 @@ from dataclasses import dataclass, replace
 from pathlib import Path
 
 from imgproc_course.classroom.authoring.lesson_names import LESSON_FILE, lesson_name
+from imgproc_course.classroom.authoring.minutes import timed_script
 from imgproc_course.classroom.authoring.references import References
 from imgproc_course.classroom.authoring.rules import FOLDED_LINES, VARYING_TAG, master_problems
 from imgproc_course.classroom.exercises.declaration import MasterError, read_exercises
@@ -176,6 +180,7 @@ class Cell:
     role           "given", "answer", "check", "predict" or ""
     exercise       the id of its exercise, or ""
     tags           tuple of str
+    deeper         whether it can be left out: it is in a deeper section
     """
 
     id: str
@@ -185,6 +190,7 @@ class Cell:
     role: str = ""
     exercise: str = ""
     tags: tuple = ()
+    deeper: bool = False
 
     @property
     def varies(self):
@@ -202,11 +208,13 @@ class Master:
 
     name    of the lesson, its identity: "images_as_messages"
     number  its place in the course: "03"
+    minutes, core_minutes  of the whole lesson, and of its core
     """
 
     path: Path
     title: str
     minutes: int
+    core_minutes: int
     cells: tuple
     exercises: tuple
 
@@ -218,6 +226,11 @@ class Master:
     def number(self):
         match = LESSON_FILE.fullmatch(self.path.stem)
         return match["number"] if match else ""  # the index has none
+
+    @property
+    def deeper_exercises(self):
+        """The ids of the exercises that can be left out."""
+        return tuple(cell.exercise for cell in self.cells if cell.role == "answer" and cell.deeper)
 
     @property
     def handed_out(self):
@@ -276,11 +289,12 @@ def read_master(path):
     script, references = read_script(path), References(path)
     exercises = tuple(_resolved(exercise, references) for exercise in read_exercises(path))
     title = str(script.front_matter.get("title", ""))
-    cells = list(_lesson_cells(path, script, exercises, references))
     match = LESSON_FILE.fullmatch(path.stem)
+    timed = timed_script(script, match["number"] if match else "")
+    cells = list(_lesson_cells(path, timed, exercises, references))
     if match and cells and cells[0].kind == "markdown":
         cells[0] = _numbered(cells[0], match["number"])
-    master = Master(path, title, script.front_matter.get("minutes", 0), tuple(cells), exercises)
+    master = Master(path, title, timed.whole, timed.core, tuple(cells), exercises)
     problems = master_problems(master)
     if problems:
         raise MasterError("\n".join(f"{path.name}: {problem}" for problem in problems))
@@ -307,12 +321,12 @@ def _resolved(record, references):
     return replace(record, **changes)
 
 
-def _lesson_cells(path, script, exercises, references):
+def _lesson_cells(path, timed, exercises, references):
     counts, latest = Counter(), ""
     declared = iter(exercises)
     solutions = {exercise.id: exercise.solution for exercise in exercises}
     position = 0
-    for cell in script.cells:
+    for cell, deeper in zip(timed.cells, timed.deeper, strict=True):
         role = cell.role
         if role == "exercise":
             latest = next(declared).id
@@ -334,4 +348,4 @@ def _lesson_cells(path, script, exercises, references):
         source = resolve(cell.source)
         solved_source = solutions[owner] if role == "answer" else source
         exercise = "" if role == "predict" else owner
-        yield Cell(id, cell.kind, source, solved_source, role, exercise, tags)
+        yield Cell(id, cell.kind, source, solved_source, role, exercise, tags, deeper)

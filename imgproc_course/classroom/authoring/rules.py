@@ -60,8 +60,8 @@ def _is_text(value):
 
 def _heading_problems(master):
     first = master.cells[0] if master.cells else None
-    if not master.title or not isinstance(master.minutes, int) or master.minutes <= 0:
-        yield "the front matter needs jupyter: imgproc_course: title: and minutes:"
+    if not master.title:
+        yield "the front matter needs jupyter: imgproc_course: title:"
     heading = f"# {master.number} · {master.title}" if master.number else f"# {master.title}"
     if first is None or first.kind != "markdown" or first.source.splitlines()[:1] != [heading]:
         yield f"the first cell must be markdown that begins with '# {master.title}'; build adds the number"

@@ -127,7 +127,9 @@ def test_the_metadata_name_the_lesson_and_no_machine(built):
         "imgproc_course": {
             "lesson": "template",
             "title": "Doubling",
-            "minutes": 5,
+            "minutes": 10,
+            "core_minutes": 10,
+            "deeper": [],
             "version": version("imgproc-course"),
         },
         "kernelspec": {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"},
@@ -248,7 +250,7 @@ def test_a_cell_that_cannot_be_stored_is_named_and_the_stored_lesson_stays(
 
 
 def test_one_bad_lesson_does_not_block_another(write_master, tmp_path):
-    write_master(("minutes: 5", "minutes: 0"), name="80_bad")
+    write_master(("title: Doubling", "title: ''"), name="80_bad")
     path = write_master(("template-double", "template-twice"))
     result = build(path.parent, tmp_path / "lessons", tmp_path / "solved", progress=str)
     assert result.built == ["90_template"]

@@ -8,7 +8,8 @@ from imgproc_course.classroom.exercises import MasterError
 
 def test_a_master_is_read_whole(write_master):
     master = read_master(write_master())
-    assert (master.number, master.name, master.title, master.minutes) == ("90", "template", "Doubling", 5)
+    assert (master.number, master.name, master.title) == ("90", "template", "Doubling")
+    assert (master.minutes, master.core_minutes, master.deeper_exercises) == (5, 5, ())
     assert [(cell.id, cell.role) for cell in master.cells] == [
         ("template-1", ""),
         ("given-template-double-1", "given"),
@@ -30,7 +31,7 @@ THIRTEEN = "\n".join(f"x{k} = {k}" for k in range(13))
     ("replacements", "added", "message"),
     [
         ([("title: Doubling", "title: Trebling")], "", "begins with '# Trebling'"),
-        ([("minutes: 5", "minutes: few")], "", "the front matter needs"),
+        ([("title: Doubling", "title: ''")], "", "the front matter needs"),
         ([('role="hidden"', 'role="case"')], "", 'has no role="hidden"'),
         ([('        "What is 2 * 200, and where does uint8 end?",\n', "")], "", "nearly the code; it has 2"),
         ([('"What is 2 * 200, and where does uint8 end?"', '" "')], "", "needs hints=(...) with 3 texts"),
@@ -156,7 +157,7 @@ def test_the_texts_of_figures_stand_in_a_folded_cell(write_master):
 
 def test_every_broken_rule_is_named_at_once(write_master):
     with pytest.raises(MasterError) as error:
-        read_master(write_master(("minutes: 5", "minutes: 0"), add="\n# %%\nfrom math import *\n"))
+        read_master(write_master(("title: Doubling", "title: Trebling"), add="\n# %%\nfrom math import *\n"))
     assert len(str(error.value).splitlines()) == 3  # the second names its line too
 
 
